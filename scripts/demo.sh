@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# From an empty clone to the answer: installs what is missing, builds, and solves CONFIG 1 to 3 of
+# the screw of Abevi et al. 2015 in tension and compression. Tables on the terminal, files in out/.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+scripts/setup.sh
+cmake --preset release -DPRS_BUILD_TESTS=OFF >/dev/null
+cmake --build --preset release --target prs
+echo
+build/release/prs/cli/prs solve configs/01_config_1_to_3.yaml --output out/01_config_1_to_3
+build/release/prs/cli/prs solve configs/03_load_sweep.yaml --output out/03_load_sweep
