@@ -1,0 +1,78 @@
+#pragma once
+
+#include <vector>
+
+#include "fe/bar.h"
+#include "fe/beam.h"
+#include "fe/power_law_spring.h"
+
+namespace fe {
+
+/// Freedoms of a plane node: axial displacement u [m], transverse displacement v [m], rotation
+/// theta [rad], positive from x to y.
+enum class Dof { u, v, theta };
+inline constexpr int kDofsPerNode = 3;
+
+/// A point rigidly attached to a node at the offset (dx, dy) [m]; it moves by
+/// (u - theta dy, v + theta dx).
+struct RigidArm {
+  int node = 0;
+  double dx = 0.0;
+  double dy = 0.0;
+};
+
+struct BarElement {
+  int first = 0;
+  int second = 0;
+  Bar bar;
+};
+
+struct BeamElement {
+  int first = 0;
+  int second = 0;
+  Beam beam;
+};
+
+/// A power-law spring between two points. Its approach is the displacement of `from` relative to
+/// `to`, projected on the unit vector (nx, ny) that points from `from` into `to`.
+struct SpringElement {
+  RigidArm from;
+  RigidArm to;
+  double nx = 1.0;
+  double ny = 0.0;
+  PowerLawSpring law;
+};
+
+/// A linear spring from one freedom to the ground [N/m or N m/rad].
+struct ElasticSupport {
+  int node = 0;
+  Dof dof = Dof::u;
+  double stiffness = 0.0;
+};
+
+struct FixedSupport {
+  int node = 0;
+  Dof dof = Dof::u;
+};
+
+/// A force [N] or moment [N m] on one freedom.
+struct NodalLoad {
+  int node = 0;
+  Dof dof = Dof::u;
+  double value = 0.0;
+};
+
+/// A plane structure of bars, beams and unilateral springs: what stays constant in a solve. Bars
+/// carry u only; a freedom that no element stiffens takes no part in the equations.
+struct Model {
+  int nodes = 0;
+  std::vector<BarElement> bars;
+  std::vector<BeamElement> beams;
+  std::vector<SpringElement> springs;
+  std::vector<ElasticSupport> elastic_supports;
+  std::vector<FixedSupport> fixed_supports;
+
+  int add_node() { return nodes++; }
+};
+
+}  // namespace fe

@@ -1,0 +1,134 @@
+#include "fe/newton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fe {
+
+std::string_view name(NewtonStatus status) {
+  switch (status) {
+    case NewtonStatus::converged:
+      return "converged";
+    case NewtonStatus::iteration_limit:
+      return "iteration_limit";
+    case NewtonStatus::line_search_failed:
+      return "line_search_failed";
+    case NewtonStatus::not_positive_definite:
+      return "not_positive_definite";
+    case NewtonStatus::out_of_memory:
+      return "out_of_memory";
+  }
+  return "unknown";
+}
+
+NewtonSolver::NewtonSolver(const Equations& equations)
+    : equations_(&equations),
+      tangent_(equations.linear_stiffness()),
+      cholesky_(tangent_),
+      residual_(equations.size()),
+      step_(equations.size()),
+      trial_(Eigen::VectorXd::Zero(equations.size())) {}
+
+double NewtonSolver::relative_residual(const NewtonOptions& options) const {
+  double force = 0.0, moment = 0.0;
+  for (int i = 0; i < equations_->size(); ++i) {
+    double& largest = equations_->kind(i) == Dof::theta ? moment : force;
+    const double r = std::abs(residual_[i]);
+    if (!(r <= largest)) largest = r;  // keeps a NaN
+  }
+  moment /= options.length_scale;
+  return (moment > force || std::isnan(moment) ? moment : force) / options.force_scale;
+}
+
+bool NewtonSolver::residual_is_rounding(const State& q) const {
+  return (residual_.array().abs() <= equations_->rounding_residual(q).array()).all();
+}
+
+FactorizationStatus NewtonSolver::factorize_shifted(const NewtonOptions& options, double& shift) {
+  shift = 0.0;
+  FactorizationStatus status = cholesky_.factorize(tangent_);
+  const SparseSymmetric& linear = equations_->linear_stiffness();
+  while (status == FactorizationStatus::not_positive_definite && shift < options.last_shift) {
+    const double next = shift == 0.0 ? options.first_shift : 100.0 * shift;
+    for (int j = 0; j < tangent_.size(); ++j) {
+      const auto diagonal =
+          static_cast<std::size_t>(tangent_.column_start[static_cast<std::size_t>(j) + 1] - 1);
+      tangent_.value[diagonal] += (next - shift) * linear.value[diagonal];
+    }
+    shift = next;
+    status = cholesky_.factorize(tangent_);
+  }
+  return status;
+}
+
+NewtonSummary NewtonSolver::solve(const Eigen::VectorXd& f, const NewtonOptions& options,
+                                  State& q) {
+  NewtonSummary summary;
+  summary.history.reserve(8);
+  double energy = equations_->energy_and_residual(q, f, residual_);
+  summary.initial_relative_residual = summary.relative_residual = relative_residual(options);
+  summary.energy = energy;
+
+  bool fresh = false;  // whether the factorization is that of the last step's start
+  while (summary.iterations() < options.max_iterations) {
+    NewtonIteration iteration;
+    const bool reuse = fresh && summary.relative_residual <= options.reuse_factorization_below;
+    fresh = !reuse;
+    if (!reuse) {
+      equations_->tangent_stiffness(q, tangent_);
+      const FactorizationStatus factorization = factorize_shifted(options, iteration.shift);
+      if (factorization != FactorizationStatus::ok) {
+        summary.status = factorization == FactorizationStatus::out_of_memory
+                             ? NewtonStatus::out_of_memory
+                             : NewtonStatus::not_positive_definite;
+        return summary;
+      }
+    }
+    cholesky_.solve(residual_, step_);
+    const double slope = -residual_.dot(step_);
+
+    // Near the solution the gain drowns in the rounding of the energy, a difference of large works.
+    const double rounding = 64.0 * std::numeric_limits<double>::epsilon() *
+                            (std::abs(energy) + std::abs(f.dot(q.head)));
+    double length = 1.0, trial_energy = energy;
+    bool accepted = false;
+    for (int halvings = 0; !accepted && halvings <= options.max_halvings; ++halvings) {
+      if (halvings > 0) length *= 0.5;
+      trial_.set_to_step(q, length, step_);
+      trial_energy = equations_->energy_and_residual(trial_, f, residual_);
+      accepted = trial_energy <= energy + options.sufficient_decrease * length * slope + rounding;
+    }
+    iteration.energy = trial_energy;
+    iteration.step_length = length;
+    iteration.relative_residual = relative_residual(options);
+    summary.history.push_back(iteration);
+    if (!accepted || !std::isfinite(trial_energy)) {
+      summary.status = NewtonStatus::line_search_failed;
+      return summary;
+    }
+
+    std::swap(q, trial_);
+    energy = trial_energy;
+    summary.energy = energy;
+    const bool small = iteration.relative_residual <= options.residual_tolerance;
+    const bool stalled = iteration.relative_residual > 0.1 * summary.relative_residual;
+    summary.relative_residual = iteration.relative_residual;
+    if (-slope > options.energy_tolerance * std::abs(energy)) continue;
+    summary.at_rounding = !small && stalled && residual_is_rounding(q);
+    if (small || summary.at_rounding) {
+      summary.status = NewtonStatus::converged;
+      return summary;
+    }
+  }
+  return summary;
+}
+
+bool NewtonSolver::solve_tangent(const State& q, const Eigen::VectorXd& rate, Eigen::VectorXd& x) {
+  equations_->tangent_stiffness(q, tangent_);
+  if (cholesky_.factorize(tangent_) != FactorizationStatus::ok) return false;
+  cholesky_.solve(rate, x);
+  return true;
+}
+
+}  // namespace fe

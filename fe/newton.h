@@ -1,0 +1,96 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+#include <vector>
+
+#include "fe/cholesky.h"
+#include "fe/equations.h"
+
+namespace fe {
+
+struct NewtonOptions {
+  /// Largest residual over `force_scale` (moments over `length_scale` as well) that counts as
+  /// equilibrium. Rounding allows about 1e-14 on a roller-screw sector. Where the stiffnesses are
+  /// so large that rounding of the state alone leaves more, a state that does not improve any
+  /// further and lies within that rounding is equilibrium too (`NewtonSummary::at_rounding`).
+  double residual_tolerance = 1e-12;
+  /// Largest energy that the last step may have gained, relative to the energy of the state.
+  double energy_tolerance = 1e-8;
+  /// A state this close to equilibrium takes one step with the last factorization, at a third of
+  /// the cost: its error shrinks as much as the last step changed the tangent, about 1e-3.
+  double reuse_factorization_below = 1e-8;
+  int max_iterations = 100;
+  /// A step is halved at most this often before the search is given up.
+  int max_halvings = 100;
+  /// Armijo's share of the energy gain that the slope promises.
+  double sufficient_decrease = 1e-4;
+  /// The tangent is singular where too few springs are closed. Then, and only then, the step is
+  /// taken with K + shift diag(K_linear), the shift growing from the first to the last value. The
+  /// residual never contains the shift, so no regularisation is left in a converged state.
+  double first_shift = 1e-10;
+  double last_shift = 1.0;
+  double force_scale = 1.0;   ///< [N]
+  double length_scale = 1.0;  ///< [m]
+};
+
+enum class NewtonStatus {
+  converged,
+  iteration_limit,
+  line_search_failed,
+  not_positive_definite,
+  out_of_memory,
+};
+
+std::string_view name(NewtonStatus status);
+
+/// One linear solve and the state it led to.
+struct NewtonIteration {
+  double energy = 0.0;             ///< [J]
+  double relative_residual = 0.0;  ///< After the step.
+  double step_length = 0.0;        ///< 1 is the full Newton step.
+  double shift = 0.0;              ///< Regularisation of this step's matrix; 0 as a rule.
+};
+
+/// Says why the solver stopped; born failed.
+struct NewtonSummary {
+  NewtonStatus status = NewtonStatus::iteration_limit;
+  double initial_relative_residual = 0.0;
+  double relative_residual = 0.0;
+  double energy = 0.0;
+  bool at_rounding = false;  ///< Stopped by the rounding of the state, above the tolerance.
+  std::vector<NewtonIteration> history;
+
+  bool converged() const { return status == NewtonStatus::converged; }
+  /// Linear solves, the first included.
+  int iterations() const { return static_cast<int>(history.size()); }
+};
+
+/// Newton's method for one set of equations. Holds the workspace (tangent, factorization, vectors),
+/// so that many loads on one model share the symbolic analysis.
+class NewtonSolver {
+ public:
+  explicit NewtonSolver(const Equations& equations);
+
+  /// Minimises the potential energy under the load `f`, from the state `q`, which it updates.
+  /// Every step is searched along for a smaller energy; the energy is convex, so a Newton step
+  /// always descends.
+  NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, State& q);
+
+  /// Displacement rate dq/dt at the state `q` for the load rate df/dt = `rate`: tangent x = rate.
+  /// False where the tangent is singular.
+  bool solve_tangent(const State& q, const Eigen::VectorXd& rate, Eigen::VectorXd& x);
+
+ private:
+  double relative_residual(const NewtonOptions& options) const;
+  bool residual_is_rounding(const State& q) const;
+  FactorizationStatus factorize_shifted(const NewtonOptions& options, double& shift);
+
+  const Equations* equations_;
+  SparseSymmetric tangent_;
+  Cholesky cholesky_;
+  Eigen::VectorXd residual_, step_;
+  State trial_;
+};
+
+}  // namespace fe
