@@ -1,0 +1,127 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "contact/curvature.h"
+#include "contact/thread_surface.h"
+
+namespace contact {
+
+/// A roller beside (or inside) one body, the screw or the nut. Frame of Sandu 2018, chapter 1: z
+/// along the body's axis, x from there to the roller's axis, right-handed.
+struct ThreadPair {
+  ThreadSurface body;  ///< Screw, or nut described by its air.
+  ThreadSurface roller;
+  double centre_distance = 0.0;  ///< c, between the two axes [m], > 0.
+};
+
+/// The face of the roller that touches: rain falls on the top face.
+enum class RollerFace { top = -1, bottom = 1 };  // gamma of the roller's surface
+
+/// The two ways to load the mechanism (Sandu 2018, section 1.3).
+enum class Configuration {
+  i1_j2,  ///< Screw bottom on roller top, roller bottom on nut top: positive axial force.
+  i2_j1,  ///< Screw top on roller bottom, roller top on nut bottom.
+};
+
+constexpr RollerFace roller_face_at_screw(Configuration c) {
+  return c == Configuration::i1_j2 ? RollerFace::top : RollerFace::bottom;
+}
+constexpr RollerFace roller_face_at_nut(Configuration c) {
+  return c == Configuration::i1_j2 ? RollerFace::bottom : RollerFace::top;
+}
+
+enum class ContactPointStatus {
+  ok,
+  not_computed,
+  straight_on_straight,  ///< Neither profile is curved: no point contact.
+  out_of_reach,          ///< The axes are so far apart or so close that the flanks never overlap.
+  outside_flank,         ///< The point, or the search for it, lies beyond the end of a flank.
+  not_a_minimum,         ///< The clearance has only a saddle there: the surfaces cut each other.
+  not_converged,  ///< The clearance has no minimum on the flanks that the descent could find.
+};
+
+std::string_view name(ContactPointStatus status);
+
+/// The end of a flank, in terms of the material.
+enum class FlankEnd { root, crest };
+
+constexpr std::string_view name(FlankEnd end) { return end == FlankEnd::root ? "root" : "crest"; }
+
+/// Something of a contact that lies beyond the end of a flank.
+struct FlankViolation {
+  bool of_roller = false;  ///< Else of the body.
+  FlankEnd end = FlankEnd::root;
+  double by = 0.0;  ///< Radial distance beyond that end [m], > 0.
+};
+
+/// At most both ends of both flanks; a range.
+class FlankViolations {
+ public:
+  /// Records what reaches from `innermost` to `outermost` radius [m] beyond the flank's ends.
+  void add(const ThreadSurface& surface, bool of_roller, double innermost, double outermost);
+
+  const FlankViolation* begin() const { return list_.data(); }
+  const FlankViolation* end() const { return list_.data() + size_; }
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+
+ private:
+  std::array<FlankViolation, 4> list_;
+  std::size_t size_ = 0;
+};
+
+/// Where two thread flanks touch.
+struct ContactPoint {
+  ContactPointStatus status = ContactPointStatus::not_computed;
+  int iterations = 0;     ///< Newton steps.
+  double residual = 0.0;  ///< Largest difference of the two surfaces' slopes at the point [-].
+
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< x, y from the body's axis [m].
+  double radius_on_body = 0.0;                         ///< [m]
+  double radius_on_roller = 0.0;                       ///< [m]
+  /// Angles of the point about the two axes from x [rad]. The one on a roller beside a screw is on
+  /// the branch near -pi on the roller's top face and near +pi on its bottom face.
+  double angle_on_body = 0.0;
+  double angle_on_roller = 0.0;
+  /// Unit normal, outward from the roller.
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  /// Second derivatives of the axial clearance over x, y [1/m].
+  SymmetricTensor clearance_hessian;
+  /// Total axial play of the pair, both faces (Sandu 2018, (1.40)) [m]; negative: the threads are
+  /// too thick by that much. Has a meaning only where both parts have the same pitch.
+  double backlash = 0.0;
+
+  FlankViolations violations;  ///< Empty where the point lies on both flanks.
+
+  bool ok() const { return status == ContactPointStatus::ok; }
+  double normal_angle() const;  ///< psi, between normal and axis, arccos|n_z| [rad].
+};
+
+/// Finds the contact point of a pair: the minimum of the axial clearance between the two flanks
+///
+///     C(x, y) = f_R(r_R) + s f_B(r_B) - gamma (l_B theta_B - l_R theta_R)/(2 pi) + const,
+///
+/// s = +1 beside a screw and -1 inside a nut, gamma = -1 on the roller's top face and +1 on its
+/// bottom face. There the normals are opposite, as (A.4) asks, and the point is the same by
+/// construction (A.1), so (A.9) and (A.10) hold as well; but the Jacobian is now the clearance
+/// Hessian, symmetric, regular also where the helix angles match (there the Jacobian of
+/// (A.9), (A.10) is singular, since the angles enter by their cosines), and positive definite at a
+/// contact, so that a descent never ends on one of the spurious roots that squaring (A.9) adds.
+///
+/// Newton from the pitch radii, to a slope difference of a few roundings; takes 3 to 5 steps, each
+/// halved while it leaves the profiles or overshoots. Accepts a point only inside both flanks and
+/// where the Hessian is positive definite; else `status` says why and the numbers are those of the
+/// last point. Profiles of which one is strongly concave can have several minima; the one next to
+/// the pitch radii is found. No allocation, raises nothing.
+ContactPoint find_contact_point(const ThreadPair& pair, RollerFace face);
+
+/// Contact point of the same pair on the other two faces. A half turn about x maps a thread onto
+/// itself and its top onto its bottom face, so angles and n_y, n_z change sign and the radii stay
+/// (Sandu 2018, appendix A).
+ContactPoint on_other_faces(const ContactPoint& point);
+
+}  // namespace contact

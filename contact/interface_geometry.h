@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "contact/contact_point.h"
+#include "contact/curvature.h"
+
+namespace contact {
+
+/// Contact point of a roller with one body and the curvatures there: all that a Hertz contact and
+/// the slip in it need to know of the geometry. Directions are unit vectors in the pair's frame.
+struct InterfaceGeometry {
+  ContactPoint point;
+
+  // Principal curvatures of the material, convex > 0 [1/m], ascending in absolute value; `angle`
+  // is that of the first direction about the normal, from the roller's helix tangent [rad].
+  PrincipalValues body;
+  PrincipalValues roller;
+  /// Eigenvalues of the sum of the two curvature tensors (no factor 1/2) [1/m], ascending: the
+  /// first direction is the major axis of the contact ellipse.
+  PrincipalValues relative;
+
+  Eigen::Vector3d helix_tangent = Eigen::Vector3d::Zero();  ///< Of the roller, growing theta.
+  Eigen::Vector3d major_axis = Eigen::Vector3d::Zero();     ///< t_1
+  Eigen::Vector3d minor_axis = Eigen::Vector3d::Zero();     ///< t_2 = n x t_1 (1.60)
+
+  bool ok() const { return point.ok(); }
+  double curvature_sum() const { return relative.first + relative.second; }  ///< (1.77) [1/m]
+  /// Smaller relative curvature over the roller's own smaller one [-]: 1 on a plane, towards 0 the
+  /// surfaces nestle and Hertz's half-spaces lose their meaning.
+  double openness() const { return relative.first / std::abs(roller.first); }
+  /// Acute angle between the first directions of body and roller [rad] (1.61).
+  double first_directions_angle() const;
+  /// The tangent direction that lies `angle` from the roller's helix tangent.
+  Eigen::Vector3d direction(double angle) const;
+};
+
+/// Solves for the contact point on one face of the roller and works out the curvatures there. The
+/// ellipse is oriented by the *signed* sum of the curvature tensors; Sandu 2018, (1.65) and table
+/// 1.4, and Yao 2023, (35), take absolute values or differences of them, which is wrong where one
+/// surface is concave, as a nut always is. Where no admissible point exists, `point.status` says
+/// why and everything but `point` is zero.
+InterfaceGeometry interface_geometry(const ThreadPair& pair, RollerFace face);
+
+/// How far a contact ellipse with those semi-axes [m] reaches beyond the ends of the two flanks,
+/// measured radially in the tangent plane.
+FlankViolations ellipse_beyond_flanks(const ThreadPair& pair, const InterfaceGeometry& interface,
+                                      double semi_major, double semi_minor);
+
+/// The same interface on the other two faces, by symmetry.
+InterfaceGeometry on_other_faces(const InterfaceGeometry& interface);
+
+}  // namespace contact

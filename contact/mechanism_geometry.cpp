@@ -1,0 +1,176 @@
+#include "contact/mechanism_geometry.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace contact {
+
+namespace {
+
+/// d backlash/d centre distance at fixed point: only the roller's flank moves.
+double backlash_rate_over_centre_distance(const ContactPoint& p) {
+  return -2.0 * p.normal.x() / std::abs(p.normal.z());
+}
+
+/// d backlash/d pitch radius of the body, its flank moving outwards and, in the normal plane, its
+/// helix angle changing.
+double backlash_rate_over_pitch_radius(const ThreadSurface& body, const ContactPoint& p) {
+  const ProfilePoint f = body.profile(p.radius_on_body);
+  double rate = -f.slope;
+  if (body.plane == ProfilePlane::normal) {
+    const double r = body.pitch_radius, l = body.reduced_lead;
+    rate -= (f.height - body.half_groove) * l * l / (r * (r * r + l * l));
+  }
+  return 2.0 * body.side * rate;
+}
+
+/// The length that is varied until a pair has its backlash.
+enum class Unknown { centre_distance, pitch_radius_of_body };
+
+struct BacklashSearch {
+  bool solved = false;
+  ContactPoint point;
+  int iterations = 0;
+};
+
+/// Varies the unknown inside `m` until the body (screw or nut) has the wanted backlash in I1J2.
+BacklashSearch solve_for_backlash(MechanismGeometry& m, Thread MechanismGeometry::*body_of,
+                                  Unknown what, double wanted) {
+  constexpr int kMaxIterations = 30;
+  constexpr double kTolerance = 1e-14;  // [m]
+  constexpr double kStationary = 1e-6;  // A point off the flank, but good enough to step from [-].
+
+  Thread& body = m.*body_of;
+  double& unknown = what == Unknown::centre_distance ? m.centre_distance : body.pitch_radius;
+  const RollerFace face = body.internal ? roller_face_at_nut(Configuration::i1_j2)
+                                        : roller_face_at_screw(Configuration::i1_j2);
+  BacklashSearch search;
+  while (search.iterations < kMaxIterations) {
+    const ThreadPair pair{ThreadSurface(body), ThreadSurface(m.roller), m.centre_distance};
+    const ContactPoint point = search.point = find_contact_point(pair, face);
+    ++search.iterations;
+    const bool near_flank =
+        point.status == ContactPointStatus::outside_flank && point.residual < kStationary;
+    if (!point.ok() && !near_flank) return search;
+
+    const double excess = point.backlash - wanted;
+    if (std::abs(excess) <= kTolerance) {
+      search.solved = point.ok();
+      return search;
+    }
+    unknown -= excess / (what == Unknown::centre_distance
+                             ? backlash_rate_over_centre_distance(point)
+                             : backlash_rate_over_pitch_radius(pair.body, point));
+  }
+  return search;
+}
+
+}  // namespace
+
+MechanismContact mechanism_contact(const MechanismGeometry& mechanism,
+                                   Configuration configuration) {
+  return {interface_geometry(screw_pair(mechanism), roller_face_at_screw(configuration)),
+          interface_geometry(nut_pair(mechanism), roller_face_at_nut(configuration))};
+}
+
+double roller_lead(MechanismType type, double screw_lead, double roller_pitch, int roller_starts) {
+  const double hand =
+      std::copysign(1.0, screw_lead) * (type == MechanismType::standard ? 1.0 : -1.0);
+  return hand * roller_pitch * roller_starts;
+}
+
+PitchRadii matched_pitch_radii(MechanismType type, double screw_radius, int screw_starts,
+                               int roller_starts) {
+  const double ratio = static_cast<double>(screw_starts) / roller_starts;
+  const double roller =
+      type == MechanismType::standard ? screw_radius / (ratio - 2.0) : screw_radius / ratio;
+  return {screw_radius, roller, screw_radius + 2.0 * roller};
+}
+
+KinematicConsistency kinematic_consistency(const MechanismGeometry& m) {
+  const bool standard = m.type == MechanismType::standard;
+  return {m.nut.lead - m.screw.lead,
+          m.roller.pitch_radius / (standard ? m.nut.pitch_radius : m.screw.pitch_radius),
+          std::abs(m.roller.lead / m.screw.lead), (m.roller.lead * m.screw.lead > 0.0) == standard};
+}
+
+int largest_roller_count(const MechanismGeometry& m) {
+  const double ratio = flank_limits(m.roller).largest / m.centre_distance;
+  if (!(ratio < 1.0)) return 1;
+  // A hair of tolerance, so that rollers that just touch count.
+  return static_cast<int>(std::floor(std::numbers::pi / std::asin(ratio) * (1.0 + 1e-12)));
+}
+
+AxialPositions axial_positions(const MechanismGeometry& m, const MechanismContact& contact,
+                               Configuration configuration) {
+  const double sense = configuration == Configuration::i1_j2 ? 1.0 : -1.0;
+  return {-0.5 * (m.roller.lead + m.roller.pitch) - sense * 0.5 * contact.screw.point.backlash,
+          sense * 0.5 * contact.nut.point.backlash};
+}
+
+std::string_view name(DesignStatus status) {
+  switch (status) {
+    case DesignStatus::ok:
+      return "ok";
+    case DesignStatus::not_solved:
+      return "not_solved";
+    case DesignStatus::pitches_differ:
+      return "pitches_differ";
+    case DesignStatus::too_few_screw_starts:
+      return "too_few_screw_starts";
+    case DesignStatus::no_screw_contact:
+      return "no_screw_contact";
+    case DesignStatus::no_nut_contact:
+      return "no_nut_contact";
+    case DesignStatus::not_converged:
+      return "not_converged";
+  }
+  return "unknown";
+}
+
+DesignResult design_by_backlash(const MechanismGeometry& draft, int screw_starts, int roller_starts,
+                                const Backlash& backlash) {
+  DesignResult result;
+  result.mechanism = draft;
+  MechanismGeometry& m = result.mechanism;
+  if (m.screw.pitch != m.roller.pitch || m.nut.pitch != m.roller.pitch) {
+    result.status = DesignStatus::pitches_differ;
+    return result;
+  }
+  const bool standard = m.type == MechanismType::standard;
+  if (standard && screw_starts <= 2 * roller_starts) {
+    result.status = DesignStatus::too_few_screw_starts;
+    return result;
+  }
+  const PitchRadii radii =
+      matched_pitch_radii(m.type, m.screw.pitch_radius, screw_starts, roller_starts);
+  m.roller.pitch_radius = radii.roller;
+  m.nut.pitch_radius = radii.nut;
+  m.centre_distance = radii.screw + radii.roller;
+
+  // The matched part fixes the centre distance, then the other one is rectified.
+  struct Step {
+    Thread MechanismGeometry::*body;
+    Unknown what;
+  };
+  const auto screw = &MechanismGeometry::screw, nut = &MechanismGeometry::nut;
+  for (const Step& step : {Step{standard ? nut : screw, Unknown::centre_distance},
+                           Step{standard ? screw : nut, Unknown::pitch_radius_of_body}}) {
+    const bool at_screw = step.body == screw;
+    const BacklashSearch search =
+        solve_for_backlash(m, step.body, step.what, at_screw ? backlash.screw : backlash.nut);
+    result.iterations += search.iterations;
+    (at_screw ? result.contact.screw : result.contact.nut).point = search.point;
+    if (!search.solved) {
+      result.status = search.point.ok() ? DesignStatus::not_converged
+                      : at_screw        ? DesignStatus::no_screw_contact
+                                        : DesignStatus::no_nut_contact;
+      return result;
+    }
+  }
+  result.contact = mechanism_contact(m, Configuration::i1_j2);
+  result.status = DesignStatus::ok;
+  return result;
+}
+
+}  // namespace contact

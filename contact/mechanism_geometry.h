@@ -1,0 +1,118 @@
+#pragma once
+
+#include <string_view>
+
+#include "contact/contact_point.h"
+#include "contact/interface_geometry.h"
+#include "contact/thread_surface.h"
+
+namespace contact {
+
+enum class MechanismType {
+  standard,  ///< The nut is geared to the rollers and matches their helix angle.
+  inverted,  ///< The screw is, and the roller's helix angle is opposite to the screw's.
+};
+
+/// The three threads of a planetary roller screw and the distance of their axes.
+struct MechanismGeometry {
+  MechanismType type = MechanismType::standard;
+  Thread screw;
+  Thread roller;
+  Thread nut;                    ///< `internal`
+  double centre_distance = 0.0;  ///< c [m]
+};
+
+inline ThreadPair screw_pair(const MechanismGeometry& m) {
+  return {ThreadSurface(m.screw), ThreadSurface(m.roller), m.centre_distance};
+}
+inline ThreadPair nut_pair(const MechanismGeometry& m) {
+  return {ThreadSurface(m.nut), ThreadSurface(m.roller), m.centre_distance};
+}
+
+/// Contact geometry of both interfaces.
+struct MechanismContact {
+  InterfaceGeometry screw;  ///< I
+  InterfaceGeometry nut;    ///< J
+
+  bool ok() const { return screw.ok() && nut.ok(); }
+};
+
+MechanismContact mechanism_contact(const MechanismGeometry& mechanism, Configuration configuration);
+
+/// Lead of the roller [m]: pitch times starts, with the hand of the screw in a standard and the
+/// opposite one in an inverted mechanism (Sandu 2018, (1.50)).
+double roller_lead(MechanismType type, double screw_lead, double roller_pitch, int roller_starts);
+
+/// Pitch radii that match helix angles, for a screw's pitch radius [m]: roller and nut in a
+/// standard mechanism (1.52), roller and screw in an inverted one (1.53); the third follows from
+/// r_N = r_S + 2 r_R. A standard mechanism needs more than two screw starts a roller start;
+/// otherwise the roller's radius comes out negative or infinite.
+struct PitchRadii {
+  double screw = 0.0;
+  double roller = 0.0;
+  double nut = 0.0;
+};
+PitchRadii matched_pitch_radii(MechanismType type, double screw_radius, int screw_starts,
+                               int roller_starts);
+
+/// How far a mechanism is from rolling without penetration (Sandu 2018, section 2.2.2).
+struct KinematicConsistency {
+  double lead_difference = 0.0;      ///< l_N - l_S [m], must be 0.
+  double gear_ratio = 0.0;           ///< Gamma by the pitch radii: r_R/r_N or r_R/r_S (2.1).
+  double gear_ratio_by_leads = 0.0;  ///< |l_R/l_S|; (2.14) asks for equality.
+  bool roller_hand_fits = false;     ///< Sign of the roller's lead as in (1.50).
+};
+KinematicConsistency kinematic_consistency(const MechanismGeometry& mechanism);
+
+/// Largest number of rollers that fit without touching each other at the crests (Sandu 2018,
+/// (1.47)); 1 where even two would not.
+int largest_roller_count(const MechanismGeometry& mechanism);
+
+/// Heights of the screw's and the nut's origin above the roller's [m] when the faces of one
+/// configuration touch (Sandu 2018, (1.41) to (1.44)). All three parts must have the same pitch.
+struct AxialPositions {
+  double screw = 0.0;  ///< O_R O_S
+  double nut = 0.0;    ///< O_R O_N
+};
+AxialPositions axial_positions(const MechanismGeometry& mechanism, const MechanismContact& contact,
+                               Configuration configuration);
+
+/// Axial play to be designed for [m], negative for preload.
+struct Backlash {
+  double screw = 0.0;  ///< D_zS
+  double nut = 0.0;    ///< D_zN
+};
+
+enum class DesignStatus {
+  ok,
+  not_solved,
+  pitches_differ,        ///< Backlash has no meaning then.
+  too_few_screw_starts,  ///< Standard: (1.52) needs n_S > 2 n_R.
+  no_screw_contact,      ///< No admissible contact point there; `contact.screw.point` says why.
+  no_nut_contact,        ///< The same at the nut.
+  not_converged,
+};
+
+std::string_view name(DesignStatus status);
+
+/// A mechanism designed for its backlash and why the design ended; born failed.
+struct DesignResult {
+  DesignStatus status = DesignStatus::not_solved;
+  MechanismGeometry mechanism;
+  MechanismContact contact;  ///< I1J2; after a failure the points that were reached.
+  int iterations = 0;        ///< Contact points solved for.
+
+  bool ok() const { return status == DesignStatus::ok; }
+};
+
+/// Design mode of Sandu 2018, table 1.3: from a draft whose screw has the target pitch radius, and
+/// whose threads have lead, pitch and profile, finds the roller's and nut's pitch radii, the centre
+/// distance and the one rectified radius that give the wanted backlash. Standard: roller and nut
+/// matched (1.52), c by the nut's backlash, then the *screw's* radius rectified. Inverted: roller
+/// matched to the screw (1.53), c by the screw's backlash, then the *nut's* radius rectified.
+/// Newton with exact derivatives (at the minimum of the clearance, its total and its partial
+/// derivative agree), to 1e-14 m; 2 to 4 steps each.
+DesignResult design_by_backlash(const MechanismGeometry& draft, int screw_starts, int roller_starts,
+                                const Backlash& backlash);
+
+}  // namespace contact
