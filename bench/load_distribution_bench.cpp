@@ -1,0 +1,183 @@
+// The load distribution of the Abevi screw (CONFIG 2, tension, 45 kN, 20 threads): its parts, and
+// whole solves with other factorizations in the same run. Compare ratios, not times.
+
+#include <benchmark/benchmark.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
+
+#include "fe/newton.h"
+#include "prs/load_distribution.h"
+#include "support/sectors.h"
+
+namespace {
+
+constexpr double kForce = 45e3;
+
+/// The equations of the sector with a state near equilibrium.
+struct Loaded {
+  prs::SectorSolver solver{test::abevi().build()};
+  const fe::Equations& equations = solver.equations();
+  Eigen::VectorXd load = kForce / 11 * solver.unit_load();
+  fe::NewtonOptions options = solver.newton_options(kForce);
+  fe::State start = solver.equal_shares(kForce);
+  fe::SparseSymmetric tangent = equations.linear_stiffness();
+  Eigen::VectorXd residual = Eigen::VectorXd::Zero(equations.size());
+
+  Loaded() {
+    equations.tangent_stiffness(start, tangent);
+    equations.energy_and_residual(start, load, residual);
+  }
+};
+
+void Assembly(benchmark::State& state) {
+  Loaded l;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(l.equations.energy_and_residual(l.start, l.load, l.residual));
+    l.equations.tangent_stiffness(l.start, l.tangent);
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(Assembly);
+
+void FactorizeCholmod(benchmark::State& state) {
+  Loaded l;
+  fe::Cholesky cholesky(l.tangent);
+  for (auto _ : state) benchmark::DoNotOptimize(cholesky.factorize(l.tangent));
+}
+BENCHMARK(FactorizeCholmod);
+
+void FactorizeCholmodSupernodal(benchmark::State& state) {
+  Loaded l;
+  fe::Cholesky cholesky(l.tangent, fe::FactorizationKind::supernodal);
+  for (auto _ : state) benchmark::DoNotOptimize(cholesky.factorize(l.tangent));
+}
+BENCHMARK(FactorizeCholmodSupernodal);
+
+void SolveCholmod(benchmark::State& state) {
+  Loaded l;
+  fe::Cholesky cholesky(l.tangent);
+  cholesky.factorize(l.tangent);
+  Eigen::VectorXd x(l.residual.size());
+  for (auto _ : state) {
+    cholesky.solve(l.residual, x);
+    benchmark::DoNotOptimize(x.data());
+  }
+}
+BENCHMARK(SolveCholmod);
+
+using UpperMatrix = Eigen::SparseMatrix<double>;
+
+UpperMatrix eigen_upper(const fe::SparseSymmetric& a) {
+  return Eigen::Map<const UpperMatrix>(a.size(), a.size(), static_cast<Eigen::Index>(a.row.size()),
+                                       a.column_start.data(), a.row.data(), a.value.data());
+}
+
+using EigenSimplicial =
+    Eigen::SimplicialLDLT<UpperMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>>;
+
+void FactorizeEigenSimplicial(benchmark::State& state) {
+  Loaded l;
+  const UpperMatrix a = eigen_upper(l.tangent);
+  EigenSimplicial ldlt;
+  ldlt.analyzePattern(a);
+  for (auto _ : state) {
+    ldlt.factorize(a);
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(FactorizeEigenSimplicial);
+
+void FactorizeEigenDense(benchmark::State& state) {
+  Loaded l;
+  const Eigen::MatrixXd a = Eigen::MatrixXd(eigen_upper(l.tangent)).selfadjointView<Eigen::Upper>();
+  Eigen::LDLT<Eigen::MatrixXd> ldlt(a.rows());
+  for (auto _ : state) {
+    ldlt.compute(a);
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(FactorizeEigenDense);
+
+/// Newton without line search and shortcuts, the factorization exchanged.
+template <class Factorize>
+int plain_newton(Loaded& l, fe::State& q, Factorize factorize_and_solve) {
+  int solves = 0;
+  Eigen::VectorXd step(l.residual.size());
+  l.equations.energy_and_residual(q, l.load, l.residual);
+  while (l.residual.lpNorm<Eigen::Infinity>() > 1e-11 * l.options.force_scale) {
+    l.equations.tangent_stiffness(q, l.tangent);
+    factorize_and_solve(step);
+    fe::State next = q;
+    next.set_to_step(q, 1.0, step);
+    q = next;
+    l.equations.energy_and_residual(q, l.load, l.residual);
+    ++solves;
+  }
+  return solves;
+}
+
+void ConvergedSolveEigenSimplicial(benchmark::State& state) {
+  Loaded l;
+  EigenSimplicial ldlt;
+  ldlt.analyzePattern(eigen_upper(l.tangent));
+  for (auto _ : state) {
+    fe::State q = l.start;
+    plain_newton(l, q, [&](Eigen::VectorXd& step) {
+      ldlt.factorize(eigen_upper(l.tangent));
+      step = ldlt.solve(l.residual);
+    });
+    benchmark::DoNotOptimize(q.head.data());
+  }
+}
+BENCHMARK(ConvergedSolveEigenSimplicial);
+
+void ConvergedSolveEigenDense(benchmark::State& state) {
+  Loaded l;
+  Eigen::LDLT<Eigen::MatrixXd> ldlt(l.equations.size());
+  for (auto _ : state) {
+    fe::State q = l.start;
+    plain_newton(l, q, [&](Eigen::VectorXd& step) {
+      ldlt.compute(
+          Eigen::MatrixXd(Eigen::MatrixXd(eigen_upper(l.tangent)).selfadjointView<Eigen::Upper>()));
+      step = ldlt.solve(l.residual);
+    });
+    benchmark::DoNotOptimize(q.head.data());
+  }
+}
+BENCHMARK(ConvergedSolveEigenDense);
+
+/// Newton from equal shares to 1e-12, assembly included, set-up excluded.
+void ConvergedSolve(benchmark::State& state) {
+  Loaded l;
+  fe::NewtonSolver newton(l.equations);
+  int solves = 0;
+  for (auto _ : state) {
+    fe::State q = l.start;
+    solves = newton.solve(l.load, l.options, q).iterations();
+    benchmark::DoNotOptimize(q.head.data());
+  }
+  state.counters["linear_solves"] = solves;
+}
+BENCHMARK(ConvergedSolve);
+
+/// From the description of the screw: sector, numbering, symbolic analysis, solve, thread loads.
+void CaseCold(benchmark::State& state) {
+  const test::SectorCase c = test::abevi();
+  for (auto _ : state) {
+    prs::SectorSolver solver(c.build());
+    benchmark::DoNotOptimize(solver.solve(kForce).axial_displacement);
+  }
+}
+BENCHMARK(CaseCold);
+
+void SweepOf100Loads(benchmark::State& state) {
+  prs::SectorSolver solver(test::abevi().build());
+  for (auto _ : state)
+    for (int k = 1; k <= 100; ++k)
+      benchmark::DoNotOptimize(solver.solve(kForce * k / 100.0).axial_displacement);
+  state.SetItemsProcessed(state.iterations() * 100);
+}
+BENCHMARK(SweepOf100Loads)->Unit(benchmark::kMicrosecond);
+
+}  // namespace

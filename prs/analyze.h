@@ -1,0 +1,20 @@
+#pragma once
+
+#include "prs/case.h"
+#include "prs/result.h"
+
+namespace prs {
+
+/// Contact pressure beyond which the static capacity of through-hardened steel is exceeded: a
+/// permanent deformation of 1e-4 of the element's diameter at 4.0 GPa (ISO 76:2006, roller
+/// bearings).
+inline constexpr double kStaticPressureLimit = 4.0e9;
+
+/// The whole chain: mechanism geometry -> contacts -> Hertz constants -> sector model -> Newton
+/// equilibrium of each load case -> loads and pressures per thread, stiffness. Reads nothing,
+/// prints nothing. The case must have passed `check_case` and the requirements of `solve`.
+/// A load case that does not converge is a result with its status.
+/// Throws CaseError where the geometry gives no contact and the case does not override it.
+Result analyze(const Case& c);
+
+}  // namespace prs

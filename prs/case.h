@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prs/load_case.h"
+#include "prs/materials.h"
+#include "prs/mechanism.h"
+#include "prs/model_options.h"
+#include "prs/operation.h"
+#include "prs/structure.h"
+
+namespace prs {
+
+/// Values that replace what the geometry gives, in the load distribution only.
+struct ContactOverrides {
+  PerInterface<std::optional<double>> hertz_constant;  ///< k_0 [N/m^1.5]
+  PerInterface<std::optional<double>> normal_angle;    ///< psi, contact normal to axis [rad]
+};
+
+/// Everything that a file states. Blocks that the file leaves out are empty.
+struct Case {
+  Mechanism mechanism;
+  std::optional<Structure> structure;
+  std::optional<Materials> materials;
+  ContactOverrides contact;
+  ModelOptions model;
+  std::vector<LoadCase> load_cases;
+  std::optional<Lubricant> lubricant;
+  std::optional<Friction> friction;
+  std::optional<Operation> operation;
+  Carrier carrier;
+};
+
+}  // namespace prs

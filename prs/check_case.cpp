@@ -1,0 +1,285 @@
+#include "prs/check_case.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
+
+namespace prs {
+
+namespace {
+
+constexpr double kTolerance = 1e-9;  ///< Of the nut's length, in axial positions.
+
+/// Collects problems, one for each path: the first found is the one to mend.
+class Problems {
+ public:
+  void add(std::string path, std::string message) {
+    if (paths_.insert(path).second) found_.push_back({std::move(path), std::move(message)});
+  }
+  std::vector<Problem> take() && { return std::move(found_); }
+
+ private:
+  std::set<std::string> paths_;
+  std::vector<Problem> found_;
+};
+
+std::string_view name_of(Part part) {
+  return part == Part::screw ? "screw" : part == Part::roller ? "roller" : "nut";
+}
+std::string mm(double length) { return fmt::format("{:.7g} mm", 1e3 * length); }
+std::string newton(double force) { return fmt::format("{:.7g} N", force); }
+
+void check_threads(const Mechanism& m, Problems& problems) {
+  const double pitch = axial_pitch(m);
+  for (Part part : kParts) {
+    const std::optional<double>& diameter = m.pitch_diameter[part];
+    if (diameter && pitch > 2.0 * *diameter)
+      problems.add(
+          "mechanism.lead",
+          fmt::format("got {} with {} starts, an axial pitch of {}; expected a pitch of at "
+                      "most twice each pitch diameter, one of which is {}; check the units",
+                      mm(m.lead), m.starts.screw, mm(pitch), mm(*diameter)));
+    if (m.pitch[part] && std::abs(*m.pitch[part] / pitch - 1.0) > 0.5)
+      problems.add(
+          fmt::format("mechanism.pitch.{}", name_of(part)),
+          fmt::format("got {}; expected a measured pitch near lead / starts, {}; check the "
+                      "units",
+                      mm(*m.pitch[part]), mm(pitch)));
+  }
+}
+
+/// Whether threads can reach each other across the gap between two pitch cylinders: sharp threads
+/// are half a pitch over the tangent of the flank angle high.
+void check_reach(const Mechanism& m, Problems& problems) {
+  const auto& [screw, roller, nut] = m.pitch_diameter;
+  if (!screw || !roller || !nut || !m.centre_distance) return;
+  const double flank = std::min({m.flank_angle.screw, m.flank_angle.roller, m.flank_angle.nut});
+  const double reach = 0.5 * axial_pitch(m) * std::max(1.0, 1.0 / std::tan(flank));
+  const double screw_gap = *m.centre_distance - 0.5 * (*screw + *roller);
+  const double nut_gap = 0.5 * *nut - (*m.centre_distance + 0.5 * *roller);
+  if (std::abs(screw_gap) > reach)
+    problems.add("mechanism.centre_distance",
+                 fmt::format("got {}; expected {}, the sum of the pitch radii of screw and roller, "
+                             "give or take {}, or their threads cannot mesh; check centre distance "
+                             "and pitch diameters",
+                             mm(*m.centre_distance), mm(0.5 * (*screw + *roller)), mm(reach)));
+  if (std::abs(nut_gap) > reach)
+    problems.add(
+        "mechanism.pitch_diameter.nut",
+        fmt::format("got {}; expected {}, twice the centre distance and the roller's pitch "
+                    "radius, give or take {}, or their threads cannot mesh; check centre "
+                    "distance and pitch diameters",
+                    mm(*nut), mm(2.0 * *m.centre_distance + *roller), mm(2.0 * reach)));
+}
+
+/// Neighbouring rollers must clear each other: 2 c sin(pi / n) > d.
+void check_rollers(const Mechanism& m, Problems& problems) {
+  if (!m.centre_distance || !m.pitch_diameter.roller || m.rollers < 2) return;
+  const double distance = 2.0 * *m.centre_distance;
+  const double diameter = *m.pitch_diameter.roller;
+  const auto overlap = [&](int n) {
+    return n > 1 && distance * std::sin(std::numbers::pi / n) <= diameter;
+  };
+  if (!overlap(m.rollers)) return;
+  int most = m.rollers;
+  while (overlap(most)) --most;
+  problems.add("mechanism.rollers",
+               fmt::format("got {}; expected at most {}: more rollers of {} overlap at the centre "
+                           "distance of {}; take fewer",
+                           m.rollers, most, mm(diameter), mm(*m.centre_distance)));
+}
+
+void check_flanges(const Structure::Nut& nut, const std::optional<double>& pitch_diameter,
+                   Problems& problems) {
+  const double tolerance = kTolerance * nut.length;
+  for (std::size_t i = 0; i < nut.flanges.size(); ++i) {
+    const Structure::Flange& f = nut.flanges[i];
+    const std::string path = fmt::format("structure.nut.flanges[{}]", i);
+    if (!(f.from < f.to))
+      problems.add(path + ".to", fmt::format("got {}; expected a position beyond `from`, {}; swap "
+                                             "the two",
+                                             mm(f.to), mm(f.from)));
+    if (f.from < -tolerance)
+      problems.add(path + ".from",
+                   fmt::format("got {}; expected a position on the nut, 0 mm to {}; "
+                               "move the flange",
+                               mm(f.from), mm(nut.length)));
+    if (f.to > nut.length + tolerance)
+      problems.add(path + ".to", fmt::format("got {}; expected a position on the nut, 0 mm to {}; "
+                                             "move the flange or lengthen the nut",
+                                             mm(f.to), mm(nut.length)));
+    if (pitch_diameter && f.outer_diameter <= *pitch_diameter)
+      problems.add(path + ".outer_diameter",
+                   fmt::format("got {}; expected more than the nut's pitch diameter, {}; check the "
+                               "two diameters",
+                               mm(f.outer_diameter), mm(*pitch_diameter)));
+  }
+  std::vector<std::size_t> order(nut.flanges.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return nut.flanges[i].from; });
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const Structure::Flange& before = nut.flanges[order[k - 1]];
+    const Structure::Flange& f = nut.flanges[order[k]];
+    if (f.from < before.to - tolerance)
+      problems.add(fmt::format("structure.nut.flanges[{}]", order[k]),
+                   fmt::format("got a flange from {} that overlaps the one from {} to {}; expected "
+                               "flanges that touch at most; move one of them",
+                               mm(f.from), mm(before.from), mm(before.to)));
+  }
+}
+
+void check_structure(const Structure& s, const Mechanism& m, Problems& problems) {
+  const auto& diameter = m.pitch_diameter;
+  if (diameter.screw && s.screw.bore >= *diameter.screw)
+    problems.add("structure.screw.bore",
+                 fmt::format("got {}; expected less than the screw's pitch diameter, {}; check the "
+                             "two diameters",
+                             mm(s.screw.bore), mm(*diameter.screw)));
+  if (diameter.nut && s.nut.outer_diameter <= *diameter.nut)
+    problems.add(
+        "structure.nut.outer_diameter",
+        fmt::format("got {}; expected more than the nut's pitch diameter, {}; check the two "
+                    "diameters",
+                    mm(s.nut.outer_diameter), mm(*diameter.nut)));
+  const double tolerance = kTolerance * s.nut.length;
+  const std::pair<std::string_view, std::optional<double>> sections[] = {
+      {"tension", s.nut.thrust.tension}, {"compression", s.nut.thrust.compression}};
+  for (const auto& [direction, section] : sections)
+    if (section && (*section < -tolerance || *section > s.nut.length + tolerance))
+      problems.add(
+          fmt::format("structure.nut.thrust.{}", direction),
+          fmt::format("got {}; expected a position on the nut, 0 mm to {}; move the section",
+                      mm(*section), mm(s.nut.length)));
+  check_flanges(s.nut, diameter.nut, problems);
+}
+
+/// The roller's contacts, from the first at `position`, must lie on the nut.
+void check_position(const LoadCase& load, const Mechanism& m, const Structure::Nut& nut,
+                    Problems& problems) {
+  const double span = (m.contacts_per_roller - 1) * axial_pitch(m);
+  const double last = nut.length - span;
+  const double tolerance = kTolerance * nut.length;
+  if (last < -tolerance)
+    problems.add(
+        "mechanism.contacts_per_roller",
+        fmt::format("got {}, which span {}; expected contacts within the nut's length, {}; "
+                    "take at most {} or lengthen the nut",
+                    m.contacts_per_roller, mm(span), mm(nut.length),
+                    1 + static_cast<int>((nut.length + tolerance) / axial_pitch(m))));
+  else if (*load.position < -tolerance || *load.position > last + tolerance)
+    problems.add(load.input_path + ".position",
+                 fmt::format("got {}; expected 0 mm to {}, so that all {} contacts lie on the nut; "
+                             "move the roller or lengthen the nut",
+                             mm(*load.position), mm(std::max(last, 0.0)), m.contacts_per_roller));
+}
+
+void check_thrust(const LoadCase& load, const Structure::Nut& nut, Problems& problems) {
+  const bool tension = load.direction == Direction::tension;
+  if (tension ? nut.thrust.tension : nut.thrust.compression) return;
+  const std::string_view direction = tension ? "tension" : "compression";
+  problems.add(fmt::format("structure.nut.thrust.{}", direction),
+               fmt::format("missing; expected the axial position of the section that holds {} in "
+                           "case `{}`; add `{}: 10 mm`, for example",
+                           direction, load.name, direction));
+}
+
+void check_force(const LoadCase& load, Problems& problems) {
+  const double written =
+      load.share == LoadCase::Share::equal && load.direction == Direction::compression
+          ? -load.axial_force
+          : load.axial_force;
+  if (load.direction ? written > 0.0 : written != 0.0) return;
+  problems.add(load.input_path + ".axial_force",
+               fmt::format("got {} in case `{}`; expected a force {}; {}", newton(written),
+                           load.name, load.direction ? "> 0" : "other than 0",
+                           load.direction ? "`direction` tells its sense" : "give it a value"));
+}
+
+void check_load_cases(const Case& c, Problems& problems) {
+  std::unordered_set<std::string_view> names;
+  for (const LoadCase& load : c.load_cases) {
+    if (!names.insert(load.name).second)
+      problems.add(load.input_path + ".name",
+                   fmt::format("got `{}` a second time; expected names that differ, ranges "
+                               "expanded; rename this case",
+                               load.name));
+    check_force(load, problems);
+    if (load.share == LoadCase::Share::equal || !c.structure || !load.direction || !load.position)
+      continue;
+    check_position(load, c.mechanism, c.structure->nut, problems);
+    check_thrust(load, c.structure->nut, problems);
+  }
+}
+
+void check_slip(const Case& c, Problems& problems) {
+  const auto missing = [&](const char* path, std::string_view what, std::string_view example) {
+    problems.add(
+        path, fmt::format("missing; expected {}; add `{}: {}`, for example", what, path, example));
+  };
+  if (!c.friction) missing("friction", "a law of friction for `slip`", "{model: jacod}");
+  if (c.friction && c.friction->model == Friction::Model::jacod && !c.lubricant)
+    missing("lubricant", "the lubricant for `friction: {model: jacod}`",
+            "{viscosity: 160 mPa s, pressure_viscosity: 30 1/GPa, eyring_stress: 12 MPa}");
+  for (const LoadCase& load : c.load_cases) {
+    if (!load.speed && !c.operation) {
+      missing("operation", "the speed for `slip`", "{speed: 400 rpm}");
+      continue;
+    }
+    const double speed = load.speed ? *load.speed : c.operation->speed;
+    const double force = axial_force_on_nut(load);
+    if (force * speed <= 0.0)
+      problems.add(
+          load.input_path + (load.speed ? ".speed" : ""),
+          fmt::format("got {} of axial force and {:.7g} rpm in case `{}`; expected both of "
+                      "one sign (tension > 0, compression < 0); change the sign of the "
+                      "speed or give the case a `speed` of its own",
+                      newton(force), speed * 30.0 / std::numbers::pi, load.name));
+  }
+}
+
+}  // namespace
+
+std::vector<Problem> check_case(const Case& c) {
+  Problems problems;
+  check_threads(c.mechanism, problems);
+  check_reach(c.mechanism, problems);
+  check_rollers(c.mechanism, problems);
+  if (c.structure) check_structure(*c.structure, c.mechanism, problems);
+  check_load_cases(c, problems);
+  return std::move(problems).take();
+}
+
+std::vector<Problem> check_requirements(const Case& c, Command command) {
+  Problems problems;
+  if (command != Command::solve && command != Command::slip) return {};
+  const std::string_view verb = command == Command::solve ? "solve" : "slip";
+
+  if (c.load_cases.empty())
+    problems.add("load_cases",
+                 fmt::format("missing; expected at least one load case for `{}`; add `load_cases: "
+                             "[{{axial_force: 10 kN, direction: tension, position: 10 mm}}]`, for "
+                             "example",
+                             verb));
+  if (!c.materials)
+    problems.add("materials", fmt::format("missing; expected elastic properties for `{}`; add "
+                                          "`materials: {{youngs_modulus: 210 GPa, poisson_ratio: "
+                                          "0.3}}`, for example",
+                                          verb));
+  const auto solved = [](const LoadCase& load) { return load.share == LoadCase::Share::solved; };
+  if (!c.structure && std::ranges::any_of(c.load_cases, solved))
+    problems.add("structure",
+                 fmt::format("missing; expected the parts around the threads for `{}`; add "
+                             "`structure` with `roller` and `nut`, or `share: equal` to each load "
+                             "case",
+                             verb));
+  if (command == Command::slip) check_slip(c, problems);
+  return std::move(problems).take();
+}
+
+}  // namespace prs

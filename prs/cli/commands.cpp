@@ -1,0 +1,128 @@
+#include "prs/cli/commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "prs/analyze.h"
+#include "prs/case_error.h"
+#include "prs/input/fail_at.h"
+#include "prs/input/reader.h"
+#include "prs/input/schema.h"
+#include "prs/output/check.h"
+#include "prs/output/csv.h"
+#include "prs/output/files.h"
+#include "prs/output/json.h"
+#include "prs/output/plots.h"
+#include "prs/output/sha256.h"
+#include "prs/output/table.h"
+#include "prs/summary.h"
+#include "prs/threads.h"
+#include "prs/validation/validate.h"
+#include "prs/version.h"
+#include "validation/abevi_2015/statements.h"
+
+namespace prs::cli {
+namespace {
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+void note(const Options& options, const std::string& text) {
+  if (!options.quiet) fmt::print(stderr, "{}\n", text);
+}
+
+DocumentInfo document_info(const input::Source& source) {
+  return {kVersion, kSchemaVersion, sha256(source.text), source.overrides};
+}
+
+/// Runs `compute` on a case that came from `source`, so that what it finds wrong with the case is
+/// reported where it stands.
+template <class Compute>
+auto compute_from(const input::Source& source, Compute compute) {
+  try {
+    return compute();
+  } catch (const CaseError& error) {
+    input::fail_at(source, error.path(), error.what());
+  }
+}
+
+/// The cases that a terminal shows thread by thread: not the points of a range.
+constexpr std::size_t kMostCharts = 1;
+
+}  // namespace
+
+int check(const Options& options) {
+  const input::Source source = input::load_source(options.file, options.overrides);
+  input::CaseInput in = input::read_case_input(source, Command::check);
+  in.values.mechanism = compute_from(source, [&] { return resolved(in.values.mechanism); });
+  const MechanismSummary summary = summarize(in.values.mechanism);
+  const std::vector<std::string> warnings = unusual_geometry(in.values);
+  const std::string document =
+      json_text(check_json(in.fields, summary, warnings, document_info(source)));
+  if (options.output) write_files(*options.output, {{"check.json", document}});
+  if (options.json)
+    print(document);
+  else if (!options.quiet)
+    print(check_table(in.fields, summary, warnings));
+  return kDone;
+}
+
+int solve(const Options& options) {
+  const input::Source source = input::load_source(options.file, options.overrides);
+  const input::CaseInput in = input::read_case_input(source, Command::solve);
+  const Result result = compute_from(source, [&] { return analyze(in.values); });
+  const std::string document =
+      options.json || options.output ? json_text(to_json(result, document_info(source))) : "";
+
+  if (options.output) {
+    write_files(*options.output, {{"result.json", document},
+                                  {"load_cases.csv", load_cases_csv(result)},
+                                  {"load_distribution.csv", load_distribution_csv(result)}});
+    for (const std::string& text : draw_plots(result, *options.output)) note(options, text);
+  }
+  if (options.json) {
+    print(document);
+  } else if (!options.quiet) {
+    print(load_case_table(result));
+    if (result.load_cases.size() <= kMostCharts)
+      for (const LoadCaseResult& r : result.load_cases) {
+        print("\n");
+        print(load_distribution_chart(r));
+      }
+    if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
+  }
+  const bool converged = std::all_of(result.load_cases.begin(), result.load_cases.end(),
+                                     [](const LoadCaseResult& r) { return r.converged(); });
+  return converged ? kDone : kNotConverged;
+}
+
+int schema(const Options& options) {
+  const std::string document = json_text(input::schema());
+  if (options.output) write_files(*options.output, {{"prs.schema.json", document}});
+  if (!options.quiet || options.json) print(document);
+  return kDone;
+}
+
+int validate(const Options& options) {
+  const std::vector<SourceReport> reports =
+      prs::validate(options.file, {{"abevi_2015", abevi_2015::judge_statements}});
+  if (reports.empty()) {
+    fmt::print(stderr, "{}: error: no folder with a reference.yaml\n", options.file);
+    return kWrongInput;
+  }
+  const std::string document =
+      json_text(validation_json(reports, {kVersion, kSchemaVersion, "", {}}));
+  if (options.output) write_files(*options.output, {{"validation.json", document}});
+  if (options.json)
+    print(document);
+  else if (!options.quiet)
+    print(validation_text(reports));
+  for (const SourceReport& report : reports)
+    for (const Comparison& comparison : report.comparisons)
+      if (comparison.unexpected()) return kFailed;
+  return kDone;
+}
+
+}  // namespace prs::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace prs::cli {
+
+/// What every command is told.
+struct Options {
+  std::string file;
+  std::vector<std::string> overrides;  ///< `path=value` each.
+  bool json = false;
+  bool quiet = false;
+  std::optional<std::filesystem::path> output;
+};
+
+/// Exit statuses of the program.
+enum Exit { kDone = 0, kFailed = 1, kWrongInput = 2, kNotConverged = 3 };
+
+int check(const Options& options);
+int solve(const Options& options);
+int schema(const Options& options);
+/// `options.file` is the directory of the sources.
+int validate(const Options& options);
+
+}  // namespace prs::cli

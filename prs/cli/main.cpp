@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "prs/cli/commands.h"
+#include "prs/input/source.h"
+#include "prs/version.h"
+
+namespace {
+
+using prs::cli::Options;
+
+void add_output_options(CLI::App& command, Options& options) {
+  command.add_flag("--json", options.json, "Print one JSON document and nothing else");
+  command.add_option("--output", options.output, "Write files into this directory")
+      ->type_name("DIR");
+  command.add_flag("--quiet", options.quiet, "Print errors only");
+}
+
+void add_case_options(CLI::App& command, Options& options) {
+  command.add_option("file", options.file, "The case, a YAML file")->required()->type_name("FILE");
+  command
+      .add_option("--set", options.overrides,
+                  "Replace a value of the case, e.g. mechanism.rollers=9; repeatable")
+      ->type_name("PATH=VALUE")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  add_output_options(command, options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"prs: load distribution, stiffness and life of planetary roller screws"};
+  app.set_version_flag("--version", prs::kVersion);
+  app.require_subcommand(1);
+  app.footer(
+      "Exit status: 0 done, 1 failed, 2 the input or the command line is wrong, 3 a load case "
+      "did not converge.");
+  Options options;
+  int (*run)(const Options&) = nullptr;
+
+  const auto command = [&](const char* name, const char* what, int (*function)(const Options&)) {
+    CLI::App* c = app.add_subcommand(name, what);
+    c->callback([&run, function] { run = function; });
+    return c;
+  };
+  add_case_options(
+      *command("check", "Validate a case; print every value, default and derived", prs::cli::check),
+      options);
+  add_case_options(*command("solve", "Load distribution, pressures, displacement and stiffness",
+                            prs::cli::solve),
+                   options);
+  add_output_options(*command("schema", "Print the JSON Schema of the input", prs::cli::schema),
+                     options);
+  CLI::App* validate =
+      command("validate", "Compare with the published sources", prs::cli::validate);
+  options.file = "";
+  std::string directory = "validation";
+  validate->add_option("directory", directory, "Folder of the sources")->type_name("DIR");
+  add_output_options(*validate, options);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int status = app.exit(error);
+    return status == 0 ? prs::cli::kDone : prs::cli::kWrongInput;
+  }
+  if (validate->parsed()) options.file = directory;
+
+  try {
+    return run(options);
+  } catch (const prs::input::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return prs::cli::kWrongInput;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "prs: error: {}\n", error.what());
+    return prs::cli::kFailed;
+  }
+}

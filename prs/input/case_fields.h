@@ -1,0 +1,295 @@
+#pragma once
+
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prs/case.h"
+#include "prs/input/field.h"
+
+/// The input, described once: every key, its unit and bounds, whether it must stand, its meaning.
+/// Defaults are the member initialisers of the structs. See field.h for the vocabulary.
+namespace prs::input {
+
+/// A load case as it is written: a range of forces is not yet expanded.
+struct LoadCaseItem {
+  std::optional<std::string> name;
+  LoadCase::Share share = LoadCase::Share::solved;
+  std::optional<Direction> direction;
+  Range axial_force;
+  std::optional<double> position;
+  std::optional<double> speed;
+};
+
+/// A file as it is written: `values` lacks the load cases.
+struct CaseFile {
+  Case values;
+  std::vector<LoadCaseItem> load_cases;
+};
+
+// Choices: io.word(WORD, member, value, meaning), io.map(KEY, member, value, content, kind,
+// meaning)
+
+template <class Io>
+void alternatives(Io& io, Mechanism::Type& t) {
+  io.word("standard", t, Mechanism::Type::standard, "the rollers stay in place on the nut");
+  io.word("inverted", t, Mechanism::Type::inverted, "the rollers stay in place on the screw");
+}
+
+template <class Io>
+void alternatives(Io& io, Mechanism::Geometry& g) {
+  io.word("simulation", g, Mechanism::Geometry::simulation,
+          "all pitch diameters and the centre distance are given");
+  io.word("design", g, Mechanism::Geometry::design,
+          "the screw's pitch diameter and the backlash are given, the others follow");
+}
+
+template <class Io>
+void alternatives(Io& io, Mechanism::ProfilePlane& p) {
+  io.word("normal", p, Mechanism::ProfilePlane::normal, "the plane normal to the helix");
+  io.word("axial", p, Mechanism::ProfilePlane::axial, "the plane through the axis");
+}
+
+template <class Io>
+void alternatives(Io& io, Profile& p) {
+  const Quantity radius{unit::length, positive};
+  io.word("straight", p.shape, Profile::Shape::straight, "straight flanks");
+  io.map("convex", p.shape, Profile::Shape::convex, p.radius, radius, "arc that bulges outwards");
+  io.map("concave", p.shape, Profile::Shape::concave, p.radius, radius, "hollow arc");
+}
+
+template <class Io>
+void alternatives(Io& io, Guidance& g) {
+  io.word("both_end_nodes", g.kind, Guidance::Kind::both_end_nodes,
+          "no radial displacement at both nodes of each end element");
+  io.word("outer_node", g.kind, Guidance::Kind::outer_node,
+          "no radial displacement at the two outermost nodes");
+  io.map("ring", g.kind, Guidance::Kind::ring, g.ring_stiffness,
+         Quantity{unit::stiffness, positive},
+         "a radial spring of this stiffness at both nodes of each end element");
+}
+
+template <class Io>
+void alternatives(Io& io, ModelOptions::Bodies& b) {
+  io.word("bars", b, ModelOptions::Bodies::bars, "one-dimensional elements");
+}
+
+template <class Io>
+void alternatives(Io& io, ModelOptions::Roller& r) {
+  io.word("flexible", r, ModelOptions::Roller::flexible, "the roller bends");
+  io.word("rigid_bending", r, ModelOptions::Roller::rigid_bending, "the roller stays straight");
+}
+
+template <class Io>
+void alternatives(Io& io, Direction& d) {
+  io.word("tension", d, Direction::tension, "the load pulls the screw out of the mechanism");
+  io.word("compression", d, Direction::compression, "the load pushes the screw in");
+}
+
+template <class Io>
+void alternatives(Io& io, LoadCase::Share& s) {
+  io.word("solved", s, LoadCase::Share::solved, "the structure decides on the thread loads");
+  io.word("equal", s, LoadCase::Share::equal, "every thread carries the same load");
+}
+
+template <class Io>
+void alternatives(Io& io, Friction& f) {
+  io.word("jacod", f.model, Friction::Model::jacod, "lubricated contact, after Jacod");
+  io.map("coulomb", f.model, Friction::Model::coulomb, f.coefficient, Number{not_negative},
+         "a constant coefficient of friction");
+}
+
+// Blocks: io.field(KEY, member, kind, presence, meaning)
+
+template <class Io>
+void fields(Io& io, Mechanism::Starts& s) {
+  io.field("screw", s.screw, Whole{1, 100}, required, "Thread starts of the screw and of the nut");
+  io.field("roller", s.roller, Whole{1, 100}, optional, "Thread starts of a roller");
+}
+
+template <class Io>
+void fields(Io& io, ThreadHeight& t) {
+  const Quantity height{unit::length, not_negative};
+  io.field("addendum", t.addendum, height, required, "Height of the crest above the pitch radius");
+  io.field("dedendum", t.dedendum, height, required, "Depth of the root below the pitch radius");
+}
+
+template <class Io>
+void fields(Io& io, Mechanism& m) {
+  const Quantity diameter{unit::length, positive};
+  const Quantity flank_angle{unit::angle, between(0.0, std::numbers::pi / 2)};
+
+  io.field("type", m.type, Choice{}, required, "Kind of mechanism");
+  io.field("geometry", m.geometry, Choice{}, optional, "What is given of the geometry");
+  io.field("profile_plane", m.profile_plane, Choice{}, optional,
+           "Plane in which flank angle and profile radius are measured");
+
+  const bool simulation = m.geometry == Mechanism::Geometry::simulation;
+  const Presence in_simulation = required_only_if(simulation, "only with `geometry: simulation`");
+  const Presence in_design = optional_only_if(!simulation, "only with `geometry: design`");
+
+  io.field("lead", m.lead, Quantity{unit::length, not_zero}, required,
+           "Lead of screw and nut; > 0 right-handed");
+  io.field("starts", m.starts, Block{}, required, "Numbers of thread starts");
+  io.field("pitch", m.pitch, Each{diameter, optional}, optional,
+           "Measured axial pitch of parts where it differs from lead / starts");
+  io.field("flank_angle", m.flank_angle, OneOrEach{flank_angle}, required,
+           "Flank angle, from the plane normal to the axis");
+  io.field("pitch_diameter", m.pitch_diameter, Keys{[&](auto& part) {
+             part.field("screw", m.pitch_diameter.screw, diameter, required, "Of the screw");
+             part.field("roller", m.pitch_diameter.roller, diameter, in_simulation, "Of a roller");
+             part.field("nut", m.pitch_diameter.nut, diameter, in_simulation, "Of the nut");
+           }},
+           required, "Pitch diameters");
+  io.field("centre_distance", m.centre_distance, diameter, in_simulation,
+           "Distance of the roller axes from the screw axis");
+  io.field("backlash", m.backlash, Each{Quantity{unit::length}, optional}, in_design,
+           "Axial play at each interface");
+  io.field("profile", m.profile, Each{Choice{}, required}, required,
+           "Thread profile of the material");
+  io.field("thread", m.thread, Each{Block{}, optional}, optional,
+           "Radial extent of truncated threads; the nut's addendum points inwards");
+  io.field("rollers", m.rollers, Whole{1, 1000}, required, "Number of rollers");
+  io.field("contacts_per_roller", m.contacts_per_roller, Whole{1, 10'000}, required,
+           "Threads of a roller in contact, at each interface");
+}
+
+template <class Io>
+void fields(Io& io, Structure::Screw& s) {
+  const Quantity length{unit::length, not_negative};
+  io.field("bore", s.bore, length, optional, "Diameter of the bore");
+  io.field("free_length", s.free_length, length, optional,
+           "From the loaded section to the first contact");
+}
+
+template <class Io>
+void fields(Io& io, Structure::Roller& r) {
+  const Quantity length{unit::length, positive};
+  io.field("end_length", r.end_length, length, required, "Length of each plain end");
+  io.field("end_diameter", r.end_diameter, length, required, "Diameter of the plain ends");
+  io.field("guidance", r.guidance, Choice{}, optional, "What holds the roller ends radially");
+}
+
+template <class Io>
+void fields(Io& io, Structure::Flange& f) {
+  const Quantity position{unit::length};
+  io.field("from", f.from, position, required, "Axial position of its near face");
+  io.field("to", f.to, position, required, "Axial position of its far face");
+  io.field("outer_diameter", f.outer_diameter, Quantity{unit::length, positive}, required,
+           "Replaces the nut's outer diameter there");
+}
+
+template <class Io>
+void fields(Io& io, Structure::Thrust& t) {
+  const Quantity position{unit::length};
+  io.field("tension", t.tension, position, optional, "Where tension is held");
+  io.field("compression", t.compression, position, optional, "Where compression is held");
+}
+
+template <class Io>
+void fields(Io& io, Structure::Nut& n) {
+  const Quantity length{unit::length, positive};
+  io.field("length", n.length, length, required, "Axial length");
+  io.field("outer_diameter", n.outer_diameter, length, required, "Outer diameter between flanges");
+  io.field("flanges", n.flanges, List{Block{}}, optional, "Flanges; they may touch, not overlap");
+  io.field("thrust", n.thrust, Block{}, optional,
+           "Axial position of the constrained section, for each direction of the load");
+}
+
+template <class Io>
+void fields(Io& io, Structure& s) {
+  io.field("screw", s.screw, Block{}, optional, "The screw beside its thread");
+  io.field("roller", s.roller, Block{}, required, "A roller beside its thread");
+  io.field("nut", s.nut, Block{}, required,
+           "The nut; axial positions count from its end that faces the loaded end of the screw");
+}
+
+template <class Io>
+void fields(Io& io, Material& m) {
+  io.field("youngs_modulus", m.youngs_modulus, Quantity{unit::pressure, positive}, required,
+           "Young's modulus");
+  io.field("poisson_ratio", m.poisson_ratio,
+           Number{{.least = 0.0, .greatest = 0.5, .greatest_excluded = true}}, required,
+           "Poisson's ratio");
+  io.field("density", m.density, Quantity{unit::density, positive}, optional, "Density");
+}
+
+template <class Io>
+void fields(Io& io, ContactOverrides& c) {
+  const Quantity hertz_constant{unit::hertz_constant, positive};
+  const Quantity normal_angle{unit::angle, between(0.0, std::numbers::pi / 2)};
+  io.field("hertz_constant", c.hertz_constant, Each{hertz_constant, optional}, optional,
+           "Load over approach^1.5");
+  io.field("normal_angle", c.normal_angle, Each{normal_angle, optional}, optional,
+           "Angle between contact normal and axis");
+}
+
+template <class Io>
+void fields(Io& io, ModelOptions& m) {
+  io.field("bodies", m.bodies, Choice{}, optional, "How screw, roller and nut deform");
+  io.field("roller", m.roller, Choice{}, optional, "Whether the roller bends");
+  io.field("roller_shear", m.roller_shear, Flag{}, optional, "Shear flexibility of the roller");
+  io.field("patch_points", m.patch_points, Whole{1, 1001}, optional,
+           "Points along each axis of a contact patch");
+}
+
+template <class Io>
+void fields(Io& io, LoadCaseItem& l) {
+  io.field(
+      "name", l.name, Text{}, optional,
+      "Name of the case, `case-1` for the first by default; a range makes NAME[0], NAME[1], ..");
+  io.field("axial_force", l.axial_force, OneOrRange{Quantity{unit::force}}, required,
+           "Axial load; > 0 with a direction, of either sign without");
+  io.field("share", l.share, Choice{}, optional, "How the load spreads over the threads");
+
+  const Presence where =
+      required_unless(l.share == LoadCase::Share::equal, "required unless `share: equal`");
+  io.field("direction", l.direction, Choice{}, where, "Sense of the load on the screw");
+  io.field("position", l.position, Quantity{unit::length}, where,
+           "Axial position of the first roller contact on the nut");
+  io.field("speed", l.speed, Quantity{unit::rotational_speed}, optional,
+           "In place of operation.speed");
+}
+
+template <class Io>
+void fields(Io& io, Lubricant& l) {
+  const Quantity stress{unit::pressure, positive};
+  io.field("viscosity", l.viscosity, Quantity{unit::viscosity, positive}, required,
+           "Dynamic viscosity at ambient pressure");
+  io.field("pressure_viscosity", l.pressure_viscosity, Quantity{unit::pressure_viscosity, positive},
+           required, "Pressure-viscosity coefficient");
+  io.field("eyring_stress", l.eyring_stress, stress, required, "Eyring shear stress");
+}
+
+template <class Io>
+void fields(Io& io, Operation& o) {
+  io.field("speed", o.speed, Quantity{unit::rotational_speed}, required,
+           "Screw against nut; its sign is that of the axial force");
+}
+
+template <class Io>
+void fields(Io& io, Carrier& c) {
+  const Quantity torque{unit::torque, not_negative};
+  io.field("roller_torque", c.roller_torque, torque, optional, "Resists a roller's spin");
+  io.field("screw_torque", c.screw_torque, torque, optional, "Resists the carrier on the screw");
+  io.field("nut_torque", c.nut_torque, torque, optional, "Resists the carrier on the nut");
+}
+
+template <class Io>
+void fields(Io& io, CaseFile& file) {
+  Case& c = file.values;
+  io.field("mechanism", c.mechanism, Block{}, required, "The threads");
+  io.field("structure", c.structure, Block{}, optional, "The parts between and around the threads");
+  io.field("materials", c.materials, OneOrEach{Block{}}, optional, "Elastic properties");
+  io.field("contact", c.contact, Block{}, optional,
+           "Values that replace what the geometry gives, in the load distribution only");
+  io.field("model", c.model, Block{}, optional, "Choices of the model");
+  io.field("load_cases", file.load_cases, List{Block{}, 1}, optional, "Loads, each on its own");
+  io.field("lubricant", c.lubricant, Block{}, optional, "At operating temperature");
+  io.field("friction", c.friction, ChoiceUnder{"model"}, optional, "Law of friction");
+  io.field("operation", c.operation, Block{}, optional, "How the mechanism runs");
+  io.field("carrier", c.carrier, Block{}, optional, "Torques that resist the roller carrier");
+}
+
+}  // namespace prs::input

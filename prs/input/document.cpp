@@ -1,0 +1,406 @@
+#include "prs/input/document.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/mark.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <sstream>
+#include <unordered_map>
+#include <utility>
+
+#include "prs/input/units.h"
+
+namespace prs::input {
+
+namespace {
+
+constexpr std::size_t kDeepest = 64;
+constexpr std::size_t kMostValues = 200'000;
+constexpr std::size_t kMostBadKeys = 20;  // That are told of.
+
+/// Values that a scalar counts for, so that long texts are bounded too.
+std::size_t weight(const Node& node) { return 1 + node.text.size() / 64; }
+
+/// Builds the tree of one YAML document from the parser's events.
+class TreeBuilder final : public YAML::EventHandler {
+ public:
+  /// `argument`: index of the override that is read, or -1 for the file.
+  TreeBuilder(int argument, std::string path, ErrorList& errors)
+      : argument_(argument), path_(std::move(path)), errors_(errors) {}
+
+  Node take_root() { return std::move(root_); }
+  bool has_root() const { return has_root_; }
+
+  /// Adds what was found beside the tree; to be called when the whole text is known to be YAML.
+  void report_keys() const {
+    for (const BadKey& k : bad_keys_) errors_.add(k.place, k.path, k.message);
+  }
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (std::exchange(started_, true))
+      errors_.fail(place(mark), path_,
+                   "got more text after the end of the document; expected one YAML document; "
+                   "delete it or put it into a file of its own");
+  }
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    add_leaf({.kind = Node::Kind::null, .place = place(mark)}, anchor);
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    refuse_tag(mark, tag);
+    add_leaf(
+        {.kind = Node::Kind::scalar, .quoted = tag == "!", .text = value, .place = place(mark)},
+        anchor);
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto found = anchored_.find(anchor);
+    if (found == anchored_.end())
+      errors_.fail(place(mark), here(),
+                   "got an alias of a value that contains it; expected another value; write it "
+                   "out");
+    charge(found->second.size, place(mark));
+    add(Node(found->second.node));
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    refuse_tag(mark, tag);
+    open(Node::Kind::sequence, place(mark), anchor);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    refuse_tag(mark, tag);
+    open(Node::Kind::map, place(mark), anchor);
+  }
+  void OnMapEnd() override { close(); }
+
+ private:
+  /// A sequence or map under construction.
+  struct Frame {
+    Node node;
+    YAML::anchor_t anchor = 0;
+    std::size_t size_before = 0;
+    std::optional<Node> key;  ///< Read, while its value is awaited.
+    bool drop_value = false;  ///< The key is a bad one.
+    std::unordered_map<std::string, Place> keys;
+  };
+  struct Anchored {
+    Node node;
+    std::size_t size;
+  };
+  struct BadKey {
+    Place place;
+    std::string path, message;
+  };
+
+  Place place(const YAML::Mark& mark) const {
+    return {static_cast<std::size_t>(std::max(mark.pos, 0)), argument_};
+  }
+
+  /// Key path of the value that comes next.
+  std::string here() const {
+    std::string path = path_;
+    for (const Frame& f : frames_) {
+      if (f.node.kind == Node::Kind::sequence)
+        path += fmt::format("[{}]", f.node.children.size());
+      else if (f.key)
+        path += (path.empty() ? "" : ".") + f.key->text;
+    }
+    return path;
+  }
+
+  void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
+    if (tag.size() > 1)
+      errors_.fail(place(mark), here(),
+                   fmt::format("got the tag `{}`; expected a value without tag; delete the tag",
+                               shown(tag)));
+  }
+
+  void charge(std::size_t size, Place at) {
+    size_ += size;
+    if (size_ > kMostValues)
+      errors_.fail(at, here(),
+                   fmt::format("got more than {} values, aliases expanded; expected fewer; write a "
+                               "range {{from, to, steps}} or use several files",
+                               kMostValues));
+  }
+
+  void open(Node::Kind kind, Place at, YAML::anchor_t anchor) {
+    if (frames_.size() >= kDeepest)
+      errors_.fail(at, here(),
+                   fmt::format("got more than {} nested levels; expected fewer; check the brackets "
+                               "and the indentation",
+                               kDeepest));
+    Frame& f = frames_.emplace_back();
+    f.node.kind = kind;
+    f.node.place = at;
+    f.anchor = anchor;
+    f.size_before = size_;
+    charge(1, at);
+  }
+
+  void close() {
+    Frame f = std::move(frames_.back());
+    frames_.pop_back();
+    keep(f.node, f.anchor, size_ - f.size_before);
+    add(std::move(f.node));
+  }
+
+  void add_leaf(Node node, YAML::anchor_t anchor) {
+    charge(weight(node), node.place);
+    keep(node, anchor, weight(node));
+    add(std::move(node));
+  }
+
+  void keep(const Node& node, YAML::anchor_t anchor, std::size_t size) {
+    if (anchor == 0) return;
+    charge(size, node.place);
+    anchored_.insert_or_assign(anchor, Anchored{node, size});
+  }
+
+  /// Puts a complete value where it belongs: as root, list item, key or value of a key.
+  void add(Node node) {
+    if (frames_.empty()) {
+      root_ = std::move(node);
+      has_root_ = true;
+      return;
+    }
+    Frame& f = frames_.back();
+    if (f.node.kind == Node::Kind::sequence) {
+      f.node.children.push_back(std::move(node));
+    } else if (!f.key) {
+      f.drop_value = !check_key(f, node);
+      f.key = std::move(node);
+    } else {
+      node.key = f.key->text;
+      node.key_place = f.key->place;
+      if (node.kind == Node::Kind::null) node.place = node.key_place;
+      f.key.reset();
+      if (f.drop_value) return;
+      f.keys.emplace(node.key, node.key_place);
+      f.node.children.push_back(std::move(node));
+    }
+  }
+
+  bool check_key(const Frame& f, const Node& key) {
+    const std::string parent = here();
+    const std::string path = parent + (parent.empty() ? "" : ".") + key.text;
+    const auto refuse = [&](std::string message) {
+      bad_keys_.push_back({key.place, path, std::move(message)});
+      return false;
+    };
+    if (bad_keys_.size() >= kMostBadKeys) return false;
+    if (key.kind != Node::Kind::scalar)
+      return refuse("got a key that is no text; expected `key: value`; write the key as a word");
+    if (key.text == "<<" && !key.quoted)
+      return refuse("got a merge key; expected plain keys; write the merged keys out");
+    if (const auto first = f.keys.find(key.text); first != f.keys.end())
+      return refuse(fmt::format(
+          "duplicate key; expected each key once; it stands already at {}; delete one of them",
+          errors_.where(first->second)));
+    return true;
+  }
+
+  int argument_;
+  std::string path_;
+  ErrorList& errors_;
+  bool started_ = false;
+  bool has_root_ = false;
+  Node root_;
+  std::size_t size_ = 0;
+  std::vector<Frame> frames_;
+  std::unordered_map<YAML::anchor_t, Anchored> anchored_;
+  std::vector<BadKey> bad_keys_;
+};
+
+/// Length of the UTF-8 character at the head of a text; 0 where it is malformed or a control
+/// character that no text file holds.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  if (byte(0) < 0x80) {
+    const bool printable = byte(0) >= 0x20 && byte(0) != 0x7F;
+    return printable || std::string_view("\t\n\r").find(text[0]) != std::string_view::npos ? 1 : 0;
+  }
+  const std::size_t length = byte(0) >= 0xF5   ? 0
+                             : byte(0) >= 0xF0 ? 4
+                             : byte(0) >= 0xE0 ? 3
+                             : byte(0) >= 0xC2 ? 2
+                                               : 0;
+  if (length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+  const bool overlong = (byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xF0 && byte(1) < 0x90);
+  const bool no_character =
+      (byte(0) == 0xED && byte(1) > 0x9F) || (byte(0) == 0xF4 && byte(1) > 0x8F);
+  return overlong || no_character ? 0 : length;
+}
+
+void check_encoding(std::string_view text, int argument, std::string_view path, ErrorList& errors) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = character_length(text.substr(i));
+    if (length == 0)
+      errors.fail(
+          {i, argument}, path,
+          fmt::format("got the byte 0x{:02X}; expected plain text in UTF-8; check that this "
+                      "is a YAML file and save it as UTF-8",
+                      static_cast<unsigned char>(text[i])));
+    i += length;
+  }
+}
+
+/// The tree of one YAML text; none where it holds nothing but comments.
+std::optional<Node> parse_yaml(const std::string& text, int argument, const std::string& path,
+                               ErrorList& errors) {
+  check_encoding(text, argument, path, errors);
+  TreeBuilder builder(argument, path, errors);
+  try {
+    std::istringstream in(text);
+    YAML::Parser parser(in);
+    while (parser.HandleNextDocument(builder)) {
+    }
+  } catch (const YAML::Exception& e) {
+    const auto offset = static_cast<std::size_t>(std::max(e.mark.pos, 0));
+    errors.fail({std::min(offset, text.size()), argument}, path,
+                fmt::format("malformed YAML: {}; expected `key: value`; check indentation, quotes, "
+                            "brackets and colons here and above",
+                            e.msg));
+  }
+  builder.report_keys();
+  if (!builder.has_root()) return std::nullopt;
+  return builder.take_root();
+}
+
+Node* find(Node& map, std::string_view key) {
+  return const_cast<Node*>(input::find(std::as_const(map), key));
+}
+
+/// One step of a path: a key or, in brackets, an index.
+struct Step {
+  std::string_view key;
+  std::optional<std::size_t> index;
+};
+
+/// `load_cases[0].axial_force` -> key, index, key; nothing where the path is malformed.
+std::optional<std::vector<Step>> split_path(std::string_view path) {
+  std::vector<Step> steps;
+  while (true) {
+    const std::size_t end = std::min(path.find_first_of(".["), path.size());
+    if (end == 0) return std::nullopt;
+    steps.push_back({path.substr(0, end), std::nullopt});
+    path.remove_prefix(end);
+    while (path.starts_with('[')) {
+      std::size_t index = 0;
+      const char* last = path.data() + path.size();
+      const auto [stop, error] = std::from_chars(path.data() + 1, last, index);
+      if (error != std::errc{} || stop == last || *stop != ']') return std::nullopt;
+      steps.push_back({{}, index});
+      path.remove_prefix(static_cast<std::size_t>(stop + 1 - path.data()));
+    }
+    if (path.empty()) return steps;
+    if (!path.starts_with('.') || steps.size() > kDeepest) return std::nullopt;
+    path.remove_prefix(1);
+  }
+}
+
+void apply_override(Node& root, const std::string& text, int argument, ErrorList& errors) {
+  const Place at{0, argument};
+  const std::size_t equals = text.find('=');
+  const std::string path = text.substr(0, equals);
+  const auto steps = split_path(path);
+  if (equals == std::string::npos || !steps)
+    errors.fail(at, "",
+                "expected path=value; write for example `--set mechanism.rollers=9` or `--set "
+                "\"load_cases[0].axial_force=20 kN\"`");
+
+  Node* node = &root;
+  for (const Step& step : *steps) {
+    if (step.index) {
+      if (node->kind != Node::Kind::sequence)
+        errors.fail(at, path, "the index has no list; expected a path that exists");
+      if (*step.index >= node->children.size())
+        errors.fail(at, path,
+                    fmt::format("got the index {}; expected one below {}, counted from 0",
+                                *step.index, node->children.size()));
+      node = &node->children[*step.index];
+      continue;
+    }
+    if (node->kind == Node::Kind::null) {
+      node->kind = Node::Kind::map;
+      node->place = at;
+    }
+    if (node->kind != Node::Kind::map)
+      errors.fail(at, path,
+                  fmt::format("`{}` cannot be set; the value that would hold it is no map; set "
+                              "that value as a whole",
+                              step.key));
+    Node* child = find(*node, step.key);
+    if (!child) {
+      child = &node->children.emplace_back();
+      child->key = step.key;
+      child->place = child->key_place = at;
+    }
+    node = child;
+  }
+
+  Node value = parse_yaml(text.substr(equals + 1), argument, path, errors)
+                   .value_or(Node{.kind = Node::Kind::null, .place = at});
+  value.key = node->key;
+  value.key_place = at;
+  *node = std::move(value);
+}
+
+}  // namespace
+
+const Node* find(const Node& map, std::string_view key) {
+  for (const Node& child : map.children)
+    if (child.key == key) return &child;
+  return nullptr;
+}
+
+bool is_per_part(const Node& node) {
+  return find(node, "screw") || find(node, "roller") || find(node, "nut");
+}
+
+ScalarType scalar_type(const Node& scalar) {
+  if (scalar.quoted) return ScalarType::text;
+  static constexpr std::string_view kBooleans[] = {"true",  "True",  "TRUE",
+                                                   "false", "False", "FALSE"};
+  if (std::ranges::find(kBooleans, scalar.text) != std::end(kBooleans)) return ScalarType::boolean;
+  return parse_number(scalar.text) ? ScalarType::number : ScalarType::text;
+}
+
+Node read_document(const Source& source, ErrorList& errors) {
+  std::optional<Node> root = parse_yaml(source.text, -1, "", errors);
+  if (!root)
+    errors.fail({}, "",
+                "got an empty file; expected a map with the key `mechanism`; `prs new` "
+                "writes a file to start from");
+  for (std::size_t i = 0; i < source.overrides.size(); ++i)
+    apply_override(*root, source.overrides[i], static_cast<int>(i), errors);
+  return std::move(*root);
+}
+
+Place locate(const Node& root, std::string_view path) {
+  const Node* node = &root;
+  Place nearest = root.place;
+  for (const Step& step : split_path(path).value_or(std::vector<Step>{})) {
+    const Node* child = nullptr;
+    if (step.index)
+      child = *step.index < node->children.size() ? &node->children[*step.index] : nullptr;
+    else
+      child = find(*node, step.key);
+    if (!child) return nearest;
+    node = child;
+    nearest = step.index ? node->place : node->key_place;
+  }
+  return node->place;
+}
+
+}  // namespace prs::input

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "prs/input/source.h"
+
+namespace prs::input {
+
+/// One value of a YAML document and where it stands.
+struct Node {
+  enum class Kind { null, scalar, sequence, map };
+
+  Kind kind = Kind::null;
+  bool quoted = false;    ///< A scalar in quotes or in a text block: never a number.
+  std::string text = {};  ///< Of a scalar.
+  Place place = {};
+
+  std::string key = {};  ///< Under which the value stands in a map.
+  Place key_place = {};
+  std::vector<Node> children = {};  ///< Of a sequence or a map, in the order of the file.
+};
+
+/// The value under a key of a map, or null.
+const Node* find(const Node& map, std::string_view key);
+
+/// Whether a value is a map {screw, roller, nut} or part of one.
+bool is_per_part(const Node& node);
+
+/// What a scalar is to every reader of YAML 1.2: `5` is a number, `"5"` and `5 mm` are texts.
+enum class ScalarType { text, number, boolean };
+ScalarType scalar_type(const Node& scalar);
+
+/// Reads the one YAML document of a source and applies its overrides `path=value`, where a path is
+/// `mechanism.rollers` or `load_cases[0].axial_force` and the value is YAML. Missing maps are
+/// created; an index must exist.
+///
+/// Nesting is bounded by 64 levels and the document, with its aliases expanded, by 200,000 values.
+/// Tags, merge keys (`<<`), further documents and texts that are not UTF-8 are refused. Throws
+/// InputError; duplicate keys are added to `errors` and the first occurrence stays.
+Node read_document(const Source& source, ErrorList& errors);
+
+/// Place of the value at a path such as `load_cases[0].axial_force`; where it is absent, that of
+/// the key of the innermost map that exists.
+Place locate(const Node& root, std::string_view path);
+
+}  // namespace prs::input

@@ -1,0 +1,91 @@
+#include "prs/input/echo.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "prs/input/value_text.h"
+
+namespace prs::input {
+
+namespace {
+
+/// Lists the values of one map next to what was written of them (null where nothing was).
+class Lister : public Visitor {
+ public:
+  Lister(const Node* written, std::string path, std::vector<EchoEntry>& entries)
+      : written_(written), path_(std::move(path)), entries_(entries) {}
+
+  template <class T, class Kind>
+  void field(std::string_view key, T& value, const Kind& kind, Presence presence,
+             std::string_view) {
+    if (!presence.allowed) return;
+    const Node* node = written_ ? find(*written_, key) : nullptr;
+    std::string path = path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+    if constexpr (is_optional<T>) {
+      if (value) list(node, path, *value, kind);
+    } else {
+      list(node, path, value, kind);
+    }
+  }
+
+ private:
+  /// One value that stands on one line.
+  template <class T, class Kind>
+  void list(const Node* node, const std::string& path, const T& value, const Kind& kind) {
+    entries_.push_back({path, text_of(value, kind), node == nullptr});
+  }
+
+  template <class T>
+  void list(const Node* node, const std::string& path, T& value, const Block& kind) {
+    list_map(node, path, value, kind);
+  }
+  template <class T, class L>
+  void list(const Node* node, const std::string& path, T& value, const Keys<L>& kind) {
+    list_map(node, path, value, kind);
+  }
+  template <class T, class Kind>
+  void list(const Node* node, const std::string& path, T& value, const Each<Kind>& kind) {
+    list_map(node, path, value, kind);
+  }
+  template <class T>
+  void list(const Node* node, const std::string& path, T& value, const ChoiceUnder& kind) {
+    list(node, fmt::format("{}.{}", path, kind.key), std::as_const(value), Choice{});
+  }
+  template <class T, class Kind>
+  void list(const Node* node, const std::string& path, T& value, const OneOrEach<Kind>& kind) {
+    if (node && is_per_part(*node))
+      list_map(node, path, value, Each{kind.kind, required});
+    else
+      list(node, path, value.screw, kind.kind);
+  }
+  template <class T, class Kind>
+  void list(const Node* node, const std::string& path, std::vector<T>& items,
+            const List<Kind>& kind) {
+    if (items.empty() && kind.least == 0) entries_.push_back({path, "[]", node == nullptr});
+    for (std::size_t i = 0; i < items.size(); ++i)
+      list(node ? &node->children[i] : nullptr, fmt::format("{}[{}]", path, i), items[i],
+           kind.kind);
+  }
+
+  template <class T, class Kind>
+  void list_map(const Node* node, const std::string& path, T& value, const Kind& kind) {
+    Lister keys(node, path, entries_);
+    list_keys(keys, value, kind);
+  }
+
+  const Node* written_;
+  std::string path_;
+  std::vector<EchoEntry>& entries_;
+};
+
+}  // namespace
+
+std::vector<EchoEntry> echo(CaseFile file, const Node& root) {
+  std::vector<EchoEntry> entries;
+  Lister keys(&root, "", entries);
+  fields(keys, file);
+  return entries;
+}
+
+}  // namespace prs::input

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "prs/input/case_fields.h"
+#include "prs/input/document.h"
+
+namespace prs::input {
+
+/// One value of the resolved input.
+struct EchoEntry {
+  std::string path;   ///< `mechanism.flank_angle`
+  std::string value;  ///< With its unit, as it could stand in the file: `45 deg`.
+  bool is_default = false;
+};
+
+/// Every value of a case in the order of case_fields.h; absent ones without default are left out.
+/// `root` is the document that the case was read from: what it lacks is a default.
+std::vector<EchoEntry> echo(CaseFile file, const Node& root);
+
+}  // namespace prs::input

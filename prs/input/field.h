@@ -1,0 +1,201 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "prs/input/units.h"
+#include "prs/part.h"
+
+/// The vocabulary in which `case_fields.h` describes the input. A description is a function
+/// template `fields(io, block)` that names each key of a block once:
+///
+///     io.field("lead", m.lead, Quantity{unit::length, not_zero}, required, "Lead of screw and
+///     nut");
+///
+/// Key, member, how its value is written, whether it must stand, meaning. What happens is up to the
+/// visitor `io`: it reads (reader.cpp), writes the schema (schema.cpp) or lists values (echo.cpp).
+namespace prs::input {
+
+/// Base of every visitor: its namespace is where `fields` and `alternatives` are looked up.
+struct Visitor {};
+
+/// Interval of admissible values, SI.
+struct Bounds {
+  double least = -std::numeric_limits<double>::infinity();
+  double greatest = std::numeric_limits<double>::infinity();
+  bool least_excluded = false;
+  bool greatest_excluded = false;
+  bool zero_excluded = false;
+
+  constexpr bool contain(double v) const {
+    return (least_excluded ? v > least : v >= least) &&
+           (greatest_excluded ? v < greatest : v <= greatest) && !(zero_excluded && v == 0.0);
+  }
+};
+
+inline constexpr Bounds unbounded{};
+inline constexpr Bounds positive{.least = 0.0, .least_excluded = true};
+inline constexpr Bounds not_negative{.least = 0.0};
+inline constexpr Bounds not_zero{.zero_excluded = true};
+
+/// Both ends excluded.
+constexpr Bounds between(double least, double greatest) {
+  return {least, greatest, true, true, false};
+}
+
+/// Whether a key must stand. A key that may be absent leaves its member as the struct initialises
+/// it.
+struct Presence {
+  bool required = false;
+  bool allowed = true;
+  std::string_view condition = {};  ///< On which that depends: `only with geometry: design`.
+};
+
+inline constexpr Presence required{.required = true};
+inline constexpr Presence optional{};
+
+/// Required where the condition holds, refused elsewhere.
+constexpr Presence required_only_if(bool holds, std::string_view condition) {
+  return {holds, holds, condition};
+}
+/// May stand where the condition holds, refused elsewhere.
+constexpr Presence optional_only_if(bool holds, std::string_view condition) {
+  return {false, holds, condition};
+}
+/// Required unless the condition holds; may stand in either case.
+constexpr Presence required_unless(bool holds, std::string_view condition) {
+  return {!holds, true, condition};
+}
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+// How a value is written ------------------------------------------------------------------------
+
+/// `5 mm`
+struct Quantity {
+  const Dimension& dimension;
+  Bounds bounds = unbounded;
+};
+
+/// `0.3`, without dimension
+struct Number {
+  Bounds bounds = unbounded;
+};
+
+/// `11`, ends included
+struct Whole {
+  int least;
+  int greatest;
+};
+
+/// `true` or `false`
+struct Flag {};
+
+/// A line of 1 to 100 bytes.
+struct Text {};
+inline constexpr int kLongestText = 100;
+
+/// One of the words or of the maps with one key that `alternatives(io, value)` lists:
+/// `straight` or `{convex: 3 mm}`.
+struct Choice {};
+
+/// A choice under a key of its own; one that is a map may do without it:
+/// `{model: jacod}`, `{model: {coulomb: 0.11}}` or `{coulomb: 0.11}`.
+struct ChoiceUnder {
+  std::string_view key;
+};
+
+/// A map with the keys that `fields(io, value)` lists.
+struct Block {};
+
+/// A map whose keys are described in place, by `list(io)`.
+template <class List>
+struct Keys {
+  List list;
+};
+template <class List>
+Keys(List) -> Keys<List>;
+
+/// A map {screw, roller, nut} or {screw, nut} with the same kind of value for each.
+template <class Kind>
+struct Each {
+  Kind kind;
+  Presence presence;
+};
+template <class Kind>
+Each(Kind, Presence) -> Each<Kind>;
+
+/// One value for screw, roller and nut, or a map {screw, roller, nut}.
+template <class Kind>
+struct OneOrEach {
+  Kind kind;
+};
+template <class Kind>
+OneOrEach(Kind) -> OneOrEach<Kind>;
+
+/// `[.., ..]`
+template <class Kind>
+struct List {
+  Kind kind;
+  int least = 0;  ///< Number of items.
+};
+template <class Kind>
+List(Kind, int) -> List<Kind>;
+template <class Kind>
+List(Kind) -> List<Kind>;
+
+/// Equidistant values, ends included, as they are written; a single value has no `steps`.
+struct Range {
+  double from = 0.0;
+  double to = 0.0;
+  std::optional<int> steps;
+};
+inline constexpr int kMostSteps = 100'000;
+
+/// `5 kN` or `{from: 1 kN, to: 45 kN, steps: 45}`
+struct OneOrRange {
+  Quantity quantity;
+};
+
+// Kinds that are maps, and their keys -----------------------------------------------------------
+
+template <class Io, class T>
+void list_keys(Io& io, T& block, Block) {
+  fields(io, block);
+}
+
+template <class Io, class T, class L>
+void list_keys(Io& io, T&, const Keys<L>& keys) {
+  keys.list(io);
+}
+
+template <class Io, class T, class Kind>
+void list_keys(Io& io, PerPart<T>& parts, const Each<Kind>& each) {
+  io.field("screw", parts.screw, each.kind, each.presence, "Of the screw");
+  io.field("roller", parts.roller, each.kind, each.presence, "Of the roller");
+  io.field("nut", parts.nut, each.kind, each.presence, "Of the nut");
+}
+
+template <class Io, class T, class Kind>
+void list_keys(Io& io, PerInterface<T>& sides, const Each<Kind>& each) {
+  io.field("screw", sides.screw, each.kind, each.presence, "At the roller-screw interface");
+  io.field("nut", sides.nut, each.kind, each.presence, "At the roller-nut interface");
+}
+
+template <class Io, class T>
+void list_keys(Io& io, T& choice, const ChoiceUnder& kind) {
+  io.field(kind.key, choice, Choice{}, required, "The choice");
+}
+
+template <class Io>
+void list_keys(Io& io, Range& range, const OneOrRange& kind) {
+  io.field("from", range.from, kind.quantity, required, "First value");
+  io.field("to", range.to, kind.quantity, required, "Last value");
+  io.field("steps", range.steps, Whole{1, kMostSteps}, required, "Number of values, ends included");
+}
+
+}  // namespace prs::input

@@ -1,0 +1,481 @@
+#include "prs/input/reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include "prs/input/case_fields.h"
+#include "prs/input/document.h"
+#include "prs/input/value_text.h"
+
+namespace prs::input {
+
+namespace {
+
+constexpr std::size_t kMostLoadCases = 100'000;
+
+// Words of messages -----------------------------------------------------------------------------
+
+/// Letters to change, insert or delete to get from one word to the other.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known) {
+  if (known.empty()) return {};
+  const auto distance = [word](std::string_view k) { return edit_distance(word.substr(0, 80), k); };
+  return fmt::format("did you mean `{}`?", *std::ranges::min_element(known, {}, distance));
+}
+
+std::string got(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::null:
+      return "nothing";
+    case Node::Kind::sequence:
+      return fmt::format("a list of {}", node.children.size());
+    case Node::Kind::map:
+      return node.children.size() == 1 ? fmt::format("{{{}: ..}}", shown(node.children[0].key))
+                                       : "a map";
+    case Node::Kind::scalar:
+      break;
+  }
+  return node.quoted ? fmt::format("\"{}\"", shown(node.text)) : shown(node.text);
+}
+
+/// What a value should have been, and a valid one.
+struct Wanted {
+  std::string what;
+  std::string example;
+};
+
+template <class Kind>
+std::string within(const Bounds& b, const Kind& kind) {
+  if (b.zero_excluded) return " other than 0";
+  std::string text;
+  if (std::isfinite(b.least))
+    text = fmt::format(
+        " {} {}", b.least_excluded ? ">" : ">=", b.least == 0.0 ? "0" : text_of(b.least, kind));
+  if (std::isfinite(b.greatest))
+    text += fmt::format("{} {} {}", text.empty() ? "" : " and",
+                        b.greatest_excluded ? "<" : "<=", text_of(b.greatest, kind));
+  return text;
+}
+
+template <class T>
+Wanted wanted(T&, const Quantity& q) {
+  return {fmt::format("{}{} with its unit", q.dimension.name, within(q.bounds, q)),
+          std::string(q.dimension.example)};
+}
+template <class T>
+Wanted wanted(T&, const Number& n) {
+  return {fmt::format("a number{}", within(n.bounds, n)), "0.3"};
+}
+template <class T>
+Wanted wanted(T&, const Whole& w) {
+  return {fmt::format("a whole number from {} to {}", w.least, w.greatest),
+          fmt::format("{}", std::clamp(3, w.least, w.greatest))};
+}
+template <class T>
+Wanted wanted(T&, const Flag&) {
+  return {"true or false", "true"};
+}
+template <class T>
+Wanted wanted(T&, const Text&) {
+  return {fmt::format("a line of 1 to {} characters", kLongestText), "\"case-1\""};
+}
+
+/// Visits the alternatives of a choice for their names.
+struct ChoiceNames : Visitor {
+  std::vector<std::string_view> words, keys;
+
+  template <class E>
+  void word(std::string_view name, E&, E, std::string_view) {
+    words.push_back(name);
+  }
+  template <class E, class T, class Kind>
+  void map(std::string_view name, E&, E, T&, const Kind&, std::string_view) {
+    keys.push_back(name);
+  }
+};
+
+template <class T>
+ChoiceNames names_of(T& choice) {
+  ChoiceNames names;
+  alternatives(names, choice);
+  return names;
+}
+
+template <class T>
+Wanted wanted(T& value, const Choice&) {
+  const ChoiceNames names = names_of(value);
+  std::string what = fmt::format("{}", fmt::join(names.words, " | "));
+  for (std::string_view key : names.keys) what += fmt::format(" | {{{}: ..}}", key);
+  return {what, std::string(names.words[0])};
+}
+template <class T>
+Wanted wanted(T& value, const ChoiceUnder& kind) {
+  const Wanted choice = wanted(value, Choice{});
+  return {choice.what, fmt::format("{{{}: {}}}", kind.key, choice.example)};
+}
+
+/// Visits the keys of a map for those that must stand.
+struct RequiredKeys : Visitor {
+  std::string text;
+
+  template <class T, class Kind>
+  void field(std::string_view key, T&, const Kind&, Presence presence, std::string_view) {
+    if (presence.required) text += fmt::format("{}{}: ..", text.empty() ? "" : ", ", key);
+  }
+};
+
+template <class T, class Kind>
+Wanted wanted_map(T& value, const Kind& kind) {
+  RequiredKeys keys;
+  list_keys(keys, value, kind);
+  return {"a map", fmt::format("{{{}}}", keys.text)};
+}
+template <class T>
+Wanted wanted(T& value, const Block& kind) {
+  return wanted_map(value, kind);
+}
+template <class T, class L>
+Wanted wanted(T& value, const Keys<L>& kind) {
+  return wanted_map(value, kind);
+}
+template <class T, class Kind>
+Wanted wanted(T& value, const Each<Kind>& kind) {
+  return wanted_map(value, kind);
+}
+template <class T, class Kind>
+Wanted wanted(T& value, const OneOrEach<Kind>& kind) {
+  const Wanted one = wanted(value.screw, kind.kind);
+  return {one.what + ", or one each for {screw, roller, nut}", one.example};
+}
+template <class T>
+Wanted wanted(T& value, const OneOrRange& kind) {
+  const Wanted one = wanted(value.from, kind.quantity);
+  return {one.what + ", or a range {from, to, steps}", one.example};
+}
+template <class T, class Kind>
+Wanted wanted(std::vector<T>&, const List<Kind>& kind) {
+  T item{};
+  return {kind.least > 0 ? fmt::format("a list of at least {}", kind.least) : "a list",
+          fmt::format("[{}]", wanted(item, kind.kind).example)};
+}
+
+// Reading ---------------------------------------------------------------------------------------
+
+/// One value of the document and its key path.
+struct Written {
+  const Node& node;
+  std::string path;
+  ErrorList& errors;
+
+  /// Says what was wanted, and how to mend the value: by an example unless there is a better hint.
+  void refuse(const Wanted& w, std::string_view hint = {}) const {
+    errors.add(node.place, path,
+               fmt::format("got {}; expected {}; {}", got(node), w.what,
+                           hint.empty() ? "write " + example(path, w) : hint));
+  }
+
+  static std::string example(std::string_view path, const Wanted& w) {
+    const std::string_view key = path.substr(path.rfind('.') + 1);
+    if (key.empty() || key.ends_with(']')) return fmt::format("for example `{}`", w.example);
+    return fmt::format("for example `{}: {}`", key, w.example);
+  }
+};
+
+std::string join(std::string_view path, std::string_view key) {
+  return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+}
+
+void read(const Written& w, double& value, const Quantity& q) {
+  if (w.node.kind != Node::Kind::scalar) return w.refuse(wanted(value, q));
+  const ParsedQuantity parsed = parse_quantity(w.node.text, q.dimension);
+  if (!parsed.value || !q.bounds.contain(*parsed.value))
+    return w.refuse(wanted(value, q), parsed.hint);
+  value = *parsed.value;
+}
+
+void read(const Written& w, double& value, const Number& number) {
+  const bool plain = w.node.kind == Node::Kind::scalar && !w.node.quoted;
+  const std::optional<double> parsed = plain ? parse_number(w.node.text) : std::nullopt;
+  if (!parsed || !number.bounds.contain(*parsed)) return w.refuse(wanted(value, number));
+  value = *parsed;
+}
+
+void read(const Written& w, int& value, const Whole& whole) {
+  const std::string& text = w.node.text;
+  const char* end = text.data() + text.size();
+  int parsed = 0;
+  const auto [stop, error] =
+      std::from_chars(text.data() + (text.starts_with('+') ? 1 : 0), end, parsed);
+  const bool plain = w.node.kind == Node::Kind::scalar && !w.node.quoted && !text.starts_with("+-");
+  if (!plain || error != std::errc{} || stop != end || parsed < whole.least ||
+      parsed > whole.greatest)
+    return w.refuse(wanted(value, whole));
+  value = parsed;
+}
+
+void read(const Written& w, bool& value, const Flag& flag) {
+  if (w.node.kind != Node::Kind::scalar || scalar_type(w.node) != ScalarType::boolean)
+    return w.refuse(wanted(value, flag));
+  value = w.node.text[0] == 't' || w.node.text[0] == 'T';
+}
+
+void read(const Written& w, std::string& value, const Text& text) {
+  const auto is_control = [](char c) { return c >= 0 && c < ' '; };
+  if (w.node.kind != Node::Kind::scalar || w.node.text.empty() ||
+      w.node.text.size() > kLongestText || std::ranges::any_of(w.node.text, is_control))
+    return w.refuse(wanted(value, text));
+  if (scalar_type(w.node) != ScalarType::text)
+    return w.refuse(wanted(value, text), fmt::format("put it in quotes: \"{}\"", w.node.text));
+  value = w.node.text;
+}
+
+/// Reads the alternative of a choice that the document names.
+class ChoiceReader : public Visitor {
+ public:
+  explicit ChoiceReader(const Written& written) : written_(written) {}
+
+  template <class E>
+  void word(std::string_view name, E& selector, E value, std::string_view) {
+    if (written_.node.kind != Node::Kind::scalar || written_.node.text != name) return;
+    selector = value;
+    found_ = true;
+  }
+  template <class E, class T, class Kind>
+  void map(std::string_view name, E& selector, E value, T& content, const Kind& kind,
+           std::string_view) {
+    const bool alone = written_.node.kind == Node::Kind::map && written_.node.children.size() == 1;
+    if (!alone || written_.node.children[0].key != name) return;
+    selector = value;
+    read({written_.node.children[0], join(written_.path, name), written_.errors}, content, kind);
+    found_ = true;
+  }
+  bool found() const { return found_; }
+
+ private:
+  const Written& written_;
+  bool found_ = false;
+};
+
+template <class T>
+void read(const Written& w, T& value, const Choice& kind) {
+  ChoiceReader reader(w);
+  alternatives(reader, value);
+  if (reader.found()) return;
+  const ChoiceNames names = names_of(value);
+  if (w.node.kind == Node::Kind::scalar)
+    w.refuse(wanted(value, kind), did_you_mean(w.node.text, names.words));
+  else if (w.node.kind == Node::Kind::map && w.node.children.size() == 1 && !names.keys.empty())
+    w.refuse(wanted(value, kind), did_you_mean(w.node.children[0].key, names.keys));
+  else
+    w.refuse(wanted(value, kind));
+}
+
+template <class T, class Kind>
+void read_map(const Written& w, T& value, const Kind& kind);
+
+template <class T>
+void read(const Written& w, T& value, const Block& kind) {
+  read_map(w, value, kind);
+}
+template <class T, class L>
+void read(const Written& w, T& value, const Keys<L>& kind) {
+  read_map(w, value, kind);
+}
+template <class T, class Kind>
+void read(const Written& w, T& value, const Each<Kind>& kind) {
+  read_map(w, value, kind);
+}
+
+template <class T>
+void read(const Written& w, T& value, const ChoiceUnder& kind) {
+  const bool bare = w.node.kind == Node::Kind::map && w.node.children.size() == 1 &&
+                    w.node.children[0].key != kind.key;
+  if (bare) return read(w, value, Choice{});
+  read_map(w, value, kind);
+}
+
+template <class T, class Kind>
+void read(const Written& w, T& value, const OneOrEach<Kind>& kind) {
+  if (is_per_part(w.node)) return read_map(w, value, Each{kind.kind, required});
+  read(w, value.screw, kind.kind);
+  value.roller = value.nut = value.screw;
+}
+
+void read(const Written& w, Range& range, const OneOrRange& kind) {
+  if (w.node.kind != Node::Kind::map) {
+    read(w, range.from, kind.quantity);
+    range.to = range.from;
+    return;
+  }
+  read_map(w, range, kind);
+  if (range.steps == 1 && range.from != range.to)
+    w.errors.add(w.node.place, w.path,
+                 "got 1 step between different ends; expected at least 2; write `steps: 2`");
+}
+
+template <class T, class Kind>
+void read(const Written& w, std::vector<T>& items, const List<Kind>& kind) {
+  const std::size_t least = static_cast<std::size_t>(kind.least);
+  if (w.node.kind != Node::Kind::sequence || w.node.children.size() < least)
+    return w.refuse(wanted(items, kind));
+  items.resize(w.node.children.size());
+  for (std::size_t i = 0; i < items.size(); ++i)
+    read({w.node.children[i], fmt::format("{}[{}]", w.path, i), w.errors}, items[i], kind.kind);
+}
+
+/// Reads the keys of one map.
+class MapReader : public Visitor {
+ public:
+  explicit MapReader(const Written& map) : map_(map) {}
+
+  template <class T, class Kind>
+  void field(std::string_view key, T& value, const Kind& kind, Presence presence,
+             std::string_view) {
+    known_.push_back(key);
+    if constexpr (is_optional<T>) {
+      typename T::value_type content{};
+      if (read_key(key, content, kind, presence)) value = std::move(content);
+    } else {
+      read_key(key, value, kind, presence);
+    }
+  }
+
+  void refuse_other_keys() const {
+    for (const Node& child : map_.node.children)
+      if (std::ranges::find(known_, child.key) == known_.end())
+        map_.errors.add(child.key_place, join(map_.path, child.key),
+                        fmt::format("unknown key; expected one of {}; {}", fmt::join(known_, ", "),
+                                    did_you_mean(child.key, known_)));
+  }
+
+ private:
+  /// Whether the key stands.
+  template <class T, class Kind>
+  bool read_key(std::string_view key, T& value, const Kind& kind, Presence presence) {
+    const Node* node = find(map_.node, key);
+    const std::string path = join(map_.path, key);
+    if (!node) {
+      if (presence.required) refuse_absence(path, wanted(value, kind), presence);
+    } else if (!presence.allowed) {
+      map_.errors.add_consequence(
+          node->key_place, path,
+          fmt::format("got {}; expected no such key here: it stands {}; delete it", got(*node),
+                      presence.condition));
+    } else {
+      read({*node, path, map_.errors}, value, kind);
+    }
+    return node != nullptr;
+  }
+
+  void refuse_absence(const std::string& path, const Wanted& w, Presence presence) const {
+    const Node& map = map_.node;
+    const Place place = map.key.empty() ? map.place : map.key_place;
+    const std::string add = "add " + Written::example(path, w);
+    if (presence.condition.empty())
+      map_.errors.add(place, path, fmt::format("missing; expected {}; {}", w.what, add));
+    else
+      map_.errors.add_consequence(
+          place, path,
+          fmt::format("missing; expected {} ({}); {}", w.what, presence.condition, add));
+  }
+
+  const Written& map_;
+  std::vector<std::string_view> known_;
+};
+
+template <class T, class Kind>
+void read_map(const Written& w, T& value, const Kind& kind) {
+  if (w.node.kind != Node::Kind::map) return w.refuse(wanted(value, kind));
+  MapReader keys(w);
+  list_keys(keys, value, kind);
+  keys.refuse_other_keys();
+}
+
+// Load cases ------------------------------------------------------------------------------------
+
+std::size_t number_of_cases(const std::vector<LoadCaseItem>& items) {
+  return std::transform_reduce(items.begin(), items.end(), std::size_t{0}, std::plus{},
+                               [](const LoadCaseItem& i) {
+                                 return static_cast<std::size_t>(i.axial_force.steps.value_or(1));
+                               });
+}
+
+/// One load case for each point of each range.
+std::vector<LoadCase> expand(const std::vector<LoadCaseItem>& items) {
+  std::vector<LoadCase> cases;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const LoadCaseItem& item = items[i];
+    const Range& force = item.axial_force;
+    const bool negative =
+        item.share == LoadCase::Share::equal && item.direction == Direction::compression;
+    const int last = force.steps.value_or(1) - 1;
+    for (int k = 0; k <= last; ++k) {
+      const double f = k == last ? force.to : force.from + (force.to - force.from) * k / last;
+      cases.push_back({.name = force.steps ? fmt::format("{}[{}]", *item.name, k) : *item.name,
+                       .axial_force = negative ? -f : f,
+                       .direction = item.direction,
+                       .position = item.position,
+                       .share = item.share,
+                       .speed = item.speed,
+                       .input_path = fmt::format("load_cases[{}]", i)});
+    }
+  }
+  return cases;
+}
+
+}  // namespace
+
+CaseInput read_case_input(const Source& source, Command command) {
+  ErrorList errors(source);
+  const Node root = read_document(source, errors);
+
+  CaseFile file;
+  read({root, "", errors}, file, Block{});
+  if (number_of_cases(file.load_cases) > kMostLoadCases)
+    errors.add(locate(root, "load_cases"), "load_cases",
+               fmt::format("got {} cases; expected at most {}; write ranges with fewer steps",
+                           number_of_cases(file.load_cases), kMostLoadCases));
+  errors.throw_if_any();
+
+  for (std::size_t i = 0; i < file.load_cases.size(); ++i)
+    if (!file.load_cases[i].name) file.load_cases[i].name = fmt::format("case-{}", i + 1);
+
+  CaseInput input{file.values, echo(file, root)};
+  input.values.load_cases = expand(file.load_cases);
+  std::vector<Problem> problems = check_case(input.values);
+  if (problems.empty()) problems = check_requirements(input.values, command);
+  for (const Problem& p : problems) errors.add(locate(root, p.path), p.path, p.message);
+  errors.throw_if_any();
+  return input;
+}
+
+Case read_case(const std::string& file, const std::vector<std::string>& overrides,
+               Command command) {
+  return read_case_input(load_source(file, overrides), command).values;
+}
+
+Case read_case_text(const std::string& text, const std::string& name,
+                    const std::vector<std::string>& overrides, Command command) {
+  return read_case_input({name, text, overrides}, command).values;
+}
+
+}  // namespace prs::input

@@ -1,0 +1,216 @@
+#include "prs/input/schema.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <concepts>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "prs/input/case_fields.h"
+#include "prs/input/value_text.h"
+
+namespace prs::input {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Text of a number within bounds, as far as its sign tells.
+std::string number_pattern(const Bounds& bounds) {
+  const bool sign_free = bounds.least < 0.0;
+  const bool no_zero = bounds.zero_excluded || !bounds.contain(0.0);
+  return fmt::format("^{}{}([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?",
+                     sign_free ? "[+-]?" : "\\+?", no_zero ? "(?=[0-9.]*[1-9])" : "");
+}
+
+template <class T>
+Json schema_of(T&, const Quantity& q) {
+  return {{"type", "string"},
+          {"pattern", number_pattern(q.bounds) + " *" + unit_pattern(q.dimension) + "$"},
+          {"description", fmt::format("In {}", unit_list(q.dimension))},
+          {"examples", Json::array({q.dimension.example})}};
+}
+
+template <class T>
+Json schema_of(T&, const Number& number) {
+  const Bounds& b = number.bounds;
+  Json json{{"type", "number"}};
+  if (std::isfinite(b.least)) json[b.least_excluded ? "exclusiveMinimum" : "minimum"] = b.least;
+  if (std::isfinite(b.greatest))
+    json[b.greatest_excluded ? "exclusiveMaximum" : "maximum"] = b.greatest;
+  return json;
+}
+
+template <class T>
+Json schema_of(T&, const Whole& whole) {
+  return {{"type", "integer"}, {"minimum", whole.least}, {"maximum", whole.greatest}};
+}
+
+template <class T>
+Json schema_of(T&, const Flag&) {
+  return {{"type", "boolean"}};
+}
+
+template <class T>
+Json schema_of(T&, const Text&) {
+  return {{"type", "string"},
+          {"minLength", 1},
+          {"maxLength", kLongestText},
+          {"pattern", "^[^\\x00-\\x1F]*$"}};
+}
+
+Json object_schema(Json properties, Json required_keys) {
+  Json json{{"type", "object"}, {"additionalProperties", false}};
+  if (!required_keys.empty()) json["required"] = std::move(required_keys);
+  json["properties"] = std::move(properties);
+  return json;
+}
+
+Json one_key(std::string_view key, Json content) {
+  Json properties = Json::object();
+  properties[std::string(key)] = std::move(content);
+  return object_schema(std::move(properties), Json::array({key}));
+}
+
+Json default_of(bool value, const Flag&) { return value; }
+Json default_of(int value, const Whole&) { return value; }
+Json default_of(double value, const Number&) { return value; }
+template <class T, class Kind>
+Json default_of(const T& value, const Kind& kind) {
+  return text_of(value, kind);
+}
+
+/// Whether a kind has a default of its own; that of a map is the defaults of its keys.
+template <class Kind>
+concept Simple = std::same_as<Kind, Quantity> || std::same_as<Kind, Number> ||
+    std::same_as<Kind, Whole> || std::same_as<Kind, Flag> || std::same_as<Kind, Choice>;
+
+/// Visits the keys of a map.
+class Properties : public Visitor {
+ public:
+  template <class T, class Kind>
+  void field(std::string_view key, T& value, const Kind& kind, Presence presence,
+             std::string_view meaning);
+
+  Json object() && { return object_schema(std::move(properties_), std::move(required_)); }
+
+ private:
+  Json properties_ = Json::object();
+  Json required_ = Json::array();
+};
+
+/// Visits the alternatives of a choice.
+class Alternatives : public Visitor {
+ public:
+  template <class E>
+  void word(std::string_view name, E&, E, std::string_view meaning) {
+    words_.push_back(name);
+    meanings_.push_back(fmt::format("{}: {}", name, meaning));
+  }
+  template <class E, class T, class Kind>
+  void map(std::string_view name, E&, E, T& content, const Kind& kind, std::string_view meaning) {
+    Json content_schema = schema_of(content, kind);
+    content_schema["description"] = meaning;
+    maps_.push_back(one_key(name, std::move(content_schema)));
+  }
+
+  Json words() const {
+    return {{"enum", words_}, {"description", fmt::format("{}", fmt::join(meanings_, "; "))}};
+  }
+  const Json& maps() const { return maps_; }
+  Json all() const {
+    if (maps_.empty()) return words();
+    Json all = Json::array({words()});
+    all.insert(all.end(), maps_.begin(), maps_.end());
+    return {{"oneOf", std::move(all)}};
+  }
+
+ private:
+  Json words_ = Json::array();
+  Json maps_ = Json::array();
+  std::vector<std::string> meanings_;
+};
+
+template <class T>
+Json schema_of(T& value, const Choice&) {
+  Alternatives choice;
+  alternatives(choice, value);
+  return choice.all();
+}
+
+template <class T, class Kind>
+Json map_schema(T& value, const Kind& kind) {
+  Properties properties;
+  list_keys(properties, value, kind);
+  return std::move(properties).object();
+}
+
+template <class T>
+Json schema_of(T& value, const Block& kind) {
+  return map_schema(value, kind);
+}
+template <class T, class L>
+Json schema_of(T& value, const Keys<L>& kind) {
+  return map_schema(value, kind);
+}
+template <class T, class Kind>
+Json schema_of(T& value, const Each<Kind>& kind) {
+  return map_schema(value, kind);
+}
+template <class T, class Kind>
+Json schema_of(T& value, const OneOrEach<Kind>& kind) {
+  return {{"oneOf", Json::array({schema_of(value.screw, kind.kind),
+                                 map_schema(value, Each{kind.kind, required})})}};
+}
+template <class T>
+Json schema_of(T& value, const ChoiceUnder& kind) {
+  Alternatives choice;
+  alternatives(choice, value);
+  Json all = choice.maps();
+  all.push_back(map_schema(value, kind));
+  return {{"oneOf", std::move(all)}};
+}
+template <class T>
+Json schema_of(T& value, const OneOrRange& kind) {
+  return {{"oneOf", Json::array({schema_of(value.from, kind.quantity), map_schema(value, kind)})}};
+}
+template <class T, class Kind>
+Json schema_of(std::vector<T>&, const List<Kind>& kind) {
+  T item{};
+  return {{"type", "array"}, {"minItems", kind.least}, {"items", schema_of(item, kind.kind)}};
+}
+
+template <class T, class Kind>
+void Properties::field(std::string_view key, T& value, const Kind& kind, Presence presence,
+                       std::string_view meaning) {
+  Json json;
+  if constexpr (is_optional<T>) {
+    typename T::value_type content{};
+    json = schema_of(content, kind);
+  } else {
+    json = schema_of(value, kind);
+    if constexpr (Simple<Kind>)
+      if (!presence.required && presence.condition.empty())
+        json["default"] = default_of(value, kind);
+  }
+  std::string description(meaning);
+  if (json.contains("description")) description += ". " + json["description"].get<std::string>();
+  if (!presence.condition.empty()) description += fmt::format(" ({})", presence.condition);
+  json["description"] = description;
+  properties_[std::string(key)] = std::move(json);
+  if (presence.required && presence.condition.empty()) required_.push_back(key);
+}
+
+}  // namespace
+
+Json schema() {
+  CaseFile file;
+  Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+            {"title", "Input of prs, a program for planetary roller screws"}};
+  json.update(schema_of(file, Block{}));
+  return json;
+}
+
+}  // namespace prs::input

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+namespace prs::input {
+
+/// JSON Schema (draft 2020-12) of the input, for editors. It says what one key alone can say;
+/// bounds of dimensional values other than their sign, and all that relates keys to each other, are
+/// left to the reader.
+nlohmann::ordered_json schema();
+
+}  // namespace prs::input

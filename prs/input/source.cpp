@@ -1,0 +1,104 @@
+#include "prs/input/source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <tuple>
+#include <utility>
+
+namespace prs::input {
+
+namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{1} << 20;
+constexpr std::size_t kMostErrors = 20;
+
+std::string line(std::string_view key, std::string_view message) {
+  return fmt::format("{}{}{}", shown(key), key.empty() ? "" : ": ", message);
+}
+
+}  // namespace
+
+Source load_source(const std::string& file, std::vector<std::string> overrides) {
+  namespace fs = std::filesystem;
+  const auto refuse = [&](std::string_view got, std::string_view mend) {
+    return InputError(
+        fmt::format("{}:1:1: error: got {}; expected a readable YAML file of at most "
+                    "1 MiB; {}",
+                    file, got, mend));
+  };
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) throw refuse("no such file", "check the path");
+  if (fs::is_directory(status)) throw refuse("a folder", "name a file in it");
+  if (!fs::is_regular_file(status)) throw refuse("no regular file", "copy it to a file first");
+
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw refuse("a file that cannot be opened", "check its permissions");
+  std::string text(kLargestFile + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (in.bad()) throw refuse("a file that cannot be read", "check the disk");
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.size() > kLargestFile) throw refuse("a larger one", "check that it is the right file");
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // Byte order mark.
+  return {file, std::move(text), std::move(overrides)};
+}
+
+std::string ErrorList::where(Place place) const {
+  if (place.argument >= 0)
+    return "--set " + shown(source_.overrides[static_cast<std::size_t>(place.argument)]);
+  const std::string_view before = std::string_view(source_.text).substr(0, place.offset);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::string_view head = before.substr(before.rfind('\n') + 1);
+  const auto column = 1 + std::count_if(head.begin(), head.end(), [](char c) {
+                        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+                      });
+  return fmt::format("{}:{}:{}", source_.name, line, column);
+}
+
+void ErrorList::add(Place place, std::string_view key, std::string_view message) {
+  errors_.push_back({place, line(key, message)});
+}
+
+void ErrorList::add_consequence(Place place, std::string_view key, std::string_view message) {
+  consequences_.push_back({place, line(key, message)});
+}
+
+void ErrorList::fail(Place place, std::string_view key, std::string_view message) {
+  add(place, key, message);
+  throw_if_any();
+  std::abort();  // Unreachable: there is an error.
+}
+
+void ErrorList::throw_if_any() const {
+  const std::vector<Error>& errors = errors_.empty() ? consequences_ : errors_;
+  if (errors.empty()) return;
+  std::vector<const Error*> order;
+  for (const Error& e : errors) order.push_back(&e);
+  std::stable_sort(order.begin(), order.end(), [](const Error* a, const Error* b) {
+    return std::tie(a->place.argument, a->place.offset) <
+           std::tie(b->place.argument, b->place.offset);
+  });
+  if (order.size() > kMostErrors) order.resize(kMostErrors);
+  std::string lines;
+  for (const Error* e : order)
+    lines += fmt::format("{}{}: error: {}", lines.empty() ? "" : "\n", where(e->place), e->text);
+  throw InputError(lines);
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t kLongest = 80;
+  std::string result;
+  for (char c : text.substr(0, kLongest)) result += static_cast<unsigned char>(c) < 0x20U ? ' ' : c;
+  if (text.size() > kLongest) {
+    while (!result.empty() && (static_cast<unsigned char>(result.back()) & 0x80U) != 0U)
+      result.pop_back();
+    result += "...";
+  }
+  return result;
+}
+
+}  // namespace prs::input

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace prs::input {
+
+/// The input is wrong. `what()` holds one line for each error, each complete in itself:
+/// `FILE:LINE:COLUMN: error: KEY: got VALUE; expected WHAT; how to mend it`.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Where something was written: an offset into the file's text, or a `--set` argument.
+struct Place {
+  std::size_t offset = 0;
+  int argument = -1;  ///< Index of the override; -1 for the file.
+};
+
+/// What a person wrote: one file and the `--set` arguments that change it.
+struct Source {
+  std::string name;  ///< The file, as given.
+  std::string text;
+  std::vector<std::string> overrides;  ///< `path=value` each.
+};
+
+/// Reads a file of at most 1 MiB. Throws InputError where it is missing, unreadable, too large or
+/// no regular file.
+Source load_source(const std::string& file, std::vector<std::string> overrides);
+
+/// Collects errors, so that one run names them all.
+class ErrorList {
+ public:
+  explicit ErrorList(const Source& source) : source_(source) {}
+
+  void add(Place place, std::string_view key, std::string_view message);
+
+  /// An error that may be the consequence of another: told only where there is no other.
+  void add_consequence(Place place, std::string_view key, std::string_view message);
+
+  [[noreturn]] void fail(Place place, std::string_view key, std::string_view message);
+
+  /// `FILE:LINE:COLUMN`, counted from 1, the column in characters; `--set ...` for an override.
+  std::string where(Place place) const;
+
+  /// Throws an InputError with the first 20 errors in the order of their places.
+  void throw_if_any() const;
+
+ private:
+  struct Error {
+    Place place;
+    std::string text;
+  };
+  const Source& source_;
+  std::vector<Error> errors_;
+  std::vector<Error> consequences_;
+};
+
+/// A text from the input, shortened and without control characters, as messages show it.
+std::string shown(std::string_view text);
+
+}  // namespace prs::input

@@ -1,0 +1,209 @@
+#include "prs/input/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+namespace prs::input {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kLargest = 1e30;
+constexpr double kSmallest = 1e-30;
+constexpr double kThousandTo1_5 = 31622.776601683793;  // (m/mm)^1.5
+
+constexpr Unit kLength[] = {{{"mm"}, 1.0, 1e3},
+                            {{"m"}},
+                            {{"cm"}, 1.0, 1e2},
+                            {{"um", "µm", "μm"}, 1.0, 1e6},
+                            {{"nm"}, 1.0, 1e9}};
+
+constexpr Unit kForce[] = {{{"N"}}, {{"kN"}, 1e3}, {{"MN"}, 1e6}};
+
+constexpr Unit kAngle[] = {{{"deg", "°"}, pi, 180.0}, {{"rad"}}, {{"mrad"}, 1.0, 1e3}};
+
+constexpr Unit kPressure[] = {
+    {{"Pa", "N/m^2"}}, {{"kPa"}, 1e3}, {{"MPa", "N/mm^2"}, 1e6}, {{"GPa"}, 1e9}, {{"bar"}, 1e5}};
+
+constexpr Unit kDensity[] = {{{"kg/m^3"}}, {{"g/cm^3", "kg/dm^3", "t/m^3"}, 1e3}};
+
+constexpr Unit kViscosity[] = {
+    {{"Pa s", "Pa*s", "Pa.s"}}, {{"mPa s", "mPa*s", "mPa.s"}, 1.0, 1e3}, {{"cP"}, 1.0, 1e3}};
+
+constexpr Unit kPressureViscosity[] = {{{"1/Pa", "Pa^-1", "m^2/N"}},
+                                       {{"1/MPa", "MPa^-1", "mm^2/N"}, 1.0, 1e6},
+                                       {{"1/GPa", "GPa^-1"}, 1.0, 1e9}};
+
+constexpr Unit kRotationalSpeed[] = {{{"rpm", "rev/min"}, pi, 30.0},
+                                     {{"1/min", "min^-1"}, pi, 30.0},
+                                     {{"rad/s"}},
+                                     {{"deg/s"}, pi, 180.0}};
+
+constexpr Unit kHertzConstant[] = {{{"N/mm^1.5", "N/mm^(3/2)"}, kThousandTo1_5},
+                                   {{"kN/mm^1.5", "kN/mm^(3/2)"}, 1e3 * kThousandTo1_5},
+                                   {{"N/m^1.5", "N/m^(3/2)"}},
+                                   {{"N/um^1.5", "N/µm^1.5", "N/μm^1.5"}, 1e9}};
+
+constexpr Unit kStiffness[] = {{{"N/m"}},
+                               {{"N/mm", "kN/m"}, 1e3},
+                               {{"N/um", "N/µm", "N/μm"}, 1e6},
+                               {{"kN/mm", "MN/m"}, 1e6},
+                               {{"kN/um", "kN/µm", "kN/μm"}, 1e9}};
+
+constexpr Unit kTorque[] = {{{"N m", "Nm", "N*m"}},
+                            {{"N mm", "Nmm", "N*mm"}, 1.0, 1e3},
+                            {{"mN m", "mNm", "mN*m"}, 1.0, 1e3},
+                            {{"kN m", "kNm", "kN*m"}, 1e3}};
+
+}  // namespace
+
+namespace unit {
+const Dimension length{"a length", "5 mm", "mm", kLength};
+const Dimension force{"a force", "10 kN", "N", kForce};
+const Dimension angle{"an angle", "45 deg", "deg", kAngle};
+const Dimension pressure{"a pressure", "210 GPa", "MPa", kPressure};
+const Dimension density{"a density", "7810 kg/m^3", "kg/m^3", kDensity};
+const Dimension viscosity{"a dynamic viscosity", "160 mPa s", "mPa s", kViscosity};
+const Dimension pressure_viscosity{"a pressure-viscosity coefficient", "30 1/GPa", "1/GPa",
+                                   kPressureViscosity};
+const Dimension rotational_speed{"a rotational speed", "400 rpm", "rpm", kRotationalSpeed};
+const Dimension hertz_constant{"a Hertz constant", "3.6e5 N/mm^1.5", "N/mm^1.5", kHertzConstant};
+const Dimension stiffness{"a stiffness", "2e4 N/mm", "N/mm", kStiffness};
+const Dimension torque{"a torque", "0.1 N m", "N m", kTorque};
+}  // namespace unit
+
+namespace {
+
+constexpr const Dimension* kDimensions[] = {&unit::length,
+                                            &unit::force,
+                                            &unit::angle,
+                                            &unit::pressure,
+                                            &unit::density,
+                                            &unit::viscosity,
+                                            &unit::pressure_viscosity,
+                                            &unit::rotational_speed,
+                                            &unit::hertz_constant,
+                                            &unit::stiffness,
+                                            &unit::torque};
+
+const Unit* find_unit(std::string_view symbol, const Dimension& dimension) {
+  if (symbol.empty()) return nullptr;
+  for (const Unit& u : dimension.units)
+    for (std::string_view spelling : u.spellings)
+      if (spelling == symbol) return &u;
+  return nullptr;
+}
+
+const Dimension* dimension_of(std::string_view symbol) {
+  for (const Dimension* d : kDimensions)
+    if (find_unit(symbol, *d)) return d;
+  return nullptr;
+}
+
+/// The decimal number at the head of a text and what follows it.
+struct Head {
+  std::optional<double> number;
+  bool representable = true;
+  std::string_view rest;
+};
+
+Head split_number(std::string_view text) {
+  std::string_view digits = text;
+  if (digits.starts_with('+')) digits.remove_prefix(1);
+  const std::string_view unsigned_digits =
+      digits.starts_with('-') && digits.size() == text.size() ? digits.substr(1) : digits;
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (unsigned_digits.empty() || !(is_digit(unsigned_digits[0]) || unsigned_digits[0] == '.'))
+    return {};  // Also keeps out `inf`, `nan` and a second sign.
+  double number = 0.0;
+  const char* end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, number);
+  if (error == std::errc::invalid_argument) return {};
+  return {number, error == std::errc{}, {stop, static_cast<std::size_t>(end - stop)}};
+}
+
+/// `nan`, `-inf`, `.Inf`, ..
+bool names_no_number(std::string_view text) {
+  std::string word;
+  for (char c : text.substr(0, 8))
+    if (c != '.' && c != '+' && c != '-')
+      word += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return word.starts_with("nan") || word.starts_with("inf");
+}
+
+}  // namespace
+
+ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension) {
+  const Head head = split_number(text);
+  if (!head.number)
+    return {std::nullopt, names_no_number(text) ? "NaN and infinity are no values" : ""};
+  if (head.rest.empty())
+    return {std::nullopt,
+            fmt::format("write the unit, for example `{} {}` (units: {})", text.substr(0, 40),
+                        dimension.canonical, unit_list(dimension))};
+  if (head.rest.starts_with(','))
+    return {std::nullopt, "write the decimal mark as a point, without thousands separators"};
+
+  const std::string_view symbol =
+      head.rest.substr(std::min(head.rest.find_first_not_of(' '), head.rest.size()));
+  const Unit* u = find_unit(symbol, dimension);
+  if (!u) {
+    const Dimension* other = dimension_of(symbol);
+    return {std::nullopt,
+            fmt::format("`{}` is {}; use one of the units {}", symbol.substr(0, 40),
+                        other ? fmt::format("the unit of {}", other->name) : "not a known unit",
+                        unit_list(dimension))};
+  }
+  const double value = *head.number * u->multiply / u->divide;
+  const double magnitude = std::abs(value);
+  if (!head.representable || !(magnitude <= kLargest) ||
+      (magnitude < kSmallest && *head.number != 0.0))
+    return {std::nullopt, "its magnitude is beyond any machine; check number and unit"};
+  return {value, {}};
+}
+
+std::string format_quantity(double value, const Dimension& dimension) {
+  const Unit& u = *find_unit(dimension.canonical, dimension);
+  const double shown = value / u.multiply * u.divide;
+  std::string text;
+  for (int digits = 15; digits <= 17; ++digits) {
+    text = fmt::format("{:.{}g} {}", shown, digits, dimension.canonical);
+    if (parse_quantity(text, dimension).value == value) break;
+  }
+  return text;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  const Head head = split_number(text);
+  if (!head.number || !head.representable || !head.rest.empty()) return std::nullopt;
+  return head.number;
+}
+
+std::string unit_list(const Dimension& dimension) {
+  std::string list;
+  for (const Unit& u : dimension.units)
+    fmt::format_to(std::back_inserter(list), "{}{}", list.empty() ? "" : ", ", u.spellings[0]);
+  return list;
+}
+
+std::string unit_pattern(const Dimension& dimension) {
+  std::string pattern;
+  for (const Unit& u : dimension.units)
+    for (std::string_view spelling : u.spellings) {
+      if (spelling.empty()) continue;
+      pattern += pattern.empty() ? "(" : "|";
+      for (char c : spelling) {
+        if (std::string_view("^$.*+?()[]{}|/\\").find(c) != std::string_view::npos) pattern += '\\';
+        pattern += c;
+      }
+    }
+  return pattern + ")";
+}
+
+}  // namespace prs::input

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace prs::input {
+
+/// One unit and its spellings, the first of which is the one shown: SI = value * multiply / divide.
+/// One of the two is 1 wherever the unit is a power of ten, so that conversion rounds once.
+struct Unit {
+  std::array<std::string_view, 3> spellings;
+  double multiply = 1.0;
+  double divide = 1.0;
+};
+
+/// A physical dimension and the units in which it may be written; values are SI inside.
+struct Dimension {
+  std::string_view name;       ///< With its article: `a length`.
+  std::string_view example;    ///< A typical value: `5 mm`.
+  std::string_view canonical;  ///< The unit in which values are printed.
+  std::span<const Unit> units;
+};
+
+namespace unit {
+extern const Dimension length;
+extern const Dimension force;
+extern const Dimension angle;
+extern const Dimension pressure;
+extern const Dimension density;
+extern const Dimension viscosity;
+extern const Dimension pressure_viscosity;
+extern const Dimension rotational_speed;
+extern const Dimension hertz_constant;
+extern const Dimension stiffness;
+extern const Dimension torque;
+}  // namespace unit
+
+/// What a text says of a dimension: the value [SI], or else a hint how to mend the text.
+struct ParsedQuantity {
+  std::optional<double> value;
+  std::string hint;
+};
+
+/// `45 kN` -> 45000. The whole text must be a decimal number and a unit of the dimension; NaN,
+/// infinities and magnitudes beyond 1e-30 .. 1e30 (SI) are refused. Independent of the locale.
+ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension);
+
+/// The value [SI] in the canonical unit, with the fewest digits that read back to the same value.
+std::string format_quantity(double value, const Dimension& dimension);
+
+/// A whole text that is one finite decimal number, without unit.
+std::optional<double> parse_number(std::string_view text);
+
+/// The shown units of a dimension, separated by commas.
+std::string unit_list(const Dimension& dimension);
+
+/// Regular expression (ECMA-262 and Python) of the texts that end in a unit of the dimension.
+std::string unit_pattern(const Dimension& dimension);
+
+}  // namespace prs::input

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+
+#include "prs/input/field.h"
+
+/// Values as a person would write them in the input.
+namespace prs::input {
+
+inline std::string text_of(double value, const Quantity& q) {
+  return format_quantity(value, q.dimension);
+}
+inline std::string text_of(double value, const Number&) { return fmt::format("{}", value); }
+inline std::string text_of(int value, const Whole&) { return fmt::format("{}", value); }
+inline std::string text_of(bool value, const Flag&) { return value ? "true" : "false"; }
+inline std::string text_of(const std::string& value, const Text&) { return value; }
+
+inline std::string text_of(const Range& range, const OneOrRange& kind) {
+  const std::string from = text_of(range.from, kind.quantity);
+  if (!range.steps) return from;
+  return fmt::format("{{from: {}, to: {}, steps: {}}}", from, text_of(range.to, kind.quantity),
+                     *range.steps);
+}
+
+/// Visits the alternatives of a choice for the text of the one that holds.
+class ChoiceText : public Visitor {
+ public:
+  std::string text;
+
+  template <class E>
+  void word(std::string_view name, E& selector, E value, std::string_view) {
+    if (selector == value) text = name;
+  }
+  template <class E, class T, class Kind>
+  void map(std::string_view name, E& selector, E value, T& content, const Kind& kind,
+           std::string_view) {
+    if (selector == value) text = fmt::format("{{{}: {}}}", name, text_of(content, kind));
+  }
+};
+
+template <class T>
+std::string text_of(T value, const Choice&) {
+  ChoiceText choice;
+  alternatives(choice, value);
+  return choice.text;
+}
+
+}  // namespace prs::input

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace prs {
+
+enum class Direction { tension, compression };
+
+/// Sense of the axial load on the screw along x, which points from the loaded end into the
+/// mechanism: -1 in tension, +1 in compression.
+constexpr double sense(Direction d) { return d == Direction::tension ? -1.0 : 1.0; }
+
+/// One load on the mechanism. A range in the input has been expanded to one case a point.
+struct LoadCase {
+  /// How the load spreads over the threads: solved from the structure, or equal by assumption.
+  enum class Share { solved, equal };
+
+  std::string name;
+  double axial_force = 0.0;  ///< [N]; > 0 with `direction`, signed (I2J1 if < 0) with equal shares.
+  std::optional<Direction> direction;
+  std::optional<double> position;  ///< First roller contact on the nut [m].
+  Share share = Share::solved;
+  std::optional<double> speed;  ///< [rad/s], overrides the operation's.
+  std::string input_path;       ///< Where the case stands in the input, e.g. `load_cases[2]`.
+};
+
+/// F_N [N] of Sandu 2018: > 0 in tension (contacts I1J2), < 0 in compression (I2J1).
+inline double axial_force_on_nut(const LoadCase& c) {
+  const bool unsigned_force = c.share == LoadCase::Share::solved && c.direction.has_value();
+  return unsigned_force && c.direction == Direction::compression ? -c.axial_force : c.axial_force;
+}
+
+}  // namespace prs

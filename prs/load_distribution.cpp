@@ -1,0 +1,68 @@
+#include "prs/load_distribution.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prs {
+
+using fe::Dof;
+
+SectorSolver::SectorSolver(Sector sector)
+    : sector_(std::move(sector)),
+      equations_(sector_.model),
+      solver_(equations_),
+      unit_load_(equations_.load_vector({{sector_.loaded_node, Dof::u, sense(sector_.direction)}})),
+      rate_(equations_.size()) {}
+
+Eigen::VectorXd SectorSolver::equal_shares(double axial_force) const {
+  const double thread_load = axial_force / (sector_.rollers * sector_.contacts());
+  // Axial shift of the pushing body against the pushed one.
+  const auto shift = [&](Interface i) {
+    const ContactLaw& law = sector_.laws[i];
+    const double cosine = std::cos(law.normal_angle);
+    const double approach = std::pow(thread_load / (cosine * law.hertz_constant), 2.0 / 3.0);
+    const double widest = *std::max_element(sector_.gaps[i].begin(), sector_.gaps[i].end());
+    return sense(sector_.direction) * (approach + widest) / cosine;
+  };
+  const double roller = shift(Interface::nut);
+  const double screw = roller + shift(Interface::screw);
+
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(equations_.size());
+  const auto set = [&](const std::vector<int>& nodes, double u) {
+    for (const int node : nodes) q[equations_.number(node, Dof::u)] = u;
+  };
+  set({sector_.loaded_node}, screw);
+  set(sector_.screw_nodes, screw);
+  set(sector_.roller_nodes, roller);
+  set(sector_.roller_end_nodes, roller);
+  return q;
+}
+
+fe::NewtonOptions SectorSolver::newton_options(double axial_force) const {
+  fe::NewtonOptions options;
+  options.force_scale = axial_force / sector_.rollers;
+  options.length_scale = sector_.roller_radius;
+  return options;
+}
+
+LoadDistribution SectorSolver::solve(double axial_force) {
+  const double sector_force = axial_force / sector_.rollers;
+  LoadDistribution result;
+  state_ = equal_shares(axial_force);
+  result.solve = solver_.solve(sector_force * unit_load_, newton_options(axial_force), state_);
+
+  for (const Interface i : kInterfaces)
+    for (int k = 0; k < sector_.contacts(); ++k) {
+      const fe::PowerLawSpring& law =
+          sector_.model.springs[static_cast<std::size_t>(sector_.spring(i, k))].law;
+      const double w = equations_.approach(state_, sector_.spring(i, k));
+      result.normal_load[i].push_back(fe::evaluate(law, w).force);
+      result.approach[i].push_back(std::max(0.0, w - law.gap));
+    }
+  result.axial_displacement = unit_load_.dot(state_.head);
+  if (solver_.solve_tangent(state_, unit_load_, rate_))
+    result.tangent_stiffness = sector_.rollers / unit_load_.dot(rate_);
+  return result;
+}
+
+}  // namespace prs

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "fe/newton.h"
+#include "prs/sector.h"
+
+namespace prs {
+
+/// How one axial load spreads over the threads of one roller. SI units, thread 1 first.
+struct LoadDistribution {
+  fe::NewtonSummary solve;
+  PerInterface<std::vector<double>> normal_load;  ///< N [N]
+  PerInterface<std::vector<double>> approach;     ///< Hertz approach delta [m]
+  double axial_displacement =
+      0.0;  ///< Loaded section against thrust section [m], > 0 along the load.
+  double tangent_stiffness = 0.0;  ///< dF/du of the whole mechanism at the load [N/m].
+};
+
+/// Solves load after load on one sector; the symbolic factorization is shared.
+class SectorSolver {
+ public:
+  explicit SectorSolver(Sector sector);
+  SectorSolver(const SectorSolver&) = delete;
+  SectorSolver& operator=(const SectorSolver&) = delete;
+
+  /// Equilibrium under the axial force on the whole mechanism [N], > 0. Starts from rigid bodies
+  /// that share the load equally, so the answer does not depend on earlier loads.
+  LoadDistribution solve(double axial_force);
+
+  /// State of rigid bodies with equal shares: screw and roller shifted until every thread carries.
+  Eigen::VectorXd equal_shares(double axial_force) const;
+
+  const Sector& sector() const { return sector_; }
+  const fe::Equations& equations() const { return equations_; }
+  /// Load vector of a unit force per sector along the load's direction.
+  const Eigen::VectorXd& unit_load() const { return unit_load_; }
+  fe::NewtonOptions newton_options(double axial_force) const;
+
+ private:
+  Sector sector_;
+  fe::Equations equations_;
+  fe::NewtonSolver solver_;
+  Eigen::VectorXd unit_load_;
+  fe::State state_;
+  Eigen::VectorXd rate_;
+};
+
+}  // namespace prs

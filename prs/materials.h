@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "prs/part.h"
+
+namespace prs {
+
+/// Linear elastic, isotropic. SI units.
+struct Material {
+  double youngs_modulus = 0.0;    ///< E [Pa]
+  double poisson_ratio = 0.0;     ///< nu
+  std::optional<double> density;  ///< [kg/m^3]; needed for weight and centrifugal force only.
+};
+
+using Materials = PerPart<Material>;
+
+}  // namespace prs

@@ -1,0 +1,127 @@
+#include "prs/output/csv.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "prs/output/quantities.h"
+
+namespace prs {
+namespace {
+
+class CsvWriter {
+ public:
+  void text(std::string_view value) {
+    separate();
+    if (value.find_first_of(",\"\r\n") == std::string_view::npos) {
+      csv_ += value;
+      return;
+    }
+    csv_ += '"';
+    for (const char c : value) csv_ += c == '"' ? std::string("\"\"") : std::string(1, c);
+    csv_ += '"';
+  }
+
+  /// Empty where absent or not finite.
+  void number(std::optional<double> si, double factor = 1.0) {
+    text(si && std::isfinite(*si) ? fmt::to_string(*si * factor) : std::string());
+  }
+
+  void integer(std::optional<std::size_t> value) {
+    text(value ? fmt::to_string(*value) : std::string());
+  }
+
+  void end_row() {
+    csv_ += '\n';
+    row_is_empty_ = true;
+  }
+
+  std::string take() { return std::move(csv_); }
+
+ private:
+  void separate() {
+    if (!row_is_empty_) csv_ += ',';
+    row_is_empty_ = false;
+  }
+
+  std::string csv_;
+  bool row_is_empty_ = true;
+};
+
+void load_header(CsvWriter& csv) {
+  for (const char* key : {"case", "axial_force_N", "direction", "position_mm"}) csv.text(key);
+}
+
+void load_fields(CsvWriter& csv, const LoadCase& load) {
+  csv.text(load.name);
+  csv.number(load.axial_force);
+  csv.text(load.direction ? name(*load.direction) : "");
+  csv.number(load.position, per_si::millimetre);
+}
+
+void solve_fields(CsvWriter& csv, const LoadCaseResult& result) {
+  csv.text(result.converged() ? "true" : "false");
+  csv.text(status_name(result));
+  csv.text(result.solve ? fmt::to_string(result.solve->iterations()) : std::string());
+  csv.number(result.solve ? std::optional(result.solve->relative_residual) : std::nullopt);
+}
+
+std::optional<double> entry(const std::vector<double>& values, std::optional<std::size_t> k) {
+  return k && *k < values.size() ? std::optional(values[*k]) : std::nullopt;
+}
+
+void most_loaded_fields(CsvWriter& csv, const LoadCaseResult& result, Interface i) {
+  const InterfaceLoads loads = result.threads ? (*result.threads)[i] : InterfaceLoads{};
+  const auto thread = index_of_largest(loads.load_rate);
+  csv.integer(thread ? std::optional(*thread + 1) : std::nullopt);
+  csv.number(entry(loads.load_rate, thread), per_si::percent);
+  csv.number(entry(loads.peak_pressure, index_of_largest(loads.peak_pressure)), per_si::megapascal);
+}
+
+}  // namespace
+
+std::string load_cases_csv(const Result& result) {
+  CsvWriter csv;
+  load_header(csv);
+  for (const char* key : {"converged", "status", "iterations", "relative_residual"}) csv.text(key);
+  for (const CaseQuantity& quantity : kCaseQuantities) csv.text(quantity.key);
+  for (const Interface i : kInterfaces)
+    for (const char* key :
+         {"most_loaded_thread", "largest_load_rate_percent", "largest_peak_pressure_MPa"})
+      csv.text(fmt::format("{}_{}", name(i), key));
+  csv.end_row();
+
+  for (const LoadCaseResult& load_case : result.load_cases) {
+    load_fields(csv, load_case.load_case);
+    solve_fields(csv, load_case);
+    for (const auto& [key, value, factor] : kCaseQuantities) csv.number(load_case.*value, factor);
+    for (const Interface i : kInterfaces) most_loaded_fields(csv, load_case, i);
+    csv.end_row();
+  }
+  return csv.take();
+}
+
+std::string load_distribution_csv(const Result& result) {
+  CsvWriter csv;
+  load_header(csv);
+  csv.text("thread");
+  for (const Interface i : kInterfaces)
+    for (const ThreadQuantity& quantity : kThreadQuantities)
+      csv.text(fmt::format("{}_{}", name(i), quantity.key));
+  csv.end_row();
+
+  for (const LoadCaseResult& load_case : result.load_cases) {
+    if (!load_case.threads) continue;
+    for (std::size_t k = 0; k < load_case.threads->screw.axial_load.size(); ++k) {
+      load_fields(csv, load_case.load_case);
+      csv.integer(k + 1);
+      for (const Interface i : kInterfaces)
+        for (const auto& [key, values, factor] : kThreadQuantities)
+          csv.number(entry((*load_case.threads)[i].*values, k), factor);
+      csv.end_row();
+    }
+  }
+  return csv.take();
+}
+
+}  // namespace prs

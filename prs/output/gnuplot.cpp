@@ -1,0 +1,91 @@
+#include "prs/output/gnuplot.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "prs/output/text.h"
+
+namespace prs {
+namespace {
+
+[[noreturn]] void fail(int error) {
+  throw std::system_error(error, std::generic_category(), "gnuplot");
+}
+
+/// What the child does between fork and exec: working directory and standard streams.
+class SpawnActions {
+ public:
+  SpawnActions(const std::filesystem::path& directory, int standard_error) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_addchdir_np(&actions_, directory.c_str());
+    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions_, standard_error, STDERR_FILENO);
+  }
+  SpawnActions(const SpawnActions&) = delete;
+  SpawnActions& operator=(const SpawnActions&) = delete;
+  ~SpawnActions() { posix_spawn_file_actions_destroy(&actions_); }
+
+  const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_;
+};
+
+}  // namespace
+
+GnuplotProcess::GnuplotProcess(const std::filesystem::path& directory, const std::string& script) {
+  std::array<int, 2> pipe;
+  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) fail(errno);
+  const SpawnActions actions(directory, pipe[1]);
+  std::array<std::string, 3> words = {"gnuplot", "-d", script};  // -d: no start-up files.
+  std::array<char*, 4> arguments = {words[0].data(), words[1].data(), words[2].data(), nullptr};
+  const int error =
+      posix_spawnp(&child_, words[0].c_str(), actions.get(), nullptr, arguments.data(), environ);
+  ::close(pipe[1]);
+  messages_ = pipe[0];
+  if (error == 0) return;
+  ::close(messages_);
+  fail(error);
+}
+
+GnuplotProcess::GnuplotProcess(GnuplotProcess&& other) noexcept
+    : child_(std::exchange(other.child_, -1)), messages_(std::exchange(other.messages_, -1)) {}
+
+GnuplotProcess::~GnuplotProcess() {
+  if (child_ != -1) wait();
+}
+
+std::string GnuplotProcess::wait() {
+  std::string messages = read_messages();
+  int status = 0;
+  const pid_t child = std::exchange(child_, -1);
+  while (::waitpid(child, &status, 0) == -1 && errno == EINTR) {
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
+  return messages.empty() ? fmt::format("gnuplot ended with status {}", status) : messages;
+}
+
+std::string GnuplotProcess::read_messages() {
+  std::string messages;
+  std::array<char, 1024> buffer;
+  for (;;) {
+    const ssize_t count = ::read(messages_, buffer.data(), buffer.size());
+    if (count > 0)
+      messages.append(buffer.data(), static_cast<std::size_t>(count));
+    else if (count == 0 || errno != EINTR)
+      break;
+  }
+  ::close(std::exchange(messages_, -1));
+  return printable(messages);
+}
+
+}  // namespace prs

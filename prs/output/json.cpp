@@ -1,0 +1,124 @@
+#include "prs/output/json.h"
+
+#include <array>
+#include <cmath>
+
+#include "prs/output/quantities.h"
+
+namespace prs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void put(Json& object, std::string_view key, std::optional<double> si, double factor = 1.0) {
+  if (si && std::isfinite(*si)) object[key] = *si * factor;
+}
+
+Json shown(const auto& si_values, double factor) {
+  Json array = Json::array();
+  for (const double value : si_values) array.push_back(value * factor);
+  return array;
+}
+
+Json shown(const contact::PrincipalValues& values, double factor) {
+  return shown(std::array{values.first, values.second}, factor);
+}
+
+Json contact_json(const InterfaceContact& contact) {
+  const contact::InterfaceGeometry& g = contact.geometry;
+  Json json;
+  put(json, "radius_on_body_mm", g.point.radius_on_body, per_si::millimetre);
+  put(json, "radius_on_roller_mm", g.point.radius_on_roller, per_si::millimetre);
+  put(json, "angle_on_body_deg", g.point.angle_on_body, per_si::degree);
+  put(json, "angle_on_roller_deg", g.point.angle_on_roller, per_si::degree);
+  json["body_curvatures_per_mm"] = shown(g.body, per_si::per_millimetre);
+  json["roller_curvatures_per_mm"] = shown(g.roller, per_si::per_millimetre);
+  json["relative_curvatures_per_mm"] = shown(g.relative, per_si::per_millimetre);
+  put(json, "curvature_sum_per_mm", g.curvature_sum(), per_si::per_millimetre);
+  put(json, "first_directions_angle_deg", g.first_directions_angle(), per_si::degree);
+  put(json, "normal_angle_deg", g.point.normal_angle(), per_si::degree);
+  json["normal"] = g.point.normal;
+  if (contact.hertz.ok())
+    put(json, "hertz_constant_N_per_mm1_5", contact.hertz.hertz_constant,
+        per_si::newton_per_millimetre1_5);
+  return json;
+}
+
+Json threads_json(const InterfaceLoads& loads) {
+  Json json;
+  put(json, "hertz_constant_N_per_mm1_5", loads.hertz_constant, per_si::newton_per_millimetre1_5);
+  put(json, "normal_angle_deg", loads.normal_angle, per_si::degree);
+  for (const auto& [key, values, factor] : kThreadQuantities)
+    if (!(loads.*values).empty()) json[key] = shown(loads.*values, factor);
+  return json;
+}
+
+Json history_json(const std::vector<fe::NewtonIteration>& history) {
+  Json array = Json::array();
+  for (const fe::NewtonIteration& iteration : history) {
+    Json json = Json::object();
+    put(json, "energy_J", iteration.energy);
+    put(json, "relative_residual", iteration.relative_residual);
+    put(json, "step_length", iteration.step_length);
+    put(json, "shift", iteration.shift);
+    array.push_back(std::move(json));
+  }
+  return array;
+}
+
+void put_solve(Json& json, const LoadCaseResult& result) {
+  json["converged"] = result.converged();
+  json["status"] = status_name(result);
+  if (!result.solve) return;
+  json["iterations"] = result.solve->iterations();
+  put(json, "relative_residual", result.solve->relative_residual);
+}
+
+void put_answer(Json& json, const LoadCaseResult& result) {
+  for (const auto& [key, value, factor] : kCaseQuantities) put(json, key, result.*value, factor);
+  if (!result.threads) return;
+  for (const Interface i : kInterfaces) json[name(i)] = threads_json((*result.threads)[i]);
+}
+
+Json load_case_json(const LoadCaseResult& result) {
+  const LoadCase& load = result.load_case;
+  Json json;
+  json["name"] = load.name;
+  put(json, "axial_force_N", load.axial_force);
+  if (load.direction) json["direction"] = name(*load.direction);
+  put(json, "position_mm", load.position, per_si::millimetre);
+  put_solve(json, result);
+  if (result.converged()) put_answer(json, result);
+  json["warnings"] = result.warnings;
+  if (result.solve) json["newton_history"] = history_json(result.solve->history);
+  return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json document_head(const DocumentInfo& info,
+                                     const std::vector<std::string>& warnings) {
+  Json document;
+  document["prs_version"] = info.version;
+  document["schema_version"] = info.schema_version;
+  document["input_sha256"] = info.input_sha256;
+  if (!info.overrides.empty()) document["overrides"] = info.overrides;
+  document["warnings"] = warnings;
+  return document;
+}
+
+nlohmann::ordered_json to_json(const Result& result, const DocumentInfo& info) {
+  Json document = document_head(info, result.warnings);
+  for (const Interface i : kInterfaces)
+    if (result.contact[i]) document["contact"][name(i)] = contact_json(*result.contact[i]);
+  document["load_cases"] = Json::array();
+  for (const LoadCaseResult& load_case : result.load_cases)
+    document["load_cases"].push_back(load_case_json(load_case));
+  return document;
+}
+
+std::string json_text(const nlohmann::ordered_json& document) {
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace prs

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "prs/result.h"
+
+namespace prs {
+
+/// What every document says of its origin.
+struct DocumentInfo {
+  std::string version;                      ///< Of the program.
+  std::string schema_version;               ///< Of the input's schema.
+  std::string input_sha256;                 ///< Of the input file, hexadecimal.
+  std::vector<std::string> overrides = {};  ///< `path=value` that changed it.
+};
+
+/// How every document begins: its origin and the warnings on the whole input.
+nlohmann::ordered_json document_head(const DocumentInfo& info,
+                                     const std::vector<std::string>& warnings);
+
+/// The document of `--json`: units stand in the keys, arrays start at the thread next to the loaded
+/// end of the screw. What the result does not define is absent, as is a number that is not finite.
+nlohmann::ordered_json to_json(const Result& result, const DocumentInfo& info);
+
+/// Text of a document, two spaces deep, with a newline at the end. Malformed UTF-8 becomes U+FFFD.
+std::string json_text(const nlohmann::ordered_json& document);
+
+}  // namespace prs

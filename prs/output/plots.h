@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "prs/result.h"
+
+namespace prs {
+
+/// Writes `plots/NAME.gp` below `directory` for every figure of the result (see result_figures.h)
+/// and has gnuplot draw `NAME.svg` and `NAME.png` beside it. Returns notes on what could not be
+/// drawn, as where gnuplot is missing. Throws std::system_error where the scripts cannot be
+/// written.
+std::vector<std::string> draw_plots(const Result& result, const std::filesystem::path& directory);
+
+}  // namespace prs

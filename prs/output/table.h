@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "prs/result.h"
+
+namespace prs {
+
+/// The load cases at a glance: a row a case and the warnings below, as a rule within 110 columns.
+/// Beyond 24 cases a range shows its first, middle and last point.
+std::string load_case_table(const Result& result);
+
+/// One case thread by thread: the load rate at both interfaces [%] as bars. For a case without an
+/// answer, one line that says why.
+std::string load_distribution_chart(const LoadCaseResult& result);
+
+}  // namespace prs

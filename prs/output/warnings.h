@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "prs/result.h"
+
+namespace prs {
+
+/// The warnings of a result, each once with the cases it concerns. Warnings of several cases that
+/// differ in their numbers only, as those of a range do, count as one. Empty where there is none.
+std::string warning_summary(const Result& result);
+
+}  // namespace prs

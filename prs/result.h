@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fe/newton.h"
+#include "prs/interface_contact.h"
+#include "prs/load_case.h"
+#include "prs/mechanism.h"
+#include "prs/part.h"
+
+namespace prs {
+
+/// Per-thread results of one interface of one roller; thread 1, next to the loaded end of the
+/// screw, stands first. SI units.
+struct InterfaceLoads {
+  double hertz_constant = 0.0;      ///< As used in the solve [N/m^1.5].
+  double normal_angle = 0.0;        ///< As used in the solve [rad].
+  std::vector<double> axial_load;   ///< [N]
+  std::vector<double> normal_load;  ///< axial / cos psi [N]
+  std::vector<double> load_rate;    ///< l_v = axial load / (force/rollers), Abevi (3) [-]
+  std::vector<double> approach;     ///< delta [m]
+  std::vector<double> semi_major;   ///< Empty where the geometry gives no contact.
+  std::vector<double> semi_minor;
+  std::vector<double> peak_pressure;  ///< [Pa]
+};
+
+/// Answer to one load case. With `share: equal` nothing is solved: status, displacement and
+/// stiffness are absent.
+struct LoadCaseResult {
+  LoadCase load_case;
+  std::optional<fe::NewtonSummary> solve;
+  std::optional<double> axial_displacement;             ///< [m], > 0 in the direction of the load.
+  std::optional<double> axial_stiffness;                ///< Secant, force / displacement [N/m].
+  std::optional<double> tangent_stiffness;              ///< dF/du at the load [N/m].
+  std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
+  std::vector<std::string> warnings;
+
+  bool converged() const { return !solve || solve->converged(); }
+};
+
+/// Everything that `analyze` computes from a case.
+struct Result {
+  Mechanism mechanism;  ///< Resolved: with all pitch diameters and the centre distance.
+  PerInterface<std::optional<InterfaceContact>> contact;
+  std::vector<LoadCaseResult> load_cases;
+  std::vector<std::string> warnings;
+};
+
+}  // namespace prs

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace prs {
+
+/// How the guide rings hold the roller ends radially.
+struct Guidance {
+  enum class Kind {
+    both_end_nodes,  ///< v = 0 on both nodes of each end element (Abevi's BC3).
+    outer_node,      ///< v = 0 on the two outermost nodes.
+    ring,            ///< A radial spring on both nodes of each end element.
+  };
+  Kind kind = Kind::both_end_nodes;
+  double ring_stiffness = 0.0;  ///< Of each of the four springs of one roller [N/m].
+};
+
+/// The parts between and around the threads (one sector of Abevi 2015). Axial positions on the nut
+/// are measured from the nut's end that faces the loaded end of the screw. SI units.
+struct Structure {
+  struct Screw {
+    double bore = 0.0;         ///< Diameter [m].
+    double free_length = 0.0;  ///< From the loaded section to the first contact [m].
+  };
+  struct Roller {
+    double end_length = 0.0;    ///< [m]
+    double end_diameter = 0.0;  ///< [m]
+    Guidance guidance;
+  };
+  struct Flange {
+    double from = 0.0;
+    double to = 0.0;
+    double outer_diameter = 0.0;
+  };
+  /// Axial position of the constrained section, by the direction of the load [m].
+  struct Thrust {
+    std::optional<double> tension;
+    std::optional<double> compression;
+  };
+  struct Nut {
+    double length = 0.0;
+    double outer_diameter = 0.0;
+    std::vector<Flange> flanges;
+    Thrust thrust;
+  };
+
+  Screw screw;
+  Roller roller;
+  Nut nut;
+};
+
+}  // namespace prs

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace prs {
+
+/// What a predicate found: whether the statement is true of some results, and the numbers that say
+/// so.
+struct Finding {
+  bool holds = false;
+  std::string evidence;
+};
+
+/// What the run says of a statement that a source makes in words.
+struct Verdict {
+  enum class Kind { holds, holds_only_with, does_not_hold };
+  Kind kind = Kind::does_not_hold;
+  std::vector<std::string> only_with;  ///< Variants of the model under which it holds.
+  std::string evidence;  ///< Of the plain model, and of the first variant under which it holds.
+  std::string why;       ///< Where it does not hold with the plain model.
+};
+
+/// A statement in words, turned into a predicate on the results of one variant of the model.
+template <class Results>
+struct Statement {
+  std::string section;  ///< Where the source makes it.
+  std::string text;     ///< The source's words.
+  std::function<Finding(const Results&)> predicate;
+  std::string why = {};  ///< The mechanics behind it where it does not hold; shown only then.
+};
+
+/// A named set of results; the first one of a list is the plain model.
+template <class Results>
+struct Variant {
+  std::string name;
+  Results results;
+};
+
+/// Judges a statement by the plain model first, then by the variants.
+template <class Results>
+Verdict judge(const Statement<Results>& statement, const std::vector<Variant<Results>>& variants) {
+  Verdict verdict;
+  for (const Variant<Results>& variant : variants) {
+    const bool plain = &variant == &variants.front();
+    const Finding finding = statement.predicate(variant.results);
+    if (plain) verdict.evidence = finding.evidence;
+    if (!finding.holds) continue;
+    if (plain) {
+      verdict.kind = Verdict::Kind::holds;
+      return verdict;
+    }
+    if (verdict.only_with.empty())
+      verdict.evidence += "; " + variant.name + ": " + finding.evidence;
+    verdict.kind = Verdict::Kind::holds_only_with;
+    verdict.only_with.push_back(variant.name);
+  }
+  verdict.why = statement.why;
+  return verdict;
+}
+
+}  // namespace prs

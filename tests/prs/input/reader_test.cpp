@@ -1,0 +1,622 @@
+#include "prs/input/reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "tests/prs/input/abevi.h"
+
+namespace prs::input {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+Case read(const std::string& text, const std::vector<std::string>& overrides = {},
+          Command command = Command::solve) {
+  return read_case_text(text, "case.yaml", overrides, command);
+}
+
+std::string error_of(const std::string& text, const std::vector<std::string>& overrides = {},
+                     Command command = Command::solve) {
+  try {
+    read(text, overrides, command);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(ReadCase, ReadsTheScrewOfAbevi) {
+  const Case c = read(kAbevi);
+  EXPECT_EQ(c.mechanism.type, Mechanism::Type::inverted);
+  EXPECT_EQ(c.mechanism.lead, 0.005);
+  EXPECT_EQ(c.mechanism.starts.screw, 3);
+  EXPECT_EQ(c.mechanism.flank_angle.roller, std::numbers::pi / 4);
+  EXPECT_EQ(c.mechanism.pitch_diameter.nut, 0.035);
+  EXPECT_EQ(c.mechanism.centre_distance, 0.014);
+  EXPECT_EQ(c.mechanism.profile.screw.shape, Profile::Shape::straight);
+  EXPECT_EQ(c.mechanism.profile.roller.shape, Profile::Shape::convex);
+  EXPECT_EQ(c.mechanism.profile.roller.radius, 4.949747468e-3);
+  EXPECT_EQ(c.mechanism.rollers, 11);
+  ASSERT_TRUE(c.structure);
+  EXPECT_EQ(c.structure->screw.bore, 0.006);
+  ASSERT_EQ(c.structure->nut.flanges.size(), 2U);
+  EXPECT_EQ(c.structure->nut.flanges[1].from, 0.080);
+  EXPECT_EQ(c.structure->nut.thrust.compression, 0.080);
+  ASSERT_TRUE(c.materials);
+  EXPECT_EQ(c.materials->nut.youngs_modulus, 209e9);
+  EXPECT_FALSE(c.materials->nut.density);
+  EXPECT_FALSE(c.friction);
+}
+
+TEST(ReadCase, WhatIsAbsentHasItsDefault) {
+  const Case c = read(abevi_with("  screw: {bore: 6 mm, free_length: 10 mm}\n", ""));
+  EXPECT_EQ(c.mechanism.geometry, Mechanism::Geometry::simulation);
+  EXPECT_EQ(c.mechanism.profile_plane, Mechanism::ProfilePlane::normal);
+  EXPECT_EQ(c.structure->screw.bore, 0.0);
+  EXPECT_EQ(c.structure->screw.free_length, 0.0);
+  EXPECT_EQ(c.structure->roller.guidance.kind, Guidance::Kind::both_end_nodes);
+  EXPECT_EQ(c.model.roller, ModelOptions::Roller::flexible);
+  EXPECT_FALSE(c.model.roller_shear);
+  EXPECT_EQ(c.model.patch_points, 21);
+  EXPECT_EQ(c.carrier.nut_torque, 0.0);
+}
+
+TEST(ReadCase, ARangeMakesOneCaseAPoint) {
+  const Case c = read(kAbevi);
+  ASSERT_EQ(c.load_cases.size(), 46U);
+  EXPECT_EQ(c.load_cases[0].name, "pull");
+  EXPECT_EQ(c.load_cases[0].input_path, "load_cases[0]");
+  EXPECT_EQ(c.load_cases[1].name, "push[0]");
+  EXPECT_EQ(c.load_cases[45].name, "push[44]");
+  EXPECT_EQ(c.load_cases[45].input_path, "load_cases[1]");
+  for (int k = 0; k < 45; ++k)
+    EXPECT_EQ(c.load_cases[static_cast<std::size_t>(k + 1)].axial_force, 1e3 * (k + 1));
+}
+
+TEST(ReadCase, TheEndsOfARangeAreExact) {
+  const Case c = read(kAbevi, {"load_cases[1].axial_force={from: 0.1 kN, to: 0.7 kN, steps: 7}"});
+  EXPECT_EQ(c.load_cases[1].axial_force, 100.0);
+  EXPECT_EQ(c.load_cases.back().axial_force, 700.0);
+  const Case one = read(kAbevi, {"load_cases[1].axial_force={from: 3 N, to: 3 N, steps: 1}"});
+  EXPECT_EQ(one.load_cases.back().name, "push[0]");
+  EXPECT_EQ(one.load_cases.back().axial_force, 3.0);
+}
+
+TEST(ReadCase, NamelessCasesAreNumbered) {
+  const Case c =
+      read(kAbevi, {"load_cases=[{axial_force: 1 kN, share: equal}, {axial_force: {from: "
+                    "1 kN, to: 2 kN, steps: 2}, share: equal}]"});
+  EXPECT_EQ(c.load_cases[0].name, "case-1");
+  EXPECT_EQ(c.load_cases[2].name, "case-2[1]");
+}
+
+TEST(ReadCase, EqualSharesCarryTheSignOfTheForce) {
+  const auto force = [](const std::string& load) {
+    return read(kAbevi, {"load_cases=[{share: equal, " + load + "}]"}).load_cases[0].axial_force;
+  };
+  EXPECT_EQ(force("axial_force: 2 kN"), 2e3);
+  EXPECT_EQ(force("axial_force: -2 kN"), -2e3);
+  EXPECT_EQ(force("axial_force: 2 kN, direction: tension"), 2e3);
+  EXPECT_EQ(force("axial_force: 2 kN, direction: compression"), -2e3);
+  EXPECT_THAT(error_of(kAbevi, {"load_cases=[{share: equal, axial_force: -2 kN, direction: "
+                                "compression}]"}),
+              HasSubstr("got -2000 N in case `case-1`; expected a force > 0"));
+}
+
+TEST(ReadCase, OneMaterialOrOneForEachPart) {
+  const Case c =
+      read(kAbevi, {"materials={screw: {youngs_modulus: 200 GPa, poisson_ratio: 0.3}, "
+                    "roller: {youngs_modulus: 210 GPa, poisson_ratio: 0.28, density: 7.8 "
+                    "g/cm^3}, nut: {youngs_modulus: 100 GPa, poisson_ratio: 0}}"});
+  EXPECT_EQ(c.materials->screw.youngs_modulus, 200e9);
+  EXPECT_EQ(c.materials->roller.density, 7800.0);
+  EXPECT_EQ(c.materials->nut.poisson_ratio, 0.0);
+}
+
+TEST(ReadCase, OneFlankAngleOrOneForEachPart) {
+  const Case c =
+      read(kAbevi, {"mechanism.flank_angle={screw: 45 deg, roller: 44 deg, nut: 1 rad}"});
+  EXPECT_EQ(c.mechanism.flank_angle.nut, 1.0);
+}
+
+TEST(ReadCase, FrictionMayBeWrittenInThreeWays) {
+  for (const char* text : {"{coulomb: 0.11}", "{model: {coulomb: 0.11}}"}) {
+    const Case c = read(kAbevi, {std::string("friction=") + text});
+    EXPECT_EQ(c.friction->model, Friction::Model::coulomb) << text;
+    EXPECT_EQ(c.friction->coefficient, 0.11) << text;
+  }
+  EXPECT_EQ(read(kAbevi, {"friction={model: jacod}"}).friction->model, Friction::Model::jacod);
+}
+
+TEST(ReadCase, GuidanceMayBeARing) {
+  const Case c = read(kAbevi, {"structure.roller.guidance={ring: 2e4 N/mm}"});
+  EXPECT_EQ(c.structure->roller.guidance.kind, Guidance::Kind::ring);
+  EXPECT_EQ(c.structure->roller.guidance.ring_stiffness, 2e7);
+}
+
+TEST(ReadCase, DesignModeTakesTheScrewAndTheBacklash) {
+  const std::string text = abevi_with("{screw: 21 mm, roller: 7 mm, nut: 35 mm}", "{screw: 21 mm}");
+  std::string design = text;
+  const std::string distance = "  centre_distance: 14 mm\n";
+  design.replace(design.find(distance), distance.size(), "  geometry: design\n");
+  const Case c = read(design, {"mechanism.backlash={nut: 0.02 mm}"});
+  EXPECT_FALSE(c.mechanism.pitch_diameter.nut);
+  EXPECT_EQ(c.mechanism.backlash.screw, 0.0);
+  EXPECT_EQ(c.mechanism.backlash.nut, 2e-5);
+}
+
+TEST(ReadCase, OverridesReplaceValuesOfTheFile) {
+  const Case c = read(kAbevi, {"mechanism.rollers=9", "load_cases[0].axial_force=20 kN",
+                               "contact={}", "model.roller=rigid_bending"});
+  EXPECT_EQ(c.mechanism.rollers, 9);
+  EXPECT_EQ(c.load_cases[0].axial_force, 20e3);
+  EXPECT_EQ(c.model.roller, ModelOptions::Roller::rigid_bending);
+}
+
+TEST(ReadCase, EchoTellsDefaultsFromGivenValues) {
+  const CaseInput input =
+      read_case_input({"case.yaml", kAbevi, {"friction={coulomb: 0.1}"}}, Command::check);
+  const auto entry = [&](const std::string& path) {
+    for (const EchoEntry& e : input.fields)
+      if (e.path == path) return e.value + (e.is_default ? " (default)" : "");
+    return std::string("absent");
+  };
+  EXPECT_EQ(entry("mechanism.lead"), "5 mm");
+  EXPECT_EQ(entry("mechanism.geometry"), "simulation (default)");
+  EXPECT_EQ(entry("mechanism.flank_angle"), "45 deg");
+  EXPECT_EQ(entry("mechanism.profile.roller"), "{convex: 4.949747468 mm}");
+  EXPECT_EQ(entry("mechanism.pitch.screw"), "absent");
+  EXPECT_EQ(entry("mechanism.backlash.screw"), "absent");
+  EXPECT_EQ(entry("structure.roller.guidance"), "both_end_nodes (default)");
+  EXPECT_EQ(entry("load_cases[1].axial_force"), "{from: 1000 N, to: 45000 N, steps: 45}");
+  EXPECT_EQ(entry("load_cases[1].share"), "solved (default)");
+  EXPECT_EQ(entry("friction.model"), "{coulomb: 0.1}");
+  EXPECT_EQ(entry("model.patch_points"), "21 (default)");
+}
+
+TEST(ReadCase, TheEchoIsAnInputThatReadsTheSame) {
+  const std::vector<std::string> others = {
+      "lubricant={viscosity: 0.1665 Pa s, pressure_viscosity: "
+      "0.03 1/MPa, eyring_stress: 12 MPa}",
+      "operation.speed=400 rpm", "friction.model=jacod"};
+  const CaseInput input = read_case_input({"case.yaml", kAbevi, others}, Command::solve);
+  std::vector<std::string> overrides;
+  for (const EchoEntry& e : input.fields) overrides.push_back(e.path + "=" + e.value);
+  const CaseInput again =
+      read_case_input({"echo.yaml", abevi_with("5 mm", "6 mm"), overrides}, Command::solve);
+  ASSERT_EQ(again.fields.size(), input.fields.size());
+  for (std::size_t i = 0; i < input.fields.size(); ++i)
+    EXPECT_EQ(again.fields[i].value, input.fields[i].value) << input.fields[i].path;
+  EXPECT_EQ(again.values.load_cases.size(), input.values.load_cases.size());
+}
+
+// Broken input ----------------------------------------------------------------------------------
+
+/// One part of the text replaced, and what the error must say.
+struct Broken {
+  std::string name, part, replacement, place, key;
+  std::vector<std::string> words;
+};
+
+void PrintTo(const Broken& b, std::ostream* out) { *out << b.name; }
+
+class BrokenInput : public testing::TestWithParam<Broken> {};
+
+TEST_P(BrokenInput, IsRefusedWithPlaceKeyAndMend) {
+  const Broken& b = GetParam();
+  const std::string message = error_of(abevi_with(b.part, b.replacement));
+  EXPECT_THAT(message, StartsWith("case.yaml:" + b.place + ": error: " + b.key + ": "));
+  for (const std::string& word : b.words) EXPECT_THAT(message, HasSubstr(word));
+}
+
+const Broken kBroken[] = {
+    {"MissingKey",
+     "  lead: 5 mm\n",
+     "",
+     "1:1",
+     "mechanism.lead",
+     {"missing", "a length other than 0", "add for example `lead: 5 mm`"}},
+    {"MissingBlock", "mechanism:", "mechanics:", "1:1", "mechanism", {"missing", "did you mean"}},
+    {"MissingKeyOfAListItem",
+     "axial_force: 45 kN, ",
+     "",
+     "25:5",
+     "load_cases[0].axial_force",
+     {"missing", "a force with its unit"}},
+    {"MissingPart",
+     "{screw: 21 mm, roller: 7 mm, nut: 35 mm}",
+     "{screw: 21 mm, roller: 7 mm}",
+     "6:3",
+     "mechanism.pitch_diameter.nut",
+     {"missing", "geometry: simulation"}},
+    {"MissingCentreDistance",
+     "  centre_distance: 14 mm\n",
+     "",
+     "1:1",
+     "mechanism.centre_distance",
+     {"missing", "geometry: simulation"}},
+    {"MissingDirection",
+     "direction: tension, ",
+     "",
+     "25:5",
+     "load_cases[0].direction",
+     {"missing", "tension | compression", "unless `share: equal`"}},
+    {"MissingPosition",
+     ", position: 54.3333333 mm",
+     "",
+     "25:5",
+     "load_cases[0].position",
+     {"missing", "unless `share: equal`"}},
+    {"MissingThrust",
+     "thrust: {tension: 10 mm, compression: 80 mm}",
+     "thrust: {tension: 10 mm}",
+     "20:5",
+     "structure.nut.thrust.compression",
+     {"missing", "push[0]"}},
+    {"NothingGiven", "lead: 5 mm", "lead:", "3:3", "mechanism.lead", {"got nothing"}},
+    {"UnknownKey",
+     "rollers: 11",
+     "rollers: 11\n  colour: red",
+     "10:3",
+     "mechanism.colour",
+     {"unknown key", "expected one of type, geometry"}},
+    {"MisspeltKey",
+     "  rollers: 11",
+     "  rolers: 11",
+     "1:1",
+     "mechanism.rollers",
+     {"case.yaml:9:3: error: mechanism.rolers: unknown key", "did you mean `rollers`?"}},
+    {"UnknownBlock",
+     "materials:",
+     "material:",
+     "21:1",
+     "material",
+     {"unknown key", "did you mean `materials`?"}},
+    {"DuplicateKey",
+     "rollers: 11",
+     "rollers: 11\n  lead: 6 mm",
+     "10:3",
+     "mechanism.lead",
+     {"duplicate key", "case.yaml:3:3"}},
+    {"DuplicateBlock",
+     "materials:",
+     "structure:",
+     "21:1",
+     "structure",
+     {"duplicate key", "case.yaml:11:1"}},
+    {"MergeKey",
+     "rollers: 11",
+     "rollers: 11\n  <<: {lead: 6 mm}",
+     "10:3",
+     "mechanism.<<",
+     {"merge key", "write the merged keys out"}},
+    {"Tag", "rollers: 11", "rollers: !!int 11", "9:12", "mechanism.rollers", {"tag"}},
+    {"MissingUnit",
+     "lead: 5 mm",
+     "lead: 5",
+     "3:9",
+     "mechanism.lead",
+     {"got 5;", "a length", "write the unit, for example `5 mm`"}},
+    {"ZeroWithoutUnit",
+     "bore: 6 mm",
+     "bore: 0",
+     "12:17",
+     "structure.screw.bore",
+     {"got 0;", "for example `0 mm`"}},
+    {"UnknownUnit",
+     "lead: 5 mm",
+     "lead: 5 furlong",
+     "3:9",
+     "mechanism.lead",
+     {"`furlong` is not a known unit", "mm, m, cm"}},
+    {"WrongDimension",
+     "lead: 5 mm",
+     "lead: 5 kN",
+     "3:9",
+     "mechanism.lead",
+     {"`kN` is the unit of a force", "use one of the units mm"}},
+    {"DecimalComma", "lead: 5 mm", "lead: 5,0 mm", "3:9", "mechanism.lead", {"decimal mark"}},
+    {"NotANumber", "lead: 5 mm", "lead: .nan mm", "3:9", "mechanism.lead", {"NaN"}},
+    {"Infinity", "209 GPa", ".inf GPa", "22:19", "materials.youngs_modulus", {"infinity"}},
+    {"Overflow", "209 GPa", "1e999 GPa", "22:19", "materials.youngs_modulus", {"magnitude"}},
+    {"NotANumberAtAll", "lead: 5 mm", "lead: five", "3:9", "mechanism.lead", {"got five"}},
+    {"ZeroLead", "lead: 5 mm", "lead: 0 mm", "3:9", "mechanism.lead", {"other than 0"}},
+    {"NegativeLength",
+     "length: 90 mm",
+     "length: -90 mm",
+     "15:13",
+     "structure.nut.length",
+     {"got -90 mm", "a length > 0"}},
+    {"ZeroRollers",
+     "rollers: 11",
+     "rollers: 0",
+     "9:12",
+     "mechanism.rollers",
+     {"got 0;", "a whole number from 1 to 1000"}},
+    {"BrokenNumberOfRollers",
+     "rollers: 11",
+     "rollers: 11.0",
+     "9:12",
+     "mechanism.rollers",
+     {"a whole number"}},
+    {"HugeNumberOfRollers",
+     "rollers: 11",
+     "rollers: 1e9",
+     "9:12",
+     "mechanism.rollers",
+     {"from 1 to 1000"}},
+    {"QuotedNumber",
+     "rollers: 11",
+     "rollers: \"11\"",
+     "9:12",
+     "mechanism.rollers",
+     {"got \"11\"", "a whole number"}},
+    {"TooManyRollers",
+     "rollers: 11",
+     "rollers: 13",
+     "9:12",
+     "mechanism.rollers",
+     {"at most 12", "overlap"}},
+    {"FlankAngleOf90Degrees",
+     "45 deg",
+     "90 deg",
+     "5:16",
+     "mechanism.flank_angle",
+     {"an angle > 0 and < 90 deg"}},
+    {"PoissonTooLarge",
+     "0.3",
+     "0.6",
+     "23:18",
+     "materials.poisson_ratio",
+     {"got 0.6", ">= 0 and < 0.5"}},
+    {"UnknownWord",
+     "inverted",
+     "invertd",
+     "2:9",
+     "mechanism.type",
+     {"standard | inverted", "did you mean `inverted`?"}},
+    {"UnknownAlternative",
+     "{convex: 4.949747468 mm}",
+     "{conevx: 4 mm}",
+     "8:38",
+     "mechanism.profile.roller",
+     {"{convex: ..}", "did you mean `convex`?"}},
+    {"ZeroRadius",
+     "{convex: 4.949747468 mm}",
+     "{convex: 0 mm}",
+     "8:47",
+     "mechanism.profile.roller.convex",
+     {"a length > 0"}},
+    {"MapForAScalar",
+     "lead: 5 mm",
+     "lead: {screw: 5 mm}",
+     "3:9",
+     "mechanism.lead",
+     {"got {screw: ..}", "a length"}},
+    {"ScalarForAMap",
+     "starts: {screw: 3, roller: 1}",
+     "starts: 3",
+     "4:11",
+     "mechanism.starts",
+     {"got 3", "a map", "{screw: ..}"}},
+    {"ListForAMap",
+     "starts: {screw: 3, roller: 1}",
+     "starts: [3, 1]",
+     "4:11",
+     "mechanism.starts",
+     {"got a list of 2"}},
+    {"ScalarForAList",
+     "    thrust",
+     "    flange: 3\n    thrust",
+     "20:5",
+     "structure.nut.flange",
+     {"unknown key", "did you mean `flanges`?"}},
+    {"CentreDistanceOfNoMesh",
+     "14 mm",
+     "18 mm",
+     "6:53",
+     "mechanism.pitch_diameter.nut",
+     {"cannot mesh", "case.yaml:7:20: error: mechanism.centre_distance", "expected 14 mm"}},
+    {"LeadInMetres", "lead: 5 mm", "lead: 5 m", "3:9", "mechanism.lead", {"check the units"}},
+    {"BacklashInSimulation",
+     "rollers: 11",
+     "rollers: 11\n  backlash: {screw: 0 mm}",
+     "10:3",
+     "mechanism.backlash",
+     {"only with `geometry: design`"}},
+    {"PositionBeyondTheNut",
+     "54.3333333 mm",
+     "58.34 mm",
+     "25:68",
+     "load_cases[0].position",
+     {"got 58.34 mm", "0 mm to 58.33333 mm", "all 20 contacts"}},
+    {"PositionBeforeTheNut",
+     "54.3333333 mm",
+     "-1 mm",
+     "25:68",
+     "load_cases[0].position",
+     {"got -1 mm", "0 mm to 58.33333 mm"}},
+    {"MoreContactsThanTheNutHolds",
+     "contacts_per_roller: 20",
+     "contacts_per_roller: 60",
+     "10:24",
+     "mechanism.contacts_per_roller",
+     {"take at most 55"}},
+    {"OverlappingFlanges",
+     "from: 80 mm",
+     "from: 9 mm",
+     "19:9",
+     "structure.nut.flanges[1]",
+     {"overlaps", "from 0 mm to 10 mm"}},
+    {"FlangeBackToFront",
+     "from: 80 mm",
+     "from: 95 mm",
+     "19:27",
+     "structure.nut.flanges[1].to",
+     {"beyond `from`"}},
+    {"FlangeBeyondTheNut",
+     "to: 90 mm",
+     "to: 91 mm",
+     "19:27",
+     "structure.nut.flanges[1].to",
+     {"0 mm to 90 mm"}},
+    {"FlangeBelowTheThread",
+     "outer_diameter: 62 mm",
+     "outer_diameter: 30 mm",
+     "18:49",
+     "structure.nut.flanges[0].outer_diameter",
+     {"the nut's pitch diameter, 35 mm"}},
+    {"ThrustBeyondTheNut",
+     "compression: 80 mm",
+     "compression: 95 mm",
+     "20:43",
+     "structure.nut.thrust.compression",
+     {"0 mm to 90 mm"}},
+    {"BoreAsLargeAsTheScrew",
+     "bore: 6 mm",
+     "bore: 21 mm",
+     "12:17",
+     "structure.screw.bore",
+     {"less than the screw's pitch diameter, 21 mm"}},
+    {"NutThinnerThanItsThread",
+     "outer_diameter: 46 mm",
+     "outer_diameter: 35 mm",
+     "16:21",
+     "structure.nut.outer_diameter",
+     {"more than the nut's pitch diameter"}},
+    {"NegativeForce",
+     "45 kN, direction",
+     "-45 kN, direction",
+     "25:31",
+     "load_cases[0].axial_force",
+     {"got -45000 N in case `pull`", "> 0"}},
+    {"RangeFromZero",
+     "from: 1 kN",
+     "from: 0 kN",
+     "26:31",
+     "load_cases[1].axial_force",
+     {"got 0 N in case `push[0]`"}},
+    {"RangeOfOneStep",
+     "steps: 45",
+     "steps: 1",
+     "26:31",
+     "load_cases[1].axial_force",
+     {"1 step between different ends"}},
+    {"RangeWithoutUnit",
+     "to: 45 kN",
+     "to: 45",
+     "26:48",
+     "load_cases[1].axial_force.to",
+     {"`45 N`"}},
+    {"TooManyCases",
+     "steps: 45",
+     "steps: 100000",
+     "25:3",
+     "load_cases",
+     {"100001 cases", "at most 100000"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(ReadCase, BrokenInput, testing::ValuesIn(kBroken),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(ReadCase, TheSecondCaseOfOneNameIsNamed) {
+  EXPECT_THAT(
+      error_of(kAbevi, {"load_cases[0].name=push[3]"}),
+      StartsWith("case.yaml:26:12: error: load_cases[1].name: got `push[3]` a second time"));
+}
+
+TEST(ReadCase, AnEmptyListOfLoadCasesIsRefused) {
+  EXPECT_THAT(error_of(kAbevi, {"load_cases=[]"}),
+              StartsWith("--set load_cases=[]: error: load_cases: got a list of 0; expected a list "
+                         "of at least 1"));
+}
+
+TEST(ReadCase, TextsThatAreNoCaseAreRefused) {
+  EXPECT_THAT(error_of(""), StartsWith("case.yaml:1:1: error: got an empty file"));
+  EXPECT_THAT(error_of("# nothing\n"), StartsWith("case.yaml:1:1: error: got an empty file"));
+  EXPECT_THAT(error_of("- 1\n"),
+              StartsWith("case.yaml:1:1: error: got a list of 1; expected a map"));
+  EXPECT_THAT(error_of("a: [1\nb: 2\n"), HasSubstr("error: malformed YAML"));
+  EXPECT_THAT(error_of("a: 1\n\tb: 2\n"), StartsWith("case.yaml:2:1: error: malformed YAML"));
+  EXPECT_THAT(error_of(std::string("a: 1\nb: \0\n", 10)),
+              StartsWith("case.yaml:2:4: error: got the byte 0x00; expected plain text in UTF-8"));
+  EXPECT_THAT(error_of("a: \xFF\n"), StartsWith("case.yaml:1:4: error: got the byte 0xFF"));
+  EXPECT_THAT(error_of(kAbevi + "---\n" + kAbevi),
+              StartsWith("case.yaml:27:1: error: got more text after the end of the document"));
+}
+
+TEST(ReadCase, OneRunNamesManyErrorsInTheOrderOfTheFile) {
+  std::string text = abevi_with("lead: 5 mm", "lead: 5");
+  text.replace(text.find("rollers: 11"), 11, "rollers: 0");
+  text.replace(text.find("poisson_ratio: 0.3"), 18, "poisson_ratio: x");
+  const std::string message = error_of(text, {"model.bodies=beams"});
+  EXPECT_THAT(message, testing::ContainsRegex("case.yaml:3:9: error: mechanism.lead: [^\n]*\n"
+                                              "case.yaml:9:12: error: mechanism.rollers: [^\n]*\n"
+                                              "case.yaml:23:18: error: materials.poisson[^\n]*\n"
+                                              "--set model.bodies=beams: error: model.bodies: "
+                                              "[^\n]*$"));
+}
+
+TEST(ReadCase, AWrongConditionIsToldAlone) {
+  const std::string message =
+      error_of(abevi_with("type: inverted", "geometry: desing"),
+               {"mechanism.type=inverted", "mechanism.backlash={screw: 0 mm}"});
+  EXPECT_THAT(message, StartsWith("case.yaml:2:13: error: mechanism.geometry: got desing"));
+  EXPECT_EQ(message.find('\n'), std::string::npos);
+}
+
+TEST(ReadCase, CommandsTellWhatTheyNeed) {
+  const std::string mechanism = kAbevi.substr(0, kAbevi.find("structure:"));
+  for (Command command : {Command::check, Command::contact, Command::measures})
+    EXPECT_EQ(error_of(mechanism, {}, command), "");
+  EXPECT_THAT(error_of(mechanism), HasSubstr("case.yaml:1:1: error: load_cases: missing"));
+  EXPECT_THAT(error_of(mechanism), HasSubstr("case.yaml:1:1: error: materials: missing"));
+  EXPECT_THAT(error_of(mechanism, {"load_cases=[{axial_force: 1 kN, share: equal}]"}),
+              testing::Not(HasSubstr("structure")));
+}
+
+TEST(ReadCase, MutilatedTextsAreReadOrRefusedButNothingElse) {
+  std::mt19937 random(20'25);
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  const std::string parts[] = {
+      "{",  "}",     "[",    "]",     ":",        ", ",   "- ",
+      "\n", "  ",    "&a ",  "*a",    "!",        "<<",   "\"",
+      "'",  "#",     "|",    "---\n", "~",        ".nan", "1e999",
+      "-",  "0",     "mm",   "\t",    "\xC2\xB5", "\xFF", std::string(1, '\0'),
+      "? ", "screw", "equal"};
+  int refused = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::string text = kAbevi;
+    for (std::size_t k = 0; k <= below(4); ++k) {
+      const std::size_t at = below(text.size());
+      const std::string& part = parts[below(std::size(parts))];
+      switch (below(4)) {
+        case 0:
+          text.insert(at, part);
+          break;
+        case 1:
+          text.erase(at, 1 + below(8));
+          break;
+        case 2:
+          text.replace(at, part.size(), part);
+          break;
+        default:
+          text.insert(at, text.substr(below(text.size()), below(40)));
+      }
+    }
+    try {
+      read(text);
+    } catch (const InputError& e) {
+      ++refused;
+      EXPECT_THAT(e.what(), StartsWith("case.yaml:"));
+    }
+  }
+  EXPECT_GT(refused, 1000);
+}
+
+}  // namespace
+}  // namespace prs::input

@@ -1,0 +1,287 @@
+#include "prs/input/schema.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "prs/input/document.h"
+#include "prs/input/reader.h"
+#include "tests/prs/input/abevi.h"
+
+namespace prs::input {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The value that other readers of YAML 1.2 see.
+Json to_json(const Node& node) {
+  Json json;
+  switch (node.kind) {
+    case Node::Kind::null:
+      return nullptr;
+    case Node::Kind::sequence:
+      json = Json::array();
+      for (const Node& child : node.children) json.push_back(to_json(child));
+      return json;
+    case Node::Kind::map:
+      json = Json::object();
+      for (const Node& child : node.children) json[child.key] = to_json(child);
+      return json;
+    case Node::Kind::scalar:
+      break;
+  }
+  if (scalar_type(node) == ScalarType::text) return node.text;
+  return Json::parse(node.text);
+}
+
+/// The text of the Abevi case with overrides, and whether the reader takes it.
+struct Sample {
+  std::vector<std::string> overrides;
+  bool accepted = false;
+};
+
+Json document_of(const Sample& sample) {
+  const Source source{"case.yaml", kAbevi, sample.overrides};
+  ErrorList errors(source);
+  return to_json(read_document(source, errors));
+}
+
+bool reader_accepts(const Sample& sample) {
+  try {
+    read_case_text(kAbevi, "case.yaml", sample.overrides, Command::check);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// What an independent implementation of JSON Schema says of each sample.
+std::vector<bool> schema_accepts(const std::vector<Sample>& samples) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path();
+  const std::string name =
+      std::string("prs-schema-") + testing::UnitTest::GetInstance()->current_test_info()->name();
+  const fs::path question = folder / (name + ".json");
+  const fs::path answer = folder / (name + ".answer");
+  Json documents = Json::array();
+  for (const Sample& s : samples) documents.push_back(document_of(s));
+  std::ofstream(question) << Json{{"schema", schema()}, {"documents", documents}};
+
+  const fs::path script = fs::path(__FILE__).parent_path() / "judge_by_schema.py";
+  const std::string command =
+      "python3 '" + script.string() + "' '" + question.string() + "' > '" + answer.string() + "'";
+  std::vector<bool> verdicts;
+  if (std::system(command.c_str()) == 0) {
+    std::ifstream in(answer);
+    for (std::string word; in >> word;) verdicts.push_back(word == "valid");
+  }
+  fs::remove(question);
+  fs::remove(answer);
+  return verdicts;
+}
+
+bool judge_is_installed() {
+  return std::system("python3 -c 'from jsonschema import Draft202012Validator' 2> /dev/null") == 0;
+}
+
+void expect_agreement(const std::vector<Sample>& samples) {
+  if (!judge_is_installed()) GTEST_SKIP() << "python3-jsonschema is not installed";
+  const std::vector<bool> verdicts = schema_accepts(samples);
+  ASSERT_EQ(verdicts.size(), samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::string what = document_of(samples[i]).dump();
+    EXPECT_EQ(reader_accepts(samples[i]), samples[i].accepted) << what;
+    EXPECT_EQ(verdicts[i], samples[i].accepted) << what;
+  }
+}
+
+TEST(Schema, TakesWhatTheReaderTakes) {
+  std::vector<Sample> samples;
+  for (const char* o :
+       {"mechanism.rollers=9",
+        "mechanism.type=standard",
+        "mechanism.type=\"standard\"",
+        "mechanism.lead=-5 mm",
+        "mechanism.lead=+5e-3 m",
+        "mechanism.lead=5000µm",
+        "mechanism.lead=\"5 mm\"",
+        "mechanism.lead=.5 cm",
+        "mechanism.starts={screw: 3}",
+        "mechanism.profile_plane=axial",
+        "mechanism.pitch={roller: 1.667 mm}",
+        "mechanism.flank_angle={screw: 45 deg, roller: 0.78 rad, nut: 45°}",
+        "mechanism.profile.nut={concave: 60 mm}",
+        "mechanism.thread={nut: {addendum: 0 mm, dedendum: 0.3 mm}}",
+        "structure.screw={}",
+        "structure.roller.guidance=outer_node",
+        "structure.roller.guidance={ring: 2e4 N/mm}",
+        "structure.nut.flanges=[]",
+        "materials.density=7810 kg/m^3",
+        "materials.poisson_ratio=0",
+        "materials={screw: {youngs_modulus: 209 GPa, poisson_ratio: 0.3}, roller: {youngs_modulus: "
+        "209 GPa, poisson_ratio: 0.3}, nut: {youngs_modulus: 2.09e5 MPa, poisson_ratio: 0.3}}",
+        "contact={}",
+        "contact={hertz_constant: {screw: 3.6e5 N/mm^1.5}, normal_angle: {nut: 45 deg}}",
+        "model={bodies: bars, roller: rigid_bending, roller_shear: true, patch_points: 5}",
+        "load_cases=[{axial_force: -1 kN, share: equal}]",
+        "load_cases[0].speed=400 rpm",
+        "load_cases[0].axial_force={from: 1 kN, to: 2 kN, steps: 2}",
+        "load_cases[0].name=\"1\"",
+        "lubricant={viscosity: 166.5 mPa s, pressure_viscosity: 30 1/GPa, eyring_stress: 12 MPa}",
+        "friction={model: jacod}",
+        "friction={coulomb: 0.11}",
+        "friction={model: {coulomb: 0}}",
+        "operation={speed: -400 1/min}",
+        "carrier={nut_torque: 3 N mm}"})
+    samples.push_back({{o}, true});
+  expect_agreement(samples);
+}
+
+TEST(Schema, RefusesWhatTheReaderRefuses) {
+  std::vector<Sample> samples;
+  for (const char* o : {"mechanism=",
+                        "mechanism=3",
+                        "mechanism={}",
+                        "colour=red",
+                        "mechanism.colour=red",
+                        "mechanism.rollers=0",
+                        "mechanism.rollers=1001",
+                        "mechanism.rollers=2.5",
+                        "mechanism.rollers=\"9\"",
+                        "mechanism.rollers=nine",
+                        "mechanism.rollers=true",
+                        "mechanism.rollers=[9]",
+                        "mechanism.type=invertd",
+                        "mechanism.type=1",
+                        "mechanism.type={}",
+                        "mechanism.lead=5",
+                        "mechanism.lead=0 mm",
+                        "mechanism.lead=0.0e5 mm",
+                        "mechanism.lead=5 kN",
+                        "mechanism.lead=5 mm mm",
+                        "mechanism.lead=five mm",
+                        "mechanism.lead=.nan mm",
+                        "mechanism.lead=1,5 mm",
+                        "mechanism.lead=",
+                        "mechanism.lead=[5 mm]",
+                        "mechanism.lead={screw: 5 mm}",
+                        "mechanism.starts=3",
+                        "mechanism.starts={}",
+                        "mechanism.starts={screw: 3, nut: 3}",
+                        "mechanism.pitch_diameter.screw=-21 mm",
+                        "mechanism.flank_angle={screw: 45 deg}",
+                        "mechanism.flank_angle=45",
+                        "mechanism.profile={screw: straight}",
+                        "mechanism.profile.nut=convex",
+                        "mechanism.profile.nut={convex: 0 mm}",
+                        "mechanism.profile.nut={convex: 3}",
+                        "mechanism.profile.nut={bulgy: 3 mm}",
+                        "mechanism.profile.nut={convex: 3 mm, concave: 3 mm}",
+                        "mechanism.profile.nut={straight: 3 mm}",
+                        "mechanism.thread={nut: {addendum: 1 mm}}",
+                        "mechanism.thread={nut: {addendum: -1 mm, dedendum: 1 mm}}",
+                        "structure={}",
+                        "structure.roller={}",
+                        "structure.nut.flanges={}",
+                        "structure.nut.flanges=[3 mm]",
+                        "structure.nut.flanges[0].outer_diameter=0 mm",
+                        "structure.nut.thrust=10 mm",
+                        "structure.roller.guidance={ring: 2e4 N}",
+                        "structure.roller.guidance=ring",
+                        "materials.poisson_ratio=0.5",
+                        "materials.poisson_ratio=-0.1",
+                        "materials.poisson_ratio=\"0.3\"",
+                        "materials.youngs_modulus=0 GPa",
+                        "materials={screw: {youngs_modulus: 209 GPa, poisson_ratio: 0.3}}",
+                        "contact=3",
+                        "contact={hertz_constant: 3.6e5 N/mm^1.5}",
+                        "contact={hertz_constant: {roller: 1 N/m^1.5}}",
+                        "model.bodies=beams",
+                        "model.roller_shear=1",
+                        "model.roller_shear=\"true\"",
+                        "model.patch_points=0",
+                        "load_cases=[]",
+                        "load_cases={}",
+                        "load_cases=[1]",
+                        "load_cases[0].axial_force=45",
+                        "load_cases[0].axial_force={from: 1 kN, to: 2 kN}",
+                        "load_cases[0].axial_force={from: 1 kN, to: 2 kN, steps: 0}",
+                        "load_cases[0].axial_force={from: 1 kN, to: 2 kN, steps: 2, by: 1}",
+                        "load_cases[0].name=1",
+                        "load_cases[0].name=\"\"",
+                        "load_cases[0].name=\"a\\nb\"",
+                        "load_cases[0].share=half",
+                        "lubricant={viscosity: 166.5 mPa s}",
+                        "friction=jacod",
+                        "friction={}",
+                        "friction={model: glue}",
+                        "friction={coulomb: -0.1}",
+                        "friction={jacod: 1}",
+                        "friction={model: jacod, coulomb: 0.1}",
+                        "operation={}",
+                        "operation={speed: 400}",
+                        "carrier={nut_torque: -3 N mm}"})
+    samples.push_back({{o}, false});
+  expect_agreement(samples);
+}
+
+/// Every value of the case replaced by each of many texts: whatever passes the reader must pass the
+/// schema, which is the more lenient of the two.
+TEST(Schema, NeverRefusesWhatTheReaderTakes) {
+  if (!judge_is_installed()) GTEST_SKIP() << "python3-jsonschema is not installed";
+  const CaseInput input = read_case_input(
+      {"case.yaml", kAbevi, {"friction={coulomb: 0.1}", "operation.speed=4 rpm"}}, Command::check);
+  std::vector<Sample> samples;
+  for (const EchoEntry& entry : input.fields)
+    for (const char* value : {"",
+                              "0",
+                              "7",
+                              "0.2",
+                              "true",
+                              "\"7\"",
+                              "7 mm",
+                              "0 mm",
+                              "-7 mm",
+                              "40 deg",
+                              "20 kN",
+                              "3 N m",
+                              "straight",
+                              "equal",
+                              "tension",
+                              "{}",
+                              "[]",
+                              "{convex: 5 mm}",
+                              "{ring: 1 N/m}",
+                              "{coulomb: 0.2}"})
+      samples.push_back({{entry.path + "=" + value}});
+  for (Sample& s : samples) s.accepted = reader_accepts(s);
+  const std::vector<bool> verdicts = schema_accepts(samples);
+  ASSERT_EQ(verdicts.size(), samples.size());
+  int accepted = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!samples[i].accepted) continue;
+    ++accepted;
+    EXPECT_TRUE(verdicts[i]) << samples[i].overrides[0];
+  }
+  EXPECT_GT(accepted, 50);
+}
+
+TEST(Schema, StatesDefaultsUnitsAndMeaning) {
+  const Json s = schema();
+  const Json& mechanism = s["properties"]["mechanism"]["properties"];
+  EXPECT_EQ(mechanism["geometry"]["default"], "simulation");
+  EXPECT_EQ(mechanism["starts"]["properties"]["roller"]["default"], 1);
+  EXPECT_FALSE(mechanism["type"].contains("default"));
+  EXPECT_FALSE(mechanism["lead"].contains("default"));
+  EXPECT_EQ(mechanism["lead"]["description"],
+            "Lead of screw and nut; > 0 right-handed. In mm, m, cm, um, nm");
+  const Json& screw = s["properties"]["structure"]["properties"]["screw"]["properties"];
+  EXPECT_EQ(screw["bore"]["default"], "0 mm");
+}
+
+}  // namespace
+}  // namespace prs::input

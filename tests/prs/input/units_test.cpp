@@ -1,0 +1,110 @@
+#include "prs/input/units.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace prs::input {
+namespace {
+
+using std::numbers::pi;
+
+double si(std::string_view text, const Dimension& dimension) {
+  return parse_quantity(text, dimension).value.value_or(std::nan(""));
+}
+
+TEST(Units, EveryDimensionConvertsToSi) {
+  EXPECT_EQ(si("5 mm", unit::length), 0.005);
+  EXPECT_EQ(si("0.3 um", unit::length), 3e-7);
+  EXPECT_EQ(si("0.3 µm", unit::length), 3e-7);
+  EXPECT_EQ(si("45 kN", unit::force), 45e3);
+  EXPECT_EQ(si("45 deg", unit::angle), pi / 4);
+  EXPECT_EQ(si("90 deg", unit::angle), pi / 2);
+  EXPECT_EQ(si("209 GPa", unit::pressure), 209e9);
+  EXPECT_EQ(si("209000 N/mm^2", unit::pressure), 209e9);
+  EXPECT_EQ(si("7.81 g/cm^3", unit::density), 7810.0);
+  EXPECT_EQ(si("166.5 mPa s", unit::viscosity), 0.1665);
+  EXPECT_EQ(si("166.5 cP", unit::viscosity), 0.1665);
+  EXPECT_EQ(si("30 1/GPa", unit::pressure_viscosity), 30e-9);
+  EXPECT_DOUBLE_EQ(si("30 rpm", unit::rotational_speed), pi);
+  EXPECT_EQ(si("3 rad/s", unit::rotational_speed), 3.0);
+  EXPECT_EQ(si("2e4 N/mm", unit::stiffness), 2e7);
+  EXPECT_EQ(si("500 N/um", unit::stiffness), 5e8);
+  EXPECT_EQ(si("12 N mm", unit::torque), 0.012);
+  EXPECT_EQ(si("12 mN m", unit::torque), 0.012);
+  EXPECT_EQ(si("12 Nm", unit::torque), 12.0);
+}
+
+TEST(Units, HertzConstantScalesWithLengthToTheThreeHalves) {
+  EXPECT_DOUBLE_EQ(si("1 N/mm^1.5", unit::hertz_constant), std::pow(1e3, 1.5));
+  EXPECT_DOUBLE_EQ(si("1 N/um^1.5", unit::hertz_constant), std::pow(1e6, 1.5));
+  EXPECT_DOUBLE_EQ(si("1 kN/mm^1.5", unit::hertz_constant), 1e3 * std::pow(1e3, 1.5));
+}
+
+TEST(Units, DecimalLengthsAreTheNearestDoubles) {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> thousandths(1, 999'999);
+  for (int i = 0; i < 1000; ++i) {
+    const int n = thousandths(random);
+    EXPECT_EQ(si(std::to_string(n) + " um", unit::length), n / 1e6);
+    EXPECT_EQ(si(std::to_string(n) + " mm", unit::length), n / 1e3);
+  }
+}
+
+TEST(Units, FormattedValuesReadBackExactly) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> exponent(-4.0, 4.0);
+  for (const Dimension* d : {&unit::length, &unit::force, &unit::angle, &unit::pressure,
+                             &unit::viscosity, &unit::rotational_speed, &unit::hertz_constant})
+    for (int i = 0; i < 200; ++i) {
+      const double value = si(
+          std::to_string(std::pow(10.0, exponent(random))) + " " + std::string(d->canonical), *d);
+      EXPECT_EQ(si(format_quantity(value, *d), *d), value) << format_quantity(value, *d);
+    }
+}
+
+TEST(Units, FormattedValuesAreShort) {
+  EXPECT_EQ(format_quantity(0.021, unit::length), "21 mm");
+  EXPECT_EQ(format_quantity(si("54.3333333 mm", unit::length), unit::length), "54.3333333 mm");
+  EXPECT_EQ(format_quantity(pi / 4, unit::angle), "45 deg");
+  EXPECT_EQ(format_quantity(si("400 rpm", unit::rotational_speed), unit::rotational_speed),
+            "400 rpm");
+}
+
+TEST(Units, NumbersMayBeWrittenAsEngineersDo) {
+  for (const char* text : {"5 mm", "5mm", "+5 mm", "5.0 mm", "5. mm", "0.5e1 mm", "50E-1  mm"})
+    EXPECT_EQ(si(text, unit::length), 0.005) << text;
+  EXPECT_EQ(si("-.5 mm", unit::length), -0.0005);
+}
+
+TEST(Units, WhatIsNoQuantityIsRefused) {
+  for (const char* text :
+       {"",        "mm",          "5",        "5 kN",      "5 MM",   "5 mm mm", "5 mm ",
+        " 5 mm",   "5,0 mm",      "1_000 mm", "0x5 mm",    "nan mm", ".nan mm", "inf mm",
+        "-inf mm", "infinity mm", "1e999 mm", "1e-999 mm", "1e31 m", "1e-31 m", "+-5 mm",
+        "--5 mm",  "5 e mm",      "5e mm",    "5\tmm",     "five mm"})
+    EXPECT_FALSE(parse_quantity(text, unit::length).value) << text;
+}
+
+TEST(Units, HintsTellUnitAndDimension) {
+  EXPECT_NE(parse_quantity("5", unit::length).hint.find("write the unit, for example `5 mm`"),
+            std::string::npos);
+  EXPECT_NE(parse_quantity("5 kN", unit::length).hint.find("`kN` is the unit of a force"),
+            std::string::npos);
+  EXPECT_NE(parse_quantity("5 furlong", unit::length).hint.find("not a known unit"),
+            std::string::npos);
+}
+
+TEST(Units, TheLocaleDoesNotMatter) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) GTEST_SKIP() << "no German locale here";
+  EXPECT_EQ(si("4.5 mm", unit::length), 0.0045);
+  EXPECT_EQ(format_quantity(0.0045, unit::length), "4.5 mm");
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+}  // namespace
+}  // namespace prs::input

@@ -1,0 +1,99 @@
+#include "prs/output/csv.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <vector>
+
+#include "sample_result.h"
+
+namespace prs {
+namespace {
+
+using test::equal_share_case;
+using test::failed_case;
+using test::solved_case;
+
+using CsvRow = std::map<std::string, std::string>;
+
+/// Fields of RFC 4180 text, line by line.
+std::vector<std::vector<std::string>> parse_fields(const std::string& csv) {
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> row(1);
+  bool quoted = false;
+  for (const char c : csv) {
+    if (c == '"') {
+      // The second of two quotes inside a quoted field reopens it and stands for itself.
+      if (!quoted && !row.back().empty()) row.back() += c;
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      row.emplace_back();
+    } else if (c == '\n' && !quoted) {
+      rows.push_back(std::exchange(row, std::vector<std::string>(1)));
+    } else {
+      row.back() += c;
+    }
+  }
+  return rows;
+}
+
+std::vector<CsvRow> parse(const std::string& csv) {
+  const auto fields = parse_fields(csv);
+  std::vector<CsvRow> rows;
+  for (std::size_t r = 1; r < fields.size(); ++r) {
+    EXPECT_EQ(fields[r].size(), fields[0].size());
+    CsvRow& row = rows.emplace_back();
+    for (std::size_t c = 0; c < fields[0].size(); ++c) row[fields[0][c]] = fields[r][c];
+  }
+  return rows;
+}
+
+Result result_of(std::vector<LoadCaseResult> load_cases) {
+  Result result;
+  result.load_cases = std::move(load_cases);
+  return result;
+}
+
+TEST(Csv, OneRowALoadCase) {
+  const auto rows = parse(load_cases_csv(result_of(
+      {solved_case("a", 45e3, Direction::tension), failed_case("b"), equal_share_case("c")})));
+  ASSERT_EQ(rows.size(), 3);
+  EXPECT_EQ(rows[0].at("case"), "a");
+  EXPECT_EQ(std::stod(rows[0].at("axial_stiffness_N_per_um")), 800.0);
+  EXPECT_EQ(rows[0].at("screw_most_loaded_thread"), "1");
+  EXPECT_EQ(rows[0].at("converged"), "true");
+  EXPECT_EQ(rows[1].at("status"), "line_search_failed");
+  EXPECT_EQ(rows[1].at("axial_stiffness_N_per_um"), "");
+  EXPECT_EQ(rows[1].at("nut_most_loaded_thread"), "");
+  EXPECT_EQ(rows[2].at("axial_force_N"), "-20000");
+  EXPECT_EQ(rows[2].at("direction"), "");
+  EXPECT_EQ(rows[2].at("iterations"), "");
+  EXPECT_EQ(rows[2].at("nut_largest_peak_pressure_MPa"), "");
+}
+
+TEST(Csv, OneRowAThreadOfEveryAnswer) {
+  const LoadCaseResult load_case = solved_case("a", 45e3, Direction::tension);
+  const auto rows =
+      parse(load_distribution_csv(result_of({load_case, failed_case("b"), equal_share_case("c")})));
+  ASSERT_EQ(rows.size(), 20 + 4);
+  EXPECT_EQ(rows[19].at("thread"), "20");
+  EXPECT_EQ(rows[20].at("case"), "c");
+  EXPECT_EQ(rows[20].at("screw_semi_major_mm"), "");
+}
+
+TEST(Csv, NumbersKeepAllDigits) {
+  const LoadCaseResult load_case = solved_case("a", 12345.678, Direction::tension);
+  const auto rows = parse(load_distribution_csv(result_of({load_case})));
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    EXPECT_EQ(std::stod(rows[k].at("nut_axial_load_N")), load_case.threads->nut.axial_load[k]);
+}
+
+TEST(Csv, NamesWithSeparatorsAreQuoted) {
+  const std::string name = "45 kN, \"hot\"\nsecond line";
+  const auto rows = parse(load_cases_csv(result_of({failed_case(name)})));
+  ASSERT_EQ(rows.size(), 1);
+  EXPECT_EQ(rows[0].at("case"), name);
+}
+
+}  // namespace
+}  // namespace prs

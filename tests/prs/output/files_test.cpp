@@ -1,0 +1,86 @@
+#include "prs/output/files.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <system_error>
+
+#include "temporary_directory.h"
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+using test::content_of;
+using test::TemporaryDirectory;
+
+std::size_t entries(const fs::path& directory) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
+}
+
+/// What the error says, which names the path; empty if there was none.
+std::string write_error(const fs::path& directory, const std::vector<OutputFile>& files) {
+  try {
+    write_files(directory, files);
+    return {};
+  } catch (const std::system_error& error) {
+    return error.what();
+  }
+}
+
+/// Files beyond 4 kB cannot be written, as on a full disk, while the object lives.
+class SmallFilesOnly {
+ public:
+  SmallFilesOnly() : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &limit_);
+    const rlimit small{4096, limit_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+  }
+  SmallFilesOnly(const SmallFilesOnly&) = delete;
+  SmallFilesOnly& operator=(const SmallFilesOnly&) = delete;
+  ~SmallFilesOnly() {
+    ::setrlimit(RLIMIT_FSIZE, &limit_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  void (*handler_)(int);
+  rlimit limit_{};
+};
+
+TEST(WriteFiles, CreatesDirectoriesAndReplacesFiles) {
+  const TemporaryDirectory temporary;
+  const fs::path directory = temporary.path() / "a" / "b";
+  write_files(directory, {{"x.csv", "old"}});
+  write_files(directory, {{"x.csv", "new"}, {"y.csv", ""}});
+  EXPECT_EQ(content_of(directory / "x.csv"), "new");
+  EXPECT_EQ(entries(directory), 2);
+}
+
+TEST(WriteFiles, ErrorNamesPathAndReason) {
+  const TemporaryDirectory temporary;
+  write_files(temporary.path(), {{"file", ""}});
+  const fs::path directory = temporary.path() / "file" / "below";
+  const std::string error = write_error(directory, {{"x", ""}});
+  EXPECT_NE(error.find(directory.string()), std::string::npos) << error;
+  EXPECT_NE(error.find("Not a directory"), std::string::npos) << error;
+}
+
+TEST(WriteFiles, FailedWriteLeavesEarlierFilesAlone) {
+  const TemporaryDirectory temporary;
+  write_files(temporary.path(), {{"a", "old"}, {"b", "old"}});
+  {
+    const SmallFilesOnly full_disk;
+    const std::string error =
+        write_error(temporary.path(), {{"a", "new"}, {"b", std::string(10000, 'x')}});
+    EXPECT_NE(error.find("File too large"), std::string::npos) << error;
+  }
+  EXPECT_EQ(content_of(temporary.path() / "a"), "old");
+  EXPECT_EQ(content_of(temporary.path() / "b"), "old");
+  EXPECT_EQ(entries(temporary.path()), 2);
+}
+
+}  // namespace
+}  // namespace prs

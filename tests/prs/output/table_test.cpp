@@ -1,0 +1,114 @@
+#include "prs/output/table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "prs/output/text.h"
+#include "sample_result.h"
+
+namespace prs {
+namespace {
+
+using test::add_sweep;
+using test::equal_share_case;
+using test::failed_case;
+using test::solved_case;
+
+bool contains(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) all.push_back(line);
+  return all;
+}
+
+std::size_t widest_line(const std::string& text) {
+  std::size_t widest = 0;
+  for (const std::string& line : lines(text)) widest = std::max(widest, width(line));
+  return widest;
+}
+
+TEST(LoadCaseTable, RowHoldsWhatADesignerAsksFirst) {
+  Result result;
+  result.load_cases = {solved_case("config1-tension", 45e3, Direction::tension)};
+  const std::string row = lines(load_case_table(result)).at(2);
+  for (const char* part : {"config1-tension", "45.000", "tension", "800.0", "56.25", "1:  7.7"})
+    EXPECT_TRUE(contains(row, part)) << part << " in " << row;
+}
+
+TEST(LoadCaseTable, FailedCaseStandsOut) {
+  Result result;
+  result.load_cases = {failed_case("hopeless")};
+  EXPECT_TRUE(
+      contains(load_case_table(result), "NOT CONVERGED (line_search_failed), residual 3.2e-05"));
+}
+
+TEST(LoadCaseTable, AbsentQuantitiesAreDashes) {
+  Result result;
+  result.load_cases = {equal_share_case("equal")};
+  EXPECT_TRUE(contains(lines(load_case_table(result)).at(2), "–"));
+}
+
+TEST(LoadCaseTable, ColumnsLineUpAndFit) {
+  Result result;
+  result.load_cases = {solved_case("µ-Hülse", 45e3, Direction::compression),
+                       solved_case(std::string(200, 'x'), 45e6, Direction::compression)};
+  const std::string table = load_case_table(result);
+  EXPECT_LE(widest_line(table), 110);
+  const auto rows = lines(table);
+  EXPECT_EQ(width(rows.at(2)), width(rows.at(3)));
+}
+
+TEST(LoadCaseTable, ManyPointsOfARangeFold) {
+  Result result;
+  add_sweep(result, "sweep-tension", Direction::tension, 45);
+  result.load_cases[7] = failed_case("sweep-tension[7]");
+  result.load_cases[7].load_case.direction = Direction::tension;
+  const std::string table = load_case_table(result);
+  EXPECT_EQ(lines(table).size(), 2 + 3 + 1);
+  for (const char* part : {"sweep-tension[0]", "sweep-tension[22]", "sweep-tension[44]",
+                           "3 of 45 points", "NOT CONVERGED: sweep-tension[7]"})
+    EXPECT_TRUE(contains(table, part)) << part;
+}
+
+TEST(LoadCaseTable, WarningsThatDifferInNumbersOnlyAppearOnce) {
+  Result result;
+  result.warnings = {"negative backlash"};
+  add_sweep(result, "sweep", Direction::tension, 45);
+  for (std::size_t k = 30; k < 45; ++k)
+    result.load_cases[k].warnings = {"peak pressure 4." + std::to_string(k) + " GPa is high"};
+  const std::string table = load_case_table(result);
+  EXPECT_TRUE(contains(table, "Warnings\n  negative backlash\n"));
+  EXPECT_TRUE(contains(table, "  peak pressure 4.44 GPa is high\n"));
+  EXPECT_TRUE(contains(table, "in sweep[30–44]; numbers of the last\n"));
+  EXPECT_LE(widest_line(table), 110);
+}
+
+TEST(LoadCaseTable, ControlCharactersDoNotReachTheTerminal) {
+  Result result;
+  result.load_cases = {failed_case("a\x1b[31m\nb")};
+  const std::string table = load_case_table(result);
+  EXPECT_FALSE(contains(table, "\x1b"));
+  EXPECT_EQ(lines(table).size(), 3);
+}
+
+TEST(LoadDistributionChart, OneBarAThreadAndTheLargestIsLongest) {
+  const std::string chart = load_distribution_chart(solved_case("a", 45e3, Direction::compression));
+  EXPECT_EQ(lines(chart).size(), 2 + 20);
+  EXPECT_TRUE(contains(chart, "mean 5.00 %"));
+  EXPECT_TRUE(contains(lines(chart).at(2), "  1  ████████████████████████████████████ 7.7"));
+  EXPECT_LE(widest_line(chart), 110);
+}
+
+TEST(LoadDistributionChart, FailedCaseSaysWhy) {
+  EXPECT_EQ(load_distribution_chart(failed_case("b")),
+            "b: no load distribution (line_search_failed)\n");
+}
+
+}  // namespace
+}  // namespace prs

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "prs/validation/validate.h"
+
+namespace prs::abevi_2015 {
+
+/// Every statement that Abevi et al. 2015 make in words about their screw, judged by solving it:
+/// CONFIG 1 to 3, tension and compression, flexible and rigid rollers, loads up to 45 kN, for the
+/// guidance of the paper and its alternatives. `screw` is the paper's screw; its load cases are
+/// not used.
+std::vector<JudgedStatement> judge_statements(const Case& screw);
+
+}  // namespace prs::abevi_2015
