@@ -60,7 +60,9 @@ int main(int argc, char** argv) {
       command("validate", "Compare with the published sources", prs::cli::validate);
   options.file = "";
   std::string directory = "validation";
-  validate->add_option("directory", directory, "Folder of the sources")->type_name("DIR");
+  validate->add_option("directory", directory, "Folder of the sources")
+      ->type_name("DIR")
+      ->check(CLI::ExistingDirectory);
   add_output_options(*validate, options);
 
   try {

@@ -10,8 +10,7 @@
 /// The vocabulary in which `case_fields.h` describes the input. A description is a function
 /// template `fields(io, block)` that names each key of a block once:
 ///
-///     io.field("lead", m.lead, Quantity{unit::length, not_zero}, required, "Lead of screw and
-///     nut");
+///     io.field("lead", m.lead, Quantity{unit::length, not_zero}, required, "Lead of the screw");
 ///
 /// Key, member, how its value is written, whether it must stand, meaning. What happens is up to the
 /// visitor `io`: it reads (reader.cpp), writes the schema (schema.cpp) or lists values (echo.cpp).

@@ -612,7 +612,8 @@ TEST(ReadCase, MutilatedTextsAreReadOrRefusedButNothingElse) {
       read(text);
     } catch (const InputError& e) {
       ++refused;
-      EXPECT_THAT(e.what(), StartsWith("case.yaml:"));
+      EXPECT_THAT("\n" + std::string(e.what()),
+                  testing::Not(testing::ContainsRegex("\n([^c]|c[^a]|ca[^s]|cas[^e])")));
     }
   }
   EXPECT_GT(refused, 1000);

@@ -186,7 +186,7 @@ TEST(Plots, MissingGnuplotLeavesScriptsAndANote) {
 TEST(Plots, FailingGnuplotIsReportedAndLeavesNoImage) {
   const TemporaryDirectory temporary;
   write_files(temporary.path(), {{"gnuplot",
-                                  "#!/bin/sh\n: > load_distribution.png\n"
+                                  "#!/bin/sh\n: > \"${2%.gp}.png\"\n"
                                   "echo out of order >&2\nexit 3\n"}});
   fs::permissions(temporary.path() / "gnuplot", fs::perms::owner_all);
   const Path broken(temporary.path().string());

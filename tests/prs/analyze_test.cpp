@@ -1,0 +1,159 @@
+#include "prs/analyze.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+
+#include "prs/case_error.h"
+#include "prs/input/reader.h"
+
+namespace prs {
+namespace {
+
+const std::filesystem::path kConfigs = PRS_SOURCE_DIR "/configs";
+
+Case lesson(const std::string& name, const std::vector<std::string>& overrides = {}) {
+  return input::read_case((kConfigs / name).string(), overrides, Command::solve);
+}
+
+double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
+
+TEST(Analyze, EveryLessonConverges) {
+  for (const auto& entry : std::filesystem::directory_iterator(kConfigs)) {
+    if (entry.path().extension() != ".yaml") continue;
+    const Result result = analyze(lesson(entry.path().filename().string()));
+    EXPECT_FALSE(result.load_cases.empty()) << entry.path();
+    for (const LoadCaseResult& r : result.load_cases)
+      EXPECT_TRUE(r.converged()) << entry.path() << ' ' << r.load_case.name;
+  }
+}
+
+TEST(Analyze, LoadRatesAreAxialLoadsOverForcePerRollerAndSumToOne) {
+  const Case c = lesson("03_load_sweep.yaml");
+  for (const LoadCaseResult& r : analyze(c).load_cases)
+    for (const Interface i : kInterfaces) {
+      const InterfaceLoads& loads = (*r.threads)[i];
+      EXPECT_NEAR(sum(loads.load_rate), 1.0, 1e-10);
+      for (std::size_t k = 0; k < loads.axial_load.size(); ++k) {
+        EXPECT_NEAR(loads.axial_load[k] / (loads.normal_load[k] * std::cos(loads.normal_angle)),
+                    1.0, 1e-14);
+        EXPECT_NEAR(loads.normal_load[k] /
+                        (loads.hertz_constant * std::pow(loads.approach[k], 1.5)),
+                    1.0, 1e-13);
+      }
+    }
+}
+
+TEST(Analyze, PressuresFollowFromGeometryAlsoWithOverrides) {
+  // Table 2's constants replace k_0 in the load distribution only.
+  const Result with = analyze(lesson("01_config_1_to_3.yaml"));
+  const Result without = analyze(lesson("04_contacts_from_geometry.yaml"));
+  for (const Interface i : kInterfaces) {
+    const auto pressure_per_cbrt = [&](const Result& r) {
+      const InterfaceLoads& loads = (*r.load_cases[0].threads)[i];
+      return loads.peak_pressure[0] / std::cbrt(loads.normal_load[0]);
+    };
+    EXPECT_NEAR(pressure_per_cbrt(with) / pressure_per_cbrt(without), 1.0, 1e-14);
+    EXPECT_EQ((*with.load_cases[0].threads).screw.hertz_constant, 3.6062e5 * std::pow(1e3, 1.5));
+    EXPECT_EQ((*without.load_cases[0].threads)[i].hertz_constant,
+              without.contact[i]->hertz.hertz_constant);
+  }
+}
+
+TEST(Analyze, PressureTimesEllipseIsTheNormalLoad) {
+  const Result result = analyze(lesson("05_standard_screw.yaml"));
+  for (const LoadCaseResult& r : result.load_cases)
+    for (const Interface i : kInterfaces) {
+      const InterfaceLoads& l = (*r.threads)[i];
+      for (std::size_t k = 0; k < l.normal_load.size(); ++k)
+        EXPECT_NEAR(2.0 / 3.0 * M_PI * l.semi_major[k] * l.semi_minor[k] * l.peak_pressure[k] /
+                        l.normal_load[k],
+                    1.0, 1e-13);
+    }
+}
+
+TEST(Analyze, ACaseDoesNotDependOnItsNeighbours) {
+  const Result all = analyze(lesson("03_load_sweep.yaml"));
+  Case alone = lesson("03_load_sweep.yaml");
+  const LoadCase last = alone.load_cases.back();
+  alone.load_cases = {last};
+  const LoadCaseResult a = all.load_cases.back(), b = analyze(alone).load_cases.front();
+  EXPECT_EQ(a.load_case.name, b.load_case.name);
+  EXPECT_EQ(a.axial_displacement, b.axial_displacement);
+  EXPECT_EQ(a.threads->screw.normal_load, b.threads->screw.normal_load);
+  EXPECT_EQ(a.solve->iterations(), b.solve->iterations());
+}
+
+TEST(Analyze, EqualSharesAreForceOverRollersAndContacts) {
+  Case c = lesson("04_contacts_from_geometry.yaml");
+  LoadCase equal;
+  equal.name = "equal";
+  equal.axial_force = -33e3;
+  equal.share = LoadCase::Share::equal;
+  c.load_cases = {equal};
+  c.structure.reset();
+  const LoadCaseResult r = analyze(c).load_cases.front();
+  EXPECT_TRUE(r.converged());
+  EXPECT_FALSE(r.axial_displacement);
+  for (const Interface i : kInterfaces) {
+    ASSERT_EQ((*r.threads)[i].axial_load.size(), 20u);
+    for (const double load : (*r.threads)[i].axial_load) EXPECT_NEAR(load, 33e3 / 220, 1e-10);
+  }
+}
+
+TEST(Analyze, DesignedMechanismIsSolvedAsTheSameOneGivenByItsRadii) {
+  const std::vector<std::string> design{"mechanism.geometry=design", "mechanism.backlash={}"};
+  Case c = lesson("04_contacts_from_geometry.yaml");
+  c.mechanism.geometry = Mechanism::Geometry::design;
+  c.mechanism.pitch_diameter.roller.reset();
+  c.mechanism.pitch_diameter.nut.reset();
+  c.mechanism.centre_distance.reset();
+  c.mechanism.backlash = {20e-6, 30e-6};
+  const Result designed = analyze(c);
+  for (const Interface i : kInterfaces)
+    EXPECT_NEAR(designed.contact[i]->geometry.point.backlash, c.mechanism.backlash[i], 1e-12);
+
+  Case given = c;
+  given.mechanism = designed.mechanism;
+  given.mechanism.geometry = Mechanism::Geometry::simulation;
+  const Result simulated = analyze(given);
+  EXPECT_EQ(designed.load_cases[0].axial_displacement, simulated.load_cases[0].axial_displacement);
+}
+
+TEST(Analyze, DesignThatDoesNotFitTheNutIsAnErrorOfTheCase) {
+  Case c = lesson("04_contacts_from_geometry.yaml");
+  c.mechanism.geometry = Mechanism::Geometry::design;
+  c.mechanism.pitch_diameter = {40e-3, {}, {}};
+  c.mechanism.centre_distance.reset();
+  EXPECT_THROW(analyze(c), CaseError);
+}
+
+TEST(Analyze, ThreadsWithoutPointContactNeedBothOverrides) {
+  Case c = lesson("01_config_1_to_3.yaml");
+  c.mechanism.profile.roller = {};
+  const Result result = analyze(c);
+  EXPECT_EQ(result.warnings.size(), 2u);
+  EXPECT_TRUE(result.load_cases[0].threads->screw.peak_pressure.empty());
+  EXPECT_FALSE(result.contact.screw);
+
+  c.contact.normal_angle.nut.reset();
+  try {
+    analyze(c);
+    FAIL();
+  } catch (const CaseError& error) {
+    EXPECT_EQ(error.path(), "mechanism");
+    EXPECT_NE(std::string(error.what()).find("roller-nut"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Analyze, WarnsOfPressuresBeyondTheStaticLimit) {
+  const Result result = analyze(lesson("01_config_1_to_3.yaml"));
+  EXPECT_TRUE(result.load_cases[0].warnings.empty());
+  ASSERT_EQ(result.load_cases[3].warnings.size(), 1u);
+  EXPECT_NE(result.load_cases[3].warnings[0].find("4.04 GPa"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace prs

@@ -1,0 +1,149 @@
+// The program as a user runs it: exit statuses, what goes to which stream, files.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int status = -1;
+  std::string out;
+  std::string err;
+};
+
+class CommandLine : public testing::Test {
+ protected:
+  fs::path folder = fs::temp_directory_path() / ("prs_cli_" + std::to_string(getpid()));
+  void SetUp() override { fs::create_directories(folder); }
+  void TearDown() override { fs::remove_all(folder); }
+
+  static std::string slurp(const fs::path& file) {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  /// Runs `prs ARGUMENTS` from the repository's root.
+  Outcome prs(const std::string& arguments) const {
+    const fs::path out = folder / "stdout", err = folder / "stderr";
+    const std::string command = "cd '" PRS_SOURCE_DIR "' && '" PRS_EXECUTABLE "' " + arguments +
+                                " >'" + out.string() + "' 2>'" + err.string() + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(err)};
+  }
+};
+
+TEST_F(CommandLine, SolvePrintsATableAndNothingElse) {
+  const Outcome run = prs("solve configs/01_config_1_to_3.yaml");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.out.find("config3-compression"), std::string::npos);
+  EXPECT_EQ(run.err, "");
+}
+
+TEST_F(CommandLine, JsonIsOneDocumentOnStandardOutput) {
+  for (const char* arguments :
+       {"solve configs/01_config_1_to_3.yaml --json", "check configs/05_standard_screw.yaml --json",
+        "validate --json", "schema --json"}) {
+    const Outcome run = prs(arguments);
+    EXPECT_EQ(run.status, 0) << arguments;
+    EXPECT_TRUE(nlohmann::json::accept(run.out)) << arguments;
+    EXPECT_EQ(run.err, "") << arguments;
+  }
+}
+
+TEST_F(CommandLine, DocumentNamesItsOrigin) {
+  const auto json = nlohmann::json::parse(prs("solve configs/01_config_1_to_3.yaml --json").out);
+  for (const char* key : {"prs_version", "schema_version", "input_sha256", "warnings"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_EQ(json["load_cases"].size(), 6u);
+  EXPECT_EQ(json["load_cases"][0]["screw"]["axial_load_N"].size(), 20u);
+}
+
+TEST_F(CommandLine, OverridesReplaceValues) {
+  const auto solve = [&](const std::string& more) {
+    return nlohmann::json::parse(
+        prs("solve configs/01_config_1_to_3.yaml --json " + more).out)["load_cases"][0];
+  };
+  const auto plain = solve(""), more = solve("--set mechanism.contacts_per_roller=15"),
+             twice = solve("--set mechanism.contacts_per_roller=15 "
+                           "--set 'load_cases[0].axial_force=20 kN'");
+  EXPECT_EQ(more["screw"]["axial_load_N"].size(), 15u);
+  EXPECT_EQ(twice["axial_force_N"], 20000.0);
+  EXPECT_LT(more["axial_stiffness_N_per_um"], plain["axial_stiffness_N_per_um"]);
+}
+
+TEST_F(CommandLine, WrongInputIsStatus2WithItsPlaceAndNoOutput) {
+  std::ofstream(folder / "bad.yaml") << "mechanism: {rollers: none}\n";
+  const std::string file = (folder / "bad.yaml").string();
+  for (const std::string& arguments :
+       std::vector<std::string>{"solve " + file, "solve --json " + file, "check " + file,
+        "solve " + file + " --output " + (folder / "files").string()}) {
+    const Outcome run = prs(arguments);
+    EXPECT_EQ(run.status, 2) << arguments;
+    EXPECT_EQ(run.out, "") << arguments;
+    EXPECT_NE(run.err.find(file + ":1:"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("error: "), std::string::npos) << run.err;
+  }
+  EXPECT_FALSE(fs::exists(folder / "files"));
+}
+
+TEST_F(CommandLine, WhatOnlyTheGeometryRevealsIsReportedAtItsPlace) {
+  const Outcome run = prs("solve configs/04_contacts_from_geometry.yaml --json --set "
+                      "mechanism.profile.roller=straight");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_NE(run.err.find("configs/04_contacts_from_geometry.yaml:"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("roller-screw"), std::string::npos) << run.err;
+}
+
+TEST_F(CommandLine, WrongCommandLineIsStatus2) {
+  for (const char* arguments :
+       {"", "frobnicate", "solve", "solve a.yaml b.yaml", "solve configs/missing.yaml",
+        "solve configs", "solve configs/01_config_1_to_3.yaml --set", "check --nonsense x.yaml",
+        "validate /nonexistent"}) {
+    const Outcome run = prs(arguments);
+    EXPECT_EQ(run.status, 2) << arguments << run.err;
+    EXPECT_EQ(run.out, "") << arguments;
+    EXPECT_NE(run.err, "") << arguments;
+  }
+}
+
+TEST_F(CommandLine, HelpAndVersionAreStatus0) {
+  for (const char* arguments : {"--help", "--version", "solve --help"}) {
+    const Outcome run = prs(arguments);
+    EXPECT_EQ(run.status, 0) << arguments;
+    EXPECT_NE(run.out, "") << arguments;
+  }
+}
+
+TEST_F(CommandLine, OutputWritesWhatOtherToolsOpen) {
+  const fs::path files = folder / "deep" / "files";
+  const Outcome run = prs("solve configs/03_load_sweep.yaml --quiet --output '" + files.string() + "'");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out, "");
+  for (const char* name : {"result.json", "load_cases.csv", "load_distribution.csv",
+                           "plots/load_distribution.gp", "plots/stiffness.gp", "plots/butterfly.gp"})
+    EXPECT_TRUE(fs::exists(files / name)) << name;
+  std::ifstream csv(files / "load_cases.csv");
+  std::string line;
+  int lines = 0;
+  while (std::getline(csv, line)) ++lines;
+  EXPECT_EQ(lines, 1 + 270);
+}
+
+TEST_F(CommandLine, OutputThatCannotBeWrittenIsStatus1) {
+  std::ofstream(folder / "file") << "x";
+  const Outcome run = prs("solve configs/01_config_1_to_3.yaml --json --output '" +
+                      (folder / "file").string() + "'");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.err.find("file"), std::string::npos);
+}
+
+}  // namespace

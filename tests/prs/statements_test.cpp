@@ -1,0 +1,47 @@
+#include "validation/abevi_2015/statements.h"
+
+#include <gtest/gtest.h>
+
+#include "prs/input/reader.h"
+
+namespace prs {
+namespace {
+
+/// What a second, independent computation of the paper found to hold.
+TEST(Abevi2015, StatementsThatHoldWithThePapersOwnGuidance) {
+  const Case screw = input::read_case(PRS_SOURCE_DIR "/validation/abevi_2015/screw.yaml", {},
+                                      Command::solve);
+  const std::vector<JudgedStatement> judged = abevi_2015::judge_statements(screw);
+  const auto kind = [&](const std::string& words) {
+    for (const JudgedStatement& s : judged)
+      if (s.text.find(words) != std::string::npos) return s.verdict.kind;
+    ADD_FAILURE() << "no statement says: " << words;
+    return Verdict::Kind::does_not_hold;
+  };
+  using enum Verdict::Kind;
+  EXPECT_EQ(kind("increases under tensile loading"), holds);
+  EXPECT_EQ(kind("decreases under compressive loading"), holds);
+  EXPECT_EQ(kind("most critical situation"), holds);
+  EXPECT_EQ(kind("load decreases from the first thread"), holds);
+  EXPECT_EQ(kind("first active thread of the screw shaft is the most loaded"), holds);
+  EXPECT_EQ(kind("first active thread remains the most loaded"), holds);
+  EXPECT_EQ(kind("reduced by about 40 %"), does_not_hold);
+  EXPECT_EQ(kind("almost 1.5 times higher"), holds_only_with);
+  EXPECT_EQ(kind("quite uniform"), does_not_hold);
+}
+
+TEST(Statements, AreJudgedByThePlainModelFirst) {
+  const Statement<int> even{"1", "is even", [](int n) {
+                              return Finding{n % 2 == 0, std::to_string(n)};
+                            }};
+  const auto judged = [&](int plain, int a, int b) {
+    return judge(even, std::vector<Variant<int>>{{"plain", plain}, {"a", a}, {"b", b}});
+  };
+  EXPECT_EQ(judged(2, 1, 1).kind, Verdict::Kind::holds);
+  EXPECT_EQ(judged(1, 1, 1).kind, Verdict::Kind::does_not_hold);
+  EXPECT_EQ(judged(1, 1, 4).kind, Verdict::Kind::holds_only_with);
+  EXPECT_EQ(judged(1, 1, 4).only_with, std::vector<std::string>{"b"});
+}
+
+}  // namespace
+}  // namespace prs
