@@ -9,7 +9,6 @@
 #include "prs/case_error.h"
 #include "prs/check_case.h"
 #include "prs/load_distribution.h"
-#include "prs/threads.h"
 
 namespace prs {
 namespace {
@@ -30,30 +29,30 @@ ContactLaw contact_law(const Case& c, Interface i, const InterfaceContact& conta
           angle ? *angle : contact.normal_angle()};
 }
 
-void add_hertz_contacts(InterfaceLoads& loads, const contact::HertzConstants& hertz) {
+void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact) {
   for (const double normal_load : loads.normal_load) {
-    const contact::HertzContact at = contact::at_load(hertz, normal_load);
+    const contact::HertzContact at = contact::at_load(contact.hertz, normal_load);
     loads.semi_major.push_back(at.semi_major);
     loads.semi_minor.push_back(at.semi_minor);
     loads.peak_pressure.push_back(at.peak_pressure);
+    loads.max_shear_stress.push_back(contact.shear.shear_over_pressure * at.peak_pressure);
+    loads.max_shear_depth.push_back(contact.shear.depth_over_semi_minor * at.semi_minor);
   }
 }
 
-InterfaceLoads interface_loads(const LoadCase& load_case, const Mechanism& m, const ContactLaw& law,
-                               const InterfaceContact& contact, std::vector<double> normal_load,
-                               std::vector<double> approach) {
+InterfaceLoads interface_loads(const LoadCase& load_case, const Contacts& contacts, Interface i,
+                               double normal_angle, std::vector<double> normal_load) {
   InterfaceLoads loads;
-  loads.hertz_constant = law.hertz_constant;
-  loads.normal_angle = law.normal_angle;
+  loads.normal_angle = normal_angle;
   loads.normal_load = std::move(normal_load);
-  loads.approach = std::move(approach);
-  const double cosine = std::cos(law.normal_angle);
-  const double roller_force = std::abs(load_case.axial_force) / m.rollers;
+  const double cosine = std::cos(normal_angle);
+  const double roller_force = std::abs(load_case.axial_force) / contacts.mechanism.rollers;
   for (const double n : loads.normal_load) {
     loads.axial_load.push_back(n * cosine);
     loads.load_rate.push_back(n * cosine / roller_force);
   }
-  if (contact.has_hertz()) add_hertz_contacts(loads, contact.hertz);
+  const InterfaceContact& contact = contacts.interfaces[i];
+  if (contact.has_hertz()) add_hertz_contacts(loads, contact);
   return loads;
 }
 
@@ -70,7 +69,22 @@ std::vector<double> hertz_approaches(const std::vector<double>& normal_load, dou
   return approach;
 }
 
-std::vector<std::string> thread_warnings(const PerInterface<InterfaceLoads>& threads) {
+/// The most loaded thread's ellipse against the ends of the flanks.
+void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& contacts,
+                                  Interface i, std::vector<std::string>& warnings) {
+  if (loads.semi_major.empty()) return;
+  const auto violations = contact::ellipse_beyond_flanks(
+      pair_of(contacts.threads, i), contacts.interfaces[i].geometry,
+      *std::max_element(loads.semi_major.begin(), loads.semi_major.end()),
+      *std::max_element(loads.semi_minor.begin(), loads.semi_minor.end()));
+  for (const contact::FlankViolation& v : violations)
+    warnings.push_back(
+        fmt::format("the largest {} ellipse reaches {:.4f} mm beyond the {} of the {}", label(i),
+                    v.by * 1e3, contact::name(v.end), v.of_roller ? "roller" : key(i)));
+}
+
+std::vector<std::string> thread_warnings(const PerInterface<InterfaceLoads>& threads,
+                                         const Contacts& contacts) {
   std::vector<std::string> warnings;
   for (const Interface i : kInterfaces) {
     const auto open = std::count(threads[i].normal_load.begin(), threads[i].normal_load.end(), 0.0);
@@ -82,6 +96,7 @@ std::vector<std::string> thread_warnings(const PerInterface<InterfaceLoads>& thr
     if (highest != pressure.end() && *highest > kStaticPressureLimit)
       warnings.push_back(fmt::format("{} peak pressure {:.2f} GPa exceeds {:.1f} GPa", label(i),
                                      *highest * 1e-9, kStaticPressureLimit * 1e-9));
+    warn_of_ellipse_beyond_flank(threads[i], contacts, i, warnings);
   }
   return warnings;
 }
@@ -109,26 +124,27 @@ class SolverPool {
   std::map<std::pair<Direction, double>, SectorSolver> solvers_;
 };
 
-LoadCaseResult equal_share_result(const Case& c, const LoadCase& load_case,
-                                  const PerInterface<ContactLaw>& laws,
-                                  const PerInterface<InterfaceContact>& contacts) {
+/// Threads with equal loads by assumption; approaches follow where the Hertz constants are known.
+LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,
+                                  const PerInterface<double>& normal_angle,
+                                  const PerInterface<std::optional<double>>& hertz_constant) {
   LoadCaseResult result;
   result.load_case = load_case;
   PerInterface<InterfaceLoads> threads;
   for (const Interface i : kInterfaces) {
     const std::vector<double> loads =
-        equal_normal_loads(load_case, c.mechanism, laws[i].normal_angle);
-    threads[i] = interface_loads(load_case, c.mechanism, laws[i], contacts[i], loads,
-                                 hertz_approaches(loads, laws[i].hertz_constant));
+        equal_normal_loads(load_case, contacts.mechanism, normal_angle[i]);
+    threads[i] = interface_loads(load_case, contacts, i, normal_angle[i], loads);
+    threads[i].hertz_constant = hertz_constant[i];
+    if (hertz_constant[i]) threads[i].approach = hertz_approaches(loads, *hertz_constant[i]);
   }
-  result.warnings = thread_warnings(threads);
+  result.warnings = thread_warnings(threads, contacts);
   result.threads = std::move(threads);
   return result;
 }
 
-LoadCaseResult solved_result(const Case& c, const LoadCase& load_case,
-                             const PerInterface<ContactLaw>& laws,
-                             const PerInterface<InterfaceContact>& contacts, SolverPool& pool) {
+LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts,
+                             const PerInterface<ContactLaw>& laws, SolverPool& pool) {
   LoadCaseResult result;
   result.load_case = load_case;
   SectorSolver& solver = pool.at(*load_case.direction, *load_case.position);
@@ -144,46 +160,81 @@ LoadCaseResult solved_result(const Case& c, const LoadCase& load_case,
   result.axial_stiffness = load_case.axial_force / d.axial_displacement;
   result.tangent_stiffness = d.tangent_stiffness;
   PerInterface<InterfaceLoads> threads;
-  for (const Interface i : kInterfaces)
-    threads[i] = interface_loads(load_case, c.mechanism, laws[i], contacts[i],
-                                 std::move(d.normal_load[i]), std::move(d.approach[i]));
-  result.warnings = thread_warnings(threads);
+  for (const Interface i : kInterfaces) {
+    threads[i] = interface_loads(load_case, contacts, i, laws[i].normal_angle,
+                                 std::move(d.normal_load[i]));
+    threads[i].hertz_constant = laws[i].hertz_constant;
+    threads[i].approach = std::move(d.approach[i]);
+  }
+  result.warnings = thread_warnings(threads, contacts);
   result.threads = std::move(threads);
   return result;
 }
 
-/// The case with its mechanism resolved. A designed mechanism must fit the structure as well.
-Case with_resolved_mechanism(const Case& c) {
-  Case r = c;
-  r.mechanism = resolved(c.mechanism);
-  if (c.mechanism.geometry == Mechanism::Geometry::design)
-    for (const Problem& problem : check_case(r)) throw CaseError(problem.path, problem.message);
-  return r;
+/// Contacts whose mechanism fits the structure, also where the mechanism had to be designed.
+Contacts checked_contacts(const Case& c) {
+  Contacts contacts = find_contacts(c.mechanism, c.materials);
+  if (c.mechanism.geometry == Mechanism::Geometry::design) {
+    Case designed = c;
+    designed.mechanism = contacts.mechanism;
+    designed.mechanism.geometry = Mechanism::Geometry::simulation;
+    for (const Problem& problem : check_case(designed))
+      throw CaseError(problem.path, problem.message);
+  }
+  return contacts;
 }
 
 }  // namespace
 
 Result analyze(const Case& given) {
-  const Case c = with_resolved_mechanism(given);
   Result result;
-  result.mechanism = c.mechanism;
-  const PerInterface<InterfaceContact> contacts = interface_contacts(c.mechanism, c.materials);
+  result.contacts = checked_contacts(given);
+  result.warnings = result.contacts.warnings;
+  Case c = given;
+  c.mechanism = result.contacts.mechanism;
+
   PerInterface<ContactLaw> laws;
+  PerInterface<double> normal_angle;
+  PerInterface<std::optional<double>> hertz_constant;
   for (const Interface i : kInterfaces) {
-    laws[i] = contact_law(c, i, contacts[i]);
-    if (contacts[i].has_hertz())
-      result.contact[i] = contacts[i];
-    else
+    const InterfaceContact& contact = result.contacts.interfaces[i];
+    laws[i] = contact_law(c, i, contact);
+    normal_angle[i] = laws[i].normal_angle;
+    hertz_constant[i] = laws[i].hertz_constant;
+    if (!contact.has_hertz())
       result.warnings.push_back(fmt::format(
           "the {} threads give no Hertz contact ({}): ellipses and pressures are absent", label(i),
-          failure(contacts[i], i)));
+          failure(contact, i)));
   }
 
   SolverPool pool(c, laws);
   for (const LoadCase& load_case : c.load_cases)
-    result.load_cases.push_back(load_case.share == LoadCase::Share::equal
-                                    ? equal_share_result(c, load_case, laws, contacts)
-                                    : solved_result(c, load_case, laws, contacts, pool));
+    result.load_cases.push_back(
+        load_case.share == LoadCase::Share::equal
+            ? equal_share_result(load_case, result.contacts, normal_angle, hertz_constant)
+            : solved_result(load_case, result.contacts, laws, pool));
+  return result;
+}
+
+Result analyze_contacts(const Case& c) {
+  Result result;
+  result.contacts = checked_contacts(c);
+  result.warnings = result.contacts.warnings;
+  PerInterface<double> normal_angle;
+  PerInterface<std::optional<double>> hertz_constant;
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = result.contacts.interfaces[i];
+    if (!contact.geometry.ok() || (c.materials && !contact.hertz.ok()))
+      throw CaseError("mechanism", fmt::format("the {} threads give no point contact: {}; mend "
+                                               "profiles, flank angles or diameters",
+                                               label(i), failure(contact, i)));
+    normal_angle[i] = contact.normal_angle();
+    if (c.materials) hertz_constant[i] = contact.hertz.hertz_constant;
+  }
+  for (const LoadCase& load_case : c.load_cases)
+    if (load_case.share == LoadCase::Share::equal)
+      result.load_cases.push_back(
+          equal_share_result(load_case, result.contacts, normal_angle, hertz_constant));
   return result;
 }
 

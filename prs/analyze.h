@@ -17,4 +17,9 @@ inline constexpr double kStaticPressureLimit = 4.0e9;
 /// Throws CaseError where the geometry gives no contact and the case does not override it.
 Result analyze(const Case& c);
 
+/// The first half of the chain: contact points, curvatures and, where materials are given, Hertz
+/// contacts, with the ellipses and pressures of the load cases that have `share: equal`. The other
+/// load cases are left out. Throws CaseError where an interface has no contact.
+Result analyze_contacts(const Case& c);
+
 }  // namespace prs

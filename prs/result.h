@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "fe/newton.h"
-#include "prs/interface_contact.h"
+#include "prs/contacts.h"
 #include "prs/load_case.h"
-#include "prs/mechanism.h"
 #include "prs/part.h"
 
 namespace prs {
@@ -15,7 +14,7 @@ namespace prs {
 /// Per-thread results of one interface of one roller; thread 1, next to the loaded end of the
 /// screw, stands first. SI units.
 struct InterfaceLoads {
-  double hertz_constant = 0.0;      ///< As used in the solve [N/m^1.5].
+  std::optional<double> hertz_constant;  ///< As used in the solve [N/m^1.5].
   double normal_angle = 0.0;        ///< As used in the solve [rad].
   std::vector<double> axial_load;   ///< [N]
   std::vector<double> normal_load;  ///< axial / cos psi [N]
@@ -23,7 +22,9 @@ struct InterfaceLoads {
   std::vector<double> approach;     ///< delta [m]
   std::vector<double> semi_major;   ///< Empty where the geometry gives no contact.
   std::vector<double> semi_minor;
-  std::vector<double> peak_pressure;  ///< [Pa]
+  std::vector<double> peak_pressure;     ///< [Pa]
+  std::vector<double> max_shear_stress;  ///< Largest below the surface [Pa].
+  std::vector<double> max_shear_depth;   ///< Where it acts, for the case depth [m].
 };
 
 /// Answer to one load case. With `share: equal` nothing is solved: status, displacement and
@@ -42,8 +43,7 @@ struct LoadCaseResult {
 
 /// Everything that `analyze` computes from a case.
 struct Result {
-  Mechanism mechanism;  ///< Resolved: with all pitch diameters and the centre distance.
-  PerInterface<std::optional<InterfaceContact>> contact;
+  Contacts contacts;
   std::vector<LoadCaseResult> load_cases;
   std::vector<std::string> warnings;
 };

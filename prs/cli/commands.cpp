@@ -17,9 +17,10 @@
 #include "prs/output/json.h"
 #include "prs/output/plots.h"
 #include "prs/output/sha256.h"
+#include "prs/output/contact_table.h"
 #include "prs/output/table.h"
-#include "prs/summary.h"
-#include "prs/threads.h"
+#include "prs/output/warnings.h"
+#include "prs/unusual.h"
 #include "prs/validation/validate.h"
 #include "prs/version.h"
 #include "validation/abevi_2015/statements.h"
@@ -48,6 +49,28 @@ auto compute_from(const input::Source& source, Compute compute) {
   }
 }
 
+/// The JSON document, where it is asked for.
+std::string document_of(const Result& result, const input::Source& source,
+                        const Options& options) {
+  if (!options.json && !options.output) return {};
+  return json_text(to_json(result, document_info(source)));
+}
+
+/// One document with the warnings beside it, or the table that `table` makes.
+template <class Table>
+void print_result(const Result& result, const Options& options, const std::string& document,
+                  Table table) {
+  if (options.json) {
+    print(document);
+    const std::string warnings = warning_summary(result);
+    if (!warnings.empty()) note(options, warnings);
+    return;
+  }
+  if (options.quiet) return;
+  print(table());
+  if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
+}
+
 /// The cases that a terminal shows thread by thread: not the points of a range.
 constexpr std::size_t kMostCharts = 1;
 
@@ -55,17 +78,32 @@ constexpr std::size_t kMostCharts = 1;
 
 int check(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
-  input::CaseInput in = input::read_case_input(source, Command::check);
-  in.values.mechanism = compute_from(source, [&] { return resolved(in.values.mechanism); });
-  const MechanismSummary summary = summarize(in.values.mechanism);
-  const std::vector<std::string> warnings = unusual_geometry(in.values);
+  const input::CaseInput in = input::read_case_input(source, Command::check);
+  const Contacts contacts =
+      compute_from(source, [&] { return find_contacts(in.values.mechanism, in.values.materials); });
+  const std::vector<std::string> unusual = unusual_geometry(in.values, contacts);
   const std::string document =
-      json_text(check_json(in.fields, summary, warnings, document_info(source)));
+      json_text(check_json(in.fields, contacts, unusual, document_info(source)));
   if (options.output) write_files(*options.output, {{"check.json", document}});
-  if (options.json)
+  if (options.json) {
     print(document);
-  else if (!options.quiet)
-    print(check_table(in.fields, summary, warnings));
+    for (const std::string& warning : unusual) note(options, "warning: " + warning);
+  } else if (!options.quiet) {
+    print(check_table(in.fields, contacts, unusual));
+  }
+  return kDone;
+}
+
+int contact(const Options& options) {
+  const input::Source source = input::load_source(options.file, options.overrides);
+  const input::CaseInput in = input::read_case_input(source, Command::contact);
+  const Result result = compute_from(source, [&] { return analyze_contacts(in.values); });
+  const std::string document = document_of(result, source, options);
+  if (options.output) {
+    write_files(*options.output, {{"contact.json", document}});
+    for (const std::string& text : draw_contact_plots(result, *options.output)) note(options, text);
+  }
+  print_result(result, options, document, [&] { return contact_table(result); });
   return kDone;
 }
 
@@ -73,26 +111,20 @@ int solve(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::solve);
   const Result result = compute_from(source, [&] { return analyze(in.values); });
-  const std::string document =
-      options.json || options.output ? json_text(to_json(result, document_info(source))) : "";
-
+  const std::string document = document_of(result, source, options);
   if (options.output) {
     write_files(*options.output, {{"result.json", document},
                                   {"load_cases.csv", load_cases_csv(result)},
                                   {"load_distribution.csv", load_distribution_csv(result)}});
     for (const std::string& text : draw_plots(result, *options.output)) note(options, text);
   }
-  if (options.json) {
-    print(document);
-  } else if (!options.quiet) {
-    print(load_case_table(result));
+  print_result(result, options, document, [&] {
+    std::string text = load_case_table(result);
     if (result.load_cases.size() <= kMostCharts)
-      for (const LoadCaseResult& r : result.load_cases) {
-        print("\n");
-        print(load_distribution_chart(r));
-      }
-    if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
-  }
+      for (const LoadCaseResult& r : result.load_cases)
+        text.append("\n").append(load_distribution_chart(r));
+    return text;
+  });
   const bool converged = std::all_of(result.load_cases.begin(), result.load_cases.end(),
                                      [](const LoadCaseResult& r) { return r.converged(); });
   return converged ? kDone : kNotConverged;

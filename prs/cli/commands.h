@@ -20,6 +20,7 @@ struct Options {
 enum Exit { kDone = 0, kFailed = 1, kWrongInput = 2, kNotConverged = 3 };
 
 int check(const Options& options);
+int contact(const Options& options);
 int solve(const Options& options);
 int schema(const Options& options);
 /// `options.file` is the directory of the sources.

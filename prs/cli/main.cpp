@@ -51,6 +51,9 @@ int main(int argc, char** argv) {
   add_case_options(
       *command("check", "Validate a case; print every value, default and derived", prs::cli::check),
       options);
+  add_case_options(*command("contact", "Contact points, backlash, curvatures, ellipses, pictures",
+                            prs::cli::contact),
+                   options);
   add_case_options(*command("solve", "Load distribution, pressures, displacement and stiffness",
                             prs::cli::solve),
                    options);

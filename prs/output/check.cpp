@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "prs/output/text.h"
 #include "prs/output/units.h"
@@ -12,47 +14,52 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What follows from the mechanism, as documents and tables show it.
-std::vector<std::pair<std::string, double>> derived(const MechanismSummary& s) {
-  return {{"axial_pitch_mm", s.axial_pitch * per_si::millimetre},
-          {"contact_length_mm", s.contact_length * per_si::millimetre},
-          {"helix_angle_deg.screw", s.helix_angle.screw * per_si::degree},
-          {"helix_angle_deg.roller", s.helix_angle.roller * per_si::degree},
-          {"helix_angle_deg.nut", s.helix_angle.nut * per_si::degree},
-          {"roller_spacing_mm", s.roller_spacing * per_si::millimetre},
-          {"rollers_that_fit", s.rollers_that_fit}};
+struct Derived {
+  const char* key;
+  double value;
+};
+
+/// Lengths that follow from the mechanism.
+std::vector<Derived> lengths(const Mechanism& m) {
+  const double contact_length = (m.contacts_per_roller - 1) * axial_pitch(m);
+  const double spacing = 2.0 * *m.centre_distance * std::sin(std::numbers::pi / m.rollers);
+  return {{"axial_pitch_mm", axial_pitch(m) * per_si::millimetre},
+          {"contact_length_mm", contact_length * per_si::millimetre},
+          {"roller_spacing_mm", spacing * per_si::millimetre}};
 }
 
 }  // namespace
 
-std::string check_table(const std::vector<input::EchoEntry>& fields,
-                        const MechanismSummary& summary, const std::vector<std::string>& warnings) {
+std::string check_table(const std::vector<input::EchoEntry>& fields, const Contacts& contacts,
+                        const std::vector<std::string>& unusual) {
   std::string text = "Input\n";
   for (const input::EchoEntry& f : fields)
     text += fmt::format("  {:<42} {}{}\n", f.path, printable(f.value),
                         f.is_default ? "   (default)" : "");
   text += "\nDerived\n";
-  for (const auto& [key, value] : derived(summary))
+  const auto line = [&](const std::string& key, double value) {
     text += fmt::format("  {:<42} {:.8g}\n", key, value);
-  if (!warnings.empty()) text += "\nUnusual\n";
-  for (const std::string& warning : warnings) text += wrapped(warning, "  ", 110);
+  };
+  for (const auto& [key, value] : lengths(contacts.mechanism)) line(key, value);
+  const Json json = contacts_json(contacts);
+  line("centre_distance_mm", json["centre_distance_mm"]);
+  for (const char* key : {"pitch_diameter_mm", "helix_angle_deg"})
+    for (const auto& [part, value] : json[key].items()) line(fmt::format("{}.{}", key, part), value);
+  line("max_rollers", json["max_rollers"]);
+  if (!unusual.empty()) text += "\nUnusual\n";
+  for (const std::string& note : unusual) text += wrapped(note, "  ", 110);
   return text;
 }
 
 nlohmann::ordered_json check_json(const std::vector<input::EchoEntry>& fields,
-                                  const MechanismSummary& summary,
-                                  const std::vector<std::string>& warnings,
+                                  const Contacts& contacts,
+                                  const std::vector<std::string>& unusual,
                                   const DocumentInfo& info) {
-  Json document = document_head(info, warnings);
+  Json document = document_head(info, unusual);
   for (const input::EchoEntry& f : fields)
     document["input"].push_back({{"path", f.path}, {"value", f.value}, {"default", f.is_default}});
-  for (const auto& [key, value] : derived(summary)) {
-    const std::size_t dot = key.find('.');
-    if (dot == std::string::npos)
-      document["derived"][key] = value;
-    else
-      document["derived"][key.substr(0, dot)][key.substr(dot + 1)] = value;
-  }
+  for (const auto& [key, value] : lengths(contacts.mechanism)) document["derived"][key] = value;
+  document["contact"] = contacts_json(contacts);
   return document;
 }
 

@@ -4,19 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "prs/contacts.h"
 #include "prs/input/echo.h"
 #include "prs/output/json.h"
-#include "prs/summary.h"
 
 namespace prs {
 
 /// The resolved case: every value, whether it is a default, what follows from it, what is unusual.
-std::string check_table(const std::vector<input::EchoEntry>& fields,
-                        const MechanismSummary& summary, const std::vector<std::string>& warnings);
+std::string check_table(const std::vector<input::EchoEntry>& fields, const Contacts& contacts,
+                        const std::vector<std::string>& unusual);
 
 nlohmann::ordered_json check_json(const std::vector<input::EchoEntry>& fields,
-                                  const MechanismSummary& summary,
-                                  const std::vector<std::string>& warnings,
+                                  const Contacts& contacts,
+                                  const std::vector<std::string>& unusual,
                                   const DocumentInfo& info);
 
 }  // namespace prs

@@ -24,7 +24,7 @@ Json shown(const contact::PrincipalValues& values, double factor) {
   return shown(std::array{values.first, values.second}, factor);
 }
 
-Json contact_json(const InterfaceContact& contact) {
+Json interface_json(const InterfaceContact& contact, bool same_pitch) {
   const contact::InterfaceGeometry& g = contact.geometry;
   Json json;
   put(json, "radius_on_body_mm", g.point.radius_on_body, per_si::millimetre);
@@ -38,9 +38,24 @@ Json contact_json(const InterfaceContact& contact) {
   put(json, "first_directions_angle_deg", g.first_directions_angle(), per_si::degree);
   put(json, "normal_angle_deg", g.point.normal_angle(), per_si::degree);
   json["normal"] = g.point.normal;
-  if (contact.hertz.ok())
-    put(json, "hertz_constant_N_per_mm1_5", contact.hertz.hertz_constant,
-        per_si::newton_per_millimetre1_5);
+  if (same_pitch) put(json, "backlash_mm", g.point.backlash, per_si::millimetre);
+  if (!contact.hertz.ok()) return json;
+  put(json, "hertz_constant_N_per_mm1_5", contact.hertz.hertz_constant,
+      per_si::newton_per_millimetre1_5);
+  put(json, "ellipticity", contact.hertz.ellipticity);
+  put(json, "semi_major_mm_per_N1_3", contact.hertz.semi_major_per_cbrt_load, per_si::millimetre);
+  put(json, "semi_minor_mm_per_N1_3", contact.hertz.semi_minor_per_cbrt_load, per_si::millimetre);
+  put(json, "max_shear_over_peak_pressure", contact.shear.shear_over_pressure);
+  put(json, "max_shear_depth_over_semi_minor", contact.shear.depth_over_semi_minor);
+  return json;
+}
+
+/// An object {screw, roller, nut} of what `value` says of each thread.
+Json per_part(const contact::MechanismGeometry& threads, auto value) {
+  Json json;
+  json["screw"] = value(threads.screw);
+  json["roller"] = value(threads.roller);
+  json["nut"] = value(threads.nut);
   return json;
 }
 
@@ -107,10 +122,32 @@ nlohmann::ordered_json document_head(const DocumentInfo& info,
   return document;
 }
 
+nlohmann::ordered_json contacts_json(const Contacts& contacts) {
+  const contact::MechanismGeometry& threads = contacts.threads;
+  Json json;
+  put(json, "centre_distance_mm", threads.centre_distance, per_si::millimetre);
+  json["pitch_diameter_mm"] = per_part(threads, [](const contact::Thread& thread) {
+    return 2.0 * thread.pitch_radius * per_si::millimetre;
+  });
+  json["helix_angle_deg"] = per_part(threads, [](const contact::Thread& thread) {
+    return contact::ThreadSurface(thread).helix_angle() * per_si::degree;
+  });
+  json["profile_radius_limits_mm"] = per_part(threads, [](const contact::Thread& thread) {
+    const contact::RadiusLimits limits = contact::flank_limits(thread);
+    return shown(std::array{limits.smallest, limits.largest}, per_si::millimetre);
+  });
+  json["max_rollers"] = contact::largest_roller_count(threads);
+  for (const Interface i : kInterfaces) {
+    const contact::Thread& body = i == Interface::screw ? threads.screw : threads.nut;
+    if (contacts.interfaces[i].geometry.ok())
+      json[name(i)] = interface_json(contacts.interfaces[i], body.pitch == threads.roller.pitch);
+  }
+  return json;
+}
+
 nlohmann::ordered_json to_json(const Result& result, const DocumentInfo& info) {
   Json document = document_head(info, result.warnings);
-  for (const Interface i : kInterfaces)
-    if (result.contact[i]) document["contact"][name(i)] = contact_json(*result.contact[i]);
+  document["contact"] = contacts_json(result.contacts);
   document["load_cases"] = Json::array();
   for (const LoadCaseResult& load_case : result.load_cases)
     document["load_cases"].push_back(load_case_json(load_case));

@@ -20,6 +20,9 @@ struct DocumentInfo {
 nlohmann::ordered_json document_head(const DocumentInfo& info,
                                      const std::vector<std::string>& warnings);
 
+/// What every document says of the mechanism's contacts, under `contact`.
+nlohmann::ordered_json contacts_json(const Contacts& contacts);
+
 /// The document of `--json`: units stand in the keys, arrays start at the thread next to the loaded
 /// end of the screw. What the result does not define is absent, as is a number that is not finite.
 nlohmann::ordered_json to_json(const Result& result, const DocumentInfo& info);

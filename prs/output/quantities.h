@@ -27,6 +27,8 @@ inline constexpr ThreadQuantity kThreadQuantities[] = {
     {"semi_major_mm", &InterfaceLoads::semi_major, per_si::millimetre},
     {"semi_minor_mm", &InterfaceLoads::semi_minor, per_si::millimetre},
     {"peak_pressure_MPa", &InterfaceLoads::peak_pressure, per_si::megapascal},
+    {"max_shear_stress_MPa", &InterfaceLoads::max_shear_stress, per_si::megapascal},
+    {"max_shear_depth_mm", &InterfaceLoads::max_shear_depth, per_si::millimetre},
 };
 
 /// A result with one value a load case, absent where the case does not define it.

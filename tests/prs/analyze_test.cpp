@@ -40,7 +40,7 @@ TEST(Analyze, LoadRatesAreAxialLoadsOverForcePerRollerAndSumToOne) {
         EXPECT_NEAR(loads.axial_load[k] / (loads.normal_load[k] * std::cos(loads.normal_angle)),
                     1.0, 1e-14);
         EXPECT_NEAR(loads.normal_load[k] /
-                        (loads.hertz_constant * std::pow(loads.approach[k], 1.5)),
+                        (*loads.hertz_constant * std::pow(loads.approach[k], 1.5)),
                     1.0, 1e-13);
       }
     }
@@ -58,7 +58,7 @@ TEST(Analyze, PressuresFollowFromGeometryAlsoWithOverrides) {
     EXPECT_NEAR(pressure_per_cbrt(with) / pressure_per_cbrt(without), 1.0, 1e-14);
     EXPECT_EQ((*with.load_cases[0].threads).screw.hertz_constant, 3.6062e5 * std::pow(1e3, 1.5));
     EXPECT_EQ((*without.load_cases[0].threads)[i].hertz_constant,
-              without.contact[i]->hertz.hertz_constant);
+              without.contacts.interfaces[i].hertz.hertz_constant);
   }
 }
 
@@ -113,10 +113,10 @@ TEST(Analyze, DesignedMechanismIsSolvedAsTheSameOneGivenByItsRadii) {
   c.mechanism.backlash = {20e-6, 30e-6};
   const Result designed = analyze(c);
   for (const Interface i : kInterfaces)
-    EXPECT_NEAR(designed.contact[i]->geometry.point.backlash, c.mechanism.backlash[i], 1e-12);
+    EXPECT_NEAR(designed.contacts.interfaces[i].geometry.point.backlash, c.mechanism.backlash[i], 1e-12);
 
   Case given = c;
-  given.mechanism = designed.mechanism;
+  given.mechanism = designed.contacts.mechanism;
   given.mechanism.geometry = Mechanism::Geometry::simulation;
   const Result simulated = analyze(given);
   EXPECT_EQ(designed.load_cases[0].axial_displacement, simulated.load_cases[0].axial_displacement);
@@ -136,7 +136,7 @@ TEST(Analyze, ThreadsWithoutPointContactNeedBothOverrides) {
   const Result result = analyze(c);
   EXPECT_EQ(result.warnings.size(), 2u);
   EXPECT_TRUE(result.load_cases[0].threads->screw.peak_pressure.empty());
-  EXPECT_FALSE(result.contact.screw);
+  EXPECT_FALSE(result.contacts.interfaces.screw.has_hertz());
 
   c.contact.normal_angle.nut.reset();
   try {

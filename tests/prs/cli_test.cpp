@@ -49,13 +49,20 @@ TEST_F(CommandLine, SolvePrintsATableAndNothingElse) {
 
 TEST_F(CommandLine, JsonIsOneDocumentOnStandardOutput) {
   for (const char* arguments :
-       {"solve configs/01_config_1_to_3.yaml --json", "check configs/05_standard_screw.yaml --json",
-        "validate --json", "schema --json"}) {
+       {"solve configs/01_config_1_to_3.yaml --json --quiet", "validate --json", "schema --json",
+        "check configs/05_standard_screw.yaml --json --quiet",
+        "contact configs/05_standard_screw.yaml --json --quiet"}) {
     const Outcome run = prs(arguments);
     EXPECT_EQ(run.status, 0) << arguments;
     EXPECT_TRUE(nlohmann::json::accept(run.out)) << arguments;
     EXPECT_EQ(run.err, "") << arguments;
   }
+}
+
+TEST_F(CommandLine, WarningsStandBesideTheDocument) {
+  const Outcome run = prs("solve configs/01_config_1_to_3.yaml --json");
+  EXPECT_TRUE(nlohmann::json::accept(run.out));
+  EXPECT_NE(run.err.find("exceeds 4.0 GPa"), std::string::npos) << run.err;
 }
 
 TEST_F(CommandLine, DocumentNamesItsOrigin) {

@@ -106,9 +106,14 @@ TEST(LoadDistribution, SparseAgreesWithIndependentDenseModel) {
     std::vector<double> loads = r.normal_load.screw;
     loads.insert(loads.end(), r.normal_load.nut.begin(), r.normal_load.nut.end());
     const double sector_force = force / c.mechanism.rollers;
-    EXPECT_LT(largest_difference(loads, d.normal_load), 1e-10 * sector_force) << k;
-    EXPECT_NEAR(r.axial_displacement / d.displacement, 1.0, 1e-10) << k;
-    EXPECT_NEAR(r.tangent_stiffness / c.mechanism.rollers / d.tangent_stiffness, 1.0, 1e-8) << k;
+    EXPECT_LT(largest_difference(loads, {d.normal_load.begin(), d.normal_load.end()}),
+              1e-10 * sector_force)
+        << k;
+    EXPECT_NEAR(static_cast<double>(r.axial_displacement / d.displacement), 1.0, 1e-10) << k;
+    EXPECT_NEAR(
+        static_cast<double>(r.tangent_stiffness / c.mechanism.rollers / d.tangent_stiffness), 1.0,
+        1e-8)
+        << k;
   }
 }
 

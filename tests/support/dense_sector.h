@@ -12,33 +12,37 @@ namespace test {
 
 /// The sector written a second time, straight from the formulas and with full matrices, sharing
 /// no line with `fe/` or the builder: displacement-based Newton on [screw u | nut u | roller u, v,
-/// theta] with supports by elimination of rows and columns.
+/// theta] with supports by elimination of rows and columns. Extended precision, since nothing here
+/// keeps the differences of displacements apart from their sums.
 struct DenseSector {
-  Eigen::MatrixXd linear;                 ///< Supports applied as unit rows.
-  std::vector<Eigen::VectorXd> approach;  ///< w = approach . q, screw contacts, then nut contacts.
-  std::vector<double> k0;
-  Eigen::VectorXd unit_load;
+  using Real = long double;
+  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+  Matrix linear;                 ///< Supports applied as unit rows.
+  std::vector<Vector> approach;  ///< w = approach . q, screw contacts, then nut contacts.
+  std::vector<Real> k0;
+  Vector unit_load;
   std::vector<bool> held;
 
   explicit DenseSector(const SectorCase& c) {
     const auto& m = c.mechanism;
     const auto& st = c.structure;
     const int n = m.contacts_per_roller;
-    const double p = std::abs(m.lead) / m.starts.screw;
-    const double s = c.direction == prs::Direction::tension ? -1.0 : 1.0;
-    const double pi = std::acos(-1.0);
+    const Real p = std::abs(m.lead) / m.starts.screw;
+    const Real s = c.direction == prs::Direction::tension ? -1.0 : 1.0;
+    const Real pi = std::acos(-1.0);
 
-    std::vector<double> cuts{0.0, st.nut.length};
-    const double thrust =
-        s < 0.0 ? st.nut.thrust.tension.value() : st.nut.thrust.compression.value();
+    std::vector<Real> cuts{0.0, st.nut.length};
+    const Real thrust = s < 0.0 ? st.nut.thrust.tension.value() : st.nut.thrust.compression.value();
     cuts.push_back(thrust);
     for (const auto& f : st.nut.flanges) cuts.insert(cuts.end(), {f.from, f.to});
     for (int k = 0; k < n; ++k) cuts.push_back(c.position + k * p);
     std::sort(cuts.begin(), cuts.end());
-    std::vector<double> nut;
-    for (const double x : cuts)
+    std::vector<Real> nut;
+    for (const Real x : cuts)
       if (nut.empty() || x - nut.back() >= 1e-9 * st.nut.length) nut.push_back(x);
-    const auto nut_index = [&](double x) {
+    const auto nut_index = [&](Real x) {
       int best = 0;
       for (int i = 0; i < static_cast<int>(nut.size()); ++i)
         if (std::abs(nut[static_cast<std::size_t>(i)] - x) <
@@ -53,18 +57,18 @@ struct DenseSector {
     const auto un = [&](int i) { return n + 1 + i; };
     const auto ur = [&](int i, int dof) { return n + 1 + nuts + 3 * i + dof; };
     const int size = n + 1 + nuts + 3 * rollers;
-    linear = Eigen::MatrixXd::Zero(size, size);
+    linear = Matrix::Zero(size, size);
     held.assign(static_cast<std::size_t>(size), false);
-    const auto bar = [&](int a, int b, double k) {
+    const auto bar = [&](int a, int b, Real k) {
       linear(a, a) += k;
       linear(b, b) += k;
       linear(a, b) -= k;
       linear(b, a) -= k;
     };
 
-    const double screw_ea = c.materials.screw.youngs_modulus * pi / 4 *
-                            (std::pow(*m.pitch_diameter.screw, 2) - std::pow(st.screw.bore, 2)) /
-                            m.rollers;
+    const Real screw_ea = c.materials.screw.youngs_modulus * pi / 4 *
+                          (std::pow(*m.pitch_diameter.screw, 2) - std::pow(st.screw.bore, 2)) /
+                          m.rollers;
     for (int k = 1; k < n; ++k) bar(us(k), us(k + 1), screw_ea / p);
     int loaded = us(0);
     if (st.screw.free_length > 0.0) {
@@ -74,12 +78,12 @@ struct DenseSector {
       held[0] = true;
     }
     for (int i = 1; i < nuts; ++i) {
-      const double mid =
+      const Real mid =
           0.5 * (nut[static_cast<std::size_t>(i)] + nut[static_cast<std::size_t>(i) - 1]);
-      double outer = st.nut.outer_diameter;
+      Real outer = st.nut.outer_diameter;
       for (const auto& f : st.nut.flanges)
         if (mid > f.from && mid < f.to) outer = f.outer_diameter;
-      const double area = pi / 4 * (outer * outer - std::pow(*m.pitch_diameter.nut, 2)) / m.rollers;
+      const Real area = pi / 4 * (outer * outer - std::pow(*m.pitch_diameter.nut, 2)) / m.rollers;
       bar(un(i - 1), un(i),
           c.materials.nut.youngs_modulus * area /
               (nut[static_cast<std::size_t>(i)] - nut[static_cast<std::size_t>(i) - 1]));
@@ -90,21 +94,21 @@ struct DenseSector {
     for (int i = 0; i + 1 < rollers; ++i) {
       const bool end = i == 0 || i == rollers - 2;
       const bool run_out = i == 1 || i == rollers - 3;
-      const double l = end ? st.roller.end_length : run_out ? p / 2 : p;
-      const double d = end ? st.roller.end_diameter : *m.pitch_diameter.roller;
-      const double area = pi * d * d / 4, inertia = pi * std::pow(d, 4) / 64;
+      const Real l = end ? st.roller.end_length : run_out ? p / 2 : p;
+      const Real d = end ? st.roller.end_diameter : *m.pitch_diameter.roller;
+      const Real area = pi * d * d / 4, inertia = pi * std::pow(d, 4) / 64;
       bar(ur(i, 0), ur(i + 1, 0), steel.youngs_modulus * area / l);
-      const double shear_modulus = steel.youngs_modulus / 2 / (1 + steel.poisson_ratio);
-      const double cowper = 6 * (1 + steel.poisson_ratio) / (7 + 6 * steel.poisson_ratio);
+      const Real shear_modulus = steel.youngs_modulus / 2 / (1 + steel.poisson_ratio);
+      const Real cowper = 6 * (1 + steel.poisson_ratio) / (7 + 6 * steel.poisson_ratio);
       // Flexibility of the cantilever at its end, inverted, gives the end block of the stiffness.
-      Eigen::Matrix2d flexibility;
-      const double ei = steel.youngs_modulus * inertia;
-      const double shear = c.options.roller_shear ? l / (cowper * shear_modulus * area) : 0.0;
+      Eigen::Matrix<Real, 2, 2> flexibility;
+      const Real ei = steel.youngs_modulus * inertia;
+      const Real shear = c.options.roller_shear ? l / (cowper * shear_modulus * area) : 0.0;
       flexibility << l * l * l / 3 / ei + shear, l * l / 2 / ei, l * l / 2 / ei, l / ei;
-      const Eigen::Matrix2d end_block = flexibility.inverse();
-      Eigen::Matrix<double, 2, 4> relative;  // end motion less the start's rigid motion
+      const Eigen::Matrix<Real, 2, 2> end_block = flexibility.inverse();
+      Eigen::Matrix<Real, 2, 4> relative;  // end motion less the start's rigid motion
       relative << -1, -l, 1, 0, 0, -1, 0, 1;
-      const Eigen::Matrix4d k = relative.transpose() * end_block * relative;
+      const Eigen::Matrix<Real, 4, 4> k = relative.transpose() * end_block * relative;
       const int dof[4] = {ur(i, 1), ur(i, 2), ur(i + 1, 1), ur(i + 1, 2)};
       for (int a = 0; a < 4; ++a)
         for (int b = 0; b < 4; ++b) linear(dof[a], dof[b]) += k(a, b);
@@ -130,10 +134,10 @@ struct DenseSector {
       }
     }
 
-    const double r = *m.pitch_diameter.roller / 2;
+    const Real r = *m.pitch_diameter.roller / 2;
     for (int k = 0; k < n; ++k) {
-      Eigen::VectorXd w = Eigen::VectorXd::Zero(size);
-      const double psi = c.laws.screw.normal_angle;
+      Vector w = Vector::Zero(size);
+      const Real psi = c.laws.screw.normal_angle;
       w[us(k + 1)] = s * std::cos(psi);
       w[ur(k + 2, 0)] = -s * std::cos(psi);
       w[ur(k + 2, 2)] = -s * std::cos(psi) * r;
@@ -142,8 +146,8 @@ struct DenseSector {
       k0.push_back(c.laws.screw.hertz_constant);
     }
     for (int k = 0; k < n; ++k) {
-      Eigen::VectorXd w = Eigen::VectorXd::Zero(size);
-      const double psi = c.laws.nut.normal_angle;
+      Vector w = Vector::Zero(size);
+      const Real psi = c.laws.nut.normal_angle;
       w[ur(k + 2, 0)] = s * std::cos(psi);
       w[ur(k + 2, 2)] = -s * std::cos(psi) * r;
       w[un(nut_index(c.position + k * p))] = -s * std::cos(psi);
@@ -151,44 +155,46 @@ struct DenseSector {
       approach.push_back(w);
       k0.push_back(c.laws.nut.hertz_constant);
     }
-    unit_load = Eigen::VectorXd::Zero(size);
+    unit_load = Vector::Zero(size);
     unit_load[loaded] = s;
   }
 
   struct Solution {
     bool converged = false;
-    std::vector<double> normal_load;
-    double displacement = 0.0;
-    double tangent_stiffness = 0.0;  ///< Of one sector.
+    std::vector<Real> normal_load;
+    Real displacement = 0.0;
+    Real tangent_stiffness = 0.0;  ///< Of one sector.
   };
 
-  Solution solve(double sector_force) const {
+  Solution solve(Real sector_force) const {
     const auto size = static_cast<int>(unit_load.size());
     const auto contacts = approach.size();
-    Eigen::VectorXd q = Eigen::VectorXd::Zero(size);
+    Vector q = Vector::Zero(size);
     Solution result;
-    const auto residual = [&](const Eigen::VectorXd& x) {
-      Eigen::VectorXd r = linear * x - sector_force * unit_load;
+    const auto residual = [&](const Vector& x) {
+      Vector r = linear * x - sector_force * unit_load;
       for (std::size_t i = 0; i < contacts; ++i) {
-        const double w = std::max(0.0, approach[i].dot(x));
+        const Real w = std::max(Real(0), approach[i].dot(x));
         r += k0[i] * std::pow(w, 1.5) * approach[i];
       }
       return r;
     };
-    const auto energy = [&](const Eigen::VectorXd& x) {
-      double e = 0.5 * x.dot(linear * x) - sector_force * unit_load.dot(x);
+    const auto energy = [&](const Vector& x) {
+      Real e = 0.5 * x.dot(linear * x) - sector_force * unit_load.dot(x);
       for (std::size_t i = 0; i < contacts; ++i)
-        e += 0.4 * k0[i] * std::pow(std::max(0.0, approach[i].dot(x)), 2.5);
+        e += 0.4 * k0[i] * std::pow(std::max(Real(0), approach[i].dot(x)), 2.5);
       return e;
     };
     Eigen::MatrixXd tangent;
-    const auto factorize = [&](const Eigen::VectorXd& x, bool start) {
-      tangent = linear;
+    const auto factorize = [&](const Vector& x, bool start) {
+      tangent = linear.cast<double>();
       for (std::size_t i = 0; i < contacts; ++i) {
-        const double mean =
-            std::pow(sector_force / static_cast<double>(contacts / 2) / k0[i], 2.0 / 3.0);
-        const double w = start ? mean : std::max(0.0, approach[i].dot(x));
-        tangent += 1.5 * k0[i] * std::sqrt(w) * approach[i] * approach[i].transpose();
+        const Real mean =
+            std::pow(sector_force / static_cast<Real>(contacts / 2) / k0[i], 2.0 / 3.0);
+        const Real w = start ? mean : std::max(Real(0), approach[i].dot(x));
+        const Eigen::VectorXd row =
+            (std::sqrt(1.5 * k0[i] * std::sqrt(w)) * approach[i]).cast<double>();
+        tangent.selfadjointView<Eigen::Lower>().rankUpdate(row);
       }
       for (int i = 0; i < size; ++i)
         if (held[static_cast<std::size_t>(i)]) {
@@ -197,29 +203,30 @@ struct DenseSector {
           tangent(i, i) = 1.0;
         }
     };
-    double previous = 1e300;
+    Real previous = 1e300;
     for (int iteration = 0; iteration < 200; ++iteration) {
-      Eigen::VectorXd r = residual(q);
+      Vector r = residual(q);
       for (int i = 0; i < size; ++i)
         if (held[static_cast<std::size_t>(i)]) r[i] = 0.0;
-      const double norm = r.cwiseAbs().maxCoeff() / sector_force;
-      if (norm < 1e-13 || (norm < 1e-10 && norm >= previous)) {
+      const Real norm = r.cwiseAbs().maxCoeff() / sector_force;
+      if (norm < 1e-15 || (norm < 1e-11 && norm >= previous)) {
         result.converged = true;
         break;
       }
       previous = norm;
       factorize(q, iteration == 0);
-      const Eigen::VectorXd d = tangent.ldlt().solve(r);
-      double t = 1.0;
-      const double e = energy(q);
+      const Vector d = tangent.ldlt().solve(r.cast<double>()).cast<Real>();
+      Real t = 1.0;
+      const Real e = energy(q);
       while (t > 1e-8 && norm > 1e-8 && energy(q - t * d) > e) t *= 0.5;
       q -= t * d;
     }
     for (std::size_t i = 0; i < contacts; ++i)
-      result.normal_load.push_back(k0[i] * std::pow(std::max(0.0, approach[i].dot(q)), 1.5));
+      result.normal_load.push_back(k0[i] * std::pow(std::max(Real(0), approach[i].dot(q)), 1.5));
     result.displacement = unit_load.dot(q);
     factorize(q, false);
-    result.tangent_stiffness = 1.0 / unit_load.dot(tangent.ldlt().solve(unit_load));
+    const Eigen::VectorXd load = unit_load.cast<double>();
+    result.tangent_stiffness = 1.0 / load.dot(tangent.ldlt().solve(load));
     return result;
   }
 };

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/hertz.h"
+#include "contact/mechanism_geometry.h"
+#include "contact/subsurface.h"
+#include "prs/materials.h"
+#include "prs/mechanism.h"
+
+namespace prs {
+
+/// What the thread geometry says of one interface, for tension (I1J2), with its Hertz contact. In
+/// compression the other two faces touch, mirrored: curvatures, angles and constants are the same.
+struct InterfaceContact {
+  contact::InterfaceGeometry geometry;
+  contact::HertzConstants hertz;     ///< `not_computed` without materials.
+  contact::SubsurfaceShear shear;    ///< Below the centre of the ellipse; valid with `has_hertz`.
+  double contact_modulus = 0.0;      ///< E* [Pa], 0 without materials.
+
+  bool has_hertz() const { return geometry.ok() && hertz.ok(); }
+  double normal_angle() const { return geometry.point.normal_angle(); }
+};
+
+/// What the threads of a mechanism say before any load.
+struct Contacts {
+  Mechanism mechanism;  ///< With all pitch diameters and the centre distance.
+  contact::MechanismGeometry threads;
+  PerInterface<InterfaceContact> interfaces;
+  std::vector<std::string> warnings;
+};
+
+/// Resolves the mechanism, finds the contact points of both interfaces and, where materials are
+/// given, their Hertz contacts. An interface without contact is a result that says why. Throws
+/// CaseError where a design has no solution.
+Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials);
+
+/// Why there is no contact or no Hertz contact: which surface, which limit, by how much.
+std::string failure(const InterfaceContact& contact, Interface interface);
+
+/// "roller-screw" or "roller-nut".
+const char* label(Interface interface);
+
+/// The pair of threads of an interface.
+contact::ThreadPair pair_of(const contact::MechanismGeometry& threads, Interface interface);
+
+}  // namespace prs

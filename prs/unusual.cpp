@@ -1,0 +1,68 @@
+#include "prs/unusual.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace prs {
+namespace {
+
+constexpr double kMillimetre = 1e-3;
+
+/// Radial distance by which the pitch cylinders of an interface miss each other, overlap < 0 [m].
+double pitch_cylinder_gap(const contact::MechanismGeometry& m, Interface i) {
+  return i == Interface::screw
+             ? m.centre_distance - m.roller.pitch_radius - m.screw.pitch_radius
+             : m.nut.pitch_radius - m.roller.pitch_radius - m.centre_distance;
+}
+
+void note_pitch_cylinders(const contact::MechanismGeometry& m, std::vector<std::string>& notes) {
+  for (const Interface i : kInterfaces) {
+    const double gap = pitch_cylinder_gap(m, i);
+    if (std::abs(gap) > 0.01 * m.roller.pitch)
+      notes.push_back(fmt::format("the pitch cylinders of roller and {} {} by {:.4f} mm",
+                                  i == Interface::screw ? "screw" : "nut",
+                                  gap > 0 ? "miss each other" : "overlap",
+                                  std::abs(gap) / kMillimetre));
+  }
+}
+
+void note_missing_contacts(const Contacts& contacts, std::vector<std::string>& notes) {
+  for (const Interface i : kInterfaces)
+    if (!contacts.interfaces[i].geometry.ok())
+      notes.push_back(fmt::format("the {} threads give no point contact: {}", label(i),
+                                  failure(contacts.interfaces[i], i)));
+}
+
+void note_proportions(const Case& c, const Mechanism& m, std::vector<std::string>& notes) {
+  if (m.rollers < 3)
+    notes.push_back(
+        fmt::format("{} roller{} cannot centre the screw", m.rollers, m.rollers == 1 ? "" : "s"));
+  for (const Part p : kParts)
+    if (m.flank_angle[p] < 20 * std::numbers::pi / 180 ||
+        m.flank_angle[p] > 70 * std::numbers::pi / 180)
+      notes.push_back(fmt::format("a flank angle of {:g} deg is far from the usual 45 deg",
+                                  m.flank_angle[p] * 180 / std::numbers::pi));
+  if (!c.structure) return;
+  const Structure& s = *c.structure;
+  if (s.screw.bore > 0.8 * *m.pitch_diameter.screw)
+    notes.push_back(fmt::format("the screw's bore leaves a wall of {:.2f} mm at the pitch diameter",
+                                0.5 * (*m.pitch_diameter.screw - s.screw.bore) / kMillimetre));
+  if (s.roller.end_diameter > *m.pitch_diameter.roller)
+    notes.push_back(fmt::format("the roller's ends ({:g} mm) are thicker than its thread ({:g} mm)",
+                                s.roller.end_diameter / kMillimetre,
+                                *m.pitch_diameter.roller / kMillimetre));
+}
+
+}  // namespace
+
+std::vector<std::string> unusual_geometry(const Case& c, const Contacts& contacts) {
+  std::vector<std::string> notes = contacts.warnings;
+  note_missing_contacts(contacts, notes);
+  note_pitch_cylinders(contacts.threads, notes);
+  note_proportions(c, contacts.mechanism, notes);
+  return notes;
+}
+
+}  // namespace prs
