@@ -51,6 +51,8 @@ struct BeamMotion {
   double deflection = 0.0;       ///< v_2 - v_1 [m]
   double first_rotation = 0.0;   ///< theta_1 [rad]
   double second_rotation = 0.0;  ///< theta_2 [rad]
+  double first_rest = 0.0;       ///< What rounding took from theta_1 and
+  double second_rest = 0.0;      ///< theta_2 [rad].
 };
 
 /// End forces on the beam, K q over (u_1, v_1, theta_1, u_2, v_2, theta_2), from elongation and the
@@ -61,7 +63,8 @@ inline BeamVector end_forces(const Beam& beam, const BeamMotion& motion) {
   const double phi = shear_ratio(beam);
   const double b = beam.bending_rigidity / (l * (1.0 + phi));
   const double chord = motion.deflection / l;
-  const double first = motion.first_rotation - chord, second = motion.second_rotation - chord;
+  const double first = (motion.first_rotation - chord) + motion.first_rest;
+  const double second = (motion.second_rotation - chord) + motion.second_rest;
   const double tension = beam.axial_rigidity / l * motion.elongation;
   const double m1 = b * ((4.0 + phi) * first + (2.0 - phi) * second);
   const double m2 = b * ((2.0 - phi) * first + (4.0 + phi) * second);

@@ -204,8 +204,8 @@ double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f,
   }
   for (const NumberedBeam& b : beams_) {
     const auto& [u1, v1, t1, u2, v2, t2] = b.equation;
-    const BeamVector forces =
-        end_forces(b.beam, {q.difference(u1, u2), q.difference(v1, v2), q[t1], q[t2]});
+    const BeamVector forces = end_forces(
+        b.beam, {q.difference(u1, u2), q.difference(v1, v2), q[t1], q[t2], q.rest(t1), q.rest(t2)});
     for (std::size_t i = 0; i < 6; ++i)
       add_to(residual, b.equation[i], forces[static_cast<Eigen::Index>(i)]);
   }

@@ -62,63 +62,71 @@ FactorizationStatus NewtonSolver::factorize_shifted(const NewtonOptions& options
   return status;
 }
 
+FactorizationStatus NewtonSolver::factorize_tangent(const State& q, const NewtonOptions& options,
+                                                    double& shift) {
+  equations_->tangent_stiffness(q, tangent_);
+  return factorize_shifted(options, shift);
+}
+
+bool NewtonSolver::search_along_step(const Eigen::VectorXd& f, const NewtonOptions& options,
+                                     const State& q, double slope, double energy,
+                                     NewtonIteration& iteration) {
+  // Near the solution the gain drowns in the rounding of the energy, a difference of large works.
+  const double rounding =
+      64.0 * std::numeric_limits<double>::epsilon() * (std::abs(energy) + std::abs(f.dot(q.head)));
+  double length = 1.0;
+  for (int halvings = 0; halvings <= options.max_halvings; ++halvings, length *= 0.5) {
+    trial_.set_to_step(q, length, step_);
+    iteration.energy = equations_->energy_and_residual(trial_, f, residual_);
+    iteration.step_length = length;
+    if (iteration.energy <= energy + options.sufficient_decrease * length * slope + rounding)
+      return true;
+  }
+  return false;
+}
+
 NewtonSummary NewtonSolver::solve(const Eigen::VectorXd& f, const NewtonOptions& options,
                                   State& q) {
   NewtonSummary summary;
   summary.history.reserve(8);
-  double energy = equations_->energy_and_residual(q, f, residual_);
+  summary.energy = equations_->energy_and_residual(q, f, residual_);
   summary.initial_relative_residual = summary.relative_residual = relative_residual(options);
-  summary.energy = energy;
+  const auto stop = [&](NewtonStatus status) {
+    summary.status = status;
+    return summary;
+  };
 
   bool fresh = false;  // whether the factorization is that of the last step's start
   while (summary.iterations() < options.max_iterations) {
     NewtonIteration iteration;
-    const bool reuse = fresh && summary.relative_residual <= options.reuse_factorization_below;
-    fresh = !reuse;
-    if (!reuse) {
-      equations_->tangent_stiffness(q, tangent_);
-      const FactorizationStatus factorization = factorize_shifted(options, iteration.shift);
-      if (factorization != FactorizationStatus::ok) {
-        summary.status = factorization == FactorizationStatus::out_of_memory
-                             ? NewtonStatus::out_of_memory
-                             : NewtonStatus::not_positive_definite;
-        return summary;
+    fresh = !(fresh && summary.relative_residual <= options.reuse_factorization_below);
+    if (fresh) switch (factorize_tangent(q, options, iteration.shift)) {
+        case FactorizationStatus::ok:
+          break;
+        case FactorizationStatus::not_positive_definite:
+          return stop(NewtonStatus::not_positive_definite);
+        case FactorizationStatus::out_of_memory:
+          return stop(NewtonStatus::out_of_memory);
       }
-    }
     cholesky_.solve(residual_, step_);
     const double slope = -residual_.dot(step_);
-
-    // Near the solution the gain drowns in the rounding of the energy, a difference of large works.
-    const double rounding = 64.0 * std::numeric_limits<double>::epsilon() *
-                            (std::abs(energy) + std::abs(f.dot(q.head)));
-    double length = 1.0, trial_energy = energy;
-    bool accepted = false;
-    for (int halvings = 0; !accepted && halvings <= options.max_halvings; ++halvings) {
-      if (halvings > 0) length *= 0.5;
-      trial_.set_to_step(q, length, step_);
-      trial_energy = equations_->energy_and_residual(trial_, f, residual_);
-      accepted = trial_energy <= energy + options.sufficient_decrease * length * slope + rounding;
-    }
-    iteration.energy = trial_energy;
-    iteration.step_length = length;
+    const bool descended = search_along_step(f, options, q, slope, summary.energy, iteration);
     iteration.relative_residual = relative_residual(options);
     summary.history.push_back(iteration);
-    if (!accepted || !std::isfinite(trial_energy)) {
-      summary.status = NewtonStatus::line_search_failed;
-      return summary;
-    }
+    if (!descended) return stop(NewtonStatus::line_search_failed);
 
     std::swap(q, trial_);
-    energy = trial_energy;
-    summary.energy = energy;
-    const bool small = iteration.relative_residual <= options.residual_tolerance;
     const bool stalled = iteration.relative_residual > 0.1 * summary.relative_residual;
+    summary.energy = iteration.energy;
     summary.relative_residual = iteration.relative_residual;
-    if (-slope > options.energy_tolerance * std::abs(energy)) continue;
-    summary.at_rounding = !small && stalled && residual_is_rounding(q);
-    if (small || summary.at_rounding) {
-      summary.status = NewtonStatus::converged;
-      return summary;
+    if (-slope > options.energy_tolerance * std::abs(summary.energy)) continue;
+    if (summary.relative_residual <= options.residual_tolerance)
+      return stop(NewtonStatus::converged);
+    if (stalled && residual_is_rounding(q)) {
+      summary.at_rounding = true;
+      return stop(summary.relative_residual <= options.rounding_tolerance
+                      ? NewtonStatus::converged
+                      : NewtonStatus::line_search_failed);
     }
   }
   return summary;

@@ -11,10 +11,11 @@ namespace fe {
 
 struct NewtonOptions {
   /// Largest residual over `force_scale` (moments over `length_scale` as well) that counts as
-  /// equilibrium. Rounding allows about 1e-14 on a roller-screw sector. Where the stiffnesses are
-  /// so large that rounding of the state alone leaves more, a state that does not improve any
-  /// further and lies within that rounding is equilibrium too (`NewtonSummary::at_rounding`).
+  /// equilibrium. Rounding allows about 1e-14 on a roller-screw sector.
   double residual_tolerance = 1e-12;
+  /// Where stiffnesses are so far apart that rounding of the state alone leaves more, a state that
+  /// does not improve any further is equilibrium too if its residual is no larger than this.
+  double rounding_tolerance = 1e-10;
   /// Largest energy that the last step may have gained, relative to the energy of the state.
   double energy_tolerance = 1e-8;
   /// A state this close to equilibrium takes one step with the last factorization, at a third of
@@ -58,7 +59,7 @@ struct NewtonSummary {
   double initial_relative_residual = 0.0;
   double relative_residual = 0.0;
   double energy = 0.0;
-  bool at_rounding = false;  ///< Stopped by the rounding of the state, above the tolerance.
+  bool at_rounding = false;  ///< Stopped by the rounding of the state, above `residual_tolerance`.
   std::vector<NewtonIteration> history;
 
   bool converged() const { return status == NewtonStatus::converged; }
@@ -84,6 +85,12 @@ class NewtonSolver {
  private:
   double relative_residual(const NewtonOptions& options) const;
   bool residual_is_rounding(const State& q) const;
+  FactorizationStatus factorize_tangent(const State& q, const NewtonOptions& options,
+                                        double& shift);
+  /// Halves the step until the energy falls; the state reached is `trial_`, its residual
+  /// `residual_`.
+  bool search_along_step(const Eigen::VectorXd& f, const NewtonOptions& options, const State& q,
+                         double slope, double energy, NewtonIteration& iteration);
   FactorizationStatus factorize_shifted(const NewtonOptions& options, double& shift);
 
   const Equations* equations_;

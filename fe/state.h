@@ -18,6 +18,9 @@ struct State {
   /// Displacement i; -1 stands for a freedom that does not move.
   double operator[](int i) const { return i < 0 ? 0.0 : head[i]; }
 
+  /// What rounding took from displacement i.
+  double rest(int i) const { return i < 0 ? 0.0 : tail[i]; }
+
   /// Displacement j less displacement i.
   double difference(int i, int j) const {
     if (i < 0 || j < 0) return (*this)[j] - (*this)[i];

@@ -9,6 +9,7 @@
 #include "prs/case_error.h"
 #include "prs/check_case.h"
 #include "prs/load_distribution.h"
+#include "prs/unusual.h"
 
 namespace prs {
 namespace {
@@ -16,7 +17,8 @@ namespace {
 const char* key(Interface i) { return i == Interface::screw ? "screw" : "nut"; }
 
 /// What the load distribution uses at an interface: the case's overrides before the geometry.
-ContactLaw contact_law(const Case& c, Interface i, const InterfaceContact& contact) {
+ContactLaw contact_law(const Case& c, Interface i, const Contacts& contacts) {
+  const InterfaceContact& contact = contacts.interfaces[i];
   const auto& constant = c.contact.hertz_constant[i];
   const auto& angle = c.contact.normal_angle[i];
   if (!contact.has_hertz() && !(constant && angle))
@@ -24,7 +26,7 @@ ContactLaw contact_law(const Case& c, Interface i, const InterfaceContact& conta
                     fmt::format("the {} threads give no Hertz contact: {}; mend profiles, flank "
                                 "angles or diameters, or give both contact.hertz_constant.{} and "
                                 "contact.normal_angle.{}",
-                                label(i), failure(contact, i), key(i), key(i)));
+                                label(i), failure(contacts, i), key(i), key(i)));
   return {constant ? *constant : contact.hertz.hertz_constant,
           angle ? *angle : contact.normal_angle()};
 }
@@ -161,8 +163,8 @@ LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts
   result.tangent_stiffness = d.tangent_stiffness;
   PerInterface<InterfaceLoads> threads;
   for (const Interface i : kInterfaces) {
-    threads[i] = interface_loads(load_case, contacts, i, laws[i].normal_angle,
-                                 std::move(d.normal_load[i]));
+    threads[i] =
+        interface_loads(load_case, contacts, i, laws[i].normal_angle, std::move(d.normal_load[i]));
     threads[i].hertz_constant = laws[i].hertz_constant;
     threads[i].approach = std::move(d.approach[i]);
   }
@@ -192,19 +194,16 @@ Result analyze(const Case& given) {
   result.warnings = result.contacts.warnings;
   Case c = given;
   c.mechanism = result.contacts.mechanism;
+  for (std::string& note : unusual_geometry(c, result.contacts))
+    result.warnings.push_back(std::move(note));
 
   PerInterface<ContactLaw> laws;
   PerInterface<double> normal_angle;
   PerInterface<std::optional<double>> hertz_constant;
   for (const Interface i : kInterfaces) {
-    const InterfaceContact& contact = result.contacts.interfaces[i];
-    laws[i] = contact_law(c, i, contact);
+    laws[i] = contact_law(c, i, result.contacts);
     normal_angle[i] = laws[i].normal_angle;
     hertz_constant[i] = laws[i].hertz_constant;
-    if (!contact.has_hertz())
-      result.warnings.push_back(fmt::format(
-          "the {} threads give no Hertz contact ({}): ellipses and pressures are absent", label(i),
-          failure(contact, i)));
   }
 
   SolverPool pool(c, laws);
@@ -227,7 +226,7 @@ Result analyze_contacts(const Case& c) {
     if (!contact.geometry.ok() || (c.materials && !contact.hertz.ok()))
       throw CaseError("mechanism", fmt::format("the {} threads give no point contact: {}; mend "
                                                "profiles, flank angles or diameters",
-                                               label(i), failure(contact, i)));
+                                               label(i), failure(result.contacts, i)));
     normal_angle[i] = contact.normal_angle();
     if (c.materials) hertz_constant[i] = contact.hertz.hertz_constant;
   }

@@ -134,6 +134,33 @@ void check_flanges(const Structure::Nut& nut, const std::optional<double>& pitch
   }
 }
 
+/// A length that is out of all proportion to the part it belongs to: most often a wrong unit.
+struct Proportion {
+  std::string_view path;
+  double length;
+  std::optional<double> diameter;  ///< Of the part [m].
+  double least, greatest;          ///< Multiples of it.
+};
+
+void check_proportions(const Structure& s, const Mechanism& m, Problems& problems) {
+  const auto& d = m.pitch_diameter;
+  const Proportion proportions[] = {
+      {"mechanism.lead", axial_pitch(m), d.roller, 1e-3, 2.0},
+      {"structure.screw.free_length", s.screw.free_length, d.screw, 0.0, 1e4},
+      {"structure.roller.end_length", s.roller.end_length, d.roller, 1e-3, 1e3},
+      {"structure.roller.end_diameter", s.roller.end_diameter, d.roller, 2e-2, 20.0},
+      {"structure.nut.length", s.nut.length, d.nut, 0.0, 1e4},
+      {"structure.nut.outer_diameter", s.nut.outer_diameter, d.nut, 1.0001, 100.0},
+  };
+  for (const auto& [path, length, diameter, least, greatest] : proportions)
+    if (diameter && (length < least * *diameter || length > greatest * *diameter))
+      problems.add(std::string(path),
+                   fmt::format("got {}{}; expected {} to {}, {:g} to {:g} times the part's pitch "
+                               "diameter; check the unit",
+                               path == "mechanism.lead" ? "an axial pitch of " : "", mm(length),
+                               mm(least * *diameter), mm(greatest * *diameter), least, greatest));
+}
+
 void check_structure(const Structure& s, const Mechanism& m, Problems& problems) {
   const auto& diameter = m.pitch_diameter;
   if (diameter.screw && s.screw.bore >= *diameter.screw)
@@ -157,6 +184,7 @@ void check_structure(const Structure& s, const Mechanism& m, Problems& problems)
           fmt::format("got {}; expected a position on the nut, 0 mm to {}; move the section",
                       mm(*section), mm(s.nut.length)));
   check_flanges(s.nut, diameter.nut, problems);
+  check_proportions(s, m, problems);
 }
 
 /// The roller's contacts, from the first at `position`, must lie on the nut.
@@ -190,10 +218,7 @@ void check_thrust(const LoadCase& load, const Structure::Nut& nut, Problems& pro
 }
 
 void check_force(const LoadCase& load, Problems& problems) {
-  const double written =
-      load.share == LoadCase::Share::equal && load.direction == Direction::compression
-          ? -load.axial_force
-          : load.axial_force;
+  const double written = load.axial_force;
   if (load.direction ? written > 0.0 : written != 0.0) return;
   problems.add(load.input_path + ".axial_force",
                fmt::format("got {} in case `{}`; expected a force {}; {}", newton(written),

@@ -28,11 +28,30 @@ void add_hertz(InterfaceContact& c, const Material& body, const Material& roller
                                      c.contact_modulus);
   // Both bodies carry the same pressure; the larger shear stress is that of the smaller nu.
   if (c.hertz.ok())
-    c.shear = contact::largest_subsurface_shear(
-        c.hertz.ellipticity, std::min(body.poisson_ratio, roller.poisson_ratio));
+    c.shear = contact::largest_subsurface_shear(c.hertz.ellipticity,
+                                                std::min(body.poisson_ratio, roller.poisson_ratio));
 }
 
 bool same_pitch(const contact::Thread& a, const contact::Thread& b) { return a.pitch == b.pitch; }
+
+/// From the crest of the body's flank to the roller's crest on the line of centres [m]; < 0 where
+/// they overlap.
+double radial_distance_between_flanks(const contact::ThreadPair& pair, Interface i) {
+  return i == Interface::screw
+             ? pair.centre_distance - pair.body.largest_radius - pair.roller.largest_radius
+             : pair.body.smallest_radius - pair.roller.largest_radius - pair.centre_distance;
+}
+
+void warn_of_missing_contacts(const Contacts& c, std::vector<std::string>& warnings) {
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = c.interfaces[i];
+    const bool wants_hertz = contact.geometry.ok() && contact.contact_modulus > 0.0;
+    if (!contact.geometry.ok() || (wants_hertz && !contact.hertz.ok()))
+      warnings.push_back(fmt::format(
+          "the {} threads give no Hertz contact ({}): ellipses and pressures are absent", label(i),
+          failure(c, i)));
+  }
+}
 
 void warn_of_interference(const Contacts& c, std::vector<std::string>& warnings) {
   for (const Interface i : kInterfaces) {
@@ -104,6 +123,7 @@ Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials
   for (const Interface i : kInterfaces)
     if (materials && c.interfaces[i].geometry.ok())
       add_hertz(c.interfaces[i], (*materials)[body_of(i)], materials->roller);
+  warn_of_missing_contacts(c, c.warnings);
   warn_of_threads(c, c.warnings);
   warn_of_crowding(c, c.warnings);
   warn_of_kinematics(c, c.warnings);
@@ -112,16 +132,24 @@ Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials
   return c;
 }
 
-std::string failure(const InterfaceContact& c, Interface i) {
+std::string failure(const Contacts& contacts, Interface i) {
+  const InterfaceContact& c = contacts.interfaces[i];
   const contact::ContactPoint& point = c.geometry.point;
   if (point.ok()) return std::string(contact::name(c.hertz.status));
+  const char* body = i == Interface::screw ? "screw" : "nut";
   std::string text(contact::name(point.status));
   const char* separator = ": ";
   for (const contact::FlankViolation& v : point.violations) {
-    const char* part = v.of_roller ? "roller" : i == Interface::screw ? "screw" : "nut";
     text += fmt::format("{}{:.4f} mm beyond the {} of the {}", separator, v.by / kMillimetre,
-                        contact::name(v.end), part);
+                        contact::name(v.end), v.of_roller ? "roller" : body);
     separator = ", ";
+  }
+  if (point.status == contact::ContactPointStatus::out_of_reach) {
+    const contact::ThreadPair pair = pair_of(contacts.threads, i);
+    const double between = radial_distance_between_flanks(pair, i);
+    text += fmt::format(": the flanks of {} and roller {} by {:.4f} mm", body,
+                        between > 0.0 ? "miss each other" : "pass each other",
+                        std::abs(between) / kMillimetre);
   }
   return text;
 }

@@ -16,9 +16,9 @@ namespace prs {
 /// compression the other two faces touch, mirrored: curvatures, angles and constants are the same.
 struct InterfaceContact {
   contact::InterfaceGeometry geometry;
-  contact::HertzConstants hertz;     ///< `not_computed` without materials.
-  contact::SubsurfaceShear shear;    ///< Below the centre of the ellipse; valid with `has_hertz`.
-  double contact_modulus = 0.0;      ///< E* [Pa], 0 without materials.
+  contact::HertzConstants hertz;   ///< `not_computed` without materials.
+  contact::SubsurfaceShear shear;  ///< Below the centre of the ellipse; valid with `has_hertz`.
+  double contact_modulus = 0.0;    ///< E* [Pa], 0 without materials.
 
   bool has_hertz() const { return geometry.ok() && hertz.ok(); }
   double normal_angle() const { return geometry.point.normal_angle(); }
@@ -38,7 +38,7 @@ struct Contacts {
 Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials);
 
 /// Why there is no contact or no Hertz contact: which surface, which limit, by how much.
-std::string failure(const InterfaceContact& contact, Interface interface);
+std::string failure(const Contacts& contacts, Interface interface);
 
 /// "roller-screw" or "roller-nut".
 const char* label(Interface interface);

@@ -17,7 +17,7 @@ struct LoadCase {
   enum class Share { solved, equal };
 
   std::string name;
-  double axial_force = 0.0;  ///< [N]; > 0 with `direction`, signed (I2J1 if < 0) with equal shares.
+  double axial_force = 0.0;  ///< [N]; > 0 with `direction`, else signed (I2J1 if < 0).
   std::optional<Direction> direction;
   std::optional<double> position;  ///< First roller contact on the nut [m].
   Share share = Share::solved;
@@ -27,8 +27,7 @@ struct LoadCase {
 
 /// F_N [N] of Sandu 2018: > 0 in tension (contacts I1J2), < 0 in compression (I2J1).
 inline double axial_force_on_nut(const LoadCase& c) {
-  const bool unsigned_force = c.share == LoadCase::Share::solved && c.direction.has_value();
-  return unsigned_force && c.direction == Direction::compression ? -c.axial_force : c.axial_force;
+  return c.direction == Direction::compression ? -c.axial_force : c.axial_force;
 }
 
 }  // namespace prs

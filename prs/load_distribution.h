@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "fe/newton.h"
@@ -14,7 +15,8 @@ struct LoadDistribution {
   PerInterface<std::vector<double>> approach;     ///< Hertz approach delta [m]
   double axial_displacement =
       0.0;  ///< Loaded section against thrust section [m], > 0 along the load.
-  double tangent_stiffness = 0.0;  ///< dF/du of the whole mechanism at the load [N/m].
+  /// dF/du of the whole mechanism at the load [N/m]; absent where the tangent is singular.
+  std::optional<double> tangent_stiffness;
 };
 
 /// Solves load after load on one sector; the symbolic factorization is shared.

@@ -15,12 +15,12 @@ namespace prs {
 /// screw, stands first. SI units.
 struct InterfaceLoads {
   std::optional<double> hertz_constant;  ///< As used in the solve [N/m^1.5].
-  double normal_angle = 0.0;        ///< As used in the solve [rad].
-  std::vector<double> axial_load;   ///< [N]
-  std::vector<double> normal_load;  ///< axial / cos psi [N]
-  std::vector<double> load_rate;    ///< l_v = axial load / (force/rollers), Abevi (3) [-]
-  std::vector<double> approach;     ///< delta [m]
-  std::vector<double> semi_major;   ///< Empty where the geometry gives no contact.
+  double normal_angle = 0.0;             ///< As used in the solve [rad].
+  std::vector<double> axial_load;        ///< [N]
+  std::vector<double> normal_load;       ///< axial / cos psi [N]
+  std::vector<double> load_rate;         ///< l_v = axial load / (force/rollers), Abevi (3) [-]
+  std::vector<double> approach;          ///< delta [m]
+  std::vector<double> semi_major;        ///< Empty where the geometry gives no contact.
   std::vector<double> semi_minor;
   std::vector<double> peak_pressure;     ///< [Pa]
   std::vector<double> max_shear_stress;  ///< Largest below the surface [Pa].

@@ -12,9 +12,8 @@ constexpr double kMillimetre = 1e-3;
 
 /// Radial distance by which the pitch cylinders of an interface miss each other, overlap < 0 [m].
 double pitch_cylinder_gap(const contact::MechanismGeometry& m, Interface i) {
-  return i == Interface::screw
-             ? m.centre_distance - m.roller.pitch_radius - m.screw.pitch_radius
-             : m.nut.pitch_radius - m.roller.pitch_radius - m.centre_distance;
+  return i == Interface::screw ? m.centre_distance - m.roller.pitch_radius - m.screw.pitch_radius
+                               : m.nut.pitch_radius - m.roller.pitch_radius - m.centre_distance;
 }
 
 void note_pitch_cylinders(const contact::MechanismGeometry& m, std::vector<std::string>& notes) {
@@ -26,13 +25,6 @@ void note_pitch_cylinders(const contact::MechanismGeometry& m, std::vector<std::
                                   gap > 0 ? "miss each other" : "overlap",
                                   std::abs(gap) / kMillimetre));
   }
-}
-
-void note_missing_contacts(const Contacts& contacts, std::vector<std::string>& notes) {
-  for (const Interface i : kInterfaces)
-    if (!contacts.interfaces[i].geometry.ok())
-      notes.push_back(fmt::format("the {} threads give no point contact: {}", label(i),
-                                  failure(contacts.interfaces[i], i)));
 }
 
 void note_proportions(const Case& c, const Mechanism& m, std::vector<std::string>& notes) {
@@ -58,8 +50,7 @@ void note_proportions(const Case& c, const Mechanism& m, std::vector<std::string
 }  // namespace
 
 std::vector<std::string> unusual_geometry(const Case& c, const Contacts& contacts) {
-  std::vector<std::string> notes = contacts.warnings;
-  note_missing_contacts(contacts, notes);
+  std::vector<std::string> notes;
   note_pitch_cylinders(contacts.threads, notes);
   note_proportions(c, contacts.mechanism, notes);
   return notes;

@@ -8,8 +8,8 @@
 
 namespace prs {
 
-/// What is possible and unusual in a case: each a sentence with the numbers. The warnings of its
-/// contacts come first.
+/// What is possible and unusual in a case beyond the warnings of its contacts: each a sentence with
+/// the numbers.
 std::vector<std::string> unusual_geometry(const Case& c, const Contacts& contacts);
 
 }  // namespace prs

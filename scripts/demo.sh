@@ -8,5 +8,7 @@ scripts/setup.sh
 cmake --preset release -DPRS_BUILD_TESTS=OFF >/dev/null
 cmake --build --preset release --target prs
 echo
+build/release/prs/cli/prs solve configs/03_load_sweep.yaml --quiet --output out/03_load_sweep
 build/release/prs/cli/prs solve configs/01_config_1_to_3.yaml --output out/01_config_1_to_3
-build/release/prs/cli/prs solve configs/03_load_sweep.yaml --output out/03_load_sweep
+echo
+echo "Pictures: out/01_config_1_to_3/plots and, against the load, out/03_load_sweep/plots"

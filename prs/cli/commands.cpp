@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "prs/analyze.h"
 #include "prs/case_error.h"
@@ -12,23 +14,29 @@
 #include "prs/input/reader.h"
 #include "prs/input/schema.h"
 #include "prs/output/check.h"
+#include "prs/output/contact_table.h"
 #include "prs/output/csv.h"
 #include "prs/output/files.h"
 #include "prs/output/json.h"
 #include "prs/output/plots.h"
 #include "prs/output/sha256.h"
-#include "prs/output/contact_table.h"
 #include "prs/output/table.h"
 #include "prs/output/warnings.h"
 #include "prs/unusual.h"
 #include "prs/validation/validate.h"
 #include "prs/version.h"
 #include "validation/abevi_2015/statements.h"
+#include "validation/sandu_2018/contribution.h"
+#include "validation/yao_2023/contribution.h"
 
 namespace prs::cli {
 namespace {
 
-void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+/// Throws where the text does not arrive, as on a full disk.
+void print(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw std::system_error(errno, std::generic_category(), "standard output");
+}
 
 void note(const Options& options, const std::string& text) {
   if (!options.quiet) fmt::print(stderr, "{}\n", text);
@@ -50,8 +58,7 @@ auto compute_from(const input::Source& source, Compute compute) {
 }
 
 /// The JSON document, where it is asked for.
-std::string document_of(const Result& result, const input::Source& source,
-                        const Options& options) {
+std::string document_of(const Result& result, const input::Source& source, const Options& options) {
   if (!options.json && !options.output) return {};
   return json_text(to_json(result, document_info(source)));
 }
@@ -81,7 +88,9 @@ int check(const Options& options) {
   const input::CaseInput in = input::read_case_input(source, Command::check);
   const Contacts contacts =
       compute_from(source, [&] { return find_contacts(in.values.mechanism, in.values.materials); });
-  const std::vector<std::string> unusual = unusual_geometry(in.values, contacts);
+  std::vector<std::string> unusual = contacts.warnings;
+  for (std::string& note : unusual_geometry(in.values, contacts))
+    unusual.push_back(std::move(note));
   const std::string document =
       json_text(check_json(in.fields, contacts, unusual, document_info(source)));
   if (options.output) write_files(*options.output, {{"check.json", document}});
@@ -139,7 +148,9 @@ int schema(const Options& options) {
 
 int validate(const Options& options) {
   const std::vector<SourceReport> reports =
-      prs::validate(options.file, {{"abevi_2015", abevi_2015::judge_statements}});
+      prs::validate(options.file, {{"abevi_2015", abevi_2015::judge_statements},
+                                   sandu_2018::contribution(),
+                                   yao_2023::contribution()});
   if (reports.empty()) {
     fmt::print(stderr, "{}: error: no folder with a reference.yaml\n", options.file);
     return kWrongInput;

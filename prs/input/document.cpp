@@ -29,9 +29,9 @@ std::size_t weight(const Node& node) { return 1 + node.text.size() / 64; }
 /// Builds the tree of one YAML document from the parser's events.
 class TreeBuilder final : public YAML::EventHandler {
  public:
-  /// `argument`: index of the override that is read, or -1 for the file.
-  TreeBuilder(int argument, std::string path, ErrorList& errors)
-      : argument_(argument), path_(std::move(path)), errors_(errors) {}
+  /// `at`: where an override takes effect; everything in it stands there.
+  TreeBuilder(std::optional<Place> at, std::string path, ErrorList& errors)
+      : at_(at), path_(std::move(path)), errors_(errors) {}
 
   Node take_root() { return std::move(root_); }
   bool has_root() const { return has_root_; }
@@ -101,7 +101,7 @@ class TreeBuilder final : public YAML::EventHandler {
   };
 
   Place place(const YAML::Mark& mark) const {
-    return {static_cast<std::size_t>(std::max(mark.pos, 0)), argument_};
+    return at_.value_or(Place{static_cast<std::size_t>(std::max(mark.pos, 0))});
   }
 
   /// Key path of the value that comes next.
@@ -208,7 +208,7 @@ class TreeBuilder final : public YAML::EventHandler {
     return true;
   }
 
-  int argument_;
+  std::optional<Place> at_;
   std::string path_;
   ErrorList& errors_;
   bool started_ = false;
@@ -242,12 +242,13 @@ std::size_t character_length(std::string_view text) {
   return overlong || no_character ? 0 : length;
 }
 
-void check_encoding(std::string_view text, int argument, std::string_view path, ErrorList& errors) {
+void check_encoding(std::string_view text, std::optional<Place> at, std::string_view path,
+                    ErrorList& errors) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = character_length(text.substr(i));
     if (length == 0)
       errors.fail(
-          {i, argument}, path,
+          at.value_or(Place{i}), path,
           fmt::format("got the byte 0x{:02X}; expected plain text in UTF-8; check that this "
                       "is a YAML file and save it as UTF-8",
                       static_cast<unsigned char>(text[i])));
@@ -256,10 +257,10 @@ void check_encoding(std::string_view text, int argument, std::string_view path, 
 }
 
 /// The tree of one YAML text; none where it holds nothing but comments.
-std::optional<Node> parse_yaml(const std::string& text, int argument, const std::string& path,
-                               ErrorList& errors) {
-  check_encoding(text, argument, path, errors);
-  TreeBuilder builder(argument, path, errors);
+std::optional<Node> parse_yaml(const std::string& text, std::optional<Place> at,
+                               const std::string& path, ErrorList& errors) {
+  check_encoding(text, at, path, errors);
+  TreeBuilder builder(at, path, errors);
   try {
     std::istringstream in(text);
     YAML::Parser parser(in);
@@ -267,7 +268,7 @@ std::optional<Node> parse_yaml(const std::string& text, int argument, const std:
     }
   } catch (const YAML::Exception& e) {
     const auto offset = static_cast<std::size_t>(std::max(e.mark.pos, 0));
-    errors.fail({std::min(offset, text.size()), argument}, path,
+    errors.fail(at.value_or(Place{std::min(offset, text.size())}), path,
                 fmt::format("malformed YAML: {}; expected `key: value`; check indentation, quotes, "
                             "brackets and colons here and above",
                             e.msg));
@@ -310,7 +311,7 @@ std::optional<std::vector<Step>> split_path(std::string_view path) {
 }
 
 void apply_override(Node& root, const std::string& text, int argument, ErrorList& errors) {
-  const Place at{0, argument};
+  Place at{0, argument};  // of the innermost value of the file on the path
   const std::size_t equals = text.find('=');
   const std::string path = text.substr(0, equals);
   const auto steps = split_path(path);
@@ -320,6 +321,11 @@ void apply_override(Node& root, const std::string& text, int argument, ErrorList
                 "\"load_cases[0].axial_force=20 kN\"`");
 
   Node* node = &root;
+  const auto note_place = [&] {
+    if (node->place.argument < 0)
+      at.offset = node->key.empty() ? node->place.offset : node->key_place.offset;
+  };
+  note_place();
   for (const Step& step : *steps) {
     if (step.index) {
       if (node->kind != Node::Kind::sequence)
@@ -329,6 +335,7 @@ void apply_override(Node& root, const std::string& text, int argument, ErrorList
                     fmt::format("got the index {}; expected one below {}, counted from 0",
                                 *step.index, node->children.size()));
       node = &node->children[*step.index];
+      note_place();
       continue;
     }
     if (node->kind == Node::Kind::null) {
@@ -347,9 +354,10 @@ void apply_override(Node& root, const std::string& text, int argument, ErrorList
       child->place = child->key_place = at;
     }
     node = child;
+    note_place();
   }
 
-  Node value = parse_yaml(text.substr(equals + 1), argument, path, errors)
+  Node value = parse_yaml(text.substr(equals + 1), at, path, errors)
                    .value_or(Node{.kind = Node::Kind::null, .place = at});
   value.key = node->key;
   value.key_place = at;
@@ -377,11 +385,11 @@ ScalarType scalar_type(const Node& scalar) {
 }
 
 Node read_document(const Source& source, ErrorList& errors) {
-  std::optional<Node> root = parse_yaml(source.text, -1, "", errors);
+  std::optional<Node> root = parse_yaml(source.text, std::nullopt, "", errors);
   if (!root)
     errors.fail({}, "",
-                "got an empty file; expected a map with the key `mechanism`; `prs new` "
-                "writes a file to start from");
+                "got an empty file; expected a map with the key `mechanism`; copy one of "
+                "the files in configs/ to start from");
   for (std::size_t i = 0; i < source.overrides.size(); ++i)
     apply_override(*root, source.overrides[i], static_cast<int>(i), errors);
   return std::move(*root);

@@ -39,7 +39,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known) {
   if (known.empty()) return {};
   const auto distance = [word](std::string_view k) { return edit_distance(word.substr(0, 80), k); };
-  return fmt::format("did you mean `{}`?", *std::ranges::min_element(known, {}, distance));
+  const std::string_view nearest = *std::ranges::min_element(known, {}, distance);
+  if (distance(nearest) > 1 + nearest.size() / 2) return {};
+  return fmt::format("did you mean `{}`?", nearest);
 }
 
 std::string got(const Node& node) {
@@ -282,7 +284,9 @@ void read(const Written& w, T& value, const Choice& kind) {
   if (reader.found()) return;
   const ChoiceNames names = names_of(value);
   if (w.node.kind == Node::Kind::scalar)
-    w.refuse(wanted(value, kind), did_you_mean(w.node.text, names.words));
+    w.refuse(wanted(value, kind), std::ranges::count(names.keys, w.node.text) > 0
+                                      ? "the value is missing"
+                                      : did_you_mean(w.node.text, names.words));
   else if (w.node.kind == Node::Kind::map && w.node.children.size() == 1 && !names.keys.empty())
     w.refuse(wanted(value, kind), did_you_mean(w.node.children[0].key, names.keys));
   else
@@ -425,13 +429,11 @@ std::vector<LoadCase> expand(const std::vector<LoadCaseItem>& items) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     const LoadCaseItem& item = items[i];
     const Range& force = item.axial_force;
-    const bool negative =
-        item.share == LoadCase::Share::equal && item.direction == Direction::compression;
     const int last = force.steps.value_or(1) - 1;
     for (int k = 0; k <= last; ++k) {
       const double f = k == last ? force.to : force.from + (force.to - force.from) * k / last;
       cases.push_back({.name = force.steps ? fmt::format("{}[{}]", *item.name, k) : *item.name,
-                       .axial_force = negative ? -f : f,
+                       .axial_force = f,
                        .direction = item.direction,
                        .position = item.position,
                        .share = item.share,

@@ -18,8 +18,7 @@ struct CaseInput {
 
 /// Reads and checks the input of a command. Throws InputError, which names every error found.
 ///
-/// Ranges of load cases are expanded. With `share: equal` the axial force is stored with its sign
-/// (Sandu's F_N): where a direction stands too, > 0 in tension and < 0 in compression.
+/// Ranges of load cases are expanded.
 CaseInput read_case_input(const Source& source, Command command);
 
 /// The same, values only. `overrides`: `path=value` each.

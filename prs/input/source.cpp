@@ -48,8 +48,6 @@ Source load_source(const std::string& file, std::vector<std::string> overrides) 
 }
 
 std::string ErrorList::where(Place place) const {
-  if (place.argument >= 0)
-    return "--set " + shown(source_.overrides[static_cast<std::size_t>(place.argument)]);
   const std::string_view before = std::string_view(source_.text).substr(0, place.offset);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const std::string_view head = before.substr(before.rfind('\n') + 1);
@@ -84,8 +82,12 @@ void ErrorList::throw_if_any() const {
   });
   if (order.size() > kMostErrors) order.resize(kMostErrors);
   std::string lines;
-  for (const Error* e : order)
+  for (const Error* e : order) {
     lines += fmt::format("{}{}: error: {}", lines.empty() ? "" : "\n", where(e->place), e->text);
+    if (e->place.argument >= 0)
+      lines += fmt::format(" (from --set {})",
+                           shown(source_.overrides[static_cast<std::size_t>(e->place.argument)]));
+  }
   throw InputError(lines);
 }
 

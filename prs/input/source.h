@@ -9,13 +9,15 @@
 namespace prs::input {
 
 /// The input is wrong. `what()` holds one line for each error, each complete in itself:
-/// `FILE:LINE:COLUMN: error: KEY: got VALUE; expected WHAT; how to mend it`.
+/// `FILE:LINE:COLUMN: error: KEY: got VALUE; expected WHAT; how to mend it`, and where a `--set`
+/// argument is to blame, which.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Where something was written: an offset into the file's text, or a `--set` argument.
+/// Where something was written: an offset into the file's text; of a `--set` argument, where it
+/// takes effect.
 struct Place {
   std::size_t offset = 0;
   int argument = -1;  ///< Index of the override; -1 for the file.
@@ -44,7 +46,7 @@ class ErrorList {
 
   [[noreturn]] void fail(Place place, std::string_view key, std::string_view message);
 
-  /// `FILE:LINE:COLUMN`, counted from 1, the column in characters; `--set ...` for an override.
+  /// `FILE:LINE:COLUMN`, counted from 1, the column in characters.
   std::string where(Place place) const;
 
   /// Throws an InputError with the first 20 errors in the order of their places.

@@ -44,16 +44,20 @@ std::string check_table(const std::vector<input::EchoEntry>& fields, const Conta
   const Json json = contacts_json(contacts);
   line("centre_distance_mm", json["centre_distance_mm"]);
   for (const char* key : {"pitch_diameter_mm", "helix_angle_deg"})
-    for (const auto& [part, value] : json[key].items()) line(fmt::format("{}.{}", key, part), value);
+    for (const auto& [part, value] : json[key].items())
+      line(fmt::format("{}.{}", key, part), value);
   line("max_rollers", json["max_rollers"]);
+  for (const char* interface : {"screw", "nut"})
+    for (const char* key : {"normal_angle_deg", "backlash_mm", "hertz_constant_N_per_mm1_5"})
+      if (json.contains(interface) && json[interface].contains(key))
+        line(fmt::format("contact.{}.{}", interface, key), json[interface][key]);
   if (!unusual.empty()) text += "\nUnusual\n";
   for (const std::string& note : unusual) text += wrapped(note, "  ", 110);
   return text;
 }
 
 nlohmann::ordered_json check_json(const std::vector<input::EchoEntry>& fields,
-                                  const Contacts& contacts,
-                                  const std::vector<std::string>& unusual,
+                                  const Contacts& contacts, const std::vector<std::string>& unusual,
                                   const DocumentInfo& info) {
   Json document = document_head(info, unusual);
   for (const input::EchoEntry& f : fields)

@@ -14,9 +14,9 @@ namespace {
 // Layout in pixels of the SVG; the PNG has twice as many. Printed 170 mm wide, the text has 8 pt.
 constexpr int kWidth = 900;
 constexpr int kFontSize = 15;
-constexpr int kPanelHeight = 235;
 constexpr int kLeft = 92, kRight = 20, kColumnGap = 68;
-constexpr int kTop = 70, kRowGap = 76, kBottom = 76;
+constexpr int kTop = 70, kRowGap = 76, kLabelledRowGap = 104, kBottom = 76;
+constexpr int kTicWidth = 55, kTicHeight = 36;  // Room for a number, in drawings.
 constexpr int kLegendRow = 25, kLegendMargin = 14;
 constexpr int kLegendSymbol = 75, kCharacter = 10;
 constexpr std::size_t kMaxTitle = 44;  // Characters that fit above a panel.
@@ -42,12 +42,34 @@ int longest_title(const std::vector<LegendEntry>& legend) {
   return static_cast<int>(longest);
 }
 
+/// Pixels from the upper left of the image.
+struct Box {
+  int left = 0, right = 0, top = 0, bottom = 0;
+
+  int width() const { return right - left; }
+  int height() const { return bottom - top; }
+};
+
+bool has_own(const Figure& figure, std::optional<Axis> Panel::*axis) {
+  return std::any_of(figure.panels.begin(), figure.panels.end(),
+                     [&](const Panel& panel) { return (panel.*axis).has_value(); });
+}
+
 /// Where panels and legend lie in the image.
 class Layout {
  public:
-  explicit Layout(const Figure& figure) : columns_(static_cast<int>(figure.columns)) {
-    const int panels = static_cast<int>(figure.panels.size());
-    rows_ = (panels + columns_ - 1) / columns_;
+  explicit Layout(const Figure& figure)
+      : columns_(static_cast<int>(figure.columns)),
+        overviews_(figure.first_is_overview ? 1 : 0),
+        panel_height_(figure.panel_height),
+        column_gap_(has_own(figure, &Panel::y) ? kLeft : kColumnGap),
+        row_gap_(has_own(figure, &Panel::x) ? kLabelledRowGap : kRowGap) {
+    const int cells = static_cast<int>(figure.panels.size()) - overviews_;
+    const int cell_columns = columns_ - overviews_;
+    rows_ = (cells + cell_columns - 1) / cell_columns;
+    const double widths = kWidth - kLeft - kRight - (columns_ - 1) * column_gap_;
+    other_width_ = static_cast<int>(widths / (figure.first_column + columns_ - 1));
+    first_width_ = static_cast<int>(other_width_ * figure.first_column);
     const int entry_width = kLegendSymbol + kCharacter * longest_title(figure.legend);
     const int entries = static_cast<int>(figure.legend.size());
     legend_columns_ = std::clamp((kWidth - 2 * kRight) / entry_width, 1, std::max(1, entries));
@@ -55,39 +77,55 @@ class Layout {
     legend_height_ = legend_rows * kLegendRow + kLegendMargin;
   }
 
-  int height() const {
-    return kTop + rows_ * kPanelHeight + (rows_ - 1) * kRowGap + kBottom + legend_height_;
-  }
+  int height() const { return bottom_of_row(rows_ - 1) + kBottom + legend_height_; }
   int legend_columns() const { return legend_columns_; }
 
   std::string legend_margins() const {
-    return margins(0, kWidth, height() - legend_height_, height());
+    return margins({0, kWidth, height() - legend_height_, height()});
   }
 
-  std::string panel_margins(std::size_t index) const {
-    const int panel_width = (kWidth - kLeft - kRight - (columns_ - 1) * kColumnGap) / columns_;
-    const int left = kLeft + column(index) * (panel_width + kColumnGap);
-    const int top = kTop + row(index) * (kPanelHeight + kRowGap);
-    return margins(left, left + panel_width, top, top + kPanelHeight);
+  Box panel(std::size_t index) const {
+    const int c = column(index);
+    const int left = kLeft + (c > 0 ? first_width_ + column_gap_ : 0) +
+                     std::max(0, c - 1) * (other_width_ + column_gap_);
+    const int last_row = is_overview(index) ? rows_ - 1 : row(index);
+    return {left, left + (c == 0 ? first_width_ : other_width_), top_of_row(row(index)),
+            bottom_of_row(last_row)};
   }
+  std::string panel_margins(std::size_t index) const { return margins(panel(index)); }
 
   bool is_leftmost(std::size_t index) const { return column(index) == 0; }
-  bool is_lowest(std::size_t index) const { return row(index) == rows_ - 1; }
+  bool is_lowest(std::size_t index) const { return is_overview(index) || row(index) == rows_ - 1; }
 
  private:
-  int column(std::size_t index) const { return static_cast<int>(index) % columns_; }
-  int row(std::size_t index) const { return static_cast<int>(index) / columns_; }
+  bool is_overview(std::size_t index) const { return static_cast<int>(index) < overviews_; }
+  /// Index among the panels that are no overview.
+  int cell(std::size_t index) const { return static_cast<int>(index) - overviews_; }
+  int column(std::size_t index) const {
+    return is_overview(index) ? 0 : overviews_ + cell(index) % (columns_ - overviews_);
+  }
+  int row(std::size_t index) const {
+    return is_overview(index) ? 0 : cell(index) / (columns_ - overviews_);
+  }
+  int top_of_row(int row) const { return kTop + row * (panel_height_ + row_gap_); }
+  int bottom_of_row(int row) const { return top_of_row(row) + panel_height_; }
 
-  std::string margins(int left, int right, int top, int bottom) const {
+  std::string margins(const Box& box) const {
     const double w = kWidth;
     const double h = height();
     return fmt::format(
         "set lmargin at screen {:.4f}; set rmargin at screen {:.4f}; "
         "set bmargin at screen {:.4f}; set tmargin at screen {:.4f}\n",
-        left / w, right / w, 1 - bottom / h, 1 - top / h);
+        box.left / w, box.right / w, 1 - box.bottom / h, 1 - box.top / h);
   }
 
   int columns_ = 1;
+  int overviews_ = 0;
+  int panel_height_ = 0;
+  int column_gap_ = 0;
+  int row_gap_ = 0;
+  int first_width_ = 0;
+  int other_width_ = 0;
   int rows_ = 1;
   int legend_columns_ = 1;
   int legend_height_ = 0;
@@ -98,7 +136,7 @@ std::string style_lines(const std::vector<LineStyle>& styles) {
   for (std::size_t k = 0; k < styles.size(); ++k) {
     const LineStyle& s = styles[k];
     script += fmt::format("set style line {} lc rgb '{}' dt {} lw {} pt {} ps {} pi {}\n", k + 1,
-                          s.colour, s.dash, s.width, s.point,
+                          s.colour, std::max(1, s.dash), s.width, s.point,
                           s.point == 0 ? 0.0 : 0.25 + 0.25 * s.width, s.point_interval);
   }
   return script;
@@ -122,13 +160,73 @@ std::string data_block(std::size_t index, const Panel& panel) {
   return script + "END\n";
 }
 
-std::string_view drawn_with(const LineStyle& style) {
-  return style.point == 0 ? "lines" : "linespoints";
+std::string drawn_with(const Figure& figure, std::size_t style) {
+  const LineStyle& s = figure.styles[style];
+  if (s.filled) return fmt::format("filledcurves closed fs solid noborder fc rgb '{}'", s.colour);
+  const char* kind = s.point == 0 ? "lines" : s.dash == 0 ? "points" : "linespoints";
+  return fmt::format("{} ls {}", kind, style + 1);
 }
 
-std::string axis_lines(char axis, const Axis& a) {
-  std::string script = fmt::format("set {}range [{:.7g}:{:.7g}]\n", axis, a.from, a.to);
-  if (!a.tics.empty()) script += fmt::format("set {}tics ({})\n", axis, fmt::join(a.tics, ", "));
+/// Distance of tics, 1, 2 or 5 times a power of ten, at which at most `count` fit in the length.
+double tic_distance(double length, int count) {
+  const double least = length / count;
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (step * power >= least) return step * power;
+  return 10.0 * power;
+}
+
+std::string axis_lines(char axis, const Axis& a, std::string_view label, std::string_view tics) {
+  return fmt::format(
+      "set {0}range [{1:.7g}:{2:.7g}]\n"
+      "set {0}tics {3}\n"
+      "set {0}label {4}\n",
+      axis, a.from, a.to, tics, quoted(label));
+}
+
+/// Tics as the axis has them, or those that gnuplot chooses.
+std::string tics_of(const Axis& axis) {
+  return axis.tics.empty() ? "autofreq" : fmt::format("({})", fmt::join(axis.tics, ", "));
+}
+
+/// Tics with room for their numbers. (gnuplot's own choice runs together in narrow panels.)
+std::string tics_with_room(const Axis& axis, int count) {
+  return fmt::format("{:.7g}", tic_distance(axis.to - axis.from, std::max(1, count)));
+}
+
+/// Widens the range about its middle to that length.
+void widen(Axis& axis, double length) {
+  const double margin = std::max(0.0, 0.5 * (length - (axis.to - axis.from)));
+  axis.from -= margin;
+  axis.to += margin;
+}
+
+void bring_to_scale(Axis& x, Axis& y, const Box& box) {
+  const double unit = std::min(box.width() / (x.to - x.from), box.height() / (y.to - y.from));
+  widen(x, box.width() / unit);
+  widen(y, box.height() / unit);
+}
+
+std::string axes_lines(const Figure& figure, const Layout& layout, std::size_t index) {
+  const Panel& panel = figure.panels[index];
+  Axis x = panel.x.value_or(figure.x);
+  Axis y = panel.y.value_or(figure.y);
+  const std::string x_label = panel.x || layout.is_lowest(index) ? x.label : "";
+  const std::string y_label = panel.y || layout.is_leftmost(index) ? y.label : "";
+  if (!figure.to_scale)
+    return axis_lines('x', x, x_label, tics_of(x)) + axis_lines('y', y, y_label, tics_of(y));
+  const Box box = layout.panel(index);
+  bring_to_scale(x, y, box);
+  return axis_lines('x', x, x_label, tics_with_room(x, box.width() / kTicWidth)) +
+         axis_lines('y', y, y_label, tics_with_room(y, box.height() / kTicHeight));
+}
+
+std::string label_lines(const std::vector<Label>& labels) {
+  std::string script = "unset label\n";
+  for (const Label& label : labels)
+    script += fmt::format("set label {0} at {1}{2:.7g}, {1}{3:.7g} {4} front\n",
+                          quoted(title(label.text)), label.in_panel ? "graph " : "", label.x,
+                          label.y, label.centred ? "center" : "left");
   return script;
 }
 
@@ -136,14 +234,11 @@ std::string panel_lines(const Figure& figure, const Layout& layout, std::size_t 
   const Panel& panel = figure.panels[index];
   std::string script = layout.panel_margins(index);
   script += fmt::format("set title {}\n", quoted(title(panel.title)));
-  script += fmt::format("set ylabel {}\n", quoted(layout.is_leftmost(index) ? figure.y.label : ""));
-  script += fmt::format("set xlabel {}\n", quoted(layout.is_lowest(index) ? figure.x.label : ""));
+  script += axes_lines(figure, layout, index) + label_lines(panel.labels);
   std::vector<std::string> plots;
-  for (std::size_t k = 0; k < panel.lines.size(); ++k) {
-    const std::size_t style = panel.lines[k].style;
-    plots.push_back(fmt::format("$panel_{} index {} with {} ls {}", index + 1, k,
-                                drawn_with(figure.styles[style]), style + 1));
-  }
+  for (std::size_t k = 0; k < panel.lines.size(); ++k)
+    plots.push_back(fmt::format("$panel_{} index {} with {}", index + 1, k,
+                                drawn_with(figure, panel.lines[k].style)));
   if (plots.empty()) plots.push_back("NaN");
   return script + fmt::format("plot {}\n", fmt::join(plots, ", \\\n     "));
 }
@@ -151,17 +246,22 @@ std::string panel_lines(const Figure& figure, const Layout& layout, std::size_t 
 std::string legend_lines(const Figure& figure, const Layout& layout) {
   std::string script = layout.legend_margins();
   script +=
-      "unset title; unset xlabel; unset ylabel\n"
+      "unset title; unset xlabel; unset ylabel; unset label\n"
       "unset grid; unset border; unset xtics; unset ytics\n";
   script += fmt::format("set key center horizontal Left reverse maxcols {} samplen 3\n",
                         layout.legend_columns());
   std::vector<std::string> plots;
-  for (std::size_t k = 0; k < figure.legend.size(); ++k) {
-    const std::size_t style = figure.legend[k].style;
-    plots.push_back(fmt::format("NaN with {} ls {} title legend_{}",
-                                drawn_with(figure.styles[style]), style + 1, k + 1));
-  }
+  for (std::size_t k = 0; k < figure.legend.size(); ++k)
+    plots.push_back(fmt::format("NaN with {} title legend_{}",
+                                drawn_with(figure, figure.legend[k].style), k + 1));
   return script + fmt::format("plot [0:1] [0:1] {}\n", fmt::join(plots, ", \\\n     "));
+}
+
+/// A box around a drawing, two axes and a grid for reading values of other plots.
+std::string_view frame_lines(bool is_drawing) {
+  return is_drawing ? "set border 15 lw 0.7; set clip two\n"
+                    : "set border 3\n"
+                      "set grid y lc rgb '#d9d9d9' lt 1 lw 0.6\n";
 }
 
 std::string terminal_lines(const Figure& figure, int height) {
@@ -210,10 +310,9 @@ std::string gnuplot_script(const Figure& figure) {
   script += "do for [format in 'svg png'] {\n" + terminal_lines(figure, layout.height());
   script += fmt::format("set multiplot title {}\n", quoted(figure.title));
   script +=
-      "set border 3; set xtics out nomirror scale 0.5; set ytics out nomirror scale 0.5\n"
-      "set grid y lc rgb '#d9d9d9' lt 1 lw 0.6\n"
+      "set xtics out nomirror scale 0.5; set ytics out nomirror scale 0.5\n"
       "unset key\n";
-  script += axis_lines('x', figure.x) + axis_lines('y', figure.y);
+  script += frame_lines(figure.to_scale);
   for (std::size_t k = 0; k < figure.panels.size(); ++k) script += panel_lines(figure, layout, k);
   script += legend_lines(figure, layout);
   return script + "unset multiplot\nunset output\n}\n";

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,23 +18,41 @@ struct LineStyle {
   int point = 0;
   double width = 1.5;
   int point_interval = 1;  ///< Every how many points one is marked.
+  bool filled = false;     ///< The parts of the line are polygons, filled and without outline.
 };
+
+constexpr LineStyle fill_of(std::string_view colour) { return {colour, 1, 0, 0.0, 1, true}; }
+constexpr LineStyle points_of(std::string_view colour, int point, double width) {
+  return {colour, 0, point, width};
+}
 
 struct Line {
   std::size_t style = 0;  ///< Index into the figure's styles.
   std::vector<Polyline> parts;
 };
 
-struct Panel {
-  std::string title;
-  std::vector<Line> lines;
-};
-
 struct Axis {
   std::string label;  ///< With the unit.
   double from = 0.0;
   double to = 1.0;
-  std::vector<int> tics;  ///< Empty: gnuplot chooses.
+  std::vector<int> tics = {};  ///< Empty: gnuplot chooses.
+};
+
+/// A text inside a panel.
+struct Label {
+  std::string text;
+  double x = 0.0;
+  double y = 0.0;
+  bool in_panel = false;  ///< x, y are shares of the panel from its lower left, else coordinates.
+  bool centred = false;   ///< Else the text starts at x.
+};
+
+struct Panel {
+  std::string title;
+  std::vector<Line> lines = {};
+  std::vector<Label> labels = {};
+  std::optional<Axis> x = std::nullopt;  ///< In place of the figure's.
+  std::optional<Axis> y = std::nullopt;
 };
 
 struct LegendEntry {
@@ -40,7 +60,8 @@ struct LegendEntry {
   std::size_t style = 0;
 };
 
-/// Panels in a grid, filled row by row, that share both axes and one legend below.
+/// Panels in a grid, filled row by row, that share one legend below and, unless they have their
+/// own, both axes.
 struct Figure {
   std::string name;  ///< Of its files.
   std::string title;
@@ -50,6 +71,12 @@ struct Figure {
   std::vector<Panel> panels;
   std::vector<LineStyle> styles;
   std::vector<LegendEntry> legend;
+
+  int panel_height = 235;          ///< [pixels], where an image is 900 wide.
+  double first_column = 1.0;       ///< Width of the first column over that of the others.
+  bool first_is_overview = false;  ///< The first panel fills the first column.
+  /// A drawing: ranges are widened about their middle until a unit is as long on both axes.
+  bool to_scale = false;
 };
 
 /// Sets the range of y: from zero, unless the values fill less than half of that, to a little above

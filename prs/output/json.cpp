@@ -35,6 +35,7 @@ Json interface_json(const InterfaceContact& contact, bool same_pitch) {
   json["roller_curvatures_per_mm"] = shown(g.roller, per_si::per_millimetre);
   json["relative_curvatures_per_mm"] = shown(g.relative, per_si::per_millimetre);
   put(json, "curvature_sum_per_mm", g.curvature_sum(), per_si::per_millimetre);
+  put(json, "equivalent_radius_mm", 1.0 / g.curvature_sum(), per_si::millimetre);
   put(json, "first_directions_angle_deg", g.first_directions_angle(), per_si::degree);
   put(json, "normal_angle_deg", g.point.normal_angle(), per_si::degree);
   json["normal"] = g.point.normal;
@@ -95,7 +96,10 @@ void put_answer(Json& json, const LoadCaseResult& result) {
   for (const Interface i : kInterfaces) json[name(i)] = threads_json((*result.threads)[i]);
 }
 
-Json load_case_json(const LoadCaseResult& result) {
+/// Documents of more cases leave the histories out.
+constexpr std::size_t kMostHistories = 100;
+
+Json load_case_json(const LoadCaseResult& result, bool with_history) {
   const LoadCase& load = result.load_case;
   Json json;
   json["name"] = load.name;
@@ -105,7 +109,7 @@ Json load_case_json(const LoadCaseResult& result) {
   put_solve(json, result);
   if (result.converged()) put_answer(json, result);
   json["warnings"] = result.warnings;
-  if (result.solve) json["newton_history"] = history_json(result.solve->history);
+  if (result.solve && with_history) json["newton_history"] = history_json(result.solve->history);
   return json;
 }
 
@@ -116,7 +120,7 @@ nlohmann::ordered_json document_head(const DocumentInfo& info,
   Json document;
   document["prs_version"] = info.version;
   document["schema_version"] = info.schema_version;
-  document["input_sha256"] = info.input_sha256;
+  if (!info.input_sha256.empty()) document["input_sha256"] = info.input_sha256;
   if (!info.overrides.empty()) document["overrides"] = info.overrides;
   document["warnings"] = warnings;
   return document;
@@ -147,10 +151,12 @@ nlohmann::ordered_json contacts_json(const Contacts& contacts) {
 
 nlohmann::ordered_json to_json(const Result& result, const DocumentInfo& info) {
   Json document = document_head(info, result.warnings);
-  document["contact"] = contacts_json(result.contacts);
+  if (result.contacts.threads.centre_distance > 0.0)
+    document["contact"] = contacts_json(result.contacts);
   document["load_cases"] = Json::array();
+  const bool with_history = result.load_cases.size() <= kMostHistories;
   for (const LoadCaseResult& load_case : result.load_cases)
-    document["load_cases"].push_back(load_case_json(load_case));
+    document["load_cases"].push_back(load_case_json(load_case, with_history));
   return document;
 }
 

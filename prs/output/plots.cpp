@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <span>
 #include <system_error>
 
+#include "prs/output/contact_figures.h"
 #include "prs/output/files.h"
 #include "prs/output/gnuplot.h"
 #include "prs/output/result_figures.h"
@@ -13,10 +15,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Figure> figures(const Result& result) {
+using FigureOf = std::optional<Figure> (*)(const Result&);
+
+constexpr FigureOf kLoadFigures[] = {load_distribution_figure, peak_pressure_figure,
+                                     stiffness_figure, butterfly_figure};
+constexpr FigureOf kContactFigures[] = {contact_section_figure, contact_xy_figure,
+                                        contact_ellipse_figure};
+
+std::vector<Figure> figures(std::span<const FigureOf> makers, const Result& result) {
   std::vector<Figure> all;
-  for (const auto make :
-       {load_distribution_figure, peak_pressure_figure, stiffness_figure, butterfly_figure})
+  for (const FigureOf make : makers)
     if (std::optional<Figure> figure = make(result)) all.push_back(std::move(*figure));
   return all;
 }
@@ -50,10 +58,8 @@ std::vector<std::string> draw(const std::vector<Figure>& figures, const fs::path
   return notes;
 }
 
-}  // namespace
-
-std::vector<std::string> draw_plots(const Result& result, const fs::path& directory) {
-  const std::vector<Figure> all = figures(result);
+/// Writes the scripts of the figures and has them drawn.
+std::vector<std::string> draw_below(const fs::path& directory, const std::vector<Figure>& all) {
   if (all.empty()) return {};
   const fs::path plots = directory / "plots";
   write_scripts(all, plots);
@@ -64,6 +70,22 @@ std::vector<std::string> draw_plots(const Result& result, const fs::path& direct
     return {fmt::format("plots were not drawn: {}; their scripts stand in {}", error.what(),
                         plots.string())};
   }
+}
+
+}  // namespace
+
+std::vector<std::string> draw_plots(const Result& result, const fs::path& directory) {
+  return draw_below(directory, figures(kLoadFigures, result));
+}
+
+std::vector<std::string> draw_contact_plots(const Result& result, const fs::path& directory) {
+  std::vector<std::string> notes = draw_below(directory, figures(kContactFigures, result));
+  for (const Interface i : kInterfaces)
+    if (!result.contacts.interfaces[i].geometry.ok())
+      notes.push_back(fmt::format(
+          "pictures of the contacts were not drawn: the {} threads have no contact point ({})",
+          label(i), failure(result.contacts, i)));
+  return notes;
 }
 
 }  // namespace prs

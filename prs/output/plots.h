@@ -14,4 +14,8 @@ namespace prs {
 /// written.
 std::vector<std::string> draw_plots(const Result& result, const std::filesystem::path& directory);
 
+/// The same for the pictures of the contacts (see contact_figures.h).
+std::vector<std::string> draw_contact_plots(const Result& result,
+                                            const std::filesystem::path& directory);
+
 }  // namespace prs

@@ -4,10 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
 
 #include "prs/analyze.h"
+#include "prs/case_error.h"
+#include "prs/input/fail_at.h"
 #include "prs/input/reader.h"
 #include "prs/output/json.h"
 #include "prs/output/text.h"
@@ -22,29 +27,63 @@ std::optional<double> number_at(const Json& document, std::string path) {
   for (char& c : path)
     if (c == '.' || c == '[') c = '/';
   std::erase(path, ']');
-  const Json::json_pointer pointer("/" + path);
-  if (!document.contains(pointer) || !document.at(pointer).is_number()) return std::nullopt;
-  return document.at(pointer).get<double>();
+  const Json* value = &document;
+  std::istringstream steps(path);
+  for (std::string step; std::getline(steps, step, '/');) {
+    if (value->is_object() && value->contains(step)) {
+      value = &(*value)[step];
+    } else if (value->is_array()) {
+      std::size_t index = value->size();
+      std::from_chars(step.data(), step.data() + step.size(), index);
+      if (index >= value->size()) return std::nullopt;
+      value = &(*value)[index];
+    } else {
+      return std::nullopt;
+    }
+  }
+  return value->is_number() ? std::optional(value->get<double>()) : std::nullopt;
 }
 
-SourceReport report_on(const std::filesystem::path& folder, const StatementJudges& judges) {
-  const Reference reference = read_reference(folder / "reference.yaml");
-  const Case c = input::read_case(reference.case_file.string(), {}, Command::solve);
-  SourceReport report;
-  report.name = folder.filename().string();
-  report.source = reference.source;
-  const Json document = to_json(analyze(c), {});
+/// The result of a case, so that what is found wrong with it is reported where it stands.
+Result result_of(const input::Source& source, Command command) {
+  const Case c = input::read_case_input(source, command).values;
+  try {
+    return command == Command::contact ? analyze_contacts(c) : analyze(c);
+  } catch (const CaseError& error) {
+    input::fail_at(source, error.path(), error.what());
+  }
+}
+
+std::vector<Comparison> compare(const ReferenceCase& reference, const DerivedQuantities& derived) {
+  const Result result =
+      result_of(input::load_source(reference.file.string(), {}), reference.command);
+  Json document = to_json(result, {});
+  if (derived) document["derived"] = derived(result);
+  std::vector<Comparison> comparisons;
   for (const PrintedValue& value : reference.values)
-    report.comparisons.push_back({value, number_at(document, value.quantity)});
-  for (const auto& [name, judge] : judges)
-    if (name == report.name) report.statements = judge(c);
-  return report;
+    comparisons.push_back(
+        {reference.file.stem().string(), value, number_at(document, value.quantity)});
+  return comparisons;
 }
 
-const char* verdict_name(const Comparison& c) {
-  if (!c.computed) return "missing";
-  if (c.unexpected()) return "unexpected";
-  return c.reproduces() ? "reproduces" : "differs";
+SourceReport report_on(const std::filesystem::path& folder,
+                       const std::vector<Contribution>& contributions) {
+  const Reference reference = read_reference(folder / "reference.yaml");
+  SourceReport report;
+  report.name = std::filesystem::canonical(folder).filename().string();
+  report.source = reference.source;
+  Contribution code;
+  for (const Contribution& c : contributions)
+    if (c.folder == report.name) code = c;
+  for (const ReferenceCase& c : reference.cases)
+    for (Comparison& comparison : compare(c, code.derived))
+      report.comparisons.push_back(std::move(comparison));
+  if (code.statements) {
+    const ReferenceCase& first = reference.cases.front();
+    report.statements = code.statements(input::read_case(first.file.string(), {}, first.command));
+  }
+  if (code.tables) report.tables = code.tables();
+  return report;
 }
 
 const char* verdict_name(Verdict::Kind kind) {
@@ -61,12 +100,29 @@ const char* verdict_name(Verdict::Kind kind) {
 
 std::string comparison_text(const Comparison& c) {
   const PrintedValue& r = c.reference;
-  std::string text = fmt::format("  {:<11} {:<15} {:<45} printed {:<10}", verdict_name(c), r.where,
-                                 r.quantity, r.printed);
+  std::string text = fmt::format("  {:<11} {:<22} {:<45} printed {:<11}", name(c.outcome()),
+                                 r.where, r.quantity, r.printed.text);
   if (c.computed)
-    text += fmt::format(" computed {:.8g} ({:+.2e})", *c.computed, *c.computed / r.value() - 1.0);
+    text += fmt::format(" computed {:<14.8g} {} of {} digits", *c.computed,
+                        r.printed.agreeing_digits(*c.computed), r.printed.digits());
   text += '\n';
-  if (!r.differs.empty()) text += wrapped(r.differs, "              ", 110);
+  if (!r.differs.empty())
+    text += wrapped(
+        r.corrected ? fmt::format("{}; corrected {}", r.differs, r.corrected->text) : r.differs,
+        "              ", 110);
+  return text;
+}
+
+std::string table_text(const ValidationTable& table) {
+  std::string text = wrapped(table.title, "  ", 110);
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    text += fmt::format(fmt::runtime(i == 0 ? "    {:<24}" : " {:>16}"), table.columns[i]);
+  text += '\n';
+  for (const ValidationTable::Row& row : table.rows) {
+    text += fmt::format("    {:<24}", row.label);
+    for (const double value : row.values) text += fmt::format(" {:>16.6g}", value);
+    text += '\n';
+  }
   return text;
 }
 
@@ -81,23 +137,57 @@ std::string statement_text(const JudgedStatement& s) {
          (s.verdict.why.empty() ? "" : wrapped("Why: " + s.verdict.why, "      ", 110));
 }
 
+Json comparison_json(const Comparison& c) {
+  const PrintedValue& r = c.reference;
+  Json json{{"case", c.case_name},
+            {"where", r.where},
+            {"quantity", r.quantity},
+            {"printed", r.printed.text},
+            {"printed_digits", r.printed.digits()}};
+  if (c.computed) {
+    json["computed"] = *c.computed;
+    json["agreeing_digits"] = r.printed.agreeing_digits(*c.computed);
+  }
+  json["verdict"] = name(c.outcome());
+  if (!r.differs.empty()) json["reason"] = r.differs;
+  if (r.corrected) json["corrected"] = r.corrected->text;
+  return json;
+}
+
 }  // namespace
 
-bool Comparison::reproduces() const {
-  // A printed digit is rounded from a computation of unknown rounding: one part in 1e9 of slack.
-  return computed &&
-         std::abs(*computed - reference.value()) <= reference.half_unit() * (1.0 + 1e-9);
+const char* name(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::reproduces:
+      return "reproduces";
+    case Outcome::differs:
+      return "differs";
+    case Outcome::unexpected:
+      return "unexpected";
+    case Outcome::missing:
+      return "missing";
+  }
+  return "";
+}
+
+Outcome Comparison::outcome() const {
+  if (!computed) return Outcome::missing;
+  const bool as_printed = reference.printed.is_reproduced_by(*computed);
+  if (reference.differs.empty()) return as_printed ? Outcome::reproduces : Outcome::unexpected;
+  const bool as_corrected =
+      !reference.corrected || reference.corrected->is_reproduced_by(*computed);
+  return !as_printed && as_corrected ? Outcome::differs : Outcome::unexpected;
 }
 
 std::vector<SourceReport> validate(const std::filesystem::path& directory,
-                                   const StatementJudges& judges) {
+                                   const std::vector<Contribution>& contributions) {
   std::vector<std::filesystem::path> folders;
   if (std::filesystem::exists(directory / "reference.yaml")) folders.push_back(directory);
   for (const auto& entry : std::filesystem::directory_iterator(directory))
     if (std::filesystem::exists(entry.path() / "reference.yaml")) folders.push_back(entry.path());
   std::sort(folders.begin(), folders.end());
   std::vector<SourceReport> reports;
-  for (const auto& folder : folders) reports.push_back(report_on(folder, judges));
+  for (const auto& folder : folders) reports.push_back(report_on(folder, contributions));
   return reports;
 }
 
@@ -105,7 +195,13 @@ std::string validation_text(const std::vector<SourceReport>& reports) {
   std::string text;
   for (const SourceReport& report : reports) {
     text += fmt::format("{}: {}\n", report.name, report.source);
-    for (const Comparison& c : report.comparisons) text += comparison_text(c);
+    std::string case_name;
+    for (const Comparison& c : report.comparisons) {
+      if (std::exchange(case_name, c.case_name) != c.case_name)
+        text += fmt::format(" {}\n", c.case_name);
+      text += comparison_text(c);
+    }
+    for (const ValidationTable& table : report.tables) text += table_text(table);
     for (const JudgedStatement& s : report.statements) text += statement_text(s);
     text += '\n';
   }
@@ -118,14 +214,13 @@ nlohmann::ordered_json validation_json(const std::vector<SourceReport>& reports,
   document["sources"] = Json::array();
   for (const SourceReport& report : reports) {
     Json source{{"name", report.name}, {"source", report.source}};
-    for (const Comparison& c : report.comparisons) {
-      Json json{{"where", c.reference.where},
-                {"quantity", c.reference.quantity},
-                {"printed", c.reference.printed}};
-      if (c.computed) json["computed"] = *c.computed;
-      json["verdict"] = verdict_name(c);
-      if (!c.reference.differs.empty()) json["reason"] = c.reference.differs;
-      source["values"].push_back(std::move(json));
+    for (const Comparison& c : report.comparisons) source["values"].push_back(comparison_json(c));
+    for (const ValidationTable& table : report.tables) {
+      Json rows = Json::array();
+      for (const ValidationTable::Row& row : table.rows)
+        rows.push_back({{"label", row.label}, {"values", row.values}});
+      source["tables"].push_back(
+          {{"title", table.title}, {"columns", table.columns}, {"rows", std::move(rows)}});
     }
     for (const JudgedStatement& s : report.statements)
       source["statements"].push_back({{"section", s.section},

@@ -9,20 +9,32 @@
 
 #include "prs/case.h"
 #include "prs/output/json.h"
+#include "prs/result.h"
 #include "prs/validation/reference.h"
 #include "prs/validation/statement.h"
+#include "prs/validation/table.h"
 
 namespace prs {
 
+enum class Outcome {
+  reproduces,
+  differs,     ///< Listed as different with a reason; a corrected number, where given, is met.
+  unexpected,  ///< Not reproduced and not listed, or listed and reproduced all the same.
+  missing,     ///< The result does not hold the quantity.
+};
+
+const char* name(Outcome outcome);
+
 /// A printed number against the computed one.
 struct Comparison {
+  std::string case_name;  ///< Of the case's file, without its ending.
   PrintedValue reference;
   std::optional<double> computed;  ///< Absent where the result does not hold the quantity.
 
-  bool reproduces() const;
-  /// Neither reproduced nor listed as different with a reason, or listed and reproduced all the
-  /// same.
-  bool unexpected() const { return reproduces() != reference.differs.empty(); }
+  Outcome outcome() const;
+  bool unexpected() const {
+    return outcome() == Outcome::unexpected || outcome() == Outcome::missing;
+  }
 };
 
 struct JudgedStatement {
@@ -37,18 +49,27 @@ struct SourceReport {
   std::string source;  ///< Citation.
   std::vector<Comparison> comparisons;
   std::vector<JudgedStatement> statements;
+  std::vector<ValidationTable> tables;
 };
 
 /// Judges the statements that a source makes in words about the screw of its case.
 using StatementJudge = std::function<std::vector<JudgedStatement>(const Case&)>;
 
-/// Statements by folder name.
-using StatementJudges = std::vector<std::pair<std::string, StatementJudge>>;
+/// What a source prints and the JSON document does not hold, by key; stands below `derived` there.
+using DerivedQuantities = std::function<nlohmann::ordered_json(const Result&)>;
+
+/// What the code of one folder adds to its `reference.yaml`.
+struct Contribution {
+  std::string folder;
+  StatementJudge statements = {};  ///< On the first case of the reference.
+  DerivedQuantities derived = {};
+  std::function<std::vector<ValidationTable>()> tables = {};
+};
 
 /// Runs every folder of `directory` that has a `reference.yaml`, or `directory` itself where it has
 /// one. Throws input::InputError.
 std::vector<SourceReport> validate(const std::filesystem::path& directory,
-                                   const StatementJudges& judges);
+                                   const std::vector<Contribution>& contributions);
 
 /// The reports as a text, digit by digit.
 std::string validation_text(const std::vector<SourceReport>& reports);

@@ -39,9 +39,9 @@ TEST(Analyze, LoadRatesAreAxialLoadsOverForcePerRollerAndSumToOne) {
       for (std::size_t k = 0; k < loads.axial_load.size(); ++k) {
         EXPECT_NEAR(loads.axial_load[k] / (loads.normal_load[k] * std::cos(loads.normal_angle)),
                     1.0, 1e-14);
-        EXPECT_NEAR(loads.normal_load[k] /
-                        (*loads.hertz_constant * std::pow(loads.approach[k], 1.5)),
-                    1.0, 1e-13);
+        EXPECT_NEAR(
+            loads.normal_load[k] / (*loads.hertz_constant * std::pow(loads.approach[k], 1.5)), 1.0,
+            1e-13);
       }
     }
 }
@@ -113,7 +113,8 @@ TEST(Analyze, DesignedMechanismIsSolvedAsTheSameOneGivenByItsRadii) {
   c.mechanism.backlash = {20e-6, 30e-6};
   const Result designed = analyze(c);
   for (const Interface i : kInterfaces)
-    EXPECT_NEAR(designed.contacts.interfaces[i].geometry.point.backlash, c.mechanism.backlash[i], 1e-12);
+    EXPECT_NEAR(designed.contacts.interfaces[i].geometry.point.backlash, c.mechanism.backlash[i],
+                1e-12);
 
   Case given = c;
   given.mechanism = designed.contacts.mechanism;
@@ -146,6 +147,73 @@ TEST(Analyze, ThreadsWithoutPointContactNeedBothOverrides) {
     EXPECT_EQ(error.path(), "mechanism");
     EXPECT_NE(std::string(error.what()).find("roller-nut"), std::string::npos) << error.what();
   }
+}
+
+TEST(Analyze, ContactBeyondATruncatedFlankNamesPartEndAndDistance) {
+  Case c = lesson("04_contacts_from_geometry.yaml");
+  c.mechanism.thread.nut = ThreadHeight{0.02e-3, 0.2e-3};  // the contact lies at 17.4615 mm
+  try {
+    analyze_contacts(c);
+    FAIL();
+  } catch (const CaseError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("roller-nut"), std::string::npos) << message;
+    EXPECT_NE(message.find("0.0185 mm beyond the crest of the nut"), std::string::npos) << message;
+  }
+}
+
+TEST(Analyze, FlanksThatNeverMeetSayHowFarTheyAre) {
+  Case c = lesson("04_contacts_from_geometry.yaml");
+  c.mechanism.thread.nut = ThreadHeight{0.2e-3, 0.2e-3};
+  c.mechanism.thread.roller = ThreadHeight{0.05e-3, 0.3e-3};
+  c.mechanism.pitch_diameter.nut = 35.6e-3;
+  try {
+    analyze_contacts(c);
+    FAIL();
+  } catch (const CaseError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("miss each other by 0.0500 mm"), std::string::npos) << message;
+  }
+}
+
+TEST(Analyze, EllipsesThatPassTheFlankAreWarnedOf) {
+  Case c = lesson("04_contacts_from_geometry.yaml");
+  EXPECT_TRUE(analyze(c).load_cases[0].warnings.empty());
+  c.mechanism.thread.roller = ThreadHeight{0.12e-3, 0.3e-3};
+  const std::vector<std::string> warnings = analyze(c).load_cases[0].warnings;
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_NE(warnings[0].find("ellipse reaches"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("crest of the roller"), std::string::npos) << warnings[0];
+}
+
+TEST(Analyze, AbeviContactsAreThoseOfASecondComputation) {
+  // Exact Hertz contacts with nu = 0.3, computed independently: N/mm^1.5 and degrees.
+  const PerInterface<InterfaceContact> contacts =
+      analyze(lesson("04_contacts_from_geometry.yaml")).contacts.interfaces;
+  const double per_m = std::pow(1e3, 1.5), degree = M_PI / 180;
+  EXPECT_NEAR(contacts.screw.hertz.hertz_constant / per_m, 318655, 0.5);
+  EXPECT_NEAR(contacts.nut.hertz.hertz_constant / per_m, 361611, 0.5);
+  EXPECT_NEAR(contacts.screw.normal_angle() / degree, 45.1636, 5e-5);
+  EXPECT_NEAR(contacts.nut.normal_angle() / degree, 45.0592, 5e-5);
+  EXPECT_NEAR(contacts.nut.geometry.point.backlash, -0.064e-3, 5e-7);
+}
+
+TEST(Analyze, ContactNeedsNoMaterialsAndThenHasNoHertz) {
+  Case c = lesson("04_contacts_from_geometry.yaml");
+  c.materials.reset();
+  LoadCase equal;
+  equal.name = "equal";
+  equal.axial_force = 11e3;
+  equal.share = LoadCase::Share::equal;
+  c.load_cases.push_back(equal);
+  const Result result = analyze_contacts(c);
+  ASSERT_EQ(result.load_cases.size(), 1u);  // those to be solved are left out
+  const InterfaceLoads& screw = result.load_cases[0].threads->screw;
+  EXPECT_NEAR(screw.axial_load[7], 50.0, 1e-12);
+  EXPECT_TRUE(screw.peak_pressure.empty());
+  EXPECT_TRUE(screw.approach.empty());
+  EXPECT_FALSE(screw.hertz_constant);
+  EXPECT_FALSE(result.contacts.interfaces.nut.has_hertz());
 }
 
 TEST(Analyze, WarnsOfPressuresBeyondTheStaticLimit) {

@@ -79,8 +79,9 @@ TEST_F(CommandLine, OverridesReplaceValues) {
         prs("solve configs/01_config_1_to_3.yaml --json " + more).out)["load_cases"][0];
   };
   const auto plain = solve(""), more = solve("--set mechanism.contacts_per_roller=15"),
-             twice = solve("--set mechanism.contacts_per_roller=15 "
-                           "--set 'load_cases[0].axial_force=20 kN'");
+             twice = solve(
+                 "--set mechanism.contacts_per_roller=15 "
+                 "--set 'load_cases[0].axial_force=20 kN'");
   EXPECT_EQ(more["screw"]["axial_load_N"].size(), 15u);
   EXPECT_EQ(twice["axial_force_N"], 20000.0);
   EXPECT_LT(more["axial_stiffness_N_per_um"], plain["axial_stiffness_N_per_um"]);
@@ -91,7 +92,7 @@ TEST_F(CommandLine, WrongInputIsStatus2WithItsPlaceAndNoOutput) {
   const std::string file = (folder / "bad.yaml").string();
   for (const std::string& arguments :
        std::vector<std::string>{"solve " + file, "solve --json " + file, "check " + file,
-        "solve " + file + " --output " + (folder / "files").string()}) {
+                                "solve " + file + " --output " + (folder / "files").string()}) {
     const Outcome run = prs(arguments);
     EXPECT_EQ(run.status, 2) << arguments;
     EXPECT_EQ(run.out, "") << arguments;
@@ -101,9 +102,26 @@ TEST_F(CommandLine, WrongInputIsStatus2WithItsPlaceAndNoOutput) {
   EXPECT_FALSE(fs::exists(folder / "files"));
 }
 
+TEST_F(CommandLine, WrongOverrideIsReportedWhereItTakesEffect) {
+  const Outcome run = prs("solve configs/01_config_1_to_3.yaml --set mechanism.lead=5");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err.rfind("configs/01_config_1_to_3.yaml:16:3: error: mechanism.lead: got 5;", 0),
+            0u)
+      << run.err;
+  EXPECT_NE(run.err.find("from --set mechanism.lead=5"), std::string::npos) << run.err;
+}
+
+TEST_F(CommandLine, OutputThatGetsLostIsStatus1) {
+  const std::string command = "cd '" PRS_SOURCE_DIR "' && '" PRS_EXECUTABLE
+                              "' solve configs/01_config_1_to_3.yaml --json --quiet >/dev/full "
+                              "2>/dev/null";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1);
+}
+
 TEST_F(CommandLine, WhatOnlyTheGeometryRevealsIsReportedAtItsPlace) {
-  const Outcome run = prs("solve configs/04_contacts_from_geometry.yaml --json --set "
-                      "mechanism.profile.roller=straight");
+  const Outcome run =
+      prs("solve configs/04_contacts_from_geometry.yaml --json --set "
+          "mechanism.profile.roller=straight");
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_NE(run.err.find("configs/04_contacts_from_geometry.yaml:"), std::string::npos) << run.err;
@@ -132,11 +150,13 @@ TEST_F(CommandLine, HelpAndVersionAreStatus0) {
 
 TEST_F(CommandLine, OutputWritesWhatOtherToolsOpen) {
   const fs::path files = folder / "deep" / "files";
-  const Outcome run = prs("solve configs/03_load_sweep.yaml --quiet --output '" + files.string() + "'");
+  const Outcome run =
+      prs("solve configs/03_load_sweep.yaml --quiet --output '" + files.string() + "'");
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.out, "");
-  for (const char* name : {"result.json", "load_cases.csv", "load_distribution.csv",
-                           "plots/load_distribution.gp", "plots/stiffness.gp", "plots/butterfly.gp"})
+  for (const char* name :
+       {"result.json", "load_cases.csv", "load_distribution.csv", "plots/load_distribution.gp",
+        "plots/stiffness.gp", "plots/butterfly.gp"})
     EXPECT_TRUE(fs::exists(files / name)) << name;
   std::ifstream csv(files / "load_cases.csv");
   std::string line;
@@ -148,7 +168,7 @@ TEST_F(CommandLine, OutputWritesWhatOtherToolsOpen) {
 TEST_F(CommandLine, OutputThatCannotBeWrittenIsStatus1) {
   std::ofstream(folder / "file") << "x";
   const Outcome run = prs("solve configs/01_config_1_to_3.yaml --json --output '" +
-                      (folder / "file").string() + "'");
+                          (folder / "file").string() + "'");
   EXPECT_EQ(run.status, 1);
   EXPECT_NE(run.err.find("file"), std::string::npos);
 }

@@ -22,6 +22,7 @@ struct DenseSector {
   Matrix linear;                 ///< Supports applied as unit rows.
   std::vector<Vector> approach;  ///< w = approach . q, screw contacts, then nut contacts.
   std::vector<Real> k0;
+  std::vector<Real> gap;
   Vector unit_load;
   std::vector<bool> held;
 
@@ -135,6 +136,7 @@ struct DenseSector {
     }
 
     const Real r = *m.pitch_diameter.roller / 2;
+    const Real roller_pitch = m.pitch.roller ? Real(*m.pitch.roller) : p;
     for (int k = 0; k < n; ++k) {
       Vector w = Vector::Zero(size);
       const Real psi = c.laws.screw.normal_angle;
@@ -144,6 +146,7 @@ struct DenseSector {
       w[ur(k + 2, 1)] = -std::sin(psi);
       approach.push_back(w);
       k0.push_back(c.laws.screw.hertz_constant);
+      gap.push_back(s * std::cos(psi) * k * (roller_pitch - p));
     }
     for (int k = 0; k < n; ++k) {
       Vector w = Vector::Zero(size);
@@ -154,6 +157,11 @@ struct DenseSector {
       w[ur(k + 2, 1)] = std::sin(psi);
       approach.push_back(w);
       k0.push_back(c.laws.nut.hertz_constant);
+      gap.push_back(s * std::cos(psi) * k * (p - roller_pitch));
+    }
+    for (const auto first : {gap.begin(), gap.begin() + n}) {  // the closest thread touches
+      const Real closest = *std::min_element(first, first + n);
+      std::for_each(first, first + n, [&](Real& g) { g -= closest; });
     }
     unit_load = Vector::Zero(size);
     unit_load[loaded] = s;
@@ -174,7 +182,7 @@ struct DenseSector {
     const auto residual = [&](const Vector& x) {
       Vector r = linear * x - sector_force * unit_load;
       for (std::size_t i = 0; i < contacts; ++i) {
-        const Real w = std::max(Real(0), approach[i].dot(x));
+        const Real w = std::max(Real(0), approach[i].dot(x) - gap[i]);
         r += k0[i] * std::pow(w, 1.5) * approach[i];
       }
       return r;
@@ -182,7 +190,7 @@ struct DenseSector {
     const auto energy = [&](const Vector& x) {
       Real e = 0.5 * x.dot(linear * x) - sector_force * unit_load.dot(x);
       for (std::size_t i = 0; i < contacts; ++i)
-        e += 0.4 * k0[i] * std::pow(std::max(Real(0), approach[i].dot(x)), 2.5);
+        e += 0.4 * k0[i] * std::pow(std::max(Real(0), approach[i].dot(x) - gap[i]), 2.5);
       return e;
     };
     Eigen::MatrixXd tangent;
@@ -191,7 +199,7 @@ struct DenseSector {
       for (std::size_t i = 0; i < contacts; ++i) {
         const Real mean =
             std::pow(sector_force / static_cast<Real>(contacts / 2) / k0[i], 2.0 / 3.0);
-        const Real w = start ? mean : std::max(Real(0), approach[i].dot(x));
+        const Real w = start ? mean : std::max(Real(0), approach[i].dot(x) - gap[i]);
         const Eigen::VectorXd row =
             (std::sqrt(1.5 * k0[i] * std::sqrt(w)) * approach[i]).cast<double>();
         tangent.selfadjointView<Eigen::Lower>().rankUpdate(row);
@@ -222,7 +230,8 @@ struct DenseSector {
       q -= t * d;
     }
     for (std::size_t i = 0; i < contacts; ++i)
-      result.normal_load.push_back(k0[i] * std::pow(std::max(Real(0), approach[i].dot(q)), 1.5));
+      result.normal_load.push_back(k0[i] *
+                                   std::pow(std::max(Real(0), approach[i].dot(q) - gap[i]), 1.5));
     result.displacement = unit_load.dot(q);
     factorize(q, false);
     const Eigen::VectorXd load = unit_load.cast<double>();

@@ -69,6 +69,7 @@ inline SectorCase random_sector(std::mt19937_64& random) {
   const double screw = roller * uniform(1.5, 5.0);
   m.pitch_diameter = {screw, roller, screw + 2.0 * roller};
 
+  if (whole(0, 4) == 0) m.pitch.roller = pitch + uniform(-1e-6, 1e-6);
   const double contacts = (m.contacts_per_roller - 1) * pitch;
   const double before = whole(0, 3) ? uniform(0.0, 2.0) * roller : 0.0;
   const double length = contacts + before + uniform(0.0, 3.0) * roller + 1e-6;
@@ -81,7 +82,7 @@ inline SectorCase random_sector(std::mt19937_64& random) {
       c.structure.roller.guidance = {Guidance::Kind::outer_node, 0.0};
       break;
     case 1:
-      c.structure.roller.guidance = {Guidance::Kind::ring, log_uniform(1e6, 1e8)};
+      c.structure.roller.guidance = {Guidance::Kind::ring, log_uniform(1e5, 1e9)};
       break;
     default:
       break;

@@ -79,12 +79,14 @@ TEST(Document, OverridesReplaceAndCreate) {
 }
 
 TEST(Document, ErrorsOfAnOverrideNameTheOverride) {
-  EXPECT_EQ(read("a: [1]", {"a[1]=2"}).error.rfind("--set a[1]=2: error: a[1]: got the index 1", 0),
-            0U);
-  EXPECT_EQ(read("a: 1", {"a.b=2"}).error.rfind("--set a.b=2: error: a.b: ", 0), 0U);
-  EXPECT_EQ(read("a: 1", {"b={"}).error.rfind("--set b={: error: b: malformed YAML", 0), 0U);
-  EXPECT_EQ(
-      read("a: 1", {"b={c: 1, c: 2}"}).error.rfind("--set b={c: 1, c: 2}: error: b.c: dup", 0), 0U);
+  const auto error = [](const char* text, const char* override) {
+    return read(text, {override}).error;
+  };
+  EXPECT_EQ(error("a: [1]", "a[1]=2").rfind("case.yaml:1:1: error: a[1]: got the index 1", 0), 0U);
+  EXPECT_EQ(error("b: 1\na: 1", "a.b=2").rfind("case.yaml:2:1: error: a.b: ", 0), 0U);
+  EXPECT_EQ(error("a: 1", "b={").rfind("case.yaml:1:1: error: b: malformed YAML", 0), 0U);
+  EXPECT_EQ(error("a: 1", "b={c: 1, c: 2}").rfind("case.yaml:1:1: error: b.c: dup", 0), 0U);
+  EXPECT_NE(error("a: 1", "b={").find("(from --set b={)"), std::string::npos);
   for (const char* bad : {"", "=", "a", "a b", "=1", ".a=1", "a.=1", "a..b=1", "a[=1", "a[]=1",
                           "a[-1]=1", "a[x]=1", "a[0]b=1", "[0]=1", "a[99999999999999999999]=1"})
     EXPECT_NE(read("a: [1]", {bad}).error.find("error: expected path=value"), std::string::npos)

@@ -101,7 +101,7 @@ TEST(ReadCase, EqualSharesCarryTheSignOfTheForce) {
   EXPECT_EQ(force("axial_force: 2 kN"), 2e3);
   EXPECT_EQ(force("axial_force: -2 kN"), -2e3);
   EXPECT_EQ(force("axial_force: 2 kN, direction: tension"), 2e3);
-  EXPECT_EQ(force("axial_force: 2 kN, direction: compression"), -2e3);
+  EXPECT_EQ(force("axial_force: 2 kN, direction: compression"), 2e3);
   EXPECT_THAT(error_of(kAbevi, {"load_cases=[{share: equal, axial_force: -2 kN, direction: "
                                 "compression}]"}),
               HasSubstr("got -2000 N in case `case-1`; expected a force > 0"));
@@ -530,9 +530,10 @@ TEST(ReadCase, TheSecondCaseOfOneNameIsNamed) {
 }
 
 TEST(ReadCase, AnEmptyListOfLoadCasesIsRefused) {
-  EXPECT_THAT(error_of(kAbevi, {"load_cases=[]"}),
-              StartsWith("--set load_cases=[]: error: load_cases: got a list of 0; expected a list "
-                         "of at least 1"));
+  EXPECT_THAT(
+      error_of(kAbevi, {"load_cases=[]"}),
+      testing::ContainsRegex("^case.yaml:24:1: error: load_cases: got a list of 0; expected a list of at "
+                    "least 1[^\n]*from --set load_cases=\\[\\]"));
 }
 
 TEST(ReadCase, TextsThatAreNoCaseAreRefused) {
@@ -557,8 +558,8 @@ TEST(ReadCase, OneRunNamesManyErrorsInTheOrderOfTheFile) {
   EXPECT_THAT(message, testing::ContainsRegex("case.yaml:3:9: error: mechanism.lead: [^\n]*\n"
                                               "case.yaml:9:12: error: mechanism.rollers: [^\n]*\n"
                                               "case.yaml:23:18: error: materials.poisson[^\n]*\n"
-                                              "--set model.bodies=beams: error: model.bodies: "
-                                              "[^\n]*$"));
+                                              "case.yaml:1:1: error: model.bodies: [^\n]*from "
+                                              "--set model.bodies=beams[^\n]*$"));
 }
 
 TEST(ReadCase, AWrongConditionIsToldAlone) {

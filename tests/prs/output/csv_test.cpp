@@ -65,7 +65,7 @@ TEST(Csv, OneRowALoadCase) {
   EXPECT_EQ(rows[1].at("status"), "line_search_failed");
   EXPECT_EQ(rows[1].at("axial_stiffness_N_per_um"), "");
   EXPECT_EQ(rows[1].at("nut_most_loaded_thread"), "");
-  EXPECT_EQ(rows[2].at("axial_force_N"), "-20000");
+  EXPECT_EQ(rows[2].at("axial_force_N"), "20000");
   EXPECT_EQ(rows[2].at("direction"), "");
   EXPECT_EQ(rows[2].at("iterations"), "");
   EXPECT_EQ(rows[2].at("nut_largest_peak_pressure_MPa"), "");

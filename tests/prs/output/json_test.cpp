@@ -35,7 +35,9 @@ TEST(Json, EveryDocumentSaysItsOrigin) {
 
 TEST(Json, InterfaceOfTheGeometryWithoutContactIsAbsent) {
   Result result;
-  InterfaceContact& nut = result.contact.nut.emplace();
+  result.contacts.threads.centre_distance = 14e-3;
+  InterfaceContact& nut = result.contacts.interfaces.nut;
+  nut.geometry.point.status = contact::ContactPointStatus::ok;
   nut.geometry.relative.first = 100.0;
   nut.geometry.relative.second = 300.0;
   nut.geometry.point.normal = {std::numbers::sqrt2 / 2, 0.0, std::numbers::sqrt2 / 2};

@@ -26,7 +26,7 @@ inline InterfaceLoads decaying_loads(double force, int threads, double decay) {
     loads.load_rate.push_back(rate);
     loads.axial_load.push_back(axial);
     loads.normal_load.push_back(normal);
-    loads.approach.push_back(std::pow(normal / loads.hertz_constant, 2.0 / 3.0));
+    loads.approach.push_back(std::pow(normal / *loads.hertz_constant, 2.0 / 3.0));
     loads.semi_major.push_back(a);
     loads.semi_minor.push_back(0.8 * a);
     loads.peak_pressure.push_back(1.5 * normal / (std::numbers::pi * 0.8 * a * a));
@@ -71,7 +71,7 @@ inline LoadCaseResult failed_case(std::string name) {
 inline LoadCaseResult equal_share_case(std::string name) {
   LoadCaseResult result;
   result.load_case.name = std::move(name);
-  result.load_case.axial_force = -20e3;
+  result.load_case.axial_force = 20e3;
   result.load_case.share = LoadCase::Share::equal;
   InterfaceLoads loads = decaying_loads(20e3, 4, 0.0);
   loads.semi_major = loads.semi_minor = loads.peak_pressure = {};

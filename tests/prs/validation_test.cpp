@@ -1,0 +1,179 @@
+#include "prs/validation/validate.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "prs/input/source.h"
+#include "tests/prs/output/temporary_directory.h"
+#include "validation/sandu_2018/contribution.h"
+#include "validation/yao_2023/contribution.h"
+
+namespace prs {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::filesystem::path kSources = PRS_SOURCE_DIR "/validation";
+
+/// All sources; statements in words, which take a while, have a test of their own.
+std::vector<SourceReport> all_reports() {
+  return validate(kSources, {sandu_2018::contribution(), yao_2023::contribution()});
+}
+
+/// Results of the printed values of a source, by verdict.
+std::map<Outcome, int> outcomes(const SourceReport& report) {
+  std::map<Outcome, int> count;
+  for (const Comparison& c : report.comparisons) ++count[c.outcome()];
+  return count;
+}
+
+/// A source of its own with one case and these values, a block of YAML.
+SourceReport report_of(const std::string& values) {
+  const test::TemporaryDirectory folder;
+  std::filesystem::copy(kSources / "sandu_2018/example_1.yaml", folder.path() / "case.yaml");
+  std::ofstream(folder.path() / "reference.yaml")
+      << "source: a test\ncases:\n  - case: case.yaml\n    command: contact\n    values:\n"
+      << values;
+  return validate(folder.path(), {}).front();
+}
+
+/// What is said of one printed centre distance, 20 mm in truth.
+Outcome outcome_of(const std::string& keys) {
+  return report_of("      - {quantity: contact.centre_distance_mm, where: here, " + keys + "}\n")
+      .comparisons.front()
+      .outcome();
+}
+
+std::string error_of(const std::string& values) {
+  try {
+    report_of(values);
+  } catch (const input::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+PrintedNumber printed(const std::string& text) { return {text, {}}; }
+
+TEST(Validation, NothingUnexpectedAndNothingMissingInAnySource) {
+  for (const SourceReport& report : all_reports()) {
+    EXPECT_FALSE(report.comparisons.empty()) << report.name;
+    for (const Comparison& c : report.comparisons)
+      EXPECT_FALSE(c.unexpected()) << report.name << ' ' << c.case_name << ' '
+                                   << c.reference.quantity << ": " << name(c.outcome());
+  }
+}
+
+TEST(Validation, EverySourceFolderHasItsReferenceAndSource) {
+  std::size_t folders = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kSources)) {
+    if (!entry.is_directory()) continue;
+    ++folders;
+    EXPECT_TRUE(std::filesystem::exists(entry.path() / "reference.yaml")) << entry.path();
+    EXPECT_TRUE(std::filesystem::exists(entry.path() / "SOURCE.md")) << entry.path();
+  }
+  EXPECT_EQ(all_reports().size(), folders);
+}
+
+TEST(Validation, SandusTablesReproduceButForTwoSignsAndOneDigit) {
+  const SourceReport report = validate(kSources / "sandu_2018", {sandu_2018::contribution()})[0];
+  const std::map<Outcome, int> count = outcomes(report);
+  EXPECT_EQ(count.at(Outcome::differs), 3);
+  EXPECT_EQ(count.at(Outcome::reproduces) + 3, static_cast<int>(report.comparisons.size()));
+}
+
+TEST(Validation, QuantitiesOfASourceAreMissingWithoutItsCode) {
+  const std::map<Outcome, int> count = outcomes(validate(kSources / "yao_2023", {})[0]);
+  EXPECT_EQ(count.at(Outcome::missing), 8);
+}
+
+TEST(Validation, AWrongPrintedDigitIsUnexpected) {
+  EXPECT_EQ(outcome_of("printed: '20.00'"), Outcome::reproduces);
+  EXPECT_EQ(outcome_of("printed: '20.01'"), Outcome::unexpected);
+  EXPECT_EQ(outcome_of("printed: '20'"), Outcome::reproduces);
+  EXPECT_EQ(outcome_of("printed: '20.01', differs: a slip"), Outcome::differs);
+  EXPECT_EQ(outcome_of("printed: '20.00', differs: none"), Outcome::unexpected);
+  EXPECT_EQ(report_of("      - {quantity: contact.lead_mm, where: here, printed: '1'}\n")
+                .comparisons[0]
+                .outcome(),
+            Outcome::missing);
+}
+
+TEST(Validation, ACorrectedNumberIsHeldToItsDigitsToo) {
+  EXPECT_EQ(outcome_of("printed: '21', differs: a slip, corrected: '20.000'"), Outcome::differs);
+  EXPECT_EQ(outcome_of("printed: '21', differs: a slip, corrected: '20.001'"), Outcome::unexpected);
+}
+
+TEST(Validation, AStatedPrecisionReplacesThatOfTheLastDigit) {
+  const std::string near = "quantity: contact.screw.radius_on_body_mm, where: r_IS, printed: '15'";
+  EXPECT_EQ(report_of("      - {" + near + "}\n").comparisons[0].outcome(), Outcome::reproduces);
+  EXPECT_EQ(report_of("      - {" + near + ", precision: {decimals: 4, because: zeros}}\n")
+                .comparisons[0]
+                .outcome(),
+            Outcome::unexpected);
+}
+
+TEST(Validation, ReferenceFilesAreReadStrictly) {
+  const std::string value = "      - {quantity: q, where: w, printed: '1'";
+  EXPECT_THAT(error_of(value + ", tolerance: 2}\n"), HasSubstr("reference.yaml:6:47: error"));
+  EXPECT_THAT(error_of(value + ", tolerance: 2}\n"), HasSubstr("unknown key"));
+  EXPECT_THAT(error_of(value + ", precision: {decimals: 4}}\n"), HasSubstr("because"));
+  EXPECT_THAT(error_of(value + ", precision: {decimals: 4.5, because: x}}\n"),
+              HasSubstr("whole number"));
+  EXPECT_THAT(error_of(value + ", corrected: '2'}\n"), HasSubstr("differs"));
+  EXPECT_THAT(error_of("      - {quantity: q, where: w, printed: about 1}\n"),
+              HasSubstr("expected a number"));
+  EXPECT_THAT(error_of("      - {where: w, printed: '1'}\n"), HasSubstr("quantity"));
+  EXPECT_THAT(error_of(value + "}\nyear: 2018\n"), HasSubstr("year"));
+  EXPECT_THAT(error_of(value + "}\n    comand: contact\n"), HasSubstr("comand"));
+  EXPECT_THAT(error_of("      []\n"), HasSubstr("expected a list"));
+}
+
+TEST(Validation, CasesAreCheckedWhereTheyStand) {
+  const test::TemporaryDirectory folder;
+  std::ofstream(folder.path() / "reference.yaml")
+      << "source: a test\ncases:\n  - {case: none.yaml, command: contact, values: [{quantity: q, "
+         "where: w, printed: '1'}]}\n";
+  EXPECT_THROW(validate(folder.path(), {}), input::InputError);
+}
+
+TEST(PrintedNumber, KnowsItsDigits) {
+  EXPECT_EQ(printed("3.6062e5").digits(), 5);
+  EXPECT_DOUBLE_EQ(printed("3.6062e5").half_unit(), 5.0);
+  EXPECT_EQ(printed("-172.7935").digits(), 7);
+  EXPECT_EQ(printed("0.0471").digits(), 3);
+  EXPECT_EQ(printed("8.5970e-5").digits(), 5);
+  EXPECT_EQ((PrintedNumber{"0", 4}).digits(), 4);
+  EXPECT_EQ((PrintedNumber{"15", 4}).digits(), 6);
+}
+
+TEST(PrintedNumber, CountsAgreeingDigits) {
+  const PrintedNumber number = printed("24.1710");
+  EXPECT_EQ(number.agreeing_digits(24.17104), 6);
+  EXPECT_EQ(number.agreeing_digits(24.1707), 5);
+  EXPECT_EQ(number.agreeing_digits(24.18), 3);
+  EXPECT_EQ(number.agreeing_digits(-24.1710), 0);
+}
+
+TEST(ValidationDocument, HoldsVerdictsDigitsAndTables) {
+  const nlohmann::ordered_json document = validation_json(
+      validate(kSources / "sandu_2018", {sandu_2018::contribution()}), DocumentInfo{});
+  const auto& source = document["sources"][0];
+  EXPECT_EQ(source["name"], "sandu_2018");
+  const auto& first = source["values"][0];
+  EXPECT_EQ(first["case"], "example_1");
+  EXPECT_EQ(first["verdict"], "reproduces");
+  EXPECT_EQ(first["agreeing_digits"], first["printed_digits"]);
+  const auto& rows = source["tables"][0]["rows"];
+  EXPECT_EQ(rows.front()["label"], "1");
+  EXPECT_EQ(rows.back()["label"], "1000");
+  // Table 1.5: at q = 1000, q^(2/pi) misses the exact ellipticity by 20 %.
+  EXPECT_NEAR(rows.back()["values"][2].get<double>(), 19.72, 0.005);
+}
+
+}  // namespace
+}  // namespace prs

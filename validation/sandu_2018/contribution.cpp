@@ -1,0 +1,65 @@
+#include "validation/sandu_2018/contribution.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "contact/ellipticity_approximations.h"
+#include "contact/hertz.h"
+#include "prs/output/units.h"
+
+namespace prs::sandu_2018 {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// z of the roller's surface at I on its top face, gamma = -1 (1.22), z_m of table B.1 [m].
+double height_on_roller(const Contacts& contacts) {
+  const contact::ThreadSurface roller(contacts.threads.roller);
+  const contact::ContactPoint& i = contacts.interfaces.screw.geometry.point;
+  return -roller.profile(i.radius_on_roller).height + i.angle_on_roller * roller.reduced_lead;
+}
+
+Json derived(const Result& result) {
+  const contact::MechanismGeometry& threads = result.contacts.threads;
+  const contact::ContactPoint& j = result.contacts.interfaces.nut.geometry.point;
+  const auto mm = [](double metres) { return metres * per_si::millimetre; };
+  return {{"pitch_radius_mm",
+           {{"screw", mm(threads.screw.pitch_radius)},
+            {"roller", mm(threads.roller.pitch_radius)},
+            {"nut", mm(threads.nut.pitch_radius)}}},
+          {"roller_lead_mm", mm(threads.roller.lead)},
+          {"nut_contact_x_mm", mm(j.radius_on_body * std::cos(j.angle_on_body))},  // (1.84)
+          {"nut_contact_y_mm", mm(j.radius_on_body * std::sin(j.angle_on_body))},
+          {"screw_contact_z_on_roller_mm", mm(height_on_roller(result.contacts))}};
+}
+
+/// Table 1.5 against the exact a/b, for ratios of the relative curvatures.
+ValidationTable ellipticity_approximations() {
+  ValidationTable table{
+      "Table 1.5: error of a/b by each approximation against the exact one, in %",
+      {"q = kappa_2/kappa_1", "exact a/b", "1.03 q^0.64", "q^(2/pi)", "q^(2/3)", "Antoine et al."},
+      {}};
+  for (const double q :
+       {1.0, 1.2, 1.5, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
+    const double exact = 1.0 / contact::ellipticity(1.0 / q);
+    const auto error = [&](double approximation) { return 100.0 * (approximation / exact - 1.0); };
+    table.rows.push_back(
+        {fmt::format("{:g}", q),
+         {exact, error(contact::hamrock_dowson_ellipticity(q)),
+          error(contact::hamrock_brewe_ellipticity(q)), error(contact::johnson_ellipticity(q)),
+          error(contact::antoine_ellipticity(q))}});
+  }
+  return table;
+}
+
+}  // namespace
+
+Contribution contribution() {
+  return {.folder = "sandu_2018", .derived = derived, .tables = [] {
+            return std::vector{ellipticity_approximations()};
+          }};
+}
+
+}  // namespace prs::sandu_2018
