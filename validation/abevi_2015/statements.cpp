@@ -570,6 +570,10 @@ JudgedStatement nut_shape_matters(const Case& screw, const Results& plain) {
   verdict.evidence = fmt::format(
       "without flanges a nut thread's share changes by up to {:.2f} points (judged against 0.5)",
       100 * share);
+  if (share <= 0.005)
+    verdict.why =
+        "with the assumed nut, where the thrust section stands among the threads matters, and the "
+        "larger section of a flange hardly does; the real nut's shape is not published";
   return {"6",
           "the shape of the nut has a notable influence on the load distribution as its flanges "
           "interact with the contacting threads",
