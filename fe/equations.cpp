@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fe/cholesky.h"
+#include "fe/index.h"
 
 namespace fe {
 namespace {
@@ -50,11 +51,11 @@ SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, i
   const auto couple = [&](const auto& freedoms) {
     for (const int a : freedoms)
       for (const int b : freedoms) {
-        const int i = number[static_cast<std::size_t>(a)], j = number[static_cast<std::size_t>(b)];
-        if (i >= 0 && j >= 0 && i <= j) columns[static_cast<std::size_t>(j)].push_back(i);
+        const int i = at(number, a), j = at(number, b);
+        if (i >= 0 && j >= 0 && i <= j) at(columns, j).push_back(i);
       }
   };
-  for (int i = 0; i < size; ++i) columns[static_cast<std::size_t>(i)].push_back(i);
+  for (int i = 0; i < size; ++i) at(columns, i).push_back(i);
   for (const BarElement& e : model.bars)
     couple(std::array{global(e.first, Dof::u), global(e.second, Dof::u)});
   for (const BeamElement& e : model.beams) couple(globals(e));
@@ -82,7 +83,7 @@ Equations::Equations(const Model& model) {
 void Equations::number_freedoms(const Model& model) {
   constexpr int kOut = -1, kFree = 0;
   number_.assign(static_cast<std::size_t>(kDofsPerNode * model.nodes), kOut);
-  const auto activate = [&](int freedom) { number_[static_cast<std::size_t>(freedom)] = kFree; };
+  const auto activate = [&](int freedom) { at(number_, freedom) = kFree; };
   for (const BarElement& e : model.bars) {
     activate(global(e.first, Dof::u));
     activate(global(e.second, Dof::u));
@@ -91,7 +92,7 @@ void Equations::number_freedoms(const Model& model) {
     for (const int freedom : globals(e)) activate(freedom);
   for (const ElasticSupport& s : model.elastic_supports) activate(global(s.node, s.dof));
   for (const FixedSupport& s : model.fixed_supports)
-    number_[static_cast<std::size_t>(global(s.node, s.dof))] = kOut;
+    at(number_, global(s.node, s.dof)) = kOut;
 
   int size = 0;
   for (int& n : number_)
@@ -100,21 +101,21 @@ void Equations::number_freedoms(const Model& model) {
   const std::vector<int> order = fill_reducing_order(pattern_of(model, number_, size));
   std::vector<int> place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k)
-    place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+    at(place, order[k]) = static_cast<int>(k);
 
   kind_.resize(order.size());
   for (std::size_t freedom = 0; freedom < number_.size(); ++freedom) {
     int& n = number_[freedom];
     if (n < 0) continue;
-    n = place[static_cast<std::size_t>(n)];
-    kind_[static_cast<std::size_t>(n)] = static_cast<Dof>(freedom % kDofsPerNode);
+    n = at(place, n);
+    at(kind_, n) = static_cast<Dof>(freedom % kDofsPerNode);
   }
 }
 
 void Equations::add_linear_elements(const Model& model) {
-  const auto numbered = [&](int freedom) { return number_[static_cast<std::size_t>(freedom)]; };
+  const auto numbered = [&](int freedom) { return at(number_, freedom); };
   const auto add = [&](int i, int j, double value) {
-    if (i >= 0 && j >= 0) linear_.value[static_cast<std::size_t>(slot(i, j))] += value;
+    if (i >= 0 && j >= 0) at(linear_.value, slot(i, j)) += value;
   };
   for (const BarElement& e : model.bars) {
     const int i = number(e.first, Dof::u), j = number(e.second, Dof::u);
@@ -147,25 +148,23 @@ void Equations::add_springs(const Model& model) {
     Spring s;
     s.law = e.law;
     for_each_coefficient(e, [&](int freedom, double coefficient) {
-      const int n = number_[static_cast<std::size_t>(freedom)];
+      const int n = at(number_, freedom);
       if (n < 0 || coefficient == 0.0) return;
-      s.equation[static_cast<std::size_t>(s.count)] = n;
-      s.coefficient[static_cast<std::size_t>(s.count)] = coefficient;
+      s.equation[s.count] = n;
+      s.coefficient[s.count] = coefficient;
       ++s.count;
     });
     std::size_t next = 0;
-    for (int i = 0; i < s.count; ++i)
-      for (int j = i; j < s.count; ++j)
-        s.slot[next++] =
-            slot(s.equation[static_cast<std::size_t>(i)], s.equation[static_cast<std::size_t>(j)]);
+    for (std::size_t i = 0; i < s.count; ++i)
+      for (std::size_t j = i; j < s.count; ++j) s.slot[next++] = slot(s.equation[i], s.equation[j]);
     springs_.push_back(s);
   }
 }
 
 int Equations::slot(int i, int j) const {
   if (i > j) std::swap(i, j);
-  const auto begin = linear_.row.begin() + linear_.column_start[static_cast<std::size_t>(j)];
-  const auto end = linear_.row.begin() + linear_.column_start[static_cast<std::size_t>(j) + 1];
+  const auto begin = linear_.row.begin() + at(linear_.column_start, j);
+  const auto end = linear_.row.begin() + at(linear_.column_start, j + 1);
   const auto found = std::lower_bound(begin, end, i);
   assert(found != end && *found == i);
   return static_cast<int>(found - linear_.row.begin());
@@ -182,16 +181,14 @@ Eigen::VectorXd Equations::load_vector(const std::vector<NodalLoad>& loads) cons
 
 double Equations::Spring::approach(const State& q) const {
   double w = 0.0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+  for (std::size_t i = 0; i < count; ++i)
     w += coefficient[i] * q.head[equation[i]];
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+  for (std::size_t i = 0; i < count; ++i)
     w += coefficient[i] * q.tail[equation[i]];
   return w;
 }
 
-double Equations::approach(const State& q, int k) const {
-  return springs_[static_cast<std::size_t>(k)].approach(q);
-}
+double Equations::approach(const State& q, int k) const { return at(springs_, k).approach(q); }
 
 double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f,
                                       Eigen::VectorXd& residual) const {
@@ -216,7 +213,7 @@ double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f,
   for (const Spring& s : springs_) {
     const SpringResponse r = evaluate(s.law, s.approach(q));
     energy += r.energy;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(s.count); ++i)
+    for (std::size_t i = 0; i < s.count; ++i)
       residual[s.equation[i]] += r.force * s.coefficient[i];
   }
   return energy;
@@ -225,19 +222,18 @@ double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f,
 Eigen::VectorXd Equations::rounding_residual(const State& q) const {
   Eigen::VectorXd r = Eigen::VectorXd::Zero(size());
   for (int j = 0; j < size(); ++j)
-    for (int k = linear_.column_start[static_cast<std::size_t>(j)];
-         k < linear_.column_start[static_cast<std::size_t>(j) + 1]; ++k) {
-      const int i = linear_.row[static_cast<std::size_t>(k)];
-      const double value = std::abs(linear_.value[static_cast<std::size_t>(k)]);
+    for (int k = at(linear_.column_start, j); k < at(linear_.column_start, j + 1); ++k) {
+      const int i = at(linear_.row, k);
+      const double value = std::abs(at(linear_.value, k));
       r[i] += value * std::abs(q[j]);
       if (i != j) r[j] += value * std::abs(q[i]);
     }
   for (const Spring& s : springs_) {
     double w = 0.0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(s.count); ++i)
+    for (std::size_t i = 0; i < s.count; ++i)
       w += std::abs(s.coefficient[i] * q[s.equation[i]]);
     const double force = evaluate(s.law, s.approach(q)).tangent * w;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(s.count); ++i)
+    for (std::size_t i = 0; i < s.count; ++i)
       r[s.equation[i]] += force * std::abs(s.coefficient[i]);
   }
   return std::numeric_limits<double>::epsilon() * r;
@@ -248,10 +244,10 @@ void Equations::tangent_stiffness(const State& q, SparseSymmetric& tangent) cons
   for (const Spring& s : springs_) {
     const double k = evaluate(s.law, s.approach(q)).tangent;
     std::size_t next = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(s.count); ++i) {
+    for (std::size_t i = 0; i < s.count; ++i) {
       const double row = k * s.coefficient[i];
-      for (std::size_t j = i; j < static_cast<std::size_t>(s.count); ++j)
-        tangent.value[static_cast<std::size_t>(s.slot[next++])] += row * s.coefficient[j];
+      for (std::size_t j = i; j < s.count; ++j)
+        at(tangent.value, s.slot[next++]) += row * s.coefficient[j];
     }
   }
 }

@@ -56,7 +56,7 @@ class Equations {
   struct Spring {
     static constexpr int kMost = 2 * kDofsPerNode;
     PowerLawSpring law;
-    int count = 0;
+    std::size_t count = 0;
     std::array<int, kMost> equation{};
     std::array<double, kMost> coefficient{};
     std::array<int, kMost*(kMost + 1) / 2> slot{};

@@ -1,5 +1,7 @@
 #include "fe/newton.h"
 
+#include "fe/index.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -52,9 +54,8 @@ FactorizationStatus NewtonSolver::factorize_shifted(const NewtonOptions& options
   while (status == FactorizationStatus::not_positive_definite && shift < options.last_shift) {
     const double next = shift == 0.0 ? options.first_shift : 100.0 * shift;
     for (int j = 0; j < tangent_.size(); ++j) {
-      const auto diagonal =
-          static_cast<std::size_t>(tangent_.column_start[static_cast<std::size_t>(j) + 1] - 1);
-      tangent_.value[diagonal] += (next - shift) * linear.value[diagonal];
+      const int diagonal = at(tangent_.column_start, j + 1) - 1;
+      at(tangent_.value, diagonal) += (next - shift) * at(linear.value, diagonal);
     }
     shift = next;
     status = cholesky_.factorize(tangent_);

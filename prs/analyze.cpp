@@ -14,8 +14,6 @@
 namespace prs {
 namespace {
 
-const char* key(Interface i) { return i == Interface::screw ? "screw" : "nut"; }
-
 /// What the load distribution uses at an interface: the case's overrides before the geometry.
 ContactLaw contact_law(const Case& c, Interface i, const Contacts& contacts) {
   const InterfaceContact& contact = contacts.interfaces[i];
@@ -26,7 +24,7 @@ ContactLaw contact_law(const Case& c, Interface i, const Contacts& contacts) {
                     fmt::format("the {} threads give no Hertz contact: {}; mend profiles, flank "
                                 "angles or diameters, or give both contact.hertz_constant.{} and "
                                 "contact.normal_angle.{}",
-                                label(i), failure(contacts, i), key(i), key(i)));
+                                label(i), failure(contacts, i), name(i), name(i)));
   return {constant ? *constant : contact.hertz.hertz_constant,
           angle ? *angle : contact.normal_angle()};
 }
@@ -82,7 +80,7 @@ void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& c
   for (const contact::FlankViolation& v : violations)
     warnings.push_back(
         fmt::format("the largest {} ellipse reaches {:.4f} mm beyond the {} of the {}", label(i),
-                    v.by * 1e3, contact::name(v.end), v.of_roller ? "roller" : key(i)));
+                    v.by * 1e3, contact::name(v.end), v.of_roller ? "roller" : name(i)));
 }
 
 std::vector<std::string> thread_warnings(const PerInterface<InterfaceLoads>& threads,

@@ -136,7 +136,7 @@ std::string failure(const Contacts& contacts, Interface i) {
   const InterfaceContact& c = contacts.interfaces[i];
   const contact::ContactPoint& point = c.geometry.point;
   if (point.ok()) return std::string(contact::name(c.hertz.status));
-  const char* body = i == Interface::screw ? "screw" : "nut";
+  const std::string_view body = name(i);
   std::string text(contact::name(point.status));
   const char* separator = ": ";
   for (const contact::FlankViolation& v : point.violations) {

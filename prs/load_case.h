@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace prs {
 
@@ -10,6 +11,10 @@ enum class Direction { tension, compression };
 /// Sense of the axial load on the screw along x, which points from the loaded end into the
 /// mechanism: -1 in tension, +1 in compression.
 constexpr double sense(Direction d) { return d == Direction::tension ? -1.0 : 1.0; }
+
+constexpr std::string_view name(Direction d) {
+  return d == Direction::tension ? "tension" : "compression";
+}
 
 /// One load on the mechanism. A range in the input has been expanded to one case a point.
 struct LoadCase {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <utility>
+#include <string_view>
 
 namespace prs {
 
@@ -37,5 +37,7 @@ struct PerInterface {
 
 /// The part that the roller touches at an interface.
 constexpr Part body_of(Interface i) { return i == Interface::screw ? Part::screw : Part::nut; }
+
+constexpr std::string_view name(Interface i) { return i == Interface::screw ? "screw" : "nut"; }
 
 }  // namespace prs

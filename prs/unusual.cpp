@@ -20,8 +20,7 @@ void note_pitch_cylinders(const contact::MechanismGeometry& m, std::vector<std::
   for (const Interface i : kInterfaces) {
     const double gap = pitch_cylinder_gap(m, i);
     if (std::abs(gap) > 0.01 * m.roller.pitch)
-      notes.push_back(fmt::format("the pitch cylinders of roller and {} {} by {:.4f} mm",
-                                  i == Interface::screw ? "screw" : "nut",
+      notes.push_back(fmt::format("the pitch cylinders of roller and {} {} by {:.4f} mm", name(i),
                                   gap > 0 ? "miss each other" : "overlap",
                                   std::abs(gap) / kMillimetre));
   }

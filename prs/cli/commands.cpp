@@ -147,6 +147,11 @@ int schema(const Options& options) {
 }
 
 int validate(const Options& options) {
+  if (!std::filesystem::is_directory(options.file)) {
+    fmt::print(stderr, "{}: error: no such folder; give the folder of the sources as DIR\n",
+               options.file);
+    return kWrongInput;
+  }
   const std::vector<SourceReport> reports =
       prs::validate(options.file, {{"abevi_2015", abevi_2015::judge_statements},
                                    sandu_2018::contribution(),

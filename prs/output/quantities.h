@@ -45,12 +45,6 @@ inline constexpr CaseQuantity kCaseQuantities[] = {
      per_si::newton_per_micrometre},
 };
 
-constexpr std::string_view name(Interface i) { return i == Interface::screw ? "screw" : "nut"; }
-
-constexpr std::string_view name(Direction d) {
-  return d == Direction::tension ? "tension" : "compression";
-}
-
 /// How the solve of a case ended; equal shares need no solve and count as converged.
 inline std::string_view status_name(const LoadCaseResult& result) {
   return fe::name(result.solve ? result.solve->status : fe::NewtonStatus::converged);
