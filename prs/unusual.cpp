@@ -19,7 +19,7 @@ double pitch_cylinder_gap(const contact::MechanismGeometry& m, Interface i) {
 void note_pitch_cylinders(const contact::MechanismGeometry& m, std::vector<std::string>& notes) {
   for (const Interface i : kInterfaces) {
     const double gap = pitch_cylinder_gap(m, i);
-    if (std::abs(gap) > 0.01 * m.roller.pitch)
+    if (std::abs(gap) > 0.1 * m.roller.pitch)
       notes.push_back(fmt::format("the pitch cylinders of roller and {} {} by {:.4f} mm", name(i),
                                   gap > 0 ? "miss each other" : "overlap",
                                   std::abs(gap) / kMillimetre));

@@ -1,5 +1,7 @@
 #include "prs/cli/commands.h"
 
+#include "prs/cli/starting_case.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -143,6 +145,23 @@ int schema(const Options& options) {
   const std::string document = json_text(input::schema());
   if (options.output) write_files(*options.output, {{"prs.schema.json", document}});
   if (!options.quiet || options.json) print(document);
+  return kDone;
+}
+
+int new_case(const Options& options) {
+  const std::string text(options.standard ? kStandardCase : kInvertedCase);
+  if (options.file.empty()) {
+    print(text);
+    return kDone;
+  }
+  if (std::filesystem::exists(options.file)) {
+    fmt::print(stderr, "{}: error: the file exists already; give another name\n", options.file);
+    return kWrongInput;
+  }
+  const std::filesystem::path file = std::filesystem::absolute(options.file);
+  write_files(file.parent_path(), {{file.filename().string(), text}});
+  note(options,
+       fmt::format("{}: written; `prs check {}` is the next step", options.file, options.file));
   return kDone;
 }
 

@@ -14,6 +14,7 @@ struct Options {
   bool json = false;
   bool quiet = false;
   std::optional<std::filesystem::path> output;
+  bool standard = false;  ///< `prs new`: a standard screw in place of an inverted one.
 };
 
 /// Exit statuses of the program.
@@ -23,6 +24,8 @@ int check(const Options& options);
 int contact(const Options& options);
 int solve(const Options& options);
 int schema(const Options& options);
+/// Prints a commented starting case, or writes it to `options.file`, which must not exist.
+int new_case(const Options& options);
 /// `options.file` is the directory of the sources.
 int validate(const Options& options);
 

@@ -59,9 +59,14 @@ int main(int argc, char** argv) {
                    options);
   add_output_options(*command("schema", "Print the JSON Schema of the input", prs::cli::schema),
                      options);
+  CLI::App* new_case = command("new", "Write a commented starting case", prs::cli::new_case);
+  std::string type = "inverted";
+  new_case->add_option("type", type, "standard or inverted")
+      ->check(CLI::IsMember({"standard", "inverted"}));
+  new_case->add_option("file", options.file, "New file; printed without one")->type_name("FILE");
+  new_case->add_flag("--quiet", options.quiet, "Print errors only");
   CLI::App* validate =
       command("validate", "Compare with the published sources", prs::cli::validate);
-  options.file = "";
   std::string directory = "validation";
   validate->add_option("directory", directory, "Folder of the sources")
       ->type_name("DIR")
@@ -75,6 +80,7 @@ int main(int argc, char** argv) {
     return status == 0 ? prs::cli::kDone : prs::cli::kWrongInput;
   }
   if (validate->parsed()) options.file = directory;
+  options.standard = type == "standard";
 
   try {
     return run(options);

@@ -165,6 +165,20 @@ TEST_F(CommandLine, OutputWritesWhatOtherToolsOpen) {
   EXPECT_EQ(lines, 1 + 270);
 }
 
+TEST_F(CommandLine, NewWritesCasesThatSolveWithoutWarning) {
+  for (const std::string type : std::vector<std::string>{"inverted", "standard"}) {
+    const std::string file = (folder / (type + ".yaml")).string();
+    EXPECT_EQ(prs("new " + type + " " + file).status, 0);
+    EXPECT_EQ(prs("new " + type).out, slurp(file));
+    EXPECT_EQ(prs("new " + type + " " + file).status, 2);  // it exists now
+    const Outcome solved = prs("solve --json " + file);
+    EXPECT_EQ(solved.status, 0);
+    EXPECT_EQ(solved.err, "");
+    EXPECT_EQ(prs("check " + file).status, 0);
+  }
+  EXPECT_EQ(prs("new sideways").status, 2);
+}
+
 TEST_F(CommandLine, OutputThatCannotBeWrittenIsStatus1) {
   std::ofstream(folder / "file") << "x";
   const Outcome run = prs("solve configs/01_config_1_to_3.yaml --json --output '" +
