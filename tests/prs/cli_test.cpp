@@ -166,7 +166,7 @@ TEST_F(CommandLine, OutputWritesWhatOtherToolsOpen) {
 }
 
 TEST_F(CommandLine, NewWritesCasesThatSolveWithoutWarning) {
-  for (const std::string type : std::vector<std::string>{"inverted", "standard"}) {
+  for (const std::string& type : std::vector<std::string>{"inverted", "standard"}) {
     const std::string file = (folder / (type + ".yaml")).string();
     EXPECT_EQ(prs("new " + type + " " + file).status, 0);
     EXPECT_EQ(prs("new " + type).out, slurp(file));
