@@ -148,18 +148,15 @@ ContactPoint assess(const ThreadPair& pair, RollerFace face, const Clearance& cl
       gamma * (pair.body.reduced_lead * body_turn - pair.roller.reduced_lead * roller_turn);
   p.backlash = 2.0 * value - (external ? pair.roller.pitch : 0.0);
 
-  p.violations.add(pair.body, false, p.radius_on_body, p.radius_on_body);
-  p.violations.add(pair.roller, true, p.radius_on_roller, p.radius_on_roller);
-
   const SymmetricTensor& h = p.clearance_hessian;
-  if (!p.violations.empty()) {
-    p.status = ContactPointStatus::outside_flank;
-  } else if (!descent.converged) {
+  if (!descent.converged) {
     p.status = ContactPointStatus::not_converged;
   } else if (h.determinant() <= 0.0 || h.trace() <= 0.0) {
     p.status = ContactPointStatus::not_a_minimum;
   } else {
-    p.status = ContactPointStatus::ok;
+    p.violations.add(pair.body, false, p.radius_on_body, p.radius_on_body);
+    p.violations.add(pair.roller, true, p.radius_on_roller, p.radius_on_roller);
+    p.status = p.violations.empty() ? ContactPointStatus::ok : ContactPointStatus::outside_flank;
   }
   return p;
 }

@@ -39,7 +39,7 @@ enum class ContactPointStatus {
   not_computed,
   straight_on_straight,  ///< Neither profile is curved: no point contact.
   out_of_reach,          ///< The axes are so far apart or so close that the flanks never overlap.
-  outside_flank,         ///< The point, or the search for it, lies beyond the end of a flank.
+  outside_flank,         ///< The point lies beyond the end of a flank.
   not_a_minimum,         ///< The clearance has only a saddle there: the surfaces cut each other.
   not_converged,  ///< The clearance has no minimum on the flanks that the descent could find.
 };
@@ -95,7 +95,7 @@ struct ContactPoint {
   /// too thick by that much. Has a meaning only where both parts have the same pitch.
   double backlash = 0.0;
 
-  FlankViolations violations;  ///< Empty where the point lies on both flanks.
+  FlankViolations violations;  ///< Of `outside_flank`; else empty.
 
   bool ok() const { return status == ContactPointStatus::ok; }
   double normal_angle() const;  ///< psi, between normal and axis, arccos|n_z| [rad].

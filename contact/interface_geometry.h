@@ -27,9 +27,9 @@ struct InterfaceGeometry {
 
   bool ok() const { return point.ok(); }
   double curvature_sum() const { return relative.first + relative.second; }  ///< (1.77) [1/m]
-  /// Smaller relative curvature over the roller's own smaller one [-]: 1 on a plane, towards 0 the
-  /// surfaces nestle and Hertz's half-spaces lose their meaning.
-  double openness() const { return relative.first / std::abs(roller.first); }
+  /// Smaller relative curvature over the roller's largest one [-]: towards 0 the surfaces nestle and
+  /// Hertz's half-spaces lose their meaning.
+  double openness() const { return relative.first / std::abs(roller.second); }
   /// Acute angle between the first directions of body and roller [rad] (1.61).
   double first_directions_angle() const;
   /// The tangent direction that lies `angle` from the roller's helix tangent.

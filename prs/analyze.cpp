@@ -14,19 +14,24 @@
 namespace prs {
 namespace {
 
+/// Throws for the interfaces that `lacks` says are without a contact; all of them in one message.
+template <class Lacks>
+void require_contacts(const Contacts& contacts, const char* mend, Lacks lacks) {
+  std::string path, message;
+  for (const Interface i : kInterfaces) {
+    if (!lacks(i)) continue;
+    const ContactFailure why = failure(contacts, i);
+    if (path.empty()) path = why.path;
+    message += fmt::format("the {} threads give no Hertz contact: {}; ", label(i), why.reason);
+  }
+  if (!path.empty()) throw CaseError(path, message + mend);
+}
+
 /// What the load distribution uses at an interface: the case's overrides before the geometry.
-ContactLaw contact_law(const Case& c, Interface i, const Contacts& contacts) {
-  const InterfaceContact& contact = contacts.interfaces[i];
-  const auto& constant = c.contact.hertz_constant[i];
-  const auto& angle = c.contact.normal_angle[i];
-  if (!contact.has_hertz() && !(constant && angle))
-    throw CaseError("mechanism",
-                    fmt::format("the {} threads give no Hertz contact: {}; mend profiles, flank "
-                                "angles or diameters, or give both contact.hertz_constant.{} and "
-                                "contact.normal_angle.{}",
-                                label(i), failure(contacts, i), name(i), name(i)));
-  return {constant ? *constant : contact.hertz.hertz_constant,
-          angle ? *angle : contact.normal_angle()};
+ContactLaw contact_law(const ContactOverrides& overrides, Interface i,
+                       const InterfaceContact& contact) {
+  return {overrides.hertz_constant[i].value_or(contact.hertz.hertz_constant),
+          overrides.normal_angle[i] ? *overrides.normal_angle[i] : contact.normal_angle()};
 }
 
 void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact) {
@@ -195,11 +200,18 @@ Result analyze(const Case& given) {
   for (std::string& note : unusual_geometry(c, result.contacts))
     result.warnings.push_back(std::move(note));
 
+  require_contacts(result.contacts,
+                   "mend profiles, flank angles or diameters, or give both "
+                   "contact.hertz_constant and contact.normal_angle of the interface",
+                   [&](Interface i) {
+                     return !result.contacts.interfaces[i].has_hertz() &&
+                            !(c.contact.hertz_constant[i] && c.contact.normal_angle[i]);
+                   });
   PerInterface<ContactLaw> laws;
   PerInterface<double> normal_angle;
   PerInterface<std::optional<double>> hertz_constant;
   for (const Interface i : kInterfaces) {
-    laws[i] = contact_law(c, i, result.contacts);
+    laws[i] = contact_law(c.contact, i, result.contacts.interfaces[i]);
     normal_angle[i] = laws[i].normal_angle;
     hertz_constant[i] = laws[i].hertz_constant;
   }
@@ -217,14 +229,18 @@ Result analyze_contacts(const Case& c) {
   Result result;
   result.contacts = checked_contacts(c);
   result.warnings = result.contacts.warnings;
+  Case resolved = c;
+  resolved.mechanism = result.contacts.mechanism;
+  for (std::string& note : unusual_geometry(resolved, result.contacts))
+    result.warnings.push_back(std::move(note));
+  require_contacts(result.contacts, "mend profiles, flank angles or diameters", [&](Interface i) {
+    const InterfaceContact& contact = result.contacts.interfaces[i];
+    return !contact.geometry.ok() || (c.materials && !contact.hertz.ok());
+  });
   PerInterface<double> normal_angle;
   PerInterface<std::optional<double>> hertz_constant;
   for (const Interface i : kInterfaces) {
     const InterfaceContact& contact = result.contacts.interfaces[i];
-    if (!contact.geometry.ok() || (c.materials && !contact.hertz.ok()))
-      throw CaseError("mechanism", fmt::format("the {} threads give no point contact: {}; mend "
-                                               "profiles, flank angles or diameters",
-                                               label(i), failure(result.contacts, i)));
     normal_angle[i] = contact.normal_angle();
     if (c.materials) hertz_constant[i] = contact.hertz.hertz_constant;
   }

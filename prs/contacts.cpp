@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "prs/case_error.h"
 #include "prs/threads.h"
 
 namespace prs {
@@ -14,8 +16,8 @@ constexpr double kMillimetre = 1e-3;
 /// Interference below this is the rounding of the input [m].
 constexpr double kInterference = 1e-9;
 
-/// Gear ratios that differ by less are those of a sound mechanism with rounded diameters.
-constexpr double kGearRatioTolerance = 1e-6;
+/// Gear ratios that differ by less are those of a sound mechanism with diameters rounded to 1 um.
+constexpr double kGearRatioTolerance = 1e-4;
 
 /// A smallest relative curvature below this share of the roller's is a nearly conforming contact.
 constexpr double kConformity = 0.01;
@@ -34,14 +36,6 @@ void add_hertz(InterfaceContact& c, const Material& body, const Material& roller
 
 bool same_pitch(const contact::Thread& a, const contact::Thread& b) { return a.pitch == b.pitch; }
 
-/// From the crest of the body's flank to the roller's crest on the line of centres [m]; < 0 where
-/// they overlap.
-double radial_distance_between_flanks(const contact::ThreadPair& pair, Interface i) {
-  return i == Interface::screw
-             ? pair.centre_distance - pair.body.largest_radius - pair.roller.largest_radius
-             : pair.body.smallest_radius - pair.roller.largest_radius - pair.centre_distance;
-}
-
 void warn_of_missing_contacts(const Contacts& c, std::vector<std::string>& warnings) {
   for (const Interface i : kInterfaces) {
     const InterfaceContact& contact = c.interfaces[i];
@@ -49,7 +43,7 @@ void warn_of_missing_contacts(const Contacts& c, std::vector<std::string>& warni
     if (!contact.geometry.ok() || (wants_hertz && !contact.hertz.ok()))
       warnings.push_back(fmt::format(
           "the {} threads give no Hertz contact ({}): ellipses and pressures are absent", label(i),
-          failure(c, i)));
+          failure(c, i).reason));
   }
 }
 
@@ -76,7 +70,7 @@ void warn_of_conformity(const Contacts& c, std::vector<std::string>& warnings) {
 
 void warn_of_kinematics(const Contacts& c, std::vector<std::string>& warnings) {
   const contact::KinematicConsistency k = contact::kinematic_consistency(c.threads);
-  if (k.lead_difference != 0.0)
+  if (std::abs(k.lead_difference) > 1e-9 * std::abs(c.threads.screw.lead))
     warnings.push_back(fmt::format("the leads of nut and screw differ by {:.6f} mm",
                                    k.lead_difference / kMillimetre));
   if (std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) > kGearRatioTolerance)
@@ -86,15 +80,39 @@ void warn_of_kinematics(const Contacts& c, std::vector<std::string>& warnings) {
         k.gear_ratio, k.gear_ratio_by_leads));
 }
 
-void warn_of_threads(const Contacts& c, std::vector<std::string>& warnings) {
-  const auto warn = [&](const contact::Thread& thread, const char* part) {
-    const contact::ThreadStatus status = contact::check(thread);
-    if (status != contact::ThreadStatus::ok)
-      warnings.push_back(fmt::format("thread of the {}: {}", part, contact::name(status)));
+/// Refuses threads that cannot be; warns of heights beyond the point where the flanks meet.
+void check_threads(const Contacts& c, std::vector<std::string>& warnings) {
+  const auto check = [&](const contact::Thread& thread, const char* part) {
+    const contact::RadiusLimits given = contact::flank_limits(thread);
+    const contact::RadiusLimits sharp = contact::sharp_limits(thread);
+    if (!(given.smallest < given.largest))
+      throw CaseError(fmt::format("mechanism.thread.{}", part),
+                      fmt::format("the flanks of the {} have no height; expected an addendum or a "
+                                  "dedendum > 0",
+                                  part));
+    switch (const contact::ThreadStatus status = contact::check(thread); status) {
+      case contact::ThreadStatus::ok:
+        return;
+      case contact::ThreadStatus::beyond_sharp_limit:
+        warnings.push_back(fmt::format(
+            "the thread of the {} is given from {:.4f} to {:.4f} mm radius, its flanks meet at "
+            "{:.4f} and {:.4f} mm",
+            part, given.smallest / kMillimetre, given.largest / kMillimetre,
+            sharp.smallest / kMillimetre, sharp.largest / kMillimetre));
+        return;
+      default:
+        throw CaseError(
+            thread.addendum ? fmt::format("mechanism.thread.{}", part) : "mechanism.flank_angle",
+            fmt::format("the flanks of the {} would reach from {:.4f} to {:.4f} mm radius ({}); "
+                        "expected a thread around the pitch radius of {:.4f} mm; mend its heights, "
+                        "flank angle or pitch",
+                        part, given.smallest / kMillimetre, given.largest / kMillimetre,
+                        contact::name(status), thread.pitch_radius / kMillimetre));
+    }
   };
-  warn(c.threads.screw, "screw");
-  warn(c.threads.roller, "roller");
-  warn(c.threads.nut, "nut");
+  check(c.threads.screw, "screw");
+  check(c.threads.roller, "roller");
+  check(c.threads.nut, "nut");
 }
 
 void warn_of_crowding(const Contacts& c, std::vector<std::string>& warnings) {
@@ -106,16 +124,11 @@ void warn_of_crowding(const Contacts& c, std::vector<std::string>& warnings) {
 
 }  // namespace
 
-const char* label(Interface i) { return i == Interface::screw ? "roller-screw" : "roller-nut"; }
-
-contact::ThreadPair pair_of(const contact::MechanismGeometry& threads, Interface i) {
-  return i == Interface::screw ? contact::screw_pair(threads) : contact::nut_pair(threads);
-}
-
 Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials) {
   Contacts c;
   c.mechanism = resolved(mechanism);
   c.threads = threads_of(c.mechanism);
+  check_threads(c, c.warnings);
   const contact::MechanismContact geometry =
       contact::mechanism_contact(c.threads, contact::Configuration::i1_j2);
   c.interfaces.screw.geometry = geometry.screw;
@@ -124,7 +137,6 @@ Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials
     if (materials && c.interfaces[i].geometry.ok())
       add_hertz(c.interfaces[i], (*materials)[body_of(i)], materials->roller);
   warn_of_missing_contacts(c, c.warnings);
-  warn_of_threads(c, c.warnings);
   warn_of_crowding(c, c.warnings);
   warn_of_kinematics(c, c.warnings);
   warn_of_interference(c, c.warnings);
@@ -132,26 +144,9 @@ Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials
   return c;
 }
 
-std::string failure(const Contacts& contacts, Interface i) {
+ContactFailure failure(const Contacts& contacts, Interface i) {
   const InterfaceContact& c = contacts.interfaces[i];
-  const contact::ContactPoint& point = c.geometry.point;
-  if (point.ok()) return std::string(contact::name(c.hertz.status));
-  const std::string_view body = name(i);
-  std::string text(contact::name(point.status));
-  const char* separator = ": ";
-  for (const contact::FlankViolation& v : point.violations) {
-    text += fmt::format("{}{:.4f} mm beyond the {} of the {}", separator, v.by / kMillimetre,
-                        contact::name(v.end), v.of_roller ? "roller" : body);
-    separator = ", ";
-  }
-  if (point.status == contact::ContactPointStatus::out_of_reach) {
-    const contact::ThreadPair pair = pair_of(contacts.threads, i);
-    const double between = radial_distance_between_flanks(pair, i);
-    text += fmt::format(": the flanks of {} and roller {} by {:.4f} mm", body,
-                        between > 0.0 ? "miss each other" : "pass each other",
-                        std::abs(between) / kMillimetre);
-  }
-  return text;
+  return why_no_contact(contacts.threads, c.geometry, c.hertz.status, i);
 }
 
 }  // namespace prs

@@ -7,6 +7,7 @@
 #include "contact/hertz.h"
 #include "contact/mechanism_geometry.h"
 #include "contact/subsurface.h"
+#include "prs/contact_failure.h"
 #include "prs/materials.h"
 #include "prs/mechanism.h"
 
@@ -34,16 +35,10 @@ struct Contacts {
 
 /// Resolves the mechanism, finds the contact points of both interfaces and, where materials are
 /// given, their Hertz contacts. An interface without contact is a result that says why. Throws
-/// CaseError where a design has no solution.
+/// CaseError where a thread cannot be or a design has no solution.
 Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials);
 
-/// Why there is no contact or no Hertz contact: which surface, which limit, by how much.
-std::string failure(const Contacts& contacts, Interface interface);
-
-/// "roller-screw" or "roller-nut".
-const char* label(Interface interface);
-
-/// The pair of threads of an interface.
-contact::ThreadPair pair_of(const contact::MechanismGeometry& threads, Interface interface);
+/// Why there is no contact or no Hertz contact.
+ContactFailure failure(const Contacts& contacts, Interface interface);
 
 }  // namespace prs

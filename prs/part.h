@@ -38,6 +38,10 @@ struct PerInterface {
 /// The part that the roller touches at an interface.
 constexpr Part body_of(Interface i) { return i == Interface::screw ? Part::screw : Part::nut; }
 
+constexpr std::string_view name(Part p) {
+  return p == Part::screw ? "screw" : p == Part::roller ? "roller" : "nut";
+}
+
 constexpr std::string_view name(Interface i) { return i == Interface::screw ? "screw" : "nut"; }
 
 }  // namespace prs

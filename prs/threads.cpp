@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "prs/case_error.h"
+#include "prs/contact_failure.h"
 
 namespace prs {
 namespace {
@@ -14,7 +15,13 @@ contact::MechanismType type_of(const Mechanism& m) {
                                              : contact::MechanismType::inverted;
 }
 
-double pitch_of(const Mechanism& m, Part part) { return m.pitch[part].value_or(axial_pitch(m)); }
+/// Measured pitches that differ from lead/starts by less are the same number, rounded otherwise.
+constexpr double kSamePitch = 1e-9;
+
+double pitch_of(const Mechanism& m, Part part) {
+  const double nominal = axial_pitch(m), given = m.pitch[part].value_or(nominal);
+  return std::abs(given - nominal) <= kSamePitch * nominal ? nominal : given;
+}
 
 double lead_of(const Mechanism& m, Part part) {
   if (part == Part::roller)
@@ -51,6 +58,38 @@ contact::Thread thread_of(const Mechanism& m, Part part) {
   return thread;
 }
 
+[[noreturn]] void throw_design_error(const contact::DesignResult& design) {
+  const auto no_contact = [&](const contact::InterfaceGeometry& geometry, Interface i) {
+    const ContactFailure failure =
+        why_no_contact(design.mechanism, geometry, contact::HertzStatus::not_computed, i);
+    throw CaseError(failure.path,
+                    fmt::format("the {} threads of a mechanism with the wanted backlash have no "
+                                "contact: {}; mend profiles, flank angles or the screw's diameter",
+                                label(i), failure.reason));
+  };
+  switch (design.status) {
+    case contact::DesignStatus::no_screw_contact:
+      no_contact(design.contact.screw, Interface::screw);
+      break;
+    case contact::DesignStatus::no_nut_contact:
+      no_contact(design.contact.nut, Interface::nut);
+      break;
+    case contact::DesignStatus::pitches_differ:
+      throw CaseError(
+          "mechanism.pitch",
+          "backlash has no meaning where pitches differ; leave `pitch` out of a design");
+    case contact::DesignStatus::too_few_screw_starts:
+      throw CaseError("mechanism.starts",
+                      "a standard screw needs more than two screw starts for each roller start");
+    default:
+      break;
+  }
+  throw CaseError("mechanism.backlash",
+                  fmt::format("no mechanism with this screw has the wanted backlash ({}); mend the "
+                              "backlash, profiles or the screw's diameter",
+                              contact::name(design.status)));
+}
+
 }  // namespace
 
 contact::MechanismGeometry threads_of(const Mechanism& m) {
@@ -62,12 +101,7 @@ Mechanism resolved(const Mechanism& m) {
   if (m.geometry == Mechanism::Geometry::simulation) return m;
   const contact::DesignResult design = contact::design_by_backlash(
       threads_of(m), m.starts.screw, m.starts.roller, {m.backlash.screw, m.backlash.nut});
-  if (!design.ok())
-    throw CaseError("mechanism.backlash",
-                    fmt::format("no mechanism with this screw has the backlash wanted: {}; give "
-                                "other diameters, starts or profiles, or the radii themselves with "
-                                "`geometry: simulation`",
-                                contact::name(design.status)));
+  if (!design.ok()) throw_design_error(design);
   Mechanism designed = m;
   designed.pitch_diameter.screw = 2.0 * design.mechanism.screw.pitch_radius;
   designed.pitch_diameter.roller = 2.0 * design.mechanism.roller.pitch_radius;

@@ -33,8 +33,8 @@ void note_proportions(const Case& c, const Mechanism& m, std::vector<std::string
   for (const Part p : kParts)
     if (m.flank_angle[p] < 20 * std::numbers::pi / 180 ||
         m.flank_angle[p] > 70 * std::numbers::pi / 180)
-      notes.push_back(fmt::format("a flank angle of {:g} deg is far from the usual 45 deg",
-                                  m.flank_angle[p] * 180 / std::numbers::pi));
+      notes.push_back(fmt::format("the {}'s flank angle of {:g} deg is far from the usual 45 deg",
+                                  name(p), m.flank_angle[p] * 180 / std::numbers::pi));
   if (!c.structure) return;
   const Structure& s = *c.structure;
   if (s.screw.bore > 0.8 * *m.pitch_diameter.screw)

@@ -84,7 +84,7 @@ std::vector<std::string> draw_contact_plots(const Result& result, const fs::path
     if (!result.contacts.interfaces[i].geometry.ok())
       notes.push_back(fmt::format(
           "pictures of the contacts were not drawn: the {} threads have no contact point ({})",
-          label(i), failure(result.contacts, i)));
+          label(i), failure(result.contacts, i).reason));
   return notes;
 }
 

@@ -144,7 +144,7 @@ TEST(Analyze, ThreadsWithoutPointContactNeedBothOverrides) {
     analyze(c);
     FAIL();
   } catch (const CaseError& error) {
-    EXPECT_EQ(error.path(), "mechanism");
+    EXPECT_EQ(error.path(), "mechanism.profile");
     EXPECT_NE(std::string(error.what()).find("roller-nut"), std::string::npos) << error.what();
   }
 }

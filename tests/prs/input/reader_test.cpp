@@ -366,7 +366,7 @@ const Broken kBroken[] = {
      "90 deg",
      "5:16",
      "mechanism.flank_angle",
-     {"an angle > 0 and < 90 deg"}},
+     {"an angle >= 1 deg and <= 89 deg"}},
     {"PoissonTooLarge",
      "0.3",
      "0.6",
