@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/case_error.h"
 #include "prs/threads.h"
 
 namespace prs {
@@ -80,39 +79,39 @@ void warn_of_kinematics(const Contacts& c, std::vector<std::string>& warnings) {
         k.gear_ratio, k.gear_ratio_by_leads));
 }
 
-/// Refuses threads that cannot be; warns of heights beyond the point where the flanks meet.
-void check_threads(const Contacts& c, std::vector<std::string>& warnings) {
-  const auto check = [&](const contact::Thread& thread, const char* part) {
-    const contact::RadiusLimits given = contact::flank_limits(thread);
-    const contact::RadiusLimits sharp = contact::sharp_limits(thread);
-    if (!(given.smallest < given.largest))
-      throw CaseError(fmt::format("mechanism.thread.{}", part),
-                      fmt::format("the flanks of the {} have no height; expected an addendum or a "
-                                  "dedendum > 0",
-                                  part));
-    switch (const contact::ThreadStatus status = contact::check(thread); status) {
-      case contact::ThreadStatus::ok:
-        return;
-      case contact::ThreadStatus::beyond_sharp_limit:
-        warnings.push_back(fmt::format(
-            "the thread of the {} is given from {:.4f} to {:.4f} mm radius, its flanks meet at "
-            "{:.4f} and {:.4f} mm",
-            part, given.smallest / kMillimetre, given.largest / kMillimetre,
-            sharp.smallest / kMillimetre, sharp.largest / kMillimetre));
-        return;
-      default:
-        throw CaseError(
-            thread.addendum ? fmt::format("mechanism.thread.{}", part) : "mechanism.flank_angle",
-            fmt::format("the flanks of the {} would reach from {:.4f} to {:.4f} mm radius ({}); "
-                        "expected a thread around the pitch radius of {:.4f} mm; mend its heights, "
-                        "flank angle or pitch",
-                        part, given.smallest / kMillimetre, given.largest / kMillimetre,
-                        contact::name(status), thread.pitch_radius / kMillimetre));
-    }
-  };
-  check(c.threads.screw, "screw");
-  check(c.threads.roller, "roller");
-  check(c.threads.nut, "nut");
+/// Why a thread cannot be, if so.
+std::optional<ContactFailure> thread_failure(const contact::Thread& thread, Part part) {
+  const contact::RadiusLimits flank = contact::flank_limits(thread);
+  const std::string path = thread.addendum || thread.dedendum
+                               ? fmt::format("mechanism.thread.{}", name(part))
+                               : "mechanism.flank_angle";
+  const contact::ThreadStatus status = contact::check(thread);
+  if (status == contact::ThreadStatus::ok || status == contact::ThreadStatus::beyond_sharp_limit) {
+    if (flank.smallest < flank.largest) return std::nullopt;
+    return ContactFailure{path, fmt::format("the flanks of the {} have no height", name(part))};
+  }
+  return ContactFailure{
+      path,
+      fmt::format("the flanks of the {} would reach from {:.4f} to {:.4f} mm radius, around a "
+                  "pitch radius of {:.4f} mm ({})",
+                  name(part), flank.smallest / kMillimetre, flank.largest / kMillimetre,
+                  thread.pitch_radius / kMillimetre, contact::name(status))};
+}
+
+void warn_of_heights(const contact::Thread& thread, Part part, std::vector<std::string>& warnings) {
+  if (contact::check(thread) != contact::ThreadStatus::beyond_sharp_limit) return;
+  const contact::RadiusLimits given = contact::flank_limits(thread);
+  const contact::RadiusLimits sharp = contact::sharp_limits(thread);
+  warnings.push_back(
+      fmt::format("the thread of the {} is given from {:.4f} to {:.4f} mm radius, its flanks meet "
+                  "at {:.4f} and "
+                  "{:.4f} mm",
+                  name(part), given.smallest / kMillimetre, given.largest / kMillimetre,
+                  sharp.smallest / kMillimetre, sharp.largest / kMillimetre));
+}
+
+const contact::Thread& thread_of(const contact::MechanismGeometry& threads, Part part) {
+  return part == Part::screw ? threads.screw : part == Part::roller ? threads.roller : threads.nut;
 }
 
 void warn_of_crowding(const Contacts& c, std::vector<std::string>& warnings) {
@@ -128,11 +127,17 @@ Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials
   Contacts c;
   c.mechanism = resolved(mechanism);
   c.threads = threads_of(c.mechanism);
-  check_threads(c, c.warnings);
+  for (const Part p : kParts) {
+    c.bad_threads[p] = thread_failure(thread_of(c.threads, p), p);
+    warn_of_heights(thread_of(c.threads, p), p, c.warnings);
+  }
   const contact::MechanismContact geometry =
       contact::mechanism_contact(c.threads, contact::Configuration::i1_j2);
-  c.interfaces.screw.geometry = geometry.screw;
-  c.interfaces.nut.geometry = geometry.nut;
+  const auto sound = [&](Interface i) {
+    return !c.bad_threads.roller && !c.bad_threads[body_of(i)];
+  };
+  if (sound(Interface::screw)) c.interfaces.screw.geometry = geometry.screw;
+  if (sound(Interface::nut)) c.interfaces.nut.geometry = geometry.nut;
   for (const Interface i : kInterfaces)
     if (materials && c.interfaces[i].geometry.ok())
       add_hertz(c.interfaces[i], (*materials)[body_of(i)], materials->roller);
@@ -145,6 +150,8 @@ Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials
 }
 
 ContactFailure failure(const Contacts& contacts, Interface i) {
+  for (const Part p : {Part::roller, body_of(i)})
+    if (contacts.bad_threads[p]) return *contacts.bad_threads[p];
   const InterfaceContact& c = contacts.interfaces[i];
   return why_no_contact(contacts.threads, c.geometry, c.hertz.status, i);
 }

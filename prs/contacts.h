@@ -29,13 +29,14 @@ struct InterfaceContact {
 struct Contacts {
   Mechanism mechanism;  ///< With all pitch diameters and the centre distance.
   contact::MechanismGeometry threads;
+  PerPart<std::optional<ContactFailure>> bad_threads;  ///< Threads that cannot be, and why.
   PerInterface<InterfaceContact> interfaces;
   std::vector<std::string> warnings;
 };
 
 /// Resolves the mechanism, finds the contact points of both interfaces and, where materials are
 /// given, their Hertz contacts. An interface without contact is a result that says why. Throws
-/// CaseError where a thread cannot be or a design has no solution.
+/// CaseError where a design has no solution.
 Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials);
 
 /// Why there is no contact or no Hertz contact.

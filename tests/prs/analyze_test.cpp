@@ -162,6 +162,23 @@ TEST(Analyze, ContactBeyondATruncatedFlankNamesPartEndAndDistance) {
   }
 }
 
+TEST(Analyze, ImpossibleThreadsAreAnErrorUnlessTheContactIsGiven) {
+  Case c = lesson("01_config_1_to_3.yaml");
+  c.mechanism.thread.roller = ThreadHeight{0.5e-3, 6e-3};  // deeper than the roller's radius
+  const Result result = analyze(c);
+  EXPECT_TRUE(result.load_cases[0].converged());
+  EXPECT_TRUE(result.load_cases[0].threads->nut.peak_pressure.empty());
+  c.contact = {};
+  try {
+    analyze(c);
+    FAIL();
+  } catch (const CaseError& error) {
+    EXPECT_EQ(error.path(), "mechanism.thread.roller");
+    EXPECT_NE(std::string(error.what()).find("from -2.5000 to 4.0000 mm"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(Analyze, FlanksThatNeverMeetSayHowFarTheyAre) {
   Case c = lesson("04_contacts_from_geometry.yaml");
   c.mechanism.thread.nut = ThreadHeight{0.2e-3, 0.2e-3};
