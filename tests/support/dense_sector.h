@@ -24,6 +24,7 @@ struct DenseSector {
   std::vector<Real> k0;
   std::vector<Real> gap;
   Vector unit_load;
+  Vector push_screw, push_both;  ///< Rigid shift of the screw, and of screw and roller.
   std::vector<bool> held;
 
   explicit DenseSector(const SectorCase& c) {
@@ -165,6 +166,9 @@ struct DenseSector {
     }
     unit_load = Vector::Zero(size);
     unit_load[loaded] = s;
+    push_screw = push_both = Vector::Zero(size);
+    for (int k = 0; k <= n; ++k) push_screw[us(k)] = push_both[us(k)] = s;
+    for (int i = 0; i < rollers; ++i) push_both[ur(i, 0)] = s;
   }
 
   struct Solution {
@@ -177,8 +181,20 @@ struct DenseSector {
   Solution solve(Real sector_force) const {
     const auto size = static_cast<int>(unit_load.size());
     const auto contacts = approach.size();
-    Vector q = Vector::Zero(size);
     Solution result;
+    // Every contact closed by its share of the load: the tangent is regular.
+    Vector q = Vector::Zero(size);
+    for (const bool at_screw : {true, false}) {
+      const Vector& push = at_screw ? push_screw : push_both;
+      Real shift = 0;
+      for (std::size_t i = at_screw ? 0 : contacts / 2; i < (at_screw ? contacts / 2 : contacts);
+           ++i) {
+        const Real share = sector_force / static_cast<Real>(contacts / 2);
+        const Real approached = gap[i] + std::pow(share / k0[i], Real(2) / 3);
+        shift = std::max(shift, approached / approach[i].dot(push));
+      }
+      q += shift * push;
+    }
     const auto residual = [&](const Vector& x) {
       Vector r = linear * x - sector_force * unit_load;
       for (std::size_t i = 0; i < contacts; ++i) {
@@ -194,12 +210,10 @@ struct DenseSector {
       return e;
     };
     Eigen::MatrixXd tangent;
-    const auto factorize = [&](const Vector& x, bool start) {
+    const auto factorize = [&](const Vector& x) {
       tangent = linear.cast<double>();
       for (std::size_t i = 0; i < contacts; ++i) {
-        const Real mean =
-            std::pow(sector_force / static_cast<Real>(contacts / 2) / k0[i], 2.0 / 3.0);
-        const Real w = start ? mean : std::max(Real(0), approach[i].dot(x) - gap[i]);
+        const Real w = std::max(Real(0), approach[i].dot(x) - gap[i]);
         const Eigen::VectorXd row =
             (std::sqrt(1.5 * k0[i] * std::sqrt(w)) * approach[i]).cast<double>();
         tangent.selfadjointView<Eigen::Lower>().rankUpdate(row);
@@ -222,7 +236,7 @@ struct DenseSector {
         break;
       }
       previous = norm;
-      factorize(q, iteration == 0);
+      factorize(q);
       const Vector d = tangent.ldlt().solve(r.cast<double>()).cast<Real>();
       Real t = 1.0;
       const Real e = energy(q);
@@ -233,7 +247,7 @@ struct DenseSector {
       result.normal_load.push_back(k0[i] *
                                    std::pow(std::max(Real(0), approach[i].dot(q) - gap[i]), 1.5));
     result.displacement = unit_load.dot(q);
-    factorize(q, false);
+    factorize(q);
     const Eigen::VectorXd load = unit_load.cast<double>();
     result.tangent_stiffness = 1.0 / load.dot(tangent.ldlt().solve(load));
     return result;
