@@ -189,17 +189,22 @@ Contacts checked_contacts(const Case& c) {
   return contacts;
 }
 
+/// A result that so far holds the contacts and what is unusual about the case.
+Result contacts_of(const Case& c) {
+  Result result;
+  result.contacts = checked_contacts(c);
+  result.warnings = result.contacts.warnings;
+  for (std::string& note : unusual_geometry(c, result.contacts))
+    result.warnings.push_back(std::move(note));
+  return result;
+}
+
 }  // namespace
 
 Result analyze(const Case& given) {
-  Result result;
-  result.contacts = checked_contacts(given);
-  result.warnings = result.contacts.warnings;
+  Result result = contacts_of(given);
   Case c = given;
   c.mechanism = result.contacts.mechanism;
-  for (std::string& note : unusual_geometry(c, result.contacts))
-    result.warnings.push_back(std::move(note));
-
   require_contacts(result.contacts,
                    "mend profiles, flank angles or diameters, or give both "
                    "contact.hertz_constant and contact.normal_angle of the interface",
@@ -226,13 +231,7 @@ Result analyze(const Case& given) {
 }
 
 Result analyze_contacts(const Case& c) {
-  Result result;
-  result.contacts = checked_contacts(c);
-  result.warnings = result.contacts.warnings;
-  Case resolved = c;
-  resolved.mechanism = result.contacts.mechanism;
-  for (std::string& note : unusual_geometry(resolved, result.contacts))
-    result.warnings.push_back(std::move(note));
+  Result result = contacts_of(c);
   require_contacts(result.contacts, "mend profiles, flank angles or diameters", [&](Interface i) {
     const InterfaceContact& contact = result.contacts.interfaces[i];
     return !contact.geometry.ok() || (c.materials && !contact.hertz.ok());
