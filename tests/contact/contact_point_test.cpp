@@ -277,11 +277,13 @@ TEST(ContactPoint, NormalPointsFromTheRollerInI1J2) {
 
 TEST(ContactPoint, OtherFacesAreAHalfTurnAboutX) {
   RandomMechanisms random(4);
+  int checked = 0;
   for (int i = 0; i < 100; ++i) {
     const MechanismGeometry m = random.next();
     for (const ThreadPair& pair : {screw_pair(m), nut_pair(m)}) {
       const ContactPoint top = find_contact_point(pair, RollerFace::top);
       if (!top.ok()) continue;
+      ++checked;
       const ContactPoint bottom = find_contact_point(pair, RollerFace::bottom);
       const ContactPoint turned = on_other_faces(top);
       EXPECT_NEAR(bottom.radius_on_body, turned.radius_on_body, 1e-16);
@@ -293,6 +295,7 @@ TEST(ContactPoint, OtherFacesAreAHalfTurnAboutX) {
                   1e-9 * turned.clearance_hessian.trace());
     }
   }
+  EXPECT_GT(checked, 50);
 }
 
 TEST(ContactPoint, LeftHandedMechanismIsTheMirrorImage) {

@@ -94,12 +94,14 @@ TEST(InterfaceGeometry, RelativeCurvaturesAreTheClearanceHessianInTheTangentPlan
   // The gap along the normal is |n_z| times the axial clearance: a second way to the same tensor,
   // through the search for the contact point instead of the fundamental forms.
   RandomMechanisms random(12);
+  int checked = 0;
   const int tries = ::test::count(200, 5000);
   double worst = 0.0;
   for (int i = 0; i < tries; ++i) {
     for (const auto& [pair, face] : cases_of(random.next())) {
       const InterfaceGeometry g = interface_geometry(pair, face);
       if (!g.ok()) continue;
+      ++checked;
       const SymmetricTensor& h = g.point.clearance_hessian;
       const double nz = std::abs(g.point.normal.z());
       const auto along = [&](const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
@@ -114,14 +116,17 @@ TEST(InterfaceGeometry, RelativeCurvaturesAreTheClearanceHessianInTheTangentPlan
     }
   }
   EXPECT_LT(worst, 1e-12);
+  EXPECT_GT(checked, 100);
 }
 
 TEST(InterfaceGeometry, AxesAreARightHandedFrameWithTheNormal) {
   RandomMechanisms random(13);
+  int checked = 0;
   for (int i = 0; i < 50; ++i) {
     for (const auto& [pair, face] : cases_of(random.next())) {
       const InterfaceGeometry g = interface_geometry(pair, face);
       if (!g.ok()) continue;
+      ++checked;
       EXPECT_NEAR(g.point.normal.norm(), 1.0, 1e-15);
       EXPECT_NEAR((g.major_axis.cross(g.minor_axis) - g.point.normal).norm(), 0.0, 1e-14);
       EXPECT_LE(std::abs(g.roller.first), std::abs(g.roller.second));
@@ -132,15 +137,18 @@ TEST(InterfaceGeometry, AxesAreARightHandedFrameWithTheNormal) {
                   1e-12 * g.relative.second);
     }
   }
+  EXPECT_GT(checked, 25);
 }
 
 TEST(InterfaceGeometry, OtherFacesHaveTheSameCurvatures) {
   RandomMechanisms random(14);
+  int checked = 0;
   for (int i = 0; i < 50; ++i) {
     const MechanismGeometry m = random.next();
     for (const ThreadPair& pair : {screw_pair(m), nut_pair(m)}) {
       const InterfaceGeometry top = interface_geometry(pair, RollerFace::top);
       if (!top.ok()) continue;
+      ++checked;
       const InterfaceGeometry bottom = interface_geometry(pair, RollerFace::bottom);
       const InterfaceGeometry turned = on_other_faces(top);
       EXPECT_NEAR(bottom.relative.first, turned.relative.first, 1e-11 * turned.relative.second);
@@ -151,6 +159,7 @@ TEST(InterfaceGeometry, OtherFacesHaveTheSameCurvatures) {
       EXPECT_NEAR(bottom.first_directions_angle(), turned.first_directions_angle(), 1e-9);
     }
   }
+  EXPECT_GT(checked, 25);
 }
 
 TEST(InterfaceGeometry, AbeviHertzConstants) {
