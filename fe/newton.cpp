@@ -1,10 +1,10 @@
 #include "fe/newton.h"
 
-#include "fe/index.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "fe/index.h"
 
 namespace fe {
 

@@ -104,8 +104,7 @@ void warn_of_heights(const contact::Thread& thread, Part part, std::vector<std::
   const contact::RadiusLimits sharp = contact::sharp_limits(thread);
   warnings.push_back(
       fmt::format("the thread of the {} is given from {:.4f} to {:.4f} mm radius, its flanks meet "
-                  "at {:.4f} and "
-                  "{:.4f} mm",
+                  "at {:.4f} and {:.4f} mm",
                   name(part), given.smallest / kMillimetre, given.largest / kMillimetre,
                   sharp.smallest / kMillimetre, sharp.largest / kMillimetre));
 }

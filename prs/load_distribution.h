@@ -13,8 +13,8 @@ struct LoadDistribution {
   fe::NewtonSummary solve;
   PerInterface<std::vector<double>> normal_load;  ///< N [N]
   PerInterface<std::vector<double>> approach;     ///< Hertz approach delta [m]
-  double axial_displacement =
-      0.0;  ///< Loaded section against thrust section [m], > 0 along the load.
+  /// Loaded section against thrust section [m], > 0 along the load.
+  double axial_displacement = 0.0;
   /// dF/du of the whole mechanism at the load [N/m]; absent where the tangent is singular.
   std::optional<double> tangent_stiffness;
 };

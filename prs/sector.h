@@ -22,13 +22,13 @@ struct ContactLaw {
 /// Loads and the sections of screw and nut are those of the mechanism divided by the rollers.
 struct Sector {
   fe::Model model;
-  int loaded_node =
-      0;  ///< Screw section that takes the load; its first contact without free_length.
+  /// Screw section that takes the load; its first contact without free_length.
+  int loaded_node = 0;
   std::vector<int> screw_nodes;   ///< At the contacts, thread 1 first.
   std::vector<int> roller_nodes;  ///< At the contacts.
   std::vector<int> nut_nodes;     ///< At the contacts.
-  std::vector<int>
-      roller_end_nodes;  ///< Outer and inner node of the first end, inner, outer of the last.
+  /// Outer and inner node of the roller's first end, inner and outer node of its last.
+  std::vector<int> roller_end_nodes;
   PerInterface<ContactLaw> laws;
   PerInterface<std::vector<double>> gaps;  ///< Initial gap of each thread along the normal [m].
   Direction direction = Direction::tension;

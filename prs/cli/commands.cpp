@@ -1,7 +1,5 @@
 #include "prs/cli/commands.h"
 
-#include "prs/cli/starting_case.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "prs/analyze.h"
 #include "prs/case_error.h"
+#include "prs/cli/starting_case.h"
 #include "prs/input/fail_at.h"
 #include "prs/input/reader.h"
 #include "prs/input/schema.h"
