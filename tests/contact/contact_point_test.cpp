@@ -78,9 +78,9 @@ std::vector<NamedPair> pairs_of(const MechanismGeometry& m) {
           {nut_pair(m), RollerFace::top}};
 }
 
-TEST(ContactPoint, ClosesAndHasEqualNormalsOnRandomMechanisms) {
-  const int wanted = ::test::count(500, 10000);  // mechanisms with contacts at both interfaces
-  RandomMechanisms random(1);
+/// Holds the contact points of `wanted` mechanisms with contacts at both interfaces to closure,
+/// equal normals and Sandu's equations.
+void expect_closure_and_equal_normals(RandomMechanisms random, int wanted) {
   int found = 0;
   double worst_gap = 0.0, worst_normal = 0.0, worst_equation = 0.0;
   for (int tries = 0; found < wanted && tries < 100 * wanted; ++tries) {
@@ -110,6 +110,16 @@ TEST(ContactPoint, ClosesAndHasEqualNormalsOnRandomMechanisms) {
   EXPECT_LT(worst_gap, 1e-13);
   EXPECT_LT(worst_normal, 1e-12);
   EXPECT_LT(worst_equation, 1e-12);
+}
+
+TEST(ContactPoint, ClosesAndHasEqualNormalsOnRandomMechanisms) {
+  expect_closure_and_equal_normals(RandomMechanisms(1), ::test::count(500, 10000));
+}
+
+TEST(ContactPoint, ClosesAndHasEqualNormalsWithStraightAndConcaveRollers) {
+  expect_closure_and_equal_normals(
+      RandomMechanisms(6, RandomMechanisms::Rollers::straight_or_concave),
+      ::test::count(200, 2000));
 }
 
 TEST(ContactPoint, TakesAtMostEightStepsOnRandomMechanisms) {

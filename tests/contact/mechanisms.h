@@ -67,7 +67,11 @@ inline MechanismGeometry yao(double screw_deg = 45, double roller_deg = 45, doub
 /// to 0.2 %. Not all of them have contact points on their flanks.
 class RandomMechanisms {
  public:
-  explicit RandomMechanisms(std::uint64_t seed) : random_(seed) {}
+  enum class Rollers { convex, straight_or_concave };
+
+  /// With straight or concave rollers, screw and nut are convex and curve more.
+  explicit RandomMechanisms(std::uint64_t seed, Rollers rollers = Rollers::convex)
+      : random_(seed), rollers_(rollers) {}
 
   MechanismGeometry next() {
     const bool standard = integer(0, 1) == 1;
@@ -105,6 +109,11 @@ class RandomMechanisms {
       if (shape == 3) body->profile_curvature = -usual / uniform(2.0, 10.0);
     }
     m.centre_distance = (radii.screw + radii.roller) * (1.0 + uniform(-0.002, 0.002));
+    if (rollers_ == Rollers::straight_or_concave) {
+      m.roller.profile_curvature = integer(0, 1) == 1 ? 0.0 : -usual / uniform(2.0, 10.0);
+      for (Thread* body : {&m.screw, &m.nut})
+        body->profile_curvature = usual * std::exp(uniform(-0.2, 0.7));
+    }
     return m;
   }
 
@@ -115,6 +124,7 @@ class RandomMechanisms {
 
  private:
   std::mt19937_64 random_;
+  Rollers rollers_;
 };
 
 }  // namespace contact::test
