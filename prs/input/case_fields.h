@@ -218,7 +218,7 @@ void fields(Io& io, Material& m) {
 template <class Io>
 void fields(Io& io, ContactOverrides& c) {
   const Quantity hertz_constant{unit::hertz_constant, positive};
-  const Quantity normal_angle{unit::angle, Bounds{std::numbers::pi / 180, 89 * std::numbers::pi / 180}};
+  const Quantity normal_angle{unit::angle, between(0.0, std::numbers::pi / 2)};
   io.field("hertz_constant", c.hertz_constant, Each{hertz_constant, optional}, optional,
            "Load over approach^1.5");
   io.field("normal_angle", c.normal_angle, Each{normal_angle, optional}, optional,
