@@ -118,7 +118,8 @@ void fields(Io& io, ThreadHeight& t) {
 template <class Io>
 void fields(Io& io, Mechanism& m) {
   const Quantity diameter{unit::length, positive};
-  const Quantity flank_angle{unit::angle, Bounds{std::numbers::pi / 180, 89 * std::numbers::pi / 180}};
+  const Quantity flank_angle{unit::angle,
+                             Bounds{std::numbers::pi / 180, 89 * std::numbers::pi / 180}};
 
   io.field("type", m.type, Choice{}, required, "Kind of mechanism");
   io.field("geometry", m.geometry, Choice{}, optional, "What is given of the geometry");
