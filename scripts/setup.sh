@@ -5,7 +5,7 @@ set -euo pipefail
 packages=(
   cmake ninja-build g++ pkg-config
   libeigen3-dev libsuitesparse-dev libyaml-cpp-dev libboost-dev
-  libcli11-dev libfmt-dev nlohmann-json3-dev nettle-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev nettle-dev libxsimd-dev
   libgtest-dev libgmock-dev libbenchmark-dev python3-jsonschema
   gnuplot-nox
 )

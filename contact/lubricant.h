@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cmath>
+
+namespace contact {
+
+/// Oil, or base oil of a grease, at operating temperature. SI units.
+struct Lubricant {
+  double viscosity = 0.0;           ///< eta_0, dynamic, at ambient pressure [Pa s]
+  double pressure_viscosity = 0.0;  ///< alpha, at ambient pressure [1/Pa]
+  double eyring_stress = 0.0;       ///< tau_0, shear stress where thinning begins [Pa]
+};
+
+/// Viscosity under pressure over that at ambient pressure by Roelands (Sandu 2018, (2.29)),
+///
+///     exp((ln(eta_0/(Pa s)) + 9.67) ((1 + p/p_0)^z - 1)),  p_0 = 0.198 GPa,  z = 0.6.
+///
+/// `Real` may be a batch of pressures [Pa] >= 0.
+template <class Real>
+Real roelands_viscosity_ratio(double viscosity, const Real& pressure) {
+  using std::exp, std::log1p, std::expm1;
+  constexpr double kPressure = 0.198e9, kExponent = 0.6;
+  return exp((std::log(viscosity) + 9.67) * expm1(kExponent * log1p(pressure / kPressure)));
+}
+
+}  // namespace contact

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <xsimd/xsimd.hpp>
+
+/// Instruction sets that one binary holds side by side; `xsimd::dispatch<simd::Architectures>`
+/// takes the best that the processor has, at run time.
+///
+/// A kernel is a function object with `template <class Arch> R operator()(Arch, ...) const`, in a
+/// header that an own source file for each instruction set instantiates (see add_simd_kernel in
+/// cmake/simd.cmake).
+namespace simd {
+
+#if defined(__x86_64__)
+using Avx512 = xsimd::avx512bw;
+using Avx2 = xsimd::fma3<xsimd::avx2>;
+using Baseline = xsimd::sse2;
+using Architectures = xsimd::arch_list<Avx512, Avx2, Baseline>;
+#else
+using Baseline = xsimd::default_arch;
+using Architectures = xsimd::arch_list<Baseline>;
+#endif
+
+/// Numbers in the widest batch: arrays for kernels are filled up to a multiple of it.
+inline constexpr int kWidest = 8;
+
+}  // namespace simd
