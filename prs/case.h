@@ -31,6 +31,7 @@ struct Case {
   std::optional<Friction> friction;
   std::optional<Operation> operation;
   Carrier carrier;
+  std::optional<PerPart<double>> roughness;  ///< Rq of the flanks, rms [m].
 };
 
 }  // namespace prs

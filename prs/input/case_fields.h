@@ -254,10 +254,41 @@ void fields(Io& io, LoadCaseItem& l) {
 }
 
 template <class Io>
+void fields(Io& io, ViscosityPoint& p) {
+  io.field("temperature", p.temperature, Quantity{unit::temperature, positive}, required,
+           "Where the viscosity was measured");
+  io.field("viscosity", p.viscosity, Quantity{unit::viscosity, positive}, optional,
+           "Dynamic viscosity");
+  io.field("kinematic_viscosity", p.kinematic_viscosity,
+           Quantity{unit::kinematic_viscosity, positive},
+           required_only_if(!p.viscosity, "in place of `viscosity`"), "Kinematic viscosity");
+}
+
+template <class Io>
+void fields(Io& io, contact::WaltherLine& w) {
+  io.field("intercept", w.intercept, Number{}, required, "At T = 1 K");
+  io.field("slope", w.slope, Number{positive}, required, "Fall with log10(T/K)");
+}
+
+template <class Io>
 void fields(Io& io, Lubricant& l) {
   const Quantity stress{unit::pressure, positive};
-  io.field("viscosity", l.viscosity, Quantity{unit::viscosity, positive}, required,
-           "Dynamic viscosity at ambient pressure");
+  io.field("temperature", l.temperature, Quantity{unit::temperature, positive}, optional,
+           "In operation");
+
+  const bool by_temperature = l.temperature.has_value();
+  io.field("viscosity", l.viscosity, Quantity{unit::viscosity, positive},
+           required_only_if(!by_temperature, "in place of `temperature`"),
+           "Dynamic viscosity at ambient pressure in operation");
+  io.field("walther", l.walther, Block{},
+           optional_only_if(by_temperature, "only with `temperature`"),
+           "log10 log10(nu/(mm^2/s) + 0.7) = intercept - slope log10(T/K), nu = viscosity/density");
+  io.field(
+      "viscosity_at", l.viscosity_at, List{Block{}, 2, 2},
+      required_only_if(by_temperature && !l.walther, "with `temperature`, in place of `walther`"),
+      "Two points through which the line goes");
+  io.field("density", l.density, Quantity{unit::density, positive}, optional,
+           "Of the oil, between dynamic and kinematic viscosity");
   io.field("pressure_viscosity", l.pressure_viscosity, Quantity{unit::pressure_viscosity, positive},
            required, "Pressure-viscosity coefficient");
   io.field("eyring_stress", l.eyring_stress, stress, required, "Eyring shear stress");
@@ -266,15 +297,32 @@ void fields(Io& io, Lubricant& l) {
 template <class Io>
 void fields(Io& io, Operation& o) {
   io.field("speed", o.speed, Quantity{unit::rotational_speed}, required,
-           "Screw against nut; its sign is that of the axial force");
+           "Screw against nut; its sign is that of the axial force (left-handed: either)");
+  io.field("slip_ratio", o.slip_ratio, Number{{.least = 0.0, .greatest = 1.0}}, optional,
+           "Imposed in place of that of the roller's equilibrium");
+}
+
+template <class Io>
+void fields(Io& io, contact::JournalBearing& b) {
+  const Quantity length{unit::length, positive};
+  io.field("length", b.length, length, required, "Axial length of one head's bearing");
+  io.field("diameter", b.diameter, length, required, "Diameter of the roller's head");
+  io.field("radial_clearance", b.radial_clearance, length, required,
+           "Radius of the hole less that of the head");
 }
 
 template <class Io>
 void fields(Io& io, Carrier& c) {
   const Quantity torque{unit::torque, not_negative};
+  const Bounds gear_pressure_angle =
+      between(5 * std::numbers::pi / 180, 40 * std::numbers::pi / 180);
   io.field("roller_torque", c.roller_torque, torque, optional, "Resists a roller's spin");
   io.field("screw_torque", c.screw_torque, torque, optional, "Resists the carrier on the screw");
   io.field("nut_torque", c.nut_torque, torque, optional, "Resists the carrier on the nut");
+  io.field("bearing", c.bearing, Block{}, optional,
+           "Plain bearings of the roller's heads, lubricated, in place of roller_torque");
+  io.field("gear_pressure_angle", c.gear_pressure_angle, Quantity{unit::angle, gear_pressure_angle},
+           optional, "Of the gears between rollers and ring");
 }
 
 template <class Io>
@@ -287,10 +335,12 @@ void fields(Io& io, CaseFile& file) {
            "Values that replace what the geometry gives, in the load distribution only");
   io.field("model", c.model, Block{}, optional, "Choices of the model");
   io.field("load_cases", file.load_cases, List{Block{}, 1}, optional, "Loads, each on its own");
-  io.field("lubricant", c.lubricant, Block{}, optional, "At operating temperature");
+  io.field("roughness", c.roughness, OneOrEach{Quantity{unit::length, positive}}, optional,
+           "Rms roughness Rq of the flanks, for the film ratio");
+  io.field("lubricant", c.lubricant, Block{}, optional, "The oil, or the base oil of the grease");
   io.field("friction", c.friction, ChoiceUnder{"model"}, optional, "Law of friction");
   io.field("operation", c.operation, Block{}, optional, "How the mechanism runs");
-  io.field("carrier", c.carrier, Block{}, optional, "Torques that resist the roller carrier");
+  io.field("carrier", c.carrier, Block{}, optional, "What acts on the rollers besides the threads");
 }
 
 }  // namespace prs::input

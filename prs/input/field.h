@@ -141,7 +141,10 @@ template <class Kind>
 struct List {
   Kind kind;
   int least = 0;  ///< Number of items.
+  int greatest = std::numeric_limits<int>::max();
 };
+template <class Kind>
+List(Kind, int, int) -> List<Kind>;
 template <class Kind>
 List(Kind, int) -> List<Kind>;
 template <class Kind>

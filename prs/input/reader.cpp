@@ -70,11 +70,10 @@ std::string within(const Bounds& b, const Kind& kind) {
   if (b.zero_excluded) return " other than 0";
   std::string text;
   if (std::isfinite(b.least))
-    text = fmt::format(
-        " {} {}", b.least_excluded ? ">" : ">=", b.least == 0.0 ? "0" : text_of(b.least, kind));
+    text = fmt::format(" {} {}", b.least_excluded ? ">" : ">=", text_of_bound(b.least, kind));
   if (std::isfinite(b.greatest))
     text += fmt::format("{} {} {}", text.empty() ? "" : " and",
-                        b.greatest_excluded ? "<" : "<=", text_of(b.greatest, kind));
+                        b.greatest_excluded ? "<" : "<=", text_of_bound(b.greatest, kind));
   return text;
 }
 
@@ -176,8 +175,14 @@ Wanted wanted(T& value, const OneOrRange& kind) {
 template <class T, class Kind>
 Wanted wanted(std::vector<T>&, const List<Kind>& kind) {
   T item{};
-  return {kind.least > 0 ? fmt::format("a list of at least {}", kind.least) : "a list",
-          fmt::format("[{}]", wanted(item, kind.kind).example)};
+  std::string what = "a list";
+  if (kind.least == kind.greatest)
+    what += fmt::format(" of {}", kind.least);
+  else if (kind.least > 0)
+    what += fmt::format(" of at least {}", kind.least);
+  const std::vector<std::string> examples(static_cast<std::size_t>(std::max(1, kind.least)),
+                                          wanted(item, kind.kind).example);
+  return {what, fmt::format("[{}]", fmt::join(examples, ", "))};
 }
 
 // Reading ---------------------------------------------------------------------------------------
@@ -339,7 +344,9 @@ void read(const Written& w, Range& range, const OneOrRange& kind) {
 template <class T, class Kind>
 void read(const Written& w, std::vector<T>& items, const List<Kind>& kind) {
   const std::size_t least = static_cast<std::size_t>(kind.least);
-  if (w.node.kind != Node::Kind::sequence || w.node.children.size() < least)
+  const std::size_t greatest = static_cast<std::size_t>(kind.greatest);
+  if (w.node.kind != Node::Kind::sequence || w.node.children.size() < least ||
+      w.node.children.size() > greatest)
     return w.refuse(wanted(items, kind));
   items.resize(w.node.children.size());
   for (std::size_t i = 0; i < items.size(); ++i)

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,8 +28,9 @@ std::string number_pattern(const Bounds& bounds) {
 
 template <class T>
 Json schema_of(T&, const Quantity& q) {
+  const Bounds& bounds = zero_depends_on_unit(q.dimension) ? unbounded : q.bounds;
   return {{"type", "string"},
-          {"pattern", number_pattern(q.bounds) + " *" + unit_pattern(q.dimension) + "$"},
+          {"pattern", number_pattern(bounds) + " *" + unit_pattern(q.dimension) + "$"},
           {"description", fmt::format("In {}", unit_list(q.dimension))},
           {"examples", Json::array({q.dimension.example})}};
 }
@@ -179,7 +181,9 @@ Json schema_of(T& value, const OneOrRange& kind) {
 template <class T, class Kind>
 Json schema_of(std::vector<T>&, const List<Kind>& kind) {
   T item{};
-  return {{"type", "array"}, {"minItems", kind.least}, {"items", schema_of(item, kind.kind)}};
+  Json json{{"type", "array"}, {"minItems", kind.least}, {"items", schema_of(item, kind.kind)}};
+  if (kind.greatest < std::numeric_limits<int>::max()) json["maxItems"] = kind.greatest;
+  return json;
 }
 
 template <class T, class Kind>

@@ -36,6 +36,8 @@ constexpr Unit kDensity[] = {{{"kg/m^3"}}, {{"g/cm^3", "kg/dm^3", "t/m^3"}, 1e3}
 constexpr Unit kViscosity[] = {
     {{"Pa s", "Pa*s", "Pa.s"}}, {{"mPa s", "mPa*s", "mPa.s"}, 1.0, 1e3}, {{"cP"}, 1.0, 1e3}};
 
+constexpr Unit kKinematicViscosity[] = {{{"mm^2/s"}, 1.0, 1e6}, {{"cSt"}, 1.0, 1e6}, {{"m^2/s"}}};
+
 constexpr Unit kPressureViscosity[] = {{{"1/Pa", "Pa^-1", "m^2/N"}},
                                        {{"1/MPa", "MPa^-1", "mm^2/N"}, 1.0, 1e6},
                                        {{"1/GPa", "GPa^-1"}, 1.0, 1e9}};
@@ -61,6 +63,8 @@ constexpr Unit kTorque[] = {{{"N m", "Nm", "N*m"}},
                             {{"mN m", "mNm", "mN*m"}, 1.0, 1e3},
                             {{"kN m", "kNm", "kN*m"}, 1e3}};
 
+constexpr Unit kTemperature[] = {{{"degC", "°C", "C"}, 1.0, 1.0, 273.15}, {{"K"}}};
+
 }  // namespace
 
 namespace unit {
@@ -70,12 +74,15 @@ const Dimension angle{"an angle", "45 deg", "deg", kAngle};
 const Dimension pressure{"a pressure", "210 GPa", "MPa", kPressure};
 const Dimension density{"a density", "7810 kg/m^3", "kg/m^3", kDensity};
 const Dimension viscosity{"a dynamic viscosity", "160 mPa s", "mPa s", kViscosity};
+const Dimension kinematic_viscosity{"a kinematic viscosity", "46 mm^2/s", "mm^2/s",
+                                    kKinematicViscosity};
 const Dimension pressure_viscosity{"a pressure-viscosity coefficient", "30 1/GPa", "1/GPa",
                                    kPressureViscosity};
 const Dimension rotational_speed{"a rotational speed", "400 rpm", "rpm", kRotationalSpeed};
 const Dimension hertz_constant{"a Hertz constant", "3.6e5 N/mm^1.5", "N/mm^1.5", kHertzConstant};
 const Dimension stiffness{"a stiffness", "2e4 N/mm", "N/mm", kStiffness};
 const Dimension torque{"a torque", "0.1 N m", "N m", kTorque};
+const Dimension temperature{"a temperature", "60 degC", "degC", kTemperature};
 }  // namespace unit
 
 namespace {
@@ -86,11 +93,13 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::pressure,
                                             &unit::density,
                                             &unit::viscosity,
+                                            &unit::kinematic_viscosity,
                                             &unit::pressure_viscosity,
                                             &unit::rotational_speed,
                                             &unit::hertz_constant,
                                             &unit::stiffness,
-                                            &unit::torque};
+                                            &unit::torque,
+                                            &unit::temperature};
 
 const Unit* find_unit(std::string_view symbol, const Dimension& dimension) {
   if (symbol.empty()) return nullptr;
@@ -139,6 +148,10 @@ bool names_no_number(std::string_view text) {
 
 }  // namespace
 
+bool zero_depends_on_unit(const Dimension& dimension) {
+  return std::ranges::any_of(dimension.units, [](const Unit& u) { return u.offset != 0.0; });
+}
+
 ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension) {
   const Head head = split_number(text);
   if (!head.number)
@@ -160,19 +173,20 @@ ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension)
                         other ? fmt::format("the unit of {}", other->name) : "not a known unit",
                         unit_list(dimension))};
   }
-  const double value = *head.number * u->multiply / u->divide;
+  const double value = *head.number * u->multiply / u->divide + u->offset;
   const double magnitude = std::abs(value);
   if (!head.representable || !(magnitude <= kLargest) ||
-      (magnitude < kSmallest && *head.number != 0.0))
+      (magnitude < kSmallest && *head.number != 0.0 && u->offset == 0.0))
     return {std::nullopt, "its magnitude is beyond any machine; check number and unit"};
   return {value, {}};
 }
 
 std::string format_quantity(double value, const Dimension& dimension) {
   const Unit& u = *find_unit(dimension.canonical, dimension);
-  const double shown = value / u.multiply * u.divide;
+  const double shown = (value - u.offset) / u.multiply * u.divide;
   std::string text;
-  for (int digits = 15; digits <= 17; ++digits) {
+  // An offset leaves rounding errors in more digits than a factor.
+  for (int digits = u.offset == 0.0 ? 15 : 6; digits <= 17; ++digits) {
     text = fmt::format("{:.{}g} {}", shown, digits, dimension.canonical);
     if (parse_quantity(text, dimension).value == value) break;
   }

@@ -8,12 +8,14 @@
 
 namespace prs::input {
 
-/// One unit and its spellings, the first of which is the one shown: SI = value * multiply / divide.
-/// One of the two is 1 wherever the unit is a power of ten, so that conversion rounds once.
+/// One unit and its spellings, the first of which is the one shown: SI = value * multiply / divide
+/// + offset. One of the two factors is 1 wherever the unit is a power of ten, so that conversion
+/// rounds once.
 struct Unit {
   std::array<std::string_view, 3> spellings;
   double multiply = 1.0;
   double divide = 1.0;
+  double offset = 0.0;
 };
 
 /// A physical dimension and the units in which it may be written; values are SI inside.
@@ -31,12 +33,17 @@ extern const Dimension angle;
 extern const Dimension pressure;
 extern const Dimension density;
 extern const Dimension viscosity;
+extern const Dimension kinematic_viscosity;
 extern const Dimension pressure_viscosity;
 extern const Dimension rotational_speed;
 extern const Dimension hertz_constant;
 extern const Dimension stiffness;
 extern const Dimension torque;
+extern const Dimension temperature;
 }  // namespace unit
+
+/// Whether 0 means something else in each unit, as with temperatures.
+bool zero_depends_on_unit(const Dimension& dimension);
 
 /// What a text says of a dimension: the value [SI], or else a hint how to mend the text.
 struct ParsedQuantity {

@@ -25,6 +25,12 @@ inline std::string text_of(const Range& range, const OneOrRange& kind) {
                      *range.steps);
 }
 
+/// A bound; 0 needs no unit where it is the same in each.
+inline std::string text_of_bound(double value, const Quantity& q) {
+  return value == 0.0 && !zero_depends_on_unit(q.dimension) ? "0" : text_of(value, q);
+}
+inline std::string text_of_bound(double value, const Number& n) { return text_of(value, n); }
+
 /// Visits the alternatives of a choice for the text of the one that holds.
 class ChoiceText : public Visitor {
  public:

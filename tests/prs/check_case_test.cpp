@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace prs {
 namespace {
@@ -143,7 +145,7 @@ TEST(CheckRequirements, JacodNeedsALubricantAndSlipASpeed) {
 TEST(CheckRequirements, ForceAndSpeedHaveOneSign) {
   Case c = abevi();
   c.friction = Friction{Friction::Model::coulomb, 0.1};
-  c.operation = Operation{40.0};
+  c.operation = Operation{40.0, {}};
   EXPECT_EQ(paths(check_requirements(c, Command::slip)), "load_cases[1]");
   c.load_cases[1].speed = -40.0;
   EXPECT_EQ(paths(check_requirements(c, Command::slip)), "");
@@ -151,9 +153,129 @@ TEST(CheckRequirements, ForceAndSpeedHaveOneSign) {
   const std::vector<Problem> problems = check_requirements(c, Command::slip);
   EXPECT_EQ(paths(problems), "load_cases[0].speed");
   EXPECT_NE(problems[0].message.find("case `pull`"), std::string::npos);
+  EXPECT_NE(problems[0].message.find("other than 0"), std::string::npos);
   c.load_cases[0].direction = Direction::compression;
   c.load_cases[0].speed = -1.0;
   EXPECT_EQ(paths(check_requirements(c, Command::slip)), "");
+}
+
+TEST(CheckRequirements, ALeftHandedScrewMayDriveOrBeDriven) {
+  Case c = abevi();
+  c.mechanism.lead = -0.005;
+  c.friction = Friction{Friction::Model::coulomb, 0.1};
+  for (const double speed : {40.0, -40.0}) {
+    c.operation = Operation{speed, {}};
+    EXPECT_EQ(paths(check_requirements(c, Command::slip)), "") << speed;
+  }
+  c.operation = Operation{0.0, {}};
+  EXPECT_EQ(paths(check_requirements(c, Command::slip)), "load_cases[0] load_cases[1]");
+}
+
+TEST(CheckRequirements, ABearingNeedsALubricantWithAnyFriction) {
+  Case c = abevi();
+  c.load_cases.pop_back();
+  c.friction = Friction{Friction::Model::coulomb, 0.1};
+  c.operation = Operation{40.0, {}};
+  c.carrier.bearing = contact::JournalBearing{0.004, 0.005, 15e-6};
+  EXPECT_EQ(paths(check_requirements(c, Command::slip)), "lubricant");
+  c.lubricant.emplace().viscosity = 0.1;
+  EXPECT_EQ(paths(check_requirements(c, Command::slip)), "");
+}
+
+TEST(CheckCase, BearingsAreThinFilmsAndShort) {
+  Case c = abevi();
+  contact::JournalBearing& b = c.carrier.bearing.emplace();
+  b = {0.010, 0.005, 0.499e-3};
+  EXPECT_EQ(paths(check_case(c)), "");
+  b = {0.0101, 0.005, 0.501e-3};
+  EXPECT_EQ(paths(check_case(c)), "carrier.bearing.radial_clearance carrier.bearing.length");
+  b = {0.004, 0.005, 15e-6};
+  c.carrier.roller_torque = 1e-3;
+  EXPECT_EQ(paths(check_case(c)), "carrier.roller_torque");
+}
+
+/// 100 mm^2/s at 40 degC and 11 mm^2/s at 100 degC, used at 60 degC.
+Lubricant oil() {
+  Lubricant l;
+  l.temperature = 333.15;
+  l.density = 870.0;
+  l.viscosity_at = {{313.15, {}, 100e-6}, {373.15, {}, 11e-6}};
+  return l;
+}
+
+TEST(CheckCase, ALineThroughTwoPointsFalls) {
+  Case c = abevi();
+  c.lubricant = oil();
+  EXPECT_EQ(paths(check_case(c)), "");
+  std::swap(c.lubricant->viscosity_at[0], c.lubricant->viscosity_at[1]);
+  EXPECT_EQ(paths(check_case(c)), "");
+  c.lubricant->viscosity_at[0].kinematic_viscosity = 100e-6;
+  EXPECT_EQ(paths(check_case(c)), "lubricant.viscosity_at[0].kinematic_viscosity");
+  c.lubricant->viscosity_at[0].temperature = 313.15;
+  EXPECT_EQ(paths(check_case(c)), "lubricant.viscosity_at[1].temperature");
+  c.lubricant->viscosity_at.pop_back();
+  EXPECT_EQ(paths(check_case(c)), "lubricant.viscosity_at");
+}
+
+TEST(CheckCase, DensityIsNeededWhereAViscosityIsKinematic) {
+  Case c = abevi();
+  c.lubricant = oil();
+  c.lubricant->density.reset();
+  EXPECT_EQ(paths(check_case(c)), "lubricant.density");
+  c.lubricant->viscosity_at = {{313.15, 87e-3, {}}, {373.15, 9.57e-3, {}}};
+  EXPECT_EQ(paths(check_case(c)), "");
+  c.lubricant->viscosity_at.clear();
+  c.lubricant->walther = contact::WaltherLine{9.5, 3.7};
+  EXPECT_EQ(paths(check_case(c)), "lubricant.density");
+}
+
+TEST(InOperation, AViscosityAsGivenIsTaken) {
+  Lubricant l;
+  l.viscosity = 0.1665;
+  l.pressure_viscosity = 30e-9;
+  l.eyring_stress = 12e6;
+  const contact::Lubricant in = in_operation(l);
+  EXPECT_EQ(in.viscosity, 0.1665);
+  EXPECT_EQ(in.pressure_viscosity, 30e-9);
+  EXPECT_EQ(in.eyring_stress, 12e6);
+}
+
+TEST(InOperation, ViscosityFollowsTheTemperature) {
+  // nu(60 degC) by the formula of ASTM D341, worked out apart: 39.66495 mm^2/s for 0.87 kg/dm^3.
+  const double by_points = in_operation(oil()).viscosity;
+  const double y_40 = std::log10(std::log10(100.7)), y_100 = std::log10(std::log10(11.7));
+  const double y =
+      y_40 + (y_100 - y_40) * std::log10(333.15 / 313.15) / std::log10(373.15 / 313.15);
+  EXPECT_NEAR(by_points / (870e-6 * (std::pow(10.0, std::pow(10.0, y)) - 0.7)), 1.0, 1e-12);
+
+  Lubricant line = oil();
+  line.viscosity_at.clear();
+  line.walther = contact::walther_line(313.15, 100e-6, 373.15, 11e-6);
+  EXPECT_NEAR(in_operation(line).viscosity / by_points, 1.0, 1e-13);
+
+  Lubricant mixed = oil();
+  mixed.viscosity_at[0] = {313.15, 100e-6 * 870.0, {}};
+  EXPECT_NEAR(in_operation(mixed).viscosity / by_points, 1.0, 1e-13);
+
+  for (const auto& [temperature, kinematic] : {std::pair{313.15, 100e-6}, {373.15, 11e-6}}) {
+    Lubricant at = oil();
+    at.temperature = temperature;
+    EXPECT_NEAR(in_operation(at).viscosity / (870.0 * kinematic), 1.0, 1e-12);
+  }
+}
+
+TEST(InOperation, TheDensityBetweenDynamicViscositiesHardlyMatters) {
+  Lubricant l = oil();
+  l.viscosity_at = {{313.15, 87e-3, {}}, {373.15, 9.57e-3, {}}};
+  for (const double temperature : {313.15, 333.15, 353.15, 373.15, 393.15}) {
+    l.temperature = temperature;
+    l.density.reset();
+    const double unknown = in_operation(l).viscosity;
+    for (const double density : {783.0, 957.0}) {
+      l.density = density;
+      EXPECT_NEAR(in_operation(l).viscosity / unknown, 1.0, 5e-3) << temperature << density;
+    }
+  }
 }
 
 TEST(CheckCase, TheDirectionOfALoadNeedsItsThrustSection) {

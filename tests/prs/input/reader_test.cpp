@@ -132,6 +132,50 @@ TEST(ReadCase, FrictionMayBeWrittenInThreeWays) {
   EXPECT_EQ(read(kAbevi, {"friction={model: jacod}"}).friction->model, Friction::Model::jacod);
 }
 
+const std::string kOil =
+    "pressure_viscosity: 30 1/GPa, eyring_stress: 12 MPa, temperature: 60 degC, density: 870 "
+    "kg/m^3, ";
+
+TEST(ReadCase, TheLubricantMayFollowItsTemperature) {
+  const Case points = read(kAbevi, {"lubricant={" + kOil +
+                                    "viscosity_at: [{temperature: 40 degC, kinematic_viscosity: "
+                                    "100 cSt}, {temperature: 100 °C, viscosity: 9.57 mPa s}]}"});
+  EXPECT_FALSE(points.lubricant->viscosity);
+  EXPECT_EQ(points.lubricant->temperature, 333.15);
+  EXPECT_EQ(points.lubricant->density, 870.0);
+  ASSERT_EQ(points.lubricant->viscosity_at.size(), 2U);
+  EXPECT_EQ(points.lubricant->viscosity_at[0].kinematic_viscosity, 100e-6);
+  EXPECT_FALSE(points.lubricant->viscosity_at[0].viscosity);
+  EXPECT_EQ(points.lubricant->viscosity_at[1].temperature, 373.15);
+  EXPECT_EQ(points.lubricant->viscosity_at[1].viscosity, 9.57e-3);
+  const Case line = read(kAbevi, {"lubricant={" + kOil + "walther: {intercept: 9.5, slope: 3.7}}"});
+  EXPECT_EQ(line.lubricant->walther->intercept, 9.5);
+  EXPECT_EQ(line.lubricant->walther->slope, 3.7);
+}
+
+TEST(ReadCase, RoughnessIsOneOrOneForEachPart) {
+  EXPECT_FALSE(read(kAbevi).roughness);
+  EXPECT_EQ(read(kAbevi, {"roughness=0.2 um"}).roughness,
+            (PerPart<double>{0.2 / 1e6, 0.2 / 1e6, 0.2 / 1e6}));
+  EXPECT_EQ(read(kAbevi, {"roughness={screw: 0.2 um, roller: 0.1 um, nut: 0.4 um}"}).roughness,
+            (PerPart<double>{0.2 / 1e6, 0.1 / 1e6, 0.4 / 1e6}));
+}
+
+TEST(ReadCase, SlipRatioBearingAndGearsAreOptional) {
+  const Case plain = read(kAbevi, {"operation.speed=400 rpm"});
+  EXPECT_FALSE(plain.operation->slip_ratio);
+  EXPECT_FALSE(plain.carrier.bearing);
+  EXPECT_EQ(plain.carrier.gear_pressure_angle, std::numbers::pi / 9);
+  const Case c = read(kAbevi, {"operation={speed: 400 rpm, slip_ratio: 0.3}",
+                               "carrier={gear_pressure_angle: 25 deg, bearing: {length: 4 mm, "
+                               "diameter: 5 mm, radial_clearance: 15 um}}"});
+  EXPECT_EQ(c.operation->slip_ratio, 0.3);
+  EXPECT_EQ(c.carrier.bearing->length, 0.004);
+  EXPECT_EQ(c.carrier.bearing->diameter, 0.005);
+  EXPECT_EQ(c.carrier.bearing->radial_clearance, 15e-6);
+  EXPECT_NEAR(c.carrier.gear_pressure_angle, 25 * std::numbers::pi / 180, 1e-16);
+}
+
 TEST(ReadCase, GuidanceMayBeARing) {
   const Case c = read(kAbevi, {"structure.roller.guidance={ring: 2e4 N/mm}"});
   EXPECT_EQ(c.structure->roller.guidance.kind, Guidance::Kind::ring);
@@ -176,13 +220,15 @@ TEST(ReadCase, EchoTellsDefaultsFromGivenValues) {
   EXPECT_EQ(entry("load_cases[1].share"), "solved (default)");
   EXPECT_EQ(entry("friction.model"), "{coulomb: 0.1}");
   EXPECT_EQ(entry("model.patch_points"), "21 (default)");
+  EXPECT_EQ(entry("carrier.gear_pressure_angle"), "20 deg (default)");
+  EXPECT_EQ(entry("carrier.bearing.length"), "absent");
+  EXPECT_EQ(entry("operation.slip_ratio"), "absent");
+  EXPECT_EQ(entry("roughness"), "absent");
+  EXPECT_EQ(entry("lubricant.temperature"), "absent");
 }
 
-TEST(ReadCase, TheEchoIsAnInputThatReadsTheSame) {
-  const std::vector<std::string> others = {
-      "lubricant={viscosity: 0.1665 Pa s, pressure_viscosity: "
-      "0.03 1/MPa, eyring_stress: 12 MPa}",
-      "operation.speed=400 rpm", "friction.model=jacod"};
+/// What is read from the echo of an input must echo the same.
+void expect_echo_to_read_the_same(const std::vector<std::string>& others) {
   const CaseInput input = read_case_input({"case.yaml", kAbevi, others}, Command::solve);
   std::vector<std::string> overrides;
   for (const EchoEntry& e : input.fields) overrides.push_back(e.path + "=" + e.value);
@@ -192,6 +238,17 @@ TEST(ReadCase, TheEchoIsAnInputThatReadsTheSame) {
   for (std::size_t i = 0; i < input.fields.size(); ++i)
     EXPECT_EQ(again.fields[i].value, input.fields[i].value) << input.fields[i].path;
   EXPECT_EQ(again.values.load_cases.size(), input.values.load_cases.size());
+}
+
+TEST(ReadCase, TheEchoIsAnInputThatReadsTheSame) {
+  expect_echo_to_read_the_same(
+      {"lubricant={viscosity: 0.1665 Pa s, pressure_viscosity: "
+       "0.03 1/MPa, eyring_stress: 12 MPa}",
+       "operation.speed=400 rpm", "friction.model=jacod"});
+  expect_echo_to_read_the_same(
+      {"lubricant={" + kOil + "walther: {intercept: 9.5123, slope: 3.7}}",
+       "operation={speed: 400 rpm, slip_ratio: 0.3}", "roughness=0.2 um",
+       "carrier.bearing={length: 4 mm, diameter: 5 mm, radial_clearance: 15 um}"});
 }
 
 // Broken input ----------------------------------------------------------------------------------
@@ -520,6 +577,218 @@ const Broken kBroken[] = {
      {"100001 cases", "at most 100000"}},
 };
 
+/// A lubricant with the given keys beside those that always stand, then the next block.
+std::string oil(const std::string& rest) {
+  return "lubricant: {pressure_viscosity: 30 1/GPa, eyring_stress: 12 MPa,\n  " + rest +
+         "}\nmaterials:";
+}
+
+const Broken kBrokenOperation[] = {
+    {"NoViscosity",
+     "materials:",
+     oil("density: 870 kg/m^3"),
+     "21:1",
+     "lubricant.viscosity",
+     {"missing", "a dynamic viscosity > 0", "(in place of `temperature`)",
+      "add for example `viscosity: 160 mPa s`"}},
+    {"ViscosityAndTemperature",
+     "materials:",
+     oil("temperature: 60 degC, viscosity: 160 mPa s, density: 870 kg/m^3, walther: {intercept: "
+         "9.5, "
+         "slope: 3.7}"),
+     "22:25",
+     "lubricant.viscosity",
+     {"got 160 mPa s", "no such key here: it stands in place of `temperature`", "delete it"}},
+    {"TemperatureAlone",
+     "materials:",
+     oil("temperature: 60 degC"),
+     "21:1",
+     "lubricant.viscosity_at",
+     {"missing", "a list of 2 (with `temperature`, in place of `walther`)",
+      "`viscosity_at: [{temperature: .., kinematic_viscosity: ..}, {temperature: .., "}},
+    {"PointsWithoutTemperature",
+     "materials:",
+     oil("viscosity: 160 mPa s, viscosity_at: [{temperature: 40 degC, viscosity: 90 mPa s}, "
+         "{temperature: 100 degC, viscosity: 9 mPa s}]"),
+     "22:25",
+     "lubricant.viscosity_at",
+     {"got a list of 2", "it stands with `temperature`"}},
+    {"WaltherWithoutTemperature",
+     "materials:",
+     oil("viscosity: 160 mPa s, walther: {intercept: 9.5, slope: 3.7}"),
+     "22:25",
+     "lubricant.walther",
+     {"only with `temperature`", "delete it"}},
+    {"WaltherAndPoints",
+     "materials:",
+     oil("temperature: 60 degC, density: 870 kg/m^3, walther: {intercept: 9.5, slope: 3.7}, "
+         "viscosity_at: [{temperature: 40 degC, viscosity: 90 mPa s}, {temperature: 100 degC, "
+         "viscosity: 9 mPa s}]"),
+     "22:85",
+     "lubricant.viscosity_at",
+     {"in place of `walther`", "delete it"}},
+    {"OnePoint",
+     "materials:",
+     oil("temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 90 mPa s}]"),
+     "22:39",
+     "lubricant.viscosity_at",
+     {"got a list of 1; expected a list of 2"}},
+    {"ThreePoints",
+     "materials:",
+     oil("temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 90 mPa s}, "
+         "{temperature: 60 degC, viscosity: 40 mPa s}, {temperature: 90 degC, viscosity: 9 mPa "
+         "s}]"),
+     "22:39",
+     "lubricant.viscosity_at",
+     {"got a list of 3; expected a list of 2"}},
+    {"PointWithoutViscosity",
+     "materials:",
+     oil("temperature: 60 degC, viscosity_at: [{temperature: 40 degC}, {temperature: 100 degC, "
+         "viscosity: 9 mPa s}]"),
+     "22:40",
+     "lubricant.viscosity_at[0].kinematic_viscosity",
+     {"missing", "a kinematic viscosity > 0", "in place of `viscosity`",
+      "add for example `kinematic_viscosity: 46 mm^2/s`"}},
+    {"PointWithBothViscosities",
+     "materials:",
+     oil("temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 90 mPa s, "
+         "kinematic_viscosity: 100 cSt}, {temperature: 100 degC, viscosity: 9 mPa s}]"),
+     "22:84",
+     "lubricant.viscosity_at[0].kinematic_viscosity",
+     {"got 100 cSt", "in place of `viscosity`", "delete it"}},
+    {"PointsOfOneTemperature",
+     "materials:",
+     oil("temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 90 mPa s}, "
+         "{temperature: 313.15 K, viscosity: 9 mPa s}]"),
+     "22:99",
+     "lubricant.viscosity_at[1].temperature",
+     {"got 40 degC a second time", "differ"}},
+    {"ViscosityRisesWithTemperature",
+     "materials:",
+     oil("temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 8.7 mPa s}, "
+         "{temperature: 100 degC, viscosity: 87 mPa s}]"),
+     "22:121",
+     "lubricant.viscosity_at[1].viscosity",
+     {"got 87 mPa s, 100 mm^2/s at 100 degC", "less than 10 mm^2/s, the viscosity at 40 degC"}},
+    {"KinematicViscosityWithoutDensity",
+     "materials:",
+     oil("temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 90 mPa s}, "
+         "{temperature: 100 degC, kinematic_viscosity: 9 cSt}]"),
+     "21:1",
+     "lubricant.density",
+     {"missing", "add `density: 870 kg/m^3`"}},
+    {"WaltherWithoutDensity",
+     "materials:",
+     oil("temperature: 60 degC, walther: {intercept: 9.5, slope: 3.7}"),
+     "21:1",
+     "lubricant.density",
+     {"missing"}},
+    {"ViscosityWithoutLogarithm",
+     "materials:",
+     oil("temperature: 60 degC, density: 870 kg/m^3, viscosity_at: [{temperature: 40 degC, "
+         "viscosity: 90 mPa s}, {temperature: 100 degC, kinematic_viscosity: 0.3 cSt}]"),
+     "22:151",
+     "lubricant.viscosity_at[1].kinematic_viscosity",
+     {"got 0.3 mm^2/s; expected more than 0.3 mm^2/s", "ASTM D341"}},
+    {"ViscosityBelowTheLogarithm",
+     "materials:",
+     oil("temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 90 mPa s}, "
+         "{temperature: 100 degC, viscosity: 0.087 mPa s}]"),
+     "22:120",
+     "lubricant.viscosity_at[1].viscosity",
+     {"got 0.087 mPa s, 0.1 mm^2/s; expected more than 0.3 mm^2/s"}},
+    {"SlopeOfZero",
+     "materials:",
+     oil("temperature: 60 degC, density: 870 kg/m^3, walther: {intercept: 9.5, slope: 0}"),
+     "22:79",
+     "lubricant.walther.slope",
+     {"got 0; expected a number > 0"}},
+    {"LineBeyondAllOils",
+     "materials:",
+     oil("temperature: 60 degC, density: 870 kg/m^3, walther: {intercept: 95, slope: 3.7}"),
+     "22:16",
+     "lubricant.temperature",
+     {"got 60 degC, where the oil's line gives inf mm^2/s", "at most 2e+07 mm^2/s", "`walther`"}},
+    {"OilFrozenStiff",
+     "materials:",
+     oil("temperature: 90 K, viscosity_at: [{temperature: 40 degC, viscosity: 90 mPa s}, "
+         "{temperature: 100 degC, viscosity: 9 mPa s}]"),
+     "22:16",
+     "lubricant.temperature",
+     {"got -183.15 degC", "the two points"}},
+    {"BelowAbsoluteZero",
+     "materials:",
+     oil("temperature: -300 degC, density: 870 kg/m^3, walther: {intercept: 9.5, slope: 3.7}"),
+     "22:16",
+     "lubricant.temperature",
+     {"got -300 degC; expected a temperature > -273.15 degC with its unit"}},
+    {"TemperatureWithoutUnit",
+     "materials:",
+     oil("temperature: 60, density: 870 kg/m^3, walther: {intercept: 9.5, slope: 3.7}"),
+     "22:16",
+     "lubricant.temperature",
+     {"for example `60 degC` (units: degC, K)"}},
+    {"KinematicUnitForDynamic",
+     "materials:",
+     oil("viscosity: 160 cSt"),
+     "22:14",
+     "lubricant.viscosity",
+     {"`cSt` is the unit of a kinematic viscosity"}},
+    {"ZeroRoughness",
+     "materials:",
+     "roughness: {screw: 0.2 um, roller: 0 um, nut: 0.2 um}\nmaterials:",
+     "21:36",
+     "roughness.roller",
+     {"got 0 um", "a length > 0"}},
+    {"SlipRatioBeyondOne",
+     "materials:",
+     "operation: {speed: 400 rpm, slip_ratio: 1.2}\nmaterials:",
+     "21:41",
+     "operation.slip_ratio",
+     {"got 1.2; expected a number >= 0 and <= 1"}},
+    {"NoSpeed",
+     "materials:",
+     "operation: {slip_ratio: 0.2}\nmaterials:",
+     "21:1",
+     "operation.speed",
+     {"missing; expected a rotational speed"}},
+    {"GearPressureAngleTooLarge",
+     "materials:",
+     "carrier: {gear_pressure_angle: 40 deg}\nmaterials:",
+     "21:32",
+     "carrier.gear_pressure_angle",
+     {"got 40 deg; expected an angle > 5 deg and < 40 deg"}},
+    {"BearingWithoutClearance",
+     "materials:",
+     "carrier: {bearing: {length: 4 mm, diameter: 5 mm}}\nmaterials:",
+     "21:11",
+     "carrier.bearing.radial_clearance",
+     {"missing"}},
+    {"BearingAndTorque",
+     "materials:",
+     "carrier: {roller_torque: 2 N mm, bearing: {length: 4 mm, diameter: 5 mm, radial_clearance: "
+     "15 "
+     "um}}\nmaterials:",
+     "21:26",
+     "carrier.roller_torque",
+     {"got 0.002 N m beside `bearing`", "one of the two"}},
+    {"BearingOfAThickFilm",
+     "materials:",
+     "carrier: {bearing: {length: 4 mm, diameter: 5 mm, radial_clearance: 0.5 mm}}\nmaterials:",
+     "21:69",
+     "carrier.bearing.radial_clearance",
+     {"got 0.5 mm; expected less than 0.5 mm, a tenth of the diameter"}},
+    {"LongBearing",
+     "materials:",
+     "carrier: {bearing: {length: 11 mm, diameter: 5 mm, radial_clearance: 15 um}}\nmaterials:",
+     "21:29",
+     "carrier.bearing.length",
+     {"got 11 mm; expected at most 10 mm, twice the diameter", "`roller_torque`"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Operation, BrokenInput, testing::ValuesIn(kBrokenOperation),
+                         [](const auto& test) { return test.param.name; });
+
 INSTANTIATE_TEST_SUITE_P(ReadCase, BrokenInput, testing::ValuesIn(kBroken),
                          [](const auto& test) { return test.param.name; });
 
@@ -530,10 +799,10 @@ TEST(ReadCase, TheSecondCaseOfOneNameIsNamed) {
 }
 
 TEST(ReadCase, AnEmptyListOfLoadCasesIsRefused) {
-  EXPECT_THAT(
-      error_of(kAbevi, {"load_cases=[]"}),
-      testing::ContainsRegex("^case.yaml:24:1: error: load_cases: got a list of 0; expected a list of at "
-                    "least 1[^\n]*from --set load_cases=\\[\\]"));
+  EXPECT_THAT(error_of(kAbevi, {"load_cases=[]"}),
+              testing::ContainsRegex(
+                  "^case.yaml:24:1: error: load_cases: got a list of 0; expected a list of at "
+                  "least 1[^\n]*from --set load_cases=\\[\\]"));
 }
 
 TEST(ReadCase, TextsThatAreNoCaseAreRefused) {
@@ -578,6 +847,28 @@ TEST(ReadCase, CommandsTellWhatTheyNeed) {
   EXPECT_THAT(error_of(mechanism), HasSubstr("case.yaml:1:1: error: materials: missing"));
   EXPECT_THAT(error_of(mechanism, {"load_cases=[{axial_force: 1 kN, share: equal}]"}),
               testing::Not(HasSubstr("structure")));
+}
+
+TEST(ReadCase, SlipTellsWhatIsWrongWithSpeedAndLubricant) {
+  const std::vector<std::string> slip = {"friction={coulomb: 0.1}", "load_cases[1].speed=-400 rpm"};
+  const auto message = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), slip.begin(), slip.end());
+    return error_of(kAbevi, more, Command::slip);
+  };
+  EXPECT_EQ(message({"operation.speed=400 rpm"}), "");
+  EXPECT_THAT(message({"operation.speed=0 rpm"}),
+              StartsWith("case.yaml:25:5: error: load_cases[0]: got 0 rpm in case `pull`; expected "
+                         "a speed other than 0"));
+  EXPECT_THAT(message({"operation.speed=-400 rpm"}),
+              StartsWith("case.yaml:25:5: error: load_cases[0]: got 45000 N of axial force and "
+                         "-400 rpm in case `pull`; expected both of one sign (tension > 0, "
+                         "compression < 0), so that the screw drives the load"));
+  EXPECT_EQ(message({"operation.speed=-400 rpm", "mechanism.lead=-5 mm"}), "");
+  EXPECT_THAT(message({"operation.speed=400 rpm",
+                       "carrier.bearing={length: 4 mm, diameter: 5 mm, "
+                       "radial_clearance: 15 um}"}),
+              StartsWith("case.yaml:1:1: error: lubricant: missing; expected the lubricant of "
+                         "`carrier.bearing`"));
 }
 
 TEST(ReadCase, MutilatedTextsAreReadOrRefusedButNothingElse) {

@@ -99,6 +99,11 @@ void expect_agreement(const std::vector<Sample>& samples) {
   }
 }
 
+/// A lubricant with the given keys beside those that always stand.
+std::string lubricant(const std::string& keys) {
+  return "lubricant={pressure_viscosity: 30 1/GPa, eyring_stress: 12 MPa, " + keys + "}";
+}
+
 TEST(Schema, TakesWhatTheReaderTakes) {
   std::vector<Sample> samples;
   for (const char* o :
@@ -135,9 +140,19 @@ TEST(Schema, TakesWhatTheReaderTakes) {
         "friction={model: jacod}",
         "friction={coulomb: 0.11}",
         "friction={model: {coulomb: 0}}",
+        "roughness=0.2 um",
+        "roughness={screw: 0.2 um, roller: 0.1 um, nut: 0.3 µm}",
         "operation={speed: -400 1/min}",
+        "operation={speed: 0 rpm, slip_ratio: 1}",
+        "carrier={bearing: {length: 4 mm, diameter: 5 mm, radial_clearance: 15 um}}",
+        "carrier.gear_pressure_angle=25 deg",
         "carrier={nut_torque: 3 N mm}"})
     samples.push_back({{o}, true});
+  for (const char* keys :
+       {"temperature: -10 degC, density: 870 kg/m^3, walther: {intercept: 9.5, slope: 3.7}",
+        "temperature: 60 °C, density: 870 kg/m^3, viscosity_at: [{temperature: 40 degC, "
+        "kinematic_viscosity: 46 cSt}, {temperature: 373.15 K, viscosity: 6 mPa s}]"})
+    samples.push_back({{lubricant(keys)}, true});
   expect_agreement(samples);
 }
 
@@ -216,6 +231,9 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
                         "load_cases[0].name=\"a\\nb\"",
                         "load_cases[0].share=half",
                         "lubricant={viscosity: 166.5 mPa s}",
+                        "roughness=0 um",
+                        "roughness=0.2",
+                        "roughness={screw: 0.2 um}",
                         "friction=jacod",
                         "friction={}",
                         "friction={model: glue}",
@@ -224,8 +242,22 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
                         "friction={model: jacod, coulomb: 0.1}",
                         "operation={}",
                         "operation={speed: 400}",
+                        "operation={speed: 400 rpm, slip_ratio: 1.1}",
+                        "operation={slip_ratio: 0.5}",
+                        "carrier={bearing: {length: 4 mm, diameter: 5 mm}}",
+                        "carrier={bearing: {length: 4 mm, diameter: 0 mm, radial_clearance: 9 um}}",
                         "carrier={nut_torque: -3 N mm}"})
     samples.push_back({{o}, false});
+  for (const char* keys :
+       {"temperature: 60, density: 870 kg/m^3, walther: {intercept: 9.5, slope: 3.7}",
+        "temperature: 60 degC, density: 870 kg/m^3, walther: {intercept: 9.5, slope: 0}",
+        "temperature: 60 degC, density: 870 kg/m^3, walther: {slope: 3.7}",
+        "temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 46 mPa s}]",
+        "temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 46 mPa s}, "
+        "{viscosity: 6 mPa s}]",
+        "temperature: 60 degC, viscosity_at: [{temperature: 40 degC, viscosity: 46 mPa s}, "
+        "{temperature: 60 degC, viscosity: 26 mPa s}, {temperature: 90 degC, viscosity: 6 mPa s}]"})
+    samples.push_back({{lubricant(keys)}, false});
   expect_agreement(samples);
 }
 
@@ -233,8 +265,15 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
 /// schema, which is the more lenient of the two.
 TEST(Schema, NeverRefusesWhatTheReaderTakes) {
   if (!judge_is_installed()) GTEST_SKIP() << "python3-jsonschema is not installed";
+  const std::string oil = lubricant(
+      "temperature: 60 degC, density: 870 kg/m^3, viscosity_at: [{temperature: 30 degC, "
+      "kinematic_viscosity: 46 cSt}, {temperature: 100 degC, viscosity: 6 mPa s}]");
   const CaseInput input = read_case_input(
-      {"case.yaml", kAbevi, {"friction={coulomb: 0.1}", "operation.speed=4 rpm"}}, Command::check);
+      {"case.yaml",
+       kAbevi,
+       {oil, "friction={coulomb: 0.1}", "operation.speed=4 rpm", "roughness=0.2 um",
+        "carrier={bearing: {length: 4 mm, diameter: 5 mm, radial_clearance: 15 um}}"}},
+      Command::check);
   std::vector<Sample> samples;
   for (const EchoEntry& entry : input.fields)
     for (const char* value : {"",
@@ -247,6 +286,12 @@ TEST(Schema, NeverRefusesWhatTheReaderTakes) {
                               "0 mm",
                               "-7 mm",
                               "40 deg",
+                              "20 deg",
+                              "40 degC",
+                              "-7 degC",
+                              "0 degC",
+                              "7 cSt",
+                              "7 mPa s",
                               "20 kN",
                               "3 N m",
                               "straight",
@@ -257,7 +302,7 @@ TEST(Schema, NeverRefusesWhatTheReaderTakes) {
                               "{convex: 5 mm}",
                               "{ring: 1 N/m}",
                               "{coulomb: 0.2}"})
-      samples.push_back({{entry.path + "=" + value}});
+      samples.push_back({{oil, entry.path + "=" + value}});
   for (Sample& s : samples) s.accepted = reader_accepts(s);
   const std::vector<bool> verdicts = schema_accepts(samples);
   ASSERT_EQ(verdicts.size(), samples.size());
@@ -265,7 +310,7 @@ TEST(Schema, NeverRefusesWhatTheReaderTakes) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!samples[i].accepted) continue;
     ++accepted;
-    EXPECT_TRUE(verdicts[i]) << samples[i].overrides[0];
+    EXPECT_TRUE(verdicts[i]) << samples[i].overrides.back();
   }
   EXPECT_GT(accepted, 50);
 }
@@ -281,6 +326,10 @@ TEST(Schema, StatesDefaultsUnitsAndMeaning) {
             "Lead of screw and nut; > 0 right-handed. In mm, m, cm, um, nm");
   const Json& screw = s["properties"]["structure"]["properties"]["screw"]["properties"];
   EXPECT_EQ(screw["bore"]["default"], "0 mm");
+  const Json& carrier = s["properties"]["carrier"]["properties"];
+  EXPECT_EQ(carrier["gear_pressure_angle"]["default"], "20 deg");
+  EXPECT_EQ(s["properties"]["lubricant"]["properties"]["temperature"]["description"],
+            "In operation. In degC, K");
 }
 
 }  // namespace

@@ -36,6 +36,21 @@ TEST(Units, EveryDimensionConvertsToSi) {
   EXPECT_EQ(si("12 N mm", unit::torque), 0.012);
   EXPECT_EQ(si("12 mN m", unit::torque), 0.012);
   EXPECT_EQ(si("12 Nm", unit::torque), 12.0);
+  EXPECT_EQ(si("46 mm^2/s", unit::kinematic_viscosity), 46e-6);
+  EXPECT_EQ(si("46 cSt", unit::kinematic_viscosity), 46e-6);
+  EXPECT_EQ(si("46e-6 m^2/s", unit::kinematic_viscosity), 46e-6);
+  EXPECT_EQ(si("313.15 K", unit::temperature), 313.15);
+}
+
+TEST(Units, TemperaturesAreAbsoluteInside) {
+  for (const char* text : {"40 degC", "40degC", "40 °C", "40 C", "+4e1 degC", "313.15 K"})
+    EXPECT_EQ(si(text, unit::temperature), 313.15) << text;
+  EXPECT_EQ(si("0 degC", unit::temperature), 273.15);
+  EXPECT_EQ(si("-273.15 degC", unit::temperature), 0.0);
+  EXPECT_EQ(si("0 K", unit::temperature), 0.0);
+  EXPECT_LT(si("-273.16 degC", unit::temperature), 0.0);
+  for (const char* text : {"40", "40 F", "40 deg", "1e31 degC", "1e-31 K"})
+    EXPECT_FALSE(parse_quantity(text, unit::temperature).value) << text;
 }
 
 TEST(Units, HertzConstantScalesWithLengthToTheThreeHalves) {
@@ -58,7 +73,8 @@ TEST(Units, FormattedValuesReadBackExactly) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> exponent(-4.0, 4.0);
   for (const Dimension* d : {&unit::length, &unit::force, &unit::angle, &unit::pressure,
-                             &unit::viscosity, &unit::rotational_speed, &unit::hertz_constant})
+                             &unit::viscosity, &unit::rotational_speed, &unit::hertz_constant,
+                             &unit::kinematic_viscosity, &unit::temperature})
     for (int i = 0; i < 200; ++i) {
       const double value = si(
           std::to_string(std::pow(10.0, exponent(random))) + " " + std::string(d->canonical), *d);
@@ -72,6 +88,9 @@ TEST(Units, FormattedValuesAreShort) {
   EXPECT_EQ(format_quantity(pi / 4, unit::angle), "45 deg");
   EXPECT_EQ(format_quantity(si("400 rpm", unit::rotational_speed), unit::rotational_speed),
             "400 rpm");
+  for (const char* text : {"0.1 degC", "40 degC", "-20 degC", "0 degC", "26.85 degC", "36.6 degC",
+                           "-273.15 degC", "123.456789 degC"})
+    EXPECT_EQ(format_quantity(si(text, unit::temperature), unit::temperature), text);
 }
 
 TEST(Units, NumbersMayBeWrittenAsEngineersDo) {

@@ -1,0 +1,38 @@
+#include "contact/viscosity.h"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace contact {
+
+namespace {
+
+constexpr double kSquareMillimetre = 1e-6;
+constexpr double kLn10 = std::numbers::ln10;
+
+/// log10 log10(nu/(mm^2/s) + 0.7), without loss of digits where the sum is near 1.
+double ordinate(double viscosity) {
+  return std::log10(std::log1p((viscosity - kLeastKinematicViscosity) / kSquareMillimetre) / kLn10);
+}
+
+}  // namespace
+
+WaltherLine walther_line(double temperature_1, double viscosity_1, double temperature_2,
+                         double viscosity_2) {
+  assert(temperature_1 > 0.0 && temperature_2 > 0.0 && temperature_1 != temperature_2);
+  assert(viscosity_1 > kLeastKinematicViscosity && viscosity_2 > kLeastKinematicViscosity);
+  const double y_1 = ordinate(viscosity_1), y_2 = ordinate(viscosity_2);
+  WaltherLine line;
+  line.slope = (y_1 - y_2) / std::log10(temperature_2 / temperature_1);
+  line.intercept = y_1 + line.slope * std::log10(temperature_1);
+  return line;
+}
+
+double kinematic_viscosity(const WaltherLine& line, double temperature) {
+  assert(temperature > 0.0);
+  const double y = line.intercept - line.slope * std::log10(temperature);
+  return kLeastKinematicViscosity + kSquareMillimetre * std::expm1(kLn10 * std::pow(10.0, y));
+}
+
+}  // namespace contact

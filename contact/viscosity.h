@@ -1,0 +1,38 @@
+#pragma once
+
+namespace contact {
+
+/// Kinematic viscosity of an oil against temperature (Walther 1931; ASTM D341):
+///
+///     log10 log10(nu/(mm^2/s) + 0.7) = intercept - slope log10(T/K).
+///
+/// Valid between 2 mm^2/s and 2e7 mm^2/s for mineral and most synthetic oils, above their cloud
+/// point and below their boiling point. Below 2 mm^2/s the standard adds terms that are left out
+/// here; the line then still falls with temperature, towards 0.3 mm^2/s, which it never reaches.
+struct WaltherLine {
+  double intercept = 0.0;  ///< A
+  double slope = 0.0;      ///< B, > 0
+};
+
+/// Between these, both excluded, the line may pass through a point and be evaluated [m^2/s].
+inline constexpr double kLeastKinematicViscosity = 0.3e-6;
+inline constexpr double kGreatestKinematicViscosity = 20.0;
+
+/// Of a mineral oil near 40 degC [kg/m^3], where only the shape of a line depends on it.
+inline constexpr double kTypicalOilDensity = 870.0;
+
+/// The line through two points: absolute temperatures [K], different, and kinematic viscosities
+/// [m^2/s], both above 0.3 mm^2/s so that the logarithms exist:
+///
+///     slope = (y_1 - y_2)/log10(T_2/T_1),  y = log10 log10(nu/(mm^2/s) + 0.7).
+WaltherLine walther_line(double temperature_1, double viscosity_1, double temperature_2,
+                         double viscosity_2);
+
+/// Kinematic viscosity [m^2/s] at an absolute temperature [K]:
+///
+///     nu/(mm^2/s) = 10^(10^(intercept - slope log10(T/K))) - 0.7.
+///
+/// Infinite where that exceeds the numbers.
+double kinematic_viscosity(const WaltherLine& line, double temperature);
+
+}  // namespace contact
