@@ -8,6 +8,7 @@
 #include "prs/contacts.h"
 #include "prs/load_case.h"
 #include "prs/part.h"
+#include "prs/slip_result.h"
 
 namespace prs {
 
@@ -36,6 +37,7 @@ struct LoadCaseResult {
   std::optional<double> axial_stiffness;                ///< Secant, force / displacement [N/m].
   std::optional<double> tangent_stiffness;              ///< dF/du at the load [N/m].
   std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
+  std::optional<SlipResult> slip;  ///< Where it was asked for and the loads are known.
   std::vector<std::string> warnings;
 
   bool converged() const { return !solve || solve->converged(); }

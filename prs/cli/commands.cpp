@@ -21,8 +21,11 @@
 #include "prs/output/json.h"
 #include "prs/output/plots.h"
 #include "prs/output/sha256.h"
+#include "prs/output/slip_csv.h"
+#include "prs/output/slip_table.h"
 #include "prs/output/table.h"
 #include "prs/output/warnings.h"
+#include "prs/slip.h"
 #include "prs/unusual.h"
 #include "prs/validation/validate.h"
 #include "prs/version.h"
@@ -82,6 +85,17 @@ void print_result(const Result& result, const Options& options, const std::strin
 /// The cases that a terminal shows thread by thread: not the points of a range.
 constexpr std::size_t kMostCharts = 1;
 
+/// The cases whose patches and residue are drawn.
+constexpr std::size_t kMostPatches = 4;
+
+std::vector<std::pair<std::size_t, SlipPictures>> pictures_of(const Case& c, const Result& result) {
+  std::vector<std::pair<std::size_t, SlipPictures>> pictures;
+  for (std::size_t k = 0; k < result.load_cases.size() && pictures.size() < kMostPatches; ++k)
+    if (result.load_cases[k].slip && result.load_cases[k].slip->converged())
+      pictures.emplace_back(k, slip_pictures(c, result, k));
+  return pictures;
+}
+
 }  // namespace
 
 int check(const Options& options) {
@@ -137,6 +151,34 @@ int solve(const Options& options) {
   });
   const bool converged = std::all_of(result.load_cases.begin(), result.load_cases.end(),
                                      [](const LoadCaseResult& r) { return r.converged(); });
+  return converged ? kDone : kNotConverged;
+}
+
+int slip(const Options& options) {
+  const input::Source source = input::load_source(options.file, options.overrides);
+  const input::CaseInput in = input::read_case_input(source, Command::slip);
+  const Result result = compute_from(source, [&] { return analyze_slip(in.values); });
+  const std::string document = document_of(result, source, options);
+  if (options.output) {
+    write_files(*options.output, {{"slip.json", document},
+                                  {"load_cases.csv", load_cases_csv(result)},
+                                  {"load_distribution.csv", load_distribution_csv(result)},
+                                  {"slip.csv", slip_csv(result)},
+                                  {"slip_threads.csv", slip_threads_csv(result)}});
+    for (const std::string& text :
+         draw_slip_plots(result, pictures_of(in.values, result), *options.output))
+      note(options, text);
+  }
+  print_result(result, options, document, [&] {
+    std::string text = slip_table(result);
+    if (result.load_cases.size() <= kMostCharts)
+      for (const LoadCaseResult& r : result.load_cases)
+        if (r.load_case.share == LoadCase::Share::solved) text.append("\n").append(slip_chart(r));
+    return text;
+  });
+  const bool converged = std::ranges::all_of(result.load_cases, [](const LoadCaseResult& r) {
+    return r.converged() && r.slip && r.slip->converged();
+  });
   return converged ? kDone : kNotConverged;
 }
 

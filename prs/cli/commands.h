@@ -23,6 +23,7 @@ enum Exit { kDone = 0, kFailed = 1, kWrongInput = 2, kNotConverged = 3 };
 int check(const Options& options);
 int contact(const Options& options);
 int solve(const Options& options);
+int slip(const Options& options);
 int schema(const Options& options);
 /// Prints a commented starting case, or writes it to `options.file`, which must not exist.
 int new_case(const Options& options);

@@ -2,72 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
+#include "prs/output/csv_writer.h"
 #include "prs/output/quantities.h"
 
 namespace prs {
 namespace {
-
-class CsvWriter {
- public:
-  void text(std::string_view value) {
-    separate();
-    if (value.find_first_of(",\"\r\n") == std::string_view::npos) {
-      csv_ += value;
-      return;
-    }
-    csv_ += '"';
-    for (const char c : value) csv_ += c == '"' ? std::string("\"\"") : std::string(1, c);
-    csv_ += '"';
-  }
-
-  /// Empty where absent or not finite.
-  void number(std::optional<double> si, double factor = 1.0) {
-    text(si && std::isfinite(*si) ? fmt::to_string(*si * factor) : std::string());
-  }
-
-  void integer(std::optional<std::size_t> value) {
-    text(value ? fmt::to_string(*value) : std::string());
-  }
-
-  void end_row() {
-    csv_ += '\n';
-    row_is_empty_ = true;
-  }
-
-  std::string take() { return std::move(csv_); }
-
- private:
-  void separate() {
-    if (!row_is_empty_) csv_ += ',';
-    row_is_empty_ = false;
-  }
-
-  std::string csv_;
-  bool row_is_empty_ = true;
-};
-
-void load_header(CsvWriter& csv) {
-  for (const char* key : {"case", "axial_force_N", "direction", "position_mm"}) csv.text(key);
-}
-
-void load_fields(CsvWriter& csv, const LoadCase& load) {
-  csv.text(load.name);
-  csv.number(load.axial_force);
-  csv.text(load.direction ? name(*load.direction) : "");
-  csv.number(load.position, per_si::millimetre);
-}
 
 void solve_fields(CsvWriter& csv, const LoadCaseResult& result) {
   csv.text(result.converged() ? "true" : "false");
   csv.text(status_name(result));
   csv.text(result.solve ? fmt::to_string(result.solve->iterations()) : std::string());
   csv.number(result.solve ? std::optional(result.solve->relative_residual) : std::nullopt);
-}
-
-std::optional<double> entry(const std::vector<double>& values, std::optional<std::size_t> k) {
-  return k && *k < values.size() ? std::optional(values[*k]) : std::nullopt;
 }
 
 void most_loaded_fields(CsvWriter& csv, const LoadCaseResult& result, Interface i) {

@@ -19,6 +19,9 @@ constexpr int kTop = 70, kRowGap = 76, kLabelledRowGap = 104, kBottom = 76;
 constexpr int kTicWidth = 55, kTicHeight = 36;  // Room for a number, in drawings.
 constexpr int kLegendRow = 25, kLegendMargin = 14;
 constexpr int kLegendSymbol = 75, kCharacter = 10;
+constexpr int kColourBarHeight = 14, kColourBarRoom = 74;  // The room with numbers and label.
+constexpr double kColourBarWidth = 0.4;                    // Share of the image.
+constexpr double kCellOverlap = 1.02;  // Hides the seams that smoothed edges leave.
 constexpr std::size_t kMaxTitle = 44;  // Characters that fit above a panel.
 
 /// A gnuplot string in which nothing is interpreted: what means something to gnuplot becomes an
@@ -75,9 +78,17 @@ class Layout {
     legend_columns_ = std::clamp((kWidth - 2 * kRight) / entry_width, 1, std::max(1, entries));
     const int legend_rows = (entries + legend_columns_ - 1) / legend_columns_;
     legend_height_ = legend_rows * kLegendRow + kLegendMargin;
+    colour_bar_room_ = figure.colours ? kColourBarRoom : 0;
   }
 
-  int height() const { return bottom_of_row(rows_ - 1) + kBottom + legend_height_; }
+  int height() const {
+    return bottom_of_row(rows_ - 1) + kBottom + colour_bar_room_ + legend_height_;
+  }
+  /// Share of the height, from below.
+  double colour_bar_from() const {
+    const int below = legend_height_ + colour_bar_room_ - kColourBarHeight;
+    return below / static_cast<double>(height());
+  }
   int legend_columns() const { return legend_columns_; }
 
   std::string legend_margins() const {
@@ -129,6 +140,7 @@ class Layout {
   int rows_ = 1;
   int legend_columns_ = 1;
   int legend_height_ = 0;
+  int colour_bar_room_ = 0;
 };
 
 std::string style_lines(const std::vector<LineStyle>& styles) {
@@ -142,6 +154,15 @@ std::string style_lines(const std::vector<LineStyle>& styles) {
   return script;
 }
 
+/// Tail and head of each arrow.
+std::string arrow_data(const Line& line) {
+  std::string data;
+  for (const Polyline& part : line.parts)
+    data += fmt::format("{:.7g} {:.7g} {:.7g} {:.7g}\n", part[0][0], part[0][1],
+                        part[1][0] - part[0][0], part[1][1] - part[0][1]);
+  return data.empty() ? "NaN NaN NaN NaN\n" : data;
+}
+
 /// Points of a line; an empty text line interrupts it.
 std::string line_data(const Line& line) {
   std::string data;
@@ -153,15 +174,25 @@ std::string line_data(const Line& line) {
   return data.empty() ? "NaN NaN\n" : data;
 }
 
-/// One block of data a panel; two empty text lines separate its lines.
-std::string data_block(std::size_t index, const Panel& panel) {
+std::string cell_data(const CellMap& map) {
+  std::string data;
+  for (const Cell& cell : map.cells)
+    data += fmt::format("{:.7g} {:.7g} {:.7g}\n", cell.x, cell.y, cell.value);
+  return data;
+}
+
+/// One block of data a panel, its cells after its lines; two empty text lines separate them.
+std::string data_block(std::size_t index, const Figure& figure) {
+  const Panel& panel = figure.panels[index];
   std::string script = fmt::format("$panel_{} << END\n", index + 1);
-  for (const Line& line : panel.lines) script += line_data(line) + "\n\n";
-  return script + "END\n";
+  for (const Line& line : panel.lines)
+    script += (figure.styles[line.style].arrows ? arrow_data(line) : line_data(line)) + "\n\n";
+  return script + cell_data(panel.map) + "END\n";
 }
 
 std::string drawn_with(const Figure& figure, std::size_t style) {
   const LineStyle& s = figure.styles[style];
+  if (s.arrows) return fmt::format("vectors filled head size screen 0.008,20 ls {}", style + 1);
   if (s.filled) return fmt::format("filledcurves closed fs solid noborder fc rgb '{}'", s.colour);
   const char* kind = s.point == 0 ? "lines" : s.dash == 0 ? "points" : "linespoints";
   return fmt::format("{} ls {}", kind, style + 1);
@@ -236,11 +267,39 @@ std::string panel_lines(const Figure& figure, const Layout& layout, std::size_t 
   script += fmt::format("set title {}\n", quoted(title(panel.title)));
   script += axes_lines(figure, layout, index) + label_lines(panel.labels);
   std::vector<std::string> plots;
+  if (!panel.map.cells.empty())
+    plots.push_back(fmt::format(
+        "$panel_{} index {} using 1:2:({:.7g}):({:.7g}):3 with boxxyerror fs solid noborder fc "
+        "palette",
+        index + 1, panel.lines.size(), 0.5 * kCellOverlap * panel.map.width,
+        0.5 * kCellOverlap * panel.map.height));
   for (std::size_t k = 0; k < panel.lines.size(); ++k)
     plots.push_back(fmt::format("$panel_{} index {} with {}", index + 1, k,
                                 drawn_with(figure, panel.lines[k].style)));
   if (plots.empty()) plots.push_back("NaN");
   return script + fmt::format("plot {}\n", fmt::join(plots, ", \\\n     "));
+}
+
+/// The colours, before the panels.
+std::string palette_lines(const ColourScale& colours) {
+  return fmt::format(
+      "set palette defined (0 '#ffffe5', 1 '#fee391', 2 '#fec44f', 3 '#ec7014', 4 '#cc4c02')\n"
+      "set cbrange [{:.7g}:{:.7g}]\n"
+      "unset colorbox\n",
+      colours.from, colours.to);
+}
+
+std::string colour_bar_lines(const ColourScale& colours, const Layout& layout) {
+  return fmt::format(
+      "set colorbox user horizontal origin screen {:.4f},{:.4f} size screen {:.4f},{:.4f}\n"
+      "set cblabel {} offset 0,0.4\n",
+      0.5 * (1.0 - kColourBarWidth), layout.colour_bar_from(), kColourBarWidth,
+      static_cast<double>(kColourBarHeight) / layout.height(), quoted(colours.label));
+}
+
+/// What draws nothing but the sample in the legend.
+std::string_view nothing(const LineStyle& style) {
+  return style.arrows ? "'+' using (NaN):(NaN):(0):(0)" : "NaN";
 }
 
 std::string legend_lines(const Figure& figure, const Layout& layout) {
@@ -251,9 +310,15 @@ std::string legend_lines(const Figure& figure, const Layout& layout) {
   script += fmt::format("set key center horizontal Left reverse maxcols {} samplen 3\n",
                         layout.legend_columns());
   std::vector<std::string> plots;
-  for (std::size_t k = 0; k < figure.legend.size(); ++k)
-    plots.push_back(fmt::format("NaN with {} title legend_{}",
-                                drawn_with(figure, figure.legend[k].style), k + 1));
+  if (figure.colours) {
+    script += colour_bar_lines(*figure.colours, layout);
+    plots.emplace_back("NaN lc palette notitle");
+  }
+  for (std::size_t k = 0; k < figure.legend.size(); ++k) {
+    const std::size_t style = figure.legend[k].style;
+    plots.push_back(fmt::format("{} with {} title legend_{}", nothing(figure.styles[style]),
+                                drawn_with(figure, style), k + 1));
+  }
   return script + fmt::format("plot [0:1] [0:1] {}\n", fmt::join(plots, ", \\\n     "));
 }
 
@@ -305,7 +370,7 @@ std::string gnuplot_script(const Figure& figure) {
   script += style_lines(figure.styles);
   for (std::size_t k = 0; k < figure.legend.size(); ++k)
     script += fmt::format("legend_{} = {}\n", k + 1, quoted(title(figure.legend[k].title)));
-  for (std::size_t k = 0; k < figure.panels.size(); ++k) script += data_block(k, figure.panels[k]);
+  for (std::size_t k = 0; k < figure.panels.size(); ++k) script += data_block(k, figure);
 
   script += "do for [format in 'svg png'] {\n" + terminal_lines(figure, layout.height());
   script += fmt::format("set multiplot title {}\n", quoted(figure.title));
@@ -313,6 +378,7 @@ std::string gnuplot_script(const Figure& figure) {
       "set xtics out nomirror scale 0.5; set ytics out nomirror scale 0.5\n"
       "unset key\n";
   script += frame_lines(figure.to_scale);
+  if (figure.colours) script += palette_lines(*figure.colours);
   for (std::size_t k = 0; k < figure.panels.size(); ++k) script += panel_lines(figure, layout, k);
   script += legend_lines(figure, layout);
   return script + "unset multiplot\nunset output\n}\n";

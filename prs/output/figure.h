@@ -19,11 +19,16 @@ struct LineStyle {
   double width = 1.5;
   int point_interval = 1;  ///< Every how many points one is marked.
   bool filled = false;     ///< The parts of the line are polygons, filled and without outline.
+  bool arrows = false;     ///< The parts of the line are two points, from tail to head.
 };
 
 constexpr LineStyle fill_of(std::string_view colour) { return {colour, 1, 0, 0.0, 1, true}; }
 constexpr LineStyle points_of(std::string_view colour, int point, double width) {
   return {colour, 0, point, width};
+}
+
+constexpr LineStyle arrows_of(std::string_view colour, double width) {
+  return {colour, 1, 0, width, 1, false, true};
 }
 
 struct Line {
@@ -36,6 +41,27 @@ struct Axis {
   double from = 0.0;
   double to = 1.0;
   std::vector<int> tics = {};  ///< Empty: gnuplot chooses.
+};
+
+/// A rectangle filled with the colour of its value.
+struct Cell {
+  double x = 0.0;  ///< Its middle.
+  double y = 0.0;
+  double value = 0.0;
+};
+
+/// Cells of one size, below the lines of a panel.
+struct CellMap {
+  double width = 0.0;
+  double height = 0.0;
+  std::vector<Cell> cells = {};
+};
+
+/// Which colours the cells of all panels have: from pale to dark orange.
+struct ColourScale {
+  std::string label;  ///< With the unit.
+  double from = 0.0;
+  double to = 1.0;
 };
 
 /// A text inside a panel.
@@ -53,6 +79,7 @@ struct Panel {
   std::vector<Label> labels = {};
   std::optional<Axis> x = std::nullopt;  ///< In place of the figure's.
   std::optional<Axis> y = std::nullopt;
+  CellMap map = {};
 };
 
 struct LegendEntry {
@@ -71,6 +98,7 @@ struct Figure {
   std::vector<Panel> panels;
   std::vector<LineStyle> styles;
   std::vector<LegendEntry> legend;
+  std::optional<ColourScale> colours = std::nullopt;  ///< Of the cells; drawn above the legend.
 
   int panel_height = 235;          ///< [pixels], where an image is 900 wide.
   double first_column = 1.0;       ///< Width of the first column over that of the others.

@@ -1,26 +1,17 @@
 #include "prs/output/json.h"
 
 #include <array>
-#include <cmath>
 
+#include "prs/output/json_values.h"
 #include "prs/output/quantities.h"
+#include "prs/output/slip_json.h"
 
 namespace prs {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-void put(Json& object, std::string_view key, std::optional<double> si, double factor = 1.0) {
-  if (si && std::isfinite(*si)) object[key] = *si * factor;
-}
-
-Json shown(const auto& si_values, double factor) {
-  Json array = Json::array();
-  for (const double value : si_values) array.push_back(value * factor);
-  return array;
-}
-
-Json shown(const contact::PrincipalValues& values, double factor) {
+Json both(const contact::PrincipalValues& values, double factor) {
   return shown(std::array{values.first, values.second}, factor);
 }
 
@@ -31,9 +22,9 @@ Json interface_json(const InterfaceContact& contact, bool same_pitch) {
   put(json, "radius_on_roller_mm", g.point.radius_on_roller, per_si::millimetre);
   put(json, "angle_on_body_deg", g.point.angle_on_body, per_si::degree);
   put(json, "angle_on_roller_deg", g.point.angle_on_roller, per_si::degree);
-  json["body_curvatures_per_mm"] = shown(g.body, per_si::per_millimetre);
-  json["roller_curvatures_per_mm"] = shown(g.roller, per_si::per_millimetre);
-  json["relative_curvatures_per_mm"] = shown(g.relative, per_si::per_millimetre);
+  json["body_curvatures_per_mm"] = both(g.body, per_si::per_millimetre);
+  json["roller_curvatures_per_mm"] = both(g.roller, per_si::per_millimetre);
+  json["relative_curvatures_per_mm"] = both(g.relative, per_si::per_millimetre);
   put(json, "curvature_sum_per_mm", g.curvature_sum(), per_si::per_millimetre);
   put(json, "equivalent_radius_mm", 1.0 / g.curvature_sum(), per_si::millimetre);
   put(json, "first_directions_angle_deg", g.first_directions_angle(), per_si::degree);
@@ -108,6 +99,7 @@ Json load_case_json(const LoadCaseResult& result, bool with_history) {
   put(json, "position_mm", load.position, per_si::millimetre);
   put_solve(json, result);
   if (result.converged()) put_answer(json, result);
+  if (result.slip) json["slip"] = slip_json(*result.slip);
   json["warnings"] = result.warnings;
   if (result.solve && with_history) json["newton_history"] = history_json(result.solve->history);
   return json;

@@ -9,6 +9,7 @@
 #include "prs/output/files.h"
 #include "prs/output/gnuplot.h"
 #include "prs/output/result_figures.h"
+#include "prs/output/slip_figures.h"
 
 namespace prs {
 namespace {
@@ -86,6 +87,21 @@ std::vector<std::string> draw_contact_plots(const Result& result, const fs::path
           "pictures of the contacts were not drawn: the {} threads have no contact point ({})",
           label(i), failure(result.contacts, i).reason));
   return notes;
+}
+
+std::vector<std::string> draw_slip_plots(
+    const Result& result, const std::vector<std::pair<std::size_t, SlipPictures>>& pictures,
+    const fs::path& directory) {
+  std::vector<Figure> all = power_over_load_figures(result);
+  if (std::optional<Figure> figure = thread_power_figure(result)) all.push_back(*figure);
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    const auto& [index, shown] = pictures[k];
+    for (const auto make : {slip_patch_figure, slip_residue_figure}) {
+      Figure& figure = all.emplace_back(make(result.load_cases[index], shown));
+      if (pictures.size() > 1) figure.name += fmt::format("_{}", k + 1);
+    }
+  }
+  return draw_below(directory, all);
 }
 
 }  // namespace prs

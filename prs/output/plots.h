@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "prs/result.h"
+#include "prs/slip.h"
 
 namespace prs {
 
@@ -17,5 +20,11 @@ std::vector<std::string> draw_plots(const Result& result, const std::filesystem:
 /// The same for the pictures of the contacts (see contact_figures.h).
 std::vector<std::string> draw_contact_plots(const Result& result,
                                             const std::filesystem::path& directory);
+
+/// The same for slip (see slip_figures.h). Patches and residue are drawn for the load cases, given
+/// by their indices, whose pictures are there; of several their files end in `_1`, `_2`, ...
+std::vector<std::string> draw_slip_plots(
+    const Result& result, const std::vector<std::pair<std::size_t, SlipPictures>>& pictures,
+    const std::filesystem::path& directory);
 
 }  // namespace prs

@@ -57,4 +57,10 @@ inline std::optional<std::size_t> index_of_largest(const std::vector<double>& va
   return static_cast<std::size_t>(largest - values.begin());
 }
 
+/// The entry of a thread; absent where the list has none.
+inline std::optional<double> entry(const std::vector<double>& values,
+                                   std::optional<std::size_t> thread) {
+  return thread && *thread < values.size() ? std::optional(values[*thread]) : std::nullopt;
+}
+
 }  // namespace prs

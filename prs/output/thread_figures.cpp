@@ -8,19 +8,10 @@
 #include "prs/output/figure_style.h"
 #include "prs/output/quantities.h"
 #include "prs/output/result_figures.h"
+#include "prs/output/thread_figure.h"
 
 namespace prs {
 namespace {
-
-/// What the threads are compared by.
-struct ThreadPlot {
-  std::string name;
-  std::string title;
-  std::string y_label;
-  std::vector<double> InterfaceLoads::*values;
-  double factor;
-  bool (*keep)(const LoadCaseResult&);
-};
 
 bool is_solved(const LoadCaseResult& result) { return result.solve && result.threads; }
 
@@ -79,9 +70,42 @@ Panel thread_panel(const ThreadPlot& plot, const std::vector<Configuration>& all
   for (std::size_t c = 0; c < all.size(); ++c)
     if (const CaseGroup* group = all[c].group(direction))
       panel.lines.push_back(
-          {c, {over_threads((*representative(*group).threads)[i].*plot.values, plot.factor)}});
+          {c, {over_threads(plot.values(representative(*group), i), plot.factor)}});
   return panel;
 }
+
+/// Where a direction of a configuration stands in the figure.
+Panel& panel_at(Figure& figure, std::size_t row, Interface i) {
+  return figure.panels[row * std::size(kInterfaces) + (i == Interface::screw ? 0 : 1)];
+}
+
+/// The levels of all lines, behind them.
+void add_levels(Figure& figure, const ThreadPlot& plot, const std::vector<Configuration>& all) {
+  const std::size_t first_style = figure.styles.size();
+  for (std::size_t c = 0; c < all.size(); ++c)
+    figure.styles.push_back({kConfigurationStyles[c].colour, 2, 0, 1.2});
+  bool any = false;
+  const auto rows = directions(all);
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    for (std::size_t c = 0; c < all.size(); ++c)
+      if (const CaseGroup* group = all[c].group(rows[row]))
+        for (const Interface i : kInterfaces)
+          if (const auto level = plot.level(representative(*group), i)) {
+            const double y = *level * plot.factor;
+            std::vector<Line>& lines = panel_at(figure, row, i).lines;
+            lines.insert(lines.begin(),
+                         {first_style + c, {{{figure.x.from, y}, {figure.x.to, y}}}});
+            any = true;
+          }
+  if (any) add_to_legend(figure, plot.level_title, {"#555555", 2, 0, 1.2});
+}
+
+template <std::vector<double> InterfaceLoads::*values>
+const std::vector<double>& loads_of(const LoadCaseResult& result, Interface i) {
+  return (*result.threads)[i].*values;
+}
+
+}  // namespace
 
 std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result) {
   std::vector<Configuration> all = configurations(result.load_cases, 1, plot.keep);
@@ -98,15 +122,14 @@ std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result
   for (const auto direction : directions(all))
     for (const Interface i : kInterfaces)
       figure.panels.push_back(thread_panel(plot, all, direction, i));
+  if (plot.level) add_levels(figure, plot, all);
   return figure;
 }
-
-}  // namespace
 
 std::optional<Figure> load_distribution_figure(const Result& result) {
   std::optional<Figure> figure =
       thread_figure({"load_distribution", "Load distribution", "Load rate (%)",
-                     &InterfaceLoads::load_rate, per_si::percent, is_solved},
+                     loads_of<&InterfaceLoads::load_rate>, per_si::percent, is_solved},
                     result);
   if (!figure) return figure;
   // The threads of a panel's first line share 100 %.
@@ -118,7 +141,7 @@ std::optional<Figure> load_distribution_figure(const Result& result) {
 std::optional<Figure> peak_pressure_figure(const Result& result) {
   std::optional<Figure> figure =
       thread_figure({"peak_pressure", "Peak contact pressure", "Peak pressure (GPa)",
-                     &InterfaceLoads::peak_pressure, per_si::gigapascal, has_pressure},
+                     loads_of<&InterfaceLoads::peak_pressure>, per_si::gigapascal, has_pressure},
                     result);
   if (figure) fit_y_range(*figure);
   return figure;

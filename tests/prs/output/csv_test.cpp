@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <vector>
 
+#include "parsed_csv.h"
 #include "sample_result.h"
 
 namespace prs {
@@ -12,41 +12,8 @@ namespace {
 
 using test::equal_share_case;
 using test::failed_case;
+using test::parse;
 using test::solved_case;
-
-using CsvRow = std::map<std::string, std::string>;
-
-/// Fields of RFC 4180 text, line by line.
-std::vector<std::vector<std::string>> parse_fields(const std::string& csv) {
-  std::vector<std::vector<std::string>> rows;
-  std::vector<std::string> row(1);
-  bool quoted = false;
-  for (const char c : csv) {
-    if (c == '"') {
-      // The second of two quotes inside a quoted field reopens it and stands for itself.
-      if (!quoted && !row.back().empty()) row.back() += c;
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      row.emplace_back();
-    } else if (c == '\n' && !quoted) {
-      rows.push_back(std::exchange(row, std::vector<std::string>(1)));
-    } else {
-      row.back() += c;
-    }
-  }
-  return rows;
-}
-
-std::vector<CsvRow> parse(const std::string& csv) {
-  const auto fields = parse_fields(csv);
-  std::vector<CsvRow> rows;
-  for (std::size_t r = 1; r < fields.size(); ++r) {
-    EXPECT_EQ(fields[r].size(), fields[0].size());
-    CsvRow& row = rows.emplace_back();
-    for (std::size_t c = 0; c < fields[0].size(); ++c) row[fields[0][c]] = fields[r][c];
-  }
-  return rows;
-}
 
 Result result_of(std::vector<LoadCaseResult> load_cases) {
   Result result;

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "prs/part.h"
+
+namespace prs {
+
+/// Bars of both interfaces beside each other, a line a thread, under the names of the interfaces.
+/// Each bar is followed by its value with so many decimals and the unit; the largest value has the
+/// full length.
+std::string bar_chart(const PerInterface<std::vector<double>>& values, int decimals,
+                      std::string_view unit);
+
+}  // namespace prs

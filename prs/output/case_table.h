@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "prs/result.h"
+
+namespace prs {
+
+inline constexpr std::size_t kTableWidth = 110;
+/// Stands for what a case does not define.
+inline constexpr std::string_view kAbsent = "–";
+
+struct CaseColumn {
+  std::string_view title;
+  std::string_view subtitle;
+  bool left_aligned;
+  std::string (*cell)(const LoadCaseResult&);
+};
+
+/// A table with a row a load case.
+struct CaseTable {
+  std::span<const CaseColumn> columns;
+  std::size_t load_columns = 0;  ///< The first say what the load is; a failed case has no others.
+  std::string (*failure)(const LoadCaseResult&);  ///< Stands in their place; empty where none.
+  std::string_view file;                          ///< That has all points of a range.
+};
+
+/// The table as a rule within 110 columns. Beyond 24 cases a range shows its first, middle and last
+/// point.
+std::string case_table(const CaseTable& table, const std::vector<LoadCaseResult>& results);
+
+// Cells that tables of load cases share.
+std::string case_name_cell(const LoadCaseResult& result);
+std::string force_cell(const LoadCaseResult& result);  ///< [kN]
+std::string direction_cell(const LoadCaseResult& result);
+
+/// SI * factor with so many decimals.
+std::string fixed(std::optional<double> si, double factor, int decimals);
+
+/// The text with spaces to so many columns.
+std::string padded(const std::string& text, std::size_t columns, bool left_aligned);
+
+}  // namespace prs

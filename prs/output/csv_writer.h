@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "prs/load_case.h"
+
+namespace prs {
+
+/// Fields and rows of comma-separated values, quoted as in RFC 4180.
+class CsvWriter {
+ public:
+  void text(std::string_view value);
+  /// SI * factor with all its digits; empty where absent or not finite.
+  void number(std::optional<double> si, double factor = 1.0);
+  void integer(std::optional<std::size_t> value);
+  void end_row();
+
+  std::string take() { return std::move(csv_); }
+
+ private:
+  void separate();
+
+  std::string csv_;
+  bool row_is_empty_ = true;
+};
+
+/// Names of the fields that say which load case a row belongs to.
+void load_header(CsvWriter& csv);
+void load_fields(CsvWriter& csv, const LoadCase& load);
+
+}  // namespace prs

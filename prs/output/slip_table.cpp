@@ -1,0 +1,266 @@
+#include "prs/output/slip_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "prs/output/bar_chart.h"
+#include "prs/output/case_table.h"
+#include "prs/output/slip_quantities.h"
+#include "prs/output/text.h"
+#include "prs/output/warnings.h"
+
+namespace prs {
+namespace {
+
+constexpr std::size_t kMostBlocks = 4;
+constexpr std::size_t kLabelWidth = 30;
+constexpr std::size_t kValueWidth = 16;
+
+std::string failure(const LoadCaseResult& result) {
+  if (has_slip(result)) return {};
+  std::string text = fmt::format("NOT CONVERGED ({})", slip_status_name(result));
+  if (result.slip && result.slip->evaluations > 0)
+    text += fmt::format(", residue {:.1e}", result.slip->relative_residue);
+  return text;
+}
+
+/// So many decimals that the number shows about four digits.
+int decimals_of(double largest) {
+  if (!(largest > 0.0)) return 0;
+  return std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 6);
+}
+
+std::string four_digits(double value) {
+  return fmt::format("{:.{}f}", value, decimals_of(std::abs(value)));
+}
+
+// A case at length.
+
+std::string block_line(std::string_view label, const std::string& value,
+                       const std::string& remark = {}) {
+  std::string line = padded(std::string("  ").append(label), kLabelWidth, true) +
+                     padded(value, kValueWidth, false) + "   " + remark;
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + '\n';
+}
+
+std::string title_line(const LoadCaseResult& result) {
+  std::string load = fmt::format("{} kN", force_cell(result));
+  if (result.load_case.direction) load += fmt::format(", {}", name(*result.load_case.direction));
+  if (result.load_case.share == LoadCase::Share::equal) load += ", equal shares";
+  if (has_slip(result))
+    load += fmt::format(", {:.6g} rpm", result.slip->speed * per_si::revolution_per_minute);
+  constexpr std::size_t kSeparator = 2;
+  const std::size_t room = kTableWidth - kSeparator - width(load);
+  return fmt::format("{}: {}\n", shortened(case_name_cell(result), room), load);
+}
+
+std::string slip_ratio_lines(const SlipResult& slip) {
+  const std::string origin =
+      slip.status == SlipStatus::imposed
+          ? fmt::format("imposed; moment left on a roller {} N mm",
+                        four_digits(slip.moments.residue() * per_si::newton_millimetre))
+          : fmt::format("optimality {:.3f} %", slip.optimality * per_si::percent);
+  std::string lines = block_line("slip ratio", fixed(slip.slip_ratio, 1.0, 6), origin) +
+                      block_line("  ideal", fixed(slip.ideal_slip_ratio, 1.0, 6)) +
+                      block_line("  at the pitch points", fixed(slip.estimates.simple, 1.0, 6));
+  if (slip.estimates.jones) lines += block_line("  Jones", fixed(slip.estimates.jones, 1.0, 6));
+  return lines;
+}
+
+std::string efficiency_lines(const SlipResult& slip) {
+  const std::string fit = slip.efficiency_fit ? fmt::format("Sandu's fit {:.2f} %",
+                                                            *slip.efficiency_fit * per_si::percent)
+                                              : "";
+  return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2),
+                    slip.efficiency ? fit : "self-locking");
+}
+
+std::string torque_lines(const SlipResult& slip) {
+  return block_line("torque on the screw, N m", four_digits(slip.torque_screw)) +
+         block_line("torque on the nut, N m", four_digits(slip.torque_nut));
+}
+
+std::string power_lines(const SlipResult& slip) {
+  const double total = slip.power.total();
+  const int decimals = decimals_of(total);
+  std::string lines = block_line(
+      "power lost, W", fixed(total, 1.0, decimals),
+      fmt::format("input less output {:.{}f} W", slip.power_loss_input_output, decimals));
+  for (const PowerSource& source : kPowerSources) {
+    const double power = slip.power.*source.value;
+    if (power == 0.0) continue;
+    lines += block_line(fmt::format("  {}", source.title), fixed(power, 1.0, decimals),
+                        fmt::format("{:6.2f} %", power / total * per_si::percent));
+  }
+  return lines;
+}
+
+/// What the block shows of the threads as a range.
+struct RangeLine {
+  std::string_view label;
+  std::vector<double> InterfaceSlip::*values;
+  double factor;
+  int decimals;
+};
+
+constexpr RangeLine kRangeLines[] = {
+    {"friction coefficient", &InterfaceSlip::friction_coefficient, 1.0, 4},
+    {"sliding, largest, mm/s", &InterfaceSlip::max_sliding_speed, per_si::millimetre, 2},
+    {"film, nm", &InterfaceSlip::film_thickness, per_si::nanometre, 0},
+    {"film over roughness", &InterfaceSlip::film_ratio, 1.0, 2},
+};
+
+/// `0.0812–0.0934` over the threads that carry load.
+std::string range(const InterfaceSlip& slip, const RangeLine& line) {
+  double least = HUGE_VAL, largest = -HUGE_VAL;
+  const std::vector<double>& values = slip.*line.values;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (entry(slip.friction_coefficient, k).value_or(0.0) > 0.0) {
+      least = std::min(least, values[k]);
+      largest = std::max(largest, values[k]);
+    }
+  if (least > largest) return std::string(kAbsent);
+  const std::string from = fixed(least, line.factor, line.decimals);
+  const std::string to = fixed(largest, line.factor, line.decimals);
+  return from == to ? to : from + "–" + to;
+}
+
+std::string range_lines(const SlipResult& slip) {
+  std::string lines = block_line("over the threads", "screw", padded("nut", kValueWidth, false));
+  for (const RangeLine& line : kRangeLines)
+    if (!(slip.threads.screw.*line.values).empty())
+      lines += block_line(fmt::format("  {}", line.label), range(slip.threads.screw, line),
+                          padded(range(slip.threads.nut, line), kValueWidth, false));
+  return lines;
+}
+
+std::string hottest_line(const SlipResult& slip) {
+  const auto density = at_hottest(slip, &InterfaceSlip::power_density);
+  const auto power = at_hottest(slip, &InterfaceSlip::power);
+  if (!density || !power) return {};
+  return block_line("hottest thread",
+                    fmt::format("{} {}", name(slip.hottest.interface), slip.hottest.thread + 1),
+                    fmt::format("{} W, {} W/mm²", four_digits(*power),
+                                four_digits(*density * per_si::per_square_millimetre)));
+}
+
+double largest(const SlipResult& slip, std::vector<double> InterfaceSlip::*values) {
+  double most = 0.0;
+  for (const Interface i : kInterfaces)
+    for (const double value : slip.threads[i].*values) most = std::max(most, value);
+  return most;
+}
+
+/// A number with equal shares and by how much the loads of the case change it.
+std::string comparison_line(std::string_view label, double equal, double solved, double factor) {
+  const std::string change =
+      equal > 0.0 ? fmt::format("{:+.2f} %", (solved / equal - 1.0) * per_si::percent) : "";
+  return block_line(
+      label, four_digits(equal * factor),
+      fmt::format("{:>{}} {:>10}", four_digits(solved * factor), kValueWidth, change));
+}
+
+/// The same for a number whose change is told as a difference.
+std::string difference_line(std::string_view label, double equal, double solved, int decimals) {
+  return block_line(label, fixed(equal, 1.0, decimals),
+                    fmt::format("{:>{}.{}f} {:>+10.{}f}", solved, kValueWidth, decimals,
+                                solved - equal, decimals));
+}
+
+std::string equal_share_lines(const SlipResult& slip) {
+  if (!slip.equal_shares) return {};
+  const EqualShareSlip& equal = *slip.equal_shares;
+  std::string lines =
+      block_line("thread loads", "equal", padded("of the case", kValueWidth, false));
+  lines += difference_line("  slip ratio", equal.slip_ratio, slip.slip_ratio, 6);
+  lines += comparison_line("  power lost, W", equal.power_loss, slip.power.total(), 1.0);
+  if (equal.efficiency && slip.efficiency)
+    lines += difference_line("  efficiency, %", *equal.efficiency * per_si::percent,
+                             *slip.efficiency * per_si::percent, 2);
+  lines += comparison_line("  most at a thread, W",
+                           std::max(equal.thread_power.screw, equal.thread_power.nut),
+                           largest(slip, &InterfaceSlip::power), 1.0);
+  lines +=
+      comparison_line("  most at a thread, W/mm²", equal.max_power_density,
+                      largest(slip, &InterfaceSlip::power_density), per_si::per_square_millimetre);
+  return lines;
+}
+
+std::string block(const LoadCaseResult& result) {
+  if (!has_slip(result)) return title_line(result) + fmt::format("  {}\n", failure(result));
+  const SlipResult& slip = *result.slip;
+  return title_line(result) + slip_ratio_lines(slip) + efficiency_lines(slip) + torque_lines(slip) +
+         power_lines(slip) + range_lines(slip) + hottest_line(slip) + equal_share_lines(slip);
+}
+
+// A case in a row.
+
+template <auto member>
+std::string cell(const LoadCaseResult& result, double factor, int decimals) {
+  return fixed((*result.slip).*member, factor, decimals);
+}
+
+template <double PowerBySource::*source>
+std::string share(const LoadCaseResult& result) {
+  const PowerBySource& power = result.slip->power;
+  if (!(power.total() > 0.0)) return std::string(kAbsent);
+  return fixed(power.*source / power.total(), per_si::percent, 2);
+}
+
+std::string hottest_cell(const LoadCaseResult& result) {
+  const auto density = at_hottest(*result.slip, &InterfaceSlip::power_density);
+  if (!density) return std::string(kAbsent);
+  return fmt::format("{} {}: {}", name(result.slip->hottest.interface),
+                     result.slip->hottest.thread + 1,
+                     four_digits(*density * per_si::per_square_millimetre));
+}
+
+constexpr CaseColumn kColumns[] = {
+    {"", "load case", true, case_name_cell},
+    {"force", "kN", false, force_cell},
+    {"", "direction", true, direction_cell},
+    {"speed", "rpm", false,
+     [](const LoadCaseResult& r) {
+       return fmt::format("{:.5g}", r.slip->speed * per_si::revolution_per_minute);
+     }},
+    {"slip", "ratio", false,
+     [](const LoadCaseResult& r) { return cell<&SlipResult::slip_ratio>(r, 1.0, 6); }},
+    {"effic.", "%", false,
+     [](const LoadCaseResult& r) { return cell<&SlipResult::efficiency>(r, per_si::percent, 2); }},
+    {"torque", "N m", false,
+     [](const LoadCaseResult& r) { return cell<&SlipResult::torque_screw>(r, 1.0, 3); }},
+    {"lost", "W", false,
+     [](const LoadCaseResult& r) { return fixed(r.slip->power.total(), 1.0, 2); }},
+    {"screw", "%", false, share<&PowerBySource::screw>},
+    {"nut", "%", false, share<&PowerBySource::nut>},
+    {"hottest", "thread: W/mm²", true, hottest_cell},
+};
+
+}  // namespace
+
+std::string slip_table(const Result& result) {
+  std::string table;
+  if (result.load_cases.size() > kMostBlocks)
+    table = case_table({kColumns, 3, failure, "slip.csv"}, result.load_cases);
+  else
+    for (const LoadCaseResult& load_case : result.load_cases)
+      table += (table.empty() ? "" : "\n") + block(load_case);
+  const std::string warnings = warning_summary(result);
+  return warnings.empty() ? table : table + '\n' + warnings;
+}
+
+std::string slip_chart(const LoadCaseResult& result) {
+  const std::string title = case_name_cell(result);
+  if (!has_slip(result))
+    return fmt::format("{}: no power at the threads ({})\n", title, slip_status_name(result));
+
+  const SlipResult& slip = *result.slip;
+  return fmt::format("{}: power lost at each thread of a roller\n", title) +
+         bar_chart({slip.threads.screw.power, slip.threads.nut.power},
+                   decimals_of(largest(slip, &InterfaceSlip::power)), "W");
+}
+
+}  // namespace prs

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "prs/result.h"
+
+namespace prs {
+
+/// Slip at a glance, the warnings below: up to four load cases at length, more as a row a case.
+/// Within 110 columns.
+std::string slip_table(const Result& result);
+
+/// One case thread by thread: the power lost at both interfaces of a roller [W] as bars. For a case
+/// without an answer, one line that says why.
+std::string slip_chart(const LoadCaseResult& result);
+
+}  // namespace prs
