@@ -156,11 +156,17 @@ void warn(const SlipResult& slip, const SlipModel& model, std::vector<std::strin
         "the load drives the screw: a left-handed screw drives its load where force and speed have "
         "opposite signs; the efficiency is that of the shaft's power over the load's");
   if (!slip.converged()) {
-    warnings.push_back(fmt::format(
-        "slip: {}; no slip ratio between pure sliding and the ideal one balances the rollers",
-        name(slip.status)));
+    warnings.push_back(
+        fmt::format("slip: {}; at no slip ratio is the moment on a roller balanced, or a contact "
+                    "jams",
+                    name(slip.status)));
     return;
   }
+  if (slip.optimality > 1.0 + 1e-12)
+    warnings.push_back(fmt::format(
+        "the carrier is driven by its torques: the slip ratio {:.6f} lies beyond the ideal one, "
+        "{:.6f}",
+        slip.slip_ratio, slip.ideal_slip_ratio));
   for (const Interface i : kInterfaces) {
     double least = std::numeric_limits<double>::infinity();
     for (const double ratio : slip.threads[i].film_ratio)

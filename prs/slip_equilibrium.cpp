@@ -121,8 +121,10 @@ bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
 SlipEquilibrium find_slip_equilibrium(const SlipModel& model) {
   const SlipRange range = slip_range(model.geometry);
   SlipEquilibrium found;
-  // Runs from 0 at the ideal slip ratio to 1 at pure sliding. Friction that the roller has yet to
-  // follow drives it: the moment has the sense of the speed at the ideal end (3.45).
+  // Runs from 0 at the ideal slip ratio to 1 at pure sliding. Where friction alone resists, the
+  // moment has the sense of the speed at the ideal end, and the root lies on that side (3.45); a
+  // carrier that is dragged along can push it to the other side, at most to where the carrier turns
+  // with the driving part.
   const auto slip_ratio = [&](double t) {
     return range.ideal + t * (range.pure_sliding - range.ideal);
   };
@@ -139,24 +141,29 @@ SlipEquilibrium find_slip_equilibrium(const SlipModel& model) {
     return found;
   };
 
-  double low = 0.0, low_residue = residue(low);
-  if (std::abs(low_residue) <= kNoMoment) return end_as(SlipStatus::converged);
-  double high = 2e-3, high_residue = residue(high);
-  while (balanced && high_residue > 0.0 && high < 1.0) {
-    low = high, low_residue = high_residue;
-    high = std::min(10.0 * high, 1.0), high_residue = residue(high);
+  double near = 0.0, near_residue = residue(near);
+  if (std::abs(near_residue) <= kNoMoment) return end_as(SlipStatus::converged);
+  const double end = near_residue > 0.0 ? 1.0
+                                        : (1.0 - range.pure_sliding - range.ideal) /
+                                              (range.pure_sliding - range.ideal);
+  double far = std::copysign(2e-3, end), far_residue = residue(far);
+  while (balanced && far_residue * near_residue > 0.0 && far != end) {
+    near = far, near_residue = far_residue;
+    far = std::abs(10.0 * far) < std::abs(end) ? 10.0 * far : end, far_residue = residue(far);
   }
-  if (!balanced || low_residue < 0.0 || high_residue > 0.0)
-    return end_as(SlipStatus::no_equilibrium);
+  if (!balanced || far_residue * near_residue > 0.0) return end_as(SlipStatus::no_equilibrium);
 
   const double width = kSlipTolerance / std::abs(range.pure_sliding - range.ideal);
-  const double negligible = width * (low_residue - high_residue) / (high - low);
+  const double negligible = width * std::abs((far_residue - near_residue) / (far - near));
   const auto close_enough = [&](double a, double b) {
     return b - a <= width || std::abs(residue_there) <= negligible;
   };
   boost::uintmax_t evaluations = kMostEvaluations;
-  const auto [a, b] = boost::math::tools::toms748_solve(residue, low, high, low_residue,
-                                                        high_residue, close_enough, evaluations);
+  const auto [a, b] =
+      near < far ? boost::math::tools::toms748_solve(residue, near, far, near_residue, far_residue,
+                                                     close_enough, evaluations)
+                 : boost::math::tools::toms748_solve(residue, far, near, far_residue, near_residue,
+                                                     close_enough, evaluations);
   if (std::abs(residue_there) > negligible) residue(0.5 * (a + b));
   return end_as(evaluations < kMostEvaluations ? SlipStatus::converged
                                                : SlipStatus::iteration_limit);

@@ -74,7 +74,8 @@ struct SlipBalance {
 /// where numbers overflow.
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& balance);
 
-/// The slip ratio at which the roller is in balance (3.38), between pure sliding and the ideal one.
+/// The slip ratio at which the roller is in balance (3.38): between pure sliding and the ideal one,
+/// or beyond the ideal one where the carrier is driven.
 struct SlipEquilibrium {
   SlipStatus status = SlipStatus::not_computed;
   int evaluations = 0;  ///< Of `balance_at`.
@@ -83,7 +84,7 @@ struct SlipEquilibrium {
   bool ok() const { return status == SlipStatus::converged; }
 };
 
-/// Brackets the root next to the ideal slip ratio and closes in to 1e-13 (TOMS 748). Where no
+/// Brackets the root next to the ideal slip ratio and closes in to 1e-14 (TOMS 748). Where no
 /// friction acts, every slip ratio balances and the ideal one is returned.
 SlipEquilibrium find_slip_equilibrium(const SlipModel& model);
 

@@ -51,7 +51,8 @@ TEST_F(CommandLine, JsonIsOneDocumentOnStandardOutput) {
   for (const char* arguments :
        {"solve configs/01_config_1_to_3.yaml --json --quiet", "validate --json", "schema --json",
         "check configs/05_standard_screw.yaml --json --quiet",
-        "contact configs/05_standard_screw.yaml --json --quiet"}) {
+        "contact configs/05_standard_screw.yaml --json --quiet",
+        "slip configs/09_slip_and_dissipation.yaml --json --quiet"}) {
     const Outcome run = prs(arguments);
     EXPECT_EQ(run.status, 0) << arguments;
     EXPECT_TRUE(nlohmann::json::accept(run.out)) << arguments;
@@ -71,6 +72,54 @@ TEST_F(CommandLine, DocumentNamesItsOrigin) {
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["load_cases"].size(), 6u);
   EXPECT_EQ(json["load_cases"][0]["screw"]["axial_load_N"].size(), 20u);
+}
+
+TEST_F(CommandLine, SlipStandsBesideWhatSolveDelivers) {
+  const std::string config = "configs/09_slip_and_dissipation.yaml --json --quiet";
+  const auto slip = nlohmann::json::parse(prs("slip " + config).out)["load_cases"][0];
+  const auto solve = nlohmann::json::parse(prs("solve " + config).out)["load_cases"][0];
+  for (const auto& [key, value] : solve.items()) {
+    if (key == "warnings") continue;
+    EXPECT_EQ(slip[key], value) << key;
+  }
+  EXPECT_EQ(slip["slip"]["nut"]["power_W"].size(), 20u);
+  EXPECT_NEAR(slip["slip"]["power_loss_input_output_W"].get<double>() /
+                  slip["slip"]["power_loss_W"].get<double>(),
+              1.0, 1e-10);
+}
+
+TEST_F(CommandLine, WhatSlipCannotTakeIsAnErrorWithItsPlace) {
+  const std::string config = "slip configs/09_slip_and_dissipation.yaml --json ";
+  struct Wrong {
+    const char* override;
+    const char* message;
+  };
+  for (const auto& [override, message] :
+       {Wrong{"--set 'operation.speed=0 rpm'", "speed"},
+        Wrong{"--set 'operation.speed=-600 rpm'", "case `pull`"},
+        Wrong{"--set operation.slip_ratio=0.3", "expected 0.3746529 to 1"},
+        Wrong{"--set operation.slip_ratio=1.5", "operation.slip_ratio"},
+        Wrong{"--set 'lubricant.temperature=-300 degC'", "lubricant.temperature"},
+        Wrong{"--set 'mechanism.pitch_diameter.roller=7.01 mm'", "gear ratio"}}) {
+    const Outcome run = prs(config + override);
+    EXPECT_EQ(run.status, 2) << override;
+    EXPECT_EQ(run.out, "") << override;
+    EXPECT_NE(run.err.find("configs/09_slip_and_dissipation.yaml:"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find(message), std::string::npos) << override << run.err;
+  }
+}
+
+TEST_F(CommandLine, ACaseWithoutSlipEquilibriumLeavesTheOthers) {
+  const Outcome run = prs(
+      "slip configs/09_slip_and_dissipation.yaml --json --quiet --set 'carrier.nut_torque=150 N m' "
+      "--set 'load_cases[0].axial_force=80 kN'");
+  EXPECT_EQ(run.status, 3);
+  const auto cases = nlohmann::json::parse(run.out)["load_cases"];
+  EXPECT_TRUE(cases[0]["slip"]["converged"].get<bool>());
+  EXPECT_FALSE(cases[2]["slip"]["converged"].get<bool>());
+  EXPECT_EQ(cases[2]["slip"]["status"], "no_equilibrium");
+  EXPECT_FALSE(cases[2]["slip"].contains("slip_ratio"));
+  EXPECT_TRUE(cases[2].contains("screw"));
 }
 
 TEST_F(CommandLine, OverridesReplaceValues) {

@@ -266,6 +266,20 @@ TEST(Slip, AnExcessiveCarrierTorqueLeavesNoEquilibrium) {
   EXPECT_THAT(result.load_cases[0].warnings, ::testing::Contains(HasSubstr("no_equilibrium")));
 }
 
+/// A screw that drags the carrier along turns the rollers faster than they would roll.
+TEST(Slip, ADrivenCarrierPassesTheIdealSlipRatio) {
+  Case c = few_threads();
+  c.carrier.screw_torque = 0.5;
+  const Result result = analyze_slip(c);
+  const SlipResult& s = *result.load_cases[0].slip;
+  ASSERT_EQ(s.status, SlipStatus::converged);
+  EXPECT_GT(s.slip_ratio, s.ideal_slip_ratio);
+  EXPECT_GT(s.optimality, 1.0);
+  EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-10);
+  EXPECT_THAT(result.load_cases[0].warnings, ::testing::Contains(HasSubstr("beyond the ideal")));
+  expect_as_plain(c, result, 1e-10);
+}
+
 TEST(Slip, AnImposedSlipRatioOutsideItsRangeIsAnError) {
   for (const double slip_ratio : {0.375, 0.9}) {
     Case c = test::sandu_reference();

@@ -338,10 +338,11 @@ inline State state(const Case& c, Real slip) {
   return s;
 }
 
-/// The interval (3.44).
+/// The interval (3.44), or, where a driven carrier passes the ideal slip ratio, the rest of 0 to 1.
 inline std::pair<Real, Real> bracket(const Case& c) {
   const Real ideal = ideal_slip_ratio(c);
-  return c.standard ? std::pair<Real, Real>{0, ideal} : std::pair<Real, Real>{ideal, 1};
+  const bool lags = c.speed * state(c, ideal).residue > 0;
+  return c.standard == lags ? std::pair<Real, Real>{0, ideal} : std::pair<Real, Real>{ideal, 1};
 }
 
 /// Stationary slip by (3.45), literally, to 1e-17; an imposed slip ratio is taken as it is. Nothing
@@ -354,8 +355,8 @@ inline State solve(const Case& c) {
 
   auto [low, high] = bracket(c);
   // At slip ratio 0 (standard) and 1 (inverted) nothing rolls and the film is not defined.
-  const Real at_low = state(c, low + (c.standard ? Real(1e-9L) : 0)).residue;
-  const Real at_high = state(c, high - (c.standard ? 0 : Real(1e-9L))).residue;
+  const Real at_low = state(c, std::max(low, Real(1e-9L))).residue;
+  const Real at_high = state(c, std::min(high, 1 - Real(1e-9L))).residue;
   const Real direction = (c.standard ? 1 : -1) * sign(c.speed);
   while (high - low > Real(1e-17L)) {
     const Real middle = (low + high) / 2;
