@@ -15,9 +15,6 @@ constexpr double kMillimetre = 1e-3;
 /// Interference below this is the rounding of the input [m].
 constexpr double kInterference = 1e-9;
 
-/// Gear ratios that differ by less are those of a sound mechanism with diameters rounded to 1 um.
-constexpr double kGearRatioTolerance = 1e-4;
-
 /// A smallest relative curvature below this share of the roller's is a nearly conforming contact.
 constexpr double kConformity = 0.01;
 

@@ -34,6 +34,10 @@ struct Contacts {
   std::vector<std::string> warnings;
 };
 
+/// Gear ratios by diameters and by leads that differ by less are those of a sound mechanism whose
+/// diameters were rounded to 1 um.
+inline constexpr double kGearRatioTolerance = 1e-4;
+
 /// Resolves the mechanism, finds the contact points of both interfaces and, where materials are
 /// given, their Hertz contacts. An interface without contact is a result that says why. Throws
 /// CaseError where a design has no solution.

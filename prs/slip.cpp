@@ -16,9 +16,6 @@
 namespace prs {
 namespace {
 
-/// Gear ratios that differ by less are those of a sound mechanism with diameters rounded to 1 um.
-constexpr double kGearRatioTolerance = 1e-4;
-
 /// Film over roughness below which the surfaces begin to touch, and below which they carry.
 constexpr double kMixedLubrication = 3.0, kBoundaryLubrication = 1.0;
 
