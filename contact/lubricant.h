@@ -11,6 +11,10 @@ struct Lubricant {
   double eyring_stress = 0.0;       ///< tau_0, shear stress where thinning begins [Pa]
 };
 
+/// eta_p of Roelands' law [Pa s], ln eta_p = -9.67: only a thicker lubricant stiffens with
+/// pressure.
+inline constexpr double kRoelandsViscosity = 6.315e-5;
+
 /// Viscosity under pressure over that at ambient pressure by Roelands (Sandu 2018, (2.29)),
 ///
 ///     exp((ln(eta_0/(Pa s)) + 9.67) ((1 + p/p_0)^z - 1)),  p_0 = 0.198 GPa,  z = 0.6.

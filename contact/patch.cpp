@@ -102,10 +102,9 @@ Eigen::ArrayXd Patch::friction_coefficient(const PatchMotion& motion) const {
   if (!lubricant_) return Eigen::ArrayXd::Constant(grid_->inside(), coefficient_);
   const Eigen::ArrayXd speed =
       (sliding_major(motion).square() + sliding_minor(motion).square()).sqrt();
-  const Eigen::ArrayXd directed = (speed >= kNoDirection).select(speed, 0.0);
   const double scale = lubricant_->eyring_stress / ellipse_.peak_pressure;
   return scale *
-         (viscosity_ratio_.head(grid_->inside()) * (sliding_factor(motion) * directed)).asinh() /
+         (viscosity_ratio_.head(grid_->inside()) * (sliding_factor(motion) * speed)).asinh() /
          grid_->dome();
 }
 

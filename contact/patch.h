@@ -65,7 +65,7 @@ class Patch {
   std::optional<Film> film(const PatchMotion& motion) const;
 
   /// Resultants of the friction (3.8), (3.10), (3.51). Points slower than kNoDirection are left out
-  /// of tractions and moment. No allocation.
+  /// of tractions, moment and power, not of the mean coefficient. No allocation.
   PatchFriction friction(const PatchMotion& motion) const;
 
   // At every point inside:

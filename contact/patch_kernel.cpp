@@ -15,16 +15,16 @@ PatchSums sum(const PatchPoints& points, const SlidingField& sliding, Friction f
     const Batch v_1 = sliding.major - sliding.spin_minor * y;
     const Batch v_2 = sliding.minor + sliding.spin_major * x;
     const Batch speed = sqrt(v_1 * v_1 + v_2 * v_2);
-    const Batch directed = select(speed >= Batch(kNoDirection), speed, Batch(0.0));
-    const Batch friction = friction_at(load, directed);  // mu_D dome
-    const Batch along = select(directed > Batch(0.0), friction / directed, Batch(0.0));
+    const Batch friction = friction_at(load, speed);  // mu_D dome
+    const Batch directed = select(speed >= Batch(kNoDirection), friction, Batch(0.0));
+    const Batch along = select(speed >= Batch(kNoDirection), directed / speed, Batch(0.0));
     const Batch friction_1 = along * v_1, friction_2 = along * v_2;
     const Batch inverse_dome = load(points.inverse_dome);
     traction_1 += friction_1;
     traction_2 += friction_2;
     moment_1 += x * friction_2;
     moment_2 += y * friction_1;
-    power += friction * directed;
+    power += directed * speed;
     mean += friction * inverse_dome;
     fastest = max(fastest, select(inverse_dome > Batch(0.0), speed, Batch(0.0)));
   }

@@ -42,8 +42,7 @@ struct PatchSums {
   double max_speed = 0.0;       ///< Largest |v| inside.
 };
 
-/// Sliding slower than this is rounding noise, as at the centre of pure spin: it has no direction
-/// and counts as none [m/s].
+/// Sliding slower than this has no direction, as at the centre of pure spin [m/s].
 inline constexpr double kNoDirection = 1e-11;
 
 /// Sums the friction over a patch, a batch of points at a time.

@@ -300,8 +300,13 @@ std::optional<contact::WaltherLine> line_through(const std::vector<ViscosityPoin
   return contact::walther_line(cold.temperature, cold.viscosity, hot.temperature, hot.viscosity);
 }
 
-/// The viscosity that follows from the temperature, where it does.
+/// The viscosity as it stands, or as it follows from the temperature.
 void check_lubricant(const Lubricant& l, Problems& problems) {
+  if (l.viscosity && *l.viscosity <= contact::kRoelandsViscosity)
+    problems.add("lubricant.viscosity",
+                 fmt::format("got {:.7g} mPa s; expected more than {:.4f} mPa s, below which "
+                             "Roelands' viscosity falls with pressure; check the unit",
+                             1e3 * *l.viscosity, 1e3 * contact::kRoelandsViscosity));
   if (!l.temperature) return;
   const bool kinematic = l.walther || std::ranges::any_of(l.viscosity_at, [](const auto& p) {
                            return p.kinematic_viscosity.has_value();
@@ -355,7 +360,7 @@ void check_speed(const LoadCase& load, double speed, const Mechanism& m, Problem
   const double force = axial_force_on_nut(load);
   const std::string path = load.input_path + (load.speed ? ".speed" : "");
   if (speed == 0.0)
-    problems.add(path,
+    problems.add(load.speed ? path : "operation.speed",
                  fmt::format("got {} in case `{}`; expected a speed other than 0: at rest nothing "
                              "slips; change `operation.speed` or give the case a `speed` of its "
                              "own",

@@ -64,7 +64,7 @@ SlipRange slip_range(const KinematicGeometry& g) {
 }
 
 double optimality(const SlipRange& range, double slip_ratio) {
-  return (slip_ratio - range.pure_sliding) / (range.ideal - range.pure_sliding);
+  return std::abs(slip_ratio - range.pure_sliding) / std::abs(range.ideal - range.pure_sliding);
 }
 
 }  // namespace prs

@@ -83,8 +83,7 @@ SlipEquilibrium solve(const SlipModel& model, const std::optional<double>& impos
   if (!imposed) return find_slip_equilibrium(model);
   SlipEquilibrium at;
   at.evaluations = 1;
-  at.status =
-      balance_at(model, *imposed, at.balance) ? SlipStatus::imposed : SlipStatus::no_equilibrium;
+  at.status = balance_at(model, *imposed, at.balance) ? SlipStatus::imposed : SlipStatus::jammed;
   return at;
 }
 
@@ -100,9 +99,18 @@ EqualShareSlip summary_of(const SlipResult& equal) {
   return s;
 }
 
-/// (3.55) with B_1 = 98.1 % and B_2 = 0.32 %.
-double sandu_efficiency_fit(const contact::Lubricant& lubricant) {
-  return 0.981 - 0.0032 * (lubricant.eyring_stress * 1e-6) * std::log(lubricant.viscosity * 1e3);
+/// (3.55) with B_1 = 98.1 % and B_2 = 0.32 %, for the lubricants that Sandu varied it over.
+std::optional<double> sandu_efficiency_fit(const contact::Lubricant& lubricant) {
+  const double millipascal_seconds = lubricant.viscosity * 1e3;
+  const double megapascals = lubricant.eyring_stress * 1e-6;
+  if (millipascal_seconds < 4.0 || millipascal_seconds > 1000.0 || megapascals > 20.0)
+    return std::nullopt;
+  return 0.981 - 0.0032 * megapascals * std::log(millipascal_seconds);
+}
+
+/// Whether the load's power flows into the mechanism.
+bool load_drives(const SlipModel& model) {
+  return model.axial_force * model.speed * model.geometry.lead < 0.0;
 }
 
 SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
@@ -117,10 +125,9 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   slip.gear_ratio = model.geometry.gear_ratio;
   slip.ideal_slip_ratio = range.ideal;
   slip.estimates = slip_estimates(model.geometry);
-  slip.moments = b.moments;
-  slip.relative_residue = b.moments.residue() * model.rollers /
-                          (model.geometry.centre_distance * std::abs(model.axial_force));
+  if (slip.status != SlipStatus::jammed) slip.relative_residue = relative_residue(model, b);
   if (!slip.converged()) return slip;
+  slip.moments = b.moments;
 
   slip.slip_ratio = b.motion.slip_ratio;
   slip.optimality = optimality(range, slip.slip_ratio);
@@ -136,8 +143,10 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   slip.torque_nut = torques.nut;
   slip.power_loss_input_output = flow.lost();
   slip.efficiency = flow.efficiency();
-  if (c.friction->model == Friction::Model::jacod)
+  const bool jacod = c.friction->model == Friction::Model::jacod;
+  if (jacod && slip.status == SlipStatus::converged && !load_drives(model))
     slip.efficiency_fit = sandu_efficiency_fit(*models.lubricant());
+  if (jacod || model.bearing) slip.viscosity = models.lubricant()->viscosity;
   slip.forces = b.forces;
   if (model.bearing) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
   double hottest = -1.0;
@@ -147,33 +156,48 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   return slip;
 }
 
-void warn(const SlipResult& slip, const SlipModel& model, std::vector<std::string>& warnings) {
-  if (model.axial_force * model.speed * model.geometry.lead < 0.0)
-    warnings.push_back(
-        "the load drives the screw: a left-handed screw drives its load where force and speed have "
-        "opposite signs; the efficiency is that of the shaft's power over the load's");
-  if (!slip.converged()) {
-    warnings.push_back(
-        fmt::format("slip: {}; at no slip ratio is the moment on a roller balanced, or a contact "
-                    "jams",
-                    name(slip.status)));
-    return;
-  }
-  if (slip.optimality > 1.0 + 1e-12)
-    warnings.push_back(fmt::format(
-        "the carrier is driven by its torques: the slip ratio {:.6f} lies beyond the ideal one, "
-        "{:.6f}",
-        slip.slip_ratio, slip.ideal_slip_ratio));
+void warn_of_lubrication(const SlipResult& slip, std::vector<std::string>& warnings) {
   for (const Interface i : kInterfaces) {
     double least = std::numeric_limits<double>::infinity();
     for (const double ratio : slip.threads[i].film_ratio)
       if (ratio > 0.0) least = std::min(least, ratio);
     if (least < kMixedLubrication)
       warnings.push_back(fmt::format(
-          "{} lubrication at the {} contacts: film over roughness is {:.2f} at the least; the "
-          "friction of a full film is too low there",
+          "{} lubrication at the {} contacts: film over roughness is {:.2f} at the least; real "
+          "friction is higher than that of the full film computed here",
           least < kBoundaryLubrication ? "boundary" : "mixed", label(i), least));
   }
+}
+
+void warn(const SlipResult& slip, const SlipModel& model, std::vector<std::string>& warnings) {
+  if (slip.status == SlipStatus::jammed)
+    warnings.push_back(
+        "slip: a contact jams: its friction takes more of the axial load than its normal load "
+        "gives; expect the screw to stick");
+  else if (!slip.converged())
+    warnings.push_back(fmt::format(
+        "slip: {}: no slip ratio balances the moment on a roller; check the carrier's torques",
+        name(slip.status)));
+  if (!slip.converged()) return;
+  if (load_drives(model))
+    warnings.push_back(
+        slip.efficiency
+            ? "the load drives the screw (left-handed: force and speed of one sign); the "
+              "efficiency is that of the shaft's power over the load's"
+            : "the load helps, but the screw is self-locking: the shaft has to drive as well, and "
+              "there is no efficiency");
+  if (slip.optimality > 1.0 + 1e-12)
+    warnings.push_back(
+        fmt::format("the carrier is driven by its torques: the slip ratio {:.6f} "
+                    "lies beyond the ideal one, {:.6f}",
+                    slip.slip_ratio, slip.ideal_slip_ratio));
+  if (std::ranges::all_of(kInterfaces, [&](Interface i) {
+        return std::ranges::max(slip.threads[i].max_sliding_speed) < contact::kNoDirection;
+      }))
+    warnings.push_back(
+        "nothing slides faster than 1e-11 m/s, where friction has no direction any "
+        "more: the power lost is not that of a moving screw");
+  warn_of_lubrication(slip, warnings);
 }
 
 void require_admissible(const SlipModel& model, const std::optional<Operation>& operation) {
@@ -243,6 +267,8 @@ std::string_view name(SlipStatus status) {
       return "imposed";
     case SlipStatus::no_equilibrium:
       return "no_equilibrium";
+    case SlipStatus::jammed:
+      return "jammed";
     case SlipStatus::iteration_limit:
       return "iteration_limit";
   }
@@ -273,7 +299,8 @@ SlipPictures slip_pictures(const Case& c, const Result& result, std::size_t load
   const SlipModel model = models.of(loaded);
   const SlipRange range = slip_range(model.geometry);
   // Far enough to both sides of the ideal slip ratio to show where the moment changes sign.
-  const double reach = std::max(2.0 * std::abs(loaded.slip->slip_ratio - range.ideal), 1e-4);
+  const double reach = std::clamp(2.0 * std::abs(loaded.slip->slip_ratio - range.ideal), 1e-4,
+                                  std::min(range.ideal, 1.0 - range.ideal));
   SlipPictures pictures;
   pictures.residue = residue_curve(model, range.pure_sliding, range.ideal);
   pictures.residue_near_root = residue_curve(model, range.ideal - reach, range.ideal + reach);

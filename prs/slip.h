@@ -32,7 +32,7 @@ struct PatchField {
 /// What the pictures of one load case show beside its result.
 struct SlipPictures {
   ResidueCurve residue;                         ///< Over the whole range of slip ratios.
-  ResidueCurve residue_near_root;               ///< Between the root and its mirror about ideal.
+  ResidueCurve residue_near_root;               ///< Around the ideal one, the root inside.
   PerInterface<PatchField> most_loaded_thread;  ///< At the result's slip ratio.
 };
 

@@ -14,6 +14,9 @@ using Eigen::Vector3d;
 constexpr double kSlipTolerance = 1e-14;
 constexpr int kMostEvaluations = 100;
 
+/// Sliding below this share of the rolling speed is the rounding of a contact without slip.
+constexpr double kNoSlip = 1e-12;
+
 /// Moments below this share of c |F_N|/N_R are rounding.
 constexpr double kNoMoment = 1e-15;
 
@@ -33,7 +36,9 @@ double roller_gear_radius(const SlipModel& m) {
 
 contact::PatchMotion patch_motion(const LoadedThreads& threads, const ContactMotion& motion) {
   const double u_n = motion.rolling.dot(threads.normal);
-  return {motion.sliding.dot(threads.major_axis), motion.sliding.dot(threads.minor_axis),
+  const bool slides = motion.sliding.norm() > kNoSlip * motion.rolling.norm();
+  const Vector3d sliding = slides ? motion.sliding : Vector3d::Zero();
+  return {sliding.dot(threads.major_axis), sliding.dot(threads.minor_axis),
           motion.spin * threads.normal.z(),
           std::sqrt(std::max(motion.rolling.squaredNorm() - u_n * u_n, 0.0))};
 }
@@ -95,11 +100,6 @@ void balance_carrier(const SlipModel& model, SlipBalance& b) {
   b.forces = forces_with(model, b, b.carrier_roller_torque);
 }
 
-/// R_z (3.43), zero in balance.
-double relative_residue(const SlipModel& m, const SlipBalance& b) {
-  return b.moments.residue() * m.rollers / (m.geometry.centre_distance * std::abs(m.axial_force));
-}
-
 }  // namespace
 
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
@@ -118,13 +118,17 @@ bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
   return true;
 }
 
+double relative_residue(const SlipModel& m, const SlipBalance& b) {
+  return b.moments.residue() * m.rollers / (m.geometry.centre_distance * std::abs(m.axial_force));
+}
+
 SlipEquilibrium find_slip_equilibrium(const SlipModel& model) {
   const SlipRange range = slip_range(model.geometry);
   SlipEquilibrium found;
-  // Runs from 0 at the ideal slip ratio to 1 at pure sliding. Where friction alone resists, the
-  // moment has the sense of the speed at the ideal end, and the root lies on that side (3.45); a
-  // carrier that is dragged along can push it to the other side, at most to where the carrier turns
-  // with the driving part.
+  // The search parameter t is 0 at the ideal slip ratio and 1 at pure sliding. Where friction alone
+  // resists, the moment has the sense of the speed at t = 0 and the root lies at t > 0 (3.45); a
+  // carrier that is dragged along can push it to t < 0, at most to where the carrier turns with the
+  // driving part.
   const auto slip_ratio = [&](double t) {
     return range.ideal + t * (range.pure_sliding - range.ideal);
   };
@@ -137,7 +141,7 @@ SlipEquilibrium find_slip_equilibrium(const SlipModel& model) {
     return residue_there;
   };
   const auto end_as = [&](SlipStatus status) {
-    found.status = balanced ? status : SlipStatus::no_equilibrium;
+    found.status = balanced ? status : SlipStatus::jammed;
     return found;
   };
 
@@ -155,6 +159,7 @@ SlipEquilibrium find_slip_equilibrium(const SlipModel& model) {
 
   const double width = kSlipTolerance / std::abs(range.pure_sliding - range.ideal);
   const double negligible = width * std::abs((far_residue - near_residue) / (far - near));
+  // The last residue belongs to one of the ends: where it is negligible, that end is the root.
   const auto close_enough = [&](double a, double b) {
     return b - a <= width || std::abs(residue_there) <= negligible;
   };

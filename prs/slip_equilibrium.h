@@ -74,6 +74,9 @@ struct SlipBalance {
 /// where numbers overflow.
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& balance);
 
+/// R_z, the moment left on a roller over c |F_N|/N_R (3.43).
+double relative_residue(const SlipModel& model, const SlipBalance& balance);
+
 /// The slip ratio at which the roller is in balance (3.38): between pure sliding and the ideal one,
 /// or beyond the ideal one where the carrier is driven.
 struct SlipEquilibrium {

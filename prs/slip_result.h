@@ -57,7 +57,8 @@ enum class SlipStatus {
   not_computed,
   converged,
   imposed,         ///< The slip ratio was given: the roller need not be in equilibrium.
-  no_equilibrium,  ///< The roller's moment has one sign over the whole range, or a contact jams.
+  no_equilibrium,  ///< The roller's moment has one sign over the whole range of slip ratios.
+  jammed,          ///< Friction would have to push a contact open: no normal load balances it.
   iteration_limit,
 };
 
@@ -87,8 +88,8 @@ struct EqualShareSlip {
 /// the signs of Sandu 2018; powers are losses, > 0. SI units.
 struct SlipResult {
   SlipStatus status = SlipStatus::not_computed;
-  int evaluations = 0;            ///< Of the roller's moment balance.
-  double relative_residue = 0.0;  ///< R_z, (3.38) over c |F_N|/N_R.
+  int evaluations = 0;                     ///< Of the roller's moment balance.
+  std::optional<double> relative_residue;  ///< R_z, (3.38) over c |F_N|/N_R; none where jammed.
 
   double speed = 0.0;             ///< omega_s/n, screw against nut [rad/s]
   double gear_ratio = 0.0;        ///< Gamma (2.1)
@@ -108,6 +109,7 @@ struct SlipResult {
   RollerMoments moments;
   RollerForces forces;
   std::optional<double> bearing_eccentricity;  ///< e/c of the roller heads.
+  std::optional<double> viscosity;             ///< eta_0 in operation [Pa s].
 
   ThreadOf hottest;                            ///< Of the largest power density.
   std::optional<EqualShareSlip> equal_shares;  ///< Of solved cases.

@@ -1,9 +1,11 @@
 #include "prs/cli/commands.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -14,6 +16,7 @@
 #include "prs/input/fail_at.h"
 #include "prs/input/reader.h"
 #include "prs/input/schema.h"
+#include "prs/input/study_reader.h"
 #include "prs/output/check.h"
 #include "prs/output/contact_table.h"
 #include "prs/output/csv.h"
@@ -23,9 +26,13 @@
 #include "prs/output/sha256.h"
 #include "prs/output/slip_csv.h"
 #include "prs/output/slip_table.h"
+#include "prs/output/study_figures.h"
+#include "prs/output/study_files.h"
+#include "prs/output/study_table.h"
 #include "prs/output/table.h"
 #include "prs/output/warnings.h"
 #include "prs/slip.h"
+#include "prs/study/run.h"
 #include "prs/unusual.h"
 #include "prs/validation/validate.h"
 #include "prs/version.h"
@@ -96,11 +103,45 @@ std::vector<std::pair<std::size_t, SlipPictures>> pictures_of(const Case& c, con
   return pictures;
 }
 
+/// How far a study is, on a terminal.
+class ProgressLine {
+ public:
+  explicit ProgressLine(const Options& options)
+      : shown_(!options.quiet && isatty(STDERR_FILENO) == 1) {}
+
+  void show(std::size_t done, std::size_t total) {
+    const Clock::time_point now = Clock::now();
+    if (!shown_ || now < next_) return;
+    next_ = now + std::chrono::milliseconds(200);
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    fmt::print(stderr, "\r\x1b[K{}", progress_line(done, total, seconds));
+  }
+  void clear() {
+    if (shown_) fmt::print(stderr, "\r\x1b[K");
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool shown_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point next_ = start_ + std::chrono::milliseconds(200);
+};
+
+/// Runs a study, so that a response that its base case lacks is reported where it stands.
+StudyResult study_from(const input::Source& source, auto run) {
+  try {
+    return run();
+  } catch (const UnknownResponse& error) {
+    input::fail_at(source, fmt::format("study.responses[{}]", error.index()), error.what());
+  }
+}
+
 }  // namespace
 
 int check(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::check);
+  if (in.has_study) input::read_study_input(source);
   const Contacts contacts =
       compute_from(source, [&] { return find_contacts(in.values.mechanism, in.values.materials); });
   std::vector<std::string> unusual = contacts.warnings;
@@ -180,6 +221,38 @@ int slip(const Options& options) {
     return r.converged() && r.slip && r.slip->converged();
   });
   return converged ? kDone : kNotConverged;
+}
+
+int study(const Options& options) {
+  const input::Source source = input::load_source(options.file, options.overrides);
+  const input::StudyInput in = input::read_study_input(source);
+  ProgressLine progress(options);
+  const auto solve = [&](const std::vector<std::string>& design) {
+    return solve_design(in, design);
+  };
+  const StudyResult result = study_from(source, [&] {
+    return run_study(in.study, solve,
+                     [&](std::size_t done, std::size_t total) { progress.show(done, total); });
+  });
+  progress.clear();
+  std::string document;
+  if (options.json || options.output)
+    document = json_text(study_json(result, document_info(source)));
+  if (options.output) {
+    write_files(*options.output, {{"study.json", document}, {"study.csv", study_csv(result)}});
+    for (const std::string& text : draw_figures(study_figures(result), *options.output))
+      note(options, text);
+  }
+  if (options.json) {
+    print(document);
+  } else if (!options.quiet) {
+    print(study_table(result));
+    if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
+  }
+  const bool solved = std::ranges::all_of(result.rows, [](const StudyRow& row) {
+    return row.status.converged() || row.status.name == "refused";
+  });
+  return solved ? kDone : kNotConverged;
 }
 
 int schema(const Options& options) {

@@ -60,6 +60,9 @@ int main(int argc, char** argv) {
   add_case_options(
       *command("slip", "Slip, friction, dissipated power, efficiency and torques", prs::cli::slip),
       options);
+  add_case_options(
+      *command("study", "Run the study of the file: many designs, a row each", prs::cli::study),
+      options);
   add_output_options(*command("schema", "Print the JSON Schema of the input", prs::cli::schema),
                      options);
   CLI::App* new_case = command("new", "Write a commented starting case", prs::cli::new_case);

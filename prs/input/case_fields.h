@@ -7,6 +7,7 @@
 
 #include "prs/case.h"
 #include "prs/input/field.h"
+#include "prs/study/study.h"
 
 /// The input, described once: every key, its unit and bounds, whether it must stand, its meaning.
 /// Defaults are the member initialisers of the structs. See field.h for the vocabulary.
@@ -22,10 +23,26 @@ struct LoadCaseItem {
   std::optional<double> speed;
 };
 
+/// A factor of a study as it is written.
+struct FactorItem {
+  std::string path;
+  std::optional<std::string> label;
+  WrittenValues values;
+};
+
+/// A study as it is written.
+struct StudyItem {
+  Command command = Command::slip;
+  Plan plan = Plan::one_at_a_time;
+  std::vector<FactorItem> factors;
+  std::optional<std::vector<std::string>> responses;
+};
+
 /// A file as it is written: `values` lacks the load cases.
 struct CaseFile {
   Case values;
   std::vector<LoadCaseItem> load_cases;
+  std::optional<StudyItem> study;
 };
 
 // Choices: io.word(WORD, member, value, meaning), io.map(KEY, member, value, content, kind,
@@ -98,6 +115,26 @@ void alternatives(Io& io, Friction& f) {
   io.word("jacod", f.model, Friction::Model::jacod, "lubricated contact, after Jacod");
   io.map("coulomb", f.model, Friction::Model::coulomb, f.coefficient, Number{not_negative},
          "a constant coefficient of friction");
+}
+
+template <class Io>
+void alternatives(Io& io, WrittenRange::Spacing& s) {
+  io.word("linear", s, WrittenRange::Spacing::linear, "the values");
+  io.word("logarithmic", s, WrittenRange::Spacing::logarithmic, "their logarithms");
+}
+
+/// Those that a study can run.
+template <class Io>
+void alternatives(Io& io, Command& c) {
+  io.word("contact", c, Command::contact, "contact points and Hertz constants");
+  io.word("solve", c, Command::solve, "load distribution, pressures and stiffness");
+  io.word("slip", c, Command::slip, "slip, power loss and efficiency");
+}
+
+template <class Io>
+void alternatives(Io& io, Plan& p) {
+  io.word("one_at_a_time", p, Plan::one_at_a_time,
+          "each value of each factor alone, all others as in the file");
 }
 
 // Blocks: io.field(KEY, member, kind, presence, meaning)
@@ -322,7 +359,26 @@ void fields(Io& io, Carrier& c) {
   io.field("bearing", c.bearing, Block{}, optional,
            "Plain bearings of the roller's heads, lubricated, in place of roller_torque");
   io.field("gear_pressure_angle", c.gear_pressure_angle, Quantity{unit::angle, gear_pressure_angle},
-           optional, "Of the gears between rollers and ring");
+           optional, "Of the gears between rollers and nut, inverted: and screw");
+}
+
+template <class Io>
+void fields(Io& io, FactorItem& f) {
+  io.field("path", f.path, Text{}, required, "What to vary, as `--set` names it");
+  io.field("values", f.values, ListOrRange{}, required, "As they would stand in the file");
+  io.field("label", f.label, Text{}, optional, "Its name in tables and figures");
+}
+
+template <class Io>
+void fields(Io& io, StudyItem& s) {
+  io.field("command", s.command, Choice{}, required, "What each design runs through");
+  io.field("plan", s.plan, Choice{}, optional, "How designs are chosen");
+  io.field("factors", s.factors, List{Block{}, 1}, required, "The inputs that vary");
+  io.field(
+      "responses", s.responses, List{Text{}, 1}, optional,
+      "What is recorded of each design: paths into the first load case of its JSON document or "
+      "into the document, of an array `.max`, `.min`, `.mean` or `[k]`; a choice that suits "
+      "the command by default");
 }
 
 template <class Io>
@@ -335,12 +391,14 @@ void fields(Io& io, CaseFile& file) {
            "Values that replace what the geometry gives, in the load distribution only");
   io.field("model", c.model, Block{}, optional, "Choices of the model");
   io.field("load_cases", file.load_cases, List{Block{}, 1}, optional, "Loads, each on its own");
-  io.field("roughness", c.roughness, OneOrEach{Quantity{unit::length, positive}}, optional,
+  const Bounds up_to_100_um{.least = 0.0, .greatest = 1e-4, .least_excluded = true};
+  io.field("roughness", c.roughness, OneOrEach{Quantity{unit::length, up_to_100_um}}, optional,
            "Rms roughness Rq of the flanks, for the film ratio");
   io.field("lubricant", c.lubricant, Block{}, optional, "The oil, or the base oil of the grease");
   io.field("friction", c.friction, ChoiceUnder{"model"}, optional, "Law of friction");
   io.field("operation", c.operation, Block{}, optional, "How the mechanism runs");
   io.field("carrier", c.carrier, Block{}, optional, "What acts on the rollers besides the threads");
+  io.field("study", file.study, Block{}, optional, "What `prs study` varies");
 }
 
 }  // namespace prs::input

@@ -310,30 +310,27 @@ std::optional<std::vector<Step>> split_path(std::string_view path) {
   }
 }
 
-void apply_override(Node& root, const std::string& text, int argument, ErrorList& errors) {
-  Place at{0, argument};  // of the innermost value of the file on the path
-  const std::size_t equals = text.find('=');
-  const std::string path = text.substr(0, equals);
-  const auto steps = split_path(path);
-  if (equals == std::string::npos || !steps)
-    errors.fail(at, "",
-                "expected path=value; write for example `--set mechanism.rollers=9` or `--set "
-                "\"load_cases[0].axial_force=20 kN\"`");
-
+/// The node at the end of the steps, created where it is missing; null where they lead nowhere.
+/// `at`, of an override, follows to the innermost value of the file.
+Node* descend(Node& root, const std::vector<Step>& steps, const std::string& path, Place& at,
+              ErrorList& errors) {
   Node* node = &root;
+  const auto refuse = [&](std::string_view message) {
+    errors.add(at, path, message);
+    return nullptr;
+  };
   const auto note_place = [&] {
-    if (node->place.argument < 0)
+    if (at.argument >= 0 && node->place.argument < 0)
       at.offset = node->key.empty() ? node->place.offset : node->key_place.offset;
   };
   note_place();
-  for (const Step& step : *steps) {
+  for (const Step& step : steps) {
     if (step.index) {
       if (node->kind != Node::Kind::sequence)
-        errors.fail(at, path, "the index has no list; expected a path that exists");
+        return refuse("the index has no list; expected a path that exists");
       if (*step.index >= node->children.size())
-        errors.fail(at, path,
-                    fmt::format("got the index {}; expected one below {}, counted from 0",
-                                *step.index, node->children.size()));
+        return refuse(fmt::format("got the index {}; expected one below {}, counted from 0",
+                                  *step.index, node->children.size()));
       node = &node->children[*step.index];
       note_place();
       continue;
@@ -343,10 +340,10 @@ void apply_override(Node& root, const std::string& text, int argument, ErrorList
       node->place = at;
     }
     if (node->kind != Node::Kind::map)
-      errors.fail(at, path,
-                  fmt::format("`{}` cannot be set; the value that would hold it is no map; set "
-                              "that value as a whole",
-                              step.key));
+      return refuse(
+          fmt::format("`{}` cannot be set; the value that would hold it is no map; set "
+                      "that value as a whole",
+                      step.key));
     Node* child = find(*node, step.key);
     if (!child) {
       child = &node->children.emplace_back();
@@ -356,7 +353,68 @@ void apply_override(Node& root, const std::string& text, int argument, ErrorList
     node = child;
     note_place();
   }
+  return node;
+}
 
+/// A scalar as it must stand inside `[..]` and `{..}`.
+std::string flow_scalar(const Node& scalar, bool inside) {
+  const bool bare = !scalar.quoted && !scalar.text.empty() &&
+                    (!inside || scalar.text.find_first_of(",[]{}:#") == std::string::npos);
+  if (bare) return scalar.text;
+  std::string text = "\"";
+  for (const char c : scalar.text) {
+    if (c == '"' || c == '\\') text += '\\';
+    if (c == '\n')
+      text += "\\n";
+    else
+      text += c;
+  }
+  return text + '"';
+}
+
+std::string flow_text(const Node& value, bool inside) {
+  if (value.kind == Node::Kind::null) return "~";
+  if (value.kind == Node::Kind::scalar) return flow_scalar(value, inside);
+  const bool is_map = value.kind == Node::Kind::map;
+  std::string text = is_map ? "{" : "[";
+  for (const Node& child : value.children) {
+    if (text.size() > 1) text += ", ";
+    if (is_map) text += child.key + ": ";
+    text += flow_text(child, true);
+  }
+  return text + (is_map ? '}' : ']');
+}
+
+}  // namespace
+
+bool set_value(Node& root, const std::string& path, Node value, Place at, ErrorList& errors) {
+  const auto steps = split_path(path);
+  if (!steps) {
+    errors.add(at, path,
+               "got no path; expected keys and indices; write for example `mechanism.rollers` or "
+               "`load_cases[0].axial_force`");
+    return false;
+  }
+  Node* node = descend(root, *steps, path, at, errors);
+  if (!node) return false;
+  value.key = node->key;
+  value.key_place = at;
+  *node = std::move(value);
+  return true;
+}
+
+void apply_override(Node& root, const Source& source, std::size_t index, ErrorList& errors) {
+  const std::string& text = source.overrides[index];
+  Place at{0, static_cast<int>(index)};  // of the innermost value of the file on the path
+  const std::size_t equals = text.find('=');
+  const std::string path = text.substr(0, equals);
+  const auto steps = split_path(path);
+  if (equals == std::string::npos || !steps)
+    errors.fail(at, "",
+                "expected path=value; write for example `--set mechanism.rollers=9` or `--set "
+                "\"load_cases[0].axial_force=20 kN\"`");
+  Node* node = descend(root, *steps, path, at, errors);
+  if (!node) return errors.throw_if_any();
   Node value = parse_yaml(text.substr(equals + 1), at, path, errors)
                    .value_or(Node{.kind = Node::Kind::null, .place = at});
   value.key = node->key;
@@ -364,7 +422,19 @@ void apply_override(Node& root, const std::string& text, int argument, ErrorList
   *node = std::move(value);
 }
 
-}  // namespace
+std::string flow_text(const Node& value) { return flow_text(value, false); }
+
+const Node* find_path(const Node& root, std::string_view path) {
+  const Node* node = &root;
+  for (const Step& step : split_path(path).value_or(std::vector<Step>{})) {
+    if (step.index)
+      node = *step.index < node->children.size() ? &node->children[*step.index] : nullptr;
+    else
+      node = find(*node, step.key);
+    if (!node) return nullptr;
+  }
+  return node;
+}
 
 const Node* find(const Node& map, std::string_view key) {
   for (const Node& child : map.children)
@@ -391,7 +461,7 @@ Node read_document(const Source& source, ErrorList& errors) {
                 "got an empty file; expected a map with the key `mechanism`; copy one of "
                 "the files in configs/ to start from");
   for (std::size_t i = 0; i < source.overrides.size(); ++i)
-    apply_override(*root, source.overrides[i], static_cast<int>(i), errors);
+    apply_override(*root, source, i, errors);
   return std::move(*root);
 }
 

@@ -42,6 +42,20 @@ ScalarType scalar_type(const Node& scalar);
 /// InputError; duplicate keys are added to `errors` and the first occurrence stays.
 Node read_document(const Source& source, ErrorList& errors);
 
+/// Sets the value at a path; maps that are missing are created. The key, and whatever is created,
+/// stands at `at`; the value keeps its own place. Adds an error at `at` and returns false where the
+/// path leads nowhere.
+bool set_value(Node& root, const std::string& path, Node value, Place at, ErrorList& errors);
+
+/// Applies the override with this index of the source that `errors` belongs to. Throws InputError.
+void apply_override(Node& root, const Source& source, std::size_t index, ErrorList& errors);
+
+/// The value as YAML on one line: what `--set PATH=` takes.
+std::string flow_text(const Node& value);
+
+/// The value at a path, or null.
+const Node* find_path(const Node& root, std::string_view path);
+
 /// Place of the value at a path such as `load_cases[0].axial_force`; where it is absent, that of
 /// the key of the innermost map that exists.
 Place locate(const Node& root, std::string_view path);

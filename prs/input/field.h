@@ -2,7 +2,9 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "prs/input/units.h"
 #include "prs/part.h"
@@ -163,6 +165,26 @@ struct OneOrRange {
   Quantity quantity;
 };
 
+/// Any value, kept as the text that `--set` takes for it.
+struct Verbatim {};
+
+/// Values of any kind as they are written: a list of them, or a range between two numbers that
+/// carry the same unit, ends included.
+struct WrittenRange {
+  enum class Spacing { linear, logarithmic };
+
+  std::string from, to;
+  int steps = 2;
+  Spacing spacing = Spacing::linear;
+};
+struct WrittenValues {
+  std::vector<std::string> list;
+  std::optional<WrittenRange> range;  ///< In place of the list.
+};
+
+/// `[20 mm, 25 mm]` or `{from: 10 mPa s, to: 1 Pa s, steps: 9, spacing: logarithmic}`
+struct ListOrRange {};
+
 // Kinds that are maps, and their keys -----------------------------------------------------------
 
 template <class Io, class T>
@@ -198,6 +220,14 @@ void list_keys(Io& io, Range& range, const OneOrRange& kind) {
   io.field("from", range.from, kind.quantity, required, "First value");
   io.field("to", range.to, kind.quantity, required, "Last value");
   io.field("steps", range.steps, Whole{1, kMostSteps}, required, "Number of values, ends included");
+}
+
+template <class Io>
+void list_keys(Io& io, WrittenRange& range, ListOrRange) {
+  io.field("from", range.from, Verbatim{}, required, "First value");
+  io.field("to", range.to, Verbatim{}, required, "Last value, in the same unit");
+  io.field("steps", range.steps, Whole{2, kMostSteps}, required, "Number of values, ends included");
+  io.field("spacing", range.spacing, Choice{}, optional, "What is equidistant");
 }
 
 }  // namespace prs::input

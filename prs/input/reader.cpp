@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "prs/input/case_fields.h"
+#include "prs/input/did_you_mean.h"
 #include "prs/input/document.h"
 #include "prs/input/value_text.h"
 
@@ -20,29 +21,6 @@ namespace {
 constexpr std::size_t kMostLoadCases = 100'000;
 
 // Words of messages -----------------------------------------------------------------------------
-
-/// Letters to change, insert or delete to get from one word to the other.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
-    }
-  }
-  return row.back();
-}
-
-std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known) {
-  if (known.empty()) return {};
-  const auto distance = [word](std::string_view k) { return edit_distance(word.substr(0, 80), k); };
-  const std::string_view nearest = *std::ranges::min_element(known, {}, distance);
-  if (distance(nearest) > 1 + nearest.size() / 2) return {};
-  return fmt::format("did you mean `{}`?", nearest);
-}
 
 std::string got(const Node& node) {
   switch (node.kind) {
@@ -98,6 +76,15 @@ Wanted wanted(T&, const Flag&) {
 template <class T>
 Wanted wanted(T&, const Text&) {
   return {fmt::format("a line of 1 to {} characters", kLongestText), "\"case-1\""};
+}
+
+template <class T>
+Wanted wanted(T&, const Verbatim&) {
+  return {"a value", "5 mm"};
+}
+template <class T>
+Wanted wanted(T&, const ListOrRange&) {
+  return {"a list of at least 1 value, or a range {from, to, steps, spacing}", "[20 mm, 30 mm]"};
 }
 
 /// Visits the alternatives of a choice for their names.
@@ -255,6 +242,11 @@ void read(const Written& w, std::string& value, const Text& text) {
   value = w.node.text;
 }
 
+void read(const Written& w, std::string& value, const Verbatim& kind) {
+  if (w.node.kind == Node::Kind::null) return w.refuse(wanted(value, kind));
+  value = flow_text(w.node);
+}
+
 /// Reads the alternative of a choice that the document names.
 class ChoiceReader : public Visitor {
  public:
@@ -351,6 +343,13 @@ void read(const Written& w, std::vector<T>& items, const List<Kind>& kind) {
   items.resize(w.node.children.size());
   for (std::size_t i = 0; i < items.size(); ++i)
     read({w.node.children[i], fmt::format("{}[{}]", w.path, i), w.errors}, items[i], kind.kind);
+}
+
+void read(const Written& w, WrittenValues& values, const ListOrRange& kind) {
+  if (w.node.kind == Node::Kind::map) return read_map(w, values.range.emplace(), kind);
+  if (w.node.kind != Node::Kind::sequence || w.node.children.empty())
+    return w.refuse(wanted(values, kind));
+  read(w, values.list, List{Verbatim{}});
 }
 
 /// Reads the keys of one map.
@@ -453,26 +452,34 @@ std::vector<LoadCase> expand(const std::vector<LoadCaseItem>& items) {
 
 }  // namespace
 
-CaseInput read_case_input(const Source& source, Command command) {
-  ErrorList errors(source);
-  const Node root = read_document(source, errors);
-
+CaseFile read_case_file(const Node& root, ErrorList& errors) {
   CaseFile file;
   read({root, "", errors}, file, Block{});
   if (number_of_cases(file.load_cases) > kMostLoadCases)
     errors.add(locate(root, "load_cases"), "load_cases",
                fmt::format("got {} cases; expected at most {}; write ranges with fewer steps",
                            number_of_cases(file.load_cases), kMostLoadCases));
-  errors.throw_if_any();
-
   for (std::size_t i = 0; i < file.load_cases.size(); ++i)
     if (!file.load_cases[i].name) file.load_cases[i].name = fmt::format("case-{}", i + 1);
+  return file;
+}
 
-  CaseInput input{file.values, echo(file, root)};
-  input.values.load_cases = expand(file.load_cases);
-  std::vector<Problem> problems = check_case(input.values);
-  if (problems.empty()) problems = check_requirements(input.values, command);
+Case checked_case(const CaseFile& file, const Node& root, Command command, ErrorList& errors) {
+  Case values = file.values;
+  values.load_cases = expand(file.load_cases);
+  std::vector<Problem> problems = check_case(values);
+  if (problems.empty()) problems = check_requirements(values, command);
   for (const Problem& p : problems) errors.add(locate(root, p.path), p.path, p.message);
+  return values;
+}
+
+CaseInput read_case_input(const Source& source, Command command) {
+  ErrorList errors(source);
+  const Node root = read_document(source, errors);
+  const CaseFile file = read_case_file(root, errors);
+  errors.throw_if_any();
+  CaseInput input{checked_case(file, root, command, errors), echo(file, root),
+                  file.study.has_value()};
   errors.throw_if_any();
   return input;
 }

@@ -14,7 +14,15 @@ namespace prs::input {
 struct CaseInput {
   Case values;
   std::vector<EchoEntry> fields;
+  bool has_study = false;  ///< Whether the file has a study, which is another's to check.
 };
+
+/// Reads a document, each value on its own: contradictions between them are left to `checked_case`.
+CaseFile read_case_file(const Node& root, ErrorList& errors);
+
+/// The case of a document that was read without an error, ranges of load cases expanded, and what
+/// `check_case` and the requirements of the command find wrong with it.
+Case checked_case(const CaseFile& file, const Node& root, Command command, ErrorList& errors);
 
 /// Reads and checks the input of a command. Throws InputError, which names every error found.
 ///

@@ -63,6 +63,12 @@ Json schema_of(T&, const Text&) {
           {"pattern", "^[^\\x00-\\x1F]*$"}};
 }
 
+/// Anything but nothing.
+template <class T>
+Json schema_of(T&, const Verbatim&) {
+  return {{"type", {"string", "number", "boolean", "object", "array"}}};
+}
+
 Json object_schema(Json properties, Json required_keys) {
   Json json{{"type", "object"}, {"additionalProperties", false}};
   if (!required_keys.empty()) json["required"] = std::move(required_keys);
@@ -184,6 +190,12 @@ Json schema_of(std::vector<T>&, const List<Kind>& kind) {
   Json json{{"type", "array"}, {"minItems", kind.least}, {"items", schema_of(item, kind.kind)}};
   if (kind.greatest < std::numeric_limits<int>::max()) json["maxItems"] = kind.greatest;
   return json;
+}
+template <class T>
+Json schema_of(T&, const ListOrRange& kind) {
+  WrittenRange range;
+  std::vector<std::string> list;
+  return {{"oneOf", Json::array({schema_of(list, List{Verbatim{}, 1}), map_schema(range, kind)})}};
 }
 
 template <class T, class Kind>

@@ -71,15 +71,31 @@ void ErrorList::fail(Place place, std::string_view key, std::string_view message
   std::abort();  // Unreachable: there is an error.
 }
 
-void ErrorList::throw_if_any() const {
-  const std::vector<Error>& errors = errors_.empty() ? consequences_ : errors_;
-  if (errors.empty()) return;
+void ErrorList::take(const ErrorList& other, const std::function<Place(Place)>& move) {
+  for (const Error* e : other.told()) {
+    Error moved{move(e->place), e->text};
+    const auto same = [&](const Error& known) {
+      return known.place == moved.place && known.text == moved.text;
+    };
+    if (std::ranges::none_of(errors_, same)) errors_.push_back(std::move(moved));
+  }
+}
+
+std::vector<const ErrorList::Error*> ErrorList::told() const {
   std::vector<const Error*> order;
-  for (const Error& e : errors) order.push_back(&e);
+  for (const Error& e : errors_.empty() ? consequences_ : errors_) order.push_back(&e);
   std::stable_sort(order.begin(), order.end(), [](const Error* a, const Error* b) {
     return std::tie(a->place.argument, a->place.offset) <
            std::tie(b->place.argument, b->place.offset);
   });
+  return order;
+}
+
+std::string ErrorList::first() const { return empty() ? std::string() : told().front()->text; }
+
+void ErrorList::throw_if_any() const {
+  if (empty()) return;
+  std::vector<const Error*> order = told();
   if (order.size() > kMostErrors) order.resize(kMostErrors);
   std::string lines;
   for (const Error* e : order) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -21,6 +22,8 @@ class InputError : public std::runtime_error {
 struct Place {
   std::size_t offset = 0;
   int argument = -1;  ///< Index of the override; -1 for the file.
+
+  bool operator==(const Place&) const = default;
 };
 
 /// What a person wrote: one file and the `--set` arguments that change it.
@@ -46,6 +49,15 @@ class ErrorList {
 
   [[noreturn]] void fail(Place place, std::string_view key, std::string_view message);
 
+  /// Adds what another list on the same source would tell, each error at the place that `move`
+  /// gives for its own; one that stands there already is left out.
+  void take(const ErrorList& other, const std::function<Place(Place)>& move);
+
+  bool empty() const { return errors_.empty() && consequences_.empty(); }
+
+  /// The first error in the order of their places, without its place: `KEY: got VALUE; ..`.
+  std::string first() const;
+
   /// `FILE:LINE:COLUMN`, counted from 1, the column in characters.
   std::string where(Place place) const;
 
@@ -57,6 +69,9 @@ class ErrorList {
     Place place;
     std::string text;
   };
+  /// In the order of their places; consequences only where there is nothing else.
+  std::vector<const Error*> told() const;
+
   const Source& source_;
   std::vector<Error> errors_;
   std::vector<Error> consequences_;

@@ -199,6 +199,27 @@ std::optional<double> parse_number(std::string_view text) {
   return head.number;
 }
 
+std::optional<NumberAndUnit> split_unit(std::string_view text) {
+  const Head head = split_number(text);
+  if (!head.number || !head.representable) return std::nullopt;
+  return NumberAndUnit{
+      *head.number, head.rest.substr(std::min(head.rest.find_first_not_of(' '), head.rest.size()))};
+}
+
+std::optional<double> number_in(std::string_view text, std::string_view unit) {
+  const std::optional<NumberAndUnit> split = split_unit(text);
+  if (!split) return std::nullopt;
+  if (split->unit == unit) return split->number;
+  for (const Dimension* dimension : kDimensions) {
+    const Unit* from = find_unit(split->unit, *dimension);
+    const Unit* to = find_unit(unit, *dimension);
+    if (from && to)
+      return (split->number * from->multiply / from->divide + from->offset - to->offset) /
+             to->multiply * to->divide;
+  }
+  return std::nullopt;
+}
+
 std::string unit_list(const Dimension& dimension) {
   std::string list;
   for (const Unit& u : dimension.units)

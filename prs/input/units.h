@@ -61,6 +61,17 @@ std::string format_quantity(double value, const Dimension& dimension);
 /// A whole text that is one finite decimal number, without unit.
 std::optional<double> parse_number(std::string_view text);
 
+/// A text that starts with a finite decimal number: `5 mm` -> 5 and `mm`.
+struct NumberAndUnit {
+  double number = 0.0;
+  std::string_view unit;  ///< What follows; empty for a bare number.
+};
+std::optional<NumberAndUnit> split_unit(std::string_view text);
+
+/// The number of a text such as `500 N` in another unit of its dimension: 0.5 in `kN`. Nothing
+/// where the units do not go together; bare numbers go with the unit ``.
+std::optional<double> number_in(std::string_view text, std::string_view unit);
+
 /// The shown units of a dimension, separated by commas.
 std::string unit_list(const Dimension& dimension);
 

@@ -25,6 +25,8 @@ inline std::string text_of(const Range& range, const OneOrRange& kind) {
                      *range.steps);
 }
 
+inline std::string text_of(const std::string& value, const Verbatim&) { return value; }
+
 /// A bound; 0 needs no unit where it is the same in each.
 inline std::string text_of_bound(double value, const Quantity& q) {
   return value == 0.0 && !zero_depends_on_unit(q.dimension) ? "0" : text_of(value, q);
@@ -52,6 +54,13 @@ std::string text_of(T value, const Choice&) {
   ChoiceText choice;
   alternatives(choice, value);
   return choice.text;
+}
+
+inline std::string text_of(const WrittenValues& values, const ListOrRange&) {
+  if (!values.range) return fmt::format("[{}]", fmt::join(values.list, ", "));
+  const WrittenRange& range = *values.range;
+  return fmt::format("{{from: {}, to: {}, steps: {}, spacing: {}}}", range.from, range.to,
+                     range.steps, text_of(range.spacing, Choice{}));
 }
 
 }  // namespace prs::input

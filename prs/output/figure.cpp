@@ -209,10 +209,11 @@ double tic_distance(double length, int count) {
 
 std::string axis_lines(char axis, const Axis& a, std::string_view label, std::string_view tics) {
   return fmt::format(
+      "{5} logscale {0}\n"
       "set {0}range [{1:.7g}:{2:.7g}]\n"
       "set {0}tics {3}\n"
       "set {0}label {4}\n",
-      axis, a.from, a.to, tics, quoted(label));
+      axis, a.from, a.to, tics, quoted(label), a.logarithmic ? "set" : "unset");
 }
 
 /// Tics as the axis has them, or those that gnuplot chooses.
@@ -305,7 +306,7 @@ std::string_view nothing(const LineStyle& style) {
 std::string legend_lines(const Figure& figure, const Layout& layout) {
   std::string script = layout.legend_margins();
   script +=
-      "unset title; unset xlabel; unset ylabel; unset label\n"
+      "unset logscale; unset title; unset xlabel; unset ylabel; unset label\n"
       "unset grid; unset border; unset xtics; unset ytics\n";
   script += fmt::format("set key center horizontal Left reverse maxcols {} samplen 3\n",
                         layout.legend_columns());

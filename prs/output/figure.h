@@ -41,6 +41,7 @@ struct Axis {
   double from = 0.0;
   double to = 1.0;
   std::vector<int> tics = {};  ///< Empty: gnuplot chooses.
+  bool logarithmic = false;    ///< The range must lie above 0.
 };
 
 /// A rectangle filled with the colour of its value.

@@ -89,6 +89,11 @@ std::vector<std::string> draw_contact_plots(const Result& result, const fs::path
   return notes;
 }
 
+std::vector<std::string> draw_figures(const std::vector<Figure>& figures,
+                                      const fs::path& directory) {
+  return draw_below(directory, figures);
+}
+
 std::vector<std::string> draw_slip_plots(
     const Result& result, const std::vector<std::pair<std::size_t, SlipPictures>>& pictures,
     const fs::path& directory) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "prs/output/figure.h"
 #include "prs/result.h"
 #include "prs/slip.h"
 
@@ -26,5 +27,9 @@ std::vector<std::string> draw_contact_plots(const Result& result,
 std::vector<std::string> draw_slip_plots(
     const Result& result, const std::vector<std::pair<std::size_t, SlipPictures>>& pictures,
     const std::filesystem::path& directory);
+
+/// The same for figures at hand.
+std::vector<std::string> draw_figures(const std::vector<Figure>& figures,
+                                      const std::filesystem::path& directory);
 
 }  // namespace prs

@@ -12,7 +12,7 @@ void search_fields(CsvWriter& csv, const LoadCaseResult& result) {
   csv.text(has_slip(result) ? "true" : "false");
   csv.text(slip_status_name(result));
   csv.text(result.slip ? fmt::to_string(result.slip->evaluations) : std::string());
-  csv.number(result.slip ? std::optional(result.slip->relative_residue) : std::nullopt);
+  csv.number(result.slip ? result.slip->relative_residue : std::nullopt);
 }
 
 void quantity_header(CsvWriter& csv) {

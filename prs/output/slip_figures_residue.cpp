@@ -74,6 +74,16 @@ Axis moment_axis(const std::vector<Line>& curves) {
   return {"Moment on a roller (N mm)", least - margin, largest + margin};
 }
 
+/// At most five whole numbers, steps of 1, 2 or 5 times a power of ten.
+std::vector<int> few_tics(double from, double to) {
+  int step = 1;
+  for (int k = 0; (to - from) / step > 5.0; ++k) step = k % 3 == 1 ? step / 2 * 5 : step * 2;
+  std::vector<int> tics;
+  for (int tic = static_cast<int>(std::ceil(from / step)) * step; tic <= to; tic += step)
+    tics.push_back(tic);
+  return tics;
+}
+
 /// The shown slip ratios from one end to the other, with a share of their range on both sides.
 Axis slip_ratio_axis(const ResidueCurve& residue, const SlipAxis& shown, double margin) {
   Axis axis{shown.label};
@@ -85,6 +95,7 @@ Axis slip_ratio_axis(const ResidueCurve& residue, const SlipAxis& shown, double 
   const double widened = axis.to > axis.from ? margin * (axis.to - axis.from) : 1e-3 * shown.factor;
   axis.from -= widened;
   axis.to += widened;
+  if (shown.factor > 1.0) axis.tics = few_tics(axis.from, axis.to);
   return axis;
 }
 

@@ -56,6 +56,7 @@ inline constexpr SlipQuantity kSlipQuantities[] = {
     {"power_loss_input_output_W", slip_member<&SlipResult::power_loss_input_output>, 1.0},
     {"torque_screw_Nm", slip_member<&SlipResult::torque_screw>, 1.0},
     {"torque_nut_Nm", slip_member<&SlipResult::torque_nut>, 1.0},
+    {"viscosity_mPas", slip_member<&SlipResult::viscosity>, per_si::millipascal_second},
     {"bearing_eccentricity_ratio", slip_member<&SlipResult::bearing_eccentricity>, 1.0},
 };
 
@@ -80,11 +81,11 @@ struct PowerSource {
 };
 
 inline constexpr PowerSource kPowerSources[] = {
-    {"screw", "screw–roller", &PowerBySource::screw},
-    {"nut", "nut–roller", &PowerBySource::nut},
-    {"carrier_roller", "carrier–roller", &PowerBySource::carrier_roller},
-    {"carrier_screw", "carrier–screw", &PowerBySource::carrier_screw},
-    {"carrier_nut", "carrier–nut", &PowerBySource::carrier_nut},
+    {"screw", "roller-screw", &PowerBySource::screw},
+    {"nut", "roller-nut", &PowerBySource::nut},
+    {"carrier_roller", "roller-carrier", &PowerBySource::carrier_roller},
+    {"carrier_screw", "carrier-screw", &PowerBySource::carrier_screw},
+    {"carrier_nut", "carrier-nut", &PowerBySource::carrier_nut},
 };
 
 inline constexpr MemberQuantity<RollerMoments> kRollerMoments[] = {

@@ -21,8 +21,8 @@ constexpr std::size_t kValueWidth = 16;
 std::string failure(const LoadCaseResult& result) {
   if (has_slip(result)) return {};
   std::string text = fmt::format("NOT CONVERGED ({})", slip_status_name(result));
-  if (result.slip && result.slip->evaluations > 0)
-    text += fmt::format(", residue {:.1e}", result.slip->relative_residue);
+  if (result.slip && result.slip->relative_residue)
+    text += fmt::format(", residue {:.1e}", *result.slip->relative_residue);
   return text;
 }
 
@@ -129,7 +129,11 @@ std::string range(const InterfaceSlip& slip, const RangeLine& line) {
 }
 
 std::string range_lines(const SlipResult& slip) {
-  std::string lines = block_line("over the threads", "screw", padded("nut", kValueWidth, false));
+  std::string lines;
+  if (slip.viscosity)
+    lines += block_line("viscosity in operation, mPa s",
+                        four_digits(*slip.viscosity * per_si::millipascal_second));
+  lines += block_line("over the threads", "screw", padded("nut", kValueWidth, false));
   for (const RangeLine& line : kRangeLines)
     if (!(slip.threads.screw.*line.values).empty())
       lines += block_line(fmt::format("  {}", line.label), range(slip.threads.screw, line),
@@ -140,7 +144,7 @@ std::string range_lines(const SlipResult& slip) {
 std::string hottest_line(const SlipResult& slip) {
   const auto density = at_hottest(slip, &InterfaceSlip::power_density);
   const auto power = at_hottest(slip, &InterfaceSlip::power);
-  if (!density || !power) return {};
+  if (!density || !power || *power == 0.0) return {};
   return block_line("hottest thread",
                     fmt::format("{} {}", name(slip.hottest.interface), slip.hottest.thread + 1),
                     fmt::format("{} W, {} W/mm²", four_digits(*power),

@@ -14,6 +14,7 @@ inline constexpr double per_millimetre = 1e-3;
 inline constexpr double per_square_millimetre = 1e-6;
 inline constexpr double megapascal = 1e-6;
 inline constexpr double gigapascal = 1e-9;
+inline constexpr double millipascal_second = 1e3;
 inline constexpr double percent = 100.0;
 inline constexpr double degree = 180.0 / std::numbers::pi;
 inline constexpr double revolution_per_minute = 30.0 / std::numbers::pi;

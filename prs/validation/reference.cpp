@@ -106,9 +106,10 @@ PrintedValue read_value(const Node& node, ErrorList& errors) {
 Command read_command(const Node& node, ErrorList& errors) {
   const std::string command = optional_text(node, "command", errors);
   if (command == "contact") return Command::contact;
+  if (command == "slip") return Command::slip;
   if (!command.empty() && command != "solve")
     errors.add(input::find(node, "command")->place, "command",
-               fmt::format("got {}; expected solve | contact", input::shown(command)));
+               fmt::format("got {}; expected solve | contact | slip", input::shown(command)));
   return Command::solve;
 }
 

@@ -40,7 +40,7 @@ struct PrintedValue {
 /// A case and the numbers printed for it.
 struct ReferenceCase {
   std::filesystem::path file;
-  Command command = Command::solve;  ///< `solve` or `contact`
+  Command command = Command::solve;  ///< `solve`, `contact` or `slip`
   std::vector<PrintedValue> values;
 };
 

@@ -16,6 +16,7 @@
 #include "prs/input/reader.h"
 #include "prs/output/json.h"
 #include "prs/output/text.h"
+#include "prs/slip.h"
 
 namespace prs {
 namespace {
@@ -48,6 +49,7 @@ std::optional<double> number_at(const Json& document, std::string path) {
 Result result_of(const input::Source& source, Command command) {
   const Case c = input::read_case_input(source, command).values;
   try {
+    if (command == Command::slip) return analyze_slip(c);
     return command == Command::contact ? analyze_contacts(c) : analyze(c);
   } catch (const CaseError& error) {
     input::fail_at(source, error.path(), error.what());
@@ -66,6 +68,16 @@ std::vector<Comparison> compare(const ReferenceCase& reference, const DerivedQua
   return comparisons;
 }
 
+/// The case that the statements and tables of a source are about; absent where the reference does
+/// not hold it.
+std::optional<Case> subject_of(const Reference& reference, const std::string& file) {
+  const auto subject = std::ranges::find_if(reference.cases, [&](const ReferenceCase& c) {
+    return file.empty() || c.file.filename() == file;
+  });
+  if (subject == reference.cases.end()) return std::nullopt;
+  return input::read_case(subject->file.string(), {}, subject->command);
+}
+
 SourceReport report_on(const std::filesystem::path& folder,
                        const std::vector<Contribution>& contributions) {
   const Reference reference = read_reference(folder / "reference.yaml");
@@ -78,11 +90,14 @@ SourceReport report_on(const std::filesystem::path& folder,
   for (const ReferenceCase& c : reference.cases)
     for (Comparison& comparison : compare(c, code.derived))
       report.comparisons.push_back(std::move(comparison));
-  if (code.statements) {
-    const ReferenceCase& first = reference.cases.front();
-    report.statements = code.statements(input::read_case(first.file.string(), {}, first.command));
-  }
   if (code.tables) report.tables = code.tables();
+  if (!code.statements && !code.subject_tables) return report;
+  const std::optional<Case> subject = subject_of(reference, code.subject);
+  if (!subject) return report;
+  if (code.statements) report.statements = code.statements(*subject);
+  if (code.subject_tables)
+    for (ValidationTable& table : code.subject_tables(*subject))
+      report.tables.push_back(std::move(table));
   return report;
 }
 

@@ -61,9 +61,12 @@ using DerivedQuantities = std::function<nlohmann::ordered_json(const Result&)>;
 /// What the code of one folder adds to its `reference.yaml`.
 struct Contribution {
   std::string folder;
-  StatementJudge statements = {};  ///< On the first case of the reference.
+  StatementJudge statements = {};  ///< On the subject.
   DerivedQuantities derived = {};
   std::function<std::vector<ValidationTable>()> tables = {};
+  std::function<std::vector<ValidationTable>(const Case&)> subject_tables = {};
+  /// File of the case that the statements are about; empty for the first one of the reference.
+  std::string subject = {};
 };
 
 /// Runs every folder of `directory` that has a `reference.yaml`, or `directory` itself where it has

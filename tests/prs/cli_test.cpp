@@ -236,4 +236,37 @@ TEST_F(CommandLine, OutputThatCannotBeWrittenIsStatus1) {
   EXPECT_NE(run.err.find("file"), std::string::npos);
 }
 
+TEST_F(CommandLine, StudyWritesARowADesign) {
+  const fs::path files = folder / "study";
+  const Outcome run =
+      prs("study configs/10_parametric_study.yaml --output '" + files.string() + "'");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");  // No progress but on a terminal.
+  EXPECT_NE(run.out.find("* as in the file"), std::string::npos);
+  for (const char* name : {"study.csv", "study.json", "plots/01_screw_diameter.gp"})
+    EXPECT_TRUE(fs::exists(files / name)) << name;
+  const auto json = nlohmann::json::parse(prs("study configs/10_parametric_study.yaml --json").out);
+  EXPECT_EQ(json, nlohmann::json::parse(slurp(files / "study.json")));
+  for (const char* key : {"prs_version", "schema_version", "input_sha256", "warnings", "designs"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  int refused = 0;
+  for (const auto& design : json["designs"]) refused += design["status"] == "refused" ? 1 : 0;
+  EXPECT_EQ(refused, 1);
+}
+
+TEST_F(CommandLine, StudyWithoutSenseIsStatus2) {
+  const std::string base = "study configs/10_parametric_study.yaml --json --set ";
+  for (const char* set : {"'study.responses=[slip.eficiency]'", "study.command=slipp",
+                          "'study.factors[0].path=mechanism.size'"}) {
+    const Outcome run = prs(base + set);
+    EXPECT_EQ(run.status, 2) << set;
+    EXPECT_EQ(run.out, "") << set;
+    EXPECT_NE(run.err.find(": error: "), std::string::npos) << run.err;
+  }
+  EXPECT_EQ(prs("study configs/01_config_1_to_3.yaml").status, 2);
+  EXPECT_EQ(
+      prs("check configs/10_parametric_study.yaml --set 'study.factors[0].values=[1 kN]'").status,
+      2);
+}
+
 }  // namespace

@@ -176,12 +176,14 @@ struct ThreadFriction {
   int points = 0;                 ///< Inside the ellipse.
 };
 
-inline ThreadFriction friction(const Case& c, bool screw, const Motion& v, const Thread& t) {
+inline ThreadFriction friction(const Case& c, bool screw, Motion v, const Thread& t) {
   const Interface& m = screw ? c.screw : c.nut;
   ThreadFriction out;
   out.direction = m.normal;
   if (!(t.axial_load > 0)) return out;
 
+  // A contact without slip slides by the rounding of its input.
+  if (dot(v.sliding, v.sliding) < Real(1e-24L) * dot(v.sum, v.sum)) v.sliding = {};
   const Vec t1 = m.major;
   const Vec t2 = cross(m.normal, t1);
   const Real rolling = rolling_speed(v, m.normal);
@@ -205,15 +207,14 @@ inline ThreadFriction friction(const Case& c, bool screw, const Motion& v, const
       const Real d2 = t.semi_minor * Real(q) / n;
       const Real v1 = dot(v.sliding, t1) - normal_spin * d2;  // (2.22)
       const Real v2 = dot(v.sliding, t2) + normal_spin * d1;
-      Real speed = std::hypot(v1, v2);
+      const Real speed = std::hypot(v1, v2);
       out.max_sliding_speed = std::max(out.max_sliding_speed, speed);
-      if (speed < Real(1e-11L)) speed = 0;  // no direction, and rounding of the input otherwise
       const Real mu =
           c.coulomb ? *c.coulomb
                     : jacod(m, c.lubricant, t.peak_pressure * root, speed, rolling, central.number);
       ++out.points;
       coefficients += mu;
-      if (speed == 0) continue;
+      if (speed < Real(1e-11L)) continue;  // no direction
       push_1 += mu * root * v1 / speed;
       push_2 += mu * root * v2 / speed;
       spin += mu * root * (v2 * d1 - v1 * d2) / speed;

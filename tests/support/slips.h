@@ -60,7 +60,8 @@ inline prs::Case left_handed(prs::Case c) {
   return c;
 }
 
-/// Around the reference: type, sense, size, load, speed, lubricant, torques and patch differ.
+/// Around the reference: type, hand, sense, size, materials, load, speed, lubricant, torques and
+/// patch differ; some impose the slip ratio.
 inline prs::Case random_slip(std::mt19937_64& random) {
   const auto uniform = [&](double a, double b) {
     return std::uniform_real_distribution<double>(a, b)(random);
@@ -101,6 +102,10 @@ inline prs::Case random_slip(std::mt19937_64& random) {
   }
   if (whole(0, 3) == 0) c = with_coulomb(c, uniform(0.01, 0.15));
   if (whole(0, 1) == 1) c = reversed(c);
+  if (whole(0, 2) == 0) c = left_handed(c);  // half of them are driven by their load
+  if (whole(0, 1) == 1) c.operation->speed *= c.mechanism.lead > 0.0 ? 1.0 : -1.0;
+  c.materials->nut = {uniform(100e9, 210e9), uniform(0.25, 0.35), {}};
+  if (whole(0, 1) == 1) c.materials->roller.density = uniform(4000.0, 8000.0);
   c.model.patch_points = whole(1, 30);
   return c;
 }
@@ -143,6 +148,12 @@ inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std
   p.carrier_screw_torque = c.carrier.screw_torque;
   p.carrier_nut_torque = c.carrier.nut_torque;
   p.gear_pressure_angle = c.carrier.gear_pressure_angle;
+  if (const auto& density = c.materials->roller.density) {
+    // A cylinder on the pitch diameter, as long as the thread; the cases here have no ends.
+    const plain::Real radius = result.contacts.threads.roller.pitch_radius;
+    p.roller_mass = *density * plain::pi * radius * radius * result.contacts.threads.roller.pitch *
+                    c.mechanism.contacts_per_roller;
+  }
   p.patch_points = c.model.patch_points;
   return p;
 }

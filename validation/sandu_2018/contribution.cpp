@@ -4,10 +4,14 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "contact/ellipticity_approximations.h"
 #include "contact/hertz.h"
 #include "prs/output/units.h"
+#include "validation/sandu_2018/printed_ellipses.h"
+#include "validation/sandu_2018/statements.h"
+#include "validation/sandu_2018/sweep.h"
 
 namespace prs::sandu_2018 {
 namespace {
@@ -21,18 +25,37 @@ double height_on_roller(const Contacts& contacts) {
   return -roller.profile(i.radius_on_roller).height + i.angle_on_roller * roller.reduced_lead;
 }
 
+/// High-frequency reciprocating rig of fig. 2.11: a ball that slides on a disc.
+Json reciprocating_rig(double contact_modulus) {
+  constexpr double kBallRadius = 3e-3, kMass = 0.5, kGravity = 9.81, kStroke = 1e-3;
+  constexpr double kFrequency = 20.0, kPressureInScrew = 2.5e9;
+  const contact::HertzConstants ball =
+      contact::hertz_constants(1.0 / kBallRadius, 1.0 / kBallRadius, contact_modulus);
+  const double pressure = contact::at_load(ball, kMass * kGravity).peak_pressure;
+  return {{"peak_pressure_GPa", pressure * per_si::gigapascal},  // (2.41)
+          {"max_speed_mm_per_s",
+           std::numbers::pi * kStroke * kFrequency * per_si::millimetre},  // (2.42)
+          {"mass_for_2_5_GPa_kg", kMass * std::pow(kPressureInScrew / pressure, 3.0)}};
+}
+
 Json derived(const Result& result) {
   const contact::MechanismGeometry& threads = result.contacts.threads;
   const contact::ContactPoint& j = result.contacts.interfaces.nut.geometry.point;
   const auto mm = [](double metres) { return metres * per_si::millimetre; };
-  return {{"pitch_radius_mm",
-           {{"screw", mm(threads.screw.pitch_radius)},
-            {"roller", mm(threads.roller.pitch_radius)},
-            {"nut", mm(threads.nut.pitch_radius)}}},
-          {"roller_lead_mm", mm(threads.roller.lead)},
-          {"nut_contact_x_mm", mm(j.radius_on_body * std::cos(j.angle_on_body))},  // (1.84)
-          {"nut_contact_y_mm", mm(j.radius_on_body * std::sin(j.angle_on_body))},
-          {"screw_contact_z_on_roller_mm", mm(height_on_roller(result.contacts))}};
+  Json json{{"pitch_radius_mm",
+             {{"screw", mm(threads.screw.pitch_radius)},
+              {"roller", mm(threads.roller.pitch_radius)},
+              {"nut", mm(threads.nut.pitch_radius)}}},
+            {"roller_lead_mm", mm(threads.roller.lead)},
+            {"nut_contact_x_mm", mm(j.radius_on_body * std::cos(j.angle_on_body))},  // (1.84)
+            {"nut_contact_y_mm", mm(j.radius_on_body * std::sin(j.angle_on_body))},
+            {"screw_contact_z_on_roller_mm", mm(height_on_roller(result.contacts))}};
+  const double modulus = result.contacts.interfaces.screw.contact_modulus;
+  if (modulus > 0.0) {
+    json["relative_modulus_GPa"] = 2.0 * modulus * per_si::gigapascal;  // (1.78)
+    json["hfrr"] = reciprocating_rig(modulus);
+  }
+  return json;
 }
 
 /// Table 1.5 against the exact a/b, for ratios of the relative curvatures.
@@ -57,9 +80,16 @@ ValidationTable ellipticity_approximations() {
 }  // namespace
 
 Contribution contribution() {
-  return {.folder = "sandu_2018", .derived = derived, .tables = [] {
-            return std::vector{ellipticity_approximations()};
-          }};
+  return {.folder = "sandu_2018",
+          .statements = judge_statements,
+          .derived = derived,
+          .tables = [] { return std::vector{ellipticity_approximations()}; },
+          .subject_tables =
+              [](const Case& reference) {
+                return std::vector{printed_ellipses(reference), patch_convergence(reference),
+                                   efficiency_fits(reference)};
+              },
+          .subject = "reference_example.yaml"};
 }
 
 }  // namespace prs::sandu_2018

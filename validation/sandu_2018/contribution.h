@@ -4,8 +4,8 @@
 
 namespace prs::sandu_2018 {
 
-/// Quantities of tables 1.6, 1.7 and B.1 that the JSON document does not hold, and the error of the
-/// ellipticity approximations of table 1.5.
+/// Quantities that the JSON document does not hold; the error of the ellipticity approximations of
+/// table 1.5; the statements of chapters 2 and 3 on the reference example of table 3.2.
 Contribution contribution();
 
 }  // namespace prs::sandu_2018

@@ -856,9 +856,10 @@ TEST(ReadCase, SlipTellsWhatIsWrongWithSpeedAndLubricant) {
     return error_of(kAbevi, more, Command::slip);
   };
   EXPECT_EQ(message({"operation.speed=400 rpm"}), "");
-  EXPECT_THAT(message({"operation.speed=0 rpm"}),
-              StartsWith("case.yaml:25:5: error: load_cases[0]: got 0 rpm in case `pull`; expected "
-                         "a speed other than 0"));
+  EXPECT_THAT(
+      message({"operation.speed=0 rpm"}),
+      StartsWith("case.yaml:1:1: error: operation.speed: got 0 rpm in case `pull`; expected "
+                 "a speed other than 0"));
   EXPECT_THAT(message({"operation.speed=-400 rpm"}),
               StartsWith("case.yaml:25:5: error: load_cases[0]: got 45000 N of axial force and "
                          "-400 rpm in case `pull`; expected both of one sign (tension > 0, "

@@ -140,8 +140,8 @@ TEST(SlipFigures, AreasOfPowerStackUpToTheTotal) {
   EXPECT_EQ(figures[0].name, "power_by_source");
   EXPECT_EQ(figures[1].name, "power_by_source_2");
   const Panel& power = figures[0].panels[0];
-  EXPECT_TRUE(has_style(figures[0], power, "carrier–roller"));
-  EXPECT_FALSE(has_style(figures[0], power, "carrier–nut"));
+  EXPECT_TRUE(has_style(figures[0], power, "roller-carrier"));
+  EXPECT_FALSE(has_style(figures[0], power, "carrier-nut"));
   const std::size_t top = power.lines.size() - 2;
   const Polyline& area = power.lines[top].parts[0];
   ASSERT_EQ(area.size(), 2 * 9);

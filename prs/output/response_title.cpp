@@ -1,0 +1,65 @@
+#include "prs/output/response_title.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "prs/output/text.h"
+
+namespace prs {
+namespace {
+
+/// How units stand in keys and how people write them, longer ones before their own ends.
+constexpr std::pair<std::string_view, std::string_view> kUnits[] = {
+    {"_N_per_mm1_5", "N/mm^1.5"},
+    {"_W_per_mm2", "W/mm²"},
+    {"_N_per_um", "N/µm"},
+    {"_mm_per_s", "mm/s"},
+    {"_per_mm", "1/mm"},
+    {"_percent", "%"},
+    {"_Nmm", "N mm"},
+    {"_Nm", "N m"},
+    {"_MPa", "MPa"},
+    {"_rpm", "rpm"},
+    {"_deg", "deg"},
+    {"_mm", "mm"},
+    {"_um", "µm"},
+    {"_nm", "nm"},
+    {"_W", "W"},
+    {"_N", "N"},
+};
+
+/// Takes the unit from the end of a key.
+std::string_view take_unit(std::string_view& key) {
+  for (const auto& [suffix, shown] : kUnits)
+    if (key.ends_with(suffix)) {
+      key.remove_suffix(suffix.size());
+      return shown;
+    }
+  return {};
+}
+
+}  // namespace
+
+ResponseTitle response_title(std::string_view path) {
+  ResponseTitle title;
+  std::string& name = title.name;
+  while (!path.empty()) {
+    const std::size_t end = std::min(path.find('.'), path.size());
+    std::string_view key = path.substr(0, end);
+    path.remove_prefix(std::min(end + 1, path.size()));
+    if (const std::string_view unit = take_unit(key); !unit.empty()) title.unit = unit;
+    if (key == "slip" || key == "contact") continue;
+    const bool is_summary = path.empty() && (key == "max" || key == "min" || key == "mean");
+    const bool is_part = key == "screw" || key == "nut" || key.starts_with("carrier_");
+    const std::string_view space = name.empty() ? "" : " ";
+    name = is_summary || is_part ? fmt::format("{}{}{}", key, space, name)
+                                 : fmt::format("{}{}{}", name, space, key);
+  }
+  std::ranges::replace(name, '_', ' ');
+  name = printable(name);
+  return title;
+}
+
+}  // namespace prs

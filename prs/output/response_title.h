@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace prs {
+
+/// What a person calls a response.
+struct ResponseTitle {
+  std::string name;  ///< `max screw peak pressure`
+  std::string unit;  ///< `MPa`; empty where the path names none.
+};
+
+/// `screw.peak_pressure_MPa.max` -> `max screw peak pressure`, `MPa`: what belongs to a part of the
+/// mechanism starts with its name, `slip` and `contact` are left out.
+ResponseTitle response_title(std::string_view path);
+
+}  // namespace prs

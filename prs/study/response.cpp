@@ -1,0 +1,114 @@
+#include "prs/study/response.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+namespace prs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool is_series(const Json& json) {
+  return json.is_array() && !json.empty() &&
+         std::ranges::all_of(json, [](const Json& entry) { return entry.is_number(); });
+}
+
+std::optional<double> summary(const Json& series, std::string_view word) {
+  if (!is_series(series)) return std::nullopt;
+  const auto values = series.get<std::vector<double>>();
+  if (word == "max") return std::ranges::max(values);
+  if (word == "min") return std::ranges::min(values);
+  if (word == "mean")
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  return std::nullopt;
+}
+
+/// Takes `KEY` or `[k]` from the head of a path and follows it; null where it leads nowhere.
+const Json* follow(const Json& json, std::string_view& path) {
+  if (path.starts_with('[')) {
+    std::size_t index = 0;
+    const char* end = path.data() + path.size();
+    const auto [stop, error] = std::from_chars(path.data() + 1, end, index);
+    if (error != std::errc{} || stop == end || *stop != ']') return nullptr;
+    path.remove_prefix(static_cast<std::size_t>(stop + 1 - path.data()));
+    return json.is_array() && index < json.size() ? &json[index] : nullptr;
+  }
+  const std::size_t length = std::min(path.find_first_of(".["), path.size());
+  const auto found = json.is_object() ? json.find(std::string(path.substr(0, length))) : json.end();
+  path.remove_prefix(length);
+  return found == json.end() ? nullptr : &*found;
+}
+
+std::optional<double> number_at(const Json& root, std::string_view path) {
+  const Json* json = &root;
+  while (!path.empty()) {
+    if (json != &root && path.starts_with('.')) path.remove_prefix(1);
+    if (const std::optional<double> value = summary(*json, path)) return value;
+    json = follow(*json, path);
+    if (!json) return std::nullopt;
+  }
+  return json->is_number() ? std::optional(json->get<double>()) : std::nullopt;
+}
+
+const Json* first_load_case(const Json& document) {
+  const auto cases = document.is_object() ? document.find("load_cases") : document.end();
+  if (cases == document.end() || !cases->is_array() || cases->empty()) return nullptr;
+  return &(*cases)[0];
+}
+
+void list_paths(const Json& json, const std::string& path, std::vector<std::string>& paths) {
+  if (json.is_number()) paths.push_back(path);
+  if (is_series(json)) paths.push_back(path + ".max");
+  if (!json.is_object()) return;
+  for (const auto& [key, value] : json.items())
+    list_paths(value, path.empty() ? key : path + "." + key, paths);
+}
+
+}  // namespace
+
+std::optional<double> response(const Json& document, std::string_view path) {
+  if (const Json* load_case = first_load_case(document))
+    if (const std::optional<double> value = number_at(*load_case, path)) return value;
+  return number_at(document, path);
+}
+
+std::vector<std::string> response_paths(const Json& document) {
+  std::vector<std::string> paths;
+  if (const Json* load_case = first_load_case(document)) list_paths(*load_case, "", paths);
+  list_paths(document, "", paths);
+  return paths;
+}
+
+std::vector<std::string> default_responses(Command command) {
+  switch (command) {
+    case Command::contact:
+      return {"contact.screw.normal_angle_deg",
+              "contact.nut.normal_angle_deg",
+              "contact.screw.hertz_constant_N_per_mm1_5",
+              "contact.nut.hertz_constant_N_per_mm1_5",
+              "screw.peak_pressure_MPa.max",
+              "nut.peak_pressure_MPa.max"};
+    case Command::solve:
+      return {"axial_displacement_um",       "axial_stiffness_N_per_um",
+              "screw.load_rate_percent.max", "nut.load_rate_percent.max",
+              "screw.peak_pressure_MPa.max", "nut.peak_pressure_MPa.max"};
+    default:
+      return {"slip.efficiency",
+              "slip.efficiency_fit",
+              "slip.power_loss_W",
+              "slip.torque_screw_Nm",
+              "slip.slip_ratio",
+              "slip.optimality_percent",
+              "slip.share_percent.screw",
+              "slip.share_percent.nut",
+              "slip.share_percent.carrier_roller",
+              "slip.share_percent.carrier_screw",
+              "slip.share_percent.carrier_nut"};
+  }
+}
+
+}  // namespace prs

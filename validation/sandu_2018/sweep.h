@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "prs/case.h"
+#include "prs/slip_result.h"
+#include "prs/validation/table.h"
+
+namespace prs::sandu_2018 {
+
+/// Slip of the first load case, as it ended.
+SlipResult slip_of(const Case& c);
+
+/// Results for the values of one input; `change(case, value)` puts a value into the case.
+template <class Change>
+std::vector<SlipResult> sweep(const Case& c, const std::vector<double>& values, Change change) {
+  std::vector<SlipResult> results;
+  for (const double value : values) {
+    Case varied = c;
+    change(varied, value);
+    results.push_back(slip_of(varied));
+  }
+  return results;
+}
+
+/// Least-squares line through points.
+struct Line {
+  double intercept = 0.0, slope = 0.0;
+  double worst = 0.0;  ///< Largest distance of a point from it.
+};
+Line line_through(const std::vector<double>& x, const std::vector<double>& y);
+
+/// (3.55), H = B_1 - B_2 tau_0 ln(eta_0) with tau_0 in MPa and eta_0 in mPa s, fitted to computed
+/// efficiencies.
+struct EfficiencyFit {
+  double b_1 = 0.0, b_2 = 0.0;
+  double worst = 0.0;  ///< Largest error at a point of the fit.
+};
+EfficiencyFit efficiency_fit(const Case& c, const std::vector<double>& eyring_stresses_mpa,
+                             const std::vector<double>& viscosities_mpas);
+
+/// B_1 and B_2 over several ranges beside the printed ones.
+ValidationTable efficiency_fits(const Case& reference);
+
+/// Power at one contact of each interface for more and more points (fig. 3.8).
+ValidationTable patch_convergence(const Case& reference);
+
+}  // namespace prs::sandu_2018
