@@ -123,14 +123,19 @@ TEST(Slip, PowerMethodsPartWhereTheSlipRatioIsImposed) {
   EXPECT_GT(std::abs(*s.relative_residue), 1e-4);
 }
 
-class SlipVariants : public ::testing::TestWithParam<Case> {};
+struct Variant {
+  std::string name;
+  Case values;
+};
+
+class SlipVariants : public ::testing::TestWithParam<Variant> {};
 
 TEST_P(SlipVariants, MatchesThePlainCalculation) {
-  expect_as_plain(GetParam(), analyze_slip(GetParam()), 1e-10);
+  expect_as_plain(GetParam().values, analyze_slip(GetParam().values), 1e-10);
 }
 
 TEST_P(SlipVariants, BothPowersAndBothTorquesAgree) {
-  const SlipResult s = slip_of(GetParam());
+  const SlipResult s = slip_of(GetParam().values);
   EXPECT_EQ(s.status, SlipStatus::converged);
   EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-10);
   EXPECT_NEAR(s.torque_screw / s.torque_nut, -1.0, 1e-12);
@@ -160,13 +165,19 @@ Case mirrored(Case c) {  // a left-handed screw that drives its load
 
 INSTANTIATE_TEST_SUITE_P(
     Reference, SlipVariants,
-    ::testing::Values(few_threads(), test::inverted(few_threads()), test::reversed(few_threads()),
-                      test::reversed(test::inverted(few_threads())), mirrored(few_threads()),
-                      mirrored(test::inverted(few_threads())),
-                      test::with_coulomb(few_threads(), 0.11),
-                      test::with_coulomb(test::inverted(few_threads()), 0.11),
-                      with_carrier(few_threads()),
-                      with_carrier(test::reversed(test::inverted(few_threads())))));
+    ::testing::Values(Variant{"standard", few_threads()},
+                      Variant{"inverted", test::inverted(few_threads())},
+                      Variant{"reverse", test::reversed(few_threads())},
+                      Variant{"reverse_inverted", test::reversed(test::inverted(few_threads()))},
+                      Variant{"left_handed", mirrored(few_threads())},
+                      Variant{"left_handed_inverted", mirrored(test::inverted(few_threads()))},
+                      Variant{"coulomb", test::with_coulomb(few_threads(), 0.11)},
+                      Variant{"coulomb_inverted",
+                              test::with_coulomb(test::inverted(few_threads()), 0.11)},
+                      Variant{"carrier", with_carrier(few_threads())},
+                      Variant{"carrier_reverse_inverted",
+                              with_carrier(test::reversed(test::inverted(few_threads())))}),
+    [](const auto& variant) { return variant.param.name; });
 
 TEST(Slip, RandomCasesMatchThePlainCalculation) {
   std::mt19937_64 random(11);
@@ -358,8 +369,8 @@ TEST(Slip, MixedLubricationIsWarnedOf) {
   EXPECT_THAT(result.load_cases[0].warnings,
               ::testing::Contains(HasSubstr("boundary lubrication at the roller-screw")));
   c.roughness = PerPart<double>{0.03e-6, 0.04e-6, 0.03e-6};
-  for (const std::string& warning : analyze_slip(c).load_cases[0].warnings)
-    EXPECT_THAT(warning, ::testing::Not(HasSubstr("lubrication")));
+  EXPECT_THAT(analyze_slip(c).load_cases[0].warnings,
+              ::testing::Not(::testing::Contains(HasSubstr("lubrication"))));
 }
 
 /// A bearing on the roller heads takes part in the balance: both powers still agree.
