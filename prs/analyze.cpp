@@ -115,11 +115,11 @@ class SolverPool {
     const auto key = std::pair(direction, position);
     auto found = solvers_.find(key);
     if (found == solvers_.end())
-      found =
-          solvers_
-              .try_emplace(key, build_sector(case_.mechanism, *case_.structure, *case_.materials,
-                                             case_.model, laws_, direction, position))
-              .first;
+      found = solvers_
+                  .try_emplace(
+                      key, build_sector(case_.mechanism, *case_.structure, *case_.materials,
+                                        case_.model, laws_, direction, position, case_.deviations))
+                  .first;
     return found->second;
   }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "prs/deviations.h"
 #include "prs/load_case.h"
 #include "prs/materials.h"
 #include "prs/mechanism.h"
@@ -24,6 +25,7 @@ struct Case {
   Mechanism mechanism;
   std::optional<Structure> structure;
   std::optional<Materials> materials;
+  Deviations deviations;
   ContactOverrides contact;
   ModelOptions model;
   std::vector<LoadCase> load_cases;

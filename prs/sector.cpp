@@ -140,20 +140,6 @@ void add_guidance(Sector& s, const Guidance& guidance, ModelOptions::Roller bend
   }
 }
 
-/// Initial gaps of threads whose measured pitch differs, along the contact normal, the closest
-/// thread of each interface touching [m].
-std::vector<double> pitch_gaps(const Mechanism& m, Interface interface, double sense, double psi) {
-  const auto pitch = [&](Part p) { return m.pitch[p].value_or(axial_pitch(m)); };
-  // The screw pushes the roller, the roller the nut, in the direction of the load.
-  const double lag = interface == Interface::screw ? pitch(Part::roller) - pitch(Part::screw)
-                                                   : pitch(Part::nut) - pitch(Part::roller);
-  std::vector<double> gaps;
-  for (int k = 0; k < m.contacts_per_roller; ++k) gaps.push_back(sense * std::cos(psi) * k * lag);
-  const double closest = *std::min_element(gaps.begin(), gaps.end());
-  for (double& gap : gaps) gap -= closest;
-  return gaps;
-}
-
 /// Hertz springs between the rigid arms: N = k_0 <w - g>^1.5 with
 /// screw w = s cos(psi)(u_S - u_R - theta r_R) - sin(psi) v_R,
 /// nut   w = s cos(psi)(u_R - theta r_R - u_N) + sin(psi) v_R.
@@ -178,14 +164,14 @@ void add_contacts(Sector& s) {
 
 Sector build_sector(const Mechanism& m, const Structure& structure, const Materials& materials,
                     const ModelOptions& options, const PerInterface<ContactLaw>& laws,
-                    Direction direction, double position) {
+                    Direction direction, double position, const Deviations& deviations) {
   Sector s;
   s.laws = laws;
   s.direction = direction;
   s.rollers = m.rollers;
   s.roller_radius = 0.5 * *m.pitch_diameter.roller;
-  for (const Interface i : kInterfaces)
-    s.gaps[i] = pitch_gaps(m, i, sense(direction), laws[i].normal_angle);
+  s.gaps = initial_gaps(m, deviations, materials, {laws.screw.normal_angle, laws.nut.normal_angle},
+                        direction);
 
   add_screw(s, m, structure.screw, materials.screw.youngs_modulus);
   add_roller(s, m, structure.roller, materials.roller, options.roller_shear);

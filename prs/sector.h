@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fe/model.h"
+#include "prs/deviations.h"
 #include "prs/load_case.h"
 #include "prs/materials.h"
 #include "prs/mechanism.h"
@@ -46,6 +47,7 @@ struct Sector {
 /// nut. The case must have passed `check_case`.
 Sector build_sector(const Mechanism& mechanism, const Structure& structure,
                     const Materials& materials, const ModelOptions& options,
-                    const PerInterface<ContactLaw>& laws, Direction direction, double position);
+                    const PerInterface<ContactLaw>& laws, Direction direction, double position,
+                    const Deviations& deviations = {});
 
 }  // namespace prs

@@ -251,6 +251,49 @@ void fields(Io& io, Material& m) {
            Number{{.least = 0.0, .greatest = 0.5, .greatest_excluded = true}}, required,
            "Poisson's ratio");
   io.field("density", m.density, Quantity{unit::density, positive}, optional, "Density");
+  io.field("thermal_expansion", m.thermal_expansion,
+           Quantity{unit::thermal_expansion, not_negative}, optional,
+           "Coefficient of linear thermal expansion");
+}
+
+template <class Io>
+void fields(Io& io, PitchWave& w) {
+  io.field("amplitude", w.amplitude, Quantity{unit::length}, required, "Largest error");
+  io.field("period", w.period, Number{positive}, required, "Threads in one period");
+  io.field("phase", w.phase, Quantity{unit::angle}, optional, "At the first contact");
+}
+
+template <class Io>
+void fields(Io& io, PitchError& e) {
+  const Quantity error{unit::length};
+  io.field("linear", e.linear, error, optional,
+           "Growing from 0 at the first contact to this at the last");
+  io.field("periodic", e.periodic, Block{}, optional, "A sine over the threads");
+  io.field("list", e.list, List{error}, optional, "One value a contact");
+}
+
+template <class Io>
+void fields(Io& io, EndRelief& r) {
+  io.field("drop", r.drop, Quantity{unit::length, not_negative}, required,
+           "Drop of the roller's pitch radius at the outermost contacts");
+  io.field("threads", r.threads, Whole{1, 10'000}, required,
+           "Contacts at each end over which it fades to nothing");
+}
+
+template <class Io>
+void fields(Io& io, Deviations& d) {
+  const Quantity temperature{unit::temperature, positive};
+  io.field("pitch_error", d.pitch_error, Each{Block{}, optional}, optional,
+           "Axial position error of the threads, > 0 away from the loaded end of the screw");
+  io.field("roller_diameter", d.roller_diameter, Quantity{unit::length}, optional,
+           "Pitch diameter of the rollers above the nominal one");
+  io.field("crowning", d.crowning, Quantity{unit::length, not_negative}, optional,
+           "Parabolic drop of the roller's pitch radius at first and last contact");
+  io.field("end_relief", d.end_relief, Block{}, optional, "Straight taper at both ends");
+  io.field("temperature", d.temperature, OneOrEach{temperature}, optional,
+           "Of the parts, uniform in each");
+  io.field("reference_temperature", d.reference_temperature, temperature, optional,
+           "At which the nominal geometry holds");
 }
 
 template <class Io>
@@ -387,6 +430,8 @@ void fields(Io& io, CaseFile& file) {
   io.field("mechanism", c.mechanism, Block{}, required, "The threads");
   io.field("structure", c.structure, Block{}, optional, "The parts between and around the threads");
   io.field("materials", c.materials, OneOrEach{Block{}}, optional, "Elastic properties");
+  io.field("deviations", c.deviations, Block{}, optional,
+           "How the real parts differ from their nominal geometry");
   io.field("contact", c.contact, Block{}, optional,
            "Values that replace what the geometry gives, in the load distribution only");
   io.field("model", c.model, Block{}, optional, "Choices of the model");

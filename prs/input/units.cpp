@@ -63,6 +63,8 @@ constexpr Unit kTorque[] = {{{"N m", "Nm", "N*m"}},
                             {{"mN m", "mNm", "mN*m"}, 1.0, 1e3},
                             {{"kN m", "kNm", "kN*m"}, 1e3}};
 
+constexpr Unit kThermalExpansion[] = {{{"um/m/K", "ppm/K"}, 1.0, 1e6}, {{"1/K"}}};
+
 constexpr Unit kTemperature[] = {{{"degC", "°C", "C"}, 1.0, 1.0, 273.15}, {{"K"}}};
 
 }  // namespace
@@ -83,6 +85,8 @@ const Dimension hertz_constant{"a Hertz constant", "3.6e5 N/mm^1.5", "N/mm^1.5",
 const Dimension stiffness{"a stiffness", "2e4 N/mm", "N/mm", kStiffness};
 const Dimension torque{"a torque", "0.1 N m", "N m", kTorque};
 const Dimension temperature{"a temperature", "60 degC", "degC", kTemperature};
+const Dimension thermal_expansion{"a coefficient of thermal expansion", "11.5 um/m/K", "um/m/K",
+                                  kThermalExpansion};
 }  // namespace unit
 
 namespace {
@@ -99,7 +103,8 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::hertz_constant,
                                             &unit::stiffness,
                                             &unit::torque,
-                                            &unit::temperature};
+                                            &unit::temperature,
+                                            &unit::thermal_expansion};
 
 const Unit* find_unit(std::string_view symbol, const Dimension& dimension) {
   if (symbol.empty()) return nullptr;

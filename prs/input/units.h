@@ -40,6 +40,7 @@ extern const Dimension hertz_constant;
 extern const Dimension stiffness;
 extern const Dimension torque;
 extern const Dimension temperature;
+extern const Dimension thermal_expansion;
 }  // namespace unit
 
 /// Whether 0 means something else in each unit, as with temperatures.

@@ -17,9 +17,11 @@ struct SectorCase {
   prs::PerInterface<prs::ContactLaw> laws;
   prs::Direction direction = prs::Direction::tension;
   double position = 0.0;
+  prs::Deviations deviations = {};
 
   prs::Sector build() const {
-    return prs::build_sector(mechanism, structure, materials, options, laws, direction, position);
+    return prs::build_sector(mechanism, structure, materials, options, laws, direction, position,
+                             deviations);
   }
 };
 

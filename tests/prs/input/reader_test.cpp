@@ -872,6 +872,40 @@ TEST(ReadCase, SlipTellsWhatIsWrongWithSpeedAndLubricant) {
                          "`carrier.bearing`"));
 }
 
+TEST(ReadCase, DeviationsAreRead) {
+  const Deviations d =
+      read(kAbevi,
+           {"deviations={pitch_error: {screw: {linear: 2 um}, nut: {periodic: {amplitude: 1 um, "
+            "period: 8, phase: 90 deg}}}, crowning: 3 um, end_relief: {drop: 4 um, threads: "
+            "2}, roller_diameter: -1 um, temperature: 50 degC}",
+            "materials.thermal_expansion=11.5 um/m/K"})
+          .deviations;
+  EXPECT_DOUBLE_EQ(d.pitch_error.screw.linear, 2e-6);
+  EXPECT_FALSE(d.pitch_error.screw.periodic);
+  EXPECT_DOUBLE_EQ(d.pitch_error.nut.periodic->phase, std::numbers::pi / 2);
+  EXPECT_DOUBLE_EQ(d.crowning, 3e-6);
+  EXPECT_EQ(d.end_relief->threads, 2);
+  EXPECT_DOUBLE_EQ(d.roller_diameter, -1e-6);
+  EXPECT_DOUBLE_EQ(d.temperature->nut, 323.15);
+  EXPECT_DOUBLE_EQ(d.reference_temperature, 293.15);
+}
+
+TEST(ReadCase, DeviationsOutOfProportionAreRefused) {
+  const auto message = [](const std::string& deviations) {
+    return error_of(kAbevi, {"deviations=" + deviations}, Command::solve);
+  };
+  EXPECT_THAT(message("{crowning: 3 mm}"),
+              HasSubstr("deviations.crowning: got 3 mm; expected at most"));
+  EXPECT_THAT(message("{pitch_error: {nut: {linear: 2 mm}}}"),
+              HasSubstr("deviations.pitch_error.nut: got up to 2 mm"));
+  EXPECT_THAT(message("{pitch_error: {nut: {list: [1 um, 2 um]}}}"),
+              HasSubstr("deviations.pitch_error.nut.list: got 2 values; expected 20"));
+  EXPECT_THAT(message("{end_relief: {drop: 1 um, threads: 11}}"),
+              HasSubstr("deviations.end_relief.threads: got 11; expected at most 10"));
+  EXPECT_THAT(message("{temperature: {screw: 50 degC, roller: 20 degC, nut: 20 degC}}"),
+              HasSubstr("the screw lacks `thermal_expansion`"));
+}
+
 TEST(ReadCase, MutilatedTextsAreReadOrRefusedButNothingElse) {
   std::mt19937 random(20'25);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
