@@ -112,6 +112,18 @@ void Cholesky::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) {
   x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(impl_->solution->x), b.size());
 }
 
+void Cholesky::solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) {
+  cholmod_dense rhs = view(b.data(), static_cast<std::size_t>(b.rows()));
+  rhs.ncol = static_cast<std::size_t>(b.cols());
+  rhs.nzmax = rhs.nrow * rhs.ncol;
+  [[maybe_unused]] const int ok =
+      cholmod_solve2(CHOLMOD_A, impl_->factor, &rhs, nullptr, &impl_->solution, nullptr,
+                     &impl_->workspace_y, &impl_->workspace_e, &impl_->common);
+  assert(ok);
+  x = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(impl_->solution->x), b.rows(),
+                                        b.cols());
+}
+
 std::size_t Cholesky::factor_size() const {
   const cholmod_factor* f = impl_->factor;
   return f->is_super ? f->xsize : f->nzmax;

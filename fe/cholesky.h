@@ -27,6 +27,8 @@ class Cholesky {
 
   /// Solves A x = b with the last factorization, which must have been `ok`.
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
+  /// The same for many right-hand sides at once, one in a column.
+  void solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x);
 
   /// Nonzeros of the factor.
   std::size_t factor_size() const;

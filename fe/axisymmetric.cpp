@@ -1,0 +1,313 @@
+#include "fe/axisymmetric.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+#include "fe/index.h"
+
+namespace fe {
+namespace {
+
+using StrainMatrix = Eigen::Matrix<double, 6, 24>;
+
+constexpr std::array<double, 3> kThreePoints{-0.7745966692414834, 0.0, 0.7745966692414834};
+constexpr std::array<double, 3> kThreeWeights{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+constexpr std::array<double, 5> kFivePoints{-0.9061798459386640, -0.5384693101056831, 0.0,
+                                            0.5384693101056831, 0.9061798459386640};
+constexpr std::array<double, 5> kFiveWeights{0.2369268850561891, 0.4786286704993665,
+                                             0.5688888888888889, 0.4786286704993665,
+                                             0.2369268850561891};
+
+/// Shape functions of the 8-node serendipity element at (x, y) in [-1, 1]^2, with derivatives.
+struct Shape {
+  Eigen::Matrix<double, 8, 1> value;
+  Eigen::Matrix<double, 8, 2> slope;
+};
+
+Shape shape(double x, double y) {
+  constexpr std::array<double, 4> cx{-1.0, 1.0, 1.0, -1.0}, cy{-1.0, -1.0, 1.0, 1.0};
+  Shape s;
+  for (Eigen::Index k = 0; k < 4; ++k) {
+    const double a = cx[static_cast<std::size_t>(k)], b = cy[static_cast<std::size_t>(k)];
+    s.value[k] = 0.25 * (1.0 + a * x) * (1.0 + b * y) * (a * x + b * y - 1.0);
+    s.slope(k, 0) = 0.25 * a * (1.0 + b * y) * (2.0 * a * x + b * y);
+    s.slope(k, 1) = 0.25 * b * (1.0 + a * x) * (2.0 * b * y + a * x);
+  }
+  const auto set = [&](Eigen::Index k, double value, double dx, double dy) {
+    s.value[k] = value;
+    s.slope(k, 0) = dx;
+    s.slope(k, 1) = dy;
+  };
+  set(4, 0.5 * (1.0 - x * x) * (1.0 - y), -x * (1.0 - y), -0.5 * (1.0 - x * x));
+  set(5, 0.5 * (1.0 + x) * (1.0 - y * y), 0.5 * (1.0 - y * y), -y * (1.0 + x));
+  set(6, 0.5 * (1.0 - x * x) * (1.0 + y), -x * (1.0 + y), 0.5 * (1.0 - x * x));
+  set(7, 0.5 * (1.0 - x) * (1.0 - y * y), -0.5 * (1.0 - y * y), -y * (1.0 - x));
+  return s;
+}
+
+/// Strains (rr, tt, zz, rz, rt, tz): constant + n linear.
+struct Strains {
+  StrainMatrix constant = StrainMatrix::Zero();
+  StrainMatrix linear = StrainMatrix::Zero();
+};
+
+Strains strains(const Eigen::Matrix<double, 8, 1>& value, const Eigen::Matrix<double, 8, 2>& slope,
+                double r) {
+  Strains b;
+  for (Eigen::Index k = 0; k < 8; ++k) {
+    const Eigen::Index u = 3 * k, v = u + 1, w = u + 2;
+    const double nr = slope(k, 0), nz = slope(k, 1), over_r = value[k] / r;
+    b.constant(0, u) = nr;
+    b.constant(1, u) = over_r;
+    b.constant(2, w) = nz;
+    b.constant(3, u) = nz;
+    b.constant(3, w) = nr;
+    b.constant(4, v) = nr - over_r;
+    b.constant(5, v) = nz;
+    b.linear(1, v) = over_r;
+    b.linear(4, u) = -over_r;
+    b.linear(5, w) = -over_r;
+  }
+  return b;
+}
+
+/// D of stress = D strain [Pa].
+Eigen::Matrix<double, 6, 6> elasticity(const Isotropic& m) {
+  const double shear = m.youngs_modulus / (2.0 * (1.0 + m.poisson_ratio));
+  const double lame = 2.0 * shear * m.poisson_ratio / (1.0 - 2.0 * m.poisson_ratio);
+  Eigen::Matrix<double, 6, 6> d = Eigen::Matrix<double, 6, 6>::Zero();
+  d.topLeftCorner<3, 3>().setConstant(lame);
+  d.diagonal() << lame + 2.0 * shear, lame + 2.0 * shear, lame + 2.0 * shear, shear, shear, shear;
+  return d;
+}
+
+int kind_of(int harmonic) { return std::min(harmonic, 2); }
+
+}  // namespace
+
+double circumference_factor(int harmonic) {
+  return harmonic == 0 ? 2.0 * std::numbers::pi : std::numbers::pi;
+}
+
+HarmonicStiffness element_stiffness(const MeridianMesh& mesh, int element,
+                                    const Isotropic& material) {
+  Eigen::Matrix<double, 8, 2> corner;
+  for (std::size_t k = 0; k < 8; ++k)
+    corner.row(static_cast<Eigen::Index>(k)) =
+        at(mesh.nodes, at(mesh.elements, element)[k]).transpose();
+  const Eigen::Matrix<double, 6, 6> d = elasticity(material);
+
+  HarmonicStiffness k;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Shape s = shape(kThreePoints[i], kThreePoints[j]);
+      const Eigen::Matrix2d jacobian = s.slope.transpose() * corner;
+      const double determinant = jacobian.determinant();
+      if (!(determinant > 0.0)) throw std::invalid_argument("an element is turned over");
+      const double r = s.value.dot(corner.col(0));
+      const Eigen::Matrix<double, 8, 2> slope = s.slope * jacobian.inverse().transpose();
+      const double weight = kThreeWeights[i] * kThreeWeights[j] * determinant * r;
+      const Strains b = strains(s.value, slope, r);
+      const StrainMatrix stress_0 = weight * d * b.constant;
+      const StrainMatrix stress_1 = weight * d * b.linear;
+      k.constant.noalias() += b.constant.transpose() * stress_0;
+      k.linear.noalias() += b.linear.transpose() * stress_0;
+      k.quadratic.noalias() += b.linear.transpose() * stress_1;
+    }
+  k.linear += k.linear.transpose().eval();
+  return k;
+}
+
+void add_edge_load(const MeridianMesh& mesh, const MeridianEdge& edge, int harmonic,
+                   const Traction& traction, Eigen::Ref<Eigen::VectorXd> loads) {
+  for (std::size_t i = 0; i < kFivePoints.size(); ++i) {
+    const double x = kFivePoints[i];
+    const std::array<double, 3> value{0.5 * x * (x - 1.0), 0.5 * x * (x + 1.0), 1.0 - x * x};
+    const std::array<double, 3> slope{x - 0.5, x + 0.5, -2.0 * x};
+    Eigen::Vector2d point = Eigen::Vector2d::Zero(), tangent = Eigen::Vector2d::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+      point += value[k] * at(mesh.nodes, edge[k]);
+      tangent += slope[k] * at(mesh.nodes, edge[k]);
+    }
+    const double ds = kFiveWeights[i] * tangent.norm();
+    const Eigen::Vector3d force =
+        circumference_factor(harmonic) * point.x() * ds * traction(point.x(), point.y());
+    for (std::size_t k = 0; k < 3; ++k)
+      loads.segment<kComponents>(kComponents * edge[k]) += value[k] * force;
+  }
+}
+
+Eigen::VectorXd nodal_forces(const MeridianMesh& mesh, const Isotropic& material, int harmonic,
+                             const Eigen::VectorXd& displacement) {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(displacement.size());
+  for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
+    Eigen::Matrix<double, 24, 1> u;
+    for (Eigen::Index k = 0; k < 8; ++k)
+      u.segment<3>(3 * k) =
+          displacement.segment<3>(kComponents * at(mesh.elements, e)[static_cast<std::size_t>(k)]);
+    const Eigen::Matrix<double, 24, 1> f = element_stiffness(mesh, e, material).at(harmonic) * u;
+    for (Eigen::Index k = 0; k < 8; ++k)
+      forces.segment<3>(kComponents * at(mesh.elements, e)[static_cast<std::size_t>(k)]) +=
+          f.segment<3>(3 * k);
+  }
+  return forces;
+}
+
+void add_support(std::vector<HarmonicSupport>& supports, const MeridianEdge& edge, Component c) {
+  for (const int node : edge) supports.push_back({node, c});
+}
+
+HarmonicBody::HarmonicBody(const MeridianMesh& mesh, const Isotropic& material, int harmonic,
+                           const std::vector<HarmonicSupport>& supports,
+                           const std::vector<HarmonicSpring>& springs)
+    : kind_(kind_of(harmonic)) {
+  number_freedoms(mesh, harmonic, supports);
+  std::vector<std::vector<int>> groups;  // equations that stiffen each other
+  for (const auto& element : mesh.elements) {
+    groups.emplace_back();
+    for (const int node : element)
+      for (int c = 0; c < kComponents; ++c)
+        groups.back().push_back(at(freedom_, kComponents * node + c).equation);
+  }
+  for (const HarmonicSpring& spring : springs) {
+    groups.emplace_back();
+    for (const auto& t : spring.terms)
+      groups.back().push_back(at(freedom_, row_of(t.node, t.component)).equation);
+  }
+  order_equations(groups);
+
+  const std::size_t entries = stiffness_.row.size();
+  for (auto* values : {&constant_, &linear_, &quadratic_, &springs_}) values->assign(entries, 0.0);
+  for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
+    const HarmonicStiffness k = element_stiffness(mesh, e, material);
+    std::array<Freedom, 24> f;
+    for (std::size_t i = 0; i < 24; ++i)
+      f[i] = at(freedom_, kComponents * at(mesh.elements, e)[i / 3] + static_cast<int>(i % 3));
+    for (std::size_t i = 0; i < 24; ++i)
+      for (std::size_t j = 0; j < 24; ++j) {
+        if (f[i].equation < 0 || f[j].equation < f[i].equation) continue;
+        const std::size_t s = slot(f[i].equation, f[j].equation);
+        const double sign = f[i].sign * f[j].sign;
+        const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
+        constant_[s] += sign * k.constant(row, column);
+        linear_[s] += sign * k.linear(row, column);
+        quadratic_[s] += sign * k.quadratic(row, column);
+      }
+  }
+  for (const HarmonicSpring& spring : springs)
+    for (const auto& a : spring.terms)
+      for (const auto& b : spring.terms) {
+        const Freedom i = at(freedom_, row_of(a.node, a.component));
+        const Freedom j = at(freedom_, row_of(b.node, b.component));
+        if (i.equation < 0 || j.equation < i.equation) continue;
+        springs_[slot(i.equation, j.equation)] +=
+            spring.stiffness * i.sign * a.weight * j.sign * b.weight;
+      }
+  cholesky_ = std::make_unique<Cholesky>(stiffness_, FactorizationKind::supernodal);
+}
+
+void HarmonicBody::number_freedoms(const MeridianMesh& mesh, int harmonic,
+                                   const std::vector<HarmonicSupport>& supports) {
+  std::vector<bool> held(static_cast<std::size_t>(kComponents * mesh.size()), false);
+  std::vector<bool> used(static_cast<std::size_t>(mesh.size()), false);
+  for (const auto& element : mesh.elements)
+    for (const int node : element) used[static_cast<std::size_t>(node)] = true;
+  for (const HarmonicSupport& s : supports)
+    held[static_cast<std::size_t>(row_of(s.node, s.component))] = true;
+
+  double largest = 0.0;
+  for (const Eigen::Vector2d& p : mesh.nodes) largest = std::max(largest, p.x());
+  freedom_.assign(held.size(), {});
+  int equations = 0;
+  for (int node = 0; node < mesh.size(); ++node) {
+    if (!used[static_cast<std::size_t>(node)]) continue;
+    const int u = row_of(node, Component::radial), v = row_of(node, Component::circumferential),
+              w = row_of(node, Component::axial);
+    const auto number = [&](int row) {
+      if (!held[static_cast<std::size_t>(row)]) at(freedom_, row).equation = equations++;
+    };
+    if (at(mesh.nodes, node).x() > 1e-12 * largest) {
+      number(u);
+      if (harmonic > 0) number(v);
+      number(w);
+    } else if (harmonic == 0) {
+      number(w);
+    } else if (harmonic == 1 && !held[static_cast<std::size_t>(v)]) {
+      number(u);
+      at(freedom_, v) = {at(freedom_, u).equation, -1.0};
+    }
+  }
+  stiffness_.column_start.assign(static_cast<std::size_t>(equations) + 1, 0);
+}
+
+/// Builds the pattern, then renumbers the equations to keep the factor small.
+void HarmonicBody::order_equations(const std::vector<std::vector<int>>& groups) {
+  const auto build = [&](const std::vector<int>& new_number) {
+    const int n = stiffness_.size();
+    std::vector<std::vector<int>> column(static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i) at(column, i).push_back(i);
+    for (const auto& group : groups)
+      for (const int a : group)
+        for (const int b : group) {
+          if (a < 0 || b < 0) continue;
+          const int i = at(new_number, a), j = at(new_number, b);
+          if (i < j) at(column, j).push_back(i);
+        }
+    stiffness_.row.clear();
+    for (int j = 0; j < n; ++j) {
+      std::vector<int>& rows = at(column, j);
+      std::sort(rows.begin(), rows.end());
+      rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+      stiffness_.row.insert(stiffness_.row.end(), rows.begin(), rows.end());
+      at(stiffness_.column_start, j + 1) = static_cast<int>(stiffness_.row.size());
+    }
+    stiffness_.value.assign(stiffness_.row.size(), 0.0);
+  };
+  std::vector<int> number(static_cast<std::size_t>(stiffness_.size()));
+  std::iota(number.begin(), number.end(), 0);
+  build(number);
+  const std::vector<int> order = fill_reducing_order(stiffness_);
+  for (int k = 0; k < stiffness_.size(); ++k) at(number, at(order, k)) = k;
+  for (Freedom& f : freedom_)
+    if (f.equation >= 0) f.equation = at(number, f.equation);
+  build(number);
+}
+
+std::size_t HarmonicBody::slot(int i, int j) const {
+  const auto begin = stiffness_.row.begin() + at(stiffness_.column_start, j);
+  const auto end = stiffness_.row.begin() + at(stiffness_.column_start, j + 1);
+  const auto found = std::lower_bound(begin, end, i);
+  assert(found != end && *found == i);
+  return static_cast<std::size_t>(found - stiffness_.row.begin());
+}
+
+FactorizationStatus HarmonicBody::factorize(int harmonic) {
+  assert(kind_of(harmonic) == kind_);
+  const double c = circumference_factor(harmonic), n = harmonic;
+  for (std::size_t k = 0; k < stiffness_.value.size(); ++k)
+    stiffness_.value[k] = c * (constant_[k] + n * linear_[k] + n * n * quadratic_[k]) + springs_[k];
+  return cholesky_->factorize(stiffness_);
+}
+
+Eigen::MatrixXd HarmonicBody::solve(const Eigen::MatrixXd& loads) {
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(unknowns(), loads.cols()), x;
+  for (Eigen::Index row = 0; row < loads.rows(); ++row) {
+    const Freedom f = freedom_[static_cast<std::size_t>(row)];
+    if (f.equation >= 0) b.row(f.equation) += f.sign * loads.row(row);
+  }
+  cholesky_->solve(b, x);
+  Eigen::MatrixXd displacement = Eigen::MatrixXd::Zero(loads.rows(), loads.cols());
+  for (Eigen::Index row = 0; row < loads.rows(); ++row) {
+    const Freedom f = freedom_[static_cast<std::size_t>(row)];
+    if (f.equation >= 0) displacement.row(row) = f.sign * x.row(f.equation);
+  }
+  return displacement;
+}
+
+}  // namespace fe

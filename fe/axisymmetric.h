@@ -1,0 +1,136 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "fe/cholesky.h"
+#include "fe/meridian_mesh.h"
+#include "fe/sparse_symmetric.h"
+
+namespace fe {
+
+/// Bodies of revolution under loads expanded in Fourier series around the axis (Wilson, AIAA J. 3,
+/// 1965; Zienkiewicz and Taylor, The Finite Element Method, vol. 2, chapter on semi-analytical
+/// processes). The displacement of harmonic n, symmetric about the plane theta = 0, is
+///
+///     u_r = U(r, z) cos(n theta),  u_theta = V(r, z) sin(n theta),  u_z = W(r, z) cos(n theta),
+///
+/// and harmonics do not see each other. n = 0 has no V: torsion is left out. Vectors over the mesh
+/// hold (U, V, W) of node after node [m], nodal loads the work-conjugate forces [N]: load times
+/// displacement is the work over the whole circumference, so that the loads contain
+///
+///     c_n = 2 pi for n = 0 (int cos^2 over the circle), pi for n >= 1.
+enum class Component { radial, circumferential, axial };
+inline constexpr int kComponents = 3;
+
+/// Row of a component of a node in vectors over the mesh.
+constexpr int row_of(int node, Component c) { return kComponents * node + static_cast<int>(c); }
+
+/// c_n [-].
+double circumference_factor(int harmonic);
+
+/// Linear elastic, isotropic.
+struct Isotropic {
+  double youngs_modulus = 0.0;  ///< E [Pa], > 0.
+  double poisson_ratio = 0.0;   ///< nu, -1 < nu < 1/2.
+};
+
+using HarmonicMatrix = Eigen::Matrix<double, 24, 24>;
+
+/// Stiffness of one element over (U, V, W) of its nodes, for all harmonics at once [N/m]:
+///
+///     K(n) = c_n (constant + n linear + n^2 quadratic),
+///
+/// since the strains are B_0 + n B_1: e_rr = U,r, e_tt = (U + n V)/r, e_zz = W,z,
+/// g_rz = U,z + W,r, g_rt = V,r - (V + n U)/r, g_tz = V,z - n W/r. 3 x 3 Gauss points.
+struct HarmonicStiffness {
+  HarmonicMatrix constant = HarmonicMatrix::Zero();
+  HarmonicMatrix linear = HarmonicMatrix::Zero();
+  HarmonicMatrix quadratic = HarmonicMatrix::Zero();
+
+  HarmonicMatrix at(int harmonic) const {
+    return circumference_factor(harmonic) *
+           (constant + harmonic * linear + harmonic * harmonic * quadratic);
+  }
+};
+
+HarmonicStiffness element_stiffness(const MeridianMesh& mesh, int element,
+                                    const Isotropic& material);
+
+/// Amplitudes (t_r cos, t_theta sin, t_z cos) of the traction of one harmonic [Pa] at (r, z) [m].
+using Traction = std::function<Eigen::Vector3d(double r, double z)>;
+
+/// Adds the consistent nodal loads c_n int N t r ds of a traction on one edge to `loads` [N]. Five
+/// Gauss points: exact on a straight edge for tractions up to the sixth order in s.
+void add_edge_load(const MeridianMesh& mesh, const MeridianEdge& edge, int harmonic,
+                   const Traction& traction, Eigen::Ref<Eigen::VectorXd> loads);
+
+/// Internal forces K(n) u on the nodes [N]; at a support, less the loads there, its reaction.
+Eigen::VectorXd nodal_forces(const MeridianMesh& mesh, const Isotropic& material, int harmonic,
+                             const Eigen::VectorXd& displacement);
+
+/// One component of one node is held.
+struct HarmonicSupport {
+  int node = 0;
+  Component component = Component::axial;
+};
+
+/// Holds a component of all three nodes of an edge.
+void add_support(std::vector<HarmonicSupport>& supports, const MeridianEdge& edge, Component c);
+
+/// A linear spring on a weighted sum of displacements: energy 1/2 stiffness (sum w q)^2 [J].
+struct HarmonicSpring {
+  struct Term {
+    int node = 0;
+    Component component = Component::axial;
+    double weight = 0.0;
+  };
+  std::vector<Term> terms;
+  double stiffness = 0.0;  ///< [N/m]
+};
+
+/// The equations of one body for harmonics of one kind, n = 0, n = 1 or n >= 2, which differ in
+/// what the axis allows: U = V = 0 for n = 0, V = -U and W = 0 for n = 1 (a point of the axis moves
+/// sideways), U = V = W = 0 above. Pattern, order and symbolic factorization are worked out once.
+/// Without supports the stiffness is singular for n = 0 (axial translation) and n = 1 (lateral
+/// translation and rotation); from n = 2 on never.
+class HarmonicBody {
+ public:
+  HarmonicBody(const MeridianMesh& mesh, const Isotropic& material, int harmonic,
+               const std::vector<HarmonicSupport>& supports = {},
+               const std::vector<HarmonicSpring>& springs = {});
+
+  /// Refills the stiffness for a harmonic of the same kind as at birth, and factorizes it.
+  FactorizationStatus factorize(int harmonic);
+
+  /// Displacements over the mesh, one column for each column of nodal loads. Loads on held
+  /// components go into the supports. The last factorization must have been `ok`.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& loads);
+
+  int unknowns() const { return stiffness_.size(); }
+  std::size_t factor_size() const { return cholesky_->factor_size(); }
+
+ private:
+  /// Equation of a row and its sign; -1 where held.
+  struct Freedom {
+    int equation = -1;
+    double sign = 1.0;
+  };
+
+  void number_freedoms(const MeridianMesh& mesh, int harmonic,
+                       const std::vector<HarmonicSupport>& supports);
+  void order_equations(const std::vector<std::vector<int>>& groups);
+  std::size_t slot(int i, int j) const;
+
+  int kind_ = 0;
+  std::vector<Freedom> freedom_;
+  SparseSymmetric stiffness_;
+  std::vector<double> constant_, linear_, quadratic_;  ///< Of K(n)/c_n, on the pattern.
+  std::vector<double> springs_;
+  std::unique_ptr<Cholesky> cholesky_;
+};
+
+}  // namespace fe

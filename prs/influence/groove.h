@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace prs {
+
+/// The two flanks of a thread in the meridian plane, by the axial direction their outward normal
+/// looks in.
+enum class FlankSide { backward, forward };  // against x, along x
+
+constexpr double sign(FlankSide f) { return f == FlankSide::backward ? -1.0 : 1.0; }
+
+/// Threads of one body as annular ridges of trapezoidal profile: the section through the axis,
+/// without its lead. Ridges are half a pitch wide at the pitch radius, wherefore a loaded flank
+/// meets the pitch radius a quarter of a pitch from the middle of its ridge.
+struct Groove {
+  bool internal = false;        ///< A nut, whose ridges point inwards.
+  double pitch = 0.0;           ///< [m]
+  double pitch_radius = 0.0;    ///< [m]
+  double addendum = 0.0;        ///< Of the crest above the pitch radius [m].
+  double dedendum = 0.0;        ///< Of the root below it [m].
+  double backward_angle = 0.0;  ///< Between flank normal and axis [rad], flank that looks backward.
+  double forward_angle = 0.0;   ///< The same of the other flank.
+
+  double angle(FlankSide f) const {
+    return f == FlankSide::backward ? backward_angle : forward_angle;
+  }
+  /// Radius at a height above the pitch line, towards the crest [m].
+  double radius(double height) const { return pitch_radius + (internal ? -height : height); }
+  /// Height of the profile at the axial distance x from the middle of a ridge [m].
+  double height(double x) const;
+  /// Axial distance from the middle of the ridge at which a flank has a height [m].
+  double position(FlankSide f, double height) const;
+  /// Outward normal (r, z) of a flank.
+  Eigen::Vector2d normal(FlankSide f) const;
+};
+
+/// Truncation where the mechanism gives no heights: 0.25 mm above and 0.30 mm below the pitch line
+/// for a pitch of 5/3 mm (assumption, from Abevi's screw), scaled with the pitch; always less than
+/// 95 % of what meeting flanks allow.
+Groove default_groove(bool internal, double pitch, double pitch_radius, double backward_angle,
+                      double forward_angle);
+
+}  // namespace prs
