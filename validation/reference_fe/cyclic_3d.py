@@ -1,0 +1,399 @@
+"""Concentrated contact against ring load: 3D block of teeth by CalculiX (C3D20), for what axisymmetric.py leaves out.
+
+    delta_k = [u_k(patch) - u_k(ring)] / P  -  (k = 0)  <u>/P of the half-space,
+    <u>/P = (delta/2 - rho_s a_s^2/20 - rho_t a_t^2/20)/P, pressure-weighted displacement of ONE body of the Hertz contact.
+
+u_k: displacement along the flank's inward normal at tooth k of the block, weighted with the contact pressure. Both loads act
+on the same mesh, so what is common to both (axial stretch, hoop expansion) drops out. Screw and nut: half a sector of pi/11,
+symmetry planes through the contact and between two contacts. Roller: half of it, plane of symmetry through both contacts;
+there the beam (n = 1) is taken out as well, see roller().
+
+Units: mm, N. Usage: cyclic_3d.py --scratch DIR BODY MESH, BODY in screw, nut, roller; MESH 1, 2, 3.
+"""
+import argparse
+import json
+import os
+import time
+
+import numpy as np
+
+import axisymmetric as ax
+
+C45 = np.cos(np.pi / 4)
+SIDE = 2  # teeth on either side of the loaded one
+
+
+def section(body, n, side=SIDE, ends=1.0):
+    """Section mesh of a block of 2 side + 1 teeth; the loaded tooth's flanks fine. Contact of tooth k at z = k pitch."""
+    p = ax.patches()
+    sign = -1 if body == "nut" else +1
+    pitch_r = {"screw": ax.SCREW_R, "nut": ax.NUT_R, "roller": ax.ROLLER_R}[body]
+    face = {"screw": {-1}, "nut": {+1}, "roller": {-1, +1}}[body]
+    crest, root, mid = ax.PITCH / 4 - ax.ABOVE, ax.PITCH / 4 + ax.BELOW, ax.PITCH / 4
+    first = {"screw": +mid, "nut": -mid, "roller": 0.0}[body]  # tooth's centre from its contact
+    centres = first + ax.PITCH * np.arange(-side, side + 1)
+    spans = {+1: p["nut" if body == "nut" else "screw"][0] * C45, -1: p["screw" if body == "screw" else "nut"][0] * C45}
+    steps = {1: (2, 1), 2: (3, 1), 3: (4, 2)}[n]  # elements on half a patch, elements beside it
+    def half(fine, flank):
+        is_face, span = flank in face, spans[flank]
+        if fine and is_face:
+            inner = list(np.linspace(mid - span, mid + span, 2 * steps[0] + 1))
+            return ([crest] + list(np.linspace(crest, mid - span, steps[1] + 1)[1:-1]) + inner +
+                    list(np.linspace(mid + span, root, steps[1] + 1)[1:]))
+        if is_face:
+            return [crest] + list(np.linspace(mid - span, mid + span, 3)) + [root]
+        return list(np.linspace(crest, root, 3))
+    breaks = []
+    for k, c in enumerate(centres):
+        fine = k == side
+        right, left = half(fine, +1), half(fine, -1)
+        breaks += [c] if fine else []
+        breaks += [c + v for v in right] + [c - v for v in left] + [c - ax.PITCH / 2, c + ax.PITCH / 2]
+    lo, hi = centres[0] - ax.PITCH / 2, centres[-1] + ax.PITCH / 2
+    breaks += [lo - ends, hi + ends]
+    breaks = sorted(set(np.round(breaks, 9)))
+    radius = ax.profile(centres, sign, pitch_r, lambda x: lo - 1e-9 <= x <= hi + 1e-9)
+    groove = pitch_r - sign * ax.BELOW
+    radius_in = lambda x: radius(x) if lo - 1e-9 <= x <= hi + 1e-9 else groove
+    depth = groove - sign * 0.45
+    far = {"screw": ax.BORE_R, "nut": ax.NUT_OUTER_R, "roller": 0.3}[body]  # roller: a hole instead of the axis, 5e-5 of the bending section
+    rows = {1: [0, 0.4, 0.7, 0.88, 1.0], 2: [0, 0.33, 0.58, 0.77, 0.90, 1.0], 3: [0, 0.25, 0.46, 0.63, 0.77, 0.88, 0.95, 1.0]}[n]
+    size = {1: 0.5, 2: 0.4, 3: 0.35}[n]
+    if sign > 0:
+        deep = np.array(ax.graded(far, depth, 0, size, 1.6, 3.0 if body == "screw" else 0.9))
+        groups = [((deep - far) / (depth - far), lambda x: far, lambda x: depth, lambda x: True),
+                  (rows, lambda x: depth, radius_in, lambda x: True)]
+    else:
+        deep = np.array(ax.graded(depth, far, size, 0, 1.6, 3.0))
+        groups = [(1 - np.array(rows[::-1]), radius_in, lambda x: depth, lambda x: True),
+                  ((deep - depth) / (far - depth), lambda x: depth, lambda x: far, lambda x: True)]
+    mesh = ax.Mesh(breaks, groups, 1)
+    return mesh, centres, lambda r, z: np.abs(r - np.array([radius_in(v) for v in z])) < 1e-9
+
+
+class Block:
+    """The section swept around: C3D20 in cylindrical layers at `angles`. Axis z."""
+
+    def __init__(self, mesh, angles):
+        phi = np.sort(np.concatenate([angles, (angles[1:] + angles[:-1]) / 2]))
+        self.index, self.rzp = {}, []
+        on_axis = mesh.coords[:, 0] < 1e-9
+        def node(k, j):
+            key = (k, 0 if on_axis[k - 1] else j)
+            if key not in self.index:
+                self.index[key] = len(self.rzp) + 1
+                self.rzp.append((mesh.coords[k - 1][0], mesh.coords[k - 1][1], phi[j]))
+            return self.index[key]
+        self.elements = []
+        for j in range(0, len(phi) - 1, 2):
+            for e in mesh.elements:
+                c, m = [e[0], e[3], e[2], e[1]], [e[7], e[6], e[5], e[4]]  # clockwise in (r, z): outward along phi
+                self.elements.append([node(k, j) for k in c] + [node(k, j + 2) for k in c] + [node(k, j) for k in m] +
+                                     [node(k, j + 2) for k in m] + [node(k, j + 1) for k in c])
+        self.phi, self.mesh, self.node = phi, mesh, node
+        self.rzp = np.array(self.rzp)
+
+    def weights(self, edges, density, order):
+        """integral of N_k density(r, z, phi) r dphi ds over the swept `edges`; 8-node faces."""
+        g, w = np.polynomial.legendre.leggauss(order)
+        out = {}
+        X, Y = np.meshgrid(g, g, indexing="ij")
+        shapes = {}
+        for i, xi in enumerate((-1, 0, 1)):
+            for j, eta in enumerate((-1, 0, 1)):
+                if xi and eta:
+                    shapes[i, j] = (1 + X * xi) * (1 + Y * eta) * (X * xi + Y * eta - 1) / 4
+                elif eta:
+                    shapes[i, j] = (1 - X * X) * (1 + Y * eta) / 2
+                elif xi:
+                    shapes[i, j] = (1 - Y * Y) * (1 + X * xi) / 2
+        for a, m, b in edges:
+            pa, pb = self.mesh.coords[a - 1], self.mesh.coords[b - 1]
+            length = np.linalg.norm(pb - pa)
+            r, z = (pa[i] + (pb[i] - pa[i]) * (X + 1) / 2 for i in (0, 1))
+            for j in range(0, len(self.phi) - 1, 2):
+                p0, p1 = self.phi[j], self.phi[j + 2]
+                phi = p0 + (p1 - p0) * (Y + 1) / 2
+                f = density(r, z, phi) * r * (p1 - p0) / 2 * length / 2 * np.outer(w, w)
+                if not f.any():
+                    continue
+                for (i, k), shape in shapes.items():
+                    key = self.node((a, m, b)[i], j + k)
+                    out[key] = out.get(key, 0) + (f * shape).sum()
+        return out
+
+
+def density_patch(r0, z0, phi0, a_s, a_t):
+    """Hertz pressure of a unit load; s along the flank from (r0, z0), t around from phi0."""
+    def density(r, z, phi):
+        s2 = ((r - r0) ** 2 + (z - z0) ** 2) / a_s**2
+        t2 = (r * (phi - phi0)) ** 2 / a_t**2
+        return 3 / (2 * np.pi * a_s * a_t) * np.sqrt(np.maximum(0, 1 - s2 - t2))
+    return density
+
+
+def density_ring(r0, z0, a_s, harmonic=None):
+    """The same load summed around the circle, unit total force; harmonic: None (n = 0) or the function of phi it is times."""
+    def density(r, z, phi):
+        s2 = ((r - r0) ** 2 + (z - z0) ** 2) / a_s**2
+        return 3 / (4 * a_s) * np.maximum(0, 1 - s2) / (2 * np.pi * r) * (1 if harmonic is None else harmonic(phi))
+    return density
+
+
+def write_deck(path, block, fixed, plane, steps, printed):
+    """fixed: [(nodes, dof)]; plane: (nodes, angle) with no displacement normal to the plane; steps: {node: (fx, fy, fz)}."""
+    xyz = np.stack([block.rzp[:, 0] * np.cos(block.rzp[:, 2]), block.rzp[:, 0] * np.sin(block.rzp[:, 2]), block.rzp[:, 1]], 1)
+    with open(path, "w") as f:
+        f.write("*NODE, NSET=ALL\n")
+        f.writelines(f"{k},{x:.12e},{y:.12e},{z:.12e}\n" for k, (x, y, z) in enumerate(xyz, 1))
+        f.write("*ELEMENT, TYPE=C3D20, ELSET=BODY\n")
+        for k, e in enumerate(block.elements, 1):
+            f.write(f"{k}," + ",".join(map(str, e[:15])) + ",\n" + ",".join(map(str, e[15:])) + "\n")
+        f.write(f"*MATERIAL, NAME=STEEL\n*ELASTIC\n{ax.E},{ax.NU}\n*SOLID SECTION, ELSET=BODY, MATERIAL=STEEL\n")
+        if plane is not None:
+            nodes, angle = plane
+            f.write("*NSET, NSET=PLANE\n" + "".join(f"{k}\n" for k in nodes))
+            c, s = np.cos(angle), np.sin(angle)
+            f.write(f"*TRANSFORM, NSET=PLANE, TYPE=R\n{c:.12e},{s:.12e},0.,{-s:.12e},{c:.12e},0.\n")
+        for i, (nodes, dof) in enumerate(fixed):
+            f.write(f"*NSET, NSET=FIX{i}\n" + "".join(f"{k}\n" for k in nodes))
+        f.write("*NSET, NSET=OUT\n" + "".join(f"{k}\n" for k in sorted(printed)))
+        f.write("*BOUNDARY\n")
+        if plane is not None:
+            f.write("PLANE,2,2,0.\n")
+        for i, (nodes, dof) in enumerate(fixed):
+            f.write(f"FIX{i},{dof},{dof},0.\n")
+        for loads in steps:
+            f.write("*STEP\n*STATIC\n*CLOAD, OP=NEW\n")
+            for k, force in sorted(loads.items()):
+                f.writelines(f"{k},{d + 1},{v:.12e}\n" for d, v in enumerate(force) if v != 0.0)
+            f.write("*NODE PRINT, NSET=OUT\nU\n*NODE PRINT, NSET=FIX0, TOTALS=ONLY\nRF\n*END STEP\n")
+
+
+def on_normal(block, weights, d, factor=1.0):
+    """Forces of a pressure along the inward normal d = (radial, axial), which turns around with phi."""
+    out = {}
+    for k, w in weights.items():
+        phi = block.rzp[k - 1][2]
+        out[k] = (factor * w * d[0] * np.cos(phi), factor * w * d[0] * np.sin(phi), factor * w * d[1])
+    return out
+
+
+def mean(block, displacement, weights, d):
+    total = 0.0
+    for k, w in weights.items():
+        phi = block.rzp[k - 1][2]
+        u = displacement[k]
+        total += w * (d[0] * (np.cos(phi) * u[0] + np.sin(phi) * u[1]) + d[1] * u[2])
+    return total / sum(weights.values())
+
+
+def layers(a_t, radius, span, n):
+    """Angles: `steps` layers over the patch's half width, then growing."""
+    steps = {1: 2, 2: 3, 3: 4}[n]
+    inner = list(np.linspace(0, a_t / radius, steps + 1))
+    rest = ax.graded(a_t / radius, span, a_t / radius / steps * 1.2, 0, {1: 1.7, 2: 1.6, 3: 1.5}[n], span / 3.2)
+    return np.array(inner + rest[1:])
+
+
+def half_space(name):
+    """Pressure-weighted mean displacement of one body of the Hertz contact, per unit load."""
+    a_s, a_t, delta, rho_s, rho_t, load = ax.patches()[name]
+    return (delta / 2 - rho_s * a_s**2 / 20 - rho_t * a_t**2 / 20) / load
+
+
+def sector(scratch, body, n):
+    """Screw or nut: delta by tooth offset, and the run's facts."""
+    p = ax.patches()[body]
+    radius = {"screw": ax.SCREW_R, "nut": ax.NUT_R}[body]
+    d = {"screw": (-C45, +C45), "nut": (+C45, -C45)}[body]
+    span = np.pi / ax.ROLLERS
+    mesh, centres, surface = section(body, n)
+    block = Block(mesh, layers(p[1], radius, span, n))
+    z = block.rzp[:, 1]
+    symmetry = np.where(block.rzp[:, 2] < 1e-12)[0] + 1
+    plane = np.where(np.abs(block.rzp[:, 2] - span) < 1e-9)[0] + 1
+    end = np.where(np.abs(z - z.min()) < 1e-9)[0] + 1
+    contacts = ax.PITCH * np.arange(-SIDE, SIDE + 1)
+    reach = p[0] * C45
+    patch, ring = [], []
+    for c in contacts:
+        edges = mesh.edge(c - reach - 1e-9, c + reach + 1e-9, surface)
+        patch.append(block.weights(edges, density_patch(radius, c, 0.0, p[0], p[1]), 24))
+        ring.append(block.weights(edges, density_ring(radius, c, p[0]), 8))
+    total_patch, total_ring = sum(patch[SIDE].values()), sum(ring[SIDE].values())
+    steps = [on_normal(block, patch[SIDE], d, 0.5 / total_patch), on_normal(block, ring[SIDE], d, 0.5 / total_ring)]
+    printed = set().union(*patch, *ring)
+    path = os.path.join(scratch, f"{body}3d_{n}.inp")
+    write_deck(path, block, [(end, 3), (symmetry, 2)], (plane, span), steps, printed)
+    seconds = ax.run_ccx(path)
+    result = ax.read_dat(path[:-4] + ".dat")
+    u_patch = np.array([mean(block, result[0]["U"], w, d) for w in patch])
+    u_ring = np.array([mean(block, result[1]["U"], w, d) for w in patch])
+    u_ring_self = mean(block, result[1]["U"], ring[SIDE], d)
+    delta = u_patch - u_ring
+    delta[SIDE] -= half_space(body)
+    return {"body": body, "mesh": n, "nodes": len(block.rzp), "elements": len(block.elements), "seconds": seconds,
+            "patch_weight": total_patch, "ring_weight": total_ring * 2 * ax.ROLLERS, "half_space": half_space(body),
+            "u_patch": u_patch.tolist(), "u_ring": u_ring.tolist(), "u_ring_self_ring_weights": u_ring_self,
+            "reaction": [r["TOTAL"][2] for r in result], "offsets": list(range(-SIDE, SIDE + 1)), "delta": delta.tolist()}
+
+
+def cantilever(z_clamp, z_change, end_r, bending_r, shear_r, points):
+    """Flexibility of a Timoshenko cantilever: displacements (v, theta) at points for unit (force, moment) at points."""
+    kappa, G = 6 * (1 + ax.NU) / (7 + 6 * ax.NU), ax.E / (2 * (1 + ax.NU))
+    g, w = np.polynomial.legendre.leggauss(8)
+    out = np.zeros((2 * len(points), 2 * len(points)))
+    for a, za in enumerate(points):
+        for b, zb in enumerate(points):
+            top = min(za, zb)
+            for p, q, rb, rs in ((z_clamp, min(z_change, top), end_r, end_r), (z_change, top, bending_r, shear_r)):
+                if q <= p:
+                    continue
+                x, wx = p + (q - p) * (g + 1) / 2, w * (q - p) / 2
+                EI, GA = ax.E * np.pi * rb**4 / 4, kappa * G * np.pi * rs**2
+                out[2 * a, 2 * b] += (wx * ((za - x) * (zb - x) / EI + 1 / GA)).sum()
+                out[2 * a, 2 * b + 1] += (wx * (za - x) / EI).sum()
+                out[2 * a + 1, 2 * b] += (wx * (zb - x) / EI).sum()
+                out[2 * a + 1, 2 * b + 1] += (wx / EI).sum()
+    return out
+
+
+def roller(scratch, n, side=2, ends=3.0):
+    """Roller: local part beyond ring (n = 0) and beam (n = 1), by tooth offset, and the bending section of the threaded part.
+
+    Half a block of 2 side + 1 teeth clamped at one end. Nut side at phi = 0 (flanks facing -z), screw side at phi = pi (+z)."""
+    p = ax.patches()
+    mesh, centres, surface = section("roller", n, side, ends)
+    near_nut = layers(p["nut"][1], ax.ROLLER_R, np.pi / 2, n)
+    near_screw = np.pi - layers(p["screw"][1], ax.ROLLER_R, np.pi / 2, n)[::-1]
+    block = Block(mesh, np.concatenate([near_nut, near_screw[1:]]))
+    r, z, phi = block.rzp.T
+    symmetry = np.where((phi < 1e-12) | (np.abs(phi - np.pi) < 1e-9))[0] + 1
+    clamp = np.where(np.abs(z - z.min()) < 1e-9)[0] + 1
+    teeth = np.arange(-side, side + 1)
+    at = {"nut": teeth * ax.PITCH - ax.PITCH / 4, "screw": teeth * ax.PITCH + ax.PITCH / 4}
+    d = {"nut": (-C45, +C45), "screw": (-C45, -C45)}
+    where = {"nut": 0.0, "screw": np.pi}
+    patch, ring, steps, names = {}, {}, [], []
+    for name in ("nut", "screw"):
+        a_s, a_t = p[name][:2]
+        edges = [mesh.edge(c - a_s * C45 - 1e-9, c + a_s * C45 + 1e-9, surface) for c in at[name]]
+        patch[name] = [block.weights(e, density_patch(ax.ROLLER_R, c, where[name], a_s, a_t), 24) for e, c in zip(edges, at[name])]
+        ring[name] = block.weights(edges[side], density_ring(ax.ROLLER_R, at[name][side], a_s), 8)
+        steps.append(on_normal(block, patch[name][side], d[name], 0.5 / sum(patch[name][side].values())))
+        steps.append(on_normal(block, ring[name], d[name], 0.5 / sum(ring[name].values())))
+        names += [name + " patch", name + " ring"]
+    # pure bending: axial traction proportional to x on the free end
+    end = mesh.edge(z.max(), z.max(), lambda rr, zz: np.abs(zz - z.max()) < 1e-9)
+    bend = block.weights(end, lambda rr, zz, ph: rr * np.cos(ph), 8)
+    moment = -2 * sum(w * r[k - 1] * np.cos(phi[k - 1]) for k, w in bend.items())  # theta = dv/dz: -x gives +theta
+    steps.append({k: (0.0, 0.0, w) for k, w in bend.items()})
+    printed = set().union(*patch["nut"], *patch["screw"])
+    path = os.path.join(scratch, f"roller3d_{n}.inp")
+    write_deck(path, block, [(clamp, 3), (symmetry, 2), (clamp, 1)], None, steps, printed)
+    seconds = ax.run_ccx(path)
+    result = ax.read_dat(path[:-4] + ".dat")
+    both = [("nut", k) for k in range(len(teeth))] + [("screw", k) for k in range(len(teeth))]
+    value = lambda step, unit: np.array([mean(block, result[step]["U"], patch[m][k], unit or d[m]) for m, k in both])
+    rotation = value(4, (0.0, 1.0))  # axial
+    theta = (rotation[len(teeth):] - rotation[:len(teeth)]) / (2 * ax.ROLLER_R)  # screw less nut: half a pitch apart, linear
+    slope = np.polyfit(teeth[1:-1] * ax.PITCH, theta[1:-1], 1)[0]
+    bending_r = (4 * moment / slope / (np.pi * ax.E)) ** 0.25
+    out = {"mesh": n, "nodes": len(block.rzp), "elements": len(block.elements), "seconds": seconds, "bending_r": bending_r,
+           "reaction": [q["TOTAL"][2] for q in result], "teeth": teeth.tolist(),
+           "half_space": {m: half_space(m) for m in p}}
+    points = np.concatenate([at["nut"], at["screw"]])
+    flexibility = cantilever(z.min(), centres[0] - ax.PITCH / 2, ax.ROLLER_R - ax.BELOW, bending_r, bending_r, points)
+    B = np.zeros((len(points), 2 * len(points)))
+    for i, (m, k) in enumerate(both):
+        B[i, 2 * i], B[i, 2 * i + 1] = {"nut": -C45, "screw": +C45}[m], -C45 * ax.ROLLER_R
+    beam = B @ flexibility @ B.T
+    for load, (step, column) in {"nut": (0, side), "screw": (2, len(teeth) + side)}.items():
+        u = value(step, None)
+        u0 = value(step + 1, None)
+        delta = u - u0 - beam[:, column]
+        delta[column] -= half_space(load)
+        for m, part in (("nut", slice(0, len(teeth))), ("screw", slice(len(teeth), None))):
+            out[f"load {load} response {m}"] = {"patch": u[part].tolist(), "ring": u0[part].tolist(),
+                                                "beam": beam[part, column].tolist(), "delta": delta[part].tolist()}
+    return out
+
+
+def without_clamp(run, ends=3.0):
+    """The roller's deltas less the compliance of the block's clamped end, a rigid (v, theta) on a symmetric 2 x 2 compliance fitted
+    at the outermost teeth, where nothing local is left. Returns deltas by (load, response) and the residual there (mm/N)."""
+    teeth = np.array(run["teeth"])
+    side = len(teeth) // 2
+    at = {"nut": teeth * ax.PITCH - ax.PITCH / 4, "screw": teeth * ax.PITCH + ax.PITCH / 4}
+    clamp = -side * ax.PITCH - ax.PITCH / 2 - ends
+    row = lambda m, z: np.array([{"nut": -C45, "screw": C45}[m], {"nut": -C45, "screw": C45}[m] * (z - clamp) - C45 * ax.ROLLER_R])
+    A, b, keys = [], [], []
+    for load in at:
+        g = row(load, at[load][side])
+        for m in at:
+            for k, z in enumerate(at[m]):
+                h = row(m, z)
+                A.append([h[0] * g[0], h[0] * g[1] + h[1] * g[0], h[1] * g[1]])
+                b.append(run[f"load {load} response {m}"]["delta"][k])
+                keys.append((load, m, k))
+    A, b = np.array(A), np.array(b)
+    far = [i for i, (_, _, k) in enumerate(keys) if abs(k - side) == side]
+    G = np.linalg.lstsq(A[far], b[far], rcond=None)[0]
+    rest = b - A @ G
+    return {(l, m): np.array([rest[i] for i, key in enumerate(keys) if key[:2] == (l, m)]) for l in at for m in at}, float(np.abs(rest[far]).max())
+
+
+def collect(scratch, out):
+    """data/harmonics.json: extrapolated over the meshes that were run, with the distance between them."""
+    load = lambda body, n: json.load(open(os.path.join(scratch, f"{body}3d_{n}.json")))
+    have = lambda body: [n for n in (1, 2, 3) if os.path.exists(os.path.join(scratch, f"{body}3d_{n}.json"))]
+    report = {"unit": "mm/N per contact force of one roller", "half_space": {b: half_space(b) for b in ("screw", "nut")}}
+    fold = lambda v, side: np.array([v[side]] + [(v[side - k] + v[side + k]) / 2 for k in range(1, side + 1)])
+    for body in ("screw", "nut"):
+        meshes = have(body)
+        if not meshes:
+            continue
+        runs = [load(body, n) for n in meshes]
+        values = [fold(run["delta"], SIDE) for run in runs]
+        best, error = values[-1], np.abs(values[-1]) * 0.05
+        if len(values) > 1:  # elements on half the patch: 2, 3, 4; order 2
+            h = [1 / (n + 1) for n in meshes]
+            best = values[-1] + (values[-1] - values[-2]) * h[-1] ** 2 / (h[-2] ** 2 - h[-1] ** 2)
+            error = np.abs(best - values[-1])
+        ratio = best[-1] / best[-2]  # beyond the block: geometric, error bar as large as the value
+        tail = best[-1] * ratio ** np.arange(1, 3)
+        best, error = np.concatenate([best, tail]), np.concatenate([error, np.abs(tail)])
+        report[body] = {"values": best.tolist(), "error_bar": error.tolist(), "by_mesh": {str(n): v.tolist() for n, v in zip(meshes, values)},
+                        "bracket_self_less_neighbours": float(best[0] - best[1]), "nodes": [r["nodes"] for r in runs], "seconds": [r["seconds"] for r in runs]}
+    meshes = have("roller")
+    if meshes:
+        run = load("roller", meshes[-1])
+        side = len(run["teeth"]) // 2
+        local, residual = without_clamp(run)
+        report["roller"] = {"error_bar": residual, "bending_r_mm": run["bending_r"], "meshes": meshes, "nodes": run["nodes"], "seconds": run["seconds"]}
+        for name in ("screw", "nut"):
+            v = fold(local[name, name], side)
+            report["roller_" + name] = {"values_by_offset": {str(k): float(v[abs(k)]) for k in range(-side, side + 1)}}
+        # rows screw, columns nut: load nut at tooth 0, response screw at tooth k: column less row = -k
+        nut = local["nut", "screw"]
+        screw = local["screw", "nut"]
+        report["roller_cross"] = {"values_by_offset": {str(-k): float((nut[side + k] + screw[side - k]) / 2) for k in range(-side, side + 1)},
+                                  "reciprocity": float(max(abs(nut[side + k] - screw[side - k]) for k in range(-1, 2)))}
+    json.dump(report, open(out, "w"), indent=1)
+    print(json.dumps(report, indent=1))
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--scratch", required=True)
+    parser.add_argument("body", choices=["screw", "nut", "roller", "collect"])
+    parser.add_argument("mesh", type=int, nargs="?", default=1)
+    args = parser.parse_args()
+    os.makedirs(args.scratch, exist_ok=True)
+    if args.body == "collect":
+        collect(args.scratch, os.path.join(os.path.dirname(os.path.abspath(__file__)), "data", "harmonics.json"))
+        raise SystemExit
+    out = roller(args.scratch, args.mesh) if args.body == "roller" else sector(args.scratch, args.body, args.mesh)
+    json.dump(out, open(os.path.join(args.scratch, f"{args.body}3d_{args.mesh}.json"), "w"), indent=1)
+    print(json.dumps(out, indent=1))
