@@ -299,8 +299,9 @@ SlipPictures slip_pictures(const Case& c, const Result& result, std::size_t load
   const SlipModel model = models.of(loaded);
   const SlipRange range = slip_range(model.geometry);
   // Far enough to both sides of the ideal slip ratio to show where the moment changes sign.
-  const double reach = std::clamp(2.0 * std::abs(loaded.slip->slip_ratio - range.ideal), 1e-4,
-                                  std::min(range.ideal, 1.0 - range.ideal));
+  const double reach =
+      std::min({std::max(2.0 * std::abs(loaded.slip->slip_ratio - range.ideal), 1e-4), range.ideal,
+                1.0 - range.ideal});
   SlipPictures pictures;
   pictures.residue = residue_curve(model, range.pure_sliding, range.ideal);
   pictures.residue_near_root = residue_curve(model, range.ideal - reach, range.ideal + reach);

@@ -55,10 +55,18 @@ std::string within(const Bounds& b, const Kind& kind) {
   return text;
 }
 
+/// The dimension's example where it is admissible, else the middle of the bounds.
+std::string example_of(const Quantity& q) {
+  const std::optional<double> usual = parse_quantity(q.dimension.example, q.dimension).value;
+  if (usual && q.bounds.contain(*usual)) return std::string(q.dimension.example);
+  const double middle = 0.5 * (q.bounds.least + q.bounds.greatest);
+  return std::isfinite(middle) ? format_quantity(middle, q.dimension)
+                               : std::string(q.dimension.example);
+}
+
 template <class T>
 Wanted wanted(T&, const Quantity& q) {
-  return {fmt::format("{}{} with its unit", q.dimension.name, within(q.bounds, q)),
-          std::string(q.dimension.example)};
+  return {fmt::format("{}{} with its unit", q.dimension.name, within(q.bounds, q)), example_of(q)};
 }
 template <class T>
 Wanted wanted(T&, const Number& n) {

@@ -906,6 +906,13 @@ TEST(ReadCase, DeviationsOutOfProportionAreRefused) {
               HasSubstr("the screw lacks `thermal_expansion`"));
 }
 
+TEST(ReadCase, ExamplesLieWithinTheirBounds) {
+  EXPECT_THAT(error_of(kAbevi, {"roughness=5 mm"}, Command::check),
+              HasSubstr("write for example `roughness: 0.05 mm`"));
+  EXPECT_THAT(error_of(kAbevi, {"carrier={gear_pressure_angle: 60 deg}"}, Command::check),
+              HasSubstr("write for example `gear_pressure_angle: 22.5 deg`"));
+}
+
 TEST(ReadCase, MutilatedTextsAreReadOrRefusedButNothingElse) {
   std::mt19937 random(20'25);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
