@@ -1,16 +1,49 @@
 #pragma once
 
+#include <optional>
+
 namespace prs {
+
+/// What `Bodies::refined` adds to the bars, each effect on its own (docs/refined.md).
+struct RefinedEffects {
+  bool core = true;           ///< Sections at the thread's root, not at the pitch diameter.
+  bool shear = true;          ///< Shear in the roller's bending.
+  bool hoop = true;           ///< The nut expands radially, as a shell on its hoop foundation.
+  bool poisson = true;        ///< Axial stress and radial displacement are coupled.
+  bool flange = true;         ///< The nut bends where its section changes and at its shoulder.
+  bool radial = true;         ///< Screw, roller and nut wall give way radially at a thread.
+  bool concentration = true;  ///< Contacts are rows of points, not rings.
+};
 
 /// Choices of the model.
 struct ModelOptions {
-  /// How screw, roller and nut deform. `bars` is the model of Abevi 2015.
-  enum class Bodies { bars };
+  /// How screw, roller and nut deform. `bars` is the model of Abevi 2015; `refined` keeps one
+  /// dimension and adds what bars miss; `influence` takes grooved bodies of revolution by finite
+  /// elements.
+  enum class Bodies { bars, refined, influence };
   enum class Roller { flexible, rigid_bending };
+  /// Where the two loaded flanks of a roller tooth meet screw and nut. Half a turn of a helical
+  /// roller is half a pitch times its starts, so that with an odd number of starts the contacts lie
+  /// opposite each other; those of ring-shaped teeth lie half a pitch apart.
+  enum class RollerContacts { opposite, half_pitch_apart };
+  enum class ToothCompliance { none, yamamoto };
+  /// Meshes of the influence model.
+  enum class Accuracy { working, reference };
+
   Bodies bodies = Bodies::bars;
   Roller roller = Roller::flexible;
   bool roller_shear = false;  ///< Timoshenko instead of Euler-Bernoulli beams in the roller.
-  int patch_points = 21;      ///< Points along each axis of a contact patch.
+  std::optional<RollerContacts> roller_contacts;  ///< By the starts where absent; bars: opposite.
+  ToothCompliance tooth_compliance = ToothCompliance::none;
+  RefinedEffects refined;
+  Accuracy accuracy = Accuracy::working;
+  int patch_points = 21;  ///< Points along each axis of a contact patch.
 };
+
+/// The stated arrangement, else that of a helical roller.
+inline ModelOptions::RollerContacts roller_contacts(const ModelOptions& model, int roller_starts) {
+  using enum ModelOptions::RollerContacts;
+  return model.roller_contacts.value_or(roller_starts % 2 == 1 ? opposite : half_pitch_apart);
+}
 
 }  // namespace prs

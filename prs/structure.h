@@ -38,11 +38,18 @@ struct Structure {
     std::optional<double> tension;
     std::optional<double> compression;
   };
+  /// Ring of the thrust face that the housing touches; `refined` and `influence` only.
+  struct Shoulder {
+    double inner_diameter = 0.0;  ///< [m]
+    double outer_diameter = 0.0;  ///< [m]
+  };
   struct Nut {
     double length = 0.0;
     double outer_diameter = 0.0;
     std::vector<Flange> flanges;
     Thrust thrust;
+    std::optional<Shoulder> shoulder =
+        {};  ///< From the nut's to the flange's diameter where absent.
   };
 
   Screw screw;

@@ -89,7 +89,32 @@ void alternatives(Io& io, Guidance& g) {
 
 template <class Io>
 void alternatives(Io& io, ModelOptions::Bodies& b) {
-  io.word("bars", b, ModelOptions::Bodies::bars, "one-dimensional elements");
+  io.word("bars", b, ModelOptions::Bodies::bars, "one-dimensional elements, as the paper");
+  io.word("refined", b, ModelOptions::Bodies::refined,
+          "one-dimensional elements with what bars miss");
+  io.word("influence", b, ModelOptions::Bodies::influence,
+          "grooved bodies of revolution by finite elements");
+}
+
+template <class Io>
+void alternatives(Io& io, ModelOptions::RollerContacts& r) {
+  io.word("opposite", r, ModelOptions::RollerContacts::opposite,
+          "at the same axial position, as on a helical roller with an odd number of starts");
+  io.word("half_pitch_apart", r, ModelOptions::RollerContacts::half_pitch_apart,
+          "on the two flanks of a ring-shaped tooth, or with an even number of starts");
+}
+
+template <class Io>
+void alternatives(Io& io, ModelOptions::ToothCompliance& t) {
+  io.word("none", t, ModelOptions::ToothCompliance::none, "nothing besides exact Hertz");
+  io.word("yamamoto", t, ModelOptions::ToothCompliance::yamamoto,
+          "Yamamoto's tooth deflection on top, for comparison");
+}
+
+template <class Io>
+void alternatives(Io& io, ModelOptions::Accuracy& a) {
+  io.word("working", a, ModelOptions::Accuracy::working, "0.5 % in stiffness");
+  io.word("reference", a, ModelOptions::Accuracy::reference, "0.1 % in stiffness");
 }
 
 template <class Io>
@@ -226,6 +251,13 @@ void fields(Io& io, Structure::Thrust& t) {
 }
 
 template <class Io>
+void fields(Io& io, Structure::Shoulder& s) {
+  const Quantity diameter{unit::length, positive};
+  io.field("inner_diameter", s.inner_diameter, diameter, required, "Inside");
+  io.field("outer_diameter", s.outer_diameter, diameter, required, "Outside");
+}
+
+template <class Io>
 void fields(Io& io, Structure::Nut& n) {
   const Quantity length{unit::length, positive};
   io.field("length", n.length, length, required, "Axial length");
@@ -233,6 +265,8 @@ void fields(Io& io, Structure::Nut& n) {
   io.field("flanges", n.flanges, List{Block{}}, optional, "Flanges; they may touch, not overlap");
   io.field("thrust", n.thrust, Block{}, optional,
            "Axial position of the constrained section, for each direction of the load");
+  io.field("shoulder", n.shoulder, Block{}, optional,
+           "Ring of the thrust face that the housing touches; `refined` and `influence`");
 }
 
 template <class Io>
@@ -307,8 +341,26 @@ void fields(Io& io, ContactOverrides& c) {
 }
 
 template <class Io>
+void fields(Io& io, RefinedEffects& e) {
+  io.field("core", e.core, Flag{}, optional, "Sections at the thread's root");
+  io.field("shear", e.shear, Flag{}, optional, "Shear in the roller's bending");
+  io.field("hoop", e.hoop, Flag{}, optional, "Radial expansion of the nut, as a shell");
+  io.field("poisson", e.poisson, Flag{}, optional, "Poisson's effect in screw and nut");
+  io.field("flange", e.flange, Flag{}, optional, "Bending of the nut at flanges and shoulder");
+  io.field("radial", e.radial, Flag{}, optional, "Radial compliance at a thread");
+  io.field("concentration", e.concentration, Flag{}, optional,
+           "Contacts as rows of points, not rings");
+}
+
+template <class Io>
 void fields(Io& io, ModelOptions& m) {
   io.field("bodies", m.bodies, Choice{}, optional, "How screw, roller and nut deform");
+  io.field("refined", m.refined, Block{}, optional, "Effects of `bodies: refined`, all by default");
+  io.field("accuracy", m.accuracy, Choice{}, optional, "Meshes of `bodies: influence`");
+  io.field("roller_contacts", m.roller_contacts, Choice{}, optional,
+           "Where screw and nut touch a roller tooth; `refined` and `influence`");
+  io.field("tooth_compliance", m.tooth_compliance, Choice{}, optional,
+           "Tooth deflection on top of Hertz, which counts it twice");
   io.field("roller", m.roller, Choice{}, optional, "Whether the roller bends");
   io.field("roller_shear", m.roller_shear, Flag{}, optional, "Shear flexibility of the roller");
   io.field("patch_points", m.patch_points, Whole{1, 1001}, optional,
