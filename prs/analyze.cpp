@@ -5,34 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <variant>
 
 #include "prs/case_error.h"
 #include "prs/check_case.h"
+#include "prs/contact_laws.h"
+#include "prs/influence/influence_solver.h"
 #include "prs/load_distribution.h"
 #include "prs/unusual.h"
 
 namespace prs {
 namespace {
-
-/// Throws for the interfaces that `lacks` says are without a contact; all of them in one message.
-template <class Lacks>
-void require_contacts(const Contacts& contacts, const char* mend, Lacks lacks) {
-  std::string path, message;
-  for (const Interface i : kInterfaces) {
-    if (!lacks(i)) continue;
-    const ContactFailure why = failure(contacts, i);
-    if (path.empty()) path = why.path;
-    message += fmt::format("the {} threads give no Hertz contact: {}; ", label(i), why.reason);
-  }
-  if (!path.empty()) throw CaseError(path, message + mend);
-}
-
-/// What the load distribution uses at an interface: the case's overrides before the geometry.
-ContactLaw contact_law(const ContactOverrides& overrides, Interface i,
-                       const InterfaceContact& contact) {
-  return {overrides.hertz_constant[i].value_or(contact.hertz.hertz_constant),
-          overrides.normal_angle[i] ? *overrides.normal_angle[i] : contact.normal_angle()};
-}
 
 void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact) {
   for (const double normal_load : loads.normal_load) {
@@ -106,27 +90,37 @@ std::vector<std::string> thread_warnings(const PerInterface<InterfaceLoads>& thr
   return warnings;
 }
 
-/// Solvers by direction and position: load cases on one sector share the symbolic factorization.
+/// Solvers by direction and position: load cases on one sector share what does not depend on the
+/// load.
 class SolverPool {
  public:
-  SolverPool(const Case& c, const PerInterface<ContactLaw>& laws) : case_(c), laws_(laws) {}
+  SolverPool(const Case& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws)
+      : case_(c), contacts_(contacts), laws_(laws) {}
 
-  SectorSolver& at(Direction direction, double position) {
+  LoadDistribution solve(Direction direction, double position, double axial_force) {
     const auto key = std::pair(direction, position);
     auto found = solvers_.find(key);
     if (found == solvers_.end())
-      found = solvers_
-                  .try_emplace(
-                      key, build_sector(case_.mechanism, *case_.structure, *case_.materials,
-                                        case_.model, laws_, direction, position, case_.deviations))
-                  .first;
-    return found->second;
+      found = solvers_.try_emplace(key, solver(direction, position)).first;
+    return std::visit([&](auto& s) { return s->solve(axial_force); }, found->second);
   }
 
  private:
+  using Solver = std::variant<std::unique_ptr<SectorSolver>, std::unique_ptr<InfluenceSolver>>;
+
+  Solver solver(Direction direction, double position) const {
+    if (case_.model.bodies == ModelOptions::Bodies::influence)
+      return std::make_unique<InfluenceSolver>(
+          influence_solver(case_, contacts_, laws_, direction, position));
+    return std::make_unique<SectorSolver>(build_sector(case_.mechanism, *case_.structure,
+                                                       *case_.materials, case_.model, laws_,
+                                                       direction, position, case_.deviations));
+  }
+
   const Case& case_;
+  const Contacts& contacts_;
   const PerInterface<ContactLaw>& laws_;
-  std::map<std::pair<Direction, double>, SectorSolver> solvers_;
+  std::map<std::pair<Direction, double>, Solver> solvers_;
 };
 
 /// Threads with equal loads by assumption; approaches follow where the Hertz constants are known.
@@ -152,8 +146,7 @@ LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts
                              const PerInterface<ContactLaw>& laws, SolverPool& pool) {
   LoadCaseResult result;
   result.load_case = load_case;
-  SectorSolver& solver = pool.at(*load_case.direction, *load_case.position);
-  LoadDistribution d = solver.solve(load_case.axial_force);
+  LoadDistribution d = pool.solve(*load_case.direction, *load_case.position, load_case.axial_force);
   result.solve = std::move(d.solve);
   if (!result.solve->converged()) {
     result.warnings.push_back(fmt::format("not converged: {}, relative residual {:.1e}",
@@ -205,23 +198,15 @@ Result analyze(const Case& given) {
   Result result = contacts_of(given);
   Case c = given;
   c.mechanism = result.contacts.mechanism;
-  require_contacts(result.contacts,
-                   "mend profiles, flank angles or diameters, or give both "
-                   "contact.hertz_constant and contact.normal_angle of the interface",
-                   [&](Interface i) {
-                     return !result.contacts.interfaces[i].has_hertz() &&
-                            !(c.contact.hertz_constant[i] && c.contact.normal_angle[i]);
-                   });
-  PerInterface<ContactLaw> laws;
+  const PerInterface<ContactLaw> laws = contact_laws(c, result.contacts);
   PerInterface<double> normal_angle;
   PerInterface<std::optional<double>> hertz_constant;
   for (const Interface i : kInterfaces) {
-    laws[i] = contact_law(c.contact, i, result.contacts.interfaces[i]);
     normal_angle[i] = laws[i].normal_angle;
     hertz_constant[i] = laws[i].hertz_constant;
   }
 
-  SolverPool pool(c, laws);
+  SolverPool pool(c, result.contacts, laws);
   for (const LoadCase& load_case : c.load_cases)
     result.load_cases.push_back(
         load_case.share == LoadCase::Share::equal
@@ -232,10 +217,12 @@ Result analyze(const Case& given) {
 
 Result analyze_contacts(const Case& c) {
   Result result = contacts_of(c);
-  require_contacts(result.contacts, "mend profiles, flank angles or diameters", [&](Interface i) {
+  PerInterface<bool> lacks;
+  for (const Interface i : kInterfaces) {
     const InterfaceContact& contact = result.contacts.interfaces[i];
-    return !contact.geometry.ok() || (c.materials && !contact.hertz.ok());
-  });
+    lacks[i] = !contact.geometry.ok() || (c.materials && !contact.hertz.ok());
+  }
+  require_contacts(result.contacts, lacks, "mend profiles, flank angles or diameters");
   PerInterface<double> normal_angle;
   PerInterface<std::optional<double>> hertz_constant;
   for (const Interface i : kInterfaces) {

@@ -26,7 +26,12 @@ struct ModelOptions {
   /// roller is half a pitch times its starts, so that with an odd number of starts the contacts lie
   /// opposite each other; those of ring-shaped teeth lie half a pitch apart.
   enum class RollerContacts { opposite, half_pitch_apart };
-  enum class ToothCompliance { none, yamamoto };
+  /// Deflection of the teeth on top of exact Hertz, which counts it twice: for comparison.
+  struct ToothCompliance {
+    enum class Kind { none, yamamoto };
+    Kind kind = Kind::none;
+    double width = 0.0;  ///< Of thread that a contact loads [m].
+  };
   /// Meshes of the influence model.
   enum class Accuracy { working, reference };
 
@@ -34,7 +39,7 @@ struct ModelOptions {
   Roller roller = Roller::flexible;
   bool roller_shear = false;  ///< Timoshenko instead of Euler-Bernoulli beams in the roller.
   std::optional<RollerContacts> roller_contacts;  ///< By the starts where absent; bars: opposite.
-  ToothCompliance tooth_compliance = ToothCompliance::none;
+  ToothCompliance tooth_compliance;
   RefinedEffects refined;
   Accuracy accuracy = Accuracy::working;
   int patch_points = 21;  ///< Points along each axis of a contact patch.

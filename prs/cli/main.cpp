@@ -2,9 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <filesystem>
 
 #include "prs/cli/commands.h"
+#include "prs/influence/matrix_cache.h"
 #include "prs/input/source.h"
 #include "prs/version.h"
 
@@ -29,6 +32,17 @@ void add_case_options(CLI::App& command, Options& options) {
       ->take_all()
       ->allow_extra_args(false);
   add_output_options(command, options);
+}
+
+/// Where bodies of the influence model are kept between runs: PRS_CACHE_DIR (empty: nowhere), else
+/// the user's cache.
+std::filesystem::path cache_directory() {
+  if (const char* own = std::getenv("PRS_CACHE_DIR")) return own;
+  if (const char* user = std::getenv("XDG_CACHE_HOME"); user && *user)
+    return std::filesystem::path(user) / "prs";
+  if (const char* home = std::getenv("HOME"); home && *home)
+    return std::filesystem::path(home) / ".cache" / "prs";
+  return {};
 }
 
 }  // namespace
@@ -60,6 +74,9 @@ int main(int argc, char** argv) {
   add_case_options(
       *command("slip", "Slip, friction, dissipated power, efficiency and torques", prs::cli::slip),
       options);
+  add_case_options(*command("preload", "Preload: curve through zero, lost motion, opening loads",
+                            prs::cli::preload),
+                   options);
   add_case_options(
       *command("study", "Run the study of the file: many designs, a row each", prs::cli::study),
       options);
@@ -88,6 +105,7 @@ int main(int argc, char** argv) {
   if (validate->parsed()) options.file = directory;
   options.standard = type == "standard";
 
+  prs::shared_matrix_cache().keep_in(cache_directory());
   try {
     return run(options);
   } catch (const prs::input::InputError& error) {

@@ -37,6 +37,8 @@ ContactProblem contact_problem(const Eigen::MatrixXd& flexibility,
   const auto n = static_cast<Index>(gaps.screw.size());
   ContactProblem p;
   p.flexibility = flexibility;
+  p.flexibility.diagonal().head(n).array() += laws.screw.compliance;
+  p.flexibility.diagonal().tail(n).array() += laws.nut.compliance;
   p.rigid = Eigen::MatrixXd::Zero(2 * n, 2);
   p.hertz_constant.resize(2 * n);
   p.gap.resize(2 * n);

@@ -26,7 +26,8 @@ struct ContactProblem {
   int contacts() const { return static_cast<int>(gap.size()) / 2; }  ///< At each interface.
 };
 
-/// The contact problem of a sector: its laws and gaps, and the flexibility of its bodies.
+/// The contact problem of a sector: its laws, the compliance of teeth included, its gaps, and the
+/// flexibility of its bodies.
 ContactProblem contact_problem(const Eigen::MatrixXd& flexibility,
                                const PerInterface<ContactLaw>& laws,
                                const PerInterface<std::vector<double>>& gaps);

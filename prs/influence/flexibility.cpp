@@ -1,10 +1,12 @@
 #include "prs/influence/flexibility.h"
 
-#include <Eigen/Cholesky>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 namespace prs {
 namespace {
@@ -43,43 +45,166 @@ std::vector<LoadedFlank> loaded_flanks(const Groove& g, double first, int contac
   return flanks;
 }
 
-/// Adds to `total` what the harmonics step, 2 step, .. from `first` on leave, and settles the
-/// diagonal with the half-space: rows and columns are contact types in blocks of `contacts`.
-void add_higher_harmonics(Flexibility& f, BlockSolver& block, const std::vector<LoadedFlank>& types,
-                          const std::vector<bool>& opposite, double radius,
-                          const Material& material, int first, int step, int contacts,
-                          const FlexibilityOptions& options) {
+/// All that a matrix depends on, written out exactly.
+class Key {
+ public:
+  explicit Key(std::string_view what) { text_ = fmt::format("flexibility 1 {}", what); }
+
+  Key& add(double value) {
+    text_ += fmt::format(" {:a}", value);
+    return *this;
+  }
+  Key& add(const Groove& g) {
+    return add(g.internal)
+        .add(g.pitch)
+        .add(g.pitch_radius)
+        .add(g.addendum)
+        .add(g.dedendum)
+        .add(g.backward_angle)
+        .add(g.forward_angle);
+  }
+  Key& add(const Material& m) { return add(m.youngs_modulus).add(m.poisson_ratio); }
+  Key& add(const HertzPatch& p) { return add(p.along_profile).add(p.along_circumference); }
+  Key& add(Direction d) { return add(sense(d)); }
+  Key& add(const MeshDensity& m) {
+    return add(m.patch_cells)
+        .add(m.growth)
+        .add(m.largest_cell)
+        .add(m.step_cell)
+        .add(m.plain_flank_cells)
+        .add(m.split)
+        .add(m.ridge_depth);
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// What the harmonics that die out along a body add to its flexibility, the same at all threads.
+struct TeethFlexibility {
+  int harmonics = 0;
+  int last_harmonic = 0;
+  double half_space = 0.0;
+  double closed_remainder = 0.0;
+  Eigen::VectorXd diagonal;  ///< Of each type of contact: remainder less half-space part.
+  BlockResponse response;    ///< Sum of the harmonics, rows and columns are types of contacts.
+};
+
+MatrixCache::Matrices packed(const TeethFlexibility& t) {
+  MatrixCache::Matrices m{
+      Eigen::Vector4d(t.harmonics, t.last_harmonic, t.half_space, t.closed_remainder), t.diagonal};
+  m.insert(m.end(), t.response.kernel.begin(), t.response.kernel.end());
+  return m;
+}
+
+TeethFlexibility unpacked(const MatrixCache::Matrices& m) {
+  TeethFlexibility t;
+  t.harmonics = static_cast<int>(m[0](0));
+  t.last_harmonic = static_cast<int>(m[0](1));
+  t.half_space = m[0](2);
+  t.closed_remainder = m[0](3);
+  t.diagonal = m[1];
+  t.response.kernel.assign(m.begin() + 2, m.end());
+  t.response.reach = (static_cast<int>(t.response.kernel.size()) - 1) / 2;
+  return t;
+}
+
+/// The teeth of one body: types of contacts on each ridge, whether they lie at theta = pi, and the
+/// harmonics step, 2 step, .. from `first` on.
+struct Teeth {
+  Groove groove;
+  double far_radius = 0.0;
+  Material material;
+  std::vector<LoadedFlank> types;
+  std::vector<bool> opposite;
+  int first = 0;
+  int step = 1;
+  int contacts = 1;
+};
+
+TeethFlexibility compute(const Teeth& t, const FlexibilityOptions& options) {
+  BlockSolver block(t.groove, t.far_radius, t.material, t.types, options);
+  const double radius = t.groove.pitch_radius;
   double widest = 0.0;
-  for (const LoadedFlank& t : types) widest = std::max(widest, t.patch.along_circumference);
+  for (const LoadedFlank& flank : t.types)
+    widest = std::max(widest, flank.patch.along_circumference);
   const double last = options.largest_wave * radius / widest;
-  const int count = static_cast<int>(types.size());
-  int n = first;
-  for (; n <= last; n += step) {
-    const BlockResponse r = block.solve(n, block.reach(n, contacts - 1));
-    for (int d = -r.reach; d <= r.reach; ++d) {
-      const Eigen::MatrixXd& kernel = r.kernel[static_cast<std::size_t>(d + r.reach)];
-      for (int a = 0; a < count; ++a)
-        for (int b = 0; b < count; ++b) {
+  const auto count = static_cast<Index>(t.types.size());
+
+  TeethFlexibility f;
+  int n = t.first;
+  f.response.reach = block.reach(n, t.contacts - 1);
+  f.response.kernel.assign(static_cast<std::size_t>(2 * f.response.reach + 1),
+                           Eigen::MatrixXd::Zero(count, count));
+  for (; n <= last; n += t.step) {
+    const BlockResponse r = block.solve(n, block.reach(n, t.contacts - 1));
+    for (int d = -r.reach; d <= r.reach; ++d)
+      for (Index a = 0; a < count; ++a)
+        for (Index b = 0; b < count; ++b) {
           const bool turned =
-              opposite[static_cast<std::size_t>(a)] != opposite[static_cast<std::size_t>(b)];
-          const double value = (turned && n % 2 == 1 ? -step : step) * kernel(a, b);
-          for (int j = std::max(0, -d); j < std::min(contacts, contacts - d); ++j)
-            f.matrix(a * contacts + j + d, b * contacts + j) += value;
+              t.opposite[static_cast<std::size_t>(a)] != t.opposite[static_cast<std::size_t>(b)];
+          f.response.kernel[static_cast<std::size_t>(d + f.response.reach)](a, b) +=
+              (turned && n % 2 == 1 ? -t.step : t.step) *
+              r.kernel[static_cast<std::size_t>(d + r.reach)](a, b);
         }
-    }
     f.last_harmonic = n;
     ++f.harmonics;
   }
-  for (int a = 0; a < count; ++a) {
-    const HertzPatch& patch = types[static_cast<std::size_t>(a)].patch;
-    const double half_space = half_space_compliance(patch, material);
-    const double rest = half_space_remainder(patch, material, (n - 0.5 * step) / radius);
-    f.matrix.diagonal().segment(a * contacts, contacts).array() += rest - half_space;
+  f.diagonal.resize(count);
+  for (Index a = 0; a < count; ++a) {
+    const HertzPatch& patch = t.types[static_cast<std::size_t>(a)].patch;
+    const double half_space = half_space_compliance(patch, t.material);
+    const double rest = half_space_remainder(patch, t.material, (n - 0.5 * t.step) / radius);
+    f.diagonal[a] = rest - half_space;
     if (a == 0) {
       f.half_space = half_space;
       f.closed_remainder = rest;
     }
   }
+  return f;
+}
+
+/// Adds the teeth to a body's matrix, whose rows and columns are the types in blocks of `contacts`.
+/// With `centred`, contacts of different types lie at the same axial position, and not half a pitch
+/// apart as on the ridge.
+void add_teeth(Flexibility& f, const Teeth& t, bool centred, const FlexibilityOptions& options,
+               MatrixCache& cache) {
+  Key key("teeth");
+  key.add(t.groove).add(t.far_radius).add(t.material).add(t.first).add(t.step).add(t.contacts);
+  for (std::size_t i = 0; i < t.types.size(); ++i)
+    key.add(sign(t.types[i].side)).add(t.types[i].patch).add(t.opposite[i]);
+  key.add(options.mesh)
+      .add(options.largest_wave)
+      .add(options.block_tolerance)
+      .add(options.neighbour_patch_cells);
+  const TeethFlexibility teeth =
+      unpacked(*cache.get(key.text(), [&] { return packed(compute(t, options)); }));
+
+  const int reach = teeth.response.reach, contacts = t.contacts;
+  const auto kernel = [&](int d, Index a, Index b) {
+    return std::abs(d) > reach ? 0.0
+                               : teeth.response.kernel[static_cast<std::size_t>(d + reach)](a, b);
+  };
+  const auto count = static_cast<Index>(t.types.size());
+  for (Index a = 0; a < count; ++a)
+    for (Index b = 0; b < count; ++b) {
+      const double ahead = 0.5 * (sign(t.types[static_cast<std::size_t>(a)].side) -
+                                  sign(t.types[static_cast<std::size_t>(b)].side));
+      const int other = centred ? -static_cast<int>(ahead) : 0;
+      for (int d = -reach - 1; d <= reach + 1; ++d) {
+        const double value = 0.5 * (kernel(d, a, b) + kernel(d + other, a, b));
+        for (int j = std::max(0, -d); j < std::min(contacts, contacts - d); ++j)
+          f.matrix(a * contacts + j + d, b * contacts + j) += value;
+      }
+    }
+  for (Index a = 0; a < count; ++a)
+    f.matrix.diagonal().segment(a * contacts, contacts).array() += teeth.diagonal[a];
+  f.harmonics += teeth.harmonics;
+  f.last_harmonic = teeth.last_harmonic;
+  f.half_space = teeth.half_space;
+  f.closed_remainder = teeth.closed_remainder;
   f.matrix = 0.5 * (f.matrix + f.matrix.transpose()).eval();
 }
 
@@ -113,44 +238,19 @@ Eigen::RowVectorXd axial_resultants(const Eigen::MatrixXd& loads) {
   return force;
 }
 
-/// Flexibility of a body, harmonic 0, under `loads`, held axially on `nodes`, which form a thrust
-/// face. Solved with only the first of them held; the reactions R of the others follow from
-///
-///     u_nodes = G_nn R + G_nl P = 0,   u_loads = G_ln R + G_ll P.
-///
-/// With `unilateral`, nodes that would pull while all contacts carry alike are let go, until none
-/// does; the first node must push then.
-Eigen::MatrixXd flexibility_on_face(const GroovedBody& body, const Material& material,
-                                    const std::vector<int>& nodes, const Eigen::MatrixXd& loads,
-                                    bool unilateral, int& unknowns) {
+/// A body, harmonic 0, that rests with `nodes` on a shoulder.
+ThrustFace thrust_face(const GroovedBody& body, const Material& material,
+                       const std::vector<int>& nodes) {
   fe::HarmonicBody solver(body.mesh, isotropic(material), 0, axial_supports({nodes.front()}));
-  unknowns = solver.unknowns();
-  const auto others = static_cast<Index>(nodes.size()) - 1;
-  Eigen::MatrixXd all(loads.rows(), others + loads.cols());
-  all.leftCols(others).setZero();
-  for (Index k = 0; k < others; ++k)
-    all(fe::row_of(nodes[static_cast<std::size_t>(k + 1)], Component::axial), k) = 1.0;
-  all.rightCols(loads.cols()) = loads;
+  const Eigen::MatrixXd loads = patch_loads(body, 0);
+  const auto count = static_cast<Index>(nodes.size()), ends = loads.cols();
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(loads.rows(), count + ends);
+  for (Index k = 1; k < count; ++k)
+    all(fe::row_of(nodes[static_cast<std::size_t>(k)], Component::axial), k) = 1.0;
+  all.rightCols(ends) = loads;
   const Eigen::MatrixXd g = flexibility_of(solver, 0, all);
-
-  std::vector<Index> held(static_cast<std::size_t>(others));
-  std::iota(held.begin(), held.end(), Index{0});
-  std::vector<Index> ends(static_cast<std::size_t>(loads.cols()));
-  std::iota(ends.begin(), ends.end(), others);
-  const auto reactions = [&]() -> Eigen::MatrixXd {
-    return -g(held, held).ldlt().solve(g(held, ends));
-  };
-  const Eigen::RowVectorXd force = axial_resultants(loads);
-  for (bool pulls = unilateral; pulls;) {
-    const Eigen::VectorXd together = reactions().rowwise().sum();
-    const double total = -force.sum();
-    std::vector<Index> pushing;
-    for (std::size_t k = 0; k < held.size(); ++k)
-      if (together[static_cast<Index>(k)] * total > 0.0) pushing.push_back(held[k]);
-    pulls = pushing.size() < held.size();
-    held = std::move(pushing);
-  }
-  return g(ends, ends) + g(ends, held) * reactions();
+  return {g.topLeftCorner(count, count), g.topRightCorner(count, ends),
+          g.bottomRightCorner(ends, ends), axial_resultants(loads).transpose()};
 }
 
 /// Edges of a section up to a radius.
@@ -206,8 +306,11 @@ void add_guidance(const GroovedBody& body, const Structure::Roller& roller,
 
 BodyGeometry body_geometry(const Mechanism& m, const Structure& structure,
                            const Materials& materials, const PerInterface<ContactLaw>& laws,
-                           const PerInterface<HertzPatch>& patches, Direction direction) {
+                           const PerInterface<HertzPatch>& patches, Direction direction,
+                           const ModelOptions& model) {
   BodyGeometry b;
+  b.roller_contacts = roller_contacts(model, m.starts.roller);
+  b.endless_screw = m.type == Mechanism::Type::standard;
   b.materials = materials;
   b.structure = structure;
   b.rollers = m.rollers;
@@ -233,42 +336,69 @@ BodyGeometry body_geometry(const Mechanism& m, const Structure& structure,
   return b;
 }
 
-Flexibility screw_flexibility(const BodyGeometry& b, Direction direction,
-                              const FlexibilityOptions& options) {
-  const Groove& g = b.grooves.screw;
-  const FlankSide side = pushing_flank(direction);
-  const double first = b.structure.screw.free_length;
-  GroovedShape shape;
-  shape.groove = g;
-  shape.ridge = first - g.position(side, 0.0);
-  // The first ridge must be whole: a shorter free length is lengthened to half a pitch before it.
-  shape.start = std::min(0.0, shape.ridge - 0.5 * g.pitch);
-  shape.end = first + (b.contacts - 1 + options.screw_overhang) * g.pitch;
-  shape.far_radius = 0.5 * b.structure.screw.bore;
-  const GroovedBody body = mesh_grooved_body(
-      shape, loaded_flanks(g, first, b.contacts, side, b.patches.screw, options.mesh.patch_cells),
-      options.mesh);
-  fe::HarmonicBody solver(body.mesh, isotropic(b.materials.screw), 0,
-                          axial_supports(nodes_of(body.section(shape.start))));
-  Flexibility f;
-  f.unknowns = solver.unknowns();
-  f.matrix = b.rollers * flexibility_of(solver, 0, patch_loads(body, 0));
-  f.harmonics = 1;
+FlexibilityOptions flexibility_options(ModelOptions::Accuracy accuracy) {
+  FlexibilityOptions options;
+  if (accuracy == ModelOptions::Accuracy::reference) {
+    options.mesh.patch_cells = 8;
+    options.mesh.growth = 1.3;
+    options.mesh.step_cell = 0.02;
+  }
+  return options;
+}
 
-  const std::vector<LoadedFlank> type{{0.0, side, b.patches.screw, options.mesh.patch_cells}};
-  BlockSolver block(g, shape.far_radius, b.materials.screw, type, options);
-  add_higher_harmonics(f, block, type, {false}, g.pitch_radius, b.materials.screw, b.rollers,
-                       b.rollers, b.contacts, options);
+Flexibility screw_flexibility(const BodyGeometry& b, Direction direction,
+                              const FlexibilityOptions& options, MatrixCache& cache) {
+  const Groove& g = b.grooves.screw;
+  const Structure::Screw& screw = b.structure.screw;
+  const FlankSide side = pushing_flank(direction);
+  const auto whole = [&]() -> MatrixCache::Matrices {
+    const double first = screw.free_length;
+    GroovedShape shape;
+    shape.groove = g;
+    shape.ridge = first - g.position(side, 0.0);
+    const double last = shape.ridge + (b.contacts - 1) * g.pitch;
+    // The first ridge must be whole: a shorter free length is lengthened to half a pitch before it.
+    shape.start = std::min(0.0, shape.ridge - 0.5 * g.pitch);
+    if (b.endless_screw) {
+      shape.end = first + (b.contacts + 2) * g.pitch;
+    } else {
+      shape.ridges = {shape.ridge, last};
+      shape.end = last + 0.5 * g.pitch;
+    }
+    shape.far_radius = 0.5 * screw.bore;
+    const GroovedBody body = mesh_grooved_body(
+        shape, loaded_flanks(g, first, b.contacts, side, b.patches.screw, options.mesh.patch_cells),
+        options.mesh);
+    fe::HarmonicBody solver(body.mesh, isotropic(b.materials.screw), 0,
+                            axial_supports(nodes_of(body.section(shape.start))));
+    return {flexibility_of(solver, 0, patch_loads(body, 0))};
+  };
+  Key key("screw");
+  key.add(g).add(screw.free_length).add(screw.bore).add(b.materials.screw).add(b.patches.screw);
+  key.add(direction).add(b.contacts).add(options.mesh).add(b.endless_screw);
+  Flexibility f;
+  f.matrix = b.rollers * cache.get(key.text(), whole)->front();
+  f.harmonics = 1;
+  const Teeth teeth{g,
+                    0.5 * screw.bore,
+                    b.materials.screw,
+                    {{0.0, side, b.patches.screw, options.mesh.patch_cells}},
+                    {false},
+                    b.rollers,
+                    b.rollers,
+                    b.contacts};
+  add_teeth(f, teeth, false, options, cache);
   return f;
 }
 
-Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double position,
-                            const FlexibilityOptions& options) {
+namespace {
+
+/// The whole nut under harmonic 0 on its shoulder; `on_face` says whether that is a free face,
+/// which can lift off, or a section inside, which is held both ways.
+ThrustFace nut_on_shoulder(const BodyGeometry& b, FlankSide side, double thrust, double position,
+                           const FlexibilityOptions& options, bool& on_face) {
   const Groove& g = b.grooves.nut;
   const Structure::Nut& nut = b.structure.nut;
-  const FlankSide side = pushed_flank(direction);
-  const double thrust =
-      direction == Direction::tension ? *nut.thrust.tension : *nut.thrust.compression;
   GroovedShape shape;
   shape.groove = g;
   shape.ridge = position - g.position(side, 0.0);
@@ -279,64 +409,156 @@ Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double p
   for (const Structure::Flange& flange : nut.flanges)
     shape.collars.push_back({flange.from, flange.to, 0.5 * flange.outer_diameter});
   shape.sections.push_back(thrust);
+  if (nut.shoulder)
+    shape.radii = {0.5 * nut.shoulder->inner_diameter, 0.5 * nut.shoulder->outer_diameter};
   const GroovedBody body = mesh_grooved_body(
       shape, loaded_flanks(g, position, b.contacts, side, b.patches.nut, options.mesh.patch_cells),
       options.mesh);
-  const Eigen::MatrixXd loads = patch_loads(body, 0);
   const std::vector<fe::MeridianEdge>& face = body.free_face(thrust);
-  const std::vector<int> held =
-      by_radius(body, nodes_of(face.empty() ? body.section(thrust) : face));
-  Flexibility f;
-  f.matrix = b.rollers * flexibility_on_face(body, b.materials.nut, held, loads,
-                                             options.unilateral_thrust, f.unknowns);
-  f.harmonics = 1;
+  on_face = !face.empty();
+  std::vector<int> held = by_radius(body, nodes_of(on_face ? face : body.section(thrust)));
+  if (nut.shoulder && on_face) {
+    const double same = 1e-6 * g.pitch;
+    std::erase_if(held, [&](int node) {
+      const double r = body.mesh.nodes[static_cast<std::size_t>(node)].x();
+      return r < shape.radii[0] - same || r > shape.radii[1] + same;
+    });
+    if (held.empty()) throw std::invalid_argument("the shoulder does not reach the flange's face");
+  }
+  return thrust_face(body, b.materials.nut, held);
+}
 
-  const std::vector<LoadedFlank> type{{0.0, side, b.patches.nut, options.mesh.patch_cells}};
-  BlockSolver block(g, shape.far_radius, b.materials.nut, type, options);
-  add_higher_harmonics(f, block, type, {false}, g.pitch_radius, b.materials.nut, b.rollers,
-                       b.rollers, b.contacts, options);
+}  // namespace
+
+Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double position,
+                            const FlexibilityOptions& options, MatrixCache& cache) {
+  const Groove& g = b.grooves.nut;
+  const Structure::Nut& nut = b.structure.nut;
+  const FlankSide side = pushed_flank(direction);
+  const double thrust =
+      direction == Direction::tension ? *nut.thrust.tension : *nut.thrust.compression;
+  Key key("nut");
+  key.add(g).add(nut.length).add(nut.outer_diameter).add(b.materials.nut).add(b.patches.nut);
+  for (const Structure::Flange& f : nut.flanges) key.add(f.from).add(f.to).add(f.outer_diameter);
+  if (nut.shoulder) key.add(nut.shoulder->inner_diameter).add(nut.shoulder->outer_diameter);
+  key.add(thrust).add(direction).add(position).add(b.contacts).add(options.mesh);
+  const auto whole = cache.get(key.text(), [&]() -> MatrixCache::Matrices {
+    bool on_face = false;
+    const ThrustFace t = nut_on_shoulder(b, side, thrust, position, options, on_face);
+    return {t.nodes, t.coupling, t.loads, t.resultants, Eigen::MatrixXd::Constant(1, 1, on_face)};
+  });
+  const ThrustFace face{(*whole)[0], (*whole)[1], (*whole)[2], (*whole)[3]};
+  const bool unilateral = options.unilateral_thrust && (*whole)[4](0) != 0.0;
+  const ThrustFace::Touching touching =
+      unilateral ? face.touching_under(Eigen::VectorXd::Ones(b.contacts), face.all()) : face.all();
+
+  Flexibility f;
+  f.matrix = b.rollers * face.flexibility(touching);
+  f.harmonics = 1;
+  if (unilateral) f.face = face;
+  const Teeth teeth{g,
+                    0.5 * nut.outer_diameter,
+                    b.materials.nut,
+                    {{0.0, side, b.patches.nut, options.mesh.patch_cells}},
+                    {false},
+                    b.rollers,
+                    b.rollers,
+                    b.contacts};
+  add_teeth(f, teeth, false, options, cache);
   return f;
 }
 
-Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
-                               const FlexibilityOptions& options) {
-  const Groove& g = b.grooves.roller;
-  const FlankSide screw_side = pushed_flank(direction), nut_side = pushing_flank(direction);
-  GroovedShape shape;
-  shape.groove = g;
-  shape.start = -0.5 * g.pitch;
-  shape.end = (b.contacts - 0.5) * g.pitch;
-  shape.plain_end = PlainEnd{b.structure.roller.end_length, 0.5 * b.structure.roller.end_diameter};
-  std::vector<LoadedFlank> flanks;
-  for (int k = 0; k < b.contacts; ++k)
-    flanks.push_back({k * g.pitch, screw_side, b.patches.screw, options.mesh.patch_cells});
-  for (int k = 0; k < b.contacts; ++k)
-    flanks.push_back({k * g.pitch, nut_side, b.patches.nut, options.mesh.patch_cells});
-  const GroovedBody body = mesh_grooved_body(shape, flanks, options.mesh);
-  const fe::Isotropic material = isotropic(b.materials.roller);
+namespace {
 
-  Flexibility f;
-  {
-    const int on_axis = by_radius(body, nodes_of(body.section(shape.end))).front();
-    fe::HarmonicBody solver(body.mesh, material, 0, axial_supports({on_axis}));
-    f.unknowns = solver.unknowns();
-    f.matrix = flexibility_of(solver, 0, patch_loads(body, 0));
+/// Moves the transverse forces of harmonic 1 to the middle of their ridges, a quarter of a pitch,
+/// by couples: pairs of small forces on the neighbouring ridges, so that what a contact does nearby
+/// stays as it is. `loads` has one column for each contact, on flanks that look to `side`.
+void move_to_middle(Eigen::Ref<Eigen::MatrixXd> loads, FlankSide side) {
+  const Index contacts = loads.cols();
+  if (contacts < 2) return;
+  const auto radial =
+      Eigen::seq(static_cast<Index>(Component::radial), Eigen::last, Index{fe::kComponents});
+  const Eigen::MatrixXd force = loads(radial, Eigen::all);
+  for (Index k = 0; k < contacts; ++k) {
+    Index before = k - 1, behind = k + 1;
+    if (k == 0) before = std::min<Index>(1, contacts - 2), behind = before + 1;
+    if (k == contacts - 1) behind = std::max<Index>(1, k - 1), before = behind - 1;
+    const double share = 0.25 * sign(side) / static_cast<double>(behind - before);
+    loads(radial, k) += share * (force.col(before) - force.col(behind));
   }
-  {
+}
+
+}  // namespace
+
+Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
+                               const FlexibilityOptions& options, MatrixCache& cache) {
+  const Groove& g = b.grooves.roller;
+  const Structure::Roller& roller = b.structure.roller;
+  const FlankSide screw_side = pushed_flank(direction), nut_side = pushing_flank(direction);
+  const bool centred = b.roller_contacts == ModelOptions::RollerContacts::opposite;
+  const auto meshed = [&] {
+    GroovedShape shape;
+    shape.groove = g;
+    shape.start = -0.5 * g.pitch;
+    shape.end = (b.contacts - 0.5) * g.pitch;
+    shape.plain_end = PlainEnd{roller.end_length, 0.5 * roller.end_diameter};
+    std::vector<LoadedFlank> flanks;
+    for (int k = 0; k < b.contacts; ++k)
+      flanks.push_back({k * g.pitch, screw_side, b.patches.screw, options.mesh.patch_cells});
+    for (int k = 0; k < b.contacts; ++k)
+      flanks.push_back({k * g.pitch, nut_side, b.patches.nut, options.mesh.patch_cells});
+    return mesh_grooved_body(shape, flanks, options.mesh);
+  };
+  const auto loads = [&](const GroovedBody& body, int harmonic) {
+    Eigen::MatrixXd l = patch_loads(body, harmonic);
+    if (harmonic == 1) {
+      if (centred) {
+        move_to_middle(l.leftCols(b.contacts), screw_side);
+        move_to_middle(l.rightCols(b.contacts), nut_side);
+      }
+      l.leftCols(b.contacts) *= -1.0;  // cos(theta) at theta = pi
+    }
+    return l;
+  };
+  const auto stretched = [&]() -> MatrixCache::Matrices {
+    const GroovedBody body = meshed();
+    const int on_axis = by_radius(body, nodes_of(body.section(body.shape.end))).front();
+    fe::HarmonicBody solver(body.mesh, isotropic(b.materials.roller), 0, axial_supports({on_axis}));
+    return {flexibility_of(solver, 0, loads(body, 0))};
+  };
+  const auto bent = [&]() -> MatrixCache::Matrices {
+    const GroovedBody body = meshed();
     std::vector<fe::HarmonicSupport> supports;
     std::vector<fe::HarmonicSpring> springs;
-    add_guidance(body, b.structure.roller, supports, springs);
-    fe::HarmonicBody solver(body.mesh, material, 1, supports, springs);
-    Eigen::MatrixXd loads = patch_loads(body, 1);
-    loads.leftCols(b.contacts) *= -1.0;  // cos(theta) at theta = pi
-    f.matrix += flexibility_of(solver, 1, loads);
-  }
+    add_guidance(body, roller, supports, springs);
+    fe::HarmonicBody solver(body.mesh, isotropic(b.materials.roller), 1, supports, springs);
+    return {flexibility_of(solver, 1, loads(body, 1))};
+  };
+  const auto key = [&](std::string_view what) {
+    Key k(what);
+    k.add(g).add(roller.end_length).add(roller.end_diameter).add(b.materials.roller);
+    k.add(b.patches.screw).add(b.patches.nut).add(direction).add(b.contacts);
+    return k.add(options.mesh);
+  };
+  Key guided = key("bent roller");
+  guided.add(centred)
+      .add(static_cast<int>(roller.guidance.kind))
+      .add(roller.guidance.ring_stiffness);
+
+  Flexibility f;
+  f.matrix = cache.get(key("stretched roller").text(), stretched)->front() +
+             cache.get(guided.text(), bent)->front();
   f.harmonics = 2;
-  const std::vector<LoadedFlank> types{{0.0, screw_side, b.patches.screw, options.mesh.patch_cells},
-                                       {0.0, nut_side, b.patches.nut, options.mesh.patch_cells}};
-  BlockSolver block(g, 0.0, b.materials.roller, types, options);
-  add_higher_harmonics(f, block, types, {true, false}, g.pitch_radius, b.materials.roller, 2, 1,
-                       b.contacts, options);
+  const Teeth teeth{g,
+                    0.0,
+                    b.materials.roller,
+                    {{0.0, screw_side, b.patches.screw, options.mesh.patch_cells},
+                     {0.0, nut_side, b.patches.nut, options.mesh.patch_cells}},
+                    {true, false},
+                    2,
+                    1,
+                    b.contacts};
+  add_teeth(f, teeth, centred, options, cache);
   return f;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace prs {
@@ -22,6 +23,17 @@ std::vector<double> graded(double from, double to, double first, double growth, 
   for (double& e : ends) e = from + scale * e;
   ends.back() = to;
   return ends;
+}
+
+/// Each cell cut into `parts` equal ones.
+std::vector<double> split(const std::vector<double>& ends, int parts) {
+  std::vector<double> finer{ends.front()};
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    for (int k = 1; k < parts; ++k)
+      finer.push_back(ends[i - 1] + (ends[i] - ends[i - 1]) * k / parts);
+    finer.push_back(ends[i]);
+  }
+  return finer;
 }
 
 /// A column of nodes; those that are not essential give way to their neighbours.
@@ -180,6 +192,8 @@ std::vector<double> core_radii(const GroovedShape& s, const MeshDensity& density
   }
   std::vector<double> stops{s.far_radius};
   for (const Collar& c : s.collars) stops.push_back(c.radius);
+  for (const double r : s.radii)
+    if (r > first) stops.push_back(r);
   std::sort(stops.begin(), stops.end());
   stops.erase(
       std::unique(stops.begin(), stops.end(), [](double a, double b) { return b - a < 1e-9; }),
@@ -195,6 +209,30 @@ std::vector<double> core_radii(const GroovedShape& s, const MeshDensity& density
     radii.insert(radii.end(), part.begin() + 1, part.end());
   }
   return radii;
+}
+
+/// Throws where the profile closes on itself, or leaves no core that could be meshed.
+void require_proper(const GroovedShape& s, const MeshDensity& density) {
+  const Groove& g = s.groove;
+  for (const FlankSide side : {FlankSide::backward, FlankSide::forward}) {
+    const double angle = g.angle(side);
+    if (angle < 10.0 / 180.0 * std::numbers::pi || angle > 75.0 / 180.0 * std::numbers::pi)
+      throw std::invalid_argument(
+          "flank normals must make 10 to 75 deg with the axis for the meridian mesh");
+    if (sign(side) * g.position(side, g.addendum) <= 0.0 ||
+        sign(side) * g.position(side, -g.dedendum) >= 0.5 * g.pitch)
+      throw std::invalid_argument("the flanks of a thread meet below its crest or above its root");
+  }
+  const double base = base_radius(s, density), least = 0.05 * g.pitch;
+  if (g.internal ? base + least > s.far_radius : base - least < s.far_radius)
+    throw std::invalid_argument("the wall below the threads is thinner than about half a pitch");
+}
+
+/// Height of the surface over the pitch line.
+double surface_height(const GroovedShape& s, double z) {
+  const double groove = 0.75 * s.groove.pitch;
+  const bool plain = s.ridges && (z < s.ridges->first - groove || z > s.ridges->second + groove);
+  return plain ? 0.0 : s.groove.height(z - s.ridge);
 }
 
 /// Radius that a nut's surface has between two columns.
@@ -218,14 +256,17 @@ const GroovedBody::Column& GroovedBody::column(double z) const {
 GroovedBody mesh_grooved_body(const GroovedShape& shape, const std::vector<LoadedFlank>& flanks,
                               const MeshDensity& density) {
   const Groove& g = shape.groove;
-  const std::vector<double> z = columns_of(shape, flanks, density);
+  require_proper(shape, density);
+  const std::vector<double> z = split(columns_of(shape, flanks, density), density.split);
   const double base = base_radius(shape, density);
-  const std::vector<double> share = ridge_layers(g, flanks, density, base);
+  std::vector<double> share = ridge_layers(g, flanks, density, base);
   const double root = g.radius(-g.dedendum);
   const double last_cell =
       (share[share.size() - 1] - share[share.size() - 2]) * std::abs(root - base);
   const std::vector<double> core =
-      core_radii(shape, density, base, density.growth * std::max(last_cell, 0.05 * g.pitch));
+      split(core_radii(shape, density, base, density.growth * std::max(last_cell, 0.05 * g.pitch)),
+            density.split);
+  share = split(share, density.split);
 
   // Layers counted from the profile; in the grid they run outwards.
   const int ridge_cells = static_cast<int>(share.size()) - 1;
@@ -245,7 +286,7 @@ GroovedBody mesh_grooved_body(const GroovedShape& shape, const std::vector<Loade
     // Beside a step the layers that follow the profile are empty, and lie anywhere.
     double surface = root;
     if (is_threaded(at))
-      surface = g.radius(g.height(at - shape.ridge));
+      surface = g.radius(surface_height(shape, at));
     else if (!has_step(shape, base))
       surface = shape.plain_end->radius;
     for (int l = 0; l <= layers; ++l) {

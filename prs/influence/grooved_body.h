@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "fe/axisymmetric.h"
@@ -18,6 +19,7 @@ struct MeshDensity {
   double largest_cell = 0.5;  ///< In the core, radially, over the body's thickness there.
   double step_cell = 0.05;    ///< Radially at a step of a nut's surface, over the same.
   int plain_flank_cells = 2;  ///< On flanks without load.
+  int split = 1;              ///< Every cell again, each way, by halves for 2.
   double ridge_depth = 0.36;  ///< Depth below the roots that follows the profile, in pitches.
 };
 
@@ -45,13 +47,16 @@ struct Collar {
 /// A body of revolution with grooves, in the meridian plane. Axial positions are the body's own.
 struct GroovedShape {
   Groove groove;
-  double start = 0.0;       ///< Threads from here [m]
-  double end = 0.0;         ///< to here [m].
-  double ridge = 0.0;       ///< Middle of any ridge [m].
+  double start = 0.0;  ///< Threads from here [m]
+  double end = 0.0;    ///< to here [m].
+  double ridge = 0.0;  ///< Middle of any ridge [m].
+  /// First and last ridge [m]; plain at the pitch radius beyond their grooves. Absent: endless.
+  std::optional<std::pair<double, double>> ridges;
   double far_radius = 0.0;  ///< Bore of a screw, 0 of a solid roller; outer radius of a nut [m].
   std::optional<PlainEnd> plain_end;  ///< On both sides of an external thread.
   std::vector<Collar> collars;        ///< Of a nut.
   std::vector<double> sections;       ///< Further axial positions with a column of nodes [m].
+  std::vector<double> radii;  ///< Further radii with a layer of nodes beyond the core of a nut [m].
 };
 
 /// The mesh of a grooved body and where its flanks and sections are.

@@ -106,9 +106,10 @@ void alternatives(Io& io, ModelOptions::RollerContacts& r) {
 
 template <class Io>
 void alternatives(Io& io, ModelOptions::ToothCompliance& t) {
-  io.word("none", t, ModelOptions::ToothCompliance::none, "nothing besides exact Hertz");
-  io.word("yamamoto", t, ModelOptions::ToothCompliance::yamamoto,
-          "Yamamoto's tooth deflection on top, for comparison");
+  using enum ModelOptions::ToothCompliance::Kind;
+  io.word("none", t.kind, none, "nothing besides exact Hertz");
+  io.map("yamamoto", t.kind, yamamoto, t.width, Quantity{unit::length, positive},
+         "Yamamoto's deflection on top, a contact loading this width of thread; for comparison");
 }
 
 template <class Io>
@@ -133,6 +134,14 @@ template <class Io>
 void alternatives(Io& io, LoadCase::Share& s) {
   io.word("solved", s, LoadCase::Share::solved, "the structure decides on the thread loads");
   io.word("equal", s, LoadCase::Share::equal, "every thread carries the same load");
+}
+
+template <class Io>
+void alternatives(Io& io, Preload::Arrangement& a) {
+  io.word("single_nut", a, Preload::Arrangement::single_nut,
+          "rollers wedged in the grooves of screw and nut on both flanks");
+  io.word("double_nut", a, Preload::Arrangement::double_nut,
+          "two nuts on one screw, each with its rollers, pushed apart by a spacer");
 }
 
 template <class Io>
@@ -386,6 +395,49 @@ void fields(Io& io, LoadCaseItem& l) {
 }
 
 template <class Io>
+void fields(Io& io, Spacer& s) {
+  const Quantity length{unit::length, positive};
+  io.field("length", s.length, length, required, "Between the nuts");
+  io.field("inner_diameter", s.inner_diameter, length, required, "Inside");
+  io.field("outer_diameter", s.outer_diameter, length, required, "Outside");
+}
+
+template <class Io>
+void fields(Io& io, LoadSweep& l) {
+  const Quantity force{unit::force};
+  io.field("from", l.from, force, required, "First load; > 0 in tension");
+  io.field("to", l.to, force, required, "Last load");
+  io.field("steps", l.steps, Whole{2, 10'000}, optional, "Number of loads, ends included");
+}
+
+template <class Io>
+void fields(Io& io, Preload& p) {
+  const Quantity length{unit::length, positive};
+  io.field("arrangement", p.arrangement, Choice{}, required, "What pushes against what");
+
+  const Presence in_two_nuts = required_only_if(p.arrangement == Preload::Arrangement::double_nut,
+                                                "only with `arrangement: double_nut`");
+  io.field("force", p.force, Quantity{unit::force, positive}, optional,
+           "Axial load of each side without external load");
+  io.field("interference", p.interference, length,
+           optional_only_if(!p.force, "in place of `force`"),
+           "Single nut: pitch diameter of the rollers above the one that just fills the grooves; "
+           "double nut: length of the spacer above the one that just touches");
+  io.field("backlash", p.backlash, Quantity{unit::length, not_negative},
+           required_only_if(!p.force && !p.interference, "in place of `force` or `interference`"),
+           "Axial play instead of preload");
+  io.field("position", p.position, Quantity{unit::length}, required,
+           "Axial position of the first roller contact on the first nut");
+  io.field("spacer", p.spacer, Block{}, in_two_nuts, "Ring between the nuts, of their material");
+  io.field("distance", p.distance, length, in_two_nuts,
+           "From the last contact of the first nut to the first one of the second");
+  io.field("load", p.load, Block{}, required, "External axial loads of the curve");
+  io.field("lost_motion_load", p.lost_motion_load, Quantity{unit::force, positive}, optional,
+           "The lost motion is the travel between this load in tension and in compression; 5 % of "
+           "the largest load of the curve by default");
+}
+
+template <class Io>
 void fields(Io& io, ViscosityPoint& p) {
   io.field("temperature", p.temperature, Quantity{unit::temperature, positive}, required,
            "Where the viscosity was measured");
@@ -488,6 +540,8 @@ void fields(Io& io, CaseFile& file) {
            "Values that replace what the geometry gives, in the load distribution only");
   io.field("model", c.model, Block{}, optional, "Choices of the model");
   io.field("load_cases", file.load_cases, List{Block{}, 1}, optional, "Loads, each on its own");
+  io.field("preload", c.preload, Block{}, optional,
+           "How the play is taken out, and the curve through zero, for `prs preload`");
   const Bounds up_to_100_um{.least = 0.0, .greatest = 1e-4, .least_excluded = true};
   io.field("roughness", c.roughness, OneOrEach{Quantity{unit::length, up_to_100_um}}, optional,
            "Rms roughness Rq of the flanks, for the film ratio");

@@ -1,4 +1,4 @@
-#include "prs/output/sha256.h"
+#include "prs/sha256.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "prs/output/sha256.h"
+#include "prs/sha256.h"
 
 #include <gtest/gtest.h>
 

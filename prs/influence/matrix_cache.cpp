@@ -1,0 +1,170 @@
+#include "prs/influence/matrix_cache.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "prs/sha256.h"
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Entries in memory; the oldest gives way. A screw has about ten.
+constexpr std::size_t kMostKept = 512;
+constexpr std::size_t kDigestLength = 64;
+constexpr std::int64_t kLargestSide = 100'000;
+
+void append(std::string& bytes, std::int64_t value) {
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  bytes.append(raw, sizeof value);
+}
+
+/// Reads from the front of some bytes; says so where they end too early.
+class Bytes {
+ public:
+  explicit Bytes(std::string_view bytes) : rest_(bytes) {}
+
+  std::optional<std::string_view> take(std::size_t count) {
+    if (count > rest_.size()) return std::nullopt;
+    const std::string_view taken = rest_.substr(0, count);
+    rest_.remove_prefix(count);
+    return taken;
+  }
+  std::optional<std::int64_t> number() {
+    const auto raw = take(sizeof(std::int64_t));
+    if (!raw) return std::nullopt;
+    std::int64_t value = 0;
+    std::memcpy(&value, raw->data(), sizeof value);
+    return value;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+/// Key, matrices and, at the end, the digest of both.
+std::string encoded(const std::string& key, const MatrixCache::Matrices& matrices) {
+  std::string bytes;
+  append(bytes, static_cast<std::int64_t>(key.size()));
+  bytes += key;
+  append(bytes, static_cast<std::int64_t>(matrices.size()));
+  for (const Eigen::MatrixXd& m : matrices) {
+    append(bytes, m.rows());
+    append(bytes, m.cols());
+    bytes.append(reinterpret_cast<const char*>(m.data()),
+                 static_cast<std::size_t>(m.size()) * sizeof(double));
+  }
+  return bytes + sha256(bytes);
+}
+
+std::optional<MatrixCache::Matrices> decoded(std::string_view bytes, const std::string& key) {
+  if (bytes.size() < kDigestLength) return std::nullopt;
+  const std::string_view content = bytes.substr(0, bytes.size() - kDigestLength);
+  if (sha256(content) != bytes.substr(content.size())) return std::nullopt;
+
+  Bytes rest(content);
+  const auto key_length = rest.number();
+  if (key_length != static_cast<std::int64_t>(key.size()) || rest.take(key.size()) != key)
+    return std::nullopt;
+  const auto count = rest.number();
+  if (!count) return std::nullopt;
+  MatrixCache::Matrices matrices;
+  for (std::int64_t k = 0; k < *count; ++k) {
+    const auto rows = rest.number(), columns = rest.number();
+    if (!rows || !columns || *rows < 0 || *columns < 0 || *rows > kLargestSide ||
+        *columns > kLargestSide)
+      return std::nullopt;
+    const auto raw = rest.take(static_cast<std::size_t>(*rows * *columns) * sizeof(double));
+    if (!raw) return std::nullopt;
+    matrices.emplace_back(*rows, *columns);
+    if (!raw->empty()) std::memcpy(matrices.back().data(), raw->data(), raw->size());
+  }
+  return matrices;
+}
+
+std::optional<MatrixCache::Matrices> read(const fs::path& file, const std::string& key) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::nullopt;
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  return decoded(bytes, key);
+}
+
+/// Complete or not at all, whoever else writes the same file.
+void write(const fs::path& file, const std::string& bytes) {
+  static std::atomic<unsigned> serial = 0;
+  std::error_code failed;
+  fs::create_directories(file.parent_path(), failed);
+  fs::path draft = file;
+  draft += "." + std::to_string(getpid()) + "." + std::to_string(serial++);
+  {
+    std::ofstream out(draft, std::ios::binary);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    if (!out) {
+      fs::remove(draft, failed);
+      return;
+    }
+  }
+  fs::rename(draft, file, failed);
+  if (failed) fs::remove(draft, failed);
+}
+
+}  // namespace
+
+void MatrixCache::keep_in(fs::path directory) {
+  const std::lock_guard lock(mutex_);
+  directory_ = std::move(directory);
+}
+
+fs::path MatrixCache::file(const std::string& key) const {
+  const std::lock_guard lock(mutex_);
+  return directory_.empty() ? fs::path() : directory_ / (sha256(key) + ".matrices");
+}
+
+std::shared_ptr<const MatrixCache::Matrices> MatrixCache::get(
+    const std::string& key, const std::function<Matrices()>& compute) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = kept_.find(key); found != kept_.end()) return found->second;
+  }
+  const fs::path kept_file = file(key);
+  std::optional<Matrices> matrices;
+  if (!kept_file.empty()) matrices = read(kept_file, key);
+  const bool found = matrices.has_value();
+  if (!found) {
+    matrices = compute();
+    if (!kept_file.empty()) write(kept_file, encoded(key, *matrices));
+  }
+
+  const std::lock_guard lock(mutex_);
+  if (!found) ++computed_;
+  const auto [entry, is_new] =
+      kept_.try_emplace(key, std::make_shared<const Matrices>(std::move(*matrices)));
+  const std::shared_ptr<const Matrices> result = entry->second;
+  if (is_new) oldest_first_.push_back(key);
+  if (oldest_first_.size() > kMostKept) {
+    kept_.erase(oldest_first_.front());
+    oldest_first_.erase(oldest_first_.begin());
+  }
+  return result;
+}
+
+int MatrixCache::computed() const {
+  const std::lock_guard lock(mutex_);
+  return computed_;
+}
+
+MatrixCache& shared_matrix_cache() {
+  static MatrixCache cache;
+  return cache;
+}
+
+}  // namespace prs

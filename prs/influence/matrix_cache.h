@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace prs {
+
+/// Matrices that are dear to compute, kept under the text of all that they depend on: in memory
+/// and, where a directory is given, in files there that later runs find by the text's SHA-256. A
+/// file that is damaged or belongs to another text counts as absent; one that cannot be written is
+/// left out. May be used from several threads.
+class MatrixCache {
+ public:
+  using Matrices = std::vector<Eigen::MatrixXd>;
+
+  /// Keeps nothing in files where `directory` is empty.
+  explicit MatrixCache(std::filesystem::path directory = {}) { keep_in(std::move(directory)); }
+
+  void keep_in(std::filesystem::path directory);
+
+  /// What is kept under `key`, else the result of `compute`, which is kept from then on.
+  std::shared_ptr<const Matrices> get(const std::string& key,
+                                      const std::function<Matrices()>& compute);
+
+  /// Matrices computed so far, found neither in memory nor in a file.
+  int computed() const;
+
+ private:
+  std::filesystem::path file(const std::string& key) const;
+
+  mutable std::mutex mutex_;
+  std::filesystem::path directory_;
+  std::map<std::string, std::shared_ptr<const Matrices>> kept_;
+  std::vector<std::string> oldest_first_;
+  int computed_ = 0;
+};
+
+/// The cache that the program's commands share.
+MatrixCache& shared_matrix_cache();
+
+}  // namespace prs

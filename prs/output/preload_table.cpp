@@ -1,0 +1,108 @@
+#include "prs/output/preload_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "prs/output/case_table.h"
+#include "prs/output/text.h"
+#include "prs/output/units.h"
+
+namespace prs {
+namespace {
+
+constexpr std::size_t kMostRows = 24;
+
+std::string line(std::string_view what, const std::string& value) {
+  return fmt::format("  {:<46} {}\n", what, value);
+}
+
+/// One value, or one for each sense of the load.
+std::string both(const PerDirection<std::optional<double>>& values, double factor, int decimals,
+                 std::string_view unit) {
+  const std::string tension = fixed(values.tension, factor, decimals);
+  const std::string compression = fixed(values.compression, factor, decimals);
+  if (tension == compression)
+    return tension == kAbsent ? tension : fmt::format("{} {}", tension, unit);
+  return fmt::format("{} {} in tension, {} {} in compression", tension, unit, compression, unit);
+}
+
+std::string with_unit(std::optional<double> si, double factor, int decimals,
+                      std::string_view unit) {
+  return si ? fmt::format("{} {}", fixed(si, factor, decimals), unit) : std::string(kAbsent);
+}
+
+std::string summary(const PreloadResult& r) {
+  const bool single = r.preload.arrangement == Preload::Arrangement::single_nut;
+  std::string text = single ? "Single nut, tension and compression flanks of the same threads\n"
+                            : "Double nut: the first carries compression, the second tension\n";
+  if (r.preload.backlash)
+    text += line("axial play", with_unit(r.preload.backlash, per_si::micrometre, 3, "µm"));
+  else
+    text += line("preload", with_unit(r.force(), per_si::kilonewton, 3, "kN")) +
+            line(single ? "oversize of the rollers' pitch diameter" : "oversize of the spacer",
+                 with_unit(r.interference, per_si::micrometre, 3, "µm")) +
+            line("a side opens at", both(r.opening_force, per_si::kilonewton, 3, "kN")) +
+            line("stiffness at zero load",
+                 both(r.curve.stiffness_at_zero, per_si::newton_per_micrometre, 1, "N/µm"));
+  const std::string load = fixed(r.lost_motion_load, per_si::kilonewton, 3);
+  text += line(fmt::format("lost motion between -{} and +{} kN", load, load),
+               with_unit(r.curve.lost_motion, per_si::micrometre, 3, "µm") +
+                   (r.without_preload ? fmt::format(" (without preload {})",
+                                                    with_unit(r.without_preload->lost_motion,
+                                                              per_si::micrometre, 3, "µm"))
+                                      : ""));
+  return text;
+}
+
+std::string columns(std::initializer_list<std::string> cells) {
+  std::string text;
+  for (const std::string& cell : cells) text += padded(cell, 15, false);
+  return text + '\n';
+}
+
+std::string row(const PreloadResult& r, std::size_t k) {
+  const PreloadPoint& point = r.curve.points[k];
+  const std::string force = fixed(point.axial_force, per_si::kilonewton, 3);
+  if (!point.solve.converged())
+    return fmt::format("{}  NOT CONVERGED ({}), residual {:.1e}\n", padded(force, 15, false),
+                       fe::name(point.solve.status), point.solve.relative_residual);
+  const auto side = [&](Direction d) {
+    return fixed(point.sides[d].axial_load.screw, per_si::kilonewton, 3);
+  };
+  double normal = 0.0;
+  for (const Direction d : kDirections)
+    for (const Interface i : kInterfaces)
+      normal = std::max(normal, point.sides[d].max_normal_load[i]);
+  const PreloadPoint* loose = r.without_preload ? &r.without_preload->points[k] : nullptr;
+  const bool known = loose && loose->solve.converged();
+  return columns(
+      {force, fixed(point.axial_displacement, per_si::micrometre, 3),
+       fixed(point.tangent_stiffness, per_si::newton_per_micrometre, 1), side(Direction::tension),
+       side(Direction::compression), fixed(normal, 1.0, 1),
+       known ? fixed(loose->axial_displacement, per_si::micrometre, 3) : std::string(kAbsent)});
+}
+
+}  // namespace
+
+std::string preload_table(const PreloadResult& r) {
+  if (!r.at_rest.solve.converged())
+    return fmt::format("NOT CONVERGED without external load ({}), residual {:.1e}\n",
+                       fe::name(r.at_rest.solve.status), r.at_rest.solve.relative_residual);
+  std::string text = summary(r) + '\n';
+  text += columns({"force", "displacement", "tangent", "tension side", "compr. side", "max. normal",
+                   "displ. without"});
+  text += columns({"kN", "µm", "N/µm", "kN", "kN", "N", "preload, µm"});
+  const std::size_t count = r.curve.points.size();
+  const std::size_t step = (count + kMostRows - 1) / kMostRows;
+  for (std::size_t k = 0; k < count; ++k)
+    if (k % step == 0 || k + 1 == count || !r.curve.points[k].solve.converged()) text += row(r, k);
+  if (step > 1) text += fmt::format("  … of {} loads; all in preload.csv\n", count);
+  if (r.warnings.empty()) return text;
+  text += "\nWarnings\n";
+  for (const std::string& warning : r.warnings)
+    text += wrapped(printable(warning), "  ", kTableWidth);
+  return text;
+}
+
+}  // namespace prs
