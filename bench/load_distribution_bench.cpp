@@ -1,5 +1,6 @@
 // The load distribution of the Abevi screw (CONFIG 2, tension, 45 kN, 20 threads): its parts, and
-// whole solves with other factorizations in the same run. Compare ratios, not times.
+// whole solves with other factorizations and of the refined model in the same run. Compare ratios,
+// not times.
 
 #include <benchmark/benchmark.h>
 
@@ -14,9 +15,18 @@ namespace {
 
 constexpr double kForce = 45e3;
 
+using Contacts = prs::ModelOptions::RollerContacts;
+
+test::SectorCase refined(Contacts contacts = Contacts::opposite) {
+  test::SectorCase c = test::abevi();
+  c.options.bodies = prs::ModelOptions::Bodies::refined;
+  c.options.roller_contacts = contacts;
+  return c;
+}
+
 /// The equations of the sector with a state near equilibrium.
 struct Loaded {
-  prs::SectorSolver solver{test::abevi().build()};
+  prs::SectorSolver solver;
   const fe::Equations& equations = solver.equations();
   Eigen::VectorXd load = kForce / 11 * solver.unit_load();
   fe::NewtonOptions options = solver.newton_options(kForce);
@@ -24,7 +34,7 @@ struct Loaded {
   fe::SparseSymmetric tangent = equations.linear_stiffness();
   Eigen::VectorXd residual = Eigen::VectorXd::Zero(equations.size());
 
-  Loaded() {
+  explicit Loaded(const test::SectorCase& c = test::abevi()) : solver(c.build()) {
     equations.tangent_stiffness(start, tangent);
     equations.energy_and_residual(start, load, residual);
   }
@@ -148,8 +158,8 @@ void ConvergedSolveEigenDense(benchmark::State& state) {
 BENCHMARK(ConvergedSolveEigenDense);
 
 /// Newton from equal shares to 1e-12, assembly included, set-up excluded.
-void ConvergedSolve(benchmark::State& state) {
-  Loaded l;
+void converged_solve(benchmark::State& state, const test::SectorCase& c) {
+  Loaded l(c);
   fe::NewtonSolver newton(l.equations);
   int solves = 0;
   for (auto _ : state) {
@@ -159,17 +169,31 @@ void ConvergedSolve(benchmark::State& state) {
   }
   state.counters["linear_solves"] = solves;
 }
+
+void ConvergedSolve(benchmark::State& state) { converged_solve(state, test::abevi()); }
 BENCHMARK(ConvergedSolve);
 
+void ConvergedSolveRefined(benchmark::State& state) { converged_solve(state, refined()); }
+BENCHMARK(ConvergedSolveRefined);
+
+void ConvergedSolveRefinedHalfPitchApart(benchmark::State& state) {
+  converged_solve(state, refined(Contacts::half_pitch_apart));
+}
+BENCHMARK(ConvergedSolveRefinedHalfPitchApart);
+
 /// From the description of the screw: sector, numbering, symbolic analysis, solve, thread loads.
-void CaseCold(benchmark::State& state) {
-  const test::SectorCase c = test::abevi();
+void case_cold(benchmark::State& state, const test::SectorCase& c) {
   for (auto _ : state) {
     prs::SectorSolver solver(c.build());
     benchmark::DoNotOptimize(solver.solve(kForce).axial_displacement);
   }
 }
+
+void CaseCold(benchmark::State& state) { case_cold(state, test::abevi()); }
 BENCHMARK(CaseCold);
+
+void CaseColdRefined(benchmark::State& state) { case_cold(state, refined()); }
+BENCHMARK(CaseColdRefined);
 
 void SweepOf100Loads(benchmark::State& state) {
   prs::SectorSolver solver(test::abevi().build());

@@ -15,7 +15,9 @@ using Column = std::vector<int>;
 
 int global(int node, Dof dof) { return kDofsPerNode * node + static_cast<int>(dof); }
 
-std::array<int, 6> globals(const BeamElement& e) {
+/// Freedoms of a beam or a shell.
+template <class Element>
+std::array<int, 6> globals(const Element& e) {
   return {global(e.first, Dof::u),  global(e.first, Dof::v),  global(e.first, Dof::theta),
           global(e.second, Dof::u), global(e.second, Dof::v), global(e.second, Dof::theta)};
 }
@@ -59,6 +61,7 @@ SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, i
   for (const BarElement& e : model.bars)
     couple(std::array{global(e.first, Dof::u), global(e.second, Dof::u)});
   for (const BeamElement& e : model.beams) couple(globals(e));
+  for (const ShellElement& e : model.shells) couple(globals(e));
   for (const SpringElement& e : model.springs) {
     std::vector<int> freedoms;
     for_each_coefficient(e, [&](int freedom, double) { freedoms.push_back(freedom); });
@@ -90,9 +93,10 @@ void Equations::number_freedoms(const Model& model) {
   }
   for (const BeamElement& e : model.beams)
     for (const int freedom : globals(e)) activate(freedom);
+  for (const ShellElement& e : model.shells)
+    for (const int freedom : globals(e)) activate(freedom);
   for (const ElasticSupport& s : model.elastic_supports) activate(global(s.node, s.dof));
-  for (const FixedSupport& s : model.fixed_supports)
-    at(number_, global(s.node, s.dof)) = kOut;
+  for (const FixedSupport& s : model.fixed_supports) at(number_, global(s.node, s.dof)) = kOut;
 
   int size = 0;
   for (int& n : number_)
@@ -100,8 +104,7 @@ void Equations::number_freedoms(const Model& model) {
 
   const std::vector<int> order = fill_reducing_order(pattern_of(model, number_, size));
   std::vector<int> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    at(place, order[k]) = static_cast<int>(k);
+  for (std::size_t k = 0; k < order.size(); ++k) at(place, order[k]) = static_cast<int>(k);
 
   kind_.resize(order.size());
   for (std::size_t freedom = 0; freedom < number_.size(); ++freedom) {
@@ -125,15 +128,23 @@ void Equations::add_linear_elements(const Model& model) {
     add(j, j, k);
     add(i, j, -k);
   }
+  const auto add_all = [&](const std::array<int, 6>& equation, const BeamMatrix& k) {
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t j = i; j < 6; ++j)
+        add(equation[i], equation[j],
+            k(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+  };
   for (const BeamElement& e : model.beams) {
     NumberedBeam beam{globals(e), e.beam};
     for (int& freedom : beam.equation) freedom = numbered(freedom);
-    const BeamMatrix k = stiffness_matrix(e.beam);
-    for (std::size_t i = 0; i < 6; ++i)
-      for (std::size_t j = i; j < 6; ++j)
-        add(beam.equation[i], beam.equation[j],
-            k(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+    add_all(beam.equation, stiffness_matrix(e.beam));
     beams_.push_back(beam);
+  }
+  for (const ShellElement& e : model.shells) {
+    NumberedShell shell{globals(e), e.stiffness};
+    for (int& freedom : shell.equation) freedom = numbered(freedom);
+    add_all(shell.equation, nodal_stiffness(e.stiffness));
+    shells_.push_back(shell);
   }
   for (const ElasticSupport& s : model.elastic_supports) {
     const int i = number(s.node, s.dof);
@@ -181,10 +192,8 @@ Eigen::VectorXd Equations::load_vector(const std::vector<NodalLoad>& loads) cons
 
 double Equations::Spring::approach(const State& q) const {
   double w = 0.0;
-  for (std::size_t i = 0; i < count; ++i)
-    w += coefficient[i] * q.head[equation[i]];
-  for (std::size_t i = 0; i < count; ++i)
-    w += coefficient[i] * q.tail[equation[i]];
+  for (std::size_t i = 0; i < count; ++i) w += coefficient[i] * q.head[equation[i]];
+  for (std::size_t i = 0; i < count; ++i) w += coefficient[i] * q.tail[equation[i]];
   return w;
 }
 
@@ -206,6 +215,17 @@ double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f,
     for (std::size_t i = 0; i < 6; ++i)
       add_to(residual, b.equation[i], forces[static_cast<Eigen::Index>(i)]);
   }
+  for (const NumberedShell& s : shells_) {
+    const auto& [u1, v1, t1, u2, v2, t2] = s.equation;
+    const auto mean = [&](int i, int j) {
+      return 0.5 * (q[i] + q[j]) + 0.5 * (q.rest(i) + q.rest(j));
+    };
+    const BeamVector forces =
+        end_forces(s.stiffness, {q.difference(u1, u2), q.difference(v1, v2), q.difference(t1, t2),
+                                 mean(v1, v2), mean(t1, t2)});
+    for (std::size_t i = 0; i < 6; ++i)
+      add_to(residual, s.equation[i], forces[static_cast<Eigen::Index>(i)]);
+  }
   for (const NumberedSupport& s : supports_)
     add_to(residual, s.equation, s.stiffness * q[s.equation]);
   double energy = q.head.dot(0.5 * residual - f);
@@ -213,8 +233,7 @@ double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f,
   for (const Spring& s : springs_) {
     const SpringResponse r = evaluate(s.law, s.approach(q));
     energy += r.energy;
-    for (std::size_t i = 0; i < s.count; ++i)
-      residual[s.equation[i]] += r.force * s.coefficient[i];
+    for (std::size_t i = 0; i < s.count; ++i) residual[s.equation[i]] += r.force * s.coefficient[i];
   }
   return energy;
 }
@@ -230,8 +249,7 @@ Eigen::VectorXd Equations::rounding_residual(const State& q) const {
     }
   for (const Spring& s : springs_) {
     double w = 0.0;
-    for (std::size_t i = 0; i < s.count; ++i)
-      w += std::abs(s.coefficient[i] * q[s.equation[i]]);
+    for (std::size_t i = 0; i < s.count; ++i) w += std::abs(s.coefficient[i] * q[s.equation[i]]);
     const double force = evaluate(s.law, s.approach(q)).tangent * w;
     for (std::size_t i = 0; i < s.count; ++i)
       r[s.equation[i]] += force * std::abs(s.coefficient[i]);

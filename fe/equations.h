@@ -34,8 +34,8 @@ class Equations {
   /// Approach w of spring k, without its gap [m].
   double approach(const State& q, int k) const;
 
-  /// A matrix with the fixed pattern, holding the linear part (bars, beams, elastic supports)
-  /// [N/m].
+  /// A matrix with the fixed pattern, holding the linear part (bars, beams, shells, elastic
+  /// supports) [N/m].
   const SparseSymmetric& linear_stiffness() const { return linear_; }
 
   /// Potential energy 1/2 q'Kq + sum of the springs' - f'q [J], and its gradient, the residual
@@ -72,6 +72,10 @@ class Equations {
     std::array<int, 6> equation;
     Beam beam;
   };
+  struct NumberedShell {
+    std::array<int, 6> equation;
+    ShellMatrix stiffness;
+  };
   struct NumberedSupport {
     int equation;
     double stiffness;
@@ -86,6 +90,7 @@ class Equations {
   std::vector<Dof> kind_;
   std::vector<NumberedBar> bars_;
   std::vector<NumberedBeam> beams_;
+  std::vector<NumberedShell> shells_;
   std::vector<NumberedSupport> supports_;
   std::vector<Spring> springs_;
   SparseSymmetric linear_;

@@ -5,6 +5,7 @@
 #include "fe/bar.h"
 #include "fe/beam.h"
 #include "fe/power_law_spring.h"
+#include "fe/shell.h"
 
 namespace fe {
 
@@ -31,6 +32,13 @@ struct BeamElement {
   int first = 0;
   int second = 0;
   Beam beam;
+};
+
+/// A length of a shell of revolution about the x axis; v is its radial displacement.
+struct ShellElement {
+  int first = 0;
+  int second = 0;
+  ShellMatrix stiffness;
 };
 
 /// A power-law spring between two points. Its approach is the displacement of `from` relative to
@@ -62,12 +70,13 @@ struct NodalLoad {
   double value = 0.0;
 };
 
-/// A plane structure of bars, beams and unilateral springs: what stays constant in a solve. Bars
-/// carry u only; a freedom that no element stiffens takes no part in the equations.
+/// A plane structure of bars, beams, shells and unilateral springs: what stays constant in a solve.
+/// Bars carry u only; a freedom that no element stiffens takes no part in the equations.
 struct Model {
   int nodes = 0;
   std::vector<BarElement> bars;
   std::vector<BeamElement> beams;
+  std::vector<ShellElement> shells;
   std::vector<SpringElement> springs;
   std::vector<ElasticSupport> elastic_supports;
   std::vector<FixedSupport> fixed_supports;

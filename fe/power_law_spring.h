@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 namespace fe {
 
@@ -18,11 +19,15 @@ struct SpringResponse {
 /// with w the approach of the two ends [m] and <x> = max(x, 0). The energy is convex in w, so a
 /// Newton direction always descends. Exponent 3/2 is Hertz's point contact (Abevi 2015, (21), with
 /// the exponent read as 3/2).
+///
+/// What stands in series may take back part of the deflection, series_compliance < 0. The law holds
+/// until it takes back half of what the power law adds, 1 + series_compliance d force/dd = 1/2;
+/// from there on the force grows along its tangent.
 struct PowerLawSpring {
   double stiffness = 0.0;          ///< k_0 [N/m^exponent], > 0.
   double exponent = 1.5;           ///< >= 1.
   double gap = 0.0;                ///< Approach at which the ends first touch [m].
-  double series_compliance = 0.0;  ///< Linear spring in series [m/N], >= 0.
+  double series_compliance = 0.0;  ///< Linear spring in series [m/N]; < 0 needs exponent > 1.
 };
 
 /// Force of the power law alone, its own deflection `d` given: k d^n, n k d^(n-1), k d^(n+1)/(n+1).
@@ -33,9 +38,30 @@ inline SpringResponse power_law(double stiffness, double exponent, double d) {
   return {force * d / (exponent + 1.0), force, exponent * stiffness * root};
 }
 
-/// Deflection d of the power law in series with the linear spring: d + c k d^n = total.
-/// Convex and increasing, so Newton from the right end never overshoots the root.
+/// Deflection d of the power law up to which a series compliance < 0 takes back no more than half:
+/// -c n k d^(n-1) = 1/2.
+inline double largest_deflection(const PowerLawSpring& s) {
+  if (s.series_compliance >= 0.0 || s.stiffness == 0.0)
+    return std::numeric_limits<double>::infinity();
+  const double d = -0.5 / (s.series_compliance * s.exponent * s.stiffness);
+  if (s.exponent == 1.5) return d * d;
+  return std::pow(d, 1.0 / (s.exponent - 1.0));
+}
+
+/// Deflection d of the power law in series with the linear spring: d + c k d^n = total, for
+/// d <= `largest_deflection`. Increasing, convex for c > 0 and concave for c < 0, so that Newton
+/// from d = total never overshoots the root. For n = 3/2 it is done in x = sqrt(d).
 inline double deflection_in_series(const PowerLawSpring& s, double total) {
+  if (s.exponent == 1.5) {
+    const double a = s.series_compliance * s.stiffness;
+    double x = std::sqrt(total);
+    for (int i = 0; i < 100; ++i) {
+      const double step = (x * x * (1.0 + a * x) - total) / (x * (2.0 + 3.0 * a * x));
+      x -= step;
+      if (std::abs(step) <= 1e-9 * x) break;  // its square is beyond rounding
+    }
+    return x * x;
+  }
   double d = total;
   for (int i = 0; i < 100; ++i) {
     const SpringResponse r = power_law(s.stiffness, s.exponent, d);
@@ -47,16 +73,38 @@ inline double deflection_in_series(const PowerLawSpring& s, double total) {
   return d;
 }
 
+/// Response of both in series to a deflection `d` of the power law alone.
+inline SpringResponse response_in_series(const PowerLawSpring& s, double d) {
+  SpringResponse r = power_law(s.stiffness, s.exponent, d);
+  r.energy += 0.5 * s.series_compliance * r.force * r.force;
+  r.tangent /= 1.0 + s.series_compliance * r.tangent;
+  return r;
+}
+
 /// Response of the spring to the approach `w` [m].
 inline SpringResponse evaluate(const PowerLawSpring& s, double w) {
   const double total = w - s.gap;
   if (total <= 0.0) return {};
   if (s.series_compliance == 0.0) return power_law(s.stiffness, s.exponent, total);
 
-  SpringResponse r = power_law(s.stiffness, s.exponent, deflection_in_series(s, total));
-  r.energy += 0.5 * s.series_compliance * r.force * r.force;
-  r.tangent /= 1.0 + s.series_compliance * r.tangent;
-  return r;
+  const double largest = largest_deflection(s);
+  // At least 1 - 1/(2 n) of it is left of the deflection there.
+  if (total > (1.0 - 0.5 / s.exponent) * largest) {
+    SpringResponse r = response_in_series(s, largest);
+    const double beyond = total - (largest + s.series_compliance * r.force);
+    r.energy += beyond * (r.force + 0.5 * r.tangent * beyond);
+    r.force += r.tangent * beyond;
+    return r;
+  }
+  return response_in_series(s, deflection_in_series(s, total));
+}
+
+/// Deflection of the power law alone at the approach `w` [m].
+inline double deflection(const PowerLawSpring& s, double w) {
+  const double total = w - s.gap;
+  if (total <= 0.0) return 0.0;
+  if (s.series_compliance == 0.0) return total;
+  return std::pow(evaluate(s, w).force / s.stiffness, 1.0 / s.exponent);
 }
 
 }  // namespace fe

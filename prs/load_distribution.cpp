@@ -57,11 +57,14 @@ LoadDistribution SectorSolver::solve(double axial_force) {
           sector_.model.springs[static_cast<std::size_t>(sector_.spring(i, k))].law;
       const double w = equations_.approach(state_, sector_.spring(i, k));
       result.normal_load[i].push_back(fe::evaluate(law, w).force);
-      result.approach[i].push_back(std::max(0.0, w - law.gap));
+      result.approach[i].push_back(fe::deflection(law, w));
     }
-  result.axial_displacement = unit_load_.dot(state_.head);
-  if (solver_.solve_tangent(state_, unit_load_, rate_))
-    result.tangent_stiffness = sector_.rollers / unit_load_.dot(rate_);
+  result.axial_displacement =
+      unit_load_.dot(state_.head) + sector_.offset_compliance * sector_force;
+  if (solver_.solve_tangent(state_, unit_load_, rate_)) {
+    const double flexibility = unit_load_.dot(rate_) + sector_.offset_compliance;
+    if (flexibility > 0.0) result.tangent_stiffness = sector_.rollers / flexibility;
+  }
   return result;
 }
 

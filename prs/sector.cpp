@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "prs/refined/refinement.h"
+
 namespace prs {
 namespace {
 
@@ -23,8 +25,9 @@ double disc_shear_coefficient(double poisson) {
 }
 
 /// Bars from the loaded section through the contacts.
-void add_screw(Sector& s, const Mechanism& m, const Structure::Screw& screw, double modulus) {
-  const double rigidity = modulus * ring_area(*m.pitch_diameter.screw, screw.bore) / m.rollers;
+void add_screw(Sector& s, const Mechanism& m, const Structure::Screw& screw, double diameter,
+               double modulus) {
+  const double rigidity = modulus * ring_area(diameter, screw.bore) / m.rollers;
   s.loaded_node = s.model.add_node();
   const bool at_first_contact = screw.free_length == 0.0;
   int previous = s.loaded_node;
@@ -47,12 +50,15 @@ double nut_outer_diameter(const Structure::Nut& nut, double x) {
   return nut.outer_diameter;
 }
 
-/// Bars over the whole nut, the thrust section of the load's direction held.
-void add_nut(Sector& s, const Mechanism& m, const Structure::Nut& nut, double modulus,
-             double position) {
+/// Nodes at the ends, the flange faces, the thrust section of the load's direction and the
+/// contacts.
+NutLine nut_line(const Mechanism& m, const Structure::Nut& nut, Direction direction,
+                 double position) {
   const double thrust =
-      s.direction == Direction::tension ? *nut.thrust.tension : *nut.thrust.compression;
-  std::vector<double> sections{0.0, nut.length, thrust};
+      direction == Direction::tension ? *nut.thrust.tension : *nut.thrust.compression;
+  NutLine line;
+  std::vector<double>& sections = line.sections;
+  sections = {0.0, nut.length, thrust};
   for (const Structure::Flange& flange : nut.flanges) {
     sections.push_back(flange.from);
     sections.push_back(flange.to);
@@ -65,26 +71,54 @@ void add_nut(Sector& s, const Mechanism& m, const Structure::Nut& nut, double mo
                                [&](double a, double b) { return b - a < same; });
   sections.erase(end, sections.end());
 
-  const int first = s.model.nodes;
-  s.model.nodes += static_cast<int>(sections.size());
   const auto node_at = [&](double x) {
     const auto next = std::lower_bound(sections.begin(), sections.end(), x - same);
-    return first + static_cast<int>(next - sections.begin());
+    return static_cast<int>(next - sections.begin());
   };
-  for (std::size_t i = 1; i < sections.size(); ++i) {
-    const double outer = nut_outer_diameter(nut, 0.5 * (sections[i - 1] + sections[i]));
-    const double rigidity = modulus * ring_area(outer, *m.pitch_diameter.nut) / m.rollers;
-    const int node = first + static_cast<int>(i);
-    s.model.bars.push_back({node - 1, node, {rigidity, sections[i] - sections[i - 1]}});
+  for (std::size_t i = 1; i < sections.size(); ++i)
+    line.outer_radius.push_back(0.5 *
+                                nut_outer_diameter(nut, 0.5 * (sections[i - 1] + sections[i])));
+  for (int k = 0; k < m.contacts_per_roller; ++k) line.contacts.push_back(node_at(contact(k)));
+  line.thrust = node_at(thrust);
+  return line;
+}
+
+/// Nodes of the nut, the thrust section held.
+int add_nut_nodes(Sector& s, const NutLine& line) {
+  const int first = s.model.nodes;
+  s.model.nodes += static_cast<int>(line.sections.size());
+  for (const int node : line.contacts) s.nut_nodes.push_back(first + node);
+  s.model.fixed_supports.push_back({first + line.thrust, Dof::u});
+  return first;
+}
+
+void add_nut_bars(Sector& s, const NutLine& line, double bore, double modulus) {
+  int node = add_nut_nodes(s, line);
+  for (std::size_t i = 0; i < line.outer_radius.size(); ++i, ++node) {
+    const double rigidity = modulus * ring_area(2.0 * line.outer_radius[i], bore) / s.rollers;
+    s.model.bars.push_back({node, node + 1, {rigidity, line.length(i)}});
   }
-  for (int k = 0; k < m.contacts_per_roller; ++k) s.nut_nodes.push_back(node_at(contact(k)));
-  s.model.fixed_supports.push_back({node_at(thrust), Dof::u});
+}
+
+void add_nut_shell(Sector& s, const NutLine& line, const NutShell& shell, bool radially_rigid) {
+  const int first = add_nut_nodes(s, line);
+  int node = first;
+  for (const fe::ShellMatrix& stiffness : shell.segments) {
+    s.model.shells.push_back({node, node + 1, stiffness});
+    ++node;
+  }
+  if (shell.straight_thrust_section)
+    s.model.fixed_supports.push_back({first + line.thrust, Dof::theta});
+  if (radially_rigid)
+    for (int i = first; i <= node; ++i) s.model.fixed_supports.push_back({i, Dof::v});
 }
 
 /// Beams from end to end: end element, half a pitch of thread run-out, the pitches between the
-/// contacts, run-out, end element.
+/// teeth, run-out, end element. The contacts of a tooth stand at its middle, or `half_distance` to
+/// both sides of it.
 void add_roller(Sector& s, const Mechanism& m, const Structure::Roller& roller,
-                const Material& material, bool shear) {
+                double thread_diameter, double half_distance, const Material& material,
+                bool shear) {
   const auto beam = [&](double diameter, double length) {
     const double shear_modulus = material.youngs_modulus / (2.0 * (1.0 + material.poisson_ratio));
     return fe::Beam{
@@ -95,10 +129,10 @@ void add_roller(Sector& s, const Mechanism& m, const Structure::Roller& roller,
         length};
   };
   const double pitch = axial_pitch(m);
-  const double thread_diameter = *m.pitch_diameter.roller;
   const fe::Beam end = beam(roller.end_diameter, roller.end_length);
-  const fe::Beam run_out = beam(thread_diameter, 0.5 * pitch);
-  const fe::Beam thread = beam(thread_diameter, pitch);
+  const fe::Beam run_out = beam(thread_diameter, 0.5 * pitch - half_distance);
+  const fe::Beam tooth = beam(thread_diameter, 2.0 * half_distance);
+  const fe::Beam thread = beam(thread_diameter, pitch - 2.0 * half_distance);
 
   int last = s.model.add_node();
   const auto extend = [&](const fe::Beam& b) {
@@ -108,8 +142,10 @@ void add_roller(Sector& s, const Mechanism& m, const Structure::Roller& roller,
   };
   s.roller_end_nodes.push_back(last);
   s.roller_end_nodes.push_back(extend(end));
-  s.roller_nodes.push_back(extend(run_out));
-  for (int k = 1; k < m.contacts_per_roller; ++k) s.roller_nodes.push_back(extend(thread));
+  for (int k = 0; k < m.contacts_per_roller; ++k) {
+    s.roller_nodes.push_back(extend(k == 0 ? run_out : thread));
+    if (half_distance > 0.0) s.roller_nodes.push_back(extend(tooth));
+  }
   s.roller_end_nodes.push_back(extend(run_out));
   s.roller_end_nodes.push_back(extend(end));
 }
@@ -140,24 +176,34 @@ void add_guidance(Sector& s, const Guidance& guidance, ModelOptions::Roller bend
   }
 }
 
-/// Hertz springs between the rigid arms: N = k_0 <w - g>^1.5 with
+/// Hertz springs between the rigid arms: N = k_0 <w - g - c N>^1.5 with
 /// screw w = s cos(psi)(u_S - u_R - theta r_R) - sin(psi) v_R,
-/// nut   w = s cos(psi)(u_R - theta r_R - u_N) + sin(psi) v_R.
-void add_contacts(Sector& s) {
+/// nut   w = s cos(psi)(u_R - theta r_R - u_N + theta_N y) + sin(psi) (v_R - v_N),
+/// y the radius of the nut's contacts less that of its nodes. Where the contacts of a tooth do not
+/// lie opposite each other, its flank at the screw faces against the load, the other one along it.
+void add_contacts(Sector& s, double nut_arm, const PerInterface<std::vector<double>>& compliance) {
   const double sense = prs::sense(s.direction);
+  const auto n = static_cast<std::size_t>(s.contacts());
+  const bool apart = s.roller_nodes.size() > n;
+  const auto roller_node = [&](Interface i, std::size_t k) {
+    const bool second = (i == Interface::screw) == (sense < 0.0);
+    return s.roller_nodes[apart ? 2 * k + (second ? 1 : 0) : k];
+  };
   const auto spring = [&](fe::RigidArm from, fe::RigidArm to, Interface i, std::size_t k) {
     const ContactLaw& law = s.laws[i];
-    s.model.springs.push_back({from,
-                               to,
-                               sense * std::cos(law.normal_angle),
-                               std::sin(law.normal_angle),
-                               {law.hertz_constant, 1.5, s.gaps[i][k], 0.0}});
+    s.model.springs.push_back(
+        {from,
+         to,
+         sense * std::cos(law.normal_angle),
+         std::sin(law.normal_angle),
+         {law.hertz_constant, 1.5, s.gaps[i][k], law.compliance + compliance[i][k]}});
   };
-  const auto n = static_cast<std::size_t>(s.contacts());
   for (std::size_t k = 0; k < n; ++k)
-    spring({s.screw_nodes[k]}, {s.roller_nodes[k], 0.0, -s.roller_radius}, Interface::screw, k);
+    spring({s.screw_nodes[k]}, {roller_node(Interface::screw, k), 0.0, -s.roller_radius},
+           Interface::screw, k);
   for (std::size_t k = 0; k < n; ++k)
-    spring({s.roller_nodes[k], 0.0, s.roller_radius}, {s.nut_nodes[k]}, Interface::nut, k);
+    spring({roller_node(Interface::nut, k), 0.0, s.roller_radius}, {s.nut_nodes[k], 0.0, nut_arm},
+           Interface::nut, k);
 }
 
 }  // namespace
@@ -173,11 +219,20 @@ Sector build_sector(const Mechanism& m, const Structure& structure, const Materi
   s.gaps = initial_gaps(m, deviations, materials, {laws.screw.normal_angle, laws.nut.normal_angle},
                         direction);
 
-  add_screw(s, m, structure.screw, materials.screw.youngs_modulus);
-  add_roller(s, m, structure.roller, materials.roller, options.roller_shear);
-  add_nut(s, m, structure.nut, materials.nut.youngs_modulus, position);
+  const NutLine line = nut_line(m, structure.nut, direction, position);
+  const Refinement refined = refinement(m, structure, materials, options, laws, direction, line);
+  const PerPart<double>& core = refined.core_diameter;
+  s.offset_compliance = refined.offset_compliance;
+
+  add_screw(s, m, structure.screw, core.screw, materials.screw.youngs_modulus);
+  add_roller(s, m, structure.roller, core.roller, refined.roller_half_distance, materials.roller,
+             refined.roller_shear);
+  if (refined.nut)
+    add_nut_shell(s, line, *refined.nut, refined.nut_radially_rigid);
+  else
+    add_nut_bars(s, line, core.nut, materials.nut.youngs_modulus);
   add_guidance(s, structure.roller.guidance, options.roller);
-  add_contacts(s);
+  add_contacts(s, refined.nut ? refined.nut->contact_arm : 0.0, refined.compliance);
   return s;
 }
 

@@ -8,8 +8,9 @@ namespace fe {
 namespace {
 
 const PowerLawSpring kLaws[] = {
-    {1.1e10, 1.5, 0.0, 0.0},  {4.0e9, 1.0, 0.0, 0.0},     {3.0e8, 2.2, 2e-6, 0.0},
-    {1.1e10, 1.5, 0.0, 3e-9}, {1.1e10, 1.5, -1e-6, 8e-9}, {3.0e8, 1.1, 5e-6, 2e-8},
+    {1.1e10, 1.5, 0.0, 0.0},   {4.0e9, 1.0, 0.0, 0.0},     {3.0e8, 2.2, 2e-6, 0.0},
+    {1.1e10, 1.5, 0.0, 3e-9},  {1.1e10, 1.5, -1e-6, 8e-9}, {3.0e8, 1.1, 5e-6, 2e-8},
+    {1.1e10, 1.5, 0.0, -2e-9}, {3.0e9, 1.7, 2e-6, -5e-9},
 };
 
 TEST(PowerLawSpring, ForceIsDerivativeOfEnergy) {
@@ -45,6 +46,7 @@ TEST(PowerLawSpring, NeverPulls) {
 TEST(PowerLawSpring, ForceWithSeriesComplianceSatisfiesItsImplicitLaw) {
   for (const PowerLawSpring& law : kLaws)
     for (double approach = 1e-9; approach < 1e-3; approach *= 7.3) {
+      if (approach > 0.6 * largest_deflection(law)) continue;
       const double w = law.gap + approach, total = w - law.gap;
       const double n = evaluate(law, w).force;
       const double expected =
@@ -62,6 +64,50 @@ TEST(PowerLawSpring, LinearSpringsInSeriesAddTheirCompliances) {
   EXPECT_NEAR(r.force / (k * 1e-5), 1.0, 1e-14);
   EXPECT_NEAR(r.tangent / k, 1.0, 1e-14);
   EXPECT_NEAR(r.energy / (0.5 * k * 1e-10), 1.0, 1e-14);
+}
+
+TEST(PowerLawSpring, TakesBackAtMostHalfOfTheDeflection) {
+  for (const PowerLawSpring& law :
+       {PowerLawSpring{1.1e10, 1.5, 0.0, -2e-9}, PowerLawSpring{3.0e9, 1.7, 2e-6, -5e-9}}) {
+    const double d = largest_deflection(law);
+    const SpringResponse at = response_in_series(law, d);
+    EXPECT_NEAR(at.tangent / power_law(law.stiffness, law.exponent, d).tangent, 2.0, 1e-12);
+    // Both branches meet there, and beyond it the tangent stays.
+    const double w = law.gap + d + law.series_compliance * at.force;
+    for (const double sign : {-1.0, 1.0}) {
+      const SpringResponse near = evaluate(law, w + sign * 1e-9 * d);
+      EXPECT_NEAR(near.force / at.force, 1.0, 1e-8);
+      EXPECT_NEAR(near.tangent / at.tangent, 1.0, 1e-8);
+      EXPECT_NEAR(near.energy / at.energy, 1.0, 1e-8);
+    }
+    EXPECT_EQ(evaluate(law, w + 3.0).tangent, at.tangent);
+  }
+}
+
+TEST(PowerLawSpring, IsConvexHoweverFarItIsPushed) {
+  for (const PowerLawSpring& law : kLaws) {
+    double last_force = 0.0, last_tangent = 0.0;
+    for (double approach = 1e-12; approach < 1e9; approach *= 1.7) {
+      const SpringResponse r = evaluate(law, law.gap + approach);
+      ASSERT_TRUE(std::isfinite(r.energy) && std::isfinite(r.force) && std::isfinite(r.tangent));
+      ASSERT_GT(r.force, last_force);
+      ASSERT_GE(r.tangent, last_tangent * (1.0 - 1e-12));
+      last_force = r.force;
+      last_tangent = r.tangent;
+    }
+  }
+}
+
+TEST(PowerLawSpring, DeflectionIsThatOfThePowerLawAlone) {
+  for (const PowerLawSpring& law : kLaws) {
+    EXPECT_EQ(deflection(law, law.gap), 0.0);
+    for (const double approach : {1e-7, 3e-6}) {
+      const double w = law.gap + approach, d = deflection(law, w);
+      const double n = evaluate(law, w).force;
+      EXPECT_NEAR(power_law(law.stiffness, law.exponent, d).force / n, 1.0, 1e-12);
+      EXPECT_NEAR((d + law.series_compliance * n) / (w - law.gap), 1.0, 1e-12);
+    }
+  }
 }
 
 }  // namespace

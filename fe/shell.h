@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace fe {
+
+/// Rigidities of the wall of a shell of revolution about the x axis whose sections stay straight:
+/// u(x, r) = u(x) - theta(x) (r - r_0), v(x), with r_0 the radius that u belongs to. Per length the
+/// energy is half of
+///
+///     A u'^2 - 2 S u' theta' + B theta'^2 + H v^2 + 2 v (C u' - D theta') + V (v' - theta)^2.
+struct ShellRigidity {
+  double axial = 0.0;           ///< A [N]
+  double eccentric = 0.0;       ///< S [N m], 0 where r_0 is the wall's centre.
+  double bending = 0.0;         ///< B [N m^2]
+  double hoop = 0.0;            ///< H [N/m^2]
+  double axial_hoop = 0.0;      ///< C, Poisson's effect [N/m]
+  double bending_hoop = 0.0;    ///< D [N]
+  double shear = 0.0;           ///< V [N]
+  bool radially_rigid = false;  ///< v = 0 between the nodes; they must be held as well.
+};
+
+/// All rigidities times `share`, for a sector.
+ShellRigidity scaled(ShellRigidity r, double share);
+
+/// Full ring between the radii `inner` and `outer` with r_0 = `reference`, plane stress across the
+/// wall:
+///
+///     (A, S, B) = E' int (1, z, z^2) 2 pi r dr,   H = E' int 2 pi/r dr,
+///     (C, D) = nu E' int (1, z) 2 pi dr,   V = 5/6 G A/E',   E' = E/(1 - nu^2), z = r - r_0,
+///
+/// with Reissner's 5/6. SI units; `poisson` 0 uncouples axial and radial displacement.
+ShellRigidity tube_rigidity(double inner, double outer, double reference, double modulus,
+                            double poisson, double shear_modulus);
+
+/// Stiffness of a uniform length over what deforms it: (u_2 - u_1, v_2 - v_1, theta_2 - theta_1,
+/// (v_1 + v_2)/2, (theta_1 + theta_2)/2), in N/m, N and N m. Axial translation, the only rigid
+/// motion, does not appear.
+using ShellMatrix = Eigen::Matrix<double, 5, 5>;
+
+/// Exact to about 1e-10: polynomials of degree 7 on pieces no longer than the shortest wave of the
+/// wall, their inner freedoms and the nodes between pieces eliminated. Positive definite for
+/// positive rigidities with H A > C^2.
+ShellMatrix stiffness_matrix(const ShellRigidity& shell, double length);
+
+/// The same with u taken at the radius r_0 + `shift`.
+ShellMatrix about(const ShellMatrix& stiffness, double shift);
+
+/// 6 x 6 stiffness over (u_1, v_1, theta_1, u_2, v_2, theta_2).
+Eigen::Matrix<double, 6, 6> nodal_stiffness(const ShellMatrix& stiffness);
+
+/// End forces K q over (u_1, v_1, theta_1, u_2, v_2, theta_2) for the deformation of `ShellMatrix`.
+inline Eigen::Matrix<double, 6, 1> end_forces(const ShellMatrix& stiffness,
+                                              const Eigen::Matrix<double, 5, 1>& deformation) {
+  const Eigen::Matrix<double, 5, 1> f = stiffness * deformation;
+  return {-f[0], 0.5 * f[3] - f[1], 0.5 * f[4] - f[2], f[0], 0.5 * f[3] + f[1], 0.5 * f[4] + f[2]};
+}
+
+}  // namespace fe

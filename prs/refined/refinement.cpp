@@ -1,0 +1,101 @@
+#include "prs/refined/refinement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "prs/influence/groove.h"
+#include "prs/refined/local_compliance.h"
+
+namespace prs {
+namespace {
+
+double pitch_radius(const Mechanism& m, Part p) { return 0.5 * *m.pitch_diameter[p]; }
+
+double root_diameter(const Mechanism& m, Part p, double normal_angle, double far_radius) {
+  const double radius = pitch_radius(m, p);
+  const bool internal = p == Part::nut;
+  const double dedendum =
+      m.thread[p]
+          ? m.thread[p]->dedendum
+          : std::min(default_groove(internal, axial_pitch(m), radius, normal_angle, normal_angle)
+                         .dedendum,
+                     0.5 * std::abs(far_radius - radius));
+  return 2.0 * (internal ? radius + dedendum : radius - dedendum);
+}
+
+double outer_radius_at(const NutLine& line, int node) {
+  const auto k = static_cast<std::size_t>(node);
+  const double before = line.outer_radius[std::max<std::size_t>(k, 1) - 1];
+  return std::min(before, line.outer_radius[std::min(k, line.outer_radius.size() - 1)]);
+}
+
+/// The screw's surface and the nut's wall under radial loads.
+void add_radial(Refinement& r, const Mechanism& m, const Structure& structure,
+                const Materials& materials, const PerInterface<ContactLaw>& laws,
+                const NutLine& line) {
+  const double pitch = axial_pitch(m);
+  const double screw = pitch_radius(m, Part::screw), bore = 0.5 * structure.screw.bore;
+  const double whole =
+      cylinder_compliance(screw, bore, materials.screw, m.rollers, pitch, laws.screw.normal_angle);
+  const std::vector<double> shares =
+      band_shares(m.contacts_per_roller, pitch, screw, bore, materials.screw.poisson_ratio);
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    r.compliance.screw[k] += shares[k] * whole;
+    r.compliance.nut[k] +=
+        wall_compliance(pitch_radius(m, Part::nut), outer_radius_at(line, line.contacts[k]),
+                        materials.nut, m.rollers, pitch, laws.nut.normal_angle);
+  }
+}
+
+/// Both bodies of an interface by the rows in which the contacts stand.
+void add_concentration(Refinement& r, const Mechanism& m, const Materials& materials,
+                       const PerInterface<ContactLaw>& laws) {
+  for (const Interface i : kInterfaces) {
+    const Part body = body_of(i);
+    const auto of = [&](Part p, const LineReach& reach) {
+      return concentration_compliance(reach, materials[p], axial_pitch(m), laws[i].normal_angle);
+    };
+    const double both = of(body, rows_around(pitch_radius(m, body), m.rollers)) +
+                        of(Part::roller, opposite_rows(pitch_radius(m, Part::roller)));
+    for (double& compliance : r.compliance[i]) compliance += both;
+  }
+}
+
+}  // namespace
+
+Refinement refinement(const Mechanism& m, const Structure& structure, const Materials& materials,
+                      const ModelOptions& options, const PerInterface<ContactLaw>& laws,
+                      Direction direction, const NutLine& line) {
+  Refinement r;
+  for (const Part p : kParts) r.core_diameter[p] = *m.pitch_diameter[p];
+  r.roller_shear = options.roller_shear;
+  for (const Interface i : kInterfaces)
+    r.compliance[i].assign(static_cast<std::size_t>(m.contacts_per_roller), 0.0);
+  if (options.bodies != ModelOptions::Bodies::refined) return r;
+
+  const RefinedEffects& effects = options.refined;
+  const double bore = 0.5 * structure.screw.bore;
+  if (effects.core) {
+    const double wall = *std::min_element(line.outer_radius.begin(), line.outer_radius.end());
+    const double psi = std::max(laws.screw.normal_angle, laws.nut.normal_angle);
+    r.core_diameter = {root_diameter(m, Part::screw, psi, bore),
+                       root_diameter(m, Part::roller, psi, 0.0),
+                       root_diameter(m, Part::nut, psi, wall)};
+  }
+  r.roller_shear |= effects.shear;
+  if (roller_contacts(options, m.starts.roller) == ModelOptions::RollerContacts::half_pitch_apart)
+    r.roller_half_distance = 0.25 * axial_pitch(m);
+  const NutBore nut{0.5 * r.core_diameter.nut, pitch_radius(m, Part::nut)};
+  if (effects.hoop || effects.flange)
+    r.nut = nut_shell(line, thrust_ring(line, structure.nut, nut), nut,
+                      {sense(direction), laws.nut.normal_angle}, materials.nut, m.rollers, effects);
+  r.nut_radially_rigid = !effects.hoop;
+  if (effects.radial) add_radial(r, m, structure, materials, laws, line);
+  if (effects.concentration) add_concentration(r, m, materials, laws);
+  if (effects.poisson)
+    r.offset_compliance = poisson_offset(sense(direction), 0.5 * r.core_diameter.screw, bore,
+                                         materials.screw, m.rollers, laws.screw.normal_angle);
+  return r;
+}
+
+}  // namespace prs
