@@ -10,6 +10,7 @@
 #include "prs/mechanism.h"
 #include "prs/model_options.h"
 #include "prs/operation.h"
+#include "prs/preload/preload.h"
 #include "prs/structure.h"
 
 namespace prs {
@@ -29,6 +30,7 @@ struct Case {
   ContactOverrides contact;
   ModelOptions model;
   std::vector<LoadCase> load_cases;
+  std::optional<Preload> preload;
   std::optional<Lubricant> lubricant;
   std::optional<Friction> friction;
   std::optional<Operation> operation;

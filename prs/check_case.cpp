@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "contact/viscosity.h"
+#include "prs/preload/preload_sector.h"
 
 namespace prs {
 
@@ -166,6 +167,27 @@ void check_proportions(const Structure& s, const Mechanism& m, Problems& problem
                                mm(least * *diameter), mm(greatest * *diameter), least, greatest));
 }
 
+void check_shoulder(const Structure::Nut& nut, const std::optional<double>& pitch_diameter,
+                    Problems& problems) {
+  const Structure::Shoulder& s = *nut.shoulder;
+  double outer = nut.outer_diameter;
+  for (const Structure::Flange& f : nut.flanges) outer = std::max(outer, f.outer_diameter);
+  if (!(s.inner_diameter < s.outer_diameter))
+    problems.add("structure.nut.shoulder.outer_diameter",
+                 fmt::format("got {}; expected more than its inner diameter, {}; swap the two",
+                             mm(s.outer_diameter), mm(s.inner_diameter)));
+  if (s.inner_diameter >= outer)
+    problems.add("structure.nut.shoulder.inner_diameter",
+                 fmt::format("got {}; expected less than the largest diameter of the nut, {}, or "
+                             "it misses the nut; make it smaller",
+                             mm(s.inner_diameter), mm(outer)));
+  if (pitch_diameter && s.outer_diameter <= *pitch_diameter)
+    problems.add("structure.nut.shoulder.outer_diameter",
+                 fmt::format("got {}; expected more than the nut's pitch diameter, {}, or it "
+                             "misses the nut; make it larger",
+                             mm(s.outer_diameter), mm(*pitch_diameter)));
+}
+
 void check_structure(const Structure& s, const Mechanism& m, Problems& problems) {
   const auto& diameter = m.pitch_diameter;
   if (diameter.screw && s.screw.bore >= *diameter.screw)
@@ -189,7 +211,51 @@ void check_structure(const Structure& s, const Mechanism& m, Problems& problems)
           fmt::format("got {}; expected a position on the nut, 0 mm to {}; move the section",
                       mm(*section), mm(s.nut.length)));
   check_flanges(s.nut, diameter.nut, problems);
+  if (s.nut.shoulder) check_shoulder(s.nut, diameter.nut, problems);
   check_proportions(s, m, problems);
+}
+
+/// What only some models of the bodies know.
+void check_bodies(const Case& c, Problems& problems) {
+  using enum ModelOptions::Bodies;
+  const ModelOptions& model = c.model;
+  if (model.bodies == bars) return;
+  const std::string_view bodies = model.bodies == refined ? "refined" : "influence";
+  if (model.bodies == influence && model.roller == ModelOptions::Roller::rigid_bending)
+    problems.add("model.roller",
+                 "got `rigid_bending` with `bodies: influence`, whose rollers bend; expected "
+                 "`flexible`; take `bodies: bars` or `refined` for rollers that stay straight");
+  if (model.roller_shear)
+    problems.add("model.roller_shear",
+                 fmt::format("got `true` with `bodies: {}`, which has it anyway; expected it with "
+                             "`bodies: bars` only; remove it",
+                             bodies));
+  const Mechanism& m = c.mechanism;
+  for (const Part part : kParts) {
+    const std::optional<ThreadHeight>& thread = m.thread[part];
+    const std::optional<double>& diameter = m.pitch_diameter[part];
+    if (!thread || !diameter) continue;
+    // Flanks that meet end the thread.
+    const double sharp = 0.25 * axial_pitch(m) / std::tan(m.flank_angle[part]);
+    const std::pair<const char*, double> heights[] = {{"addendum", thread->addendum},
+                                                      {"dedendum", thread->dedendum}};
+    for (const auto& [key, height] : heights)
+      if (height >= 0.98 * sharp)
+        problems.add(fmt::format("mechanism.thread.{}.{}", name(part), key),
+                     fmt::format("got {}; expected less than {} for `bodies: {}`, 98 % of where "
+                                 "the flanks meet; make it smaller",
+                                 mm(height), mm(0.98 * sharp), bodies));
+    if (!c.structure) continue;
+    const double root = 0.5 * *diameter + (part == Part::nut ? 1.0 : -1.0) * thread->dedendum;
+    const double far = part == Part::screw ? 0.5 * c.structure->screw.bore
+                       : part == Part::nut ? 0.5 * c.structure->nut.outer_diameter
+                                           : 0.0;
+    if (part == Part::nut ? root >= far : root <= far)
+      problems.add(fmt::format("mechanism.thread.{}.dedendum", name(part)),
+                   fmt::format("got {}, a root diameter of {}; expected one that leaves a wall up "
+                               "to the diameter of {}; make it smaller",
+                               mm(thread->dedendum), mm(2.0 * root), mm(2.0 * far)));
+  }
 }
 
 /// The roller's contacts, from the first at `position`, must lie on the nut.
@@ -421,6 +487,100 @@ void check_deviations(const Case& c, Problems& problems) {
                                name(part), celsius(d.reference_temperature)));
 }
 
+void check_spacer(const Spacer& spacer, const Structure::Nut& nut, const Mechanism& m,
+                  Problems& problems) {
+  if (spacer.inner_diameter >= spacer.outer_diameter)
+    problems.add("preload.spacer.inner_diameter",
+                 fmt::format("got {}; expected less than its outer diameter, {}; check the two "
+                             "diameters",
+                             mm(spacer.inner_diameter), mm(spacer.outer_diameter)));
+  else if (spacer.inner_diameter >= nut.outer_diameter)
+    problems.add("preload.spacer.inner_diameter",
+                 fmt::format("got {}; expected less than the nut's outer diameter, {}, or the ring "
+                             "misses the faces of the nuts; make it smaller",
+                             mm(spacer.inner_diameter), mm(nut.outer_diameter)));
+  else if (m.pitch_diameter.nut && spacer.outer_diameter <= *m.pitch_diameter.nut)
+    problems.add("preload.spacer.outer_diameter",
+                 fmt::format("got {}; expected more than the nut's pitch diameter, {}, or the ring "
+                             "misses the faces of the nuts; make it larger",
+                             mm(spacer.outer_diameter), mm(*m.pitch_diameter.nut)));
+}
+
+/// The rollers of the second nut must lie on it, and clear those of the first.
+void check_distance(const Preload& p, const Structure& s, const Mechanism& m, Problems& problems) {
+  const double span = (m.contacts_per_roller - 1) * axial_pitch(m);
+  const double least = *p.distance - second_position(m, s.nut, p);
+  const double most = least + s.nut.length - span;
+  const double tolerance = kTolerance * s.nut.length;
+  const double ends = axial_pitch(m) + 2.0 * s.roller.end_length;
+  if (*p.distance < least - tolerance || *p.distance > most + tolerance)
+    problems.add(
+        "preload.distance",
+        fmt::format("got {}; expected {} to {}, so that all {} contacts lie on the second "
+                    "nut; move its rollers or change the spacer",
+                    mm(*p.distance), mm(least), mm(std::max(least, most)), m.contacts_per_roller));
+  else if (*p.distance < ends - tolerance)
+    problems.add("preload.distance",
+                 fmt::format("got {}; expected at least {}, a pitch and two ends of a roller, or "
+                             "the rollers of both nuts overlap; move them apart",
+                             mm(*p.distance), mm(ends)));
+}
+
+void check_preload(const Case& c, Problems& problems) {
+  const Preload& p = *c.preload;
+  const Mechanism& m = c.mechanism;
+  const std::pair<const char*, double> fits[] = {
+      {"preload.interference", p.interference.value_or(0.0)},
+      {"preload.backlash", p.backlash.value_or(0.0)}};
+  for (const auto& [path, value] : fits)
+    if (value > kMostDeviation * axial_pitch(m))
+      problems.add(path, fmt::format("got {}; expected at most {}, a quarter of the pitch; check "
+                                     "the unit",
+                                     mm(value), mm(kMostDeviation * axial_pitch(m))));
+  if (!(p.load.from < p.load.to))
+    problems.add("preload.load.to", fmt::format("got {}; expected more than `from`, {}; swap the "
+                                                "two",
+                                                newton(p.load.to), newton(p.load.from)));
+  if (!c.structure) return;
+  const Structure& s = *c.structure;
+  if (!s.nut.thrust.tension && !s.nut.thrust.compression)
+    problems.add("structure.nut.thrust",
+                 "missing; expected the axial position of the section that holds the nut; add "
+                 "`thrust: {tension: 10 mm}`, for example: one section holds both senses of the "
+                 "load");
+  LoadCase load;
+  load.position = p.position;
+  load.input_path = "preload";
+  check_position(load, m, s.nut, problems);
+  if (p.arrangement != Preload::Arrangement::double_nut) return;
+  check_spacer(*p.spacer, s.nut, m, problems);
+  const double last = p.position + (m.contacts_per_roller - 1) * axial_pitch(m);
+  const double tolerance = kTolerance * s.nut.length;
+  if (p.position >= -tolerance && last <= s.nut.length + tolerance)
+    check_distance(p, s, m, problems);
+}
+
+void check_preload_requirements(const Case& c, Problems& problems) {
+  const auto missing = [&](const char* path, std::string_view what, std::string_view example) {
+    problems.add(path, fmt::format("missing; expected {} for `preload`; add `{}: {}`, for example",
+                                   what, path, example));
+  };
+  if (!c.preload)
+    missing("preload", "what takes out the play, and the loads,",
+            "{arrangement: single_nut, force: 2 kN, position: 10 mm, load: {from: -10 kN, to: 10 "
+            "kN}}");
+  if (!c.materials)
+    missing("materials", "elastic properties", "{youngs_modulus: 210 GPa, poisson_ratio: 0.3}");
+  if (!c.structure)
+    missing("structure", "the parts around the threads",
+            "{roller: {end_length: 5 mm, end_diameter: 5 mm}, nut: {length: 90 mm, outer_diameter: "
+            "46 mm, thrust: {tension: 10 mm}}}");
+  if (c.model.bodies == ModelOptions::Bodies::influence)
+    problems.add("model.bodies",
+                 "got influence; expected bars | refined: `preload` joins both sides in one "
+                 "one-dimensional model; write `bodies: refined`");
+}
+
 void check_slip(const Case& c, Problems& problems) {
   const auto missing = [&](const char* path, std::string_view what, std::string_view example) {
     problems.add(
@@ -447,11 +607,13 @@ void check_slip(const Case& c, Problems& problems) {
 std::vector<Problem> check_case(const Case& c) {
   Problems problems;
   check_threads(c.mechanism, problems);
+  check_bodies(c, problems);
   check_reach(c.mechanism, problems);
   check_rollers(c.mechanism, problems);
   if (c.structure) check_structure(*c.structure, c.mechanism, problems);
   check_load_cases(c, problems);
   check_deviations(c, problems);
+  if (c.preload) check_preload(c, problems);
   if (c.lubricant) check_lubricant(*c.lubricant, problems);
   check_carrier(c.carrier, problems);
   return std::move(problems).take();
@@ -459,7 +621,8 @@ std::vector<Problem> check_case(const Case& c) {
 
 std::vector<Problem> check_requirements(const Case& c, Command command) {
   Problems problems;
-  if (command != Command::solve && command != Command::slip) return {};
+  if (command == Command::preload) check_preload_requirements(c, problems);
+  if (command != Command::solve && command != Command::slip) return std::move(problems).take();
   const std::string_view verb = command == Command::solve ? "solve" : "slip";
 
   if (c.load_cases.empty())

@@ -23,7 +23,9 @@
 #include "prs/output/files.h"
 #include "prs/output/json.h"
 #include "prs/output/plots.h"
-#include "prs/output/sha256.h"
+#include "prs/output/preload_figures.h"
+#include "prs/output/preload_files.h"
+#include "prs/output/preload_table.h"
 #include "prs/output/slip_csv.h"
 #include "prs/output/slip_table.h"
 #include "prs/output/study_figures.h"
@@ -31,12 +33,15 @@
 #include "prs/output/study_table.h"
 #include "prs/output/table.h"
 #include "prs/output/warnings.h"
+#include "prs/preload/analyze_preload.h"
+#include "prs/sha256.h"
 #include "prs/slip.h"
 #include "prs/study/run.h"
 #include "prs/unusual.h"
 #include "prs/validation/validate.h"
 #include "prs/version.h"
 #include "validation/abevi_2015/statements.h"
+#include "validation/reference_fe/contribution.h"
 #include "validation/sandu_2018/contribution.h"
 #include "validation/yao_2023/contribution.h"
 
@@ -103,6 +108,13 @@ std::vector<std::pair<std::size_t, SlipPictures>> pictures_of(const Case& c, con
   return pictures;
 }
 
+/// Load cases are solved one by one, each on the contacts that it closes.
+void warn_of_preload(const Case& c, Result& result) {
+  if (c.preload)
+    result.warnings.push_back(
+        "the load cases are solved without preload; `prs preload` takes the block `preload`");
+}
+
 /// How far a study is, on a terminal.
 class ProgressLine {
  public:
@@ -126,6 +138,17 @@ class ProgressLine {
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_ = start_ + std::chrono::milliseconds(200);
 };
+
+/// The document, and below the name of each source what its code wrote and drew.
+void write_validation(const std::vector<SourceReport>& reports, const std::string& document,
+                      const Options& options) {
+  write_files(*options.output, {{"validation.json", document}});
+  for (const SourceReport& report : reports) {
+    const std::filesystem::path folder = *options.output / report.name;
+    if (!report.files.empty()) write_files(folder, report.files);
+    for (const std::string& text : draw_figures(report.figures, folder)) note(options, text);
+  }
+}
 
 /// Runs a study, so that a response that its base case lacks is reported where it stands.
 StudyResult study_from(const input::Source& source, auto run) {
@@ -175,7 +198,8 @@ int contact(const Options& options) {
 int solve(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::solve);
-  const Result result = compute_from(source, [&] { return analyze(in.values); });
+  Result result = compute_from(source, [&] { return analyze(in.values); });
+  warn_of_preload(in.values, result);
   const std::string document = document_of(result, source, options);
   if (options.output) {
     write_files(*options.output, {{"result.json", document},
@@ -198,7 +222,8 @@ int solve(const Options& options) {
 int slip(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::slip);
-  const Result result = compute_from(source, [&] { return analyze_slip(in.values); });
+  Result result = compute_from(source, [&] { return analyze_slip(in.values); });
+  warn_of_preload(in.values, result);
   const std::string document = document_of(result, source, options);
   if (options.output) {
     write_files(*options.output, {{"slip.json", document},
@@ -221,6 +246,29 @@ int slip(const Options& options) {
     return r.converged() && r.slip && r.slip->converged();
   });
   return converged ? kDone : kNotConverged;
+}
+
+int preload(const Options& options) {
+  const input::Source source = input::load_source(options.file, options.overrides);
+  const input::CaseInput in = input::read_case_input(source, Command::preload);
+  const PreloadResult result = compute_from(source, [&] { return analyze_preload(in.values); });
+  std::string document;
+  if (options.json || options.output)
+    document = json_text(preload_json(result, document_info(source)));
+  if (options.output) {
+    write_files(*options.output,
+                {{"preload.json", document}, {"preload.csv", preload_csv(result)}});
+    for (const std::string& text : draw_figures(preload_figures(result), *options.output))
+      note(options, text);
+  }
+  if (options.json) {
+    print(document);
+    for (const std::string& warning : result.warnings) note(options, "warning: " + warning);
+  } else if (!options.quiet) {
+    print(preload_table(result));
+    if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
+  }
+  return result.converged() ? kDone : kNotConverged;
 }
 
 int study(const Options& options) {
@@ -287,6 +335,7 @@ int validate(const Options& options) {
   }
   const std::vector<SourceReport> reports =
       prs::validate(options.file, {{"abevi_2015", abevi_2015::judge_statements},
+                                   reference_fe::contribution(),
                                    sandu_2018::contribution(),
                                    yao_2023::contribution()});
   if (reports.empty()) {
@@ -295,11 +344,13 @@ int validate(const Options& options) {
   }
   const std::string document =
       json_text(validation_json(reports, {kVersion, kSchemaVersion, "", {}}));
-  if (options.output) write_files(*options.output, {{"validation.json", document}});
-  if (options.json)
+  if (options.output) write_validation(reports, document, options);
+  if (options.json) {
     print(document);
-  else if (!options.quiet)
+  } else if (!options.quiet) {
     print(validation_text(reports));
+    if (options.output) print(fmt::format("Files: {}\n", options.output->string()));
+  }
   for (const SourceReport& report : reports)
     for (const Comparison& comparison : report.comparisons)
       if (comparison.unexpected()) return kFailed;

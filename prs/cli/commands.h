@@ -24,6 +24,7 @@ int check(const Options& options);
 int contact(const Options& options);
 int solve(const Options& options);
 int slip(const Options& options);
+int preload(const Options& options);
 int study(const Options& options);
 int schema(const Options& options);
 /// Prints a commented starting case, or writes it to `options.file`, which must not exist.

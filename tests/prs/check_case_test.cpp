@@ -284,5 +284,83 @@ TEST(CheckCase, TheDirectionOfALoadNeedsItsThrustSection) {
   EXPECT_EQ(paths(check_case(c)), "structure.nut.thrust.tension");
 }
 
+/// The screw of Abevi with a spacer between two nuts.
+Case two_nuts() {
+  Case c = abevi();
+  Preload& p = c.preload.emplace();
+  p.arrangement = Preload::Arrangement::double_nut;
+  p.force = 3e3;
+  p.position = 0.029;
+  p.spacer = Spacer{0.010, 0.037, 0.046};
+  p.distance = 0.068;
+  p.load = {-9e3, 9e3, 3};
+  return c;
+}
+
+TEST(CheckCase, BothNutsOfAPreloadHoldTheirRollers) {
+  Case c = two_nuts();
+  EXPECT_EQ(paths(check_case(c)), "");
+  EXPECT_EQ(paths(check_requirements(c, Command::preload)), "");
+  // From the first nut's last contact to its end, over the spacer; the second may sit anywhere.
+  const double span = 19 * axial_pitch(c.mechanism);
+  const double least = 0.090 - 0.029 - span + 0.010;
+  for (const double distance : {least, least + 0.090 - span}) {
+    c.preload->distance = distance;
+    EXPECT_EQ(paths(check_case(c)), "") << distance;
+  }
+  for (const double distance : {least - 1e-9, least + 0.090 - span + 1e-9}) {
+    c.preload->distance = distance;
+    EXPECT_EQ(paths(check_case(c)), "preload.distance") << distance;
+  }
+  c.preload->position = 0.0584;
+  EXPECT_EQ(paths(check_case(c)), "preload.position");
+}
+
+TEST(CheckCase, RollersOfBothNutsKeepApart) {
+  Case c = two_nuts();
+  const double span = 19 * axial_pitch(c.mechanism);
+  c.preload->position = 0.090 - span;
+  c.preload->spacer->length = 0.002;
+  const double clear = axial_pitch(c.mechanism) + 2 * 0.005;
+  c.preload->distance = clear;
+  EXPECT_EQ(paths(check_case(c)), "");
+  c.preload->distance = clear - 1e-9;
+  EXPECT_EQ(paths(check_case(c)), "preload.distance");
+}
+
+TEST(CheckCase, ASpacerMeetsTheFacesOfTheNuts) {
+  Case c = two_nuts();
+  c.preload->spacer = Spacer{0.010, 0.045, 0.045};
+  EXPECT_EQ(paths(check_case(c)), "preload.spacer.inner_diameter");
+  c.preload->spacer = Spacer{0.010, 0.046, 0.050};
+  EXPECT_EQ(paths(check_case(c)), "preload.spacer.inner_diameter");
+  c.preload->spacer = Spacer{0.010, 0.030, 0.035};
+  EXPECT_EQ(paths(check_case(c)), "preload.spacer.outer_diameter");
+}
+
+TEST(CheckCase, APreloadIsHeldSomewhereAndWithinTheThreads) {
+  Case c = two_nuts();
+  c.load_cases.clear();
+  c.structure->nut.thrust = {{}, 0.010};
+  EXPECT_EQ(paths(check_case(c)), "");
+  c.structure->nut.thrust = {};
+  EXPECT_EQ(paths(check_case(c)), "structure.nut.thrust");
+  c = two_nuts();
+  c.preload->interference = 0.26 * axial_pitch(c.mechanism);
+  c.preload->backlash = 0.26 * axial_pitch(c.mechanism);
+  c.preload->load = {1.0, 1.0, 2};
+  EXPECT_EQ(paths(check_case(c)), "preload.interference preload.backlash preload.load.to");
+}
+
+TEST(CheckRequirements, PreloadNeedsPartsAndOneDimensionalBodies) {
+  Case c;
+  c.mechanism = abevi().mechanism;
+  EXPECT_EQ(paths(check_requirements(c, Command::preload)), "preload materials structure");
+  c = two_nuts();
+  c.model.bodies = ModelOptions::Bodies::influence;
+  EXPECT_EQ(paths(check_requirements(c, Command::preload)), "model.bodies");
+  EXPECT_EQ(paths(check_requirements(c, Command::check)), "");
+}
+
 }  // namespace
 }  // namespace prs

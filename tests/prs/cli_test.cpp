@@ -49,7 +49,7 @@ TEST_F(CommandLine, SolvePrintsATableAndNothingElse) {
 
 TEST_F(CommandLine, JsonIsOneDocumentOnStandardOutput) {
   for (const char* arguments :
-       {"solve configs/01_config_1_to_3.yaml --json --quiet", "validate --json", "schema --json",
+       {"solve configs/01_config_1_to_3.yaml --json --quiet", "validate validation/sandu_2018 --json", "schema --json",
         "check configs/05_standard_screw.yaml --json --quiet",
         "contact configs/05_standard_screw.yaml --json --quiet",
         "slip configs/09_slip_and_dissipation.yaml --json --quiet"}) {
@@ -267,6 +267,45 @@ TEST_F(CommandLine, StudyWithoutSenseIsStatus2) {
   EXPECT_EQ(
       prs("check configs/10_parametric_study.yaml --set 'study.factors[0].values=[1 kN]'").status,
       2);
+}
+
+TEST_F(CommandLine, PreloadPrintsTheCurveThroughZero) {
+  const fs::path files = folder / "preload";
+  const Outcome run = prs("preload configs/12_preload.yaml --output '" + files.string() + "'");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_NE(run.out.find("a side opens at"), std::string::npos);
+  for (const char* name : {"preload.csv", "preload.json", "plots/preload.gp"})
+    EXPECT_TRUE(fs::exists(files / name)) << name;
+  const auto json = nlohmann::json::parse(prs("preload configs/12_preload.yaml --json").out);
+  EXPECT_EQ(json, nlohmann::json::parse(slurp(files / "preload.json")));
+  for (const char* key : {"prs_version", "schema_version", "input_sha256", "warnings", "contact"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_EQ(json["preload"]["loads"].size(), 41u);
+  std::ifstream csv(files / "preload.csv");
+  std::string line;
+  int lines = 0;
+  while (std::getline(csv, line)) ++lines;
+  EXPECT_EQ(lines, 1 + 41);
+}
+
+TEST_F(CommandLine, PreloadThatCannotBeIsStatus2) {
+  for (const char* arguments : {"preload configs/01_config_1_to_3.yaml",
+                                "preload configs/12_preload.yaml --set "
+                                "model.bodies=influence",
+                                "preload configs/12_preload.yaml --set preload.force='1e9 kN'",
+                                "check configs/12_preload.yaml --set preload.spacer=3"}) {
+    const Outcome run = prs(arguments);
+    EXPECT_EQ(run.status, 2) << arguments;
+    EXPECT_EQ(run.out, "") << arguments;
+    EXPECT_NE(run.err.find(": error: "), std::string::npos) << run.err;
+  }
+}
+
+TEST_F(CommandLine, SolveSaysThatItLeavesThePreloadOut) {
+  const Outcome run = prs("solve configs/12_preload.yaml --json");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.err.find("without preload"), std::string::npos) << run.err;
 }
 
 }  // namespace

@@ -953,5 +953,56 @@ TEST(ReadCase, MutilatedTextsAreReadOrRefusedButNothingElse) {
   EXPECT_GT(refused, 1000);
 }
 
+const std::string kPreload = kAbevi + R"(preload:
+  arrangement: double_nut
+  force: 3 kN
+  position: 29 mm
+  spacer: {length: 10 mm, inner_diameter: 37 mm, outer_diameter: 46 mm}
+  distance: 68 mm
+  load: {from: -9 kN, to: 9 kN}
+)";
+
+TEST(ReadCase, ReadsAPreload) {
+  const Case c = read(kPreload, {}, Command::preload);
+  ASSERT_TRUE(c.preload);
+  EXPECT_EQ(c.preload->arrangement, Preload::Arrangement::double_nut);
+  EXPECT_EQ(c.preload->force, 3e3);
+  EXPECT_FALSE(c.preload->interference || c.preload->backlash || c.preload->lost_motion_load);
+  EXPECT_EQ(c.preload->position, 0.029);
+  EXPECT_EQ(c.preload->spacer->inner_diameter, 0.037);
+  EXPECT_EQ(c.preload->distance, 0.068);
+  EXPECT_EQ(c.preload->load.from, -9e3);
+  EXPECT_EQ(c.preload->load.steps, 41);
+  EXPECT_FALSE(read(kAbevi).preload);
+}
+
+TEST(ReadCase, WhatAPreloadCannotBeIsAnErrorAtItsPlace) {
+  struct Wrong {
+    const char* override;
+    const char* place;  ///< In kPreload, line 27 its first.
+    const char* message;
+  };
+  for (const auto& [override, place, message] :
+       {Wrong{"preload.force=3", "29:3", "expected a force > 0 with its unit"},
+        Wrong{"preload.force=0 N", "29:3", "expected a force > 0"},
+        Wrong{"preload.interference=3 um", "27:1", "it stands in place of `force`"},
+        Wrong{"preload.backlash=3 um", "27:1", "in place of `force` or `interference`"},
+        Wrong{"preload.arrangement=tripple_nut", "28:3", "expected single_nut | double_nut"},
+        Wrong{"preload.arrangement=single_nut", "31:3", "only with `arrangement: double_nut`"},
+        Wrong{"preload.interferance=3 um", "27:1", "did you mean `interference`"},
+        Wrong{"preload.load={from: 9 kN, to: -9 kN}", "33:3", "more than `from`"},
+        Wrong{"preload.load.steps=1", "33:3", "a whole number from 2 to"},
+        Wrong{"preload.position=60 mm", "30:3", "all 20 contacts lie on the nut"},
+        Wrong{"preload.distance=30 mm", "32:3", "lie on the second nut"},
+        Wrong{"preload.spacer.outer_diameter=35 mm", "31:43", "less than its outer diameter"},
+        Wrong{"preload.lost_motion_load=-1 N", "27:1", "expected a force > 0"},
+        Wrong{"model.bodies=influence", "1:1", "expected bars | refined"}}) {
+    const std::string error = error_of(kPreload, {override}, Command::preload);
+    EXPECT_THAT(error, StartsWith(std::string("case.yaml:") + place + ": error: ")) << override;
+    EXPECT_THAT(error, HasSubstr(message)) << override;
+  }
+  EXPECT_EQ(error_of(kPreload, {"model.bodies=influence"}), "");
+}
+
 }  // namespace
 }  // namespace prs::input

@@ -1,0 +1,155 @@
+#include "prs/preload/analyze_preload.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "prs/analyze.h"
+#include "prs/case_error.h"
+#include "prs/contact_laws.h"
+
+namespace prs {
+namespace {
+
+/// Rigid shoulders of the housing: each sense of the load rests on its own; the only one holds
+/// both.
+PerDirection<double> held_sections(const Structure::Thrust& thrust) {
+  return {thrust.tension ? *thrust.tension : *thrust.compression,
+          thrust.compression ? *thrust.compression : *thrust.tension};
+}
+
+std::vector<double> loads_of(const LoadSweep& sweep) {
+  const double largest = std::max(std::abs(sweep.from), std::abs(sweep.to));
+  std::vector<double> loads;
+  const int last = sweep.steps - 1;
+  for (int k = 0; k <= last; ++k) {
+    const double load = k == last ? sweep.to : sweep.from + (sweep.to - sweep.from) * k / last;
+    loads.push_back(std::abs(load) < 1e-12 * largest ? 0.0 : load);
+  }
+  return loads;
+}
+
+/// One solver for each sense of the load, which differ in the section that holds the nut.
+class SolverPair {
+ public:
+  SolverPair(const PerDirection<PreloadSector>& sectors, const Fit& fit)
+      : tension_(fitted(sectors.tension, fit)), compression_(fitted(sectors.compression, fit)) {}
+
+  PreloadSolver& operator[](Direction d) {
+    return d == Direction::tension ? tension_ : compression_;
+  }
+  PreloadPoint solve(double axial_force) {
+    return (*this)[axial_force < 0.0 ? Direction::compression : Direction::tension].solve(
+        axial_force);
+  }
+
+ private:
+  PreloadSolver tension_, compression_;
+};
+
+PreloadCurve curve_of(SolverPair& solvers, const std::vector<double>& loads,
+                      double lost_motion_load) {
+  PreloadCurve curve;
+  for (const double load : loads) curve.points.push_back(solvers.solve(load));
+  for (const Direction d : kDirections)
+    curve.stiffness_at_zero[d] = solvers[d].at_rest().tangent_stiffness;
+  const PreloadPoint pulled = solvers.solve(lost_motion_load);
+  const PreloadPoint pushed = solvers.solve(-lost_motion_load);
+  if (pulled.solve.converged() && pushed.solve.converged())
+    curve.lost_motion = pulled.axial_displacement - pushed.axial_displacement;
+  return curve;
+}
+
+void warn_of_pressure(PreloadResult& result) {
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = result.contacts.interfaces[i];
+    if (!contact.has_hertz()) continue;
+    double load = 0.0;
+    for (const PreloadPoint& point : result.curve.points)
+      for (const Direction d : kDirections)
+        load = std::max(load, point.sides[d].max_normal_load[i]);
+    const double pressure = contact::at_load(contact.hertz, load).peak_pressure;
+    if (pressure > kStaticPressureLimit)
+      result.warnings.push_back(fmt::format("{} peak pressure {:.2f} GPa exceeds {:.1f} GPa",
+                                            label(i), pressure * 1e-9,
+                                            kStaticPressureLimit * 1e-9));
+  }
+}
+
+/// Of a force that no fit within the threads gives.
+void require_sound(double interference, const Mechanism& m) {
+  const double most = 0.25 * axial_pitch(m);
+  if (interference <= most) return;
+  throw CaseError(
+      "preload.force",
+      fmt::format("asks for an interference of {:.4g} mm; expected at most {:.4g} mm, a "
+                  "quarter of the pitch; take less preload",
+                  1e3 * interference, 1e3 * most));
+}
+
+}  // namespace
+
+std::optional<double> PreloadResult::peak_pressure(const SideLoads& loads) const {
+  double peak = 0.0;
+  for (const Interface i : kInterfaces) {
+    if (!contacts.interfaces[i].has_hertz()) return std::nullopt;
+    peak = std::max(
+        peak,
+        contact::at_load(contacts.interfaces[i].hertz, loads.max_normal_load[i]).peak_pressure);
+  }
+  return peak;
+}
+
+bool PreloadResult::converged() const {
+  const auto all = [](const PreloadCurve& c) {
+    return c.lost_motion && std::ranges::all_of(c.points, [](const PreloadPoint& point) {
+             return point.solve.converged();
+           });
+  };
+  return at_rest.solve.converged() && all(curve) && (!without_preload || all(*without_preload));
+}
+
+PreloadResult analyze_preload(const Case& c) {
+  Case unloaded = c;
+  unloaded.load_cases.clear();
+  Result analyzed = analyze(unloaded);
+  const PerInterface<ContactLaw> laws = contact_laws(c, analyzed.contacts);
+  PreloadResult result;
+  result.preload = *c.preload;
+  result.contacts = std::move(analyzed.contacts);
+  result.warnings = std::move(analyzed.warnings);
+  result.section = held_sections(c.structure->nut.thrust);
+
+  const PreloadParts parts{result.contacts.mechanism,
+                           *c.structure,
+                           *c.materials,
+                           c.model,
+                           laws,
+                           c.deviations,
+                           *c.preload};
+  PerDirection<PreloadSector> sectors;
+  for (const Direction d : kDirections)
+    sectors[d] = build_preload_sector(parts, d, result.section[d]);
+
+  const Fit fit = find_fit(sectors.tension, *c.preload);
+  require_sound(interference(sectors.tension, fit), result.contacts.mechanism);
+  SolverPair solvers(sectors, fit);
+  result.at_rest = solvers[Direction::tension].at_rest();
+  if (!c.preload->backlash) result.interference = interference(sectors.tension, fit);
+  for (const Direction d : kDirections) result.opening_force[d] = solvers[d].opening_force(d);
+
+  const LoadSweep& sweep = c.preload->load;
+  result.lost_motion_load = c.preload->lost_motion_load.value_or(
+      kLostMotionShare * std::max(std::abs(sweep.from), std::abs(sweep.to)));
+  const std::vector<double> loads = loads_of(sweep);
+  result.curve = curve_of(solvers, loads, result.lost_motion_load);
+  if (!c.preload->backlash) {
+    SolverPair loose(sectors, Fit{});
+    result.without_preload = curve_of(loose, loads, result.lost_motion_load);
+  }
+  warn_of_pressure(result);
+  return result;
+}
+
+}  // namespace prs

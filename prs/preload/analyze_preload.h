@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prs/case.h"
+#include "prs/contacts.h"
+#include "prs/preload/preload_solver.h"
+
+namespace prs {
+
+/// Displacement over external load, and what it says around zero.
+struct PreloadCurve {
+  std::vector<PreloadPoint> points;  ///< In the order of the case's loads.
+  /// dF/du without external load, reached from either sense [N/m]; absent where the screw is loose.
+  PerDirection<std::optional<double>> stiffness_at_zero;
+  /// Displacement between the lost-motion load in tension and in compression [m].
+  std::optional<double> lost_motion;
+};
+
+/// Everything that `analyze_preload` computes from a case. SI units.
+struct PreloadResult {
+  Preload preload;
+  Contacts contacts;
+  PerDirection<double> section;  ///< Where the first nut is held, by the sense of the load [m].
+  PreloadPoint at_rest;
+  std::optional<double> interference;  ///< As `Preload::interference`; absent with play [m].
+  /// External load at which the side that opposes it opens [N], > 0.
+  PerDirection<std::optional<double>> opening_force;
+  double lost_motion_load = 0.0;  ///< [N]
+  PreloadCurve curve;
+  std::optional<PreloadCurve> without_preload;  ///< Neither preload nor play; absent with play.
+  std::vector<std::string> warnings;
+
+  /// Axial load of each side at the screw without external load [N].
+  double force() const { return at_rest.sides.tension.axial_load.screw; }
+  /// Largest peak pressure of a side [Pa]; absent where the geometry gives no contact.
+  std::optional<double> peak_pressure(const SideLoads& loads) const;
+  bool converged() const;
+};
+
+/// Contacts -> both sides' model -> fit -> equilibrium at each load. Reads nothing, prints nothing.
+/// The case must have passed `check_case` and the requirements of `preload`. A load that does not
+/// converge is a point with its status. Throws CaseError where the geometry gives no contact and
+/// the case does not override it.
+PreloadResult analyze_preload(const Case& c);
+
+}  // namespace prs

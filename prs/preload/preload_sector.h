@@ -1,0 +1,73 @@
+#pragma once
+
+#include <vector>
+
+#include "fe/model.h"
+#include "prs/preload/preload.h"
+#include "prs/sector.h"
+
+namespace prs {
+
+/// The contacts that carry one sense of the external load. Those of the other sense oppose them.
+struct Side {
+  PerInterface<std::vector<int>> springs;  ///< Indices in the model's, thread 1 first.
+  std::vector<int> roller_nodes;           ///< Of the rollers that they touch, ends included.
+};
+
+/// By how much the undeformed parts overlap; play where < 0.
+struct Fit {
+  PerInterface<double> radial;  ///< Single nut: roller into the grooves of each body [m].
+  double axial = 0.0;           ///< Double nut: spacer beyond the place between the nuts [m].
+};
+
+/// One roller of each set with its share of screw and nut, contacts of both senses of the load
+/// among them. Axes, loads and sections are those of `Sector`.
+///
+///     single nut   tension and compression flanks of one roller, in one nut
+///     double nut   first nut compression, second nut tension; the spacer between them pushes them
+///                  apart and stretches the screw; the first nut is held
+struct PreloadSector {
+  Preload::Arrangement arrangement = Preload::Arrangement::single_nut;
+  fe::Model model;
+  int loaded_node = 0;
+  std::vector<int> screw_nodes;  ///< Loaded section and contacts.
+  PerDirection<Side> sides;
+  PerInterface<ContactLaw> laws;
+  Fit fit;
+  int rollers = 1;
+  double roller_radius = 0.0;
+
+  bool rollers_are_shared() const { return arrangement == Preload::Arrangement::single_nut; }
+};
+
+/// What both arrangements are built from.
+struct PreloadParts {
+  const Mechanism& mechanism;
+  const Structure& structure;
+  const Materials& materials;
+  const ModelOptions& options;
+  const PerInterface<ContactLaw>& laws;
+  const Deviations& deviations;
+  const Preload& preload;
+};
+
+/// Axial position of the first contact on the second nut of a double nut [m].
+double second_position(const Mechanism& mechanism, const Structure::Nut& nut,
+                       const Preload& preload);
+
+/// Builds the sector without play and without preload: the closest thread of each interface touches
+/// on both sides. The first nut is held at `section` [m] as under a load of that sense. The second
+/// nut is like the first, without its flanges. The case must have passed `check_case`.
+PreloadSector build_preload_sector(const PreloadParts& parts, Direction sense, double section);
+
+/// The sector without play or preload with the gaps of a fit:
+///
+///     single nut   g - radial sin(psi) at every contact of an interface,
+///     double nut   g - axial cos(psi) at the second nut's roller-nut contacts.
+PreloadSector fitted(PreloadSector sector, const Fit& fit);
+
+/// The sector once the other side has opened and takes no part: its contacts are without stiffness,
+/// rollers that only it touches are held where they are.
+PreloadSector one_sided(PreloadSector sector, Direction carrying);
+
+}  // namespace prs

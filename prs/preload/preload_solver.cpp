@@ -1,0 +1,282 @@
+#include "prs/preload/preload_solver.h"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace prs {
+
+using fe::Dof;
+
+namespace {
+
+constexpr int kRootBits = 44;
+constexpr boost::uintmax_t kMostEvaluations = 100;
+constexpr double kStep = 1.5;  ///< In the search for a bracket.
+
+/// A side that is still closed at half of that many times the preload stays so.
+constexpr double kMostOpening = 2000.0;
+/// Of what rigid bodies need, where bodies deform.
+constexpr double kMostInterference = 1e12;
+
+/// Root of an increasing function between two places with f(low) <= 0 <= f(high).
+template <class F>
+double root_between(const F& f, double low, double high) {
+  const double at_low = f(low), at_high = f(high);
+  if (at_low >= 0.0) return low;
+  if (at_high <= 0.0) return high;
+  boost::uintmax_t evaluations = kMostEvaluations;
+  const auto [a, b] = boost::math::tools::toms748_solve(
+      f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(kRootBits),
+      evaluations);
+  return 0.5 * (a + b);
+}
+
+/// The same where only one place below the root is known, > 0: the first root up to so many times
+/// that. NaN where there is none.
+template <class F>
+double root_above(const F& f, double low, double times) {
+  const double most = low * times;
+  for (double high = kStep * low; low < most; low = high, high *= kStep)
+    if (f(high) >= 0.0) return root_between(f, low, high);
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Hertz approach of each thread where all share an axial load of the whole mechanism [m].
+double equal_approach(const PreloadSector& s, Interface i, double axial_load) {
+  const double threads = s.rollers * static_cast<double>(s.sides.tension.springs[i].size());
+  const double cosine = std::cos(s.laws[i].normal_angle);
+  return std::pow(axial_load / (threads * cosine * s.laws[i].hertz_constant), 2.0 / 3.0);
+}
+
+/// Interference that gives the axial load if nothing but the contacts deforms [m].
+double rigid_interference(const PreloadSector& s, double axial_load) {
+  double sum = 0.0;
+  for (const Interface i : kInterfaces) {
+    const double psi = s.laws[i].normal_angle;
+    // A wedged roller floats: its radial loads are in balance, not its axial ones.
+    const double load = s.rollers_are_shared()
+                            ? axial_load * std::tan(s.laws.screw.normal_angle) / std::tan(psi)
+                            : axial_load;
+    const double along = s.rollers_are_shared() ? std::sin(psi) : 0.5 * std::cos(psi);
+    sum += equal_approach(s, i, load) / along;
+  }
+  return sum;
+}
+
+}  // namespace
+
+/// One set of equations: both sides at work, or one of them alone.
+class PreloadSolver::Branch {
+ public:
+  explicit Branch(PreloadSector sector)
+      : sector_(std::move(sector)),
+        equations_(sector_.model),
+        newton_(equations_),
+        pull_(equations_.load_vector({{sector_.loaded_node, Dof::u, sense(Direction::tension)}})) {}
+
+  fe::NewtonSummary solve(double axial_force, double force_scale, fe::State& q) {
+    fe::NewtonOptions options;
+    options.force_scale = force_scale / sector_.rollers;
+    options.length_scale = sector_.roller_radius;
+    return newton_.solve(axial_force / sector_.rollers * pull_, options, q);
+  }
+
+  /// Rigid bodies, each side compressed alike.
+  fe::State rest_start() const {
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(equations_.size());
+    const double quarter = 0.25 * sector_.fit.axial;
+    set(q, sector_.screw_nodes, 2.0 * quarter);
+    set(q, sector_.sides.tension.roller_nodes, 3.0 * quarter);
+    set(q, sector_.sides.compression.roller_nodes, quarter);
+    return fe::State(std::move(q));
+  }
+
+  /// Rigid bodies, the load shared equally by the threads of one side.
+  fe::State start(double axial_force, Direction carrying) const {
+    const auto shift = [&](Interface i) {
+      double widest = -std::numeric_limits<double>::infinity();
+      for (const int k : sector_.sides[carrying].springs[i]) widest = std::max(widest, law(k).gap);
+      return sense(carrying) * (equal_approach(sector_, i, std::abs(axial_force)) + widest) /
+             std::cos(sector_.laws[i].normal_angle);
+    };
+    const double roller = shift(Interface::nut);
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(equations_.size());
+    set(q, sector_.sides[carrying].roller_nodes, roller);
+    set(q, sector_.screw_nodes, roller + shift(Interface::screw));
+    return fe::State(std::move(q));
+  }
+
+  /// Of the loaded section, > 0 in tension [m].
+  double displacement(const fe::State& q) const { return pull_.dot(q.head) + pull_.dot(q.tail); }
+
+  std::optional<double> tangent_stiffness(const fe::State& q) {
+    Eigen::VectorXd rate(equations_.size());
+    if (!newton_.solve_tangent(q, pull_, rate)) return std::nullopt;
+    return sector_.rollers / pull_.dot(rate);
+  }
+
+  SideLoads loads(const fe::State& q, Direction side) const {
+    SideLoads loads;
+    for (const Interface i : kInterfaces) {
+      double sum = 0.0;
+      for (const int k : sector_.sides[side].springs[i]) {
+        const double normal = fe::evaluate(law(k), equations_.approach(q, k)).force;
+        sum += normal;
+        loads.max_normal_load[i] = std::max(loads.max_normal_load[i], normal);
+      }
+      loads.axial_load[i] = sector_.rollers * std::cos(sector_.laws[i].normal_angle) * sum;
+    }
+    return loads;
+  }
+
+  /// Overlap of a side at its closest threads [m], which is open where < 0. The rollers of a double
+  /// nut carry what the screw gives to the nut: there the overlaps of both interfaces add.
+  double overlap(const fe::State& q, Direction side) const {
+    PerInterface<double> closest;
+    for (const Interface i : kInterfaces) {
+      closest[i] = -std::numeric_limits<double>::infinity();
+      for (const int k : sector_.sides[side].springs[i])
+        closest[i] = std::max(closest[i], equations_.approach(q, k) - law(k).gap);
+      closest[i] /= std::cos(sector_.laws[i].normal_angle);
+    }
+    return sector_.rollers_are_shared() ? std::max(closest.screw, closest.nut)
+                                        : closest.screw + closest.nut;
+  }
+
+ private:
+  const fe::PowerLawSpring& law(int k) const {
+    return sector_.model.springs[static_cast<std::size_t>(k)].law;
+  }
+  void set(Eigen::VectorXd& q, const std::vector<int>& nodes, double u) const {
+    for (const int node : nodes)
+      if (const int n = equations_.number(node, Dof::u); n >= 0) q[n] = u;
+  }
+
+  PreloadSector sector_;
+  fe::Equations equations_;
+  fe::NewtonSolver newton_;
+  Eigen::VectorXd pull_;
+};
+
+PreloadSolver::PreloadSolver(PreloadSector sector) : sector_(std::move(sector)) {
+  const double overlap = interference(sector_, sector_.fit);
+  preloaded_ = overlap > 0.0;
+  rest_.solve.status = fe::NewtonStatus::converged;
+  if (!preloaded_) return;
+  // What rigid bodies would carry, for the scale.
+  const double unit = rigid_interference(sector_, 1.0);
+  rest_state_ = both().rest_start();
+  rest_.solve = both().solve(0.0, std::pow(overlap / unit, 1.5), rest_state_);
+  for (const Direction d : kDirections) rest_.sides[d] = both().loads(rest_state_, d);
+  if (rest_.solve.converged()) rest_.tangent_stiffness = both().tangent_stiffness(rest_state_);
+}
+
+PreloadSolver::PreloadSolver(PreloadSolver&&) noexcept = default;
+PreloadSolver::~PreloadSolver() = default;
+
+PreloadSolver::Branch& PreloadSolver::both() {
+  if (!both_) both_ = std::make_unique<Branch>(sector_);
+  return *both_;
+}
+
+PreloadSolver::Branch& PreloadSolver::branch(Direction carrying) {
+  if (!one_[carrying]) one_[carrying] = std::make_unique<Branch>(one_sided(sector_, carrying));
+  return *one_[carrying];
+}
+
+double PreloadSolver::force_scale(double axial_force) const {
+  return std::max(std::abs(axial_force), rest_.sides.tension.axial_load.screw);
+}
+
+PreloadPoint PreloadSolver::solve(double axial_force) {
+  if (axial_force == 0.0 || !rest_.solve.converged()) return rest_;
+  const Direction sense = axial_force > 0.0 ? Direction::tension : Direction::compression;
+  const double scale = force_scale(axial_force);
+  PreloadPoint point;
+  point.axial_force = axial_force;
+  Branch* at_work = &branch(sense);
+  fe::State q = at_work->start(axial_force, sense);
+  point.solve = at_work->solve(axial_force, scale, q);
+  // Also without preload a bent roller may reach the flanks behind it.
+  if (!point.solve.converged() || at_work->overlap(q, opposite(sense)) > 0.0) {
+    at_work = &both();
+    q = preloaded_ ? rest_state_ : at_work->start(axial_force, sense);
+    point.solve = at_work->solve(axial_force, scale, q);
+  }
+  if (!point.solve.converged()) return point;
+  point.axial_displacement =
+      at_work->displacement(q) - (preloaded_ ? both().displacement(rest_state_) : 0.0);
+  point.tangent_stiffness = at_work->tangent_stiffness(q);
+  for (const Direction d : kDirections) point.sides[d] = at_work->loads(q, d);
+  return point;
+}
+
+std::optional<double> PreloadSolver::opening_force(Direction sense) {
+  if (!preloaded_ || !rest_.solve.converged()) return std::nullopt;
+  if (opening_[sense]) return opening_[sense];
+  Branch& b = branch(sense);
+  bool solved = true;
+  const auto clearance = [&](double force) {
+    fe::State q = b.start(force, sense);
+    const double signed_force = sense == Direction::tension ? force : -force;
+    solved = b.solve(signed_force, force_scale(force), q).converged() && solved;
+    return -b.overlap(q, opposite(sense));
+  };
+  // The side that carries has taken over at least what it held against the other.
+  const double opening =
+      root_above(clearance, 0.5 * rest_.sides[sense].axial_load.screw, kMostOpening);
+  if (solved && std::isfinite(opening)) opening_[sense] = opening;
+  return opening_[sense];
+}
+
+namespace {
+
+/// A single nut's fit for the whole interference, the rollers afloat between screw and nut.
+Fit afloat(const PreloadSector& s, double interference) {
+  const auto fit = [&](double screw) { return Fit{{screw, interference - screw}, 0.0}; };
+  const auto imbalance = [&](double screw) {
+    const PreloadSolver solver(fitted(s, fit(screw)));
+    PerInterface<double> radial;
+    for (const Interface i : kInterfaces)
+      for (const Direction d : kDirections)
+        radial[i] += solver.at_rest().sides[d].axial_load[i] * std::tan(s.laws[i].normal_angle);
+    return std::cbrt(radial.screw * radial.screw) - std::cbrt(radial.nut * radial.nut);
+  };
+  return fit(root_between(imbalance, 0.0, interference));
+}
+
+Fit fit_of(const PreloadSector& s, double interference) {
+  return s.rollers_are_shared() ? afloat(s, interference) : Fit{{}, interference};
+}
+
+Fit play(const PreloadSector& s, double backlash) {
+  if (!s.rollers_are_shared()) return {{}, -backlash};
+  Fit fit;
+  for (const Interface i : kInterfaces)
+    fit.radial[i] = -0.25 * backlash / std::tan(s.laws[i].normal_angle);
+  return fit;
+}
+
+}  // namespace
+
+Fit find_fit(const PreloadSector& sector, const Preload& preload) {
+  if (preload.backlash) return play(sector, *preload.backlash);
+  if (preload.interference) return fit_of(sector, *preload.interference);
+  const double wanted = std::cbrt(*preload.force * *preload.force);
+  const auto surplus = [&](double interference) {
+    const PreloadSolver solver(fitted(sector, fit_of(sector, interference)));
+    const double load = solver.at_rest().sides.tension.axial_load.screw;
+    return std::cbrt(load * load) - wanted;
+  };
+  const double rigid = rigid_interference(sector, *preload.force);
+  return fit_of(sector, root_above(surplus, 0.5 * rigid, kMostInterference));
+}
+
+double interference(const PreloadSector& sector, const Fit& fit) {
+  return sector.rollers_are_shared() ? fit.radial.screw + fit.radial.nut : fit.axial;
+}
+
+}  // namespace prs

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "fe/newton.h"
+#include "prs/preload/preload_sector.h"
+
+namespace prs {
+
+/// What one side carries; nothing where it has opened.
+struct SideLoads {
+  PerInterface<double> axial_load;       ///< [N]
+  PerInterface<double> max_normal_load;  ///< Of a thread of one roller [N].
+};
+
+/// Equilibrium under one external load.
+struct PreloadPoint {
+  double axial_force = 0.0;  ///< > 0 in tension [N].
+  fe::NewtonSummary solve;
+  /// Loaded section against the section that holds the load, less its place without external load
+  /// [m]; > 0 in tension.
+  double axial_displacement = 0.0;
+  std::optional<double> tangent_stiffness;  ///< dF/du [N/m]; absent where the screw is loose.
+  /// tension less compression is the external load, at each interface.
+  PerDirection<SideLoads> sides;
+};
+
+/// Equilibria of a mechanism whose sides push against each other, its first nut held at one
+/// section. A side that has opened takes no part: beyond its opening the load is carried as without
+/// preload.
+class PreloadSolver {
+ public:
+  explicit PreloadSolver(PreloadSector sector);
+  PreloadSolver(PreloadSolver&&) noexcept;
+  ~PreloadSolver();
+
+  /// Without external load.
+  const PreloadPoint& at_rest() const { return rest_; }
+
+  /// Under an external load [N], > 0 in tension. Does not depend on earlier loads.
+  PreloadPoint solve(double axial_force);
+
+  /// Magnitude of the smallest external load of a sense at which the last contact of the other side
+  /// opens [N]. Absent without preload, where the side stays closed up to 1000 times the preload (a
+  /// roller that bends more and more reaches the flanks behind it), and where a solve fails.
+  std::optional<double> opening_force(Direction sense);
+
+ private:
+  class Branch;
+  Branch& both();
+  Branch& branch(Direction carrying);
+  double force_scale(double axial_force) const;
+
+  PreloadSector sector_;
+  bool preloaded_;
+  std::unique_ptr<Branch> both_;
+  PerDirection<std::unique_ptr<Branch>> one_;
+  PerDirection<std::optional<double>> opening_;
+  fe::State rest_state_;
+  PreloadPoint rest_;
+};
+
+/// The fit that a preload asks for. The interference of a single nut is shared between screw and
+/// nut so that the rollers float: without external load their guides take no radial force.
+Fit find_fit(const PreloadSector& sector, const Preload& preload);
+
+/// Interference that a fit amounts to, in the sense of `Preload::interference` [m].
+double interference(const PreloadSector& sector, const Fit& fit);
+
+}  // namespace prs
