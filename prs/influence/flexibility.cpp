@@ -262,19 +262,26 @@ std::vector<fe::MeridianEdge> within(const GroovedBody& body,
   return inner;
 }
 
-/// A spring on the mean sideways displacement of a section, 1/2 (U - V) weighted by the area.
-fe::HarmonicSpring sideways_spring(const GroovedBody& body,
-                                   const std::vector<fe::MeridianEdge>& edges, double stiffness) {
-  Eigen::VectorXd weight = Eigen::VectorXd::Zero(fe::kComponents * body.mesh.size());
-  for (const fe::MeridianEdge& e : edges)
+/// Loads of harmonic 1 that push sideways with 1 N, spread evenly over a section; also the weights
+/// of its mean sideways displacement, 1/2 (U - V).
+Eigen::VectorXd transverse_force(const GroovedBody& body,
+                                 const std::vector<fe::MeridianEdge>& section) {
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(fe::kComponents * body.mesh.size());
+  for (const fe::MeridianEdge& e : section)
     fe::add_edge_load(
-        body.mesh, e, 1, [](double, double) { return Eigen::Vector3d(1.0, -1.0, 0.0); }, weight);
-  const double area = weight.cwiseAbs().sum();
+        body.mesh, e, 1, [](double, double) { return Eigen::Vector3d(1.0, -1.0, 0.0); }, load);
+  return load / load.cwiseAbs().sum();
+}
+
+/// A spring on the mean sideways displacement of a section.
+fe::HarmonicSpring sideways_spring(const GroovedBody& body,
+                                   const std::vector<fe::MeridianEdge>& section, double stiffness) {
+  const Eigen::VectorXd weight = transverse_force(body, section);
   fe::HarmonicSpring spring;
   spring.stiffness = stiffness;
-  for (const int node : nodes_of(edges))
+  for (const int node : nodes_of(section))
     for (const Component c : {Component::radial, Component::circumferential})
-      spring.terms.push_back({node, c, weight[fe::row_of(node, c)] / area});
+      spring.terms.push_back({node, c, weight[fe::row_of(node, c)]});
   return spring;
 }
 
@@ -339,9 +346,8 @@ BodyGeometry body_geometry(const Mechanism& m, const Structure& structure,
 FlexibilityOptions flexibility_options(ModelOptions::Accuracy accuracy) {
   FlexibilityOptions options;
   if (accuracy == ModelOptions::Accuracy::reference) {
-    options.mesh.patch_cells = 8;
-    options.mesh.growth = 1.3;
-    options.mesh.step_cell = 0.02;
+    options.mesh.patch_cells = 4;
+    options.mesh.split = 2;
   }
   return options;
 }
@@ -470,21 +476,20 @@ Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double p
 
 namespace {
 
-/// Moves the transverse forces of harmonic 1 to the middle of their ridges, a quarter of a pitch,
-/// by couples: pairs of small forces on the neighbouring ridges, so that what a contact does nearby
-/// stays as it is. `loads` has one column for each contact, on flanks that look to `side`.
-void move_to_middle(Eigen::Ref<Eigen::MatrixXd> loads, FlankSide side) {
-  const Index contacts = loads.cols();
-  if (contacts < 2) return;
+/// Moves the radial forces of harmonic 1 from the contacts to the middle of their ridges, a quarter
+/// of a pitch, by pairs of transverse forces on the sections in the grooves beside: contacts on
+/// both flanks of a ridge bend the roller less than opposite ones. Near the contacts nothing
+/// changes.
+void move_to_middle(Eigen::MatrixXd& loads, const GroovedBody& body,
+                    const std::vector<LoadedFlank>& flanks) {
   const auto radial =
       Eigen::seq(static_cast<Index>(Component::radial), Eigen::last, Index{fe::kComponents});
-  const Eigen::MatrixXd force = loads(radial, Eigen::all);
-  for (Index k = 0; k < contacts; ++k) {
-    Index before = k - 1, behind = k + 1;
-    if (k == 0) before = std::min<Index>(1, contacts - 2), behind = before + 1;
-    if (k == contacts - 1) behind = std::max<Index>(1, k - 1), before = behind - 1;
-    const double share = 0.25 * sign(side) / static_cast<double>(behind - before);
-    loads(radial, k) += share * (force.col(before) - force.col(behind));
+  const double half = 0.5 * body.shape.groove.pitch;
+  for (Index k = 0; k < loads.cols(); ++k) {
+    const LoadedFlank& flank = flanks[static_cast<std::size_t>(k)];
+    const double force = 0.25 * sign(flank.side) * loads(radial, k).sum();
+    loads.col(k) += force * (transverse_force(body, body.section(flank.ridge - half)) -
+                             transverse_force(body, body.section(flank.ridge + half)));
   }
 }
 
@@ -496,35 +501,25 @@ Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
   const Structure::Roller& roller = b.structure.roller;
   const FlankSide screw_side = pushed_flank(direction), nut_side = pushing_flank(direction);
   const bool centred = b.roller_contacts == ModelOptions::RollerContacts::opposite;
+  std::vector<LoadedFlank> flanks;
+  for (int k = 0; k < b.contacts; ++k)
+    flanks.push_back({k * g.pitch, screw_side, b.patches.screw, options.mesh.patch_cells});
+  for (int k = 0; k < b.contacts; ++k)
+    flanks.push_back({k * g.pitch, nut_side, b.patches.nut, options.mesh.patch_cells});
   const auto meshed = [&] {
     GroovedShape shape;
     shape.groove = g;
     shape.start = -0.5 * g.pitch;
     shape.end = (b.contacts - 0.5) * g.pitch;
     shape.plain_end = PlainEnd{roller.end_length, 0.5 * roller.end_diameter};
-    std::vector<LoadedFlank> flanks;
-    for (int k = 0; k < b.contacts; ++k)
-      flanks.push_back({k * g.pitch, screw_side, b.patches.screw, options.mesh.patch_cells});
-    for (int k = 0; k < b.contacts; ++k)
-      flanks.push_back({k * g.pitch, nut_side, b.patches.nut, options.mesh.patch_cells});
+    for (int k = 1; k < b.contacts; ++k) shape.sections.push_back((k - 0.5) * g.pitch);
     return mesh_grooved_body(shape, flanks, options.mesh);
-  };
-  const auto loads = [&](const GroovedBody& body, int harmonic) {
-    Eigen::MatrixXd l = patch_loads(body, harmonic);
-    if (harmonic == 1) {
-      if (centred) {
-        move_to_middle(l.leftCols(b.contacts), screw_side);
-        move_to_middle(l.rightCols(b.contacts), nut_side);
-      }
-      l.leftCols(b.contacts) *= -1.0;  // cos(theta) at theta = pi
-    }
-    return l;
   };
   const auto stretched = [&]() -> MatrixCache::Matrices {
     const GroovedBody body = meshed();
     const int on_axis = by_radius(body, nodes_of(body.section(body.shape.end))).front();
     fe::HarmonicBody solver(body.mesh, isotropic(b.materials.roller), 0, axial_supports({on_axis}));
-    return {flexibility_of(solver, 0, loads(body, 0))};
+    return {flexibility_of(solver, 0, patch_loads(body, 0))};
   };
   const auto bent = [&]() -> MatrixCache::Matrices {
     const GroovedBody body = meshed();
@@ -532,7 +527,10 @@ Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
     std::vector<fe::HarmonicSpring> springs;
     add_guidance(body, roller, supports, springs);
     fe::HarmonicBody solver(body.mesh, isotropic(b.materials.roller), 1, supports, springs);
-    return {flexibility_of(solver, 1, loads(body, 1))};
+    Eigen::MatrixXd loads = patch_loads(body, 1);
+    if (centred) move_to_middle(loads, body, flanks);
+    loads.leftCols(b.contacts) *= -1.0;  // cos(theta) at theta = pi
+    return {flexibility_of(solver, 1, loads)};
   };
   const auto key = [&](std::string_view what) {
     Key k(what);

@@ -14,11 +14,11 @@ namespace prs {
 
 /// How finely a grooved body is meshed. The defaults are those of working accuracy.
 struct MeshDensity {
-  int patch_cells = 4;        ///< Across a contact patch, along the profile; even.
+  int patch_cells = 6;        ///< Across a contact patch, along the profile; even.
   double growth = 1.5;        ///< Of a cell against its neighbour, away from the patch.
   double largest_cell = 0.5;  ///< In the core, radially, over the body's thickness there.
-  double step_cell = 0.05;    ///< Radially at a step of a nut's surface, over the same.
-  int plain_flank_cells = 2;  ///< On flanks without load.
+  double step_cell = 0.02;    ///< Radially at a step of a nut's surface, over the same.
+  int plain_flank_cells = 4;  ///< On flanks without load.
   int split = 1;              ///< Every cell again, each way, by halves for 2.
   double ridge_depth = 0.36;  ///< Depth below the roots that follows the profile, in pitches.
 };

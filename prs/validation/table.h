@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct ValidationTable {
   std::string title;
   std::vector<std::string> columns;  ///< Of the labels, then of the values, units included.
   std::vector<Row> rows;
+  std::optional<int> decimals = {};  ///< In the text; six significant digits where absent.
 };
 
 }  // namespace prs

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
@@ -22,6 +23,8 @@ namespace prs {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLeastColumn = 7;  // Characters, in the text of a table.
 
 /// Value at a path such as `load_cases[0].screw.axial_load_N[3]`.
 std::optional<double> number_at(const Json& document, std::string path) {
@@ -45,15 +48,23 @@ std::optional<double> number_at(const Json& document, std::string path) {
   return value->is_number() ? std::optional(value->get<double>()) : std::nullopt;
 }
 
-/// The result of a case, so that what is found wrong with it is reported where it stands.
-Result result_of(const input::Source& source, Command command) {
-  const Case c = input::read_case_input(source, command).values;
+/// Runs `compute` on a case that came from `source`, so that what it finds wrong with the case is
+/// reported where it stands.
+template <class Compute>
+auto compute_from(const input::Source& source, Compute compute) {
   try {
-    if (command == Command::slip) return analyze_slip(c);
-    return command == Command::contact ? analyze_contacts(c) : analyze(c);
+    return compute();
   } catch (const CaseError& error) {
     input::fail_at(source, error.path(), error.what());
   }
+}
+
+Result result_of(const input::Source& source, Command command) {
+  const Case c = input::read_case_input(source, command).values;
+  return compute_from(source, [&] {
+    if (command == Command::slip) return analyze_slip(c);
+    return command == Command::contact ? analyze_contacts(c) : analyze(c);
+  });
 }
 
 std::vector<Comparison> compare(const ReferenceCase& reference, const DerivedQuantities& derived) {
@@ -68,14 +79,22 @@ std::vector<Comparison> compare(const ReferenceCase& reference, const DerivedQua
   return comparisons;
 }
 
-/// The case that the statements and tables of a source are about; absent where the reference does
-/// not hold it.
-std::optional<Case> subject_of(const Reference& reference, const std::string& file) {
-  const auto subject = std::ranges::find_if(reference.cases, [&](const ReferenceCase& c) {
-    return file.empty() || c.file.filename() == file;
-  });
-  if (subject == reference.cases.end()) return std::nullopt;
-  return input::read_case(subject->file.string(), {}, subject->command);
+template <class T>
+void append(std::vector<T>& to, std::vector<T>&& from) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+/// What the code of a source says of the case that it is about.
+void add_subject(SourceReport& report, const Contribution& code, const Case& subject,
+                 const std::filesystem::path& folder) {
+  if (code.statements) append(report.statements, code.statements(subject));
+  if (code.subject_tables) append(report.tables, code.subject_tables(subject));
+  if (!code.supplement) return;
+  Supplement supplement = code.supplement(subject, folder);
+  append(report.statements, std::move(supplement.statements));
+  append(report.tables, std::move(supplement.tables));
+  append(report.figures, std::move(supplement.figures));
+  append(report.files, std::move(supplement.files));
 }
 
 SourceReport report_on(const std::filesystem::path& folder,
@@ -88,16 +107,17 @@ SourceReport report_on(const std::filesystem::path& folder,
   for (const Contribution& c : contributions)
     if (c.folder == report.name) code = c;
   for (const ReferenceCase& c : reference.cases)
-    for (Comparison& comparison : compare(c, code.derived))
-      report.comparisons.push_back(std::move(comparison));
+    append(report.comparisons, compare(c, code.derived));
   if (code.tables) report.tables = code.tables();
-  if (!code.statements && !code.subject_tables) return report;
-  const std::optional<Case> subject = subject_of(reference, code.subject);
-  if (!subject) return report;
-  if (code.statements) report.statements = code.statements(*subject);
-  if (code.subject_tables)
-    for (ValidationTable& table : code.subject_tables(*subject))
-      report.tables.push_back(std::move(table));
+  if (!code.statements && !code.subject_tables && !code.supplement) return report;
+  // Left out where the reference does not hold the case that the code is about.
+  const auto subject = std::ranges::find_if(reference.cases, [&](const ReferenceCase& c) {
+    return code.subject.empty() || c.file.filename() == code.subject;
+  });
+  if (subject == reference.cases.end()) return report;
+  const input::Source source = input::load_source(subject->file.string(), {});
+  const Case c = input::read_case_input(source, subject->command).values;
+  compute_from(source, [&] { add_subject(report, code, c, folder); });
   return report;
 }
 
@@ -128,14 +148,27 @@ std::string comparison_text(const Comparison& c) {
   return text;
 }
 
+std::string value_text(const ValidationTable& table, double value) {
+  return table.decimals ? fmt::format("{:.{}f}", value, *table.decimals)
+                        : fmt::format("{:.6g}", value);
+}
+
+/// Columns as wide as what they hold.
 std::string table_text(const ValidationTable& table) {
-  std::string text = wrapped(table.title, "  ", 110);
-  for (std::size_t i = 0; i < table.columns.size(); ++i)
-    text += fmt::format(fmt::runtime(i == 0 ? "    {:<24}" : " {:>16}"), table.columns[i]);
-  text += '\n';
+  std::vector<std::vector<std::string>> rows{table.columns};
   for (const ValidationTable::Row& row : table.rows) {
-    text += fmt::format("    {:<24}", row.label);
-    for (const double value : row.values) text += fmt::format(" {:>16.6g}", value);
+    rows.push_back({row.label});
+    for (const double value : row.values) rows.back().push_back(value_text(table, value));
+  }
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()), kLeastColumn);
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+  }
+  std::string text = wrapped(table.title, "  ", 110);
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      text += fmt::format(fmt::runtime(i == 0 ? "    {:<{}}" : "  {:>{}}"), row[i], widths[i]);
     text += '\n';
   }
   return text;

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "prs/case.h"
+#include "prs/output/figure.h"
+#include "prs/output/files.h"
 #include "prs/output/json.h"
 #include "prs/result.h"
 #include "prs/validation/reference.h"
@@ -43,6 +45,14 @@ struct JudgedStatement {
   Verdict verdict;
 };
 
+/// What the code of a source finds on its case and in the data beside it.
+struct Supplement {
+  std::vector<JudgedStatement> statements;
+  std::vector<ValidationTable> tables;
+  std::vector<Figure> figures;
+  std::vector<OutputFile> files;
+};
+
 /// What the run says of one folder below `validation/`.
 struct SourceReport {
   std::string name;    ///< Of the folder.
@@ -50,6 +60,8 @@ struct SourceReport {
   std::vector<Comparison> comparisons;
   std::vector<JudgedStatement> statements;
   std::vector<ValidationTable> tables;
+  std::vector<Figure> figures;
+  std::vector<OutputFile> files;
 };
 
 /// Judges the statements that a source makes in words about the screw of its case.
@@ -65,6 +77,8 @@ struct Contribution {
   DerivedQuantities derived = {};
   std::function<std::vector<ValidationTable>()> tables = {};
   std::function<std::vector<ValidationTable>(const Case&)> subject_tables = {};
+  /// On the subject and the source's folder.
+  std::function<Supplement(const Case&, const std::filesystem::path&)> supplement = {};
   /// File of the case that the statements are about; empty for the first one of the reference.
   std::string subject = {};
 };

@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "prs/case_error.h"
 #include "prs/input/source.h"
 #include "tests/prs/output/temporary_directory.h"
 #include "validation/sandu_2018/contribution.h"
@@ -192,6 +193,64 @@ TEST(Validation, ReferenceFilesAreReadStrictly) {
   EXPECT_THAT(error_of(value + "}\nyear: 2018\n"), HasSubstr("year"));
   EXPECT_THAT(error_of(value + "}\n    comand: contact\n"), HasSubstr("comand"));
   EXPECT_THAT(error_of("      []\n"), HasSubstr("expected a list"));
+}
+
+/// A source of its own whose code is told its case and folder.
+SourceReport report_with(const Contribution& code) {
+  const test::TemporaryDirectory parent;
+  const std::filesystem::path folder = parent.path() / code.folder;
+  std::filesystem::create_directory(folder);
+  std::filesystem::copy(kSources / "sandu_2018/example_1.yaml", folder / "case.yaml");
+  std::ofstream(folder / "reference.yaml")
+      << "source: a test\ncases:\n  - {case: case.yaml, command: contact, values: [{quantity: "
+         "contact.centre_distance_mm, where: c, printed: '20'}]}\n";
+  return validate(folder, {code}).front();
+}
+
+TEST(Validation, ASourcesCodeFindsTheFilesBesideItsCase) {
+  const SourceReport report =
+      report_with({.folder = "here",
+                   .tables =
+                       [] {
+                         return std::vector{ValidationTable{"first", {"a"}, {}}};
+                       },
+                   .supplement =
+                       [](const Case& subject, const std::filesystem::path& folder) {
+                         EXPECT_EQ(subject.mechanism.rollers, 9);
+                         EXPECT_TRUE(std::filesystem::exists(folder / "case.yaml"));
+                         Supplement s;
+                         s.statements.push_back({"1", "a statement", {}});
+                         s.tables.push_back({"second", {"a"}, {}});
+                         s.figures.emplace_back().name = "a figure";
+                         s.files.push_back({"a.csv", "a"});
+                         return s;
+                       }});
+  ASSERT_EQ(report.tables.size(), 2u);
+  EXPECT_EQ(report.tables[1].title, "second");
+  EXPECT_EQ(report.statements.size(), 1u);
+  EXPECT_EQ(report.figures.front().name, "a figure");
+  EXPECT_EQ(report.files.front().content, "a");
+}
+
+TEST(Validation, WhatASourcesCodeFindsWrongWithItsCaseIsToldAtItsPlace) {
+  try {
+    report_with({.folder = "here",
+                 .supplement = [](const Case&, const std::filesystem::path&) -> Supplement {
+                   throw CaseError("mechanism.rollers", "expected fewer");
+                 }});
+    FAIL();
+  } catch (const input::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("case.yaml:14:12: error: mechanism.rollers"));
+  }
+}
+
+TEST(Validation, TablesAreAsWideAsWhatTheyHold) {
+  SourceReport report;
+  report.tables.push_back({"title", {"case", "a long column"}, {{"x", {1.0 / 3.0}}}, 2});
+  report.tables.push_back({"title", {"case", "b"}, {{"a long label", {1.0 / 3.0}}}});
+  const std::string text = validation_text({report});
+  EXPECT_THAT(text, HasSubstr("    case     a long column\n    x                 0.33\n"));
+  EXPECT_THAT(text, HasSubstr("    case                 b\n    a long label  0.333333\n"));
 }
 
 TEST(Validation, UnknownCommandsAreErrors) {

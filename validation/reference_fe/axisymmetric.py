@@ -183,9 +183,10 @@ def patch_weights(mesh, point, half_length, surface):
 TOOTH_ROWS = [0, 0.37, 0.62, 0.79, 0.91, 1.0]
 
 
-def screw_mesh(s, n):
-    """s = -1 tension, +1 compression (direction of the screw's load). Returns mesh, contacts, support nodes' predicate."""
-    a = patches()["screw"][0] * np.cos(np.pi / 4)
+def screw_mesh(s, n, scale=1.0):
+    """s = -1 tension, +1 compression (direction of the screw's load), patch scaled. Returns mesh, contacts, weights, directions."""
+    half_length = scale * patches()["screw"][0]
+    a = half_length * np.cos(np.pi / 4)
     contacts = FREE_LENGTH + PITCH * np.arange(TEETH)
     face = s  # tension: the screw's loaded flank faces -x
     centres = contacts - face * PITCH / 4
@@ -201,7 +202,7 @@ def screw_mesh(s, n):
         ((deep - BORE_R) / (inner - BORE_R), lambda x: BORE_R, lambda x: inner, lambda x: True),
         (TOOTH_ROWS, lambda x: inner, radius, lambda x: True)], n)
     surface = lambda r, z: np.abs(r - np.array([radius(v) for v in z])) < 1e-9
-    weights = [patch_weights(mesh, (SCREW_R, x), patches()["screw"][0], surface) for x in contacts]
+    weights = [patch_weights(mesh, (SCREW_R, x), half_length, surface) for x in contacts]
     c = np.cos(np.pi / 4)
     return mesh, contacts, weights, [(-c, -face * c)] * TEETH  # d into the screw, (r, x)
 
@@ -413,11 +414,11 @@ def solve(folder, name, build, support_of, contacts_loaded=None, equations=()):
 
 # ---------------------------------------------------------------- runs
 
-def run_case(scratch, body, case, n, loads):
-    """One body and case on mesh n; result in scratch/body_case_n.npz."""
+def run_case(scratch, body, case, n, loads, scale=1.0):
+    """One body and case on mesh n; result in scratch/body_case_n.npz. scale: of the screw's patch, in the name if not 1."""
     equations = ()
     if body == "screw":
-        build = screw_mesh({"tension": -1, "compression": +1}[case], n)
+        build = screw_mesh({"tension": -1, "compression": +1}[case], n, scale)
         support = lambda m: list(np.where(np.abs(m.coords[:, 1]) < 1e-9)[0] + 1)
     elif body == "nut":
         build = nut_mesh(int(case[-1]), n)
@@ -432,7 +433,7 @@ def run_case(scratch, body, case, n, loads):
         build = roller_mesh(n)
         support = lambda m: []
         equations = (section_mean(build[0], 0.0),)
-    name = f"{body}_{case}_{n}"
+    name = f"{body}_{case}_{n}" + (f"_{scale}" if scale != 1.0 else "")
     normal, radial, axial, reaction, seconds, nodes = solve(scratch, name, build, support, loads, equations)
     np.savez(os.path.join(scratch, name + ".npz"), normal=normal, radial=radial, axial=axial, reaction=reaction,
              seconds=seconds, nodes=nodes, loads=np.arange(len(build[1])) if loads is None else np.array(loads), x=build[1])
@@ -444,8 +445,9 @@ if __name__ == "__main__":
     parser.add_argument("--scratch", required=True)
     parser.add_argument("--mesh", type=int, required=True, help="subdivision of the coarse mesh: 1, 2, 3")
     parser.add_argument("--loads", help="comma-separated contacts; all by default")
+    parser.add_argument("--patch", type=float, default=1.0, help="scale of the screw's patch")
     parser.add_argument("cases", nargs="+", help="screw:tension screw:compression nut:config1..3 roller:tension")
     args = parser.parse_args()
     os.makedirs(args.scratch, exist_ok=True)
     for item in args.cases:
-        run_case(args.scratch, *item.split(":"), args.mesh, [int(v) for v in args.loads.split(",")] if args.loads else None)
+        run_case(args.scratch, *item.split(":"), args.mesh, [int(v) for v in args.loads.split(",")] if args.loads else None, args.patch)

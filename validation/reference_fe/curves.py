@@ -3,12 +3,12 @@
 Unknown contact forces N (20 screw-roller, 20 nut-roller) and two rigid displacements q = (screw against roller, roller against
 thrust section):
     (N_i / k_i)^(2/3) + sum_j C_ij N_j - R_iq q = 0,     sum R_i N_i = F / rollers for each interface,
-R = cos(psi) on its own interface, C = C_screw + C_nut + C_roller (n = 0) + roller bending (beam) + harmonics of each body.
+R = cos(psi) on its own interface, C = C_screw + C_nut + C_roller (n = 0) + roller bending (n = 1) + harmonics of each body.
 Axial displacement = q_1 + q_2. Newton in N, damped so that N stays positive.
 
-Matrices (mm/N per roller) are those of axisymmetric.py and cyclic_3d.py, stored beside this file. Compression: CONFIG k of the
+Matrices (mm/N per roller) are those of axisymmetric.py, roller_bending.py and harmonic_sum.py, stored in data/. Compression: CONFIG k of the
 nut is CONFIG 4 - k in tension mirrored; the roller is its own mirror image; the screw has its own matrix.
-Usage: curves.py [--check-bars]; writes curves_*.csv and summary.csv.
+Usage: curves.py [--check-bars]; writes curves*.csv, summary.csv and error_bars.json.
 """
 import argparse
 import json
@@ -124,7 +124,8 @@ def mirrored_roller(matrix):
 def load_matrices(folder):
     read = lambda name: np.loadtxt(os.path.join(folder, name + ".csv"), delimiter=",")
     return {"screw": {-1: read("screw_tension"), +1: read("screw_compression")},
-            "nut": {c: read(f"nut_config{c}") for c in (1, 2, 3)}, "roller": read("roller_tension")}
+            "nut": {c: read(f"nut_config{c}") for c in (1, 2, 3)}, "roller": read("roller_tension"),
+            "bending": {g: read(f"roller_bending_{g}") for g in ("both_end_nodes", "outer_node")}}
 
 
 def banded(values):
@@ -135,27 +136,56 @@ def banded(values):
     return out
 
 
-def case_matrix(data, harmonics, config, direction, guidance, lever, **beam):
-    """Full compliance matrix of a case; harmonics None: rings only (n = 0), with the beam."""
+def rod(guidance, lever, bending_r):
+    """Roller in tension as a beam (n = 1) and a bar (n = 0, left end held), flanks at 45 deg, threaded part of one radius for both."""
+    beam = beam_flexibility(-1, guidance, lever, bending_r=bending_r, shear_r=bending_r, angles=(np.pi / 4, np.pi / 4))
+    centre = END_LENGTH + PITCH / 2 + PITCH * np.arange(TEETH)
+    half = {"opposite": 0.0, "half_pitch": PITCH / 4}[lever]
+    x = np.concatenate([centre + half, centre - half])
+    sign = np.repeat([-1.0, 1.0], TEETH)
+    stretch = END_LENGTH / END_R**2 + (np.minimum.outer(x, x) - END_LENGTH) / bending_r**2
+    return beam + 0.5 * np.outer(sign, sign) * stretch / (np.pi * E)
+
+
+def opposite(half_pitch, guidance, bending_r):
+    """Roller's matrix in tension with the contacts of a tooth at one section, its centre, from that of ring-shaped teeth, where they lie
+    a quarter pitch before and behind. A rod gives the change; what there is beyond it is interpolated: linearly along x at a fixed distance
+    of the two contacts on the same side, as the mean of half a pitch before and behind between the two sides."""
+    rest = half_pitch - rod(guidance, "half_pitch", bending_r)
+    S, G = slice(0, TEETH), slice(TEETH, None)
+    def extended(block):  # one tooth more on every side, linearly along the diagonal
+        out = np.zeros((TEETH + 2, TEETH + 2))
+        out[1:-1, 1:-1] = block
+        out[0, :-2], out[:-2, 0] = 2 * out[1, 1:-1] - out[2, 2:], 2 * out[1:-1, 1] - out[2:, 2]
+        out[-1, 2:], out[2:, -1] = 2 * out[-2, 1:-1] - out[-3, :-2], 2 * out[1:-1, -2] - out[:-2, -3]
+        out[0, -2:], out[-2:, 0] = out[0, -3], out[-3, 0]
+        out[-1, :2], out[:2, -1] = out[-1, 2], out[2, -1]
+        return out
+    screw, nut, cross = extended(rest[S, S]), extended(rest[G, G]), extended(rest[S, G])
+    rest[S, S] = 0.75 * screw[1:-1, 1:-1] + 0.25 * screw[:-2, :-2]  # contacts at centre + p/4
+    rest[G, G] = 0.75 * nut[1:-1, 1:-1] + 0.25 * nut[2:, 2:]
+    rest[S, G] = 0.5 * cross[1:-1, 1:-1] + 0.25 * (cross[1:-1, 2:] + cross[:-2, 1:-1])
+    rest[G, S] = rest[S, G].T
+    return rest + rod(guidance, "opposite", bending_r)
+
+
+def case_matrix(data, harmonics, config, direction, guidance, lever, bending_r):
+    """Full compliance matrix of a case; harmonics None: rings only (n = 0) and the roller's n = 1."""
     screw = data["screw"][direction].copy()
     nut = (data["nut"][config] if direction < 0 else mirrored(data["nut"][4 - config])).copy()
-    roller = (data["roller"] if direction < 0 else mirrored_roller(data["roller"])).copy()
+    roller = data["roller"] + data["bending"][guidance]
     if harmonics:
         screw += banded(harmonics["screw"]["values"])
         nut += banded(harmonics["nut"]["values"])
         for key, rows, cols in (("roller_screw", 0, 0), ("roller_nut", 1, 1), ("roller_cross", 0, 1)):
-            if key in harmonics:
-                block = np.zeros((TEETH, TEETH))
-                offsets = {int(k): v for k, v in harmonics[key]["values_by_offset"].items()}  # column's tooth less row's, tension
-                if rows != cols and lever == "opposite":  # given half a pitch apart (nut's contact behind): interpolated to 0
-                    low, high = min(offsets), max(offsets)
-                    offsets = {k: (offsets[k] + offsets[k + 1]) / 2 for k in range(low, high)}
-                for k, v in offsets.items():
-                    block += v * np.eye(TEETH, k=k if direction < 0 else -k)
-                roller[rows * TEETH:(rows + 1) * TEETH, cols * TEETH:(cols + 1) * TEETH] += block
-                if rows != cols:
-                    roller[cols * TEETH:(cols + 1) * TEETH, rows * TEETH:(rows + 1) * TEETH] += block.T
-    return assemble(screw, nut, roller, beam_flexibility(direction, guidance, lever, **beam))
+            offsets = {int(k): v for k, v in harmonics[key]["values_by_offset"].items()}  # column's tooth less row's
+            block = sum(v * np.eye(TEETH, k=k) for k, v in offsets.items())
+            roller[rows * TEETH:(rows + 1) * TEETH, cols * TEETH:(cols + 1) * TEETH] += block
+            if rows != cols:
+                roller[cols * TEETH:(cols + 1) * TEETH, rows * TEETH:(rows + 1) * TEETH] += block.T
+    if lever == "opposite":
+        roller = opposite(roller, guidance, bending_r)
+    return assemble(screw, nut, roller if direction < 0 else mirrored_roller(roller), 0.0)
 
 
 def result(C, kilonewton):
@@ -168,29 +198,27 @@ def bar_case(config, direction, guidance):
     return assemble(*bar_matrices(config, direction), beam_flexibility(direction, guidance, "opposite", shear=False))
 
 
-def mixed(data, harmonics, config, direction, guidance, lever, refined, beam):
-    """Bars with the named bodies replaced by their finite-element matrices."""
+def mixed(data, harmonics, config, direction, guidance, lever, refined, bending_r):
+    """Bars with one body replaced by its finite-element matrices."""
     screw, nut, roller = bar_matrices(config, direction)
-    full = case_matrix(data, harmonics, config, direction, guidance, lever, **beam)
-    flexibility = beam_flexibility(direction, guidance, "opposite", shear=False)
-    none = np.zeros((TEETH, TEETH))
-    only = {}
-    for body in ("screw", "nut"):
-        part = {"screw": {d: data["screw"][d] if body == "screw" else none for d in (-1, 1)},
-                "nut": {c: data["nut"][c] if body == "nut" else none for c in (1, 2, 3)}, "roller": np.zeros((2 * TEETH, 2 * TEETH))}
-        h = {k: v if k == body else {"values": [0.0], "values_by_offset": {"0": 0.0}} for k, v in harmonics.items()
-             if not k.startswith("roller_")} if harmonics else None
-        whole = case_matrix(part, h, config, direction, guidance, lever, **beam)
-        only[body] = whole - beam_flexibility(direction, guidance, lever, **beam)
-    S, G = slice(0, TEETH), slice(TEETH, None)
-    C = np.zeros((2 * TEETH, 2 * TEETH))
-    C[S, S] += only["screw"][S, S] if "screw" in refined else screw
-    C[G, G] += only["nut"][G, G] if "nut" in refined else nut
-    C += full - only["screw"] - only["nut"] if "roller" in refined else roller + flexibility
+    bars = bar_case(config, direction, guidance)
+    if refined == "roller":
+        nothing = {"screw": {direction: 0 * screw}, "nut": {c: 0 * nut for c in (1, 2, 3)}, "roller": data["roller"], "bending": data["bending"]}
+        own = {k: v for k, v in harmonics.items() if k.startswith("roller_")} | {"screw": {"values": [0.0]}, "nut": {"values": [0.0]}}
+        C = case_matrix(nothing, own, config, direction, guidance, lever, bending_r)
+        C[:TEETH, :TEETH] += screw
+        C[TEETH:, TEETH:] += nut
+        return C
+    block = slice(0, TEETH) if refined == "screw" else slice(TEETH, None)
+    nothing = {"screw": data["screw"], "nut": data["nut"], "roller": 0 * data["roller"], "bending": {guidance: 0 * data["roller"]}}
+    own = {k: {"values_by_offset": {"0": 0.0}} if k.startswith("roller_") else v for k, v in harmonics.items()}
+    C = bars
+    C[block, block] += case_matrix(nothing, own, config, direction, guidance, "half_pitch", bending_r)[block, block]
+    C[block, block] -= screw if refined == "screw" else nut
     return C
 
 
-def write_curves(out, data, harmonics, beam, name):
+def write_curves(out, data, harmonics, bending_r, name):
     shares = [f"screw_{i + 1}_%" for i in range(TEETH)] + [f"nut_{i + 1}_%" for i in range(TEETH)]
     with open(os.path.join(out, name), "w") as f:
         f.write(",".join(["config", "direction", "guidance", "lever", "load_kN", "displacement_um", "stiffness_N_per_um"] + shares) + "\n")
@@ -198,14 +226,14 @@ def write_curves(out, data, harmonics, beam, name):
             for direction, label in ((-1, "tension"), (1, "compression")):
                 for guidance in ("both_end_nodes", "outer_node"):
                     for lever in ("opposite", "half_pitch"):
-                        C = case_matrix(data, harmonics, config, direction, guidance, lever, **beam)
+                        C = case_matrix(data, harmonics, config, direction, guidance, lever, bending_r)
                         for kilonewton in LOADS:
                             um, stiffness, s, n = result(C, kilonewton)
                             row = [str(config), label, guidance, lever, str(kilonewton), f"{um:.5f}", f"{stiffness:.4f}"]
                             f.write(",".join(row + [f"{100 * v:.5f}" for v in np.concatenate([s, n])]) + "\n")
 
 
-def write_summary(out, data, harmonics, beam):
+def write_summary(out, data, harmonics, bending_r):
     """45 kN, displacement in um: bars, rings only, everything, and each body alone in place of its bar."""
     header = ["config", "direction", "guidance", "lever", "bars_um", "rings_um", "all_um", "bars_N_per_um", "rings_N_per_um", "all_N_per_um",
               "screw_increment_um", "nut_increment_um", "roller_increment_um", "largest_share_change_%"]
@@ -216,13 +244,37 @@ def write_summary(out, data, harmonics, beam):
                 for direction, label in ((-1, "tension"), (1, "compression")):
                     for config in (1, 2, 3):
                         bars = result(bar_case(config, direction, guidance), 45)
-                        rings = result(case_matrix(data, None, config, direction, guidance, lever, **beam), 45)
-                        whole = result(case_matrix(data, harmonics, config, direction, guidance, lever, **beam), 45)
-                        alone = [result(mixed(data, harmonics, config, direction, guidance, lever, {b}, beam), 45)[0] - bars[0]
+                        rings = result(case_matrix(data, None, config, direction, guidance, lever, bending_r), 45)
+                        whole = result(case_matrix(data, harmonics, config, direction, guidance, lever, bending_r), 45)
+                        alone = [result(mixed(data, harmonics, config, direction, guidance, lever, b, bending_r), 45)[0] - bars[0]
                                  for b in ("screw", "nut", "roller")]
                         change = 100 * max(np.abs(whole[2] - bars[2]).max(), np.abs(whole[3] - bars[3]).max())
                         f.write(",".join([str(config), label, guidance, lever] + [f"{v[0]:.4f}" for v in (bars, rings, whole)] +
                                          [f"{v[1]:.3f}" for v in (bars, rings, whole)] + [f"{v:.4f}" for v in alone] + [f"{change:.4f}"]) + "\n")
+
+
+def error_bars(data, harmonics, bending_r, errors):
+    """Largest change in stiffness (%) and in a thread's load (% of the sector load) at 45 kN when one part moves by its error bar."""
+    report = {}
+    cases = [(c, d, g, l) for c in (1, 2, 3) for d in (-1, 1) for g in ("both_end_nodes", "outer_node") for l in ("opposite", "half_pitch")]
+    base = {case: result(case_matrix(data, harmonics, *case, bending_r), 45) for case in cases}
+    def moved(name, changed_data, changed_harmonics):
+        largest = np.zeros(2)
+        for case in cases:
+            new, old = result(case_matrix(changed_data, changed_harmonics, *case, bending_r), 45), base[case]
+            largest = np.maximum(largest, [abs(new[1] / old[1] - 1), max(np.abs(new[2] - old[2]).max(), np.abs(new[3] - old[3]).max())])
+        report[name] = (100 * largest).tolist()
+    for body in ("screw", "nut"):
+        values = np.array(harmonics[body]["values"]) + np.array(harmonics[body]["error_bar"])
+        moved(f"{body} harmonics", data, harmonics | {body: {"values": values.tolist()}})
+        moved(f"{body} n = 0", data | {body: {k: m + errors[body] * np.abs(m).max() * np.eye(TEETH) for k, m in data[body].items()}}, harmonics)
+    for key in ("roller_screw", "roller_nut", "roller_cross"):
+        values = {k: v + (harmonics["roller"]["error_bar"] if k == "0" else 0.0) for k, v in harmonics[key]["values_by_offset"].items()}
+        moved(f"{key} harmonics", data, harmonics | {key: {"values_by_offset": values}})
+    moved("roller n = 0", data | {"roller": data["roller"] * (1 + errors["roller"])}, harmonics)
+    moved("roller n = 1", data | {"bending": {k: m * (1 + errors["bending"]) for k, m in data["bending"].items()}}, harmonics)
+    report["all, added"] = np.sum(list(report.values()), axis=0).tolist()
+    return report
 
 
 if __name__ == "__main__":
@@ -238,12 +290,16 @@ if __name__ == "__main__":
                 print(config, {-1: "tension", 1: "compression"}[direction], f"{um:.6f} um {stiffness:.6f} N/um", s[0], n[0], n[-1])
         raise SystemExit
     data = load_matrices(args.data)
-    path = os.path.join(args.data, "harmonics.json")
-    harmonics = json.load(open(path)) if os.path.exists(path) else None
-    r = harmonics["roller"]["bending_r_mm"] if harmonics and "roller" in harmonics else 3.31
-    beam = {"bending_r": r, "shear_r": r}
-    if harmonics:
-        write_curves(args.data, data, harmonics, beam, "curves.csv")
-    write_curves(args.data, data, None, beam, "curves_rings_only.csv")
-    write_summary(args.data, data, harmonics, beam)
+    read = lambda name: json.load(open(os.path.join(args.data, name)))
+    harmonics = read("harmonics.json")
+    bending_r = harmonics["roller"]["bending_r_mm"]
+    write_curves(args.data, data, harmonics, bending_r, "curves.csv")
+    write_curves(args.data, data, None, bending_r, "curves_rings_only.csv")
+    write_summary(args.data, data, harmonics, bending_r)
     print(open(os.path.join(args.data, "summary.csv")).read())
+    known, bending = read("convergence.json"), read("roller_bending.json")
+    errors = {body: known[body]["error_bar_self"] for body in ("screw", "nut", "roller")}
+    errors["bending"] = max(r["error_bar"] for r in bending.values())
+    report = {"relative_errors_assumed": errors, "stiffness_and_loads_percent": error_bars(data, harmonics, bending_r, errors)}
+    json.dump(report, open(os.path.join(args.data, "error_bars.json"), "w"), indent=1)
+    print(json.dumps(report, indent=1))

@@ -1,4 +1,4 @@
-"""Concentrated contact against ring load: 3D block of teeth by CalculiX (C3D20), for what axisymmetric.py leaves out.
+"""Concentrated contact against ring load: 3D block of teeth by CalculiX (C3D20). A check of harmonic_sum.py in one solution.
 
     delta_k = [u_k(patch) - u_k(ring)] / P  -  (k = 0)  <u>/P of the half-space,
     <u>/P = (delta/2 - rho_s a_s^2/20 - rho_t a_t^2/20)/P, pressure-weighted displacement of ONE body of the Hertz contact.
@@ -6,9 +6,9 @@
 u_k: displacement along the flank's inward normal at tooth k of the block, weighted with the contact pressure. Both loads act
 on the same mesh, so what is common to both (axial stretch, hoop expansion) drops out. Screw and nut: half a sector of pi/11,
 symmetry planes through the contact and between two contacts. Roller: half of it, plane of symmetry through both contacts;
-there the beam (n = 1) is taken out as well, see roller().
+there the harmonic n = 1 is taken out with the ring, see roller().
 
-Units: mm, N. Usage: cyclic_3d.py --scratch DIR BODY MESH, BODY in screw, nut, roller; MESH 1, 2, 3.
+Units: mm, N. Usage: cyclic_3d.py --scratch DIR BODY MESH, BODY in screw, nut, roller; MESH 1, 2, 3; or cyclic_3d.py --scratch DIR collect.
 """
 import argparse
 import json
@@ -141,7 +141,8 @@ def density_ring(r0, z0, a_s, harmonic=None):
 
 
 def write_deck(path, block, fixed, plane, steps, printed):
-    """fixed: [(nodes, dof)]; plane: (nodes, angle) with no displacement normal to the plane; steps: {node: (fx, fy, fz)}."""
+    """fixed: [(nodes, dof)]; plane: (nodes, angle, dofs) fixed in the system radial 1, circumferential 2, axial 3, in which their forces
+    and displacements are too; steps: {node: force}."""
     xyz = np.stack([block.rzp[:, 0] * np.cos(block.rzp[:, 2]), block.rzp[:, 0] * np.sin(block.rzp[:, 2]), block.rzp[:, 1]], 1)
     with open(path, "w") as f:
         f.write("*NODE, NSET=ALL\n")
@@ -151,7 +152,7 @@ def write_deck(path, block, fixed, plane, steps, printed):
             f.write(f"{k}," + ",".join(map(str, e[:15])) + ",\n" + ",".join(map(str, e[15:])) + "\n")
         f.write(f"*MATERIAL, NAME=STEEL\n*ELASTIC\n{ax.E},{ax.NU}\n*SOLID SECTION, ELSET=BODY, MATERIAL=STEEL\n")
         if plane is not None:
-            nodes, angle = plane
+            nodes, angle, _ = plane
             f.write("*NSET, NSET=PLANE\n" + "".join(f"{k}\n" for k in nodes))
             c, s = np.cos(angle), np.sin(angle)
             f.write(f"*TRANSFORM, NSET=PLANE, TYPE=R\n{c:.12e},{s:.12e},0.,{-s:.12e},{c:.12e},0.\n")
@@ -160,7 +161,7 @@ def write_deck(path, block, fixed, plane, steps, printed):
         f.write("*NSET, NSET=OUT\n" + "".join(f"{k}\n" for k in sorted(printed)))
         f.write("*BOUNDARY\n")
         if plane is not None:
-            f.write("PLANE,2,2,0.\n")
+            f.writelines(f"PLANE,{dof},{dof},0.\n" for dof in plane[2])
         for i, (nodes, dof) in enumerate(fixed):
             f.write(f"FIX{i},{dof},{dof},0.\n")
         for loads in steps:
@@ -170,22 +171,34 @@ def write_deck(path, block, fixed, plane, steps, printed):
             f.write("*NODE PRINT, NSET=OUT\nU\n*NODE PRINT, NSET=FIX0, TOTALS=ONLY\nRF\n*END STEP\n")
 
 
-def on_normal(block, weights, d, factor=1.0):
-    """Forces of a pressure along the inward normal d = (radial, axial), which turns around with phi."""
+def pressure_load(block, edges, density, d, order, total=None):
+    """Consistent nodal forces of a pressure along the inward normal d = (radial, axial), which turns around with phi; scaled to a
+    pressure of `total` in all where given."""
+    plain = block.weights(edges, density, order)
+    cos = block.weights(edges, lambda r, z, p: density(r, z, p) * np.cos(p), order)
+    sin = block.weights(edges, lambda r, z, p: density(r, z, p) * np.sin(p), order)
+    scale = total / sum(plain.values()) if total else 1.0
+    return {k: scale * np.array([d[0] * cos.get(k, 0.0), d[0] * sin.get(k, 0.0), d[1] * w]) for k, w in plain.items()}
+
+
+def turned(loads, nodes, angle):
+    """The loads with those at `nodes` in the system (radial, circumferential, axial) of a plane: what CalculiX reads and prints
+    at nodes with *TRANSFORM."""
+    c, s = np.cos(angle), np.sin(angle)
+    return {k: (np.array([c * f[0] + s * f[1], -s * f[0] + c * f[1], f[2]]) if k in nodes else f) for k, f in loads.items()}
+
+
+def work(load, displacement):
+    return sum(float(np.dot(f, displacement[k])) for k, f in load.items())
+
+
+def combined(*terms):
+    """Sum of factor * load over (factor, load)."""
     out = {}
-    for k, w in weights.items():
-        phi = block.rzp[k - 1][2]
-        out[k] = (factor * w * d[0] * np.cos(phi), factor * w * d[0] * np.sin(phi), factor * w * d[1])
+    for factor, load in terms:
+        for k, f in load.items():
+            out[k] = out.get(k, np.zeros(3)) + factor * f
     return out
-
-
-def mean(block, displacement, weights, d):
-    total = 0.0
-    for k, w in weights.items():
-        phi = block.rzp[k - 1][2]
-        u = displacement[k]
-        total += w * (d[0] * (np.cos(phi) * u[0] + np.sin(phi) * u[1]) + d[1] * u[2])
-    return total / sum(weights.values())
 
 
 def layers(a_t, radius, span, n):
@@ -205,64 +218,41 @@ def half_space(name):
 def sector(scratch, body, n):
     """Screw or nut: delta by tooth offset, and the run's facts."""
     p = ax.patches()[body]
+    a_s, a_t = p[:2]
     radius = {"screw": ax.SCREW_R, "nut": ax.NUT_R}[body]
     d = {"screw": (-C45, +C45), "nut": (+C45, -C45)}[body]
     span = np.pi / ax.ROLLERS
     mesh, centres, surface = section(body, n)
-    block = Block(mesh, layers(p[1], radius, span, n))
+    block = Block(mesh, layers(a_t, radius, span, n))
     z = block.rzp[:, 1]
     symmetry = np.where(block.rzp[:, 2] < 1e-12)[0] + 1
     plane = np.where(np.abs(block.rzp[:, 2] - span) < 1e-9)[0] + 1
     end = np.where(np.abs(z - z.min()) < 1e-9)[0] + 1
-    contacts = ax.PITCH * np.arange(-SIDE, SIDE + 1)
-    reach = p[0] * C45
-    patch, ring = [], []
-    for c in contacts:
-        edges = mesh.edge(c - reach - 1e-9, c + reach + 1e-9, surface)
-        patch.append(block.weights(edges, density_patch(radius, c, 0.0, p[0], p[1]), 24))
-        ring.append(block.weights(edges, density_ring(radius, c, p[0]), 8))
-    total_patch, total_ring = sum(patch[SIDE].values()), sum(ring[SIDE].values())
-    steps = [on_normal(block, patch[SIDE], d, 0.5 / total_patch), on_normal(block, ring[SIDE], d, 0.5 / total_ring)]
-    printed = set().union(*patch, *ring)
+    patch, ring = [], None
+    for k in range(-SIDE, SIDE + 1):
+        c = k * ax.PITCH
+        edges = mesh.edge(c - a_s * C45 - 1e-9, c + a_s * C45 + 1e-9, surface)
+        patch.append(pressure_load(block, edges, density_patch(radius, c, 0.0, a_s, a_t), d, 24, 0.5))
+        if k == 0:
+            ring = turned(pressure_load(block, edges, density_ring(radius, c, a_s), d, 8, 0.5), set(plane), span)
     path = os.path.join(scratch, f"{body}3d_{n}.inp")
-    write_deck(path, block, [(end, 3), (symmetry, 2)], (plane, span), steps, printed)
+    write_deck(path, block, [(end, 3), (symmetry, 2)], (plane, span, (2,)), [patch[SIDE], ring], set().union(*patch, ring))
     seconds = ax.run_ccx(path)
     result = ax.read_dat(path[:-4] + ".dat")
-    u_patch = np.array([mean(block, result[0]["U"], w, d) for w in patch])
-    u_ring = np.array([mean(block, result[1]["U"], w, d) for w in patch])
-    u_ring_self = mean(block, result[1]["U"], ring[SIDE], d)
+    u_patch, u_ring = (np.array([2 * work(load, step["U"]) for load in patch]) for step in result)
     delta = u_patch - u_ring
     delta[SIDE] -= half_space(body)
     return {"body": body, "mesh": n, "nodes": len(block.rzp), "elements": len(block.elements), "seconds": seconds,
-            "patch_weight": total_patch, "ring_weight": total_ring * 2 * ax.ROLLERS, "half_space": half_space(body),
-            "u_patch": u_patch.tolist(), "u_ring": u_ring.tolist(), "u_ring_self_ring_weights": u_ring_self,
-            "reaction": [r["TOTAL"][2] for r in result], "offsets": list(range(-SIDE, SIDE + 1)), "delta": delta.tolist()}
-
-
-def cantilever(z_clamp, z_change, end_r, bending_r, shear_r, points):
-    """Flexibility of a Timoshenko cantilever: displacements (v, theta) at points for unit (force, moment) at points."""
-    kappa, G = 6 * (1 + ax.NU) / (7 + 6 * ax.NU), ax.E / (2 * (1 + ax.NU))
-    g, w = np.polynomial.legendre.leggauss(8)
-    out = np.zeros((2 * len(points), 2 * len(points)))
-    for a, za in enumerate(points):
-        for b, zb in enumerate(points):
-            top = min(za, zb)
-            for p, q, rb, rs in ((z_clamp, min(z_change, top), end_r, end_r), (z_change, top, bending_r, shear_r)):
-                if q <= p:
-                    continue
-                x, wx = p + (q - p) * (g + 1) / 2, w * (q - p) / 2
-                EI, GA = ax.E * np.pi * rb**4 / 4, kappa * G * np.pi * rs**2
-                out[2 * a, 2 * b] += (wx * ((za - x) * (zb - x) / EI + 1 / GA)).sum()
-                out[2 * a, 2 * b + 1] += (wx * (za - x) / EI).sum()
-                out[2 * a + 1, 2 * b] += (wx * (zb - x) / EI).sum()
-                out[2 * a + 1, 2 * b + 1] += (wx / EI).sum()
-    return out
+            "half_space": half_space(body), "u_patch": u_patch.tolist(), "u_ring": u_ring.tolist(),
+            "u_ring_self_ring_weights": 2 * work(ring, result[1]["U"]), "reaction": [r["TOTAL"][2] for r in result],
+            "offsets": list(range(-SIDE, SIDE + 1)), "delta": delta.tolist()}
 
 
 def roller(scratch, n, side=2, ends=3.0):
-    """Roller: local part beyond ring (n = 0) and beam (n = 1), by tooth offset, and the bending section of the threaded part.
+    """Roller: local part of harmonics n >= 2 by tooth offset, and the bending section of the threaded part.
 
-    Half a block of 2 side + 1 teeth clamped at one end. Nut side at phi = 0 (flanks facing -z), screw side at phi = pi (+z)."""
+    Half a block of 2 side + 1 teeth held at one end. Nut side at phi = 0 (flanks facing -x), screw side at phi = pi (+x). Loads and
+    weights are patch less ring (n = 0) less ring times 2 cos (n = 1): in balance, so that neither beam nor support take part."""
     p = ax.patches()
     mesh, centres, surface = section("roller", n, side, ends)
     near_nut = layers(p["nut"][1], ax.ROLLER_R, np.pi / 2, n)
@@ -275,111 +265,59 @@ def roller(scratch, n, side=2, ends=3.0):
     at = {"nut": teeth * ax.PITCH - ax.PITCH / 4, "screw": teeth * ax.PITCH + ax.PITCH / 4}
     d = {"nut": (-C45, +C45), "screw": (-C45, -C45)}
     where = {"nut": 0.0, "screw": np.pi}
-    patch, ring, steps, names = {}, {}, [], []
+    load = {}
     for name in ("nut", "screw"):
         a_s, a_t = p[name][:2]
-        edges = [mesh.edge(c - a_s * C45 - 1e-9, c + a_s * C45 + 1e-9, surface) for c in at[name]]
-        patch[name] = [block.weights(e, density_patch(ax.ROLLER_R, c, where[name], a_s, a_t), 24) for e, c in zip(edges, at[name])]
-        ring[name] = block.weights(edges[side], density_ring(ax.ROLLER_R, at[name][side], a_s), 8)
-        steps.append(on_normal(block, patch[name][side], d[name], 0.5 / sum(patch[name][side].values())))
-        steps.append(on_normal(block, ring[name], d[name], 0.5 / sum(ring[name].values())))
-        names += [name + " patch", name + " ring"]
+        for k, c in zip(teeth, at[name]):
+            edges = mesh.edge(c - a_s * C45 - 1e-9, c + a_s * C45 + 1e-9, surface)
+            around = lambda ph, phi0=where[name]: 1 + 2 * np.cos(ph - phi0)
+            patch = pressure_load(block, edges, density_patch(ax.ROLLER_R, c, where[name], a_s, a_t), d[name], 24, 0.5)
+            rings = pressure_load(block, edges, density_ring(ax.ROLLER_R, c, a_s, around), d[name], 8)
+            load[name, k] = combined((1.0, patch), (-1.0, rings))
     # pure bending: axial traction proportional to x on the free end
     end = mesh.edge(z.max(), z.max(), lambda rr, zz: np.abs(zz - z.max()) < 1e-9)
     bend = block.weights(end, lambda rr, zz, ph: rr * np.cos(ph), 8)
     moment = -2 * sum(w * r[k - 1] * np.cos(phi[k - 1]) for k, w in bend.items())  # theta = dv/dz: -x gives +theta
-    steps.append({k: (0.0, 0.0, w) for k, w in bend.items()})
-    printed = set().union(*patch["nut"], *patch["screw"])
+    steps = [load["nut", 0], load["screw", 0], {k: (0.0, 0.0, w) for k, w in bend.items()}]
+    line = [k for k in np.where((phi < 1e-12) | (np.abs(phi - np.pi) < 1e-9))[0] + 1 if surface(r[k - 1:k], z[k - 1:k])[0]]
     path = os.path.join(scratch, f"roller3d_{n}.inp")
-    write_deck(path, block, [(clamp, 3), (symmetry, 2), (clamp, 1)], None, steps, printed)
+    write_deck(path, block, [(clamp, 3), (symmetry, 2), (clamp, 1)], None, steps, set(line).union(*load.values()))
     seconds = ax.run_ccx(path)
     result = ax.read_dat(path[:-4] + ".dat")
-    both = [("nut", k) for k in range(len(teeth))] + [("screw", k) for k in range(len(teeth))]
-    value = lambda step, unit: np.array([mean(block, result[step]["U"], patch[m][k], unit or d[m]) for m, k in both])
-    rotation = value(4, (0.0, 1.0))  # axial
-    theta = (rotation[len(teeth):] - rotation[:len(teeth)]) / (2 * ax.ROLLER_R)  # screw less nut: half a pitch apart, linear
-    slope = np.polyfit(teeth[1:-1] * ax.PITCH, theta[1:-1], 1)[0]
-    bending_r = (4 * moment / slope / (np.pi * ax.E)) ** 0.25
-    out = {"mesh": n, "nodes": len(block.rzp), "elements": len(block.elements), "seconds": seconds, "bending_r": bending_r,
-           "reaction": [q["TOTAL"][2] for q in result], "teeth": teeth.tolist(),
-           "half_space": {m: half_space(m) for m in p}}
-    points = np.concatenate([at["nut"], at["screw"]])
-    flexibility = cantilever(z.min(), centres[0] - ax.PITCH / 2, ax.ROLLER_R - ax.BELOW, bending_r, bending_r, points)
-    B = np.zeros((len(points), 2 * len(points)))
-    for i, (m, k) in enumerate(both):
-        B[i, 2 * i], B[i, 2 * i + 1] = {"nut": -C45, "screw": +C45}[m], -C45 * ax.ROLLER_R
-    beam = B @ flexibility @ B.T
-    for load, (step, column) in {"nut": (0, side), "screw": (2, len(teeth) + side)}.items():
-        u = value(step, None)
-        u0 = value(step + 1, None)
-        delta = u - u0 - beam[:, column]
-        delta[column] -= half_space(load)
-        for m, part in (("nut", slice(0, len(teeth))), ("screw", slice(len(teeth), None))):
-            out[f"load {load} response {m}"] = {"patch": u[part].tolist(), "ring": u0[part].tolist(),
-                                                "beam": beam[part, column].tolist(), "delta": delta[part].tolist()}
+    crests = [[k for k in line if abs(z[k - 1] - c) < 1e-9 and abs(phi[k - 1] - a) < 1e-9] for a in (0.0, np.pi) for c in centres]
+    axial = np.array([result[2]["U"][k[0]][2] / np.cos(phi[k[0] - 1]) / r[k[0] - 1] for k in crests]).reshape(2, -1).mean(0)
+    slope = -np.polyfit(centres[1:-1], axial[1:-1], 1)[0]
+    out = {"mesh": n, "nodes": len(block.rzp), "elements": len(block.elements), "seconds": seconds, "teeth": teeth.tolist(),
+           "bending_r": (4 * moment / slope / (np.pi * ax.E)) ** 0.25, "reaction": [q["TOTAL"][2] for q in result]}
+    for step, loaded in enumerate(("nut", "screw")):
+        for answer in ("nut", "screw"):
+            delta = np.array([2 * work(load[answer, k], result[step]["U"]) for k in teeth])
+            if loaded == answer:
+                delta[side] -= half_space(loaded)
+            out[f"load {loaded} response {answer}"] = delta.tolist()
     return out
 
 
-def without_clamp(run, ends=3.0):
-    """The roller's deltas less the compliance of the block's clamped end, a rigid (v, theta) on a symmetric 2 x 2 compliance fitted
-    at the outermost teeth, where nothing local is left. Returns deltas by (load, response) and the residual there (mm/N)."""
-    teeth = np.array(run["teeth"])
-    side = len(teeth) // 2
-    at = {"nut": teeth * ax.PITCH - ax.PITCH / 4, "screw": teeth * ax.PITCH + ax.PITCH / 4}
-    clamp = -side * ax.PITCH - ax.PITCH / 2 - ends
-    row = lambda m, z: np.array([{"nut": -C45, "screw": C45}[m], {"nut": -C45, "screw": C45}[m] * (z - clamp) - C45 * ax.ROLLER_R])
-    A, b, keys = [], [], []
-    for load in at:
-        g = row(load, at[load][side])
-        for m in at:
-            for k, z in enumerate(at[m]):
-                h = row(m, z)
-                A.append([h[0] * g[0], h[0] * g[1] + h[1] * g[0], h[1] * g[1]])
-                b.append(run[f"load {load} response {m}"]["delta"][k])
-                keys.append((load, m, k))
-    A, b = np.array(A), np.array(b)
-    far = [i for i, (_, _, k) in enumerate(keys) if abs(k - side) == side]
-    G = np.linalg.lstsq(A[far], b[far], rcond=None)[0]
-    rest = b - A @ G
-    return {(l, m): np.array([rest[i] for i, key in enumerate(keys) if key[:2] == (l, m)]) for l in at for m in at}, float(np.abs(rest[far]).max())
-
-
 def collect(scratch, out):
-    """data/harmonics.json: extrapolated over the meshes that were run, with the distance between them."""
-    load = lambda body, n: json.load(open(os.path.join(scratch, f"{body}3d_{n}.json")))
-    have = lambda body: [n for n in (1, 2, 3) if os.path.exists(os.path.join(scratch, f"{body}3d_{n}.json"))]
-    report = {"unit": "mm/N per contact force of one roller", "half_space": {b: half_space(b) for b in ("screw", "nut")}}
-    fold = lambda v, side: np.array([v[side]] + [(v[side - k] + v[side + k]) / 2 for k in range(1, side + 1)])
-    for body in ("screw", "nut"):
-        meshes = have(body)
-        if not meshes:
-            continue
-        runs = [load(body, n) for n in meshes]
-        values = [fold(run["delta"], SIDE) for run in runs]
-        best, error = values[-1], np.abs(values[-1]) * 0.05
-        if len(values) > 1:  # elements on half the patch: 2, 3, 4; order 2
-            h = [1 / (n + 1) for n in meshes]
-            best = values[-1] + (values[-1] - values[-2]) * h[-1] ** 2 / (h[-2] ** 2 - h[-1] ** 2)
-            error = np.abs(best - values[-1])
-        ratio = best[-1] / best[-2]  # beyond the block: geometric, error bar as large as the value
-        tail = best[-1] * ratio ** np.arange(1, 3)
-        best, error = np.concatenate([best, tail]), np.concatenate([error, np.abs(tail)])
-        report[body] = {"values": best.tolist(), "error_bar": error.tolist(), "by_mesh": {str(n): v.tolist() for n, v in zip(meshes, values)},
-                        "bracket_self_less_neighbours": float(best[0] - best[1]), "nodes": [r["nodes"] for r in runs], "seconds": [r["seconds"] for r in runs]}
-    meshes = have("roller")
-    if meshes:
-        run = load("roller", meshes[-1])
-        side = len(run["teeth"]) // 2
-        local, residual = without_clamp(run)
-        report["roller"] = {"error_bar": residual, "bending_r_mm": run["bending_r"], "meshes": meshes, "nodes": run["nodes"], "seconds": run["seconds"]}
-        for name in ("screw", "nut"):
-            v = fold(local[name, name], side)
-            report["roller_" + name] = {"values_by_offset": {str(k): float(v[abs(k)]) for k in range(-side, side + 1)}}
-        # rows screw, columns nut: load nut at tooth 0, response screw at tooth k: column less row = -k
-        nut = local["nut", "screw"]
-        screw = local["screw", "nut"]
-        report["roller_cross"] = {"values_by_offset": {str(-k): float((nut[side + k] + screw[side - k]) / 2) for k in range(-side, side + 1)},
-                                  "reciprocity": float(max(abs(nut[side + k] - screw[side - k]) for k in range(-1, 2)))}
+    """data/patch_3d.json: by tooth offset, extrapolated over the meshes that were run, with the distance between them."""
+    report = {"unit": "mm/N per contact force of one roller"}
+    fold = lambda v: np.array([v[SIDE]] + [(v[SIDE - k] + v[SIDE + k]) / 2 for k in range(1, SIDE + 1)])
+    for body in ("screw", "nut", "roller"):
+        meshes = [n for n in (1, 2, 3) if os.path.exists(os.path.join(scratch, f"{body}3d_{n}.json"))]
+        runs = [json.load(open(os.path.join(scratch, f"{body}3d_{n}.json"))) for n in meshes]
+        keys = ["delta"] if body != "roller" else [f"load {a} response {b}" for a in ("screw", "nut") for b in ("screw", "nut")]
+        report[body] = {"meshes": meshes, "nodes": [r["nodes"] for r in runs], "seconds": [r["seconds"] for r in runs]}
+        if body == "roller":
+            report[body]["bending_r_mm"] = [r["bending_r"] for r in runs]
+        for key in keys:
+            crossed = len(key.split()) > 1 and key.split()[1] != key.split()[3]
+            values = [np.array(r[key]) if crossed else fold(r[key]) for r in runs]
+            best, error = values[-1], np.abs(values[-1]) * 0.05
+            if len(values) > 1:  # elements on half the patch: 2, 3, 4; order 2
+                h = [1 / (n + 1) for n in meshes]
+                best = values[-1] + (values[-1] - values[-2]) * h[-1] ** 2 / (h[-2] ** 2 - h[-1] ** 2)
+                error = np.abs(best - values[-1])
+            report[body][key] = {"values": best.tolist(), "error_bar": error.tolist(), "by_mesh": [v.tolist() for v in values]}
     json.dump(report, open(out, "w"), indent=1)
     print(json.dumps(report, indent=1))
 
@@ -392,7 +330,7 @@ if __name__ == "__main__":
     args = parser.parse_args()
     os.makedirs(args.scratch, exist_ok=True)
     if args.body == "collect":
-        collect(args.scratch, os.path.join(os.path.dirname(os.path.abspath(__file__)), "data", "harmonics.json"))
+        collect(args.scratch, os.path.join(os.path.dirname(os.path.abspath(__file__)), "data", "patch_3d.json"))
         raise SystemExit
     out = roller(args.scratch, args.mesh) if args.body == "roller" else sector(args.scratch, args.body, args.mesh)
     json.dump(out, open(os.path.join(args.scratch, f"{args.body}3d_{args.mesh}.json"), "w"), indent=1)

@@ -43,7 +43,7 @@ def run(scratch, n):
     plane = np.where(np.abs(phi - span) < 1e-9)[0] + 1
     end = np.where(np.abs(z - z.min()) < 1e-9)[0] + 1
     path = os.path.join(scratch, f"tooth_{n}.inp")
-    c3.write_deck(path, block, [(end, 3), (np.array(sorted(symmetry)) + 1, 2)], (plane, span), [], {1})
+    c3.write_deck(path, block, [(end, 3), (np.array(sorted(symmetry)) + 1, 2)], (plane, span, (2,)), [], {1})
     text = open(path).read()
     with open(path, "w") as f:
         head, boundary = text.split("*BOUNDARY\n")
