@@ -186,6 +186,7 @@ Contacts checked_contacts(const Case& c) {
 Result contacts_of(const Case& c) {
   Result result;
   result.contacts = checked_contacts(c);
+  result.model = c.model;
   result.warnings = result.contacts.warnings;
   for (std::string& note : unusual_geometry(c, result.contacts))
     result.warnings.push_back(std::move(note));

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "contact/viscosity.h"
+#include "prs/groove.h"
 #include "prs/preload/preload_sector.h"
 
 namespace prs {
@@ -215,12 +216,88 @@ void check_structure(const Structure& s, const Mechanism& m, Problems& problems)
   check_proportions(s, m, problems);
 }
 
+/// A stated shoulder must meet a face of the nut at each thrust section.
+void check_shoulder_meets_face(const Structure::Nut& nut, double bore, Problems& problems) {
+  for (const std::optional<double>& section : {nut.thrust.tension, nut.thrust.compression}) {
+    if (!section) continue;
+    const auto [before, behind] = nut_diameters_at(nut, *section);
+    const double outer = std::max(before, behind);
+    const double inner = std::max(std::min(before, behind), bore);
+    if (before == behind)
+      problems.add("structure.nut.shoulder",
+                   fmt::format("got a shoulder for the thrust section at {}, where the nut has no "
+                               "face; expected a section at an end of the nut or at the face of a "
+                               "flange; move the section or leave the shoulder out",
+                               mm(*section)));
+    else if (nut.shoulder->inner_diameter >= outer || nut.shoulder->outer_diameter <= inner)
+      problems.add("structure.nut.shoulder",
+                   fmt::format("got {} to {}; expected diameters that meet the face at {}, {} to "
+                               "{}; change them",
+                               mm(nut.shoulder->inner_diameter), mm(nut.shoulder->outer_diameter),
+                               mm(*section), mm(inner), mm(outer)));
+  }
+}
+
+/// Teeth and walls as `refined` and `influence` need them.
+void check_threaded_walls(const Case& c, std::string_view bodies, Problems& problems) {
+  const Mechanism& m = c.mechanism;
+  const bool meshed = c.model.bodies == ModelOptions::Bodies::influence;
+  const double pitch = axial_pitch(m);
+  for (const Part part : kParts) {
+    const std::optional<double>& diameter = m.pitch_diameter[part];
+    if (!diameter) continue;
+    const double flank = m.flank_angle[part];
+    // Flanks that meet end the thread.
+    const double sharp = 0.25 * pitch / std::tan(flank);
+    const double least = meshed ? 0.03 * pitch : 0.0;
+    const std::string path = fmt::format("mechanism.thread.{}", name(part));
+    if (m.thread[part]) {
+      const std::pair<const char*, double> heights[] = {{"addendum", m.thread[part]->addendum},
+                                                        {"dedendum", m.thread[part]->dedendum}};
+      for (const auto& [key, height] : heights)
+        if (height < least || height >= 0.98 * sharp)
+          problems.add(fmt::format("{}.{}", path, key),
+                       fmt::format("got {}; expected {} to {} for `bodies: {}`, where the flanks "
+                                   "have not met; change it",
+                                   mm(height), mm(least), mm(0.98 * sharp), bodies));
+    }
+    if (!c.structure) continue;
+    const double dedendum =
+        m.thread[part] ? m.thread[part]->dedendum
+                       : default_groove(part == Part::nut, pitch, 0.0, flank, flank).dedendum;
+    const double root = 0.5 * *diameter + (part == Part::nut ? 1.0 : -1.0) * dedendum;
+    const double far = part == Part::screw ? 0.5 * c.structure->screw.bore
+                       : part == Part::nut ? 0.5 * c.structure->nut.outer_diameter
+                                           : 0.0;
+    const double wall = part == Part::nut ? far - root : root - far;
+    const double thinnest = (meshed ? 0.42 : 0.1) * pitch;
+    if (wall < thinnest)
+      problems.add(part == Part::screw ? "structure.screw.bore"
+                   : part == Part::nut ? "structure.nut.outer_diameter"
+                                       : "mechanism.pitch_diameter.roller",
+                   fmt::format("leaves a wall of {} below the threads, whose root lies at a "
+                               "diameter of {}; expected at least {} for `bodies: {}`; change "
+                               "it or take `bodies: bars`",
+                               mm(wall), mm(2.0 * root), mm(thinnest), bodies));
+  }
+}
+
 /// What only some models of the bodies know.
 void check_bodies(const Case& c, Problems& problems) {
   using enum ModelOptions::Bodies;
   const ModelOptions& model = c.model;
+  const double width = model.tooth_compliance.width;
+  const double least = 0.02 * axial_pitch(c.mechanism);
+  if (model.tooth_compliance.kind == ModelOptions::ToothCompliance::Kind::yamamoto && width < least)
+    problems.add("model.tooth_compliance.yamamoto",
+                 fmt::format("got {}; expected at least {}, 2 % of the pitch; check the unit",
+                             mm(width), mm(least)));
   if (model.bodies == bars) return;
   const std::string_view bodies = model.bodies == refined ? "refined" : "influence";
+  if (model.bodies == influence && c.mechanism.rollers < 2)
+    problems.add("mechanism.rollers",
+                 "got 1 with `bodies: influence`, where rollers around the screw hold it in the "
+                 "middle; expected at least 2; take `bodies: bars` for one roller");
   if (model.bodies == influence && model.roller == ModelOptions::Roller::rigid_bending)
     problems.add("model.roller",
                  "got `rigid_bending` with `bodies: influence`, whose rollers bend; expected "
@@ -230,32 +307,10 @@ void check_bodies(const Case& c, Problems& problems) {
                  fmt::format("got `true` with `bodies: {}`, which has it anyway; expected it with "
                              "`bodies: bars` only; remove it",
                              bodies));
-  const Mechanism& m = c.mechanism;
-  for (const Part part : kParts) {
-    const std::optional<ThreadHeight>& thread = m.thread[part];
-    const std::optional<double>& diameter = m.pitch_diameter[part];
-    if (!thread || !diameter) continue;
-    // Flanks that meet end the thread.
-    const double sharp = 0.25 * axial_pitch(m) / std::tan(m.flank_angle[part]);
-    const std::pair<const char*, double> heights[] = {{"addendum", thread->addendum},
-                                                      {"dedendum", thread->dedendum}};
-    for (const auto& [key, height] : heights)
-      if (height >= 0.98 * sharp)
-        problems.add(fmt::format("mechanism.thread.{}.{}", name(part), key),
-                     fmt::format("got {}; expected less than {} for `bodies: {}`, 98 % of where "
-                                 "the flanks meet; make it smaller",
-                                 mm(height), mm(0.98 * sharp), bodies));
-    if (!c.structure) continue;
-    const double root = 0.5 * *diameter + (part == Part::nut ? 1.0 : -1.0) * thread->dedendum;
-    const double far = part == Part::screw ? 0.5 * c.structure->screw.bore
-                       : part == Part::nut ? 0.5 * c.structure->nut.outer_diameter
-                                           : 0.0;
-    if (part == Part::nut ? root >= far : root <= far)
-      problems.add(fmt::format("mechanism.thread.{}.dedendum", name(part)),
-                   fmt::format("got {}, a root diameter of {}; expected one that leaves a wall up "
-                               "to the diameter of {}; make it smaller",
-                               mm(thread->dedendum), mm(2.0 * root), mm(2.0 * far)));
-  }
+  check_threaded_walls(c, bodies, problems);
+  if (c.structure && c.structure->nut.shoulder)
+    check_shoulder_meets_face(c.structure->nut, c.mechanism.pitch_diameter.nut.value_or(0.0),
+                              problems);
 }
 
 /// The roller's contacts, from the first at `position`, must lie on the nut.

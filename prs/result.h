@@ -7,6 +7,7 @@
 #include "fe/newton.h"
 #include "prs/contacts.h"
 #include "prs/load_case.h"
+#include "prs/model_options.h"
 #include "prs/part.h"
 #include "prs/slip_result.h"
 
@@ -46,6 +47,7 @@ struct LoadCaseResult {
 /// Everything that `analyze` computes from a case.
 struct Result {
   Contacts contacts;
+  ModelOptions model;
   std::vector<LoadCaseResult> load_cases;
   std::vector<std::string> warnings;
 };

@@ -44,12 +44,6 @@ void add_screw(Sector& s, const Mechanism& m, const Structure::Screw& screw, dou
   }
 }
 
-double nut_outer_diameter(const Structure::Nut& nut, double x) {
-  for (const Structure::Flange& flange : nut.flanges)
-    if (flange.from < x && x < flange.to) return flange.outer_diameter;
-  return nut.outer_diameter;
-}
-
 /// Nodes at the ends, the flange faces, the thrust section of the load's direction and the
 /// contacts.
 NutLine nut_line(const Mechanism& m, const Structure::Nut& nut, Direction direction,
@@ -76,8 +70,7 @@ NutLine nut_line(const Mechanism& m, const Structure::Nut& nut, Direction direct
     return static_cast<int>(next - sections.begin());
   };
   for (std::size_t i = 1; i < sections.size(); ++i)
-    line.outer_radius.push_back(0.5 *
-                                nut_outer_diameter(nut, 0.5 * (sections[i - 1] + sections[i])));
+    line.outer_radius.push_back(0.5 * nut_diameter(nut, 0.5 * (sections[i - 1] + sections[i])));
   for (int k = 0; k < m.contacts_per_roller; ++k) line.contacts.push_back(node_at(contact(k)));
   line.thrust = node_at(thrust);
   return line;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace prs {
@@ -56,5 +57,19 @@ struct Structure {
   Roller roller;
   Nut nut;
 };
+
+/// Outer diameter of the nut between flanges or of the flange there; 0 beyond its ends [m].
+inline double nut_diameter(const Structure::Nut& nut, double x) {
+  if (x < 0.0 || x > nut.length) return 0.0;
+  for (const Structure::Flange& flange : nut.flanges)
+    if (flange.from < x && x < flange.to) return flange.outer_diameter;
+  return nut.outer_diameter;
+}
+
+/// Diameters just before and just behind a section; they differ where the nut has a face.
+inline std::pair<double, double> nut_diameters_at(const Structure::Nut& nut, double x) {
+  const double close = 1e-8 * nut.length;
+  return {nut_diameter(nut, x - close), nut_diameter(nut, x + close)};
+}
 
 }  // namespace prs

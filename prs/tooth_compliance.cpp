@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "prs/influence/groove.h"
+#include "prs/groove.h"
 
 namespace prs {
 

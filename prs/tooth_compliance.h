@@ -34,8 +34,9 @@ struct ToothDeflection {
 ///                                             - 4 (c/a)^2 tan beta}
 ///     shear             (1 + nu) 6 f/(5 E) cot beta ln(a/b)
 ///     root inclination  (1 - nu^2) 12 f c/(pi E a^2) (c - b/2 tan beta)
-///     root shear        (1 - nu^2) 2 f/(pi E) {p/a ln[(p + a/2)/(p - a/2)] + 1/2 ln(4 p^2/a^2 -
-///     1)} radial            f/(2 E) d/p tan^2 beta (1 - nu), external thread,
+///     root shear        (1 - nu^2) 2 f/(pi E) {p/a ln[(p + a/2)/(p - a/2)]
+///                                              + 1/2 ln(4 p^2/a^2 - 1)}
+///     radial            f/(2 E) d/p tan^2 beta (1 - nu), external thread,
 ///                       f/(2 E) d/p tan^2 beta [(D^2 + d^2)/(D^2 - d^2) + nu], nut,
 ///
 /// d the pitch diameter, D the nut's outer diameter (0 for an external thread).

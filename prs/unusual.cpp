@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -46,12 +47,30 @@ void note_proportions(const Case& c, const Mechanism& m, std::vector<std::string
                                 *m.pitch_diameter.roller / kMillimetre));
 }
 
+/// A face of the nut that looks the way that the load pushes the nut can only be pulled.
+void note_pulled_faces(const Case& c, std::vector<std::string>& notes) {
+  if (!c.structure || c.model.bodies == ModelOptions::Bodies::bars) return;
+  const Structure::Nut& nut = c.structure->nut;
+  for (const Direction d : {Direction::tension, Direction::compression}) {
+    const auto carries = [&](const LoadCase& load) { return load.direction == d; };
+    const auto& section = d == Direction::tension ? nut.thrust.tension : nut.thrust.compression;
+    if (!section || std::ranges::none_of(c.load_cases, carries)) continue;
+    const auto [before, behind] = nut_diameters_at(nut, *section);
+    if (before == behind || (before > behind) == (d == Direction::compression)) continue;
+    notes.push_back(
+        fmt::format("the face at {:g} mm looks away from where {} pushes the nut: it holds with a "
+                    "bolted flange, not against a housing that only pushes",
+                    *section / kMillimetre, name(d)));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> unusual_geometry(const Case& c, const Contacts& contacts) {
   std::vector<std::string> notes;
   note_pitch_cylinders(contacts.threads, notes);
   note_proportions(c, contacts.mechanism, notes);
+  note_pulled_faces(c, notes);
   return notes;
 }
 

@@ -38,7 +38,7 @@ void add_case_options(CLI::App& command, Options& options) {
 /// the user's cache.
 std::filesystem::path cache_directory() {
   if (const char* own = std::getenv("PRS_CACHE_DIR")) return own;
-  if (const char* user = std::getenv("XDG_CACHE_HOME"); user && *user)
+  if (const char* user = std::getenv("XDG_CACHE_HOME"); user && *user == '/')
     return std::filesystem::path(user) / "prs";
   if (const char* home = std::getenv("HOME"); home && *home)
     return std::filesystem::path(home) / ".cache" / "prs";

@@ -105,10 +105,10 @@ ContactSolution solve(const ContactProblem& p, double force, const ContactSolveO
       s.status = ContactSolveStatus::converged;
       break;
     }
-    if (s.iterations == options.max_iterations) break;
+    if (s.iterations() == options.max_iterations) break;
     factorize();
     const Eigen::VectorXd step = lu.solve(at.residual);
-    ++s.iterations;
+    s.history.push_back({});
     if (!step.allFinite()) {
       s.status = ContactSolveStatus::singular;
       break;
@@ -128,6 +128,7 @@ ContactSolution solve(const ContactProblem& p, double force, const ContactSolveO
       break;
     }
     at = std::move(trial);
+    s.history.back() = {at.residual.cwiseAbs().maxCoeff(), share};
   }
   s.normal_load = at.loads.value;
   s.approach = at.y.cwiseMax(0.0);

@@ -46,10 +46,16 @@ struct ContactSolveOptions {
 
 enum class ContactSolveStatus { converged, iteration_limit, line_search_failed, singular };
 
+/// One linear solve and what its step left.
+struct ContactIteration {
+  double residual = 0.0;     ///< Largest, relative as in the options.
+  double step_length = 0.0;  ///< 1 is the full Newton step.
+};
+
 /// Says why the solver stopped; born failed.
 struct ContactSolution {
   ContactSolveStatus status = ContactSolveStatus::iteration_limit;
-  int iterations = 0;            ///< Linear solves.
+  std::vector<ContactIteration> history;
   double residual = 0.0;         ///< Largest, relative as in the options.
   Eigen::VectorXd normal_load;   ///< N, screw then nut [N].
   Eigen::VectorXd approach;      ///< delta = <w - g> [m]
@@ -58,6 +64,8 @@ struct ContactSolution {
   double tangent_stiffness = 0;  ///< dF/dU of the sector at the load [N/m].
 
   bool converged() const { return status == ContactSolveStatus::converged; }
+  /// Linear solves.
+  int iterations() const { return static_cast<int>(history.size()); }
 };
 
 /// Newton on the approaches y = w - g and U, from rigid bodies that share the load equally:

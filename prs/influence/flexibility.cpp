@@ -1,20 +1,18 @@
 #include "prs/influence/flexibility.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <string_view>
+
+#include "prs/influence/body_solver.h"
+#include "prs/influence/cache_key.h"
 
 namespace prs {
 namespace {
 
 using Eigen::Index;
 using fe::Component;
-
-fe::Isotropic isotropic(const Material& m) { return {m.youngs_modulus, m.poisson_ratio}; }
 
 /// The flank of each part that is loaded: the screw pushes the roller along the load, the roller
 /// the nut.
@@ -25,17 +23,6 @@ FlankSide pushed_flank(Direction d) {
   return d == Direction::tension ? FlankSide::forward : FlankSide::backward;
 }
 
-void require(fe::FactorizationStatus status) {
-  if (status != fe::FactorizationStatus::ok)
-    throw std::runtime_error("the stiffness of a grooved body could not be factorized");
-}
-
-Eigen::MatrixXd flexibility_of(fe::HarmonicBody& solver, int harmonic,
-                               const Eigen::MatrixXd& loads) {
-  require(solver.factorize(harmonic));
-  return loads.transpose() * solver.solve(loads);
-}
-
 /// Loaded flanks whose pitch points lie at `first`, `first` + pitch, ..
 std::vector<LoadedFlank> loaded_flanks(const Groove& g, double first, int contacts, FlankSide side,
                                        const HertzPatch& patch, int cells) {
@@ -43,169 +30,6 @@ std::vector<LoadedFlank> loaded_flanks(const Groove& g, double first, int contac
   for (int k = 0; k < contacts; ++k)
     flanks.push_back({first + k * g.pitch - g.position(side, 0.0), side, patch, cells});
   return flanks;
-}
-
-/// All that a matrix depends on, written out exactly.
-class Key {
- public:
-  explicit Key(std::string_view what) { text_ = fmt::format("flexibility 1 {}", what); }
-
-  Key& add(double value) {
-    text_ += fmt::format(" {:a}", value);
-    return *this;
-  }
-  Key& add(const Groove& g) {
-    return add(g.internal)
-        .add(g.pitch)
-        .add(g.pitch_radius)
-        .add(g.addendum)
-        .add(g.dedendum)
-        .add(g.backward_angle)
-        .add(g.forward_angle);
-  }
-  Key& add(const Material& m) { return add(m.youngs_modulus).add(m.poisson_ratio); }
-  Key& add(const HertzPatch& p) { return add(p.along_profile).add(p.along_circumference); }
-  Key& add(Direction d) { return add(sense(d)); }
-  Key& add(const MeshDensity& m) {
-    return add(m.patch_cells)
-        .add(m.growth)
-        .add(m.largest_cell)
-        .add(m.step_cell)
-        .add(m.plain_flank_cells)
-        .add(m.split)
-        .add(m.ridge_depth);
-  }
-
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
-/// What the harmonics that die out along a body add to its flexibility, the same at all threads.
-struct TeethFlexibility {
-  int harmonics = 0;
-  int last_harmonic = 0;
-  double half_space = 0.0;
-  double closed_remainder = 0.0;
-  Eigen::VectorXd diagonal;  ///< Of each type of contact: remainder less half-space part.
-  BlockResponse response;    ///< Sum of the harmonics, rows and columns are types of contacts.
-};
-
-MatrixCache::Matrices packed(const TeethFlexibility& t) {
-  MatrixCache::Matrices m{
-      Eigen::Vector4d(t.harmonics, t.last_harmonic, t.half_space, t.closed_remainder), t.diagonal};
-  m.insert(m.end(), t.response.kernel.begin(), t.response.kernel.end());
-  return m;
-}
-
-TeethFlexibility unpacked(const MatrixCache::Matrices& m) {
-  TeethFlexibility t;
-  t.harmonics = static_cast<int>(m[0](0));
-  t.last_harmonic = static_cast<int>(m[0](1));
-  t.half_space = m[0](2);
-  t.closed_remainder = m[0](3);
-  t.diagonal = m[1];
-  t.response.kernel.assign(m.begin() + 2, m.end());
-  t.response.reach = (static_cast<int>(t.response.kernel.size()) - 1) / 2;
-  return t;
-}
-
-/// The teeth of one body: types of contacts on each ridge, whether they lie at theta = pi, and the
-/// harmonics step, 2 step, .. from `first` on.
-struct Teeth {
-  Groove groove;
-  double far_radius = 0.0;
-  Material material;
-  std::vector<LoadedFlank> types;
-  std::vector<bool> opposite;
-  int first = 0;
-  int step = 1;
-  int contacts = 1;
-};
-
-TeethFlexibility compute(const Teeth& t, const FlexibilityOptions& options) {
-  BlockSolver block(t.groove, t.far_radius, t.material, t.types, options);
-  const double radius = t.groove.pitch_radius;
-  double widest = 0.0;
-  for (const LoadedFlank& flank : t.types)
-    widest = std::max(widest, flank.patch.along_circumference);
-  const double last = options.largest_wave * radius / widest;
-  const auto count = static_cast<Index>(t.types.size());
-
-  TeethFlexibility f;
-  int n = t.first;
-  f.response.reach = block.reach(n, t.contacts - 1);
-  f.response.kernel.assign(static_cast<std::size_t>(2 * f.response.reach + 1),
-                           Eigen::MatrixXd::Zero(count, count));
-  for (; n <= last; n += t.step) {
-    const BlockResponse r = block.solve(n, block.reach(n, t.contacts - 1));
-    for (int d = -r.reach; d <= r.reach; ++d)
-      for (Index a = 0; a < count; ++a)
-        for (Index b = 0; b < count; ++b) {
-          const bool turned =
-              t.opposite[static_cast<std::size_t>(a)] != t.opposite[static_cast<std::size_t>(b)];
-          f.response.kernel[static_cast<std::size_t>(d + f.response.reach)](a, b) +=
-              (turned && n % 2 == 1 ? -t.step : t.step) *
-              r.kernel[static_cast<std::size_t>(d + r.reach)](a, b);
-        }
-    f.last_harmonic = n;
-    ++f.harmonics;
-  }
-  f.diagonal.resize(count);
-  for (Index a = 0; a < count; ++a) {
-    const HertzPatch& patch = t.types[static_cast<std::size_t>(a)].patch;
-    const double half_space = half_space_compliance(patch, t.material);
-    const double rest = half_space_remainder(patch, t.material, (n - 0.5 * t.step) / radius);
-    f.diagonal[a] = rest - half_space;
-    if (a == 0) {
-      f.half_space = half_space;
-      f.closed_remainder = rest;
-    }
-  }
-  return f;
-}
-
-/// Adds the teeth to a body's matrix, whose rows and columns are the types in blocks of `contacts`.
-/// With `centred`, contacts of different types lie at the same axial position, and not half a pitch
-/// apart as on the ridge.
-void add_teeth(Flexibility& f, const Teeth& t, bool centred, const FlexibilityOptions& options,
-               MatrixCache& cache) {
-  Key key("teeth");
-  key.add(t.groove).add(t.far_radius).add(t.material).add(t.first).add(t.step).add(t.contacts);
-  for (std::size_t i = 0; i < t.types.size(); ++i)
-    key.add(sign(t.types[i].side)).add(t.types[i].patch).add(t.opposite[i]);
-  key.add(options.mesh)
-      .add(options.largest_wave)
-      .add(options.block_tolerance)
-      .add(options.neighbour_patch_cells);
-  const TeethFlexibility teeth =
-      unpacked(*cache.get(key.text(), [&] { return packed(compute(t, options)); }));
-
-  const int reach = teeth.response.reach, contacts = t.contacts;
-  const auto kernel = [&](int d, Index a, Index b) {
-    return std::abs(d) > reach ? 0.0
-                               : teeth.response.kernel[static_cast<std::size_t>(d + reach)](a, b);
-  };
-  const auto count = static_cast<Index>(t.types.size());
-  for (Index a = 0; a < count; ++a)
-    for (Index b = 0; b < count; ++b) {
-      const double ahead = 0.5 * (sign(t.types[static_cast<std::size_t>(a)].side) -
-                                  sign(t.types[static_cast<std::size_t>(b)].side));
-      const int other = centred ? -static_cast<int>(ahead) : 0;
-      for (int d = -reach - 1; d <= reach + 1; ++d) {
-        const double value = 0.5 * (kernel(d, a, b) + kernel(d + other, a, b));
-        for (int j = std::max(0, -d); j < std::min(contacts, contacts - d); ++j)
-          f.matrix(a * contacts + j + d, b * contacts + j) += value;
-      }
-    }
-  for (Index a = 0; a < count; ++a)
-    f.matrix.diagonal().segment(a * contacts, contacts).array() += teeth.diagonal[a];
-  f.harmonics += teeth.harmonics;
-  f.last_harmonic = teeth.last_harmonic;
-  f.half_space = teeth.half_space;
-  f.closed_remainder = teeth.closed_remainder;
-  f.matrix = 0.5 * (f.matrix + f.matrix.transpose()).eval();
 }
 
 /// Nodes of some edges, each once.
@@ -309,6 +133,14 @@ void add_guidance(const GroovedBody& body, const Structure::Roller& roller,
   }
 }
 
+/// Adds what the harmonics that die out along the body leave.
+void add_teeth(Flexibility& f, const Teeth& teeth, bool centred, const FlexibilityOptions& options,
+               MatrixCache& cache) {
+  const TeethFlexibility of_teeth = teeth_flexibility(teeth, options, cache);
+  add_teeth(of_teeth, teeth, centred, f.matrix);
+  f.half_space = of_teeth.half_space[0];
+}
+
 }  // namespace
 
 BodyGeometry body_geometry(const Mechanism& m, const Structure& structure,
@@ -343,15 +175,6 @@ BodyGeometry body_geometry(const Mechanism& m, const Structure& structure,
   return b;
 }
 
-FlexibilityOptions flexibility_options(ModelOptions::Accuracy accuracy) {
-  FlexibilityOptions options;
-  if (accuracy == ModelOptions::Accuracy::reference) {
-    options.mesh.patch_cells = 4;
-    options.mesh.split = 2;
-  }
-  return options;
-}
-
 Flexibility screw_flexibility(const BodyGeometry& b, Direction direction,
                               const FlexibilityOptions& options, MatrixCache& cache) {
   const Groove& g = b.grooves.screw;
@@ -379,12 +202,11 @@ Flexibility screw_flexibility(const BodyGeometry& b, Direction direction,
                             axial_supports(nodes_of(body.section(shape.start))));
     return {flexibility_of(solver, 0, patch_loads(body, 0))};
   };
-  Key key("screw");
+  CacheKey key("screw");
   key.add(g).add(screw.free_length).add(screw.bore).add(b.materials.screw).add(b.patches.screw);
   key.add(direction).add(b.contacts).add(options.mesh).add(b.endless_screw);
   Flexibility f;
   f.matrix = b.rollers * cache.get(key.text(), whole)->front();
-  f.harmonics = 1;
   const Teeth teeth{g,
                     0.5 * screw.bore,
                     b.materials.screw,
@@ -443,7 +265,7 @@ Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double p
   const FlankSide side = pushed_flank(direction);
   const double thrust =
       direction == Direction::tension ? *nut.thrust.tension : *nut.thrust.compression;
-  Key key("nut");
+  CacheKey key("nut");
   key.add(g).add(nut.length).add(nut.outer_diameter).add(b.materials.nut).add(b.patches.nut);
   for (const Structure::Flange& f : nut.flanges) key.add(f.from).add(f.to).add(f.outer_diameter);
   if (nut.shoulder) key.add(nut.shoulder->inner_diameter).add(nut.shoulder->outer_diameter);
@@ -456,11 +278,12 @@ Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double p
   const ThrustFace face{(*whole)[0], (*whole)[1], (*whole)[2], (*whole)[3]};
   const bool unilateral = options.unilateral_thrust && (*whole)[4](0) != 0.0;
   const ThrustFace::Touching touching =
-      unilateral ? face.touching_under(Eigen::VectorXd::Ones(b.contacts), face.all()) : face.all();
+      unilateral
+          ? face.touching_under(Eigen::VectorXd::Ones(b.contacts), face.all()).value_or(face.all())
+          : face.all();
 
   Flexibility f;
   f.matrix = b.rollers * face.flexibility(touching);
-  f.harmonics = 1;
   if (unilateral) f.face = face;
   const Teeth teeth{g,
                     0.5 * nut.outer_diameter,
@@ -533,12 +356,12 @@ Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
     return {flexibility_of(solver, 1, loads)};
   };
   const auto key = [&](std::string_view what) {
-    Key k(what);
+    CacheKey k(what);
     k.add(g).add(roller.end_length).add(roller.end_diameter).add(b.materials.roller);
     k.add(b.patches.screw).add(b.patches.nut).add(direction).add(b.contacts);
     return k.add(options.mesh);
   };
-  Key guided = key("bent roller");
+  CacheKey guided = key("bent roller");
   guided.add(centred)
       .add(static_cast<int>(roller.guidance.kind))
       .add(roller.guidance.ring_stiffness);
@@ -546,7 +369,6 @@ Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
   Flexibility f;
   f.matrix = cache.get(key("stretched roller").text(), stretched)->front() +
              cache.get(guided.text(), bent)->front();
-  f.harmonics = 2;
   const Teeth teeth{g,
                     0.0,
                     b.materials.roller,
@@ -558,50 +380,6 @@ Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
                     b.contacts};
   add_teeth(f, teeth, centred, options, cache);
   return f;
-}
-
-BlockSolver::BlockSolver(const Groove& groove, double far_radius, const Material& material,
-                         const std::vector<LoadedFlank>& flanks, const FlexibilityOptions& options)
-    : groove_(groove),
-      far_radius_(far_radius),
-      material_(isotropic(material)),
-      flanks_(flanks),
-      options_(options) {}
-
-int BlockSolver::reach(int harmonic, int largest) const {
-  // Harmonic n decays as exp(-n x/r) or faster along a body of outer radius r.
-  const double radius = std::max(far_radius_, groove_.pitch_radius);
-  const double length = -std::log(options_.block_tolerance) * radius / harmonic;
-  return std::min(largest, static_cast<int>(std::ceil(length / groove_.pitch)));
-}
-
-BlockResponse BlockSolver::solve(int harmonic, int reach) {
-  const auto types = static_cast<Index>(flanks_.size());
-  if (reach != reach_) {
-    GroovedShape shape;
-    shape.groove = groove_;
-    shape.far_radius = far_radius_;
-    shape.start = -(reach + 0.5) * groove_.pitch;
-    shape.end = (reach + 0.5) * groove_.pitch;
-    std::vector<LoadedFlank> flanks;
-    for (int d = -reach; d <= reach; ++d)
-      for (LoadedFlank f : flanks_) {
-        f.ridge = d * groove_.pitch;
-        if (d != 0) f.patch_cells = options_.neighbour_patch_cells;
-        flanks.push_back(f);
-      }
-    body_ = mesh_grooved_body(shape, flanks, options_.mesh);
-    solver_ = std::make_unique<fe::HarmonicBody>(body_.mesh, material_, harmonic);
-    reach_ = reach;
-  }
-  require(solver_->factorize(harmonic));
-  const Eigen::MatrixXd loads = patch_loads(body_, harmonic);
-  const Eigen::MatrixXd displacement = solver_->solve(loads.middleCols(reach * types, types));
-  BlockResponse r;
-  r.reach = reach;
-  for (int d = 0; d <= 2 * reach; ++d)
-    r.kernel.push_back(loads.middleCols(d * types, types).transpose() * displacement);
-  return r;
 }
 
 }  // namespace prs

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
 #include <optional>
-#include <vector>
 
+#include "prs/influence/flexibility_options.h"
 #include "prs/influence/grooved_body.h"
 #include "prs/influence/hertz_patch.h"
 #include "prs/influence/matrix_cache.h"
+#include "prs/influence/teeth.h"
 #include "prs/influence/thrust_face.h"
 #include "prs/load_case.h"
 #include "prs/materials.h"
@@ -19,33 +19,12 @@
 
 namespace prs {
 
-/// How exactly the flexibility of the bodies is worked out.
-struct FlexibilityOptions {
-  MeshDensity mesh;
-  /// Harmonics are summed by finite elements up to n a_t/r = this; beyond, the body is taken as a
-  /// half-space and its harmonics are added in closed form. More is not better on a coarse mesh,
-  /// which represents the short waves worse than the closed form does.
-  double largest_wave = 1.0;
-  /// A harmonic is followed along the body until it has decayed to this share.
-  double block_tolerance = 1e-3;
-  /// Cells across the patches of the neighbours, which only feel a harmonic.
-  int neighbour_patch_cells = 2;
-  /// The thrust face of the nut pushes only; parts of it that would pull are let go.
-  bool unilateral_thrust = true;
-};
-
-/// Options of an accuracy: `working` are the defaults.
-FlexibilityOptions flexibility_options(ModelOptions::Accuracy accuracy);
-
 /// Displacements of one body at its contacts under unit normal forces: pressure-weighted means
 /// along the inward normal, against rigid motions as said at each body, without the half-space part
 /// of a contact's own patch, which the exact Hertz law carries. [m/N], symmetric.
 struct Flexibility {
   Eigen::MatrixXd matrix;
-  int harmonics = 0;               ///< Summed by finite elements.
-  int last_harmonic = 0;           ///< The highest of them.
   double half_space = 0.0;         ///< Taken from each diagonal term [m/N]; roller: screw side.
-  double closed_remainder = 0.0;   ///< Added to each for the harmonics left out [m/N]; the same.
   std::optional<ThrustFace> face;  ///< Of a nut that can lift off its shoulder.
 };
 
@@ -96,35 +75,5 @@ Flexibility nut_flexibility(const BodyGeometry& body, Direction direction, doubl
 Flexibility roller_flexibility(const BodyGeometry& body, Direction direction,
                                const FlexibilityOptions& options,
                                MatrixCache& cache = shared_matrix_cache());
-
-/// Response of a long body to one loaded ridge, harmonic by harmonic.
-struct BlockResponse {
-  int reach = 0;  ///< Ridges to each side.
-  /// Entry d + `reach`: displacement at the contacts of ridge d (rows) by the contacts of ridge 0.
-  std::vector<Eigen::MatrixXd> kernel;
-};
-
-/// Harmonic n >= 2 of unit forces at theta = 0 on the given flanks of one ridge in a block of
-/// equal ridges; `far_radius` as in GroovedShape. Builds a new mesh for each `reach`, kept between
-/// calls with the same one.
-class BlockSolver {
- public:
-  BlockSolver(const Groove& groove, double far_radius, const Material& material,
-              const std::vector<LoadedFlank>& flanks, const FlexibilityOptions& options);
-
-  BlockResponse solve(int harmonic, int reach);
-  /// Ridges that the harmonic reaches to each side, at most `largest`.
-  int reach(int harmonic, int largest) const;
-
- private:
-  Groove groove_;
-  double far_radius_;
-  fe::Isotropic material_;
-  std::vector<LoadedFlank> flanks_;
-  FlexibilityOptions options_;
-  int reach_ = -1;
-  GroovedBody body_;
-  std::unique_ptr<fe::HarmonicBody> solver_;
-};
 
 }  // namespace prs

@@ -7,7 +7,7 @@
 
 #include "fe/axisymmetric.h"
 #include "fe/meridian_mesh.h"
-#include "prs/influence/groove.h"
+#include "prs/groove.h"
 #include "prs/influence/hertz_patch.h"
 
 namespace prs {

@@ -36,32 +36,36 @@ InfluenceSolver::InfluenceSolver(const BodyFlexibilities& bodies, int rollers,
       rollers_(rollers),
       face_(bodies.nut.face) {
   if (face_)
-    touching_ = face_->touching_under(Eigen::VectorXd::Ones(problem_.contacts()), face_->all());
+    touching_ = face_->touching_under(Eigen::VectorXd::Ones(problem_.contacts()), face_->all())
+                    .value_or(face_->all());
 }
 
 LoadDistribution InfluenceSolver::solve(double axial_force) const {
   const double force = axial_force / rollers_;
   ContactSolution s = prs::solve(problem_, force);
-  int iterations = s.iterations;
-  if (face_) {
+  std::vector<ContactIteration> history = s.history;
+  if (face_ && s.converged()) {
     ContactProblem problem = problem_;
     ThrustFace::Touching touching = touching_;
+    bool settled = false;
     for (int round = 0; round < kMostRounds && s.converged(); ++round) {
-      ThrustFace::Touching now =
-          face_->touching_under(s.normal_load.tail(problem_.contacts()), touching);
-      if (now == touching) break;
+      const auto now = face_->touching_under(s.normal_load.tail(problem_.contacts()), touching);
+      settled = now == touching;
+      if (settled || !now) break;
       auto nut = problem.flexibility.bottomRightCorner(problem_.contacts(), problem_.contacts());
-      nut += rollers_ * (face_->flexibility(now) - face_->flexibility(touching));
-      touching = std::move(now);
+      nut += rollers_ * (face_->flexibility(*now) - face_->flexibility(touching));
+      touching = *now;
       s = prs::solve(problem, force);
-      iterations += s.iterations;
+      history.insert(history.end(), s.history.begin(), s.history.end());
     }
+    if (s.converged() && !settled) s.status = ContactSolveStatus::iteration_limit;
   }
 
   LoadDistribution d;
   d.solve.status = newton_status(s.status);
   d.solve.relative_residual = s.residual;
-  d.solve.history.resize(static_cast<std::size_t>(iterations));
+  for (const ContactIteration& i : history)
+    d.solve.history.push_back({.relative_residual = i.residual, .step_length = i.step_length});
   const int contacts = problem_.contacts();
   for (const Interface i : kInterfaces) {
     const int first = i == Interface::screw ? 0 : contacts;

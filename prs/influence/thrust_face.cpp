@@ -48,7 +48,8 @@ Eigen::MatrixXd ThrustFace::flexibility(const Touching& touching) const {
   return 0.5 * (c + c.transpose());
 }
 
-ThrustFace::Touching ThrustFace::touching_under(const Eigen::VectorXd& p, Touching guess) const {
+std::optional<ThrustFace::Touching> ThrustFace::touching_under(const Eigen::VectorXd& p,
+                                                               Touching guess) const {
   const Eigen::VectorXd without = coupling * p;
   const double sense = resultants.dot(p) > 0.0 ? 1.0 : -1.0;  // the body is pushed that way
   Touching touching = std::move(guess);
@@ -68,10 +69,11 @@ ThrustFace::Touching ThrustFace::touching_under(const Eigen::VectorXd& p, Touchi
         next.push_back(n);
       if (touches) ++k;
     }
-    if (next == touching || next.empty()) break;
+    if (next == touching) return touching;
+    if (next.empty()) break;
     touching = std::move(next);
   }
-  return touching;
+  return std::nullopt;
 }
 
 }  // namespace prs

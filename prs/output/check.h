@@ -15,8 +15,7 @@ std::string check_table(const std::vector<input::EchoEntry>& fields, const Conta
                         const std::vector<std::string>& unusual);
 
 nlohmann::ordered_json check_json(const std::vector<input::EchoEntry>& fields,
-                                  const Contacts& contacts,
-                                  const std::vector<std::string>& unusual,
+                                  const Contacts& contacts, const std::vector<std::string>& unusual,
                                   const DocumentInfo& info);
 
 }  // namespace prs

@@ -1,8 +1,10 @@
 #include "prs/output/json.h"
 
+#include <algorithm>
 #include <array>
 
 #include "prs/output/json_values.h"
+#include "prs/output/model_summary.h"
 #include "prs/output/quantities.h"
 #include "prs/output/slip_json.h"
 
@@ -145,6 +147,10 @@ nlohmann::ordered_json to_json(const Result& result, const DocumentInfo& info) {
   Json document = document_head(info, result.warnings);
   if (result.contacts.threads.centre_distance > 0.0)
     document["contact"] = contacts_json(result.contacts);
+  const auto is_solved = [](const LoadCaseResult& load_case) {
+    return load_case.solve.has_value();
+  };
+  if (std::ranges::any_of(result.load_cases, is_solved)) document["model"] = model_json(result);
   document["load_cases"] = Json::array();
   const bool with_history = result.load_cases.size() <= kMostHistories;
   for (const LoadCaseResult& load_case : result.load_cases)

@@ -4,6 +4,7 @@
 
 #include "prs/output/bar_chart.h"
 #include "prs/output/case_table.h"
+#include "prs/output/model_summary.h"
 #include "prs/output/quantities.h"
 #include "prs/output/warnings.h"
 
@@ -71,7 +72,8 @@ std::vector<double> percent(const std::vector<double>& rates) {
 }  // namespace
 
 std::string load_case_table(const Result& result) {
-  const std::string table = case_table({kColumns, 3, failure, "load_cases.csv"}, result.load_cases);
+  const std::string table =
+      model_line(result) + case_table({kColumns, 3, failure, "load_cases.csv"}, result.load_cases);
   const std::string warnings = warning_summary(result);
   return warnings.empty() ? table : table + '\n' + warnings;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/influence/groove.h"
+#include "prs/groove.h"
 #include "prs/refined/local_compliance.h"
 
 namespace prs {

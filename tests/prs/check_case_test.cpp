@@ -65,6 +65,80 @@ TEST(CheckCase, ContactsMayEndAtTheNutsFaces) {
   }
 }
 
+/// abevi() with another model of its bodies.
+Case with_bodies(ModelOptions::Bodies bodies) {
+  Case c = abevi();
+  c.model.bodies = bodies;
+  return c;
+}
+
+TEST(CheckCase, AShoulderMustMeetAFaceOfTheNut) {
+  using enum ModelOptions::Bodies;
+  for (const auto bodies : {refined, influence}) {
+    Case c = with_bodies(bodies);
+    c.structure->nut.shoulder = {0.050, 0.062};
+    EXPECT_EQ(paths(check_case(c)), "");
+    c.structure->nut.thrust.tension = 0.0099;
+    EXPECT_EQ(paths(check_case(c)), "structure.nut.shoulder");
+    c.structure->nut.shoulder.reset();
+    EXPECT_EQ(paths(check_case(c)), "");
+    c.structure->nut.thrust.tension = 0.010;
+    c.structure->nut.shoulder = {0.036, 0.046};
+    EXPECT_EQ(paths(check_case(c)), "structure.nut.shoulder");
+    c.structure->nut.shoulder = {0.062, 0.070};
+    EXPECT_NE(paths(check_case(c)), "");
+    c.structure->nut.shoulder = {0.060, 0.050};
+    EXPECT_NE(paths(check_case(c)), "");
+  }
+}
+
+TEST(CheckCase, ThreadedWallsMustCarry) {
+  using enum ModelOptions::Bodies;
+  Case c = with_bodies(influence);
+  c.structure->screw.bore = 0.0195;
+  EXPECT_EQ(paths(check_case(c)), "structure.screw.bore");
+  c.model.bodies = refined;
+  EXPECT_EQ(paths(check_case(c)), "");
+  c.structure->screw.bore = 0.0204;
+  EXPECT_EQ(paths(check_case(c)), "structure.screw.bore");
+  c.model.bodies = bars;
+  EXPECT_EQ(paths(check_case(c)), "");
+
+  c = with_bodies(influence);
+  c.structure->nut.flanges.clear();
+  c.structure->nut.thrust = {.tension = 0.0, .compression = 0.090};
+  c.structure->nut.outer_diameter = 0.0365;
+  EXPECT_EQ(paths(check_case(c)), "structure.nut.outer_diameter");
+}
+
+TEST(CheckCase, TeethMustHaveHeightAndFlanksThatHaveNotMet) {
+  using enum ModelOptions::Bodies;
+  Case c = with_bodies(influence);
+  c.mechanism.thread.roller = ThreadHeight{0.01e-3, 0.30e-3};
+  EXPECT_EQ(paths(check_case(c)), "mechanism.thread.roller.addendum");
+  c.mechanism.thread.roller = ThreadHeight{0.25e-3, 0.45e-3};
+  EXPECT_EQ(paths(check_case(c)), "mechanism.thread.roller.dedendum");
+  c.model.bodies = bars;
+  EXPECT_EQ(paths(check_case(c)), "");
+}
+
+TEST(CheckCase, OptionsOfOtherBodiesAreRefused) {
+  using enum ModelOptions::Bodies;
+  Case c = with_bodies(influence);
+  c.mechanism.rollers = 1;
+  EXPECT_EQ(paths(check_case(c)), "mechanism.rollers");
+  c.mechanism.rollers = 2;
+  c.model.roller = ModelOptions::Roller::rigid_bending;
+  EXPECT_EQ(paths(check_case(c)), "model.roller");
+  c.model.bodies = refined;
+  EXPECT_EQ(paths(check_case(c)), "");
+  c.model.roller_shear = true;
+  EXPECT_EQ(paths(check_case(c)), "model.roller_shear");
+  c = abevi();
+  c.model.tooth_compliance = {ModelOptions::ToothCompliance::Kind::yamamoto, 1e-12};
+  EXPECT_EQ(paths(check_case(c)), "model.tooth_compliance.yamamoto");
+}
+
 TEST(CheckCase, FlangesMayTouchInAnyOrder) {
   Case c = abevi();
   c.structure->nut.flanges = {{0.080, 0.090, 0.062}, {0.0, 0.010, 0.062}, {0.010, 0.020, 0.050}};

@@ -48,16 +48,30 @@ TEST_F(CommandLine, SolvePrintsATableAndNothingElse) {
 }
 
 TEST_F(CommandLine, JsonIsOneDocumentOnStandardOutput) {
-  for (const char* arguments :
-       {"solve configs/01_config_1_to_3.yaml --json --quiet", "validate validation/sandu_2018 --json", "schema --json",
-        "check configs/05_standard_screw.yaml --json --quiet",
-        "contact configs/05_standard_screw.yaml --json --quiet",
-        "slip configs/09_slip_and_dissipation.yaml --json --quiet"}) {
+  for (const char* arguments : {"solve configs/01_config_1_to_3.yaml --json --quiet",
+                                "validate validation/sandu_2018 --json", "schema --json",
+                                "check configs/05_standard_screw.yaml --json --quiet",
+                                "contact configs/05_standard_screw.yaml --json --quiet",
+                                "slip configs/09_slip_and_dissipation.yaml --json --quiet"}) {
     const Outcome run = prs(arguments);
     EXPECT_EQ(run.status, 0) << arguments;
     EXPECT_TRUE(nlohmann::json::accept(run.out)) << arguments;
     EXPECT_EQ(run.err, "") << arguments;
   }
+}
+
+TEST_F(CommandLine, TheModelOfTheBodiesIsNamed) {
+  const auto model = [&](const std::string& set) {
+    const Outcome run = prs("solve configs/13_three_models.yaml --json --quiet " + set);
+    return nlohmann::json::parse(run.out).at("model").dump();
+  };
+  EXPECT_EQ(model("--set model.bodies=bars"), R"({"bodies":"bars"})");
+  EXPECT_EQ(model("--set model.refined.hoop=false"),
+            R"({"bodies":"refined","effects_off":["hoop"],"roller_contacts":"opposite"})");
+  EXPECT_NE(prs("solve configs/13_three_models.yaml").out.find("bodies: refined, roller contacts"),
+            std::string::npos);
+  EXPECT_NE(prs("solve configs/13_three_models.yaml --json").err.find("bolted flange"),
+            std::string::npos);
 }
 
 TEST_F(CommandLine, WarningsStandBesideTheDocument) {

@@ -48,6 +48,17 @@ inline SectorCase abevi() {
   return c;
 }
 
+/// The same with six contacts a roller in the middle of a short nut.
+inline SectorCase short_screw() {
+  SectorCase c = abevi();
+  c.mechanism.contacts_per_roller = 6;
+  c.structure.nut.length = 40e-3;
+  c.structure.nut.flanges = {{0.0, 8e-3, 62e-3}, {32e-3, 40e-3, 62e-3}};
+  c.structure.nut.thrust = {.tension = 8e-3, .compression = 32e-3};
+  c.position = 20e-3 - 2.5 * axial_pitch(c.mechanism);
+  return c;
+}
+
 /// A random sector: 4 to 99 threads, constants over two decades, every option of the model.
 inline SectorCase random_sector(std::mt19937_64& random) {
   using prs::Direction, prs::Guidance, prs::ModelOptions;

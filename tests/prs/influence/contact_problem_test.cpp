@@ -67,7 +67,7 @@ TEST(ContactProblem, BarFlexibilityReproducesTheBarModel) {
         const LoadDistribution bars = SectorSolver(c.build()).solve(force);
         const ContactSolution s = solve_bars(c, force);
         ASSERT_TRUE(s.converged()) << s.residual;
-        EXPECT_LE(s.iterations, 8);
+        EXPECT_LE(s.iterations(), 8);
         EXPECT_LT(largest_difference(s, bars), 1e-10 * force / 11.0);
         EXPECT_NEAR(s.screw_motion / bars.axial_displacement, 1.0, 1e-10);
         EXPECT_NEAR(11.0 * s.tangent_stiffness / *bars.tangent_stiffness, 1.0, 1e-9);
@@ -96,7 +96,7 @@ TEST(ContactProblem, RigidBodiesShareEqually) {
   const ContactSolution s =
       solve(contact_problem(Eigen::MatrixXd::Zero(n, n), sector.laws, sector.gaps), 4e3);
   ASSERT_TRUE(s.converged());
-  EXPECT_EQ(s.iterations, 0);
+  EXPECT_EQ(s.iterations(), 0);
   const double cosine = std::cos(c.laws.screw.normal_angle);
   EXPECT_NEAR(s.normal_load[3], 4e3 / 20.0 / cosine, 1e-9);
 }

@@ -17,14 +17,9 @@ using std::numbers::pi;
 using test::abevi;
 using test::SectorCase;
 
-/// The screw of Abevi 2015 with six contacts a roller in the middle of a short nut.
+/// With flank normals at 45 deg.
 SectorCase short_screw() {
-  SectorCase c = abevi();
-  c.mechanism.contacts_per_roller = 6;
-  c.structure.nut.length = 40e-3;
-  c.structure.nut.flanges = {{0.0, 8e-3, 62e-3}, {32e-3, 40e-3, 62e-3}};
-  c.structure.nut.thrust = {.tension = 8e-3, .compression = 32e-3};
-  c.position = 20e-3 - 2.5 * axial_pitch(c.mechanism);
+  SectorCase c = test::short_screw();
   for (const Interface i : kInterfaces) c.laws[i].normal_angle = pi / 4.0;
   return c;
 }

@@ -14,17 +14,7 @@ namespace {
 
 using test::abevi;
 using test::SectorCase;
-
-/// Six contacts in the middle of a short nut.
-SectorCase short_screw() {
-  SectorCase c = abevi();
-  c.mechanism.contacts_per_roller = 6;
-  c.structure.nut.length = 40e-3;
-  c.structure.nut.flanges = {{0.0, 8e-3, 62e-3}, {32e-3, 40e-3, 62e-3}};
-  c.structure.nut.thrust = {.tension = 8e-3, .compression = 32e-3};
-  c.position = 20e-3 - 2.5 * axial_pitch(c.mechanism);
-  return c;
-}
+using test::short_screw;
 
 BodyFlexibilities bodies(const SectorCase& c, MatrixCache& cache) {
   PerInterface<HertzPatch> patches;

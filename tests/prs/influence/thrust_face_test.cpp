@@ -61,7 +61,7 @@ TEST(ThrustFace, NodesThatWouldPullAreLetGo) {
   // A load beyond the last node presses there and lifts the first ones.
   const ThrustFace f = Plate{5, 2e-12, 1e-9}.face(Eigen::VectorXd::Constant(1, 6.0));
   const Eigen::VectorXd load = Eigen::VectorXd::Constant(1, 100.0);
-  const ThrustFace::Touching touching = f.touching_under(load, f.all());
+  const ThrustFace::Touching touching = *f.touching_under(load, f.all());
   EXPECT_EQ(touching, ThrustFace::Touching{4});
   // From any guess, and either way.
   EXPECT_EQ(f.touching_under(load, {0}), touching);
@@ -72,7 +72,7 @@ TEST(ThrustFace, TouchingNodesPushAndTheOthersAreClear) {
   for (const double at : {0.2, 1.0, 1.7, 2.5, 3.9}) {
     const ThrustFace f = Plate{}.face(Eigen::VectorXd::Constant(1, at));
     const Eigen::VectorXd load = Eigen::VectorXd::Constant(1, 1.0);
-    const ThrustFace::Touching touching = f.touching_under(load, f.all());
+    const ThrustFace::Touching touching = *f.touching_under(load, f.all());
     // The state of the touching set, from an independent elimination.
     const auto n = static_cast<Index>(touching.size());
     Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n + 1, n + 1);

@@ -1,4 +1,4 @@
-#include "prs/influence/groove.h"
+#include "prs/groove.h"
 
 #include <algorithm>
 #include <cmath>
