@@ -99,15 +99,15 @@ TEST(Kinematics, EstimatesAgreeForContactsAtThePitchPoints) {
     g.gear_ratio = gamma;
     g.centre_distance = 20e-3;
     const double roller = g.centre_distance * gamma / (1 - gamma);
-    g.points.screw.x() = g.centre_distance - roller;
-    g.points.nut.x() = g.centre_distance + roller;
+    g.points.screw = {g.centre_distance - roller, 0.0, 0.0};
+    g.points.nut = {g.centre_distance + roller, 0.0, 0.0};
     EXPECT_NEAR(slip_estimates(g).simple, ideal_slip_ratio(g), 1e-14);
     EXPECT_NEAR(*slip_estimates(g).jones, ideal_slip_ratio(g), 1e-14);
 
     g.type = Mechanism::Type::inverted;
     const double inverted_roller = g.centre_distance * gamma / (1 + gamma);
-    g.points.screw.x() = g.centre_distance - inverted_roller;
-    g.points.nut.x() = g.centre_distance + inverted_roller;
+    g.points.screw = {g.centre_distance - inverted_roller, 0.0, 0.0};
+    g.points.nut = {g.centre_distance + inverted_roller, 0.0, 0.0};
     EXPECT_NEAR(slip_estimates(g).simple, ideal_slip_ratio(g), 1e-14);
     EXPECT_FALSE(slip_estimates(g).jones);
   }

@@ -7,6 +7,7 @@
 
 #include "prs/influence/contact_problem.h"
 #include "prs/influence/influence.h"
+#include "support/coarse_bodies.h"
 #include "support/count.h"
 #include "support/sectors.h"
 
@@ -71,7 +72,7 @@ TEST(BlockSolver, HarmonicsDieOutWithinTheirReach) {
 TEST(Flexibility, FarThreadsOfTheScrewSeeABarBetweenCoreAndPitchSection) {
   const SectorCase c = abevi();
   const BodyGeometry b = geometry(c);
-  const Flexibility f = screw_flexibility(b, c.direction, {});
+  const Flexibility f = screw_flexibility(b, c.direction, test::coarse_bodies());
   // Between the loaded section and the load, and far from both, displacements grow by the extension
   // of one pitch.
   const double per_pitch = f.matrix(4, 15) - f.matrix(3, 15);
@@ -97,12 +98,14 @@ TEST(Flexibility, IsSymmetricAndHasNoHertzLeft) {
 TEST(Flexibility, MirroredScrewHasMirroredBodies) {
   SectorCase c = short_screw();
   const BodyGeometry tension = geometry(c);
-  const Flexibility nut = nut_flexibility(tension, c.direction, c.position, {});
-  const Flexibility roller = roller_flexibility(tension, c.direction, {});
+  const Flexibility nut = nut_flexibility(tension, c.direction, c.position, test::coarse_bodies());
+  const Flexibility roller = roller_flexibility(tension, c.direction, test::coarse_bodies());
   c.direction = Direction::compression;
   const BodyGeometry compression = geometry(c);
-  const Flexibility other_nut = nut_flexibility(compression, c.direction, c.position, {});
-  const Flexibility other_roller = roller_flexibility(compression, c.direction, {});
+  const Flexibility other_nut =
+      nut_flexibility(compression, c.direction, c.position, test::coarse_bodies());
+  const Flexibility other_roller =
+      roller_flexibility(compression, c.direction, test::coarse_bodies());
   EXPECT_LT((reversed(nut.matrix) - other_nut.matrix).norm(), 1e-9 * nut.matrix.norm());
   // The roller is held axially at its right end in both: compare under loads in balance.
   const int n = 6;
@@ -156,11 +159,11 @@ TEST(Flexibility, DefaultsHaveWorkingAccuracy) {
 
 TEST(Flexibility, GuidanceRingOfGreatStiffnessHoldsLikeASupport) {
   SectorCase c = short_screw();
-  const Flexibility held = roller_flexibility(geometry(c), c.direction, {});
+  const Flexibility held = roller_flexibility(geometry(c), c.direction, test::coarse_bodies());
   c.structure.roller.guidance = {Guidance::Kind::ring, 1e13};
-  const Flexibility ring = roller_flexibility(geometry(c), c.direction, {});
+  const Flexibility ring = roller_flexibility(geometry(c), c.direction, test::coarse_bodies());
   c.structure.roller.guidance = {Guidance::Kind::outer_node, 0.0};
-  const Flexibility outer = roller_flexibility(geometry(c), c.direction, {});
+  const Flexibility outer = roller_flexibility(geometry(c), c.direction, test::coarse_bodies());
   // Sections stay round under a support, and not on a ring, which holds their mean.
   EXPECT_LT((ring.matrix - held.matrix).norm(), 0.05 * held.matrix.norm());
   EXPECT_GT((outer.matrix - held.matrix).norm(), 0.1 * held.matrix.norm());
@@ -174,7 +177,7 @@ TEST(Flexibility, ContactsAtTheEndsOfTheNutHaveTheirThread) {
   c.structure.nut.thrust = {.tension = 4e-3, .compression = 4e-3};
   for (const Direction d : {Direction::tension, Direction::compression}) {
     c.direction = d;
-    const BodyFlexibilities f = body_flexibilities(geometry(c), d, 0.0, {});
+    const BodyFlexibilities f = body_flexibilities(geometry(c), d, 0.0, test::coarse_bodies());
     EXPECT_GT(f.nut.matrix(0, 1), 0.0);
     EXPECT_GT(f.screw.matrix(4, 5), 0.0);
   }
@@ -187,10 +190,11 @@ TEST(Flexibility, ContactsAtTheEndsOfTheNutHaveTheirThread) {
 
 TEST(Flexibility, UnilateralThrustFaceIsSofter) {
   const SectorCase c = short_screw();
-  FlexibilityOptions bilateral;
+  FlexibilityOptions bilateral = test::coarse_bodies();
   bilateral.unilateral_thrust = false;
   const double both = nut_flexibility(geometry(c), c.direction, c.position, bilateral).matrix.sum();
-  const double pushes = nut_flexibility(geometry(c), c.direction, c.position, {}).matrix.sum();
+  const double pushes =
+      nut_flexibility(geometry(c), c.direction, c.position, test::coarse_bodies()).matrix.sum();
   EXPECT_GT(pushes, both);
   EXPECT_LT(pushes, 1.1 * both);
 }

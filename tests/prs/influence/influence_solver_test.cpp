@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "prs/case_error.h"
+#include "support/coarse_bodies.h"
 #include "support/sectors.h"
 
 namespace prs {
@@ -22,7 +23,7 @@ BodyFlexibilities bodies(const SectorCase& c, MatrixCache& cache) {
     patches[i] = nominal_patch({}, c.laws[i], c.materials[body_of(i)], c.materials.roller);
   return body_flexibilities(
       body_geometry(c.mechanism, c.structure, c.materials, c.laws, patches, c.direction, c.options),
-      c.direction, c.position, {}, cache);
+      c.direction, c.position, test::coarse_bodies(), cache);
 }
 
 BodyFlexibilities bodies(const SectorCase& c) {

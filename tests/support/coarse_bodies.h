@@ -1,0 +1,17 @@
+#pragma once
+
+#include "prs/influence/flexibility_options.h"
+
+namespace test {
+
+/// Meshes for tests of what does not depend on them.
+inline prs::FlexibilityOptions coarse_bodies() {
+  prs::FlexibilityOptions options;
+  options.mesh.patch_cells = 2;
+  options.mesh.growth = 2.0;
+  options.mesh.step_cell = 0.1;
+  options.mesh.plain_flank_cells = 1;
+  return options;
+}
+
+}  // namespace test
