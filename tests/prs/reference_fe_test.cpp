@@ -311,7 +311,6 @@ TEST(Fidelities, RefinedStaysWithinItsPromise) {
 
 /// CONFIG 2 in tension; thoroughly all cases.
 TEST(Fidelities, InfluenceIsWithinBothErrorBarsOfTheReference) {
-  if (test::kSanitized) GTEST_SKIP() << "numbers only";
   const auto curves =
       at_full_load([](const auto& setup) { return test::count(0, 1) == 1 || setup == kExample; });
   const Summary s = summary(computed_curves(screw(), influence, curves), curves, everywhere);

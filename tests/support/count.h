@@ -10,12 +10,4 @@ inline int count(int quick, int thorough) {
   return std::getenv("PRS_THOROUGH") != nullptr ? thorough : quick;
 }
 
-/// Comparisons of numbers on large meshes say nothing more under sanitizers, and take ten times as
-/// long there.
-#ifdef __SANITIZE_ADDRESS__
-inline constexpr bool kSanitized = true;
-#else
-inline constexpr bool kSanitized = false;
-#endif
-
 }  // namespace test

@@ -140,7 +140,6 @@ double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 }
 
 TEST(CalculixBodies, AgreeOnOneMesh) {
-  if (test::kSanitized) GTEST_SKIP() << "numbers only";
   EXPECT_LT(largest_difference(screw(FlankSide::backward, 1), reference("screw_tension.csv")),
             2e-3);
   EXPECT_LT(largest_difference(screw(FlankSide::forward, 1), reference("screw_compression.csv")),
@@ -197,7 +196,6 @@ Block block(const std::string& body) {
 }
 
 TEST(CalculixHarmonics, AgreeToATenthOfAPercent) {
-  if (test::kSanitized) GTEST_SKIP() << "numbers only";
   const CsvTable table(PRS_SOURCE_DIR "/validation/reference_fe/data/single_harmonics.csv");
   FlexibilityOptions options;
   options.mesh.patch_cells = 12;
