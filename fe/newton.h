@@ -47,7 +47,7 @@ std::string_view name(NewtonStatus status);
 
 /// One linear solve and the state it led to.
 struct NewtonIteration {
-  double energy = 0.0;             ///< [J]
+  double energy = 0.0;             ///< [J]; NaN where a solver knows none.
   double relative_residual = 0.0;  ///< After the step.
   double step_length = 0.0;        ///< 1 is the full Newton step.
   double shift = 0.0;              ///< Regularisation of this step's matrix; 0 as a rule.

@@ -133,6 +133,12 @@ void add_guidance(const GroovedBody& body, const Structure::Roller& roller,
   }
 }
 
+/// Teeth of a body that all rollers touch alike.
+Teeth teeth_around(const BodyGeometry& b, const Groove& groove, double far_radius,
+                   const Material& material, const LoadedFlank& flank) {
+  return {groove, far_radius, material, {flank}, {false}, b.rollers, b.rollers, b.contacts};
+}
+
 /// Adds what the harmonics that die out along the body leave.
 void add_teeth(Flexibility& f, const Teeth& teeth, bool centred, const FlexibilityOptions& options,
                MatrixCache& cache) {
@@ -207,15 +213,9 @@ Flexibility screw_flexibility(const BodyGeometry& b, Direction direction,
   key.add(direction).add(b.contacts).add(options.mesh).add(b.endless_screw);
   Flexibility f;
   f.matrix = b.rollers * cache.get(key.text(), whole)->front();
-  const Teeth teeth{g,
-                    0.5 * screw.bore,
-                    b.materials.screw,
-                    {{0.0, side, b.patches.screw, options.mesh.patch_cells}},
-                    {false},
-                    b.rollers,
-                    b.rollers,
-                    b.contacts};
-  add_teeth(f, teeth, false, options, cache);
+  const LoadedFlank flank{0.0, side, b.patches.screw, options.mesh.patch_cells};
+  add_teeth(f, teeth_around(b, g, 0.5 * screw.bore, b.materials.screw, flank), false, options,
+            cache);
   return f;
 }
 
@@ -285,15 +285,9 @@ Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double p
   Flexibility f;
   f.matrix = b.rollers * face.flexibility(touching);
   if (unilateral) f.face = face;
-  const Teeth teeth{g,
-                    0.5 * nut.outer_diameter,
-                    b.materials.nut,
-                    {{0.0, side, b.patches.nut, options.mesh.patch_cells}},
-                    {false},
-                    b.rollers,
-                    b.rollers,
-                    b.contacts};
-  add_teeth(f, teeth, false, options, cache);
+  const LoadedFlank flank{0.0, side, b.patches.nut, options.mesh.patch_cells};
+  add_teeth(f, teeth_around(b, g, 0.5 * nut.outer_diameter, b.materials.nut, flank), false, options,
+            cache);
   return f;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "prs/case_error.h"
@@ -12,6 +13,8 @@ namespace {
 
 /// Loads under which the shoulder's touching part settles; each changes the next only little.
 constexpr int kMostRounds = 10;
+/// The contact problem is not solved by its energy, and nothing is shifted.
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 fe::NewtonStatus newton_status(ContactSolveStatus status) {
   switch (status) {
@@ -65,7 +68,10 @@ LoadDistribution InfluenceSolver::solve(double axial_force) const {
   d.solve.status = newton_status(s.status);
   d.solve.relative_residual = s.residual;
   for (const ContactIteration& i : history)
-    d.solve.history.push_back({.relative_residual = i.residual, .step_length = i.step_length});
+    d.solve.history.push_back({.energy = kNone,
+                               .relative_residual = i.residual,
+                               .step_length = i.step_length,
+                               .shift = kNone});
   const int contacts = problem_.contacts();
   for (const Interface i : kInterfaces) {
     const int first = i == Interface::screw ? 0 : contacts;

@@ -56,6 +56,9 @@ TEST(InfluenceSolver, LoadsBalanceAtEveryLoad) {
     for (const double force : {10.0, 1e3, 20e3}) {
       const LoadDistribution d = s.solve(force);
       ASSERT_TRUE(d.solve.converged());
+      ASSERT_GE(d.solve.iterations(), 1);
+      EXPECT_LE(d.solve.history.back().relative_residual, 1e-12);
+      EXPECT_TRUE(std::isnan(d.solve.history.back().energy));
       for (const Interface i : kInterfaces) {
         const double sum = std::accumulate(d.normal_load[i].begin(), d.normal_load[i].end(), 0.0) *
                            std::cos(c.laws[i].normal_angle);
