@@ -1,0 +1,46 @@
+#pragma once
+
+#include "fe/chain.h"
+#include "prs/chain/lane_access.h"
+#include "prs/chain/thread_loads.h"
+
+namespace prs {
+
+template <class Real>
+Real status_of(const fe::ChainSummary<Real>& s) {
+  const auto code = [](fe::NewtonStatus status) { return Real(static_cast<double>(status)); };
+  using enum fe::NewtonStatus;
+  return select(s.converged, code(converged),
+                select(s.singular, code(not_positive_definite),
+                       select(s.search_failed, code(line_search_failed), code(iteration_limit))));
+}
+
+/// What the last solve left in the records, into the results.
+template <class Real, class Law, class Record>
+void deliver(const fe::ChainSummary<Real>& summary, const Law& law, int contacts,
+             const Record* records, const LaneRange& range, const ThreadLoads& results) {
+  for (const Interface i : kInterfaces) {
+    const auto c = static_cast<int>(i);
+    if (!results.normal_load[i].empty())
+      for (std::size_t l = 0; l < kLanes<Real> && range.place(l) < range.size; ++l) {
+        double* const load = results.normal_load[i].data() + range.place(l) * results.stride;
+        for (int k = 0; k < contacts; ++k) load[k] = lane(records[k].contact[c].force, l);
+      }
+    if (!results.approach[i].empty())
+      for (int k = 0; k < contacts; ++k)
+        range.store(law.deflection(c, k, records[k].contact[c].closure), results.approach[i],
+                    results.stride, static_cast<std::size_t>(k));
+  }
+  if (!results.status.empty()) {
+    double status[kLanes<Real>];
+    to_lanes(status_of(summary), status);
+    for (std::size_t l = 0; l < kLanes<Real> && range.place(l) < range.size; ++l)
+      results.status[range.place(l)] = static_cast<fe::NewtonStatus>(static_cast<int>(status[l]));
+  }
+  range.store(summary.iterations, results.iterations);
+  range.store(summary.initial_relative_residual, results.initial_relative_residual);
+  range.store(summary.relative_residual, results.relative_residual);
+  range.store(summary.energy, results.energy);
+}
+
+}  // namespace prs
