@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+
+#include "prs/input/source.h"
+#include "prs/life/life.h"
+#include "prs/life/load_history.h"
+
+namespace prs::input {
+
+/// Reads the columns of a history from a text of comma-separated values: lines that start with `#`
+/// and empty ones are skipped, the first other line is the heading, every further one a sample.
+/// Fields are separated by commas, semicolons or tabs, whichever the heading has first; numbers
+/// have a decimal point. `name` stands for the file in messages, `source` is the input that names
+/// columns and units under `life.history`.
+///
+/// Throws InputError: `FILE:LINE:COLUMN: error: NAME: got VALUE; expected ..` for what is no finite
+/// number and for time that runs backwards; at the place in the input for a column that the file
+/// lacks and for a unit that does not fit.
+LoadHistory parse_force_history(std::string_view text, const std::string& name,
+                                const HistorySource& history, const Source& source);
+
+/// The same from the file that the history names, relative to the input file: at most 1 GiB.
+LoadHistory read_force_history(const HistorySource& history, const Source& source);
+
+}  // namespace prs::input

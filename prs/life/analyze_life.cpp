@@ -1,0 +1,405 @@
+#include "prs/life/analyze_life.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include "prs/analyze.h"
+#include "prs/case_error.h"
+#include "prs/chain/chain_solver.h"
+#include "prs/contact_laws.h"
+#include "prs/influence/influence_solver.h"
+#include "prs/life/share_curve.h"
+#include "prs/load_distribution.h"
+
+namespace prs {
+namespace {
+
+/// Loads below this share of the largest have its shares: a million of them weigh 1e-9 of it.
+constexpr double kLeastLoad = 1e-5;
+/// Beyond this angle from 45 deg Lemor's factor is stretched.
+constexpr double kAngleTolerance = 5.0 * std::numbers::pi / 180.0;
+
+/// A case whose mechanism is resolved, and what its threads are.
+struct Prepared {
+  Case c;
+  PerInterface<ContactLaw> laws;
+  const Contacts& contacts;
+
+  std::size_t threads() const { return static_cast<std::size_t>(c.mechanism.contacts_per_roller); }
+  /// Axial load of a thread with equal shares per axial force.
+  double equal_share() const {
+    return 1.0 / (static_cast<double>(c.mechanism.rollers) * static_cast<double>(threads()));
+  }
+};
+
+bool solves(const Case& c) { return c.life->share == LoadCase::Share::solved; }
+
+std::function<LoadDistribution(double)> distribution_solver(const Prepared& p, Direction d) {
+  const Case& c = p.c;
+  if (c.model.bodies == ModelOptions::Bodies::influence) {
+    const auto solver = std::make_shared<InfluenceSolver>(
+        influence_solver(c, p.contacts, p.laws, d, *c.life->position));
+    return [solver](double force) { return solver->solve(force); };
+  }
+  const auto solver =
+      std::make_shared<ChainSolver>(build_sector(c.mechanism, *c.structure, *c.materials, c.model,
+                                                 p.laws, d, *c.life->position, c.deviations));
+  return [solver](double force) { return solver->solve(force); };
+}
+
+/// Shares of all threads, screw before nut: 1 where all carry the same.
+ShareCurve::Solve share_solver(const Prepared& p, Direction d) {
+  const std::size_t n = p.threads();
+  if (!solves(p.c)) return [n](double) { return std::vector<double>(2 * n, 1.0); };
+  return [&p, n,
+          solve = distribution_solver(p, d)](double force) -> std::optional<std::vector<double>> {
+    const LoadDistribution loads = solve(force);
+    if (!loads.solve.converged()) return std::nullopt;
+    std::vector<double> shares;
+    shares.reserve(2 * n);
+    for (const Interface i : kInterfaces)
+      for (const double normal : loads.normal_load[i])
+        shares.push_back(normal * std::cos(p.laws[i].normal_angle) / (force * p.equal_share()));
+    return shares;
+  };
+}
+
+double contact_angle(const PerInterface<ContactLaw>& laws) {
+  return 0.5 * std::numbers::pi - 0.5 * (laws.screw.normal_angle + laws.nut.normal_angle);
+}
+
+LemorGeometry lemor_geometry(const Mechanism& m, double contact_angle) {
+  LemorGeometry g;
+  g.pitch = axial_pitch(m);
+  g.roller_diameter = *m.pitch_diameter.roller;
+  g.nut_diameter = *m.pitch_diameter.nut;
+  g.pitch_circle = 2.0 * *m.centre_distance;
+  g.contact_angle = contact_angle;
+  g.helix_angle = std::atan(std::abs(m.lead) / (std::numbers::pi * *m.pitch_diameter.screw));
+  g.contacts = m.rollers * m.contacts_per_roller;
+  return g;
+}
+
+void find_capacity(const Prepared& p, LifeResult& r) {
+  const double angle = contact_angle(p.laws);
+  const LemorGeometry g = lemor_geometry(p.c.mechanism, angle);
+  r.element_ratio = g.roller_diameter * std::cos(angle) / g.pitch_circle;
+  r.failure_shares = failure_shares(r.element_ratio);
+  if (p.c.life->dynamic_capacity) {
+    r.dynamic_capacity = *p.c.life->dynamic_capacity;
+    r.dynamic_capacity_range = {r.dynamic_capacity, r.dynamic_capacity};
+    return;
+  }
+  r.lemor = lemor_capacity(g);
+  if (!r.lemor)
+    throw CaseError(
+        "mechanism.pitch_diameter.roller",
+        fmt::format("gives the ratio d_r cos(alpha)/d_nut = {:.4f}; expected {} to {}, where the "
+                    "factor of Lemor's capacity is known; give the capacity of a catalogue, for "
+                    "example `life: {{dynamic_capacity: 60 kN, ..}}`",
+                    factor_ratio(g), kFactorRatios.least, kFactorRatios.greatest));
+  r.dynamic_capacity = r.lemor->capacity;
+  r.dynamic_capacity_range = r.lemor->capacity_range;
+  if (std::abs(angle - std::numbers::pi / 4) > kAngleTolerance)
+    r.warnings.push_back(
+        fmt::format("contact angle {:.1f} deg: the factor of Lemor's capacity is that of 45 deg",
+                    angle * 180.0 / std::numbers::pi));
+}
+
+void find_spectrum(const Case& c, LifeResult& r) {
+  const std::optional<double> speed =
+      c.operation ? std::optional(std::abs(c.operation->speed)) : std::nullopt;
+  const double lead = c.mechanism.lead;
+  if (r.history) {
+    r.steps = load_steps(*r.history, lead, speed);
+    r.duration = duration(*r.history);
+  } else {
+    r.steps = load_steps(c.life->spectrum, lead, speed);
+    r.revolutions_known = !c.life->spectrum.front().share;
+    double seconds = 0.0;
+    for (const SpectrumLoad& l : c.life->spectrum)
+      seconds += l.duration.value_or(std::numeric_limits<double>::quiet_NaN());
+    if (std::isfinite(seconds)) r.duration = seconds;
+  }
+  for (const LoadStep& s : r.steps) {
+    r.revolutions += s.revolutions;
+    r.largest_force = std::max(r.largest_force, std::abs(s.axial_force));
+  }
+  r.mean_load = mean_load(r.steps);
+  const char* path = r.history ? "life.history.file" : "life.spectrum";
+  if (!(r.revolutions > 0.0))
+    throw CaseError(path,
+                    "got loads under which the screw does not turn; expected travel: rolling "
+                    "contacts live by revolutions under load; check position, speed and time");
+  if (!(r.largest_force > 0.0))
+    throw CaseError(path,
+                    "got no load other than 0; expected loads; check the column of the force");
+  if (r.duration && *r.duration > 0.0)
+    r.revolution_rate = r.revolutions / *r.duration;
+  else if (speed && *speed > 0.0)
+    r.revolution_rate = *speed / (2.0 * std::numbers::pi);
+}
+
+/// sum F^3 l^3 n of each thread, on equilibria alone: an interpolated cube of a share is a sum over
+/// nodes, so that the weights of all loads are first gathered there.
+class CubicSums {
+ public:
+  CubicSums(const ShareCurve& curve, std::size_t threads)
+      : curve_(curve), weights_(curve.node_count(), 0.0), sums_(threads, 0.0) {}
+
+  void add(double force, double revolutions) {
+    const ShareCurve::Place place = curve_.place(force);
+    const double weight = force * force * force * revolutions;
+    for (std::size_t j = 0; j < ShareCurve::kNodes; ++j)
+      weights_[place.first + j] += weight * place.weights[j];
+  }
+
+  std::vector<double> take() && {
+    for (std::size_t node = 0; node < weights_.size(); ++node)
+      for (std::size_t k = 0; k < sums_.size(); ++k) {
+        const double share = curve_.shares(node)[k];
+        sums_[k] += weights_[node] * share * share * share;
+      }
+    return std::move(sums_);
+  }
+
+ private:
+  const ShareCurve& curve_;
+  std::vector<double> weights_, sums_;
+};
+
+/// Magnitude of a force along a direction [N]; 0 where it has the other sense.
+double along(double axial_force, Direction d) {
+  return std::max(0.0, d == Direction::tension ? axial_force : -axial_force);
+}
+
+/// Largest peak pressure of the threads of an interface under an axial force [Pa].
+double peak_pressure(const Prepared& p, Interface i, std::span<const double> shares, double force) {
+  const auto first = shares.begin() + (i == Interface::screw ? 0 : std::ssize(shares) / 2);
+  const double share = *std::max_element(first, first + std::ssize(shares) / 2);
+  const double axial = share * force * p.equal_share();
+  return contact::at_load(p.contacts.interfaces[i].hertz, axial / std::cos(p.laws[i].normal_angle))
+      .peak_pressure;
+}
+
+bool has_pressures(const Contacts& contacts) {
+  return contacts.interfaces.screw.has_hertz() && contacts.interfaces.nut.has_hertz();
+}
+
+/// Force at which the most loaded thread reaches the limit: p^3 is nearly proportional to the
+/// force, so F (limit/p)^3 converges in a few steps.
+std::optional<double> static_capacity(const Prepared& p, const ShareCurve::Solve& solve,
+                                      double force) {
+  for (int step = 0; step < 60; ++step) {
+    const auto shares = solve(force);
+    if (!shares) return std::nullopt;
+    const double pressure = std::max(peak_pressure(p, Interface::screw, *shares, force),
+                                     peak_pressure(p, Interface::nut, *shares, force));
+    const double next = force * std::pow(kStaticPressureLimit / pressure, 3.0);
+    if (std::abs(next - force) < 1e-10 * force) return next;
+    force = next;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> equal_shares_static_capacity(const Prepared& p) {
+  if (!has_pressures(p.contacts)) return std::nullopt;
+  double capacity = std::numeric_limits<double>::infinity();
+  for (const Interface i : kInterfaces)
+    capacity =
+        std::min(capacity, load_at_pressure(p.contacts.interfaces[i].hertz, kStaticPressureLimit) *
+                               std::cos(p.laws[i].normal_angle) / p.equal_share());
+  return capacity;
+}
+
+void require_thrust(const Case& c, Direction d) {
+  if (!solves(c)) return;
+  const Structure::Thrust& thrust = c.structure->nut.thrust;
+  if (d == Direction::tension ? thrust.tension : thrust.compression) return;
+  throw CaseError(fmt::format("structure.nut.thrust.{}", name(d)),
+                  fmt::format("missing; expected the axial position of the section that holds {}, "
+                              "which the loads of `life` contain; add `{}: 10 mm`, for example",
+                              name(d), name(d)));
+}
+
+/// Equivalent ranges of the threads' loads on the flanks of one direction over the cycles.
+std::vector<double> equivalent_ranges(const ShareCurve& curve, std::span<const Cycle> cycles,
+                                      Direction d, double slope, std::size_t threads) {
+  std::vector<double> high(threads), low(threads), damage(threads, 0.0);
+  double scale = 0.0;
+  for (const Cycle& c : cycles)
+    scale = std::max({scale, along(c.start.value, d), along(c.end.value, d)});
+  for (const Cycle& c : cycles) {
+    const double a = along(c.start.value, d), b = along(c.end.value, d);
+    if (a == 0.0 && b == 0.0) continue;
+    curve.shares_at(std::max(a, b), high);
+    curve.shares_at(std::min(a, b), low);
+    for (std::size_t k = 0; k < threads; ++k) {
+      const double range = high[k] * std::max(a, b) - low[k] * std::min(a, b);
+      damage[k] += c.count * std::pow(std::abs(range) / scale, slope);
+    }
+  }
+  const double total = count(cycles);
+  for (double& d_k : damage) d_k = total > 0.0 ? scale * std::pow(d_k / total, 1.0 / slope) : 0.0;
+  return damage;
+}
+
+/// The part of a list of all threads that belongs to an interface, times a factor.
+std::vector<double> part_of(std::span<const double> all, Interface i, double factor) {
+  const std::size_t n = all.size() / 2;
+  std::vector<double> part;
+  for (const double value : all.subspan(i == Interface::screw ? 0 : n, n))
+    part.push_back(value * factor);
+  return part;
+}
+
+void find_lives(const Prepared& p, LifeResult& r, Direction d) {
+  FlankLife flank;
+  double least = std::numeric_limits<double>::infinity();
+  double damage = 0.0;
+  for (const LoadStep& s : r.steps) {
+    const double force = along(s.axial_force, d);
+    if (force == 0.0) continue;
+    flank.revolutions += s.revolutions;
+    flank.largest_force = std::max(flank.largest_force, force);
+    least = std::min(least, force);
+    damage += force * force * force * s.revolutions;
+  }
+  if (flank.largest_force == 0.0) return;
+  require_thrust(p.c, d);
+  flank.mean_load = std::cbrt(damage / r.revolutions);
+
+  const std::size_t threads = 2 * p.threads();
+  const ShareCurve::Solve solve = share_solver(p, d);
+  const ShareCurve curve(solve, std::max(least, kLeastLoad * flank.largest_force),
+                         flank.largest_force);
+  flank.solves = curve.solves();
+  flank.interpolation_error = curve.error();
+  if (curve.failed_at()) {
+    r.failure = fmt::format("the load distribution under {:.6g} N in {} did not converge",
+                            *curve.failed_at(), name(d));
+    return;
+  }
+
+  CubicSums sums(curve, threads);
+  for (const LoadStep& s : r.steps)
+    if (const double force = along(s.axial_force, d); force > 0.0 && s.revolutions > 0.0)
+      sums.add(force, s.revolutions);
+  std::vector<double> equivalent = std::move(sums).take();
+  for (double& f : equivalent) f = std::cbrt(std::max(f, 0.0) / r.revolutions);
+  std::vector<double> ranges;
+  if (r.cycles)
+    ranges = equivalent_ranges(curve, r.cycles->cycles, d, p.c.life->fatigue_slope, threads);
+  std::vector<double> largest(threads);
+  curve.shares_at(flank.largest_force, largest);
+
+  std::vector<double> lives;
+  for (const Interface i : kInterfaces) {
+    ThreadLives& t = flank.threads[i];
+    for (const double load : part_of(equivalent, i, 1.0))
+      t.life.push_back(thread_life(r.dynamic_capacity, load, r.failure_shares[i],
+                                   p.c.mechanism.contacts_per_roller));
+    lives.insert(lives.end(), t.life.begin(), t.life.end());
+    t.equivalent_load = part_of(equivalent, i, p.equal_share());
+    t.largest_load = part_of(largest, i, flank.largest_force * p.equal_share());
+    if (!ranges.empty()) t.equivalent_range = part_of(ranges, i, p.equal_share());
+    if (p.contacts.interfaces[i].has_hertz())
+      flank.peak_pressure[i] = peak_pressure(p, i, largest, flank.largest_force);
+  }
+  flank.life = combined_life(lives);
+  if (has_pressures(p.contacts))
+    flank.static_capacity = static_capacity(p, solve, flank.largest_force);
+  r.flanks[d] = std::move(flank);
+}
+
+void find_weakest(LifeResult& r) {
+  for (const Direction d : kDirections) {
+    if (!r.flanks[d]) continue;
+    for (const Interface i : kInterfaces) {
+      const ThreadLives& t = r.flanks[d]->threads[i];
+      for (std::size_t k = 0; k < t.life.size(); ++k)
+        if (std::isfinite(t.life[k]) && (!r.weakest || t.life[k] < r.weakest->life))
+          r.weakest = WeakestThread{d, i, k, t.equivalent_load[k], t.life[k]};
+    }
+  }
+}
+
+void warn_of_loads(LifeResult& r) {
+  for (const Direction d : kDirections) {
+    if (!r.flanks[d]) continue;
+    for (const Interface i : kInterfaces) {
+      const std::optional<double> pressure = r.flanks[d]->peak_pressure[i];
+      if (pressure && *pressure > kStaticPressureLimit)
+        r.warnings.push_back(fmt::format("{} peak pressure {:.2f} GPa in {} exceeds {:.1f} GPa",
+                                         label(i), *pressure * 1e-9, name(d),
+                                         kStaticPressureLimit * 1e-9));
+    }
+  }
+  if (r.mean_load > 0.5 * r.dynamic_capacity)
+    r.warnings.push_back(fmt::format(
+        "the mean load is {:.0f} % of the dynamic capacity; the life formula holds up to half of "
+        "it (ISO 281)",
+        100.0 * r.mean_load / r.dynamic_capacity));
+}
+
+}  // namespace
+
+std::optional<double> LifeResult::static_safety() const {
+  if (life.static_capacity) return *life.static_capacity / largest_force;
+  std::optional<double> safety;
+  for (const Direction d : kDirections)
+    if (flanks[d] && flanks[d]->static_capacity)
+      safety = std::min(safety.value_or(std::numeric_limits<double>::infinity()),
+                        *flanks[d]->static_capacity / flanks[d]->largest_force);
+  return safety;
+}
+
+LifeResult analyze_life(const Case& given, std::optional<LoadHistory> history) {
+  Case unloaded = given;
+  unloaded.load_cases.clear();
+  Result analyzed = analyze(unloaded);
+  LifeResult r;
+  r.life = *given.life;
+  r.model = given.model;
+  r.contacts = std::move(analyzed.contacts);
+  r.warnings = std::move(analyzed.warnings);
+  r.history = std::move(history);
+  unloaded.mechanism = r.contacts.mechanism;
+  const Prepared p{unloaded, contact_laws(unloaded, r.contacts), r.contacts};
+
+  find_capacity(p, r);
+  find_spectrum(p.c, r);
+  if (r.history) {
+    LoadCycles cycles;
+    cycles.cycles = rainflow(r.history->force, r.life.history->hysteresis);
+    cycles.matrix = cycle_matrix(cycles.cycles, r.life.history->bins);
+    cycles.equivalent_range = equivalent_range(cycles.cycles, r.life.fatigue_slope);
+    r.cycles = std::move(cycles);
+  }
+
+  for (const Direction d : kDirections) {
+    find_lives(p, r, d);
+    if (r.failure) return r;
+  }
+  r.equal_shares_static_capacity = equal_shares_static_capacity(p);
+  r.catalogue_life = rating_life(r.dynamic_capacity, r.mean_load);
+  std::vector<double> equal, real;
+  for (const Direction d : kDirections)
+    if (r.flanks[d]) {
+      equal.push_back(rating_life(r.dynamic_capacity, r.flanks[d]->mean_load));
+      real.push_back(r.flanks[d]->life);
+    }
+  r.equal_shares_life = combined_life(equal);
+  r.system_life = combined_life(real);
+  find_weakest(r);
+  warn_of_loads(r);
+  return r;
+}
+
+}  // namespace prs

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prs/case.h"
+#include "prs/contacts.h"
+#include "prs/life/capacity.h"
+#include "prs/life/load_history.h"
+#include "prs/life/rainflow.h"
+#include "prs/life/rating_life.h"
+#include "prs/preload/preload.h"
+
+namespace prs {
+
+/// Threads of one interface of one roller over the whole spectrum, thread 1 first. SI units.
+struct ThreadLives {
+  std::vector<double> equivalent_load;  ///< Axial, cubic mean over all revolutions [N].
+  std::vector<double> life;             ///< L10 of the thread on all rollers [revolutions].
+  std::vector<double> largest_load;     ///< Axial, under the largest force [N].
+  /// Of the axial load, over the cycles of the history [N]; empty without history.
+  std::vector<double> equivalent_range;
+};
+
+/// One sense of the load, whose flanks the other sense does not touch.
+struct FlankLife {
+  double revolutions = 0.0;    ///< Under this sense of the load.
+  double largest_force = 0.0;  ///< [N]
+  double mean_load = 0.0;      ///< Cubic mean over the revolutions of *both* senses [N].
+  double life = 0.0;           ///< L10 with the real thread loads [revolutions of both senses].
+  PerInterface<ThreadLives> threads;
+  PerInterface<std::optional<double>> peak_pressure;  ///< Under the largest force [Pa].
+  /// Force at which the most loaded thread reaches `kStaticPressureLimit` [N].
+  std::optional<double> static_capacity;
+  int solves = 0;                    ///< Equilibria found for it.
+  double interpolation_error = 0.0;  ///< Of thread loads between them, relative.
+};
+
+/// What was counted of a history.
+struct LoadCycles {
+  std::vector<Cycle> cycles;
+  CycleMatrix matrix;
+  double equivalent_range = 0.0;  ///< [N]
+};
+
+/// The thread that fails first, of those that turn under load.
+struct WeakestThread {
+  Direction direction = Direction::tension;
+  Interface interface = Interface::screw;
+  std::size_t thread = 0;
+  double equivalent_load = 0.0;
+  double life = 0.0;
+};
+
+/// Everything that `analyze_life` computes. SI units; lives in revolutions.
+struct LifeResult {
+  Life life;
+  Contacts contacts;
+  ModelOptions model;
+  std::optional<LemorCapacity> lemor;  ///< Absent where the case states the capacity.
+  double dynamic_capacity = 0.0;
+  Interval dynamic_capacity_range;
+  PerInterface<double> failure_shares;
+  double element_ratio = 0.0;  ///< gamma = d_r cos(alpha)/(2 c)
+
+  std::vector<LoadStep> steps;  ///< Of the history or the spectrum.
+  std::optional<LoadHistory> history;
+  double revolutions = 0.0;               ///< Of all steps; 1 where they are shares.
+  bool revolutions_known = true;          ///< Not where the spectrum states shares.
+  std::optional<double> duration;         ///< Of one pass [s].
+  std::optional<double> revolution_rate;  ///< Mean, to turn lives into hours [1/s].
+  double mean_load = 0.0;                 ///< Cubic mean of all loads [N].
+  double largest_force = 0.0;             ///< [N]
+
+  double catalogue_life = 0.0;     ///< (C_a/F_m)^3, one flank, equal shares.
+  double equal_shares_life = 0.0;  ///< Both flanks on their own, equal shares.
+  double system_life = 0.0;        ///< Both flanks on their own, real thread loads.
+  std::optional<WeakestThread> weakest;
+  PerDirection<std::optional<FlankLife>> flanks;
+  /// Force at which equal thread loads reach `kStaticPressureLimit` [N].
+  std::optional<double> equal_shares_static_capacity;
+  std::optional<LoadCycles> cycles;
+
+  std::optional<std::string> failure;  ///< Why there are no lives: a load did not converge.
+  std::vector<std::string> warnings;
+
+  bool converged() const { return !failure; }
+  /// Smallest ratio of static capacity to largest force over both senses.
+  std::optional<double> static_safety() const;
+};
+
+/// Contacts -> capacity -> load distribution over the loads of the spectrum -> lives. Reads
+/// nothing, prints nothing. The case must have passed `check_case` and the requirements of `life`;
+/// `history` is given where the case has one. Throws CaseError where Lemor's factor is not known
+/// for the geometry, the loads need a thrust section that is not given, the screw never turns or
+/// never carries, or the geometry gives no contact.
+LifeResult analyze_life(const Case& c, std::optional<LoadHistory> history = {});
+
+}  // namespace prs

@@ -1,0 +1,59 @@
+#include "prs/life/load_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace prs {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+}  // namespace
+
+std::optional<double> duration(const LoadHistory& h) {
+  if (!h.time.empty()) return h.time.back() - h.time.front();
+  if (!h.interval || h.force.empty()) return std::nullopt;
+  return *h.interval * static_cast<double>(h.force.size() - 1);
+}
+
+std::vector<LoadStep> load_steps(const LoadHistory& h, double lead,
+                                 std::optional<double> operation_speed) {
+  const auto speed = [&](std::size_t k) {
+    return std::abs(h.speed.empty() ? operation_speed.value_or(0.0) : h.speed[k]);
+  };
+  const auto turned = [&](std::size_t k) {
+    if (!h.position.empty()) return std::abs(h.position[k] - h.position[k - 1]) / std::abs(lead);
+    const double time = h.time.empty() ? h.interval.value_or(0.0) : h.time[k] - h.time[k - 1];
+    return 0.5 * (speed(k - 1) + speed(k)) * time / kTurn;
+  };
+  std::vector<LoadStep> steps(h.force.size());
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    steps[k].axial_force = h.force[k];
+    if (k == 0) continue;
+    const double half = 0.5 * turned(k);
+    steps[k - 1].revolutions += half;
+    steps[k].revolutions += half;
+  }
+  return steps;
+}
+
+std::vector<LoadStep> load_steps(std::span<const SpectrumLoad> spectrum, double lead,
+                                 std::optional<double> operation_speed) {
+  double shares = 0.0;
+  for (const SpectrumLoad& l : spectrum) shares += l.share.value_or(0.0);
+  std::vector<LoadStep> steps;
+  for (const SpectrumLoad& l : spectrum) {
+    LoadStep step;
+    step.axial_force = l.direction == Direction::tension ? l.force : -l.force;
+    if (l.revolutions) step.revolutions = *l.revolutions;
+    if (l.distance) step.revolutions = *l.distance / std::abs(lead);
+    if (l.duration)
+      step.revolutions = *l.duration * std::abs(operation_speed.value_or(0.0)) / kTurn;
+    if (l.share) step.revolutions = *l.share / shares;
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+}  // namespace prs

@@ -1,0 +1,66 @@
+#include "prs/output/csv_writer.h"
+#include "prs/output/life_files.h"
+
+namespace prs {
+
+std::string life_threads_csv(const LifeResult& r) {
+  CsvWriter csv;
+  for (const char* key : {"direction", "interface", "thread", "equivalent_load_N",
+                          "l10_revolutions", "largest_load_N", "equivalent_range_N"})
+    csv.text(key);
+  csv.end_row();
+  for (const Direction d : kDirections) {
+    if (!r.flanks[d]) continue;
+    for (const Interface i : kInterfaces) {
+      const ThreadLives& t = r.flanks[d]->threads[i];
+      for (std::size_t k = 0; k < t.life.size(); ++k) {
+        csv.text(name(d));
+        csv.text(name(i));
+        csv.integer(k + 1);
+        csv.number(t.equivalent_load[k]);
+        csv.number(t.life[k]);
+        csv.number(t.largest_load[k]);
+        csv.number(t.equivalent_range.empty() ? std::nullopt
+                                              : std::optional(t.equivalent_range[k]));
+        csv.end_row();
+      }
+    }
+  }
+  return csv.take();
+}
+
+std::string cycles_csv(const LoadCycles& cycles) {
+  CsvWriter csv;
+  for (const char* key : {"range_N", "mean_N", "count", "start_sample", "end_sample"})
+    csv.text(key);
+  csv.end_row();
+  for (const Cycle& c : cycles.cycles) {
+    csv.number(c.range());
+    csv.number(c.mean());
+    csv.number(c.count);
+    csv.integer(c.start.index + 1);
+    csv.integer(c.end.index + 1);
+    csv.end_row();
+  }
+  return csv.take();
+}
+
+std::string cycle_matrix_csv(const CycleMatrix& m) {
+  CsvWriter csv;
+  for (const char* key : {"range_from_N", "range_to_N", "mean_from_N", "mean_to_N", "count"})
+    csv.text(key);
+  csv.end_row();
+  for (int i = 0; i < m.bins; ++i)
+    for (int k = 0; k < m.bins; ++k) {
+      if (m.at(i, k) == 0.0) continue;
+      csv.number(i * m.range_width());
+      csv.number((i + 1) * m.range_width());
+      csv.number(m.mean_from + k * m.mean_width());
+      csv.number(m.mean_from + (k + 1) * m.mean_width());
+      csv.number(m.at(i, k));
+      csv.end_row();
+    }
+  return csv.take();
+}
+
+}  // namespace prs

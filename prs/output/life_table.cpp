@@ -1,0 +1,135 @@
+#include "prs/output/life_table.h"
+
+#include <fmt/format.h>
+
+#include "prs/analyze.h"
+#include "prs/output/case_table.h"
+#include "prs/output/life_units.h"
+#include "prs/output/model_summary.h"
+#include "prs/output/text.h"
+#include "prs/output/units.h"
+
+namespace prs {
+namespace {
+
+std::string line(std::string_view what, const std::string& value) {
+  return fmt::format("  {:<38} {}\n", what, value);
+}
+
+std::string kilonewtons(std::optional<double> force) {
+  return force ? fmt::format("{:.2f} kN", *force * per_si::kilonewton) : std::string(kAbsent);
+}
+
+std::string cell(std::optional<double> value, double factor = 1.0) {
+  return value && std::isfinite(*value) ? fmt::format("{:.4g}", *value * factor)
+                                        : std::string(kAbsent);
+}
+
+std::string columns(const std::string& first, std::initializer_list<std::string> cells) {
+  std::string text = "  " + padded(first, 38, true);
+  for (const std::string& c : cells) text += padded(c, 14, false);
+  return text + '\n';
+}
+
+std::string life_row(const LifeResult& r, const std::string& what, double revolutions) {
+  const LifeInUse life = in_use(r, revolutions);
+  return columns(what, {cell(life.revolutions, 1e-6), cell(life.hours), cell(life.travel, 1e-3),
+                        cell(life.passes)});
+}
+
+std::string lives(const LifeResult& r) {
+  const bool solved = r.life.share == LoadCase::Share::solved;
+  std::string text = columns(
+      "Life L10", {"million rev.", "hours", "travel, km", r.history ? "histories" : "spectra"});
+  text += life_row(r, solved ? "mechanism, real thread loads" : "mechanism, equal thread loads",
+                   r.system_life);
+  for (const Direction d : kDirections)
+    if (r.flanks[d])
+      text += life_row(r, fmt::format("  {} flanks alone", name(d)), r.flanks[d]->life);
+  if (solved) text += life_row(r, "mechanism, equal thread loads", r.equal_shares_life);
+  text += life_row(r, "catalogue formula (C_a/F_m)^3", r.catalogue_life);
+  if (r.weakest)
+    text += life_row(r,
+                     fmt::format("thread {} at the {}, {}", r.weakest->thread + 1,
+                                 name(r.weakest->interface), name(r.weakest->direction)),
+                     r.weakest->life);
+  return text;
+}
+
+std::string capacities(const LifeResult& r) {
+  std::string text;
+  const Interval& range = r.dynamic_capacity_range;
+  text +=
+      line("dynamic capacity C_a",
+           r.lemor ? fmt::format("{} ({:.2f} to {:.2f} kN by the range of Lemor's factor)",
+                                 kilonewtons(r.dynamic_capacity), range.least * per_si::kilonewton,
+                                 range.greatest * per_si::kilonewton)
+                   : fmt::format("{} (given)", kilonewtons(r.dynamic_capacity)));
+  if (r.lemor && std::isfinite(r.system_life)) {
+    const auto scaled = [&](double capacity) {
+      return 1e-6 * r.system_life * std::pow(capacity / r.dynamic_capacity, kLifeExponent);
+    };
+    text += line("life of the mechanism by that range",
+                 fmt::format("{:.4g} to {:.4g} million revolutions", scaled(range.least),
+                             scaled(range.greatest)));
+  }
+  text += line("mean load F_m", kilonewtons(r.mean_load));
+  text += line("largest force", kilonewtons(r.largest_force));
+  if (r.life.static_capacity)
+    text += line("static capacity C_0", kilonewtons(r.life.static_capacity) + " (given)");
+  if (r.equal_shares_static_capacity) {
+    std::string real;
+    for (const Direction d : kDirections)
+      if (r.flanks[d])
+        real += fmt::format("{}{} in {}", real.empty() ? "" : ", ",
+                            kilonewtons(r.flanks[d]->static_capacity), name(d));
+    text += line(fmt::format("force that gives {:.1f} GPa", kStaticPressureLimit * 1e-9), real);
+    text += line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
+  }
+  text += line("static safety", r.static_safety() ? fmt::format("{:.2f}", *r.static_safety())
+                                                  : std::string(kAbsent));
+  return text;
+}
+
+std::string loads(const LifeResult& r) {
+  std::string text;
+  if (r.revolutions_known)
+    text += line("revolutions, travel",
+                 fmt::format("{:.6g}, {:.4g} m", r.revolutions,
+                             r.revolutions * std::abs(r.contacts.mechanism.lead)));
+  if (r.duration) text += line("duration", fmt::format("{:.4g} h", *r.duration / 3600.0));
+  for (const Direction d : kDirections)
+    if (const auto& f = r.flanks[d])
+      text += line(
+          fmt::format("{}", name(d)),
+          fmt::format(
+              "{:.1f} % of the revolutions, up to {}, peak pressure {} MPa",
+              100.0 * f->revolutions / r.revolutions, kilonewtons(f->largest_force),
+              cell(std::max(f->peak_pressure.screw, f->peak_pressure.nut), per_si::megapascal)));
+  if (r.cycles)
+    text += line("load cycles (rainflow)",
+                 fmt::format("{:.1f}, equivalent range {} at slope {:g}, largest {}",
+                             count(r.cycles->cycles), kilonewtons(r.cycles->equivalent_range),
+                             r.life.fatigue_slope, kilonewtons(r.cycles->matrix.range_to)));
+  return text;
+}
+
+}  // namespace
+
+std::string life_table(const LifeResult& r) {
+  std::string text;
+  if (r.converged())
+    text += lives(r) + '\n' + capacities(r) + '\n' +
+            (r.history ? fmt::format("History of {} samples\n", r.steps.size())
+                       : fmt::format("Spectrum of {} loads\n", r.steps.size())) +
+            loads(r);
+  else
+    text += fmt::format("NOT CONVERGED: {}\n", *r.failure);
+  if (r.warnings.empty()) return text;
+  text += "\nWarnings\n";
+  for (const std::string& warning : r.warnings)
+    text += wrapped(printable(warning), "  ", kTableWidth);
+  return text;
+}
+
+}  // namespace prs

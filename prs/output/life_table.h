@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "prs/life/analyze_life.h"
+
+namespace prs {
+
+/// How long the mechanism lasts, what decides it and the static safety, within 110 columns.
+std::string life_table(const LifeResult& result);
+
+}  // namespace prs

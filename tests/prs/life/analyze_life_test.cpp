@@ -1,0 +1,388 @@
+#include "prs/life/analyze_life.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <random>
+
+#include "prs/analyze.h"
+#include "prs/case_error.h"
+#include "prs/input/reader.h"
+#include "prs/output/life_figures.h"
+#include "prs/output/life_files.h"
+#include "prs/output/life_table.h"
+#include "prs/output/text.h"
+#include "tests/prs/input/abevi.h"
+#include "tests/prs/output/parsed_csv.h"
+
+namespace prs {
+namespace {
+
+constexpr double kLead = 5e-3;
+constexpr int kRollers = 11, kThreads = 20;
+
+/// The screw of Abevi 2015 in CONFIG 2 with a block `life`.
+Case life_case(const std::string& life, const std::vector<std::string>& overrides = {}) {
+  return input::read_case_text(input::kAbevi + "life: " + life + "\n", "test.yaml", overrides,
+                               Command::life);
+}
+
+std::string spectrum(const std::string& loads, const std::string& more = "") {
+  return "{position: 29.1666667 mm, spectrum: [" + loads + "]" + more + "}";
+}
+
+const std::string kMixed = R"({force: 4 kN, direction: tension, revolutions: 5e4},
+  {force: 30 kN, direction: tension, revolutions: 1e3},
+  {force: 12 kN, direction: compression, revolutions: 2e4},
+  {force: 18 kN, direction: tension, revolutions: 7e3})";
+
+/// A file's forces, each over the same way.
+LoadHistory history(std::vector<double> force) {
+  LoadHistory h;
+  for (std::size_t k = 0; k < force.size(); ++k)
+    h.position.push_back(1e-3 * static_cast<double>(k));
+  h.force = std::move(force);
+  return h;
+}
+
+Case history_case() {
+  return life_case(
+      "{position: 29.1666667 mm, history: {file: f.csv, force: {column: F, unit: N}, "
+      "position: {column: x, unit: m}}}");
+}
+
+TEST(AnalyzeLife, EqualSharesGiveTheCatalogueLife) {
+  const LifeResult r = analyze_life(
+      life_case(spectrum("{force: 12 kN, direction: tension, revolutions: 10}", ", share: equal")));
+  ASSERT_TRUE(r.converged());
+  EXPECT_NEAR(r.mean_load, 12e3, 1e-9);
+  EXPECT_NEAR(r.system_life / rating_life(r.dynamic_capacity, 12e3), 1.0, 1e-13);
+  EXPECT_NEAR(r.system_life / r.catalogue_life, 1.0, 1e-13);
+  for (const Interface i : kInterfaces)
+    for (const double load : r.flanks.tension->threads[i].equivalent_load)
+      EXPECT_NEAR(load, 12e3 / (kRollers * kThreads), 1e-11);
+  EXPECT_FALSE(r.flanks.compression);
+}
+
+TEST(AnalyzeLife, BothFlanksFailOnTheirOwn) {
+  const LifeResult r =
+      analyze_life(life_case(spectrum("{force: 12 kN, direction: tension, share: 0.5},"
+                                      "{force: 12 kN, direction: compression, share: 0.5}",
+                                      ", share: equal")));
+  // Each flank lives twice as long as under the load of all revolutions: 2 * 2^(-9/10).
+  EXPECT_NEAR(r.system_life / r.catalogue_life, std::pow(2.0, 0.1), 1e-13);
+  EXPECT_FALSE(r.revolutions_known);
+  EXPECT_EQ(r.revolutions, 1.0);
+}
+
+/// The same from every load's equilibrium on its own, by `analyze`, in the words of ISO/TS 16281.
+struct Direct {
+  double life = 0.0;
+  PerInterface<std::vector<double>> equivalent;
+};
+
+Direct direct(const LifeResult& r, Case c, Direction d) {
+  std::vector<double> cubes(2 * kThreads, 0.0);
+  for (const LoadStep& s : r.steps) {
+    const double force = d == Direction::tension ? s.axial_force : -s.axial_force;
+    if (force <= 0.0) continue;
+    LoadCase load;
+    load.axial_force = force;
+    load.direction = d;
+    load.position = c.life->position;
+    c.load_cases = {load};
+    const Result solved = analyze(c);
+    for (const Interface i : kInterfaces)
+      for (std::size_t k = 0; k < kThreads; ++k)
+        cubes[k + (i == Interface::nut ? kThreads : 0)] +=
+            std::pow((*solved.load_cases[0].threads)[i].axial_load[k], 3) * s.revolutions;
+  }
+  Direct answer;
+  double hazard = 0.0;
+  for (const Interface i : kInterfaces)
+    for (std::size_t k = 0; k < kThreads; ++k) {
+      const double load =
+          std::cbrt(cubes[k + (i == Interface::nut ? kThreads : 0)] / r.revolutions);
+      answer.equivalent[i].push_back(load);
+      // Capacity of a contact: C_a over the contacts, with the share of its ring.
+      const double capacity = r.dynamic_capacity / (kRollers * kThreads) *
+                              std::pow(kThreads / r.failure_shares[i], 0.3);
+      hazard += std::pow(1e6 * std::pow(capacity / load, 3), -10.0 / 9);
+    }
+  answer.life = std::pow(hazard, -0.9);
+  return answer;
+}
+
+TEST(AnalyzeLife, TakesThreadLoadsAtEveryLoad) {
+  const Case c = life_case(spectrum(kMixed));
+  const LifeResult r = analyze_life(c);
+  ASSERT_TRUE(r.converged());
+  for (const Direction d : kDirections) {
+    const Direct expected = direct(r, c, d);
+    const FlankLife& flank = *r.flanks[d];
+    EXPECT_NEAR(flank.life / expected.life, 1.0, 1e-7);
+    for (const Interface i : kInterfaces)
+      for (std::size_t k = 0; k < kThreads; ++k)
+        EXPECT_NEAR(flank.threads[i].equivalent_load[k] / expected.equivalent[i][k], 1.0, 1e-8);
+  }
+  const double lives[] = {r.flanks.tension->life, r.flanks.compression->life};
+  EXPECT_NEAR(r.system_life / combined_life(lives), 1.0, 1e-14);
+  EXPECT_LT(r.system_life, r.equal_shares_life);
+}
+
+TEST(AnalyzeLife, OfARandomHistoryIsThatOfItsSamples) {
+  std::mt19937 random(8);
+  std::normal_distribution<double> force(2e3, 6e3);
+  std::vector<double> forces(60);
+  for (double& f : forces) f = force(random);
+  const Case c = history_case();
+  const LifeResult r = analyze_life(c, history(forces));
+  for (const Direction d : kDirections)
+    EXPECT_NEAR(r.flanks[d]->life / direct(r, c, d).life, 1.0, 1e-7);
+}
+
+TEST(AnalyzeLife, WeakestThreadHasTheShortestLife) {
+  const LifeResult r = analyze_life(life_case(spectrum(kMixed)));
+  ASSERT_TRUE(r.weakest);
+  EXPECT_EQ(r.weakest->direction, Direction::tension);
+  EXPECT_EQ(r.weakest->interface, Interface::screw);
+  EXPECT_EQ(r.weakest->thread, 0u);
+  for (const Direction d : kDirections)
+    for (const Interface i : kInterfaces)
+      for (const double life : r.flanks[d]->threads[i].life) EXPECT_GE(life, r.weakest->life);
+}
+
+TEST(AnalyzeLife, CatalogueLifeFollowsTheMeanLoad) {
+  const LifeResult r = analyze_life(life_case(spectrum(kMixed)));
+  const double mean = std::cbrt((5e4 * 64 + 1e3 * 27000 + 2e4 * 1728 + 7e3 * 5832) / 78e3) * 1e3;
+  EXPECT_NEAR(r.mean_load, mean, 1e-9 * mean);
+  EXPECT_NEAR(r.catalogue_life, 1e6 * std::pow(r.dynamic_capacity / mean, 3), 1e-3);
+  EXPECT_EQ(r.revolutions, 78e3);
+}
+
+TEST(AnalyzeLife, StaticCapacityGivesTheLimitPressure) {
+  const Case c = life_case(spectrum(kMixed));
+  const LifeResult r = analyze_life(c);
+  for (const Direction d : kDirections) {
+    Case at_capacity = c;
+    LoadCase load;
+    load.axial_force = *r.flanks[d]->static_capacity;
+    load.direction = d;
+    load.position = c.life->position;
+    at_capacity.load_cases = {load};
+    const Result solved = analyze(at_capacity);
+    double pressure = 0.0;
+    for (const Interface i : kInterfaces)
+      for (const double p : (*solved.load_cases[0].threads)[i].peak_pressure)
+        pressure = std::max(pressure, p);
+    EXPECT_NEAR(pressure / kStaticPressureLimit, 1.0, 1e-9);
+  }
+  EXPECT_NEAR(*r.static_safety(),
+              std::min(*r.flanks.tension->static_capacity / 30e3,
+                       *r.flanks.compression->static_capacity / 12e3),
+              1e-12);
+}
+
+TEST(AnalyzeLife, StaticCapacityOfEqualSharesScalesWithTheCubeOfPressure) {
+  const LifeResult r = analyze_life(
+      life_case(spectrum("{force: 10 kN, direction: tension, share: 1}", ", share: equal")));
+  const FlankLife& flank = *r.flanks.tension;
+  const double pressure = std::max(*flank.peak_pressure.screw, *flank.peak_pressure.nut);
+  const double expected = 10e3 * std::pow(kStaticPressureLimit / pressure, 3);
+  EXPECT_NEAR(*r.equal_shares_static_capacity / expected, 1.0, 1e-12);
+  EXPECT_NEAR(*flank.static_capacity / expected, 1.0, 1e-9);
+}
+
+TEST(AnalyzeLife, CapacitiesOfACatalogueComeFirst) {
+  const LifeResult r = analyze_life(
+      life_case(spectrum("{force: 10 kN, direction: tension, share: 1}",
+                         ", share: equal, dynamic_capacity: 50 kN, static_capacity: 90 kN")));
+  EXPECT_FALSE(r.lemor);
+  EXPECT_NEAR(r.system_life, 125e6, 1e-5);
+  EXPECT_NEAR(*r.static_safety(), 9.0, 1e-14);
+}
+
+TEST(AnalyzeLife, HoursFollowTheMissionOrTheSpeed) {
+  const std::string loads =
+      "{force: 10 kN, direction: tension, duration: 2 h},"
+      "{force: 5 kN, direction: tension, duration: 1 h}";
+  const LifeResult timed = analyze_life(life_case(spectrum(loads), {"operation={speed: 300 rpm}"}));
+  EXPECT_NEAR(timed.revolutions, 54e3, 1e-8);
+  EXPECT_NEAR(*timed.duration, 10800.0, 1e-9);
+  EXPECT_NEAR(*timed.revolution_rate, 5.0, 1e-12);
+  const LifeResult untimed = analyze_life(life_case(spectrum(kMixed)));
+  EXPECT_FALSE(untimed.revolution_rate);
+  EXPECT_FALSE(untimed.duration);
+}
+
+TEST(AnalyzeLife, RestUnderLoadCostsNoLife) {
+  const double life = analyze_life(history_case(), history({8e3, 8e3, 8e3})).system_life;
+  LoadHistory resting = history({8e3, 8e3, 8e3, 8e3, 20e3});
+  resting.position = {0.0, 1e-3, 2e-3, 2e-3, 2e-3};
+  const LifeResult r = analyze_life(history_case(), resting);
+  EXPECT_NEAR(r.system_life / life, 1.0, 1e-7);
+  EXPECT_EQ(r.largest_force, 20e3);
+}
+
+TEST(AnalyzeLife, LoadsAtRestAloneWearNothing) {
+  LoadHistory h = history({0.0, 0.0, 0.0, 9e3, -9e3});
+  h.position = {0.0, 1e-3, 2e-3, 2e-3, 2e-3};
+  const LifeResult r = analyze_life(history_case(), h);
+  EXPECT_TRUE(std::isinf(r.system_life));
+  EXPECT_FALSE(r.weakest);
+  EXPECT_GT(*r.static_safety(), 1.0);
+  EXPECT_FALSE(life_json(r, {})["life"]["system"].contains("l10_revolutions"));
+  EXPECT_EQ(life_figures(r).size(), 2u);
+}
+
+TEST(AnalyzeLife, EquivalentRangesAreThoseOfTheThreadLoads) {
+  // One full swing between 5 kN of compression and 15 kN of tension: two halves.
+  const LifeResult r = analyze_life(history_case(), history({-5e3, 15e3, -5e3}));
+  ASSERT_TRUE(r.cycles);
+  EXPECT_EQ(count(r.cycles->cycles), 1.0);
+  EXPECT_NEAR(r.cycles->equivalent_range, 20e3, 1e-9);
+  for (const Direction d : kDirections)
+    for (const Interface i : kInterfaces)
+      for (std::size_t k = 0; k < kThreads; ++k)
+        // Each flank is loaded from nothing to its largest load.
+        EXPECT_NEAR(
+            r.flanks[d]->threads[i].equivalent_range[k] / r.flanks[d]->threads[i].largest_load[k],
+            1.0, 1e-12);
+}
+
+TEST(AnalyzeLife, ThreadLoadsSumToTheForce) {
+  const LifeResult r = analyze_life(life_case(spectrum(kMixed)));
+  for (const Interface i : kInterfaces) {
+    const std::vector<double>& loads = r.flanks.tension->threads[i].largest_load;
+    EXPECT_NEAR(std::accumulate(loads.begin(), loads.end(), 0.0), 30e3 / kRollers, 1e-6);
+  }
+}
+
+/// Path and message of what a case is refused for.
+std::pair<std::string, std::string> refused(const Case& c, std::optional<LoadHistory> h = {}) {
+  try {
+    analyze_life(c, std::move(h));
+  } catch (const CaseError& error) {
+    return {error.path(), error.what()};
+  }
+  return {};
+}
+
+TEST(AnalyzeLife, RefusesLoadsWithoutLife) {
+  LoadHistory still = history({1e3, 2e3});
+  still.position = {0.0, 0.0};
+  EXPECT_THAT(refused(history_case(), still).second, testing::HasSubstr("does not turn"));
+  EXPECT_THAT(refused(history_case(), history({0.0, 0.0})).second,
+              testing::HasSubstr("no load other than 0"));
+  Case c = history_case();
+  c.structure->nut.thrust.compression.reset();
+  EXPECT_EQ(refused(c, history({1e3, -1e3})).first, "structure.nut.thrust.compression");
+  EXPECT_EQ(refused(c, history({1e3, 0.0})).first, "");
+}
+
+TEST(AnalyzeLife, RefusesRatiosBeyondTheFactorUnlessTheCapacityIsGiven) {
+  Case c = life_case(spectrum("{force: 10 kN, direction: tension, share: 1}", ", share: equal"));
+  // Rollers three times as thick as the screw: d_r cos(alpha)/d_n = 0.303.
+  c.mechanism.rollers = 2;
+  c.mechanism.pitch_diameter = {21e-3, 63e-3, 147e-3};
+  c.mechanism.centre_distance = 42e-3;
+  c.structure->nut.outer_diameter = 170e-3;
+  c.structure->nut.flanges.clear();
+  EXPECT_EQ(refused(c).first, "mechanism.pitch_diameter.roller");
+  c.life->dynamic_capacity = 50e3;
+  EXPECT_EQ(refused(c).first, "");
+}
+
+TEST(AnalyzeLife, WarnsOfLoadsBeyondTheFormula) {
+  const LifeResult r =
+      analyze_life(life_case(spectrum("{force: 60 kN, direction: tension, share: 1}")));
+  EXPECT_THAT(r.warnings, testing::Contains(testing::HasSubstr("exceeds 4.0 GPa")));
+  EXPECT_THAT(r.warnings, testing::Contains(testing::HasSubstr("93 % of the dynamic capacity")));
+}
+
+/// Paths that a case text is refused for.
+std::string input_error(const std::string& life, const std::vector<std::string>& set = {}) {
+  try {
+    life_case(life, set);
+  } catch (const input::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(LifeInput, SaysWhatIsWrongWithASpectrum) {
+  using testing::HasSubstr;
+  EXPECT_THAT(input_error("{position: 10 mm}"), HasSubstr("life.spectrum: missing"));
+  EXPECT_THAT(input_error(spectrum("{force: 1 kN, direction: tension}")),
+              HasSubstr("life.spectrum[0].share: missing"));
+  EXPECT_THAT(
+      input_error(spectrum("{force: 1 kN, direction: tension, share: 0.5, revolutions: 3}")),
+      HasSubstr("life.spectrum[0].share"));
+  EXPECT_THAT(input_error(spectrum("{force: 1 kN, direction: tension, share: 0.5},"
+                                   "{force: 1 kN, direction: tension, revolutions: 3}")),
+              HasSubstr("life.spectrum[1]: mixes `share`"));
+  EXPECT_THAT(input_error(spectrum("{force: 1 kN, direction: tension, share: 0.5}")),
+              HasSubstr("life.spectrum: got shares with the sum 0.5"));
+  EXPECT_THAT(input_error(spectrum("{force: 1 kN, direction: tension, duration: 1 h}")),
+              HasSubstr("life.spectrum[0].duration: got a duration without speed"));
+  EXPECT_THAT(input_error(spectrum("{force: -1 kN, direction: tension, share: 1}")),
+              HasSubstr("life.spectrum[0].force: got -1 kN"));
+  EXPECT_THAT(input_error("{spectrum: [{force: 1 kN, direction: tension, share: 1}]}"),
+              HasSubstr("life.position: missing"));
+  EXPECT_THAT(input_error("{position: 80 mm, spectrum: [{force: 1 kN, direction: tension, "
+                          "share: 1}]}"),
+              HasSubstr("life.position: got 80 mm; expected 0 mm to 58.33333 mm"));
+  EXPECT_THAT(input_error(spectrum("{force: 1 kN, direction: tension, share: 1}"),
+                          {"structure.nut.thrust={compression: 80 mm}",
+                           "load_cases=[{axial_force: 1 kN, share: equal}]"}),
+              HasSubstr("structure.nut.thrust.tension: missing"));
+}
+
+TEST(LifeInput, SaysWhatAHistoryLacks) {
+  using testing::HasSubstr;
+  const std::string head = "{position: 10 mm, history: {file: f.csv, force: {column: F, unit: N}";
+  EXPECT_THAT(input_error(head + "}}"),
+              HasSubstr("life.history: got neither `position` nor a clock"));
+  EXPECT_THAT(input_error(head + ", interval: 1 s}}"),
+              HasSubstr("life.history: got neither `position` nor a speed"));
+  EXPECT_THAT(input_error(head + ", interval: 1 s, time: {column: t, unit: s}}}"),
+              HasSubstr("life.history.interval"));
+  EXPECT_EQ(input_error(head + ", interval: 1 s}}", {"operation={speed: 100 rpm}"}), "no error");
+  EXPECT_EQ(input_error(head + ", position: {column: x, unit: mm}}}"), "no error");
+}
+
+TEST(LifeOutput, SaysTheSameInEveryForm) {
+  const LifeResult r =
+      analyze_life(history_case(), history({1e3, 15e3, -4e3, 9e3, 2e3, 12e3, -8e3, 0.0}));
+  const auto json = life_json(r, {})["life"];
+  EXPECT_NEAR(json["system"]["l10_revolutions"].get<double>(), r.system_life, 1.0);
+  EXPECT_NEAR(json["system"]["l10_travel_km"].get<double>(), r.system_life * kLead * 1e-3, 1e-6);
+  EXPECT_NEAR(json["system"]["l10_passes"].get<double>(), r.system_life / 1.4, 1e-3);
+  EXPECT_FALSE(json["system"].contains("l10_hours"));
+  const auto range = json["system"]["l10_revolutions_range"];
+  EXPECT_LT(range[0].get<double>(), r.system_life);
+  EXPECT_GT(range[1].get<double>(), r.system_life);
+  double counted = 0.0;
+  for (const auto& row : json["cycles"]["matrix"]["count"])
+    for (const auto& n : row) counted += n.get<double>();
+  EXPECT_EQ(counted, json["cycles"]["count"].get<double>());
+  EXPECT_EQ(json["tension"]["screw"]["equivalent_load_N"].size(), kThreads);
+
+  const auto threads = test::parse_fields(life_threads_csv(r));
+  EXPECT_EQ(threads.size(), 1u + 2 * 2 * kThreads);
+  EXPECT_EQ(test::parse_fields(cycles_csv(*r.cycles)).size(), 1 + r.cycles->cycles.size());
+  const std::string table = life_table(r);
+  EXPECT_THAT(table, testing::HasSubstr("mechanism, real thread loads"));
+  for (std::size_t begin = 0; begin < table.size();) {
+    const std::size_t end = table.find('\n', begin);
+    EXPECT_LE(width(table.substr(begin, end - begin)), 110u);
+    begin = end + 1;
+  }
+  EXPECT_EQ(life_figures(r).size(), 4u);
+}
+
+}  // namespace
+}  // namespace prs

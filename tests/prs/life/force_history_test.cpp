@@ -1,0 +1,122 @@
+#include "prs/input/force_history.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "tests/prs/output/temporary_directory.h"
+
+namespace prs::input {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const Source kSource = {"dir/case.yaml",
+                        "life:\n"
+                        "  history:\n"
+                        "    file: flight.csv\n"
+                        "    force: {column: load, unit: kN}\n"
+                        "    time: {column: t, unit: ms}\n"
+                        "    speed: {column: n, unit: rpm}\n",
+                        {}};
+
+HistorySource wanted() {
+  HistorySource h;
+  h.file = "flight.csv";
+  h.force = {"load", "kN"};
+  h.time = CsvColumn{"t", "ms"};
+  h.speed = CsvColumn{"n", "rpm"};
+  return h;
+}
+
+LoadHistory parse(const std::string& text, const HistorySource& history = wanted()) {
+  return parse_force_history(text, "dir/flight.csv", history, kSource);
+}
+
+std::string error_of(const std::string& text, const HistorySource& history = wanted()) {
+  try {
+    parse(text, history);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(ForceHistory, ReadsColumnsByNameInSiUnits) {
+  const LoadHistory h = parse("t,n,other,load\n0,60,x,1.5\n250,-30,,-2e1\n");
+  EXPECT_THAT(h.force, ElementsAre(1500.0, -20e3));
+  EXPECT_THAT(h.time, ElementsAre(0.0, 0.25));
+  EXPECT_THAT(h.speed, ElementsAre(testing::DoubleEq(2 * std::numbers::pi),
+                                   testing::DoubleEq(-std::numbers::pi)));
+  EXPECT_TRUE(h.position.empty());
+}
+
+TEST(ForceHistory, ReadsWhatSpreadsheetsWrite) {
+  const LoadHistory h = parse(
+      "\xEF\xBB\xBF# made by a test\r\n\r\n\"t\";\"load\"; n \r\n0; +1 ;\"60\"\r\n# half time\r\n"
+      "1;2;60\r\n  \r\n");
+  EXPECT_THAT(h.force, ElementsAre(1e3, 2e3));
+  EXPECT_THAT(parse("load\tn\tt\n1\t2\t3\n4\t5\t6").force, ElementsAre(1e3, 4e3));
+}
+
+TEST(ForceHistory, NamesFileLineAndValueOfWhatIsNoNumber) {
+  const std::string head = "# comment\nt,load,n\n0,1,2\n";
+  EXPECT_THAT(error_of(head + "1,abc,2\n"),
+              StartsWith("dir/flight.csv:4:3: error: load: got abc; expected a finite number"));
+  for (const char* value : {"nan", "inf", "-inf", "1e400", "1e31", "1 kN", "0x10", "--1", "1.2.3"})
+    EXPECT_THAT(error_of(head + "1," + value + ",2\n"),
+                StartsWith(std::string("dir/flight.csv:4:3: error: load: got ") + value + ";"));
+  EXPECT_THAT(error_of(head + "1,,2\n"), HasSubstr(":4:3: error: load: got nothing"));
+  EXPECT_THAT(error_of(head + "1,5\n"), HasSubstr(":4:4: error: n: got nothing"));
+  EXPECT_THAT(error_of("t;load;n\n0;1,5;2\n"),
+              AllOf(HasSubstr("flight.csv:2:3: error: load: got 1,5"), HasSubstr("as a point")));
+}
+
+TEST(ForceHistory, RefusesTimeThatRunsBackwards) {
+  EXPECT_THAT(error_of("load,n,t\n1,1,5\n1,1,5\n1,1,4\n"),
+              StartsWith("dir/flight.csv:4:5: error: t: got 4 ms; expected a time not before that "
+                         "of the sample above, 5 ms"));
+}
+
+TEST(ForceHistory, NamesTheInputWhereAColumnIsMissing) {
+  EXPECT_THAT(error_of("t,laod,n\n0,1,2\n"),
+              AllOf(StartsWith("dir/case.yaml:4:21: error: life.history.force.column: got load;"),
+                    HasSubstr("t, laod, n"), HasSubstr("did you mean `laod`?")));
+  EXPECT_THAT(error_of(""), StartsWith("dir/case.yaml:3:11: error: life.history.file:"));
+  EXPECT_THAT(error_of("load,t,n\n1,2,3\n"), HasSubstr("got 1 rows"));
+}
+
+TEST(ForceHistory, NamesTheInputWhereAUnitDoesNotFit) {
+  HistorySource h = wanted();
+  h.force.unit = "mm";
+  EXPECT_THAT(error_of("t,load,n\n0,1,2\n", h),
+              AllOf(StartsWith("dir/case.yaml:4:33: error: life.history.force.unit: got mm;"),
+                    HasSubstr("N, kN, MN")));
+}
+
+TEST(ForceHistory, StandsBesideTheInput) {
+  const test::TemporaryDirectory directory;
+  std::ofstream(directory.path() / "flight.csv") << "t,load,n\n0,1,2\n1,2,2\n";
+  Source source = kSource;
+  source.name = directory.path() / "case.yaml";
+  EXPECT_THAT(read_force_history(wanted(), source).force, ElementsAre(1e3, 2e3));
+
+  for (const char* file : {"missing.csv", ".", "\x01"}) {
+    HistorySource h = wanted();
+    h.file = file;
+    try {
+      read_force_history(h, source);
+      ADD_FAILURE() << file;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("case.yaml:3:11: error: life.history.file: got "));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace prs::input

@@ -1,0 +1,100 @@
+// `prs life` as a user runs it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "prs/life/rainflow.h"
+#include "tests/prs/output/temporary_directory.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+struct Outcome {
+  int status = -1;
+  std::string out, err;
+};
+
+class LifeCommand : public testing::Test {
+ protected:
+  test::TemporaryDirectory folder;
+
+  Outcome prs(const std::string& arguments) const {
+    const fs::path out = folder.path() / "stdout", err = folder.path() / "stderr";
+    const std::string command = "cd '" PRS_SOURCE_DIR "' && '" PRS_EXECUTABLE "' " + arguments +
+                                " >'" + out.string() + "' 2>'" + err.string() + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, test::content_of(out),
+            test::content_of(err)};
+  }
+};
+
+TEST_F(LifeCommand, WritesWhatItPrints) {
+  const fs::path files = folder.path() / "out";
+  const Outcome run = prs("life configs/14_flight_spectrum.yaml --output '" + files.string() + "'");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("mechanism, real thread loads"));
+  for (const char* name :
+       {"life.json", "life_threads.csv", "cycles.csv", "cycle_matrix.csv", "plots/loads.gp",
+        "plots/rainflow.gp", "plots/thread_lives.gp", "plots/thread_loads.gp"})
+    EXPECT_TRUE(fs::exists(files / name)) << name;
+  const Outcome json = prs("life configs/14_flight_spectrum.yaml --json --quiet");
+  EXPECT_EQ(json.err, "");
+  EXPECT_EQ(nlohmann::json::parse(json.out),
+            nlohmann::json::parse(test::content_of(files / "life.json")));
+}
+
+/// The lesson's data are what the heading of its file says.
+TEST_F(LifeCommand, LessonHasTheDataOfItsHeading) {
+  std::vector<double> force;
+  double way = 0.0, before = 0.0;
+  for (int k = 0; k <= 7200; ++k) {
+    const double t = 0.5 * k;
+    const auto sine = [t](double period) { return std::sin(2 * M_PI * t / period); };
+    const double q = std::min({1.0, t / 300, (3600 - t) / 300});
+    const double x = 30 * sine(600) + 12 * sine(47) + 5 * sine(7.3) + 2 * sine(1.9);
+    force.push_back(1e3 * (q * (0.30 * x + 4 * sine(3.1) * sine(211) + 2) +
+                           0.8 * std::cos(2 * M_PI * t / 7.3)));
+    if (k > 0) way += std::abs(x - before);
+    before = x;
+  }
+  const auto json =
+      nlohmann::json::parse(prs("life configs/14_flight_spectrum.yaml --json").out)["life"];
+  // Printed to 0.1 N and 1 um.
+  EXPECT_NEAR(json["loads"]["travel_m"].get<double>(), way * 1e-3, 7200e-6);
+  EXPECT_NEAR(json["loads"]["largest_force_N"].get<double>(),
+              *std::max_element(force.begin(), force.end()), 0.06);
+  EXPECT_NEAR(json["cycles"]["count"].get<double>(), prs::count(prs::rainflow(force, 50.0)), 1.0);
+}
+
+TEST_F(LifeCommand, RefusesWhatIsWrongWhereItStands) {
+  const std::string lesson = "life configs/14_flight_spectrum.yaml --json ";
+  for (const auto& [set, message] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"--set life.history.file=missing.csv", "life.history.file: got missing.csv"},
+           {"--set life.history.force.unit=mm", "life.history.force.unit: got mm"},
+           {"--set life.history.force.column=forc", "did you mean `force_kN`?"},
+           {"--set life.position='70 mm'", "life.position"},
+           {"--set structure.nut.thrust='{tension: 10 mm}'",
+            "structure.nut.thrust.compression: missing"}}) {
+    const Outcome run = prs(lesson + set);
+    EXPECT_EQ(run.status, 2) << set;
+    EXPECT_EQ(run.out, "") << set;
+    EXPECT_THAT(run.err, HasSubstr(message)) << set;
+  }
+  EXPECT_EQ(prs("life configs/01_config_1_to_3.yaml").status, 2);
+}
+
+TEST_F(LifeCommand, OtherCommandsCheckTheBlock) {
+  EXPECT_EQ(prs("check configs/14_flight_spectrum.yaml").status, 0);
+  EXPECT_EQ(prs("check configs/14_flight_spectrum.yaml --set life.position='70 mm'").status, 2);
+}
+
+}  // namespace

@@ -1,0 +1,83 @@
+#include "prs/life/rating_life.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace prs {
+namespace {
+
+TEST(RatingLife, IsAMillionAtTheCapacity) {
+  EXPECT_EQ(rating_life(60e3, 60e3), 1e6);
+  EXPECT_EQ(rating_life(60e3, 30e3), 8e6);
+  EXPECT_TRUE(std::isinf(rating_life(60e3, 0.0)));
+}
+
+TEST(MeanLoad, IsTheCubicMeanOverRevolutions) {
+  const LoadStep same[] = {{5e3, 2.0}, {-5e3, 7.0}};
+  EXPECT_NEAR(mean_load(same), 5e3, 1e-9);
+  // Half of the way at 2, half without load: the cube is halved.
+  const LoadStep half[] = {{2.0, 10.0}, {0.0, 10.0}};
+  EXPECT_NEAR(mean_load(half), 2.0 / std::cbrt(2.0), 1e-14);
+  const LoadStep still[] = {{3.0, 1.0}, {100.0, 0.0}};
+  EXPECT_NEAR(mean_load(still), 3.0, 1e-14);
+  EXPECT_EQ(mean_load({}), 0.0);
+}
+
+TEST(MeanLoad, GivesTheLifeOfMinersSum) {
+  const LoadStep steps[] = {{10e3, 0.2}, {25e3, 0.5}, {-4e3, 0.3}};
+  double damage = 0.0;
+  for (const LoadStep& s : steps)
+    damage += s.revolutions / rating_life(60e3, std::abs(s.axial_force));
+  EXPECT_NEAR(rating_life(60e3, mean_load(steps)) * damage, 1.0, 1e-14);
+}
+
+/// Share that survives `revolutions` of what has the life L10.
+double survival(double revolutions, double life) {
+  return std::pow(0.9, std::pow(revolutions / life, kWeibullSlope));
+}
+
+TEST(CombinedLife, IsWhereNineOfTenHaveNoFailedPart) {
+  const double lives[] = {3e6, 8e6, 8e6, 50e6};
+  const double all = combined_life(lives);
+  double survived = 1.0;
+  for (const double life : lives) survived *= survival(all, life);
+  EXPECT_NEAR(survived, 0.9, 1e-15);
+}
+
+TEST(CombinedLife, LeavesOutWhatIsNotLoaded) {
+  const double lives[] = {HUGE_VAL, 3e6};
+  EXPECT_NEAR(combined_life(lives), 3e6, 1e-9);
+  const double none[] = {HUGE_VAL, HUGE_VAL};
+  EXPECT_TRUE(std::isinf(combined_life(none)));
+  EXPECT_TRUE(std::isinf(combined_life({})));
+}
+
+TEST(FailureShares, AreThoseOfTheRingsOfAThrustBallBearing) {
+  EXPECT_EQ(failure_shares(0.0).screw, 0.5);
+  const double gamma = 0.18;
+  const PerInterface<double> shares = failure_shares(gamma);
+  EXPECT_EQ(shares.screw + shares.nut, 1.0);
+  // ISO/TS 16281: Q_ci = C_a/(Z sin) (1 + x^(10/3))^(3/10), Q_ce = C_a/(Z sin) (1 +
+  // x^(-10/3))^(3/10); a ring's share in the failures is (Q_c sin Z/C_a)^(-10/3).
+  const double x = std::pow((1 - gamma) / (1 + gamma), 1.72);
+  const double inner = std::pow(1 + std::pow(x, 10.0 / 3), 0.3);
+  const double outer = std::pow(1 + std::pow(x, -10.0 / 3), 0.3);
+  EXPECT_NEAR(shares.screw, std::pow(inner, -10.0 / 3), 1e-15);
+  EXPECT_NEAR(shares.nut, std::pow(outer, -10.0 / 3), 1e-15);
+}
+
+TEST(ThreadLife, OfEqualThreadsCombinesToTheRatingLife) {
+  for (const int threads : {1, 7, 40})
+    for (const double gamma : {0.0, 0.1, 0.25}) {
+      const PerInterface<double> shares = failure_shares(gamma);
+      std::vector<double> lives;
+      for (const Interface i : kInterfaces)
+        for (int k = 0; k < threads; ++k)
+          lives.push_back(thread_life(64e3, 11e3, shares[i], threads));
+      EXPECT_NEAR(combined_life(lives) / rating_life(64e3, 11e3), 1.0, 1e-13);
+    }
+}
+
+}  // namespace
+}  // namespace prs
