@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "prs/deviations.h"
+#include "prs/life/life.h"
 #include "prs/load_case.h"
 #include "prs/materials.h"
 #include "prs/mechanism.h"
@@ -31,6 +32,7 @@ struct Case {
   ModelOptions model;
   std::vector<LoadCase> load_cases;
   std::optional<Preload> preload;
+  std::optional<Life> life;
   std::optional<Lubricant> lubricant;
   std::optional<Friction> friction;
   std::optional<Operation> operation;

@@ -52,6 +52,12 @@ void check_threads(const Mechanism& m, Problems& problems) {
           fmt::format("got {} with {} starts, an axial pitch of {}; expected a pitch of at "
                       "most twice each pitch diameter, one of which is {}; check the units",
                       mm(m.lead), m.starts.screw, mm(pitch), mm(*diameter)));
+    if (m.profile[part].shape == Profile::Shape::centred && (part == Part::nut || !diameter))
+      problems.add(
+          fmt::format("mechanism.profile.{}", name_of(part)),
+          fmt::format("got centred, an arc about the axis; expected it of {}; write the arc's "
+                      "radius, for example `{{convex: 6 mm}}`",
+                      part == Part::nut ? "screw or roller" : "a part with a pitch diameter"));
     if (m.pitch[part] && std::abs(*m.pitch[part] / pitch - 1.0) > 0.5)
       problems.add(
           fmt::format("mechanism.pitch.{}", name_of(part)),
@@ -107,26 +113,28 @@ void check_flanges(const Structure::Nut& nut, const std::optional<double>& pitch
   const double tolerance = kTolerance * nut.length;
   for (std::size_t i = 0; i < nut.flanges.size(); ++i) {
     const Structure::Flange& f = nut.flanges[i];
-    const std::string path = fmt::format("structure.nut.flanges[{}]", i);
+    const auto path = [i](std::string_view key) {
+      return fmt::format("structure.nut.flanges[{}].{}", i, key);
+    };
     if (!(f.from < f.to))
-      problems.add(path + ".to", fmt::format("got {}; expected a position beyond `from`, {}; swap "
-                                             "the two",
-                                             mm(f.to), mm(f.from)));
+      problems.add(path("to"), fmt::format("got {}; expected a position beyond `from`, {}; swap "
+                                           "the two",
+                                           mm(f.to), mm(f.from)));
     if (f.from < -tolerance)
-      problems.add(path + ".from",
-                   fmt::format("got {}; expected a position on the nut, 0 mm to {}; "
-                               "move the flange",
-                               mm(f.from), mm(nut.length)));
+      problems.add(path("from"), fmt::format("got {}; expected a position on the nut, 0 mm to {}; "
+                                             "move the flange",
+                                             mm(f.from), mm(nut.length)));
     if (f.to > nut.length + tolerance)
-      problems.add(path + ".to", fmt::format("got {}; expected a position on the nut, 0 mm to {}; "
-                                             "move the flange or lengthen the nut",
-                                             mm(f.to), mm(nut.length)));
+      problems.add(path("to"), fmt::format("got {}; expected a position on the nut, 0 mm to {}; "
+                                           "move the flange or lengthen the nut",
+                                           mm(f.to), mm(nut.length)));
     if (pitch_diameter && f.outer_diameter <= *pitch_diameter)
-      problems.add(path + ".outer_diameter",
+      problems.add(path("outer_diameter"),
                    fmt::format("got {}; expected more than the nut's pitch diameter, {}; check the "
                                "two diameters",
                                mm(f.outer_diameter), mm(*pitch_diameter)));
   }
+  if (nut.flanges.size() < 2) return;
   std::vector<std::size_t> order(nut.flanges.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return nut.flanges[i].from; });
@@ -497,27 +505,25 @@ void check_speed(const LoadCase& load, double speed, const Mechanism& m, Problem
 /// Errors of position beyond this share of the pitch are other threads, or other units.
 constexpr double kMostDeviation = 0.25;
 
-void check_pitch_error(const PitchError& e, const std::string& path, const Mechanism& m,
-                       Problems& problems) {
+void check_pitch_error(const PitchError& e, Part part, const Mechanism& m, Problems& problems) {
+  const auto path = [&] { return fmt::format("deviations.pitch_error.{}", name(part)); };
   const auto contacts = static_cast<std::size_t>(m.contacts_per_roller);
   if (!e.list.empty() && e.list.size() != contacts)
-    problems.add(path + ".list",
+    problems.add(path() + ".list",
                  fmt::format("got {} values; expected {}, one a contact of a roller", e.list.size(),
                              contacts));
   double largest = std::max(std::abs(e.linear), e.periodic ? std::abs(e.periodic->amplitude) : 0.0);
   for (const double value : e.list) largest = std::max(largest, std::abs(value));
   if (largest > kMostDeviation * axial_pitch(m))
-    problems.add(path, fmt::format("got up to {}; expected at most {}, a quarter of the pitch; "
-                                   "check the unit",
-                                   mm(largest), mm(kMostDeviation * axial_pitch(m))));
+    problems.add(path(), fmt::format("got up to {}; expected at most {}, a quarter of the pitch; "
+                                     "check the unit",
+                                     mm(largest), mm(kMostDeviation * axial_pitch(m))));
 }
 
 void check_deviations(const Case& c, Problems& problems) {
   const Deviations& d = c.deviations;
   const Mechanism& m = c.mechanism;
-  for (const Part part : kParts)
-    check_pitch_error(d.pitch_error[part], fmt::format("deviations.pitch_error.{}", name(part)), m,
-                      problems);
+  for (const Part part : kParts) check_pitch_error(d.pitch_error[part], part, m, problems);
   const std::pair<const char*, double> drops[] = {
       {"deviations.roller_diameter", d.roller_diameter},
       {"deviations.crowning", d.crowning},
@@ -615,6 +621,80 @@ void check_preload(const Case& c, Problems& problems) {
     check_distance(p, s, m, problems);
 }
 
+/// How long the loads of a spectrum act: all by shares, or none.
+void check_spectrum(const Case& c, Problems& problems) {
+  double shares = 0.0;
+  for (std::size_t i = 0; i < c.life->spectrum.size(); ++i) {
+    const SpectrumLoad& l = c.life->spectrum[i];
+    const std::string path = fmt::format("life.spectrum[{}]", i);
+    shares += l.share.value_or(0.0);
+    if (l.share.has_value() != c.life->spectrum.front().share.has_value())
+      problems.add(path,
+                   "mixes `share` with revolutions, distance or duration; expected shares of "
+                   "all loads, or of none; change one kind into the other");
+    if (l.duration && !(c.operation && c.operation->speed != 0.0))
+      problems.add(path + ".duration",
+                   "got a duration without speed; expected the speed that turns it into "
+                   "revolutions; add `operation: {speed: 400 rpm}`, for example");
+    LoadCase load;
+    load.name = path;
+    load.direction = l.direction;
+    if (c.structure && c.life->share == LoadCase::Share::solved)
+      check_thrust(load, c.structure->nut, problems);
+  }
+  if (c.life->spectrum.front().share && std::abs(shares - 1.0) > 1e-3)
+    problems.add("life.spectrum",
+                 fmt::format("got shares with the sum {:.6g}; expected 1, within 0.001; mend a "
+                             "share, or write revolutions",
+                             shares));
+}
+
+/// How far the screw turns between two samples.
+void check_history(const Case& c, Problems& problems) {
+  const HistorySource& h = *c.life->history;
+  if (h.position) return;
+  if (!h.time && !h.interval)
+    problems.add(
+        "life.history",
+        "got neither `position` nor a clock; expected how far the screw turns between two "
+        "samples; add `position: {column: .., unit: mm}`, or `time: {column: .., unit: s}` "
+        "or `interval: 10 ms`, for example");
+  else if (!h.speed && !(c.operation && c.operation->speed != 0.0))
+    problems.add("life.history",
+                 "got neither `position` nor a speed; expected how far the screw turns between two "
+                 "samples; add `speed: {column: .., unit: rpm}` or `operation: {speed: 400 rpm}`, "
+                 "for example");
+}
+
+void check_life(const Case& c, Problems& problems) {
+  if (c.structure && c.life->share == LoadCase::Share::solved) {
+    LoadCase load;
+    load.position = c.life->position;
+    load.input_path = "life";
+    check_position(load, c.mechanism, c.structure->nut, problems);
+  }
+  if (c.life->history)
+    check_history(c, problems);
+  else
+    check_spectrum(c, problems);
+}
+
+void check_life_requirements(const Case& c, Problems& problems) {
+  const auto missing = [&](const char* path, std::string_view what, std::string_view example) {
+    problems.add(path, fmt::format("missing; expected {} for `life`; add `{}: {}`, for example",
+                                   what, path, example));
+  };
+  if (!c.life)
+    missing("life", "the loads and how long they act",
+            "{position: 10 mm, spectrum: [{force: 10 kN, direction: tension, share: 1}]}");
+  if (!c.materials)
+    missing("materials", "elastic properties", "{youngs_modulus: 210 GPa, poisson_ratio: 0.3}");
+  if (!c.structure && c.life && c.life->share == LoadCase::Share::solved)
+    problems.add("structure",
+                 "missing; expected the parts around the threads for `life`; add `structure` with "
+                 "`roller` and `nut`, or `share: equal` to `life`");
+}
+
 void check_preload_requirements(const Case& c, Problems& problems) {
   const auto missing = [&](const char* path, std::string_view what, std::string_view example) {
     problems.add(path, fmt::format("missing; expected {} for `preload`; add `{}: {}`, for example",
@@ -669,6 +749,7 @@ std::vector<Problem> check_case(const Case& c) {
   check_load_cases(c, problems);
   check_deviations(c, problems);
   if (c.preload) check_preload(c, problems);
+  if (c.life) check_life(c, problems);
   if (c.lubricant) check_lubricant(*c.lubricant, problems);
   check_carrier(c.carrier, problems);
   return std::move(problems).take();
@@ -677,6 +758,7 @@ std::vector<Problem> check_case(const Case& c) {
 std::vector<Problem> check_requirements(const Case& c, Command command) {
   Problems problems;
   if (command == Command::preload) check_preload_requirements(c, problems);
+  if (command == Command::life) check_life_requirements(c, problems);
   if (command != Command::solve && command != Command::slip) return std::move(problems).take();
   const std::string_view verb = command == Command::solve ? "solve" : "slip";
 

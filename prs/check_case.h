@@ -14,7 +14,7 @@ struct Problem {
 };
 
 /// What the program is asked to do with a case.
-enum class Command { check, contact, solve, slip, preload, measures };
+enum class Command { check, contact, solve, slip, preload, life, measures };
 
 /// Values that contradict each other or that no mechanism can have. Each value is taken to lie in
 /// its own bounds, as the reader of the input makes sure. At most one problem for each path.

@@ -9,9 +9,14 @@ namespace prs {
 
 /// Thread profile of the material in its profile plane: a straight flank or a circular arc.
 struct Profile {
-  enum class Shape { straight, convex, concave };
+  enum class Shape {
+    straight,
+    convex,
+    concave,
+    centred,  ///< Convex arc about a point on the part's axis, r_B = r / sin(alpha_n).
+  };
   Shape shape = Shape::straight;
-  double radius = 0.0;  ///< Arc radius r_B [m]; unused where straight.
+  double radius = 0.0;  ///< Arc radius r_B [m] where convex or concave.
 };
 
 /// Truncated thread: radial heights from the pitch radius [m]; the nut's addendum points inwards.

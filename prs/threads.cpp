@@ -29,12 +29,14 @@ double lead_of(const Mechanism& m, Part part) {
   return std::copysign(pitch_of(m, part) * m.starts.screw, m.lead);
 }
 
-double curvature_of(const Profile& profile) {
+double curvature_of(const Profile& profile, double pitch_radius, double flank_angle) {
   switch (profile.shape) {
     case Profile::Shape::convex:
       return 1.0 / profile.radius;
     case Profile::Shape::concave:
       return -1.0 / profile.radius;
+    case Profile::Shape::centred:
+      return std::sin(flank_angle) / pitch_radius;
     case Profile::Shape::straight:
       return 0.0;
   }
@@ -48,7 +50,7 @@ contact::Thread thread_of(const Mechanism& m, Part part) {
   thread.lead = lead_of(m, part);
   thread.pitch = pitch_of(m, part);
   thread.flank_angle = m.flank_angle[part];
-  thread.profile_curvature = curvature_of(m.profile[part]);
+  thread.profile_curvature = curvature_of(m.profile[part], thread.pitch_radius, thread.flank_angle);
   thread.plane = m.profile_plane == Mechanism::ProfilePlane::normal ? contact::ProfilePlane::normal
                                                                     : contact::ProfilePlane::axial;
   if (m.thread[part]) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -23,17 +24,31 @@ struct LoadCaseItem {
   std::optional<double> speed;
 };
 
+/// The ends of an interval, and a normal distribution, as they are written.
+struct WrittenInterval {
+  std::string from, to;
+};
+struct WrittenNormal {
+  std::optional<std::string> mean;
+  std::string deviation;
+};
+
 /// A factor of a study as it is written.
 struct FactorItem {
   std::string path;
   std::optional<std::string> label;
-  WrittenValues values;
+  std::optional<WrittenValues> values;
+  std::optional<WrittenInterval> uniform, log_uniform;
+  std::optional<WrittenNormal> normal;
+  std::optional<std::string> within;
 };
 
 /// A study as it is written.
 struct StudyItem {
   Command command = Command::slip;
   Plan plan = Plan::one_at_a_time;
+  std::optional<int> samples;
+  std::int64_t seed = 1;
   std::vector<FactorItem> factors;
   std::optional<std::vector<std::string>> responses;
 };
@@ -74,6 +89,8 @@ void alternatives(Io& io, Profile& p) {
   io.word("straight", p.shape, Profile::Shape::straight, "straight flanks");
   io.map("convex", p.shape, Profile::Shape::convex, p.radius, radius, "arc that bulges outwards");
   io.map("concave", p.shape, Profile::Shape::concave, p.radius, radius, "hollow arc");
+  io.word("centred", p.shape, Profile::Shape::centred,
+          "convex arc about a point on the axis: pitch radius / sin(flank angle)");
 }
 
 template <class Io>
@@ -163,12 +180,23 @@ void alternatives(Io& io, Command& c) {
   io.word("contact", c, Command::contact, "contact points and Hertz constants");
   io.word("solve", c, Command::solve, "load distribution, pressures and stiffness");
   io.word("slip", c, Command::slip, "slip, power loss and efficiency");
+  io.word("life", c, Command::life, "life under a load history or spectrum");
 }
 
 template <class Io>
 void alternatives(Io& io, Plan& p) {
   io.word("one_at_a_time", p, Plan::one_at_a_time,
           "each value of each factor alone, all others as in the file");
+  io.word("grid", p, Plan::grid, "every combination of the values, the last factor fastest");
+  io.word("latin_hypercube", p, Plan::latin_hypercube,
+          "each factor's range in as many strata as samples, one sample in each");
+  io.word("sobol", p, Plan::sobol, "Sobol's sequence, which fills the space evenly");
+  io.word("monte_carlo", p, Plan::monte_carlo, "independent draws");
+  io.word("sobol_indices", p, Plan::sobol_indices,
+          "Saltelli's design for the shares of the factors in the variance: as many designs a "
+          "sample as factors, and two");
+  io.word("derivatives", p, Plan::derivatives,
+          "the file as it stands, with the derivatives by every factor");
 }
 
 // Blocks: io.field(KEY, member, kind, presence, meaning)
@@ -438,6 +466,63 @@ void fields(Io& io, Preload& p) {
 }
 
 template <class Io>
+void fields(Io& io, CsvColumn& c) {
+  io.field("column", c.column, Text{}, required, "Its name in the heading of the file");
+  io.field("unit", c.unit, Text{}, required, "Of its numbers");
+}
+
+template <class Io>
+void fields(Io& io, HistorySource& h) {
+  io.field("file", h.file, Text{}, required,
+           "Comma-separated values with a heading, a row a sample; relative to this file");
+  io.field("force", h.force, Block{}, required, "Axial force, > 0 in tension");
+  io.field("position", h.position, Block{}, optional, "Axial position of the nut on the screw");
+  io.field("speed", h.speed, Block{}, optional_only_if(!h.position, "in place of `position`"),
+           "Of the screw against the nut; else `operation.speed`");
+  io.field("time", h.time, Block{}, optional, "Time of the sample");
+  io.field("interval", h.interval, Quantity{unit::duration, positive},
+           optional_only_if(!h.time, "in place of `time`"), "Between two samples");
+  io.field("hysteresis", h.hysteresis, Quantity{unit::force, not_negative}, optional,
+           "Ranges up to this are no load cycles");
+  io.field("bins", h.bins, Whole{1, 200}, optional, "Of the matrix of cycles, along each axis");
+}
+
+template <class Io>
+void fields(Io& io, SpectrumLoad& l) {
+  io.field("force", l.force, Quantity{unit::force, positive}, required, "Axial load");
+  io.field("direction", l.direction, Choice{}, required, "Sense of the load on the screw");
+  constexpr std::string_view one = "one of revolutions, distance, duration and share";
+  io.field("revolutions", l.revolutions, Number{positive}, optional,
+           "Of the screw against the nut under the load");
+  io.field("distance", l.distance, Quantity{unit::length, positive},
+           optional_only_if(!l.revolutions, one), "Travel under the load");
+  io.field("duration", l.duration, Quantity{unit::duration, positive},
+           optional_only_if(!l.revolutions && !l.distance, one),
+           "Under the load, at `operation.speed`");
+  const bool measured = l.revolutions || l.distance || l.duration;
+  io.field("share", l.share, Number{{.least = 0.0, .greatest = 1.0, .least_excluded = true}},
+           required_only_if(!measured, one), "Of the revolutions of the spectrum");
+}
+
+template <class Io>
+void fields(Io& io, Life& l) {
+  io.field("history", l.history, Block{}, optional, "Loads over time or travel, from a file");
+  io.field("spectrum", l.spectrum, List{Block{}, l.history ? 0 : 1},
+           required_only_if(!l.history, "in place of `history`"), "Loads and how long each acts");
+  io.field("share", l.share, Choice{}, optional, "How the load spreads over the threads");
+  io.field("position", l.position, Quantity{unit::length},
+           required_unless(l.share == LoadCase::Share::equal, "required unless `share: equal`"),
+           "Axial position of the first roller contact on the nut");
+  const Quantity capacity{unit::force, positive};
+  io.field("dynamic_capacity", l.dynamic_capacity, capacity, optional,
+           "Of a catalogue, in place of Lemor's formula");
+  io.field("static_capacity", l.static_capacity, capacity, optional,
+           "Of a catalogue, beside that by pressure");
+  io.field("fatigue_slope", l.fatigue_slope, Number{{.least = 1.0, .greatest = 20.0}}, optional,
+           "Slope of the S-N curve, for equivalent load ranges");
+}
+
+template <class Io>
 void fields(Io& io, ViscosityPoint& p) {
   io.field("temperature", p.temperature, Quantity{unit::temperature, positive}, required,
            "Where the viscosity was measured");
@@ -510,9 +595,32 @@ void fields(Io& io, Carrier& c) {
 }
 
 template <class Io>
+void fields(Io& io, WrittenInterval& i) {
+  io.field("from", i.from, Verbatim{}, required, "Least value");
+  io.field("to", i.to, Verbatim{}, required, "Greatest value, in the same unit");
+}
+
+template <class Io>
+void fields(Io& io, WrittenNormal& n) {
+  io.field("deviation", n.deviation, Verbatim{}, required, "Standard deviation");
+  io.field("mean", n.mean, Verbatim{}, optional, "In place of what the file says");
+}
+
+template <class Io>
 void fields(Io& io, FactorItem& f) {
-  io.field("path", f.path, Text{}, required, "What to vary, as `--set` names it");
-  io.field("values", f.values, ListOrRange{}, required, "As they would stand in the file");
+  io.field("path", f.path, Text{}, required,
+           "What to vary, as `--set` names it; of a list of numbers every entry is drawn on its "
+           "own");
+  io.field("values", f.values, ListOrRange{}, optional,
+           "As they would stand in the file; one of them, all as likely, in a plan with samples");
+  io.field("uniform", f.uniform, Block{}, optional,
+           "In a plan with samples, in place of `values`: drawn from an interval");
+  io.field("log_uniform", f.log_uniform, Block{}, optional, "The same, uniform in the logarithm");
+  io.field("normal", f.normal, Block{}, optional,
+           "In a plan with samples, in place of `values`: normally distributed");
+  io.field("within", f.within, Verbatim{}, optional,
+           "In a plan with samples, in place of `values`: uniform in this share of what the file "
+           "says, to both sides, `3 %`");
   io.field("label", f.label, Text{}, optional, "Its name in tables and figures");
 }
 
@@ -520,6 +628,13 @@ template <class Io>
 void fields(Io& io, StudyItem& s) {
   io.field("command", s.command, Choice{}, required, "What each design runs through");
   io.field("plan", s.plan, Choice{}, optional, "How designs are chosen");
+  const std::string_view sampled =
+      "only with the plans latin_hypercube, sobol, monte_carlo and sobol_indices";
+  io.field("samples", s.samples, Whole{1, kMostDesigns},
+           required_only_if(is_sampled(s.plan), sampled), "Number of draws");
+  io.field("seed", s.seed, Whole{0, std::int64_t{1} << 53},
+           optional_only_if(is_sampled(s.plan), sampled),
+           "Of the random numbers: the same seed draws the same designs");
   io.field("factors", s.factors, List{Block{}, 1}, required, "The inputs that vary");
   io.field(
       "responses", s.responses, List{Text{}, 1}, optional,
@@ -542,6 +657,7 @@ void fields(Io& io, CaseFile& file) {
   io.field("load_cases", file.load_cases, List{Block{}, 1}, optional, "Loads, each on its own");
   io.field("preload", c.preload, Block{}, optional,
            "How the play is taken out, and the curve through zero, for `prs preload`");
+  io.field("life", c.life, Block{}, optional, "Load history or spectrum for `prs life`");
   const Bounds up_to_100_um{.least = 0.0, .greatest = 1e-4, .least_excluded = true};
   io.field("roughness", c.roughness, OneOrEach{Quantity{unit::length, up_to_100_um}}, optional,
            "Rms roughness Rq of the flanks, for the film ratio");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -89,8 +90,8 @@ struct Number {
 
 /// `11`, ends included
 struct Whole {
-  int least;
-  int greatest;
+  std::int64_t least;
+  std::int64_t greatest;
 };
 
 /// `true` or `false`

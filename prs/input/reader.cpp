@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <concepts>
+#include <cstdint>
 #include <functional>
 #include <numeric>
 #include <utility>
@@ -75,7 +77,7 @@ Wanted wanted(T&, const Number& n) {
 template <class T>
 Wanted wanted(T&, const Whole& w) {
   return {fmt::format("a whole number from {} to {}", w.least, w.greatest),
-          fmt::format("{}", std::clamp(3, w.least, w.greatest))};
+          fmt::format("{}", std::clamp<std::int64_t>(3, w.least, w.greatest))};
 }
 template <class T>
 Wanted wanted(T&, const Flag&) {
@@ -221,10 +223,11 @@ void read(const Written& w, double& value, const Number& number) {
   value = *parsed;
 }
 
-void read(const Written& w, int& value, const Whole& whole) {
+template <std::signed_integral T>
+void read(const Written& w, T& value, const Whole& whole) {
   const std::string& text = w.node.text;
   const char* end = text.data() + text.size();
-  int parsed = 0;
+  T parsed = 0;
   const auto [stop, error] =
       std::from_chars(text.data() + (text.starts_with('+') ? 1 : 0), end, parsed);
   const bool plain = w.node.kind == Node::Kind::scalar && !w.node.quoted && !text.starts_with("+-");
@@ -430,35 +433,50 @@ void read_map(const Written& w, T& value, const Kind& kind) {
 
 // Load cases ------------------------------------------------------------------------------------
 
+int points(const LoadCaseItem& item) { return item.axial_force.steps.value_or(1); }
+
 std::size_t number_of_cases(const std::vector<LoadCaseItem>& items) {
-  return std::transform_reduce(items.begin(), items.end(), std::size_t{0}, std::plus{},
-                               [](const LoadCaseItem& i) {
-                                 return static_cast<std::size_t>(i.axial_force.steps.value_or(1));
-                               });
+  return std::transform_reduce(
+      items.begin(), items.end(), std::size_t{0}, std::plus{},
+      [](const LoadCaseItem& i) { return static_cast<std::size_t>(points(i)); });
 }
 
-/// One load case for each point of each range.
+}  // namespace
+
 std::vector<LoadCase> expand(const std::vector<LoadCaseItem>& items) {
   std::vector<LoadCase> cases;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const LoadCaseItem& item = items[i];
-    const Range& force = item.axial_force;
-    const int last = force.steps.value_or(1) - 1;
-    for (int k = 0; k <= last; ++k) {
-      const double f = k == last ? force.to : force.from + (force.to - force.from) * k / last;
-      cases.push_back({.name = force.steps ? fmt::format("{}[{}]", *item.name, k) : *item.name,
-                       .axial_force = f,
-                       .direction = item.direction,
-                       .position = item.position,
-                       .share = item.share,
-                       .speed = item.speed,
-                       .input_path = fmt::format("load_cases[{}]", i)});
+    for (int k = 0; k < points(item); ++k) {
+      LoadCase c;
+      c.name = item.axial_force.steps ? fmt::format("{}[{}]", *item.name, k) : *item.name;
+      c.direction = item.direction;
+      c.share = item.share;
+      c.input_path = fmt::format("load_cases[{}]", i);
+      cases.push_back(std::move(c));
     }
   }
+  update_numbers(cases, items);
   return cases;
 }
 
-}  // namespace
+void update_numbers(std::vector<LoadCase>& cases, const std::vector<LoadCaseItem>& items) {
+  auto c = cases.begin();
+  for (const LoadCaseItem& item : items) {
+    const Range& force = item.axial_force;
+    const int last = points(item) - 1;
+    for (int k = 0; k <= last; ++k, ++c) {
+      c->axial_force = k == last ? force.to : force.from + (force.to - force.from) * k / last;
+      c->position = item.position;
+      c->speed = item.speed;
+    }
+  }
+}
+
+std::vector<Problem> problems_of(const Case& c, Command command) {
+  std::vector<Problem> problems = check_case(c);
+  return problems.empty() ? check_requirements(c, command) : problems;
+}
 
 CaseFile read_case_file(const Node& root, ErrorList& errors) {
   CaseFile file;
@@ -475,9 +493,8 @@ CaseFile read_case_file(const Node& root, ErrorList& errors) {
 Case checked_case(const CaseFile& file, const Node& root, Command command, ErrorList& errors) {
   Case values = file.values;
   values.load_cases = expand(file.load_cases);
-  std::vector<Problem> problems = check_case(values);
-  if (problems.empty()) problems = check_requirements(values, command);
-  for (const Problem& p : problems) errors.add(locate(root, p.path), p.path, p.message);
+  for (const Problem& p : problems_of(values, command))
+    errors.add(locate(root, p.path), p.path, p.message);
   return values;
 }
 

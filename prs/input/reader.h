@@ -20,6 +20,16 @@ struct CaseInput {
 /// Reads a document, each value on its own: contradictions between them are left to `checked_case`.
 CaseFile read_case_file(const Node& root, ErrorList& errors);
 
+/// One load case for each point of each range.
+std::vector<LoadCase> expand(const std::vector<LoadCaseItem>& items);
+
+/// Sets force, position and speed of cases that were expanded from these items before numbers of
+/// the items changed.
+void update_numbers(std::vector<LoadCase>& cases, const std::vector<LoadCaseItem>& items);
+
+/// What `check_case` finds wrong with a case or, where that is nothing, what the command lacks.
+std::vector<Problem> problems_of(const Case& c, Command command);
+
 /// The case of a document that was read without an error, ranges of load cases expanded, and what
 /// `check_case` and the requirements of the command find wrong with it.
 Case checked_case(const CaseFile& file, const Node& root, Command command, ErrorList& errors);

@@ -83,7 +83,10 @@ Json one_key(std::string_view key, Json content) {
 }
 
 Json default_of(bool value, const Flag&) { return value; }
-Json default_of(int value, const Whole&) { return value; }
+template <std::signed_integral T>
+Json default_of(T value, const Whole&) {
+  return value;
+}
 Json default_of(double value, const Number&) { return value; }
 template <class T, class Kind>
 Json default_of(const T& value, const Kind& kind) {

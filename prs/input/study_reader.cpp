@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string_view>
 #include <utility>
 
 #include "prs/input/reader.h"
+#include "prs/input/slot.h"
 #include "prs/input/units.h"
 #include "prs/input/value_text.h"
+#include "prs/study/sampling.h"
 
 namespace prs::input {
 
@@ -22,6 +26,13 @@ struct WrittenLevel {
 
 Node scalar(std::string text, Place place) {
   return {.kind = Node::Kind::scalar, .text = std::move(text), .place = place};
+}
+
+std::string with_unit(std::string_view number, std::string_view unit) {
+  return fmt::format("{}{}{}", number, unit.empty() ? "" : " ", unit);
+}
+std::string with_unit(double number, std::string_view unit) {
+  return with_unit(fmt::format("{}", number), unit);
 }
 
 bool stands_in(const Node& node, Place place) {
@@ -40,83 +51,214 @@ std::optional<double> profile_curvature(const Node& value) {
   return (radius.key == "convex" ? 1.0 : -1.0) / *r;
 }
 
-/// Reads the factors of one study.
+/// The number of a text in another unit as a difference, for which the zero of a temperature does
+/// not matter.
+std::optional<double> difference_in(std::string_view text, std::string_view unit) {
+  const std::optional<double> value = number_in(text, unit);
+  if (!value) return std::nullopt;
+  const std::string zero = with_unit("0", split_unit(text)->unit);
+  return *value - number_in(zero, unit).value_or(0.0);
+}
+
+std::string plan_name(Plan plan) { return text_of(plan, Choice{}); }
+
+/// The keys of a factor of which one says what values it takes.
+std::vector<std::string_view> ways(const FactorItem& item) {
+  std::vector<std::string_view> given;
+  if (item.values) given.push_back("values");
+  if (item.uniform) given.push_back("uniform");
+  if (item.log_uniform) given.push_back("log_uniform");
+  if (item.normal) given.push_back("normal");
+  if (item.within) given.push_back("within");
+  return given;
+}
+
+/// Reads the factors of one study into the document they start from.
 class FactorReader {
  public:
-  FactorReader(const Node& root, const std::vector<EchoEntry>& fields, ErrorList& errors)
-      : root_(root), fields_(fields), errors_(errors) {}
+  /// `base`: the document without the study.
+  FactorReader(const StudyItem& study, const Source& source, const Node& root, Node& base,
+               ErrorList& errors)
+      : study_(study), source_(source), root_(root), base_(base), errors_(errors) {}
 
-  Factor read(const FactorItem& item, std::size_t index) {
-    path_ = fmt::format("study.factors[{}]", index);
-    const Node& values = *find_path(root_, path_ + ".values");
-    std::vector<WrittenLevel> levels =
-        item.values.range ? range_levels(*item.values.range, values) : list_levels(values);
-    Factor factor;
-    factor.path = item.path;
-    factor.label = item.label.value_or(item.path);
-    factor.logarithmic =
-        item.values.range && item.values.range->spacing == WrittenRange::Spacing::logarithmic;
-    std::optional<WrittenLevel> base = base_level(item.path);
-    place_on_axis(levels, base, factor.unit);
-    for (const WrittenLevel& level : levels) factor.levels.push_back(level.level);
-    if (base) factor.base = base->level;
-    return factor;
-  }
-
-  /// Adds what is wrong with the levels of a factor in their place.
-  void check_levels(const FactorItem& item, std::size_t index, const Source& source,
-                    const Node& base) {
-    path_ = fmt::format("study.factors[{}]", index);
-    const Place at = locate(root_, path_ + ".path");
-    const Node& values = *find_path(root_, path_ + ".values");
-    if (item.path == "study" || item.path.starts_with("study."))
-      return errors_.add(at, path_ + ".path",
-                         fmt::format("got {}; expected a value outside the study; write for "
-                                     "example `path: mechanism.rollers`",
-                                     shown(item.path)));
-    const std::vector<WrittenLevel> levels =
-        item.values.range ? range_levels(*item.values.range, values) : list_levels(values);
-    for (const WrittenLevel& level : levels) {
-      ErrorList found(source);
-      Node design = base;
-      if (set_value(design, item.path, level.value, at, found)) read_case_file(design, found);
-      errors_.take(found, [&](Place place) {
-        return place == at || stands_in(level.value, place) ? place : level.value.place;
-      });
+  /// Adds what is wrong with the keys of a factor, whatever their values.
+  void check_form(std::size_t index) {
+    enter(index);
+    const std::vector<std::string_view> given = ways(item());
+    const bool sampled = is_sampled(study_.plan);
+    const auto refuse = [&](std::string_view key, std::string_view message) {
+      refuse_at(key, fmt::format("got {}; {}", shown(flow_text(*written(key))), message));
+    };
+    if (item().path == "study" || item().path.starts_with("study."))
+      return refuse("path",
+                    "expected a value outside the study; write for example `path: "
+                    "mechanism.rollers`");
+    for (const std::string_view key : given) {
+      if (study_.plan == Plan::derivatives)
+        refuse(key,
+               "expected a path only with `plan: derivatives`, which varies nothing; delete it");
+      else if (!sampled && key != "values")
+        refuse(key, fmt::format("expected `values` with `plan: {}`, which lists its designs; write "
+                                "them, or draw samples with `plan: latin_hypercube`",
+                                plan_name(study_.plan)));
+      else if (key != given[0])
+        refuse(key, fmt::format("expected one way to choose values, `{}` stands already; delete "
+                                "one of the two",
+                                given[0]));
     }
+    if (!given.empty() || study_.plan == Plan::derivatives) return;
+    const Node& factor = *find_path(root_, path_);
+    errors_.add(factor.place, path_,
+                sampled ? "missing what values it takes; expected one of values, uniform, "
+                          "log_uniform, normal, within; add for example `within: 3 %`"
+                        : "missing what values it takes; expected `values`; add for example "
+                          "`values: [20 mm, 30 mm]`");
   }
 
-  /// Whether the ends of a range go together.
-  bool check_range(const WrittenRange& range, std::size_t index) {
-    path_ = fmt::format("study.factors[{}].values", index);
-    const auto refuse = [&](const char* key, const std::string& message) {
-      const std::string path = fmt::format("{}.{}", path_, key);
-      errors_.add(locate(root_, path), path, message);
+  /// Adds what is wrong with the ends of a range or of an interval.
+  void check_ends(std::size_t index) {
+    enter(index);
+    if (item().values && item().values->range) {
+      const WrittenRange& range = *item().values->range;
+      check_ends("values", range.from, range.to,
+                 range.spacing == WrittenRange::Spacing::logarithmic ? "spacing" : "");
+    }
+    if (item().uniform && check_ends("uniform", item().uniform->from, item().uniform->to, ""))
+      check_order("uniform", *item().uniform);
+    if (item().log_uniform &&
+        check_ends("log_uniform", item().log_uniform->from, item().log_uniform->to, "from"))
+      check_order("log_uniform", *item().log_uniform);
+  }
+
+  /// Gives the document the list that a factor draws entry by entry, zeros where the file has none.
+  void add_list(std::size_t index, CaseFile& file) {
+    enter(index);
+    const Slot slot = find_slot(file, item().path);
+    if (item().values || slot.kind != Slot::Kind::numbers) return;
+    entries_.resize(study_.factors.size());
+    entries_[index] = slot.list->size();
+    if (!slot.list->empty()) return;
+    entries_[index] = static_cast<std::size_t>(file.values.mechanism.contacts_per_roller);
+    const Place at = locate(root_, path_ + ".path");
+    Node list{.kind = Node::Kind::sequence, .place = at};
+    const Node zero =
+        scalar(with_unit("0", unit_of_way().value_or(std::string(slot.dimension->canonical))), at);
+    list.children.assign(entries_[index], zero);
+    set_value(base_, item().path, std::move(list), at, errors_);
+  }
+
+  /// The factor, or one an entry of its list. `file` and `fields` are those of the base document.
+  std::vector<Factor> read(std::size_t index, CaseFile& file,
+                           const std::vector<EchoEntry>& fields) {
+    enter(index);
+    if (entries_.empty() || entries_[index] == 0)
+      return {read_one(item().path, item().label.value_or(item().path), file, fields)};
+    std::vector<Factor> entries;
+    for (std::size_t k = 0; k < entries_[index]; ++k) {
+      entries.push_back(read_one(fmt::format("{}[{}]", item().path, k),
+                                 fmt::format("{}[{}]", item().label.value_or(item().path), k), file,
+                                 fields));
+      entries.back().entry_of_list = true;
+      if (!errors_.empty()) break;
+    }
+    return entries;
+  }
+
+ private:
+  void enter(std::size_t index) {
+    index_ = index;
+    one_was_fine_ = false;
+    path_ = fmt::format("study.factors[{}]", index);
+  }
+  const FactorItem& item() const { return study_.factors[index_]; }
+
+  const Node* written(std::string_view key) const {
+    return find_path(root_, fmt::format("{}.{}", path_, key));
+  }
+  Place place_of(std::string_view key) const {
+    return locate(root_, fmt::format("{}.{}", path_, key));
+  }
+  void refuse_at(std::string_view key, const std::string& message) {
+    errors_.add(place_of(key), fmt::format("{}.{}", path_, key), message);
+  }
+
+  /// `logarithmic`: the key to blame where the ends have no ratio, or nothing.
+  bool check_ends(std::string_view way, const std::string& written_from,
+                  const std::string& written_to, std::string_view logarithmic) {
+    const auto refuse = [&](std::string_view key, const std::string& message) {
+      refuse_at(fmt::format("{}.{}", way, key), message);
       return false;
     };
-    const std::optional<NumberAndUnit> from = split_unit(range.from), to = split_unit(range.to);
+    const std::optional<NumberAndUnit> from = split_unit(written_from), to = split_unit(written_to);
     if (!from || !to)
       return refuse(from ? "to" : "from",
                     fmt::format("got {}; expected a number with its unit as in the file; of words "
                                 "write a list `values: [.., ..]`",
-                                shown(from ? range.to : range.from)));
+                                shown(from ? written_to : written_from)));
     if (from->unit != to->unit)
-      return refuse("to",
-                    fmt::format("got {}; expected the unit of `from`, {}; write both ends in "
-                                "the same unit",
-                                shown(range.to), from->unit.empty() ? "none" : shown(from->unit)));
+      return refuse(
+          "to", fmt::format("got {}; expected the unit of `from`, {}; write both ends in "
+                            "the same unit",
+                            shown(written_to), from->unit.empty() ? "none" : shown(from->unit)));
     if (from->number == to->number)
       return refuse("to", fmt::format("got {}; expected another value than that of `from`; write a "
                                       "list for a single value",
-                                      shown(range.to)));
-    if (range.spacing == WrittenRange::Spacing::logarithmic && !(from->number * to->number > 0.0))
-      return refuse("spacing", fmt::format("got logarithmic from {} to {}; expected ends of one "
-                                           "sign, neither of them 0; write `spacing: linear`",
-                                           shown(range.from), shown(range.to)));
+                                      shown(written_to)));
+    if (!logarithmic.empty() && !(from->number * to->number > 0.0))
+      return refuse(
+          logarithmic,
+          fmt::format("got logarithmic from {} to {}; expected ends of one sign, neither of them "
+                      "0; write `{}`",
+                      shown(written_from), shown(written_to),
+                      way == "values" ? "spacing: linear" : "uniform: {from: .., to: ..}"));
     return true;
   }
 
- private:
+  void check_order(std::string_view way, const WrittenInterval& interval) {
+    if (split_unit(interval.from)->number > split_unit(interval.to)->number)
+      refuse_at(fmt::format("{}.to", way),
+                fmt::format("got {}; expected more than `from`, {}; swap the two",
+                            shown(interval.to), shown(interval.from)));
+  }
+
+  /// Unit in which a distribution is written.
+  std::optional<std::string> unit_of_way() const {
+    const FactorItem& f = item();
+    const std::string text = f.uniform       ? f.uniform->from
+                             : f.log_uniform ? f.log_uniform->from
+                             : f.normal      ? f.normal->mean.value_or(f.normal->deviation)
+                                             : "";
+    const std::optional<NumberAndUnit> split = split_unit(text);
+    return split ? std::optional(std::string(split->unit)) : std::nullopt;
+  }
+
+  Factor read_one(const std::string& path, std::string label, CaseFile& file,
+                  const std::vector<EchoEntry>& fields) {
+    const Slot slot = find_slot(file, path);
+    Factor factor;
+    factor.path = path;
+    factor.label = std::move(label);
+    std::optional<WrittenLevel> base = base_level(path, fields);
+    if (item().values)
+      read_levels(factor, base, slot);
+    else if (is_continuous(path, slot))
+      read_distribution(factor, base, slot);
+    if (base) factor.base = base->level;
+    return factor;
+  }
+
+  // Levels --------------------------------------------------------------------------------------
+
+  void read_levels(Factor& factor, std::optional<WrittenLevel>& base, const Slot& slot) {
+    const Node& values = *written("values");
+    const std::optional<WrittenRange>& range = item().values->range;
+    std::vector<WrittenLevel> levels = range ? range_levels(*range, values) : list_levels(values);
+    factor.logarithmic = range && range->spacing == WrittenRange::Spacing::logarithmic;
+    place_on_axis(levels, base, factor.unit);
+    for (const WrittenLevel& level : levels) factor.levels.push_back(level.level);
+    for (const WrittenLevel& level : levels) check_in_place(factor.path, level.value, slot);
+  }
+
   static std::vector<WrittenLevel> list_levels(const Node& values) {
     std::vector<WrittenLevel> levels;
     for (const Node& value : values.children)
@@ -134,7 +276,7 @@ class FactorReader {
       const double share = static_cast<double>(k) / last;
       const double number = logarithmic ? from.number * std::pow(to.number / from.number, share)
                                         : from.number + (to.number - from.number) * share;
-      return fmt::format("{:.15g}{}{}", number, from.unit.empty() ? "" : " ", from.unit);
+      return with_unit(fmt::format("{:.15g}", number), from.unit);
     };
     std::vector<WrittenLevel> levels;
     for (int k = 0; k <= last; ++k) {
@@ -147,11 +289,12 @@ class FactorReader {
   }
 
   /// What the file says of a path, or the default.
-  std::optional<WrittenLevel> base_level(const std::string& path) const {
-    if (const Node* node = find_path(root_, path))
+  std::optional<WrittenLevel> base_level(const std::string& path,
+                                         const std::vector<EchoEntry>& fields) const {
+    if (const Node* node = find_path(base_, path))
       return WrittenLevel{*node, {flow_text(*node), {}}};
-    const auto entry = std::ranges::find(fields_, path, &EchoEntry::path);
-    if (entry == fields_.end()) return std::nullopt;
+    const auto entry = std::ranges::find(fields, path, &EchoEntry::path);
+    if (entry == fields.end()) return std::nullopt;
     return WrittenLevel{scalar(entry->value, {}), {entry->value, {}}};
   }
 
@@ -172,34 +315,197 @@ class FactorReader {
     if (!std::ranges::any_of(levels, has_number)) unit.clear();
   }
 
+  /// Adds what is wrong with a value of a factor where the value stands, and returns whether
+  /// nothing is. Where one value was fine, another number is if its slot takes it.
+  bool check_in_place(const std::string& path, const Node& value, const Slot& slot) {
+    const bool number = slot.kind == Slot::Kind::number || slot.kind == Slot::Kind::whole;
+    if (one_was_fine_ && number && slot_value(slot, flow_text(value))) return true;
+    const Place at = place_of("path");
+    ErrorList found(source_);
+    Node design = base_;
+    if (set_value(design, path, value, at, found)) read_case_file(design, found);
+    errors_.take(found, [&](Place place) {
+      return place == at || stands_in(value, place) ? place : value.place;
+    });
+    one_was_fine_ = one_was_fine_ || found.empty();
+    return found.empty();
+  }
+
+  // Distributions -------------------------------------------------------------------------------
+
+  /// Whether a path leads to a number that can lie anywhere in an interval; else says why not.
+  bool is_continuous(const std::string& path, const Slot& slot) {
+    if (slot.kind == Slot::Kind::number) return true;
+    if (slot.kind == Slot::Kind::none && !check_in_place(path, scalar("0", place_of("path")), slot))
+      return false;
+    refuse_at("path", fmt::format("got {}; expected the path of a number that may have any value "
+                                  "between two; {}",
+                                  shown(path),
+                                  is_sampled(study_.plan)
+                                      ? "write the values that it may have, `values: [.., ..]`"
+                                      : "leave this factor out"));
+    return false;
+  }
+
+  void read_distribution(Factor& factor, std::optional<WrittenLevel>& base, const Slot& slot) {
+    const FactorItem& f = item();
+    const std::optional<NumberAndUnit> in_file = base ? split_unit(base->level.text) : std::nullopt;
+    factor.unit = unit_of_way().value_or("");
+    if (in_file && !f.uniform && !f.log_uniform && !(f.normal && f.normal->mean))
+      factor.unit = in_file->unit;
+    std::optional<double> value;
+    if (base) value = base->level.number = number_in(base->level.text, factor.unit);
+
+    if (f.uniform || f.log_uniform)
+      read_interval(factor, slot);
+    else if (f.normal)
+      read_normal(factor, value, slot);
+    else if (f.within)
+      read_share(factor, value, slot);
+    else if (!value)
+      refuse_at("path", fmt::format("got {}, of which the file says nothing; expected a value to "
+                                    "derive by; add it to the file",
+                                    shown(factor.path)));
+  }
+
+  void read_interval(Factor& factor, const Slot& slot) {
+    const bool uniform = item().uniform.has_value();
+    const std::string_view way = uniform ? "uniform" : "log_uniform";
+    const WrittenInterval& interval = uniform ? *item().uniform : *item().log_uniform;
+    factor.distribution = {uniform ? Distribution::Kind::uniform : Distribution::Kind::log_uniform,
+                           split_unit(interval.from)->number, split_unit(interval.to)->number};
+    check_in_place(factor.path, *written(fmt::format("{}.from", way)), slot);
+    check_in_place(factor.path, *written(fmt::format("{}.to", way)), slot);
+  }
+
+  void read_normal(Factor& factor, std::optional<double> value, const Slot& slot) {
+    const WrittenNormal& normal = *item().normal;
+    const std::optional<NumberAndUnit> mean = normal.mean ? split_unit(*normal.mean) : std::nullopt;
+    if (normal.mean && !mean)
+      return refuse_at("normal.mean",
+                       fmt::format("got {}; expected a number with its unit as in the file; write "
+                                   "for example `mean: 5 mm`",
+                                   shown(*normal.mean)));
+    if (!mean && !value)
+      return refuse_at("normal",
+                       fmt::format("missing `mean`; expected it where the file says nothing of {}; "
+                                   "add for example `mean: {}`",
+                                   shown(factor.path), with_unit("0", factor.unit)));
+    const std::optional<double> deviation = difference_in(normal.deviation, factor.unit);
+    if (!deviation || !(*deviation > 0.0))
+      return refuse_at(
+          "normal.deviation",
+          fmt::format("got {}; expected a number > 0 that goes with the unit {}; "
+                      "write for example `deviation: {}`",
+                      shown(normal.deviation), factor.unit.empty() ? "none" : shown(factor.unit),
+                      with_unit("0.01", factor.unit)));
+    factor.distribution = {Distribution::Kind::normal, mean ? mean->number : *value, *deviation};
+    if (mean) check_in_place(factor.path, *written("normal.mean"), slot);
+  }
+
+  void read_share(Factor& factor, std::optional<double> value, const Slot& slot) {
+    const std::optional<NumberAndUnit> written_share = split_unit(*item().within);
+    const bool percent = written_share && written_share->unit == "%";
+    const double share = written_share ? written_share->number / (percent ? 100.0 : 1.0) : 0.0;
+    if (!written_share || (!percent && !written_share->unit.empty()) ||
+        !(share > 0.0 && share <= 1.0))
+      return refuse_at("within",
+                       fmt::format("got {}; expected a share > 0 and at most 100 %; write for "
+                                   "example `within: 3 %`",
+                                   shown(*item().within)));
+    if (slot.dimension && zero_depends_on_unit(*slot.dimension))
+      return refuse_at("within",
+                       fmt::format("got {} of a temperature, whose zero is a convention; expected "
+                                   "its ends; write `uniform: {{from: .., to: ..}}`",
+                                   shown(*item().within)));
+    if (!value || *value == 0.0)
+      return refuse_at("within", fmt::format("got {} of {}; expected a value other than 0 in the "
+                                             "file; write `uniform: {{from: .., to: ..}}`",
+                                             shown(*item().within),
+                                             value ? "0" : "a value that the file lacks"));
+    const double half = share * std::abs(*value);
+    factor.distribution = {Distribution::Kind::uniform, *value - half, *value + half};
+    for (const double end : {factor.distribution.first, factor.distribution.second})
+      check_in_place(factor.path, scalar(with_unit(end, factor.unit), place_of("within")), slot);
+  }
+
+  const StudyItem& study_;
+  const Source& source_;
   const Node& root_;
-  const std::vector<EchoEntry>& fields_;
+  Node& base_;
   ErrorList& errors_;
-  std::string path_;
+  std::size_t index_ = 0;
+  std::string path_;  ///< Of the factor in the document.
+  bool one_was_fine_ = false;
+  std::vector<std::size_t> entries_;  ///< Of the list that each factor draws; empty: none does.
 };
 
-std::size_t number_of_levels(const std::vector<FactorItem>& items) {
-  std::size_t count = 0;
-  for (const FactorItem& item : items)
-    count += item.values.range ? static_cast<std::size_t>(item.values.range->steps)
-                               : item.values.list.size();
-  return count;
+bool is_part_of(std::string_view path, std::string_view whole) {
+  return path.size() > whole.size() && path.starts_with(whole) &&
+         (path[whole.size()] == '.' || path[whole.size()] == '[');
 }
 
-void check_factors(const StudyItem& item, const Node& root, ErrorList& errors) {
-  if (number_of_levels(item.factors) >= kMostDesigns)
+/// Adds what is wrong with the paths of the factors among themselves.
+void check_paths(const StudyItem& item, const Node& root, ErrorList& errors) {
+  for (std::size_t i = 0; i < item.factors.size(); ++i) {
+    const std::string& path = item.factors[i].path;
+    const auto refuse = [&](const std::string& message) {
+      const std::string at = fmt::format("study.factors[{}].path", i);
+      errors.add(locate(root, at), at, message);
+    };
+    for (std::size_t k = 0; k < i; ++k) {
+      const std::string& other = item.factors[k].path;
+      if (other == path)
+        refuse(
+            fmt::format("got {} a second time; expected each path once; put all its values into "
+                        "one factor",
+                        shown(path)));
+      else if (item.plan != Plan::one_at_a_time &&
+               (is_part_of(path, other) || is_part_of(other, path)))
+        refuse(
+            fmt::format("got {} beside {}; expected factors of which none is a part of another; "
+                        "delete one of them",
+                        shown(path), shown(other)));
+    }
+  }
+}
+
+void check_number_of_levels(const StudyItem& item, const Node& root, ErrorList& errors) {
+  std::size_t count = 0;
+  for (const FactorItem& factor : item.factors)
+    if (factor.values)
+      count += factor.values->range ? static_cast<std::size_t>(factor.values->range->steps)
+                                    : factor.values->list.size();
+  if (count > kMostLevels)
     errors.add(locate(root, "study.factors"), "study.factors",
-               fmt::format("got {} values; expected fewer than {}; write ranges with fewer steps",
-                           number_of_levels(item.factors), kMostDesigns));
-  for (std::size_t i = 0; i < item.factors.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      if (item.factors[k].path == item.factors[i].path) {
-        const std::string path = fmt::format("study.factors[{}].path", i);
-        errors.add(locate(root, path), path,
-                   fmt::format("got {} a second time; expected each path once; put all its values "
-                               "into one factor",
-                               shown(item.factors[i].path)));
-      }
+               fmt::format("got {} values; expected at most {}; write ranges with fewer steps",
+                           count, kMostLevels));
+}
+
+/// Adds an error where a study has too many designs, or more factors than Sobol's sequence
+/// dimensions.
+void check_size(const Study& study, const Node& root, ErrorList& errors) {
+  const std::size_t factors = study.factors.size();
+  double designs = is_sampled(study.plan) ? static_cast<double>(study.samples) : 1.0;
+  if (study.plan == Plan::sobol_indices) designs *= static_cast<double>(factors + 2);
+  if (study.plan == Plan::grid)
+    for (const Factor& factor : study.factors) designs *= static_cast<double>(factor.levels.size());
+  if (designs + 1.0 > static_cast<double>(kMostDesigns)) {
+    const std::string path = is_sampled(study.plan) ? "study.samples" : "study.factors";
+    errors.add(locate(root, path), path,
+               fmt::format("got {:.6g} designs; expected fewer than {}; {}", designs, kMostDesigns,
+                           is_sampled(study.plan) ? "take fewer samples"
+                                                  : "take fewer values, or draw samples with "
+                                                    "`plan: latin_hypercube`"));
+  }
+  const std::size_t dimensions = study.plan == Plan::sobol_indices ? 2 * factors : factors;
+  const bool sobol = study.plan == Plan::sobol || study.plan == Plan::sobol_indices;
+  if (sobol && dimensions > kMostSobolDimensions)
+    errors.add(
+        locate(root, "study.factors"), "study.factors",
+        fmt::format("got {} factors; expected at most {} with `plan: {}`; take `plan: "
+                    "latin_hypercube` or `monte_carlo`",
+                    factors, kMostSobolDimensions / (dimensions / factors), plan_name(study.plan)));
 }
 
 StudyItem written_study(const CaseFile& file, const Node& root, ErrorList& errors) {
@@ -216,44 +522,56 @@ StudyItem written_study(const CaseFile& file, const Node& root, ErrorList& error
 StudyInput read_study_input(const Source& source) {
   ErrorList errors(source);
   const Node root = read_document(source, errors);
-  const CaseFile file = read_case_file(root, errors);
+  CaseFile file = read_case_file(root, errors);
   const StudyItem item = written_study(file, root, errors);
   checked_case(file, root, item.command, errors);
-  check_factors(item, root, errors);
-  errors.throw_if_any();
-
-  const std::vector<EchoEntry> fields = echo(file, root);
-  FactorReader reader(root, fields, errors);
-  for (std::size_t i = 0; i < item.factors.size(); ++i)
-    if (item.factors[i].values.range) reader.check_range(*item.factors[i].values.range, i);
+  check_paths(item, root, errors);
+  check_number_of_levels(item, root, errors);
   errors.throw_if_any();
 
   StudyInput input{source, root, {}};
   std::erase_if(input.base.children, [](const Node& child) { return child.key == "study"; });
+  FactorReader reader(item, source, root, input.base, errors);
+  for (std::size_t i = 0; i < item.factors.size(); ++i) reader.check_form(i);
+  errors.throw_if_any();
+  for (std::size_t i = 0; i < item.factors.size(); ++i) reader.check_ends(i);
+  errors.throw_if_any();
+  for (std::size_t i = 0; i < item.factors.size(); ++i) reader.add_list(i, file);
+  file = read_case_file(input.base, errors);
+  errors.throw_if_any();
+
   input.study.command = item.command;
   input.study.plan = item.plan;
   input.study.responses = item.responses.value_or(std::vector<std::string>{});
-  for (std::size_t i = 0; i < item.factors.size(); ++i) {
-    input.study.factors.push_back(reader.read(item.factors[i], i));
-    reader.check_levels(item.factors[i], i, source, input.base);
-  }
+  input.study.samples = static_cast<std::size_t>(item.samples.value_or(0));
+  input.study.seed = static_cast<std::uint64_t>(item.seed);
+  const std::vector<EchoEntry> fields = echo(file, input.base);
+  for (std::size_t i = 0; i < item.factors.size(); ++i)
+    for (Factor& factor : reader.read(i, file, fields))
+      input.study.factors.push_back(std::move(factor));
+  check_size(input.study, root, errors);
   errors.throw_if_any();
   return input;
 }
 
-Case read_design(const StudyInput& input, const std::vector<std::string>& overrides) {
+DesignFile read_design_file(const StudyInput& input, const std::vector<std::string>& overrides) {
   Source source = input.source;
   source.overrides.insert(source.overrides.end(), overrides.begin(), overrides.end());
   ErrorList errors(source);
   Node root = input.base;
   for (std::size_t k = input.source.overrides.size(); k < source.overrides.size(); ++k)
     apply_override(root, source, k, errors);
-  const CaseFile file = read_case_file(root, errors);
-  if (errors.empty()) {
-    Case values = checked_case(file, root, input.study.command, errors);
-    if (errors.empty()) return values;
-  }
-  throw InputError(errors.first());
+  CaseFile file = read_case_file(root, errors);
+  if (!errors.empty()) throw InputError(errors.first());
+  return {std::move(root), std::move(file)};
+}
+
+Case read_design(const StudyInput& input, const std::vector<std::string>& overrides) {
+  const auto [root, file] = read_design_file(input, overrides);
+  ErrorList errors(input.source);
+  Case values = checked_case(file, root, input.study.command, errors);
+  if (!errors.empty()) throw InputError(errors.first());
+  return values;
 }
 
 }  // namespace prs::input

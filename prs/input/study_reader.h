@@ -1,6 +1,10 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "prs/case.h"
+#include "prs/input/case_fields.h"
 #include "prs/input/document.h"
 #include "prs/input/source.h"
 #include "prs/study/study.h"
@@ -10,14 +14,24 @@ namespace prs::input {
 /// A study and the document that it starts from, parsed once for all designs.
 struct StudyInput {
   Source source;
-  Node base;  ///< Without the study.
+  Node base;  ///< Without the study; with every list whose entries are drawn one by one.
   Study study;
 };
 
 /// Reads the study of a source and checks it up front: the base case in full, and that each level
-/// of each factor reads well in its place. What levels contradict is left to the designs. Throws
-/// InputError, which names every error found, that of a level where its value stands.
+/// of each factor, and the ends of what it is drawn from, read well in their place. What values
+/// contradict is left to the designs. Throws InputError, which names every error found, that of a
+/// value where it stands.
 StudyInput read_study_input(const Source& source);
+
+/// A design's file, its values not yet checked against each other.
+struct DesignFile {
+  Node root;
+  CaseFile file;
+};
+
+/// The base document with more overrides. Throws InputError.
+DesignFile read_design_file(const StudyInput& input, const std::vector<std::string>& overrides);
 
 /// The case of a design: the base document with more overrides. Throws InputError.
 Case read_design(const StudyInput& input, const std::vector<std::string>& overrides);

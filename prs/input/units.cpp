@@ -65,6 +65,9 @@ constexpr Unit kTorque[] = {{{"N m", "Nm", "N*m"}},
 
 constexpr Unit kThermalExpansion[] = {{{"um/m/K", "ppm/K"}, 1.0, 1e6}, {{"1/K"}}};
 
+constexpr Unit kDuration[] = {
+    {{"s"}}, {{"ms"}, 1.0, 1e3}, {{"min"}, 60.0}, {{"h"}, 3600.0}, {{"d"}, 86400.0}};
+
 constexpr Unit kTemperature[] = {{{"degC", "°C", "C"}, 1.0, 1.0, 273.15}, {{"K"}}};
 
 }  // namespace
@@ -87,6 +90,7 @@ const Dimension torque{"a torque", "0.1 N m", "N m", kTorque};
 const Dimension temperature{"a temperature", "60 degC", "degC", kTemperature};
 const Dimension thermal_expansion{"a coefficient of thermal expansion", "11.5 um/m/K", "um/m/K",
                                   kThermalExpansion};
+const Dimension duration{"a duration", "1 h", "s", kDuration};
 }  // namespace unit
 
 namespace {
@@ -104,15 +108,8 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::stiffness,
                                             &unit::torque,
                                             &unit::temperature,
-                                            &unit::thermal_expansion};
-
-const Unit* find_unit(std::string_view symbol, const Dimension& dimension) {
-  if (symbol.empty()) return nullptr;
-  for (const Unit& u : dimension.units)
-    for (std::string_view spelling : u.spellings)
-      if (spelling == symbol) return &u;
-  return nullptr;
-}
+                                            &unit::thermal_expansion,
+                                            &unit::duration};
 
 const Dimension* dimension_of(std::string_view symbol) {
   for (const Dimension* d : kDimensions)
@@ -153,6 +150,22 @@ bool names_no_number(std::string_view text) {
 
 }  // namespace
 
+const Unit* find_unit(std::string_view symbol, const Dimension& dimension) {
+  if (symbol.empty()) return nullptr;
+  for (const Unit& u : dimension.units)
+    for (std::string_view spelling : u.spellings)
+      if (spelling == symbol) return &u;
+  return nullptr;
+}
+
+std::optional<double> to_si(double number, const Unit& unit) {
+  const double value = number * unit.multiply / unit.divide + unit.offset;
+  const double magnitude = std::abs(value);
+  if (!(magnitude <= kLargest) || (magnitude < kSmallest && number != 0.0 && unit.offset == 0.0))
+    return std::nullopt;
+  return value;
+}
+
 bool zero_depends_on_unit(const Dimension& dimension) {
   return std::ranges::any_of(dimension.units, [](const Unit& u) { return u.offset != 0.0; });
 }
@@ -178,11 +191,8 @@ ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension)
                         other ? fmt::format("the unit of {}", other->name) : "not a known unit",
                         unit_list(dimension))};
   }
-  const double value = *head.number * u->multiply / u->divide + u->offset;
-  const double magnitude = std::abs(value);
-  if (!head.representable || !(magnitude <= kLargest) ||
-      (magnitude < kSmallest && *head.number != 0.0 && u->offset == 0.0))
-    return {std::nullopt, "its magnitude is beyond any machine; check number and unit"};
+  const std::optional<double> value = head.representable ? to_si(*head.number, *u) : std::nullopt;
+  if (!value) return {std::nullopt, "its magnitude is beyond any machine; check number and unit"};
   return {value, {}};
 }
 

@@ -41,10 +41,17 @@ extern const Dimension stiffness;
 extern const Dimension torque;
 extern const Dimension temperature;
 extern const Dimension thermal_expansion;
+extern const Dimension duration;
 }  // namespace unit
 
 /// Whether 0 means something else in each unit, as with temperatures.
 bool zero_depends_on_unit(const Dimension& dimension);
+
+/// The unit of a dimension with this spelling, or null.
+const Unit* find_unit(std::string_view symbol, const Dimension& dimension);
+
+/// A number in a unit [SI]; nothing where it is beyond the magnitudes that a text may have.
+std::optional<double> to_si(double number, const Unit& unit);
 
 /// What a text says of a dimension: the value [SI], or else a hint how to mend the text.
 struct ParsedQuantity {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -14,7 +15,7 @@ inline std::string text_of(double value, const Quantity& q) {
   return format_quantity(value, q.dimension);
 }
 inline std::string text_of(double value, const Number&) { return fmt::format("{}", value); }
-inline std::string text_of(int value, const Whole&) { return fmt::format("{}", value); }
+inline std::string text_of(std::int64_t value, const Whole&) { return fmt::format("{}", value); }
 inline std::string text_of(bool value, const Flag&) { return value ? "true" : "false"; }
 inline std::string text_of(const std::string& value, const Text&) { return value; }
 

@@ -1,5 +1,6 @@
 #include "prs/input/study_reader.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,6 +28,14 @@ Factor read(const std::string& factor) {
   return read_study_input(with_factor(factor)).study.factors.at(0);
 }
 
+/// A study of 100 samples; its first factor stands on the same line.
+Source with_samples(const std::string& factor, const std::string& plan = "latin_hypercube") {
+  return source_of("study:\n  {command: solve, plan: " + plan +
+                   ", samples: 100,\n  factors: [\n      {" + factor + "}]}\n");
+}
+
+Study drawn(const std::string& factor) { return read_study_input(with_samples(factor)).study; }
+
 std::string error_of(const Source& source) {
   try {
     read_study_input(source);
@@ -36,6 +45,7 @@ std::string error_of(const Source& source) {
   }
 }
 std::string error_of(const std::string& factor) { return error_of(with_factor(factor)); }
+std::string error_of_drawn(const std::string& factor) { return error_of(with_samples(factor)); }
 
 std::vector<std::string> texts(const Factor& factor) {
   std::vector<std::string> all;
@@ -122,8 +132,9 @@ TEST(StudyReader, RefusesWhatIsNoStudy) {
       {"path: study.command, values: [slip]", "a value outside the study"},
       {"path: mechanism..lead, values: [5 mm]", "got no path"},
       {"path: \"load_cases[7].position\", values: [5 mm]", "expected one below 2"},
-      {"path: mechanism.lead, values: {from: 1 mm, to: 2 mm, steps: 100000}",
-       "got 100000 values; expected fewer than 100000"},
+      {"path: mechanism.lead, values: {from: 1 mm, to: 2 mm, steps: 100000}}\n    - {path: "
+       "mechanism.rollers, values: [9]",
+       "got 100001 values; expected at most 100000"},
   };
   for (const auto& [factor, message] : wrong)
     EXPECT_THAT(error_of(std::string(factor)), HasSubstr(message)) << factor;
@@ -131,6 +142,224 @@ TEST(StudyReader, RefusesWhatIsNoStudy) {
       error_of(
           "path: mechanism.lead, values: [5 mm]}\n    - {path: mechanism.lead, values: [6 mm]"),
       HasSubstr("a second time"));
+}
+
+TEST(StudyReader, SampledPlanHasSamplesAndSeed) {
+  const std::string factors = ", factors: [{path: mechanism.lead, within: 3 %}]}\n";
+  const Study study =
+      read_study_input(source_of("study: {command: solve, plan: monte_carlo, samples: 500, seed: "
+                                 "9007199254740992" +
+                                 factors))
+          .study;
+  EXPECT_EQ(study.plan, Plan::monte_carlo);
+  EXPECT_EQ(study.samples, 500U);
+  EXPECT_EQ(study.seed, std::uint64_t{1} << 53U);
+  const auto error = [&](const std::string& keys) {
+    return error_of(source_of("study: {command: solve, " + keys + factors));
+  };
+  EXPECT_THAT(error("plan: sobol"),
+              HasSubstr("study.samples: missing; expected a whole number from 1 to 1000000000"));
+  EXPECT_THAT(error("plan: sobol, samples: 0"), HasSubstr("study.samples: got 0; expected"));
+  EXPECT_THAT(error("plan: sobol, samples: 9, seed: -1"),
+              HasSubstr("study.seed: got -1; expected a whole number from 0 to 9007199254740992"));
+  EXPECT_THAT(error("samples: 9"), HasSubstr("study.samples: got 9; expected no such key here"));
+  EXPECT_THAT(error("seed: 9"), HasSubstr("study.seed: got 9; expected no such key here"));
+  EXPECT_THAT(error("plan: sobol_indices, samples: 400000000"),
+              HasSubstr("study.samples: got 1.2e+09 designs; expected fewer than 1000000000"));
+}
+
+TEST(StudyReader, GridIsBounded) {
+  const std::string range = "values: {from: 4 mm, to: 6 mm, steps: 40000}}";
+  EXPECT_THAT(error_of(source_of("study:\n  command: solve\n  plan: grid\n  factors:\n    - {path: "
+                                 "mechanism.lead, " +
+                                 range + "\n    - {path: structure.screw.bore, " + range + "\n")),
+              HasSubstr("study.factors: got 1.6e+09 designs; expected fewer than 1000000000; take "
+                        "fewer values"));
+}
+
+void expect_distribution(const Factor& factor, const std::string& unit, Distribution::Kind kind,
+                         double first, double second) {
+  EXPECT_EQ(factor.unit, unit);
+  EXPECT_EQ(factor.distribution.kind, kind);
+  EXPECT_DOUBLE_EQ(factor.distribution.first, first);
+  EXPECT_DOUBLE_EQ(factor.distribution.second, second);
+  EXPECT_TRUE(factor.is_numeric());
+}
+
+TEST(StudyReader, DistributionIsInTheUnitInWhichItIsWritten) {
+  using enum Distribution::Kind;
+  const auto factor = [](const std::string& keys) { return drawn(keys).factors.at(0); };
+  const Factor lead = factor("path: mechanism.lead, uniform: {from: 4900 um, to: 5100 um}");
+  expect_distribution(lead, "um", uniform, 4900, 5100);
+  EXPECT_EQ(lead.base->text, "5 mm");
+  EXPECT_EQ(lead.base->number, 5000.0);
+  expect_distribution(
+      factor("path: \"load_cases[0].axial_force\", log_uniform: {from: 1 kN, to: 45 kN}"), "kN",
+      log_uniform, 1, 45);
+  expect_distribution(
+      factor("path: mechanism.centre_distance, normal: {mean: 14010 um, deviation: 0.002 mm}"),
+      "um", normal, 14010, 2);
+}
+
+TEST(StudyReader, DistributionAboutTheFileIsInTheUnitOfTheFile) {
+  using enum Distribution::Kind;
+  const auto factor = [](const std::string& keys) { return drawn(keys).factors.at(0); };
+  expect_distribution(factor("path: mechanism.centre_distance, normal: {deviation: 2 um}"), "mm",
+                      normal, 14, 0.002);
+  expect_distribution(factor("path: materials.youngs_modulus, within: 3 %"), "GPa", uniform,
+                      209 * 0.97, 209 * 1.03);
+  expect_distribution(factor("path: materials.poisson_ratio, within: 0.1"), "", uniform, 0.27,
+                      0.33);
+  expect_distribution(factor("path: mechanism.profile.roller.convex, within: 3%"), "mm", uniform,
+                      4.949747468 * 0.97, 4.949747468 * 1.03);
+  // A default.
+  expect_distribution(factor("path: carrier.gear_pressure_angle, within: 10 %"), "deg", uniform, 18,
+                      22);
+  // A difference of temperatures does not depend on their zero.
+  const Factor warm =
+      factor("path: deviations.reference_temperature, normal: {deviation: 5 K, mean: 40 degC}");
+  EXPECT_EQ(warm.unit, "degC");
+  EXPECT_NEAR(warm.distribution.second, 5.0, 1e-12);
+}
+
+TEST(StudyReader, ValuesAreAChoiceInASampledPlan) {
+  const Factor f = drawn("path: model.roller, values: [flexible, rigid_bending]").factors.at(0);
+  EXPECT_EQ(f.distribution.kind, Distribution::Kind::levels);
+  EXPECT_THAT(texts(f), ElementsAre("flexible", "rigid_bending"));
+}
+
+TEST(StudyReader, EveryEntryOfAListIsDrawnOnItsOwn) {
+  const StudyInput in = read_study_input(with_samples(
+      "path: deviations.pitch_error.screw.list, normal: {deviation: 2 um}, label: pitch error"));
+  ASSERT_EQ(in.study.factors.size(), 20U);  // Contacts of a roller.
+  for (std::size_t i = 0; i < 20; ++i) {
+    const Factor& f = in.study.factors[i];
+    EXPECT_EQ(f.path, fmt::format("deviations.pitch_error.screw.list[{}]", i));
+    EXPECT_EQ(f.label, fmt::format("pitch error[{}]", i));
+    EXPECT_TRUE(f.entry_of_list);
+    expect_distribution(f, "um", Distribution::Kind::normal, 0, 2);
+  }
+  EXPECT_EQ(read_design(in, {}).deviations.pitch_error.screw.list, std::vector<double>(20, 0.0));
+  const std::vector<double> drawn_list =
+      read_design(in, overrides(in.study, design(in.study, 7))).deviations.pitch_error.screw.list;
+  const std::vector<Draw> numbers = draws(in.study, 7);
+  for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(drawn_list.at(i), numbers[i].number / 1e6);
+}
+
+TEST(StudyReader, EntriesOfAListInTheFileAreMeans) {
+  Source source = with_samples("path: deviations.pitch_error.nut.list, normal: {deviation: 1 um}");
+  std::string list = "1 um";
+  for (int i = 1; i < 20; ++i) list += fmt::format(", {} um", i + 1);
+  source.overrides = {"deviations.pitch_error.nut.list=[" + list + "]"};
+  const Study study = read_study_input(source).study;
+  ASSERT_EQ(study.factors.size(), 20U);
+  expect_distribution(study.factors[4], "um", Distribution::Kind::normal, 5, 1);
+}
+
+TEST(StudyReader, DerivativesNameNumbersOfTheFile) {
+  const auto source = [](const std::string& factor) {
+    return source_of("study: {command: solve, plan: derivatives, factors: [{path: " + factor +
+                     "}]}\n");
+  };
+  const Factor f = read_study_input(source("mechanism.lead")).study.factors.at(0);
+  EXPECT_EQ(f.unit, "mm");
+  EXPECT_EQ(f.base->number, 5.0);
+  EXPECT_EQ(read_study_input(source("deviations.pitch_error.screw.list")).study.factors.size(),
+            20U);
+  EXPECT_THAT(error_of(source("mechanism.lead, values: [5 mm]")),
+              HasSubstr("study.factors[0].values: got [5 mm]; expected a path only with `plan: "
+                        "derivatives`"));
+  EXPECT_THAT(error_of(source("mechanism.rollers")),
+              HasSubstr("got mechanism.rollers; expected the path of a number that may have any "
+                        "value between two; leave this factor out"));
+  EXPECT_THAT(error_of(source("mechanism.rolers")), HasSubstr("did you mean `rollers`?"));
+  EXPECT_THAT(error_of(source("operation.speed")), HasSubstr("of which the file says nothing"));
+}
+
+TEST(StudyReader, RefusesWhatCannotBeDrawn) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"path: mechanism.lead",
+       "study.factors[0]: missing what values it takes; expected one of values, uniform"},
+      {"path: mechanism.lead, within: 3 %, values: [5 mm]",
+       "study.factors[0].within: got 3 %; expected one way to choose values, `values` stands"},
+      {"path: mechanism.lead, uniform: 5 mm", "study.factors[0].uniform: got 5 mm; expected a map"},
+      {"path: mechanism.lead, uniform: {from: 5 mm}", "uniform.to: missing"},
+      {"path: mechanism.lead, uniform: {from: 5 mm, to: 4 mm}",
+       "uniform.to: got 4 mm; expected more than `from`, 5 mm; swap the two"},
+      {"path: mechanism.lead, uniform: {from: 5 mm, to: 1 cm}", "the unit of `from`, mm"},
+      {"path: mechanism.lead, uniform: {from: a, to: 1 cm}", "got a; expected a number"},
+      {"path: mechanism.lead, log_uniform: {from: -1 mm, to: 1 mm}",
+       "log_uniform.from: got logarithmic from -1 mm to 1 mm; expected ends of one sign"},
+      {"path: mechanism.lead, uniform: {from: 5 kN, to: 6 kN}", "`kN` is the unit of a force"},
+      {"path: structure.screw.bore, uniform: {from: -1 mm, to: 6 mm}",
+       "structure.screw.bore: got -1 mm; expected a length >= 0"},
+      {"path: materials.poisson_ratio, within: 100 %",
+       "materials.poisson_ratio: got 0.6; expected a number >= 0 and < 0.5"},
+      {"path: mechanism.lead, within: 3", "within: got 3; expected a share > 0 and at most 100 %"},
+      {"path: mechanism.lead, within: 0 %", "within: got 0 %; expected a share > 0"},
+      {"path: mechanism.lead, within: 3 mm", "within: got 3 mm; expected a share"},
+      {"path: mechanism.lead, within: much", "within: got much; expected a share"},
+      {"path: structure.screw.bore, within: 3 %}, {path: deviations.crowning, within: 3 %",
+       "got 3 % of 0; expected a value other than 0 in the file"},
+      {"path: operation.speed, within: 3 %", "got 3 % of a value that the file lacks"},
+      {"path: deviations.reference_temperature, within: 3 %", "whose zero is a convention"},
+      {"path: mechanism.lead, normal: {deviation: 0 mm}",
+       "normal.deviation: got 0 mm; expected a number > 0 that goes with the unit mm"},
+      {"path: mechanism.lead, normal: {deviation: 1 kN}", "goes with the unit mm"},
+      {"path: mechanism.lead, normal: {deviation: 1 um, mean: wide}",
+       "normal.mean: got wide; expected a number with its unit"},
+      {"path: operation.speed, normal: {deviation: 1 rpm}",
+       "normal: missing `mean`; expected it where the file says nothing of operation.speed; add "
+       "for example `mean: 0 rpm`"},
+      {"path: structure.screw.bore, normal: {deviation: 1 um, mean: -1 mm}",
+       "structure.screw.bore: got -1 mm"},
+      {"path: mechanism.rollers, uniform: {from: 8, to: 11}",
+       "write the values that it may have, `values: [.., ..]`"},
+      {"path: model.roller, within: 3 %", "expected the path of a number that may have any value"},
+      {"path: \"load_cases[1].axial_force.steps\", within: 3 %", "expected the path of a number"},
+      {"path: mechanism.rolers, within: 3 %", "did you mean `rollers`?"},
+      {"path: \"load_cases[7].position\", within: 3 %", "expected one below 2"},
+      {"path: study.samples, within: 3 %", "a value outside the study"},
+      {"path: mechanism.pitch_diameter, values: [~]}, {path: mechanism.pitch_diameter.nut, within: "
+       "3 %",
+       "got nothing"},
+      {"path: mechanism.starts, values: [{screw: 3}]}, {path: mechanism.starts.screw, values: [3]",
+       "got mechanism.starts.screw beside mechanism.starts; expected factors of which none"},
+  };
+  for (const auto& [factor, message] : wrong)
+    EXPECT_THAT(error_of_drawn(factor), HasSubstr(message)) << factor;
+}
+
+TEST(StudyReader, WrongDistributionIsReportedWhereItStands) {
+  const std::string line = "case.yaml:" + std::to_string(kLine);
+  EXPECT_THAT(error_of_drawn("path: mechanism.lead, uniform: {from: 4 mm, to: 6 kN}"),
+              StartsWith(line + ":56: error: study.factors[0].uniform.to: got 6 kN"));
+  EXPECT_THAT(error_of_drawn("path: structure.screw.bore, uniform: {from: -4 mm, to: 6 mm}"),
+              StartsWith(line + ":52: error: structure.screw.bore: got -4 mm"));
+  EXPECT_THAT(error_of_drawn("path: materials.poisson_ratio, within: 100 %"),
+              StartsWith(line + ":47: error: materials.poisson_ratio: got 0.6"));
+}
+
+TEST(StudyReader, DistributionsAreForSampledPlans) {
+  EXPECT_THAT(error_of("path: mechanism.lead, within: 3 %"),
+              HasSubstr("study.factors[0].within: got 3 %; expected `values` with `plan: "
+                        "one_at_a_time`, which lists its designs"));
+  EXPECT_THAT(error_of("path: mechanism.lead"), HasSubstr("missing what values it takes; expected "
+                                                          "`values`"));
+}
+
+TEST(StudyReader, SobolsSequenceHasSoManyDimensions) {
+  const auto error = [](const std::string& plan, int contacts) {
+    Source source =
+        with_samples("path: deviations.pitch_error.screw.list, normal: {deviation: 1 nm}", plan);
+    source.overrides = {fmt::format("mechanism.contacts_per_roller={}", contacts),
+                        "structure.nut.length=20 m"};
+    return error_of(source);
+  };
+  EXPECT_EQ(error("sobol", 3667), "");
+  EXPECT_THAT(error("sobol", 3668), HasSubstr("got 3668 factors; expected at most 3667 with `plan: "
+                                              "sobol`; take `plan: latin_hypercube`"));
+  EXPECT_THAT(error("sobol_indices", 1834), HasSubstr("expected at most 1833 with"));
 }
 
 TEST(StudyReader, BaseCaseMustMeetItsCommand) {

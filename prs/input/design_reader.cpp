@@ -1,0 +1,169 @@
+#include "prs/input/design_reader.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "prs/input/reader.h"
+#include "prs/input/slot.h"
+#include "prs/input/units.h"
+
+namespace prs::input {
+
+namespace {
+
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kMostFrames = 256;
+
+/// What is known of a factor's values before any design is read.
+struct Values {
+  bool number = false;              ///< A drawn number can be set without reading it.
+  const Unit* unit = nullptr;       ///< None of bare numbers.
+  std::vector<double> levels = {};  ///< As `slot_value` gives them; NaN where one must be read.
+};
+
+Values values_of(const Factor& factor, CaseFile& file) {
+  const Slot slot = find_slot(file, factor.path);
+  Values values;
+  if (slot.dimension) values.unit = find_unit(factor.unit, *slot.dimension);
+  values.number = slot.kind == Slot::Kind::number &&
+                  (slot.dimension ? values.unit != nullptr : factor.unit.empty());
+  const bool numeric = slot.kind == Slot::Kind::number || slot.kind == Slot::Kind::whole;
+  for (const Level& level : factor.levels)
+    values.levels.push_back(numeric ? slot_value(slot, level.text).value_or(kNoNumber) : kNoNumber);
+  return values;
+}
+
+/// How a factor's value comes into the case: designs that agree in this differ in numbers only.
+using Shape = std::vector<std::uint32_t>;
+constexpr std::uint32_t kAsInFile = 0;
+constexpr std::uint32_t kNumber = 1;
+constexpr std::uint32_t kFirstLevel = 2;
+
+/// A case file whose numbers are set in place.
+struct Frame {
+  struct Bound {
+    std::size_t factor;
+    Slot slot;
+  };
+
+  CaseFile file;
+  std::vector<Bound> bound;
+  bool varies_loads = false;
+};
+
+}  // namespace
+
+struct DesignReader::Parts {
+  const StudyInput& input;
+  std::vector<Values> values = {};
+  std::map<Shape, std::unique_ptr<Frame>> frames = {};
+  Shape shape = {};
+  Frame* frame = nullptr;  ///< Of the last shape.
+  Case read_in_full = {};
+
+  /// The shape of a design; false where a number must be read.
+  bool find_shape(const std::vector<Draw>& draws, Shape& found) const;
+  Frame* frame_of(const std::vector<Draw>& draws, std::size_t k);
+  std::unique_ptr<Frame> make_frame(const Shape& of, std::size_t k) const;
+  bool set_numbers(const std::vector<Draw>& draws);
+};
+
+bool DesignReader::Parts::find_shape(const std::vector<Draw>& draws, Shape& found) const {
+  found.resize(draws.size());
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    const Draw& draw = draws[i];
+    if (draw.kind == Draw::Kind::as_in_file) {
+      found[i] = kAsInFile;
+    } else if (draw.kind == Draw::Kind::number) {
+      if (!values[i].number) return false;
+      found[i] = kNumber;
+    } else {
+      const bool number = !std::isnan(values[i].levels[draw.level]);
+      found[i] = number ? kNumber : kFirstLevel + static_cast<std::uint32_t>(draw.level);
+    }
+  }
+  return true;
+}
+
+/// Null where the design's document cannot be read, or has no number in a factor's place.
+std::unique_ptr<Frame> DesignReader::Parts::make_frame(const Shape& of, std::size_t k) const {
+  auto made = std::make_unique<Frame>();
+  try {
+    made->file = read_design_file(input, overrides(input.study, design(input.study, k))).file;
+  } catch (const InputError&) {
+    return nullptr;
+  }
+  made->file.values.load_cases = expand(made->file.load_cases);
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    if (of[i] != kNumber) continue;
+    const std::string& path = input.study.factors[i].path;
+    Slot slot = find_slot(made->file, path);
+    if (slot.kind != Slot::Kind::number && slot.kind != Slot::Kind::whole) return nullptr;
+    made->bound.push_back({i, std::move(slot)});
+    made->varies_loads = made->varies_loads || path.starts_with("load_cases");
+  }
+  return made;
+}
+
+Frame* DesignReader::Parts::frame_of(const std::vector<Draw>& draws, std::size_t k) {
+  Shape of;
+  if (!find_shape(draws, of)) return nullptr;
+  if (frame && of == shape) return frame;
+  auto known = frames.find(of);
+  if (known == frames.end()) {
+    std::unique_ptr<Frame> made = make_frame(of, k);
+    if (!made) return nullptr;
+    if (frames.size() >= kMostFrames) frames.clear();
+    known = frames.emplace(of, std::move(made)).first;
+  }
+  shape = std::move(of);
+  frame = known->second.get();
+  return frame;
+}
+
+/// Sets the numbers of the last shape's frame; false where one is out of its bounds.
+bool DesignReader::Parts::set_numbers(const std::vector<Draw>& draws) {
+  for (const auto& [factor, slot] : frame->bound) {
+    const Draw& draw = draws[factor];
+    const Values& known = values[factor];
+    const std::optional<double> value = draw.kind == Draw::Kind::level
+                                            ? known.levels[draw.level]
+                                            : slot_value(slot, draw.number, known.unit);
+    if (!value) return false;
+    set(slot, *value);
+  }
+  if (frame->varies_loads) update_numbers(frame->file.values.load_cases, frame->file.load_cases);
+  return true;
+}
+
+DesignReader::DesignReader(const StudyInput& input) : parts_(new Parts{.input = input}) {
+  CaseFile base = read_design_file(input, {}).file;
+  for (const Factor& factor : input.study.factors)
+    parts_->values.push_back(values_of(factor, base));
+}
+
+DesignReader::~DesignReader() = default;
+DesignReader::DesignReader(DesignReader&&) noexcept = default;
+
+const Case& DesignReader::read(std::size_t k) {
+  Parts& p = *parts_;
+  const std::vector<Draw> drawn = draws(p.input.study, k);
+  if (p.frame_of(drawn, k) && p.set_numbers(drawn)) {
+    const Case& values = p.frame->file.values;
+    const std::vector<Problem> problems = problems_of(values, p.input.study.command);
+    if (problems.empty()) return values;
+    if (problems.size() == 1) {
+      ErrorList errors(p.input.source);
+      errors.add({}, problems[0].path, problems[0].message);
+      throw InputError(errors.first());
+    }
+  }
+  p.read_in_full = read_design(p.input, overrides(p.input.study, design(p.input.study, k)));
+  return p.read_in_full;
+}
+
+}  // namespace prs::input

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "prs/case.h"
+#include "prs/input/study_reader.h"
+
+namespace prs::input {
+
+/// Reads the cases of a study's designs one after the other, without parsing where only numbers
+/// change. One a thread.
+class DesignReader {
+ public:
+  /// The input must outlive the reader.
+  explicit DesignReader(const StudyInput& input);
+  ~DesignReader();
+  DesignReader(DesignReader&&) noexcept;
+
+  /// The case of design k, valid until the next one is read: that of `read_design` with the
+  /// design's overrides. Throws InputError.
+  const Case& read(std::size_t k);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace prs::input
