@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "prs/output/units.h"
@@ -20,11 +21,15 @@ void CsvWriter::text(std::string_view value) {
 }
 
 void CsvWriter::number(std::optional<double> si, double factor) {
-  text(si && std::isfinite(*si) ? fmt::to_string(*si * factor) : std::string());
+  separate();
+  if (!si || !std::isfinite(*si)) return;
+  std::array<char, 32> digits;  // A shortest double has 24 at most.
+  csv_.append(digits.data(), fmt::format_to(digits.data(), "{}", *si * factor));
 }
 
 void CsvWriter::integer(std::optional<std::size_t> value) {
-  text(value ? fmt::to_string(*value) : std::string());
+  separate();
+  if (value) csv_ += fmt::format_int(*value).c_str();
 }
 
 void CsvWriter::end_row() {

@@ -1,5 +1,6 @@
+#include "prs/output/study_csv.h"
+
 #include "prs/output/csv_writer.h"
-#include "prs/output/study_files.h"
 
 namespace prs {
 namespace {
@@ -13,25 +14,49 @@ void setting_fields(CsvWriter& csv, const Study& study, const Design& design) {
   csv.text(setting ? setting->level.text : "");
   csv.number(setting ? setting->level.number : std::nullopt);
   csv.text(setting && setting->level.number ? factor->unit : "");
+  csv.text(is_base(study, design) ? "true" : "false");
+}
+
+void factor_field(CsvWriter& csv, const FactorColumn& column, double value) {
+  if (column.is_numeric())
+    csv.number(value);
+  else
+    csv.text(value >= 0.0 ? column.words[static_cast<std::size_t>(value)] : "");
 }
 
 }  // namespace
 
-std::string study_csv(const StudyResult& result) {
+std::string StudyCsv::header() const {
   CsvWriter csv;
-  for (const char* key :
-       {"design", "factor", "label", "value", "number", "unit", "base", "status", "reason"})
-    csv.text(key);
-  for (const std::string& path : result.study.responses) csv.text(path);
+  csv.text("design");
+  if (study_.plan == Plan::one_at_a_time)
+    for (const char* key : {"factor", "label", "value", "number", "unit", "base"}) csv.text(key);
+  else
+    for (const FactorColumn& column : columns_) csv.text(column.name);
+  csv.text("status");
+  csv.text("reason");
+  for (const std::string& path : study_.responses) csv.text(path);
   csv.end_row();
-  for (std::size_t k = 0; k < result.rows.size(); ++k) {
-    const StudyRow& row = result.rows[k];
-    csv.integer(k);
-    setting_fields(csv, result.study, row.design);
-    csv.text(is_base(result.study, row.design) ? "true" : "false");
-    csv.text(row.status.name);
-    csv.text(row.status.reason);
-    for (const std::optional<double>& value : row.responses) csv.number(value);
+  return csv.take();
+}
+
+std::string StudyCsv::rows(const RowBlock& block, const std::vector<double>& factors) const {
+  const DesignStatus converged;
+  CsvWriter csv;
+  auto failure = block.failures.begin();
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    csv.integer(block.first + row);
+    if (study_.plan == Plan::one_at_a_time)
+      setting_fields(csv, study_, design(study_, block.first + row));
+    else
+      for (std::size_t f = 0; f < columns_.size(); ++f)
+        factor_field(csv, columns_[f], factors[row * columns_.size() + f]);
+    const bool failed = failure != block.failures.end() && failure->row == row;
+    const DesignStatus& status = failed ? (failure++)->status : converged;
+    csv.text(status.name);
+    csv.text(status.reason);
+    const std::size_t width = study_.responses.size();
+    for (std::size_t k = 0; k < width; ++k) csv.number(block.responses[row * width + k]);
     csv.end_row();
   }
   return csv.take();

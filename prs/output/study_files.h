@@ -1,18 +1,21 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <string>
+#include <filesystem>
+#include <functional>
 
 #include "prs/output/json.h"
-#include "prs/study/run.h"
+#include "prs/study/row_block.h"
+#include "prs/study/stored_rows.h"
+#include "prs/study/study.h"
 
 namespace prs {
 
-/// `study.csv`: a row a design, the base case first. Columns `value`, `number` and `unit` are those
-/// of the factor that differs from the base case; responses have the paths for names.
-std::string study_csv(const StudyResult& result);
-
-/// The document of `prs study --json`: the study, and under `designs` what each of them gave.
-nlohmann::ordered_json study_json(const StudyResult& result, const DocumentInfo& info);
+/// Reads the rows of all designs once, in their order, and gives every block to `add`. With a
+/// folder, `study.csv` and `study.nc` are written on the way; they are on the disk when this
+/// returns. The memory needed does not depend on the number of designs. Throws std::system_error
+/// that names a file that cannot be written; earlier files of that name are then as they were.
+void write_rows(const StoredRows& rows, const Study& study, const DocumentInfo& info,
+                const std::filesystem::path* folder, std::size_t threads,
+                const std::function<void(const RowBlock&)>& add);
 
 }  // namespace prs

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+#include "prs/file_descriptor.h"
+
+namespace prs {
+
+/// A file under a temporary name beside its target; gone again unless it is published, so that no
+/// reader meets half a file and a full disk leaves the earlier one as it was. What cannot be
+/// written throws std::system_error that names the target.
+class StagedFile {
+ public:
+  explicit StagedFile(std::filesystem::path target);
+  StagedFile(StagedFile&& other) noexcept;
+  StagedFile& operator=(StagedFile&&) = delete;
+  ~StagedFile();
+
+  /// Where it stands until it is published.
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+  void append(std::string_view content);
+
+  /// Makes sure that the file can grow to so many bytes, for writers that do not survive a full
+  /// disk. What is not needed of it is given back by `sync`.
+  void reserve(std::uint64_t bytes);
+
+  /// Nothing is appended any more; errors that the system held back come now.
+  void close();
+
+  /// Brings the content to the disk, also what others wrote under the temporary name.
+  void sync();
+
+  /// Closes the file and gives it its name.
+  void publish();
+
+ private:
+  [[noreturn]] void fail(int error) const;
+
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;  ///< Empty once there is nothing to remove.
+  FileDescriptor file_;
+};
+
+}  // namespace prs

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "prs/output/study_columns.h"
+#include "prs/study/row_block.h"
+
+namespace prs {
+
+/// `study.csv`: a row a design, the base case first, then status, reason and the responses under
+/// their paths. Before them stand the values of all factors or, where designs differ from the base
+/// case in one value, this one: `factor`, `label`, `value`, `number`, `unit`.
+class StudyCsv {
+ public:
+  /// Both must outlive the object.
+  StudyCsv(const Study& study, const std::vector<FactorColumn>& columns)
+      : study_(study), columns_(columns) {}
+
+  std::string header() const;
+
+  /// `factors`: of the block, see `factor_values`. From any thread.
+  std::string rows(const RowBlock& block, const std::vector<double>& factors) const;
+
+ private:
+  const Study& study_;
+  const std::vector<FactorColumn>& columns_;
+};
+
+}  // namespace prs

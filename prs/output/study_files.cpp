@@ -1,0 +1,57 @@
+#include "prs/output/study_files.h"
+
+#include <optional>
+
+#include "prs/output/staged_file.h"
+#include "prs/output/study_csv.h"
+#include "prs/output/study_netcdf.h"
+#include "prs/study/schedule.h"
+
+namespace prs {
+namespace {
+
+/// The files of a study, published together.
+struct RowFiles {
+  StagedFile csv;
+  StudyNetcdf netcdf;
+
+  RowFiles(const std::filesystem::path& folder, const Study& study,
+           const std::vector<FactorColumn>& columns, const DocumentInfo& info)
+      : csv(folder / "study.csv"), netcdf(folder / "study.nc", study, columns, info) {}
+
+  void publish() {
+    csv.sync();
+    netcdf.finish();
+    csv.publish();
+    netcdf.publish();
+  }
+};
+
+}  // namespace
+
+void write_rows(const StoredRows& rows, const Study& study, const DocumentInfo& info,
+                const std::filesystem::path* folder, std::size_t threads,
+                const std::function<void(const RowBlock&)>& add) {
+  const std::vector<FactorColumn> columns = factor_columns(study);
+  const StudyCsv csv(study, columns);
+  std::optional<RowFiles> files;
+  if (folder) {
+    files.emplace(*folder, study, columns, info);
+    files->csv.append(csv.header());
+  }
+  run_in_order(rows.block_count(), threads, [&](std::size_t k) -> std::function<void()> {
+    auto block = std::make_shared<const RowBlock>(rows.block(k));
+    if (!files) return [&add, block] { add(*block); };
+    auto factors = std::make_shared<const std::vector<double>>(
+        factor_values(study, columns, block->first, block->rows));
+    auto text = std::make_shared<const std::string>(csv.rows(*block, *factors));
+    return [&, block, factors, text] {
+      files->csv.append(*text);
+      files->netcdf.add(*block, *factors);
+      add(*block);
+    };
+  });
+  if (files) files->publish();
+}
+
+}  // namespace prs

@@ -1,0 +1,324 @@
+#include "prs/study/journal.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include <boost/crc.hpp>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+
+#include "prs/sha256.h"
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// Of a file: also tells the byte order and, by its last digit, the format.
+constexpr std::uint64_t kMagic = 0x3141'4e4a'2d53'5250;  // "PRS-JNA1" on a little-endian machine
+constexpr std::uint64_t kLongestHeader = 1u << 26;
+
+constexpr std::size_t kWord = sizeof(std::uint64_t);
+/// Length, first design, rows, responses; checksum.
+constexpr std::uint64_t kShortestRecord = 5 * kWord;
+
+void put(std::string& bytes, std::uint64_t number) {
+  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+void put(std::string& bytes, std::string_view text) {
+  put(bytes, text.size());
+  bytes.append(text);
+}
+
+std::uint64_t crc32c(std::string_view bytes) {
+  boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true> crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  return crc.checksum();
+}
+
+/// Takes values from bytes that may not be what they should; past their end all is zero and `good`
+/// false.
+class Cursor {
+ public:
+  explicit Cursor(std::string_view bytes) : bytes_(bytes) {}
+
+  std::uint64_t number() {
+    std::uint64_t value = 0;
+    std::memcpy(&value, text(sizeof value).data(), good_ ? sizeof value : 0);
+    return value;
+  }
+  std::string_view text(std::uint64_t length) {
+    good_ = good_ && length <= bytes_.size();
+    const std::string_view taken = bytes_.substr(0, good_ ? length : 0);
+    bytes_.remove_prefix(taken.size());
+    return taken;
+  }
+  std::string_view text() { return text(number()); }
+
+  bool good() const { return good_; }
+  bool at_end() const { return good_ && bytes_.empty(); }
+
+ private:
+  std::string_view bytes_;
+  bool good_ = true;
+};
+
+std::uint64_t number_at(std::string_view bytes, std::size_t offset) {
+  return Cursor(bytes.substr(offset)).number();
+}
+
+/// A sealed text: its length, itself and the checksum of both.
+std::string sealed(std::string text) {
+  std::string bytes;
+  bytes.reserve(text.size() + 2 * kWord);
+  put(bytes, text.size() + 2 * kWord);
+  bytes += text;
+  put(bytes, crc32c(bytes));
+  return bytes;
+}
+
+bool is_whole(std::string_view bytes) {
+  return bytes.size() >= 2 * kWord && number_at(bytes, 0) == bytes.size() &&
+         number_at(bytes, bytes.size() - kWord) == crc32c(bytes.substr(0, bytes.size() - kWord));
+}
+
+std::string_view content(std::string_view sealed_bytes) {
+  return sealed_bytes.substr(kWord, sealed_bytes.size() - 2 * kWord);
+}
+
+/// Absent where the bytes are no block of a study with so many responses and designs.
+std::optional<RowBlock> decode(std::string_view bytes, const JournalHeader& header) {
+  Cursor cursor(content(bytes));
+  RowBlock block;
+  block.first = cursor.number();
+  block.rows = cursor.number();
+  const std::uint64_t responses = cursor.number();
+  if (!cursor.good() || responses != header.responses.size() || block.rows == 0 ||
+      block.first >= header.designs || block.rows > header.designs - block.first)
+    return std::nullopt;
+  const std::string_view numbers = cursor.text(block.rows * responses * sizeof(double));
+  if (!cursor.good()) return std::nullopt;
+  block.responses.resize(block.rows * responses);
+  if (!numbers.empty()) std::memcpy(block.responses.data(), numbers.data(), numbers.size());
+  while (cursor.good() && !cursor.at_end()) {
+    RowBlock::Failure& failure = block.failures.emplace_back();
+    failure.row = cursor.number();
+    failure.status.name = cursor.text();
+    failure.status.reason = cursor.text();
+    if (failure.row >= block.rows) return std::nullopt;
+  }
+  return cursor.good() ? std::optional(std::move(block)) : std::nullopt;
+}
+
+std::string encode(const JournalHeader& header) {
+  const Json json{{"key", header.key},
+                  {"name", header.source.name},
+                  {"text", header.source.text},
+                  {"overrides", header.source.overrides},
+                  {"responses", header.responses},
+                  {"designs", header.designs},
+                  {"shard", {header.shard.index, header.shard.count}}};
+  const std::vector<std::uint8_t> cbor = Json::to_cbor(json);
+  std::string bytes;
+  put(bytes, kMagic);
+  return bytes + sealed({cbor.begin(), cbor.end()});
+}
+
+JournalHeader decode_header(std::string_view bytes) {
+  const Json json = Json::from_cbor(content(bytes));
+  return {json.at("key"),
+          {json.at("name"), json.at("text"), json.at("overrides")},
+          json.at("responses"),
+          json.at("designs"),
+          {json.at("shard").at(0), json.at("shard").at(1)}};
+}
+
+[[noreturn]] void refuse_foreign(const fs::path& path) {
+  throw StudyFolderError(fmt::format(
+      "{}: error: this is no journal of a study, or it is damaged or of another kind of machine; "
+      "give another folder with --output, or --restart to discard it",
+      path.string()));
+}
+
+FileDescriptor open_temporary() {
+  std::string pattern = (fs::temp_directory_path() / "prs-study-XXXXXX").string();
+  FileDescriptor file(::mkostemp(pattern.data(), O_APPEND | O_CLOEXEC));
+  if (!file.is_open())
+    throw std::system_error(errno, std::generic_category(),
+                            fmt::format("cannot write '{}'", pattern));
+  ::unlink(pattern.c_str());
+  return file;
+}
+
+}  // namespace
+
+std::string study_key(std::string_view version, const input::Source& source,
+                      std::span<const std::string> referred) {
+  std::string bytes;
+  put(bytes, version);
+  put(bytes, source.text);
+  put(bytes, source.overrides.size());
+  for (const std::string& text : source.overrides) put(bytes, text);
+  for (const std::string& text : referred) put(bytes, text);
+  return sha256(bytes);
+}
+
+std::string encode(const RowBlock& block) {
+  std::string bytes;
+  bytes.reserve(3 * kWord + block.responses.size() * sizeof(double));
+  put(bytes, block.first);
+  put(bytes, block.rows);
+  put(bytes, block.rows == 0 ? 0 : block.responses.size() / block.rows);
+  bytes.append(reinterpret_cast<const char*>(block.responses.data()),
+               block.responses.size() * sizeof(double));
+  for (const RowBlock::Failure& failure : block.failures) {
+    put(bytes, failure.row);
+    put(bytes, failure.status.name);
+    put(bytes, failure.status.reason);
+  }
+  return sealed(std::move(bytes));
+}
+
+DesignRange designs_of(std::string_view record) {
+  return {number_at(record, kWord), number_at(record, 2 * kWord)};
+}
+
+Journal Journal::append_to(const fs::path& path, const JournalHeader& header, bool afresh) {
+  Journal journal;
+  journal.path_ = path;
+  journal.file_ =
+      FileDescriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+  if (!journal.file_.is_open()) journal.fail(errno);
+  if (::flock(journal.file_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw StudyFolderError(fmt::format(
+        "{}: error: another process is writing this journal; wait for it, or give another folder "
+        "with --output",
+        path.string()));
+  if (afresh || !journal.load()) {
+    journal.header_ = header;
+    journal.begin();
+  }
+  journal.require(header);
+  if (::ftruncate(journal.file_.get(), static_cast<off_t>(journal.end_)) != 0) journal.fail(errno);
+  return journal;
+}
+
+Journal Journal::temporary(const JournalHeader& header) {
+  Journal journal;
+  journal.path_ = fs::temp_directory_path();
+  journal.file_ = open_temporary();
+  journal.header_ = header;
+  journal.begin();
+  return journal;
+}
+
+Journal Journal::read(const fs::path& path) {
+  Journal journal;
+  journal.path_ = path;
+  journal.file_ = FileDescriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!journal.file_.is_open())
+    throw std::system_error(errno, std::generic_category(),
+                            fmt::format("cannot read '{}'", path.string()));
+  journal.load();
+  return journal;
+}
+
+bool Journal::is_of(const JournalHeader& study) const {
+  return header_.key == study.key && header_.designs == study.designs &&
+         header_.responses == study.responses;
+}
+
+void Journal::require(const JournalHeader& study) const {
+  if (is_of(study)) return;
+  throw StudyFolderError(fmt::format(
+      "{}: error: it holds the journal {} of another study: the file, an override or the program "
+      "changed since; give another folder with --output, or --restart to discard what was computed",
+      path_.parent_path().string(), path_.filename().string()));
+}
+
+void Journal::append(std::string_view record) {
+  if (const int error = write_all(file_, record); error != 0) {
+    // A part of a record that cannot be cut off now is cut off when the journal is read.
+    if (::ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) fail(errno);
+    fail(error);
+  }
+  records_.push_back({designs_of(record), end_, record.size()});
+  end_ += record.size();
+}
+
+RowBlock Journal::block(const Record& record) const {
+  const std::string raw = bytes(record.offset, record.length);
+  std::optional<RowBlock> block = is_whole(raw) ? decode(raw, header_) : std::nullopt;
+  if (!block)
+    throw std::runtime_error(
+        fmt::format("'{}' changed while it was read; run the same command again", path_.string()));
+  return *std::move(block);
+}
+
+void Journal::sync() {
+  if (::fdatasync(file_.get()) != 0) fail(errno);
+}
+
+bool Journal::load() {
+  struct stat status {};
+  if (::fstat(file_.get(), &status) != 0) fail(errno);
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  const std::string start = bytes(0, std::min<std::uint64_t>(size, 2 * kWord));
+  std::string magic;
+  put(magic, kMagic);
+  if (start.substr(0, kWord) != magic.substr(0, start.size())) refuse_foreign(path_);
+  if (start.size() < 2 * kWord) return false;
+  const std::uint64_t length = number_at(start, kWord);
+  if (length > kLongestHeader) refuse_foreign(path_);
+  if (length > size - kWord) return false;
+  const std::string head = bytes(kWord, length);
+  if (!is_whole(head)) refuse_foreign(path_);
+  header_ = decode_header(head);
+
+  end_ = kWord + length;
+  while (size - end_ >= kShortestRecord) {
+    const std::uint64_t next = number_at(bytes(end_, kWord), 0);
+    if (next > size - end_) break;
+    const std::string record = next < kShortestRecord ? std::string() : bytes(end_, next);
+    damaged_ = !is_whole(record) || !decode(record, header_);
+    if (damaged_) break;
+    records_.push_back({designs_of(record), end_, next});
+    end_ += next;
+  }
+  return true;
+}
+
+void Journal::begin() {
+  const std::string head = encode(header_);
+  if (::ftruncate(file_.get(), 0) != 0) fail(errno);
+  if (const int error = write_all(file_, head); error != 0) fail(error);
+  end_ = head.size();
+}
+
+std::string Journal::bytes(std::uint64_t offset, std::uint64_t length) const {
+  std::string read(length, '\0');
+  std::size_t done = 0;
+  while (done < length) {
+    const ssize_t got =
+        ::pread(file_.get(), read.data() + done, length - done, static_cast<off_t>(offset + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail(errno);
+    if (got == 0) break;
+    done += static_cast<std::size_t>(got);
+  }
+  read.resize(done);
+  return read;
+}
+
+void Journal::fail(int error) const {
+  throw std::system_error(error, std::generic_category(),
+                          fmt::format("cannot write '{}'", path_.string()));
+}
+
+}  // namespace prs

@@ -1,0 +1,150 @@
+#include "prs/study/study_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Designs to give away, in their order.
+class RangeQueue {
+ public:
+  explicit RangeQueue(std::vector<DesignRange> ranges) : ranges_(std::move(ranges)) {}
+
+  std::optional<DesignRange> next(std::size_t most) {
+    if (at_ == ranges_.size()) return std::nullopt;
+    DesignRange& rest = ranges_[at_];
+    const DesignRange taken{rest.first, std::min(rest.count, most)};
+    rest = {taken.end(), rest.count - taken.count};
+    if (rest.count == 0) ++at_;
+    return taken;
+  }
+
+ private:
+  std::vector<DesignRange> ranges_;
+  std::size_t at_ = 0;
+};
+
+/// The journals of the study that others wrote into the folder. Those of other studies are errors
+/// where no shard can have left them.
+std::vector<Journal> others(const StudyFolder& folder, const JournalHeader& header,
+                            const StudyRunOptions& options) {
+  std::vector<Journal> journals;
+  const fs::path own = journal_path(folder.path(), header.shard);
+  const bool alone = folder.use() == StudyFolder::Use::alone;
+  for (const fs::path& path : journal_paths(folder.path())) {
+    if (path == own) continue;
+    if (options.restart) {
+      if (alone) fs::remove(path);
+      continue;
+    }
+    Journal journal = Journal::read(path);
+    if (journal.header().key.empty()) continue;
+    if (alone) journal.require(header);
+    if (journal.is_of(header)) journals.push_back(std::move(journal));
+  }
+  return journals;
+}
+
+std::vector<Journal> open_journals(const StudyFolder* folder, const JournalHeader& header,
+                                   const StudyRunOptions& options) {
+  std::vector<Journal> journals;
+  if (folder) journals = others(*folder, header, options);
+  journals.push_back(folder ? Journal::append_to(journal_path(folder->path(), header.shard), header,
+                                                 options.restart)
+                            : Journal::temporary(header));
+  for (const Journal& journal : journals)
+    if (journal.is_damaged() && options.warn)
+      options.warn(fmt::format("{}: warning: damaged; what follows the damage is computed again",
+                               journal.path().string()));
+  return journals;
+}
+
+/// What is missing of each shard, as many as there are shards in the finest division.
+std::string missing_shards(const StoredRows& rows, std::size_t designs) {
+  std::size_t shards = 1;
+  for (const Journal& journal : rows.journals())
+    shards = std::max(shards, journal.header().shard.count);
+  constexpr std::size_t kMostNamed = 20;
+  std::size_t incomplete = 0;
+  std::string text;
+  for (std::size_t k = 0; k < shards; ++k) {
+    const Shard shard{k, shards};
+    const DesignRange all = part(designs, shard);
+    const std::size_t absent = count(rows.missing(all));
+    if (absent == 0 || ++incomplete > kMostNamed) continue;
+    text +=
+        fmt::format("\n  shard {}: {} of {} designs are missing", name(shard), absent, all.count);
+  }
+  if (incomplete > kMostNamed) text += fmt::format("\n  … and {} more", incomplete - kMostNamed);
+  return text;
+}
+
+}  // namespace
+
+StoredRows run_study(const JournalHeader& header, const StudyFolder* folder, const RunDesigns& run,
+                     const StudyRunOptions& options) {
+  StoredRows found(open_journals(folder, header, options));
+  const DesignRange all = part(header.designs, header.shard);
+  std::vector<DesignRange> gaps = found.missing(all);
+  StudyProgress progress{all.count - count(gaps), all.count - count(gaps), all.count};
+  std::vector<Journal> journals = std::move(found).take_journals();
+  Journal& own = journals.back();
+  RangeQueue queue(std::move(gaps));
+  std::mutex mutex;
+  const auto next = [&](std::size_t most) -> std::optional<DesignRange> {
+    const std::lock_guard lock(mutex);
+    if (options.interrupted && options.interrupted()) return std::nullopt;
+    return queue.next(most);
+  };
+  const auto take = [&](const std::string& record) {
+    const std::lock_guard lock(mutex);
+    own.append(record);
+    progress.done += own.records().back().designs.count;
+    if (options.progress) options.progress(progress);
+  };
+  if (progress.done < progress.total) run(next, take);
+  if (folder) own.sync();
+  return StoredRows(std::move(journals));
+}
+
+StoredRows gather_rows(const std::vector<fs::path>& folders) {
+  std::vector<Journal> journals;
+  std::string damaged;
+  for (const fs::path& folder : folders) {
+    if (!fs::is_directory(folder))
+      throw StudyFolderError(fmt::format(
+          "{}: error: no such folder; give the folders of the shards", folder.string()));
+    for (const fs::path& path : journal_paths(folder)) {
+      Journal journal = Journal::read(path);
+      if (journal.is_damaged()) damaged += fmt::format("\n  {} is damaged", path.string());
+      if (journal.header().key.empty()) continue;
+      if (!journals.empty() && !journal.is_of(journals.front().header()))
+        throw StudyFolderError(
+            fmt::format("{}: error: of another study than {}; remove the one that is out of date, "
+                        "and merge again",
+                        path.string(), journals.front().path().string()));
+      journals.push_back(std::move(journal));
+    }
+  }
+  if (journals.empty())
+    throw StudyFolderError(fmt::format(
+        "{}: error: no journal of a study; give the folders that `prs study FILE --shard i/n "
+        "--output DIR` wrote into",
+        folders.front().string()));
+  const JournalHeader header = journals.front().header();
+  StoredRows rows(std::move(journals));
+  const std::size_t absent = count(rows.missing({0, header.designs}));
+  if (absent > 0)
+    throw StudyFolderError(fmt::format(
+        "{}: error: {} of {} designs are missing; run what is missing, and merge again{}{}",
+        folders.front().string(), absent, header.designs, missing_shards(rows, header.designs),
+        damaged));
+  return rows;
+}
+
+}  // namespace prs

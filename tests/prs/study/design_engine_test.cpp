@@ -1,0 +1,221 @@
+#include "prs/study/design_engine.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "prs/analyze.h"
+#include "prs/input/reader.h"
+#include "prs/output/json.h"
+#include "prs/slip.h"
+#include "prs/study/response.h"
+#include "prs/study/result_number.h"
+#include "tests/prs/input/abevi.h"
+
+namespace prs {
+namespace {
+
+using ::testing::HasSubstr;
+
+input::StudyInput study_of(const std::string& study, const std::string& text = input::kAbevi) {
+  return input::read_study_input({"case.yaml", text + "study: " + study + "\n", {}});
+}
+
+/// Every design at once.
+RowBlock all(const DesignEngine& engine) {
+  return engine.evaluate(0, design_count(engine.study()));
+}
+
+std::optional<std::string> reason(const RowBlock& block, std::size_t row) {
+  for (const RowBlock::Failure& failure : block.failures)
+    if (failure.row == row) return failure.status.name + ": " + failure.status.reason;
+  return std::nullopt;
+}
+
+TEST(ResultNumber, SaysWhatTheDocumentSays) {
+  for (const char* lesson : {"01_config_1_to_3", "05_standard_screw", "09_slip_and_dissipation"}) {
+    const std::string file = std::string(PRS_SOURCE_DIR "/configs/") + lesson + ".yaml";
+    const bool slips = lesson[0] == '0' && lesson[1] == '9';
+    const Case c = input::read_case(file, {}, slips ? Command::slip : Command::solve);
+    const Result result = slips ? analyze_slip(c) : analyze(c);
+    const auto document = to_json(result, {});
+    std::vector<std::string> paths = response_paths(document);
+    for (const char* more : {"nut.peak_pressure_MPa.min", "screw.approach_um.mean",
+                             "nut.load_rate_percent[3]", "load_cases[1].axial_displacement_um"})
+      paths.emplace_back(more);
+    std::size_t known = 0;
+    for (const std::string& path : paths) {
+      const std::optional<ResultNumber> number = result_number(path);
+      if (!number) continue;
+      ++known;
+      const LoadCaseResult* of =
+          number->load_case ? &result.load_cases.at(*number->load_case) : nullptr;
+      EXPECT_EQ(number->value(result.contacts, of), response(document, path)) << path;
+    }
+    EXPECT_GE(known, slips ? 75U : 45U) << lesson;
+    for (const std::string& path : default_responses(slips ? Command::slip : Command::solve))
+      EXPECT_TRUE(result_number(path)) << path;
+  }
+}
+
+TEST(ResultNumber, LeavesToTheDocumentWhatNoTableKnows) {
+  for (const char* path :
+       {"name", "", ".", "screw", "screw.peak_pressure_MPa", "screw.peak_pressure_MPa.most",
+        "screw.peak_pressure_MPa[x]", "screw.peak_pressure_MPa[1].max", "load_cases",
+        "load_cases[0]", "load_cases[0]axial_displacement_um", "contact.screw", "contact.roller.x",
+        "slip.share_percent", "contact.screw.normal[2]"})
+    EXPECT_FALSE(result_number(path)) << path;
+}
+
+TEST(DesignEngine, DesignGivesWhatTheCommandGives) {
+  for (const char* bodies : {"bars", "refined"}) {
+    const std::string text = input::kAbevi + "model: {bodies: " + bodies + "}\n";
+    const input::StudyInput in = study_of(
+        "{command: solve, plan: one_at_a_time, factors: [{path: mechanism.rollers, values: [9, "
+        "60]}], responses: [axial_displacement_um, 'load_cases[3].nut.load_rate_percent[19]', "
+        "contact.nut.normal_angle_deg, axial_stiffness_N_per_um]}",
+        text);
+    const DesignEngine engine(in);
+    const RowBlock block = all(engine);
+    const Result direct =
+        analyze(input::read_case_text(text, "case.yaml", {"mechanism.rollers=9"}, Command::solve));
+    const double* row = block.responses.data() + 4;
+    const LoadCaseResult& pull = direct.load_cases[0];
+    EXPECT_NEAR(row[0] / (*pull.axial_displacement * 1e6), 1.0, 1e-10);
+    EXPECT_NEAR(row[1] / (100.0 * direct.load_cases[3].threads->nut.load_rate[19]), 1.0, 1e-10);
+    EXPECT_NEAR(row[2] / 45.0592, 1.0, 1e-4);
+    EXPECT_NEAR(row[3] / (*pull.axial_stiffness * 1e-6), 1.0, 1e-10);
+    EXPECT_THAT(*reason(block, 2), testing::StartsWith("refused: mechanism.rollers: got 60"));
+    EXPECT_TRUE(std::isnan(block.responses[8]));
+    EXPECT_FALSE(reason(block, 1));
+  }
+}
+
+TEST(DesignEngine, DocumentAndTablesGiveTheSame) {
+  const std::string factors =
+      "factors: [{path: mechanism.flank_angle, values: {from: 40 deg, to: 50 deg, steps: 5}}]";
+  const input::StudyInput by_tables =
+      study_of("{command: solve, plan: one_at_a_time, " + factors +
+               ", responses: [axial_displacement_um, nut.peak_pressure_MPa.max]}");
+  const input::StudyInput by_document =
+      study_of("{command: solve, plan: one_at_a_time, " + factors +
+               ", responses: [axial_displacement_um, nut.peak_pressure_MPa.max, "
+               "screw.max_shear_depth_mm.max]}");
+  const RowBlock a = all(DesignEngine(by_tables)), b = all(DesignEngine(by_document));
+  for (std::size_t row = 0; row < a.rows; ++row)
+    for (std::size_t k = 0; k < 2; ++k)
+      EXPECT_NEAR(a.responses[2 * row + k] / b.responses[3 * row + k], 1.0, 1e-10);
+}
+
+TEST(DesignEngine, CutsDoNotMatter) {
+  for (const char* command : {"solve", "contact"}) {
+    const input::StudyInput in = study_of(
+        std::string("{command: ") + command +
+        ", plan: latin_hypercube, samples: 60, factors: [{path: mechanism.flank_angle, within: "
+        "0.2}, {path: mechanism.rollers, values: [9, 10, 11, 99]}, {path: "
+        "mechanism.contacts_per_roller, values: [8, 17, 20]}], responses: "
+        "[contact.screw.hertz_constant_N_per_mm1_5" +
+        (command[0] == 's' ? ", axial_displacement_um]}" : "]}"));
+    const DesignEngine engine(in);
+    const RowBlock whole = all(engine);
+    EXPECT_FALSE(whole.failures.empty());
+    EXPECT_LT(whole.failures.size(), 40U);
+    const std::size_t responses = engine.study().responses.size();
+    for (const std::size_t cut : {1U, 7U, 13U})
+      for (std::size_t first = 0; first < whole.rows; first += cut) {
+        const RowBlock part = engine.evaluate(first, std::min(cut, whole.rows - first));
+        EXPECT_EQ(std::memcmp(part.responses.data(), whole.responses.data() + first * responses,
+                              part.responses.size() * sizeof(double)),
+                  0);
+        for (std::size_t row = 0; row < part.rows; ++row)
+          EXPECT_EQ(reason(part, row), reason(whole, first + row));
+      }
+  }
+}
+
+TEST(DesignEngine, UnknownResponseNamesTheNearest) {
+  const input::StudyInput in = study_of(
+      "{command: solve, plan: one_at_a_time, factors: [{path: mechanism.rollers, values: [9]}], "
+      "responses: [axial_displacement_um, nut.peak_pressure_MPa.mx]}");
+  try {
+    const DesignEngine engine(in);
+    FAIL();
+  } catch (const UnknownResponse& error) {
+    EXPECT_EQ(error.index(), 1U);
+    EXPECT_THAT(error.what(), HasSubstr("did you mean `nut.peak_pressure_MPa.max`?"));
+  }
+}
+
+/// The lesson, on what the thesis says of it.
+class ParametricStudy : public testing::Test {
+ protected:
+  ParametricStudy()
+      : input_(input::read_study_input(
+            input::load_source(PRS_SOURCE_DIR "/configs/10_parametric_study.yaml", {}))),
+        engine_(input_),
+        block_(all(engine_)) {}
+
+  double at(std::size_t row, const std::string& path) const {
+    const std::vector<std::string>& paths = engine_.study().responses;
+    const auto k = static_cast<std::size_t>(std::ranges::find(paths, path) - paths.begin());
+    return block_.responses[row * paths.size() + k];
+  }
+  std::vector<std::size_t> rows(const std::string& path) const {
+    std::vector<std::size_t> found;
+    for (std::size_t row = 1; row < block_.rows; ++row) {
+      const Design d = design(engine_.study(), row);
+      if (!reason(block_, row) && engine_.study().factors[d.settings.at(0).factor].path == path)
+        found.push_back(row);
+    }
+    return found;
+  }
+
+  input::StudyInput input_;
+  DesignEngine engine_;
+  RowBlock block_;
+};
+
+TEST_F(ParametricStudy, ReproducesSandu) {
+  EXPECT_NEAR(at(0, "slip.efficiency"), 0.786, 0.002);  // Sandu 2018, section 3.3.
+  EXPECT_GT(at(0, "slip.share_percent.screw"), 90.0);
+  const auto spread = [&](const std::string& path) {
+    double least = 1.0, largest = 0.0;
+    for (const std::size_t row : rows(path)) {
+      least = std::min(least, at(row, "slip.efficiency"));
+      largest = std::max(largest, at(row, "slip.efficiency"));
+    }
+    return largest - least;
+  };
+  for (const char* path : {"mechanism.pitch_diameter.screw", "mechanism.lead", "mechanism.rollers",
+                           "mechanism.profile.screw", "mechanism.profile.roller"})
+    EXPECT_LT(spread(path), 0.012) << path;
+  EXPECT_GT(spread("lubricant.viscosity"), 0.15);
+  EXPECT_GT(spread("lubricant.eyring_stress"), 0.25);
+
+  // Power grows with the speed in proportion, within what the film changes.
+  for (const std::size_t row : rows("operation.speed")) {
+    const double speed = *design(engine_.study(), row).settings[0].level.number / 400.0;
+    EXPECT_NEAR(at(row, "slip.power_loss_W") / speed / at(0, "slip.power_loss_W"), 1.0, 0.03);
+  }
+  // The fit (3.55) lies near.
+  for (const std::size_t row : rows("lubricant.viscosity"))
+    EXPECT_NEAR(at(row, "slip.efficiency_fit"), at(row, "slip.efficiency"), 0.006);
+}
+
+TEST_F(ParametricStudy, LevelOfTheFileGivesTheBaseCase) {
+  int found = 0;
+  for (std::size_t row = 1; row < block_.rows; ++row) {
+    if (!is_base(engine_.study(), design(engine_.study(), row))) continue;
+    ++found;
+    EXPECT_NEAR(at(row, "slip.efficiency"), at(0, "slip.efficiency"), 1e-12);
+  }
+  EXPECT_GE(found, 9);
+}
+
+}  // namespace
+}  // namespace prs

@@ -1,0 +1,245 @@
+#include "prs/study/journal.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <bit>
+#include <fstream>
+#include <system_error>
+
+#include "../output/temporary_directory.h"
+#include "support/small_files.h"
+#include "synthetic_study.h"
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+using test::content_of;
+using test::same_rows;
+using test::synthetic_header;
+using test::synthetic_rows;
+using testing::HasSubstr;
+
+constexpr std::size_t kDesigns = 1000;
+constexpr std::size_t kRows = 30;
+
+void write(const fs::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// A journal of three blocks, not in their order; returns where each ends.
+std::vector<std::uint64_t> write_journal(const fs::path& path) {
+  Journal journal = Journal::append_to(path, synthetic_header(kDesigns));
+  std::vector<std::uint64_t> ends;
+  for (const std::size_t first : {100, 0, 200}) {
+    journal.append(encode(synthetic_rows(first, kRows)));
+    ends.push_back(fs::file_size(path));
+  }
+  return ends;
+}
+
+std::string error_of(auto run) {
+  try {
+    run();
+  } catch (const StudyFolderError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Journal, GivesBackEveryBit) {
+  const test::TemporaryDirectory temporary;
+  const fs::path path = temporary.path() / "study.journal";
+  RowBlock block{5, 2, {}, {{1, {"refused", std::string("a\0\n\xff,", 5)}}}};
+  for (const std::uint64_t bits : {0x7ff8000000000abcULL, 0xfff0000000000000ULL, 1ULL,
+                                   0x8000000000000000ULL, 0x3ff0000000000001ULL, 0ULL})
+    block.responses.push_back(std::bit_cast<double>(bits));
+  {
+    Journal journal = Journal::append_to(path, synthetic_header(kDesigns));
+    journal.append(encode(block));
+    EXPECT_EQ(encode(journal.block(journal.records()[0])), encode(block));
+  }
+  const Journal journal = Journal::read(path);
+  ASSERT_EQ(journal.records().size(), 1u);
+  EXPECT_EQ(journal.records()[0].designs, (DesignRange{5, 2}));
+  const RowBlock read = journal.block(journal.records()[0]);
+  for (std::size_t k = 0; k < block.responses.size(); ++k)
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(read.responses[k]),
+              std::bit_cast<std::uint64_t>(block.responses[k]));
+  ASSERT_EQ(read.failures.size(), 1u);
+  EXPECT_EQ(read.failures[0].row, 1u);
+  EXPECT_EQ(read.failures[0].status.reason, block.failures[0].status.reason);
+}
+
+TEST(Journal, HeaderTellsAllThatTheFilesOfTheStudyNeed) {
+  const test::TemporaryDirectory temporary;
+  const fs::path path = temporary.path() / "study.journal";
+  JournalHeader header = synthetic_header(kDesigns, {2, 8});
+  header.source.text = std::string("not UTF-8: \xff\xfe \0 end", 18);
+  Journal::append_to(path, header);
+  const JournalHeader read = Journal::read(path).header();
+  EXPECT_EQ(read.key, header.key);
+  EXPECT_EQ(read.source.name, header.source.name);
+  EXPECT_EQ(read.source.text, header.source.text);
+  EXPECT_EQ(read.source.overrides, header.source.overrides);
+  EXPECT_EQ(read.responses, header.responses);
+  EXPECT_EQ(read.designs, header.designs);
+  EXPECT_EQ(read.shard, header.shard);
+}
+
+TEST(Journal, TailTornAtAnyByteCostsTheLastBlockOnly) {
+  const test::TemporaryDirectory temporary;
+  const fs::path path = temporary.path() / "study.journal";
+  const std::vector<std::uint64_t> ends = write_journal(path);
+  const std::string whole = content_of(path);
+  for (std::uint64_t size = ends[1]; size < ends[2]; ++size) {
+    write(path, whole.substr(0, size));
+    const Journal torn = Journal::read(path);
+    ASSERT_EQ(torn.records().size(), 2u) << size;
+    ASSERT_FALSE(torn.is_damaged());
+    Journal journal = Journal::append_to(path, synthetic_header(kDesigns));
+    ASSERT_EQ(fs::file_size(path), ends[1]);
+    journal.append(encode(synthetic_rows(200, kRows)));
+    ASSERT_EQ(content_of(path), whole) << size;
+  }
+}
+
+TEST(Journal, HeaderTornAtAnyByteBeginsAnew) {
+  const test::TemporaryDirectory temporary;
+  const fs::path path = temporary.path() / "study.journal";
+  Journal::append_to(path, synthetic_header(kDesigns));
+  const std::string whole = content_of(path);
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    write(path, whole.substr(0, size));
+    ASSERT_EQ(Journal::read(path).header().key, "");
+    Journal::append_to(path, synthetic_header(kDesigns));
+    ASSERT_EQ(content_of(path), whole) << size;
+  }
+}
+
+TEST(Journal, AnyFlippedBitIsFoundAndWhatStandsBeforeItIsKept) {
+  const test::TemporaryDirectory temporary;
+  const fs::path path = temporary.path() / "study.journal";
+  const std::vector<std::uint64_t> ends = write_journal(path);
+  const std::string whole = content_of(path);
+  const std::size_t first_record = fs::file_size(path) - 3 * (ends[2] - ends[1]);
+  for (std::size_t k = 0; k < whole.size(); k += 1 + k / 100) {
+    std::string flipped = whole;
+    flipped[k] = static_cast<char>(flipped[k] ^ (1 << k % 8));
+    write(path, flipped);
+    std::size_t intact = 0;
+    while (intact < 3 && ends[intact] <= k) ++intact;
+    try {
+      const Journal journal = Journal::read(path);
+      ASSERT_EQ(journal.records().size(), intact) << k;
+      for (std::size_t r = 0; r < intact; ++r)
+        ASSERT_TRUE(same_rows(journal.block(journal.records()[r]),
+                              synthetic_rows(journal.records()[r].designs.first, kRows)));
+    } catch (const StudyFolderError&) {
+      ASSERT_LT(k, first_record + 100);  // Records have no error of their own.
+    }
+  }
+}
+
+TEST(Journal, DamageWithinIsTold) {
+  const test::TemporaryDirectory temporary;
+  const fs::path path = temporary.path() / "study.journal";
+  const std::vector<std::uint64_t> ends = write_journal(path);
+  std::string bytes = content_of(path);
+  bytes[ends[0] + 100] = static_cast<char>(bytes[ends[0] + 100] ^ 1);
+  write(path, bytes);
+  EXPECT_TRUE(Journal::read(path).is_damaged());
+  Journal::append_to(path, synthetic_header(kDesigns));
+  EXPECT_EQ(fs::file_size(path), ends[0]);
+}
+
+TEST(Journal, WhatIsNoJournalIsRefused) {
+  const test::TemporaryDirectory temporary;
+  const fs::path path = temporary.path() / "study.journal";
+  write(path, "design,status\n0,converged\n");
+  for (const std::string& error : {error_of([&] { Journal::read(path); }), error_of([&] {
+                                     Journal::append_to(path, synthetic_header(kDesigns));
+                                   })}) {
+    EXPECT_THAT(error, HasSubstr(path.string() + ": error: "));
+    EXPECT_THAT(error, HasSubstr("--restart"));
+  }
+  EXPECT_EQ(content_of(path), "design,status\n0,converged\n");
+  Journal::append_to(path, synthetic_header(kDesigns), true);
+  EXPECT_EQ(Journal::read(path).header().designs, kDesigns);
+}
+
+TEST(Journal, OfAnotherStudyIsRefused) {
+  const test::TemporaryDirectory temporary;
+  const fs::path path = temporary.path() / "study.journal";
+  write_journal(path);
+  const std::string before = content_of(path);
+  JournalHeader other_key = synthetic_header(kDesigns);
+  other_key.key = "other";
+  JournalHeader other_responses = synthetic_header(kDesigns);
+  other_responses.responses.pop_back();
+  for (const JournalHeader& header : {other_key, other_responses, synthetic_header(kDesigns + 1)}) {
+    const std::string error = error_of([&] { Journal::append_to(path, header); });
+    EXPECT_THAT(error, HasSubstr(temporary.path().string() + ": error: "));
+    EXPECT_THAT(error, HasSubstr("--output"));
+    EXPECT_THAT(error, HasSubstr("--restart"));
+  }
+  EXPECT_EQ(content_of(path), before);
+}
+
+TEST(Journal, HasOneWriter) {
+  const test::TemporaryDirectory temporary;
+  const fs::path path = temporary.path() / "study.journal";
+  const Journal journal = Journal::append_to(path, synthetic_header(kDesigns));
+  EXPECT_THAT(error_of([&] { Journal::append_to(path, synthetic_header(kDesigns)); }),
+              HasSubstr("another process"));
+}
+
+TEST(Journal, OnAFullDiskIsAsBefore) {
+  const test::TemporaryDirectory temporary;
+  const fs::path path = temporary.path() / "study.journal";
+  const std::vector<std::uint64_t> ends = write_journal(path);
+  const std::string whole = content_of(path);
+  fs::resize_file(path, ends[1]);
+  Journal journal = Journal::append_to(path, synthetic_header(kDesigns));
+  for (const std::uint64_t room : {0ul, 1ul, 500ul}) {
+    const test::SmallFilesOnly full_disk(ends[1] + room);
+    try {
+      journal.append(encode(synthetic_rows(200, kRows)));
+      FAIL() << "written all the same";
+    } catch (const std::system_error& error) {
+      EXPECT_EQ(error.code(), std::errc::file_too_large);
+      EXPECT_THAT(error.what(), HasSubstr(path.string()));
+    }
+    EXPECT_EQ(fs::file_size(path), ends[1]);
+  }
+  journal.append(encode(synthetic_rows(200, kRows)));
+  EXPECT_EQ(content_of(path), whole);
+}
+
+TEST(Journal, TemporaryLeavesNoFile) {
+  const test::TemporaryDirectory temporary;
+  const char* before = std::getenv("TMPDIR");
+  const std::string restored = before ? before : "";
+  ::setenv("TMPDIR", temporary.path().c_str(), 1);
+  Journal journal = Journal::temporary(synthetic_header(kDesigns));
+  before ? ::setenv("TMPDIR", restored.c_str(), 1) : ::unsetenv("TMPDIR");
+  journal.append(encode(synthetic_rows(0, 10)));
+  EXPECT_TRUE(same_rows(journal.block(journal.records()[0]), synthetic_rows(0, 10)));
+  EXPECT_TRUE(fs::is_empty(temporary.path()));
+}
+
+TEST(StudyKey, DependsOnAllThatTheRowsDependOn) {
+  const input::Source source{"a.yaml", "text", {"a=1", "b=2"}};
+  const std::string key = study_key("1", source);
+  EXPECT_EQ(study_key("1", {"elsewhere/a.yaml", "text", {"a=1", "b=2"}}), key);
+  EXPECT_NE(study_key("2", source), key);
+  EXPECT_NE(study_key("1", {"a.yaml", "texta", {"=1", "b=2"}}), key);
+  EXPECT_NE(study_key("1", {"a.yaml", "text", {"a=1b=2"}}), key);
+  const std::vector<std::string> history{"1 kN\n"};
+  EXPECT_NE(study_key("1", source, history), key);
+}
+
+}  // namespace
+}  // namespace prs

@@ -1,0 +1,150 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "../output/temporary_directory.h"
+#include "prs/study/study_folder.h"
+#include "study_file.h"
+#include "support/processes.h"
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+using test::content_of;
+using test::files_in;
+using testing::HasSubstr;
+
+struct Outcome {
+  int status = 0;
+  std::string out;
+  std::string err;
+};
+
+class StudyCommand : public testing::Test {
+ protected:
+  Outcome prs(const std::string& arguments, const std::string& before = "") const {
+    const std::string out = (temporary.path() / "out").string();
+    const std::string err = (temporary.path() / "err").string();
+    const std::string command =
+        before + " '" PRS_EXECUTABLE "' " + arguments + " > '" + out + "' 2> '" + err + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
+  }
+  /// `study FILE --output DIR` with more arguments.
+  std::string into(const fs::path& output, const std::string& more = "") const {
+    return "study '" + file.string() + "' --quiet --output '" + output.string() + "' " + more;
+  }
+
+  const test::TemporaryDirectory temporary;
+  const fs::path file = temporary.path() / "study.yaml";
+  const fs::path alone = temporary.path() / "alone";
+  const fs::path folder = temporary.path() / "folder";
+};
+
+TEST_F(StudyCommand, WritesTheSameFilesOnAnyNumberOfThreadsAndInShards) {
+  test::write_study_file(file, 1500);
+  ASSERT_EQ(prs(into(alone, "--threads 1")).status, 0);
+  const auto expected = files_in(alone);
+  EXPECT_THAT(expected, testing::Contains(testing::Key("study.csv")));
+  EXPECT_THAT(expected, testing::Contains(testing::Key("study.nc")));
+  EXPECT_THAT(expected, testing::Contains(testing::Key("study.json")));
+  ASSERT_EQ(prs(into(folder, "--threads 3")).status, 0);
+  EXPECT_TRUE(files_in(folder) == expected);
+
+  const fs::path one = temporary.path() / "one", two = temporary.path() / "two";
+  EXPECT_EQ(prs(into(one, "--shard 1/3")).status, 0);
+  EXPECT_EQ(prs(into(two, "--shard 3/3")).status, 0);
+  const std::string merge =
+      "study merge '" + one.string() + "' '" + two.string() + "' --quiet --output ";
+  const Outcome incomplete = prs(merge + (temporary.path() / "m").string());
+  EXPECT_EQ(incomplete.status, 2);
+  EXPECT_EQ(incomplete.out, "");
+  EXPECT_THAT(incomplete.err, HasSubstr("shard 2/3: 500 of 500 designs are missing"));
+  EXPECT_EQ(prs(into(two, "--shard 2/3 --threads 1")).status, 0);
+  fs::remove(file);  // Journals are enough.
+  ASSERT_EQ(prs(merge + (temporary.path() / "m").string()).status, 0);
+  EXPECT_TRUE(files_in(temporary.path() / "m") == expected);
+}
+
+TEST_F(StudyCommand, ShardsWithoutSenseAreStatus2) {
+  test::write_study_file(file, 10);
+  for (const char* shard : {"0/3", "4/3", "1", "a/b", "1/0"}) {
+    const Outcome run = prs(into(folder, std::string("--shard ") + shard));
+    EXPECT_EQ(run.status, 2) << shard;
+    EXPECT_THAT(run.err, HasSubstr(shard));
+  }
+  EXPECT_EQ(prs("study '" + file.string() + "' --shard 1/2").status, 2);
+  EXPECT_EQ(prs("study").status, 2);
+  EXPECT_EQ(prs("study merge").status, 2);
+  EXPECT_EQ(prs(into(folder, "--threads 0")).status, 2);
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST_F(StudyCommand, InterruptedItContinues) {
+  test::write_study_file(file, 100'000);
+  test::Process process({PRS_EXECUTABLE, "study", file.string(), "--output", folder.string()});
+  ASSERT_TRUE(test::wait_for_size(journal_path(folder, {}), 30'000));
+  process.signal(SIGSTOP);
+  {
+    const Outcome second = prs(into(folder));
+    EXPECT_EQ(second.status, 2);
+    EXPECT_THAT(second.err, HasSubstr(folder.string() + ": error: another process"));
+  }
+  process.signal(SIGINT);
+  process.signal(SIGCONT);
+  EXPECT_EQ(process.wait(), 1);
+  EXPECT_EQ(files_in(folder).size(), 1u);
+
+  const Outcome changed = prs(into(folder, "--set study.seed=4"));
+  EXPECT_EQ(changed.status, 2);
+  EXPECT_THAT(changed.err, HasSubstr(folder.string() + ": error: "));
+  EXPECT_THAT(changed.err, HasSubstr("--restart"));
+
+  ASSERT_EQ(prs(into(folder)).status, 0);
+  ASSERT_EQ(prs(into(alone)).status, 0);
+  EXPECT_TRUE(files_in(folder) == files_in(alone));
+}
+
+TEST_F(StudyCommand, FullDiskIsToldAndNothingIsLost) {
+  test::write_study_file(file, 3000);
+  const Outcome full = prs(into(folder), "ulimit -f 60;");  // kB, or half of them
+  EXPECT_EQ(full.status, 1);
+  EXPECT_THAT(full.err, HasSubstr("cannot write '" + journal_path(folder, {}).string() + "'"));
+  EXPECT_THAT(full.err, HasSubstr("the same command continues"));
+  // The journal has room, the files do not.
+  const Outcome later = prs(into(folder), "ulimit -f 400;");
+  EXPECT_EQ(later.status, 1);
+  EXPECT_THAT(later.err, HasSubstr("study."));
+  ASSERT_EQ(prs(into(folder)).status, 0);
+  ASSERT_EQ(prs(into(alone)).status, 0);
+  EXPECT_TRUE(files_in(folder) == files_in(alone));
+}
+
+TEST_F(StudyCommand, RestartDiscardsWhatWasComputed) {
+  test::write_study_file(file, 500);
+  fs::create_directory(folder);
+  std::ofstream(journal_path(folder, {})) << "no journal";
+  EXPECT_EQ(prs(into(folder)).status, 2);
+  EXPECT_EQ(prs(into(folder, "--restart")).status, 0);
+  EXPECT_TRUE(fs::exists(folder / "study.csv"));
+  EXPECT_FALSE(fs::exists(journal_path(folder, {})));
+}
+
+TEST_F(StudyCommand, WithoutAFolderOnlySpeaks) {
+  test::write_study_file(file, 200);
+  const Outcome run =
+      prs("study '" + file.string() + "'", "TMPDIR='" + temporary.path().string() + "'");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_NE(run.out, "");
+  EXPECT_EQ(files_in(temporary.path()).size(), 3u);  // study.yaml, out, err
+}
+
+}  // namespace
+}  // namespace prs

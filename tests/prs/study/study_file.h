@@ -1,0 +1,34 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace test {
+
+/// Writes a case with a Monte Carlo study of so many samples: solves of a published screw, a few of
+/// them refused.
+inline void write_study_file(const std::filesystem::path& path, std::size_t samples) {
+  std::ifstream base(PRS_SOURCE_DIR "/configs/01_config_1_to_3.yaml");
+  std::string text(std::istreambuf_iterator<char>(base), {});
+  text += fmt::format(R"(
+study:
+  command: solve
+  plan: monte_carlo
+  samples: {}
+  seed: 3
+  factors:
+    - {{path: structure.nut.outer_diameter, uniform: {{from: 44 mm, to: 48 mm}}}}
+    - {{path: structure.screw.bore, uniform: {{from: 0 mm, to: 21.01 mm}}}}
+    - {{path: 'load_cases[0].axial_force', log_uniform: {{from: 1 kN, to: 100 kN}}}}
+    - {{path: structure.roller.guidance, values: [both_end_nodes, outer_node]}}
+)",
+                      samples);
+  std::ofstream(path) << text;
+}
+
+}  // namespace test
