@@ -16,7 +16,8 @@ constexpr int kWidth = 900;
 constexpr int kFontSize = 15;
 constexpr int kLeft = 92, kRight = 20, kColumnGap = 68;
 constexpr int kTop = 70, kRowGap = 76, kLabelledRowGap = 104, kBottom = 76;
-constexpr int kTicWidth = 55, kTicHeight = 36;  // Room for a number, in drawings.
+constexpr int kTicWidth = 55, kTicHeight = 36;   // Room for a number, in drawings.
+constexpr int kMostTics = 7, kTicCharacter = 8;  // In panels beside each other.
 constexpr int kLegendRow = 25, kLegendMargin = 14;
 constexpr int kLegendSymbol = 75, kCharacter = 10;
 constexpr int kColourBarHeight = 14, kColourBarRoom = 74;  // The room with numbers and label.
@@ -226,6 +227,21 @@ std::string tics_with_room(const Axis& axis, int count) {
   return fmt::format("{:.7g}", tic_distance(axis.to - axis.from, std::max(1, count)));
 }
 
+/// As many tics as have their numbers side by side.
+std::string tics_side_by_side(const Axis& axis, int width) {
+  const double length = axis.to - axis.from;
+  double distance = length;
+  for (int count = kMostTics; count > 1; --count) {
+    distance = tic_distance(length, count);
+    std::size_t characters = 0;
+    for (const double end : {axis.from, axis.to})
+      characters =
+          std::max(characters, fmt::format("{:g}", distance * std::round(end / distance)).size());
+    if (length / distance * kTicCharacter * (static_cast<double>(characters) + 0.8) <= width) break;
+  }
+  return fmt::format("{:.7g}", distance);
+}
+
 /// Widens the range about its middle to that length.
 void widen(Axis& axis, double length) {
   const double margin = std::max(0.0, 0.5 * (length - (axis.to - axis.from)));
@@ -245,9 +261,12 @@ std::string axes_lines(const Figure& figure, const Layout& layout, std::size_t i
   Axis y = panel.y.value_or(figure.y);
   const std::string x_label = panel.x || layout.is_lowest(index) ? x.label : "";
   const std::string y_label = panel.y || layout.is_leftmost(index) ? y.label : "";
-  if (!figure.to_scale)
-    return axis_lines('x', x, x_label, tics_of(x)) + axis_lines('y', y, y_label, tics_of(y));
   const Box box = layout.panel(index);
+  if (!figure.to_scale) {
+    const bool chosen = figure.columns == 1 || x.logarithmic || !x.tics.empty();
+    return axis_lines('x', x, x_label, chosen ? tics_of(x) : tics_side_by_side(x, box.width())) +
+           axis_lines('y', y, y_label, tics_of(y));
+  }
   bring_to_scale(x, y, box);
   return axis_lines('x', x, x_label, tics_with_room(x, box.width() / kTicWidth)) +
          axis_lines('y', y, y_label, tics_with_room(y, box.height() / kTicHeight));

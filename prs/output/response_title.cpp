@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include "prs/output/text.h"
@@ -40,22 +41,40 @@ std::string_view take_unit(std::string_view& key) {
   return {};
 }
 
+/// Takes `[k]` from the end of a key: the thread where the array is one over threads, else as it
+/// is.
+std::string take_index(std::string_view& key, bool over_threads) {
+  if (!key.ends_with(']')) return {};
+  const std::size_t at = key.rfind('[');
+  std::size_t index = 0;
+  if (at == std::string_view::npos) return {};
+  const auto [end, error] = std::from_chars(key.data() + at + 1, key.data() + key.size(), index);
+  if (error != std::errc{} || end + 1 != key.data() + key.size()) return {};
+  const std::string shown =
+      over_threads ? fmt::format(", thread {}", index + 1) : std::string(key.substr(at));
+  key.remove_suffix(key.size() - at);
+  return shown;
+}
+
 }  // namespace
 
 ResponseTitle response_title(std::string_view path) {
   ResponseTitle title;
+  const bool of_threads = path.starts_with("screw.") || path.starts_with("nut.") ||
+                          path.starts_with("slip.screw.") || path.starts_with("slip.nut.");
   std::string& name = title.name;
   while (!path.empty()) {
     const std::size_t end = std::min(path.find('.'), path.size());
     std::string_view key = path.substr(0, end);
     path.remove_prefix(std::min(end + 1, path.size()));
+    const std::string index = take_index(key, of_threads);
     if (const std::string_view unit = take_unit(key); !unit.empty()) title.unit = unit;
     if (key == "slip" || key == "contact") continue;
     const bool is_summary = path.empty() && (key == "max" || key == "min" || key == "mean");
     const bool is_part = key == "screw" || key == "nut" || key.starts_with("carrier_");
     const std::string_view space = name.empty() ? "" : " ";
     name = is_summary || is_part ? fmt::format("{}{}{}", key, space, name)
-                                 : fmt::format("{}{}{}", name, space, key);
+                                 : fmt::format("{}{}{}{}", name, space, key, index);
   }
   std::ranges::replace(name, '_', ' ');
   name = printable(name);

@@ -1,7 +1,10 @@
+#include "prs/output/study_json.h"
+
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "prs/output/json_values.h"
-#include "prs/output/study_files.h"
 
 namespace prs {
 namespace {
@@ -14,6 +17,8 @@ std::string_view name(Command command) {
       return "contact";
     case Command::solve:
       return "solve";
+    case Command::life:
+      return "life";
     default:
       return "slip";
   }
@@ -26,22 +31,127 @@ Json level_json(const Level& level) {
   return json;
 }
 
-Json factor_json(const Factor& factor) {
+/// `{"uniform": {"from": 29, "to": 31}}`, in the factor's unit.
+Json distribution_json(const Distribution& distribution) {
+  const auto [kind, first, second] = distribution;
+  switch (kind) {
+    case Distribution::Kind::uniform:
+      return {{"uniform", {{"from", first}, {"to", second}}}};
+    case Distribution::Kind::log_uniform:
+      return {{"log_uniform", {{"from", first}, {"to", second}}}};
+    case Distribution::Kind::normal:
+      return {{"normal", {{"mean", first}, {"deviation", second}}}};
+    case Distribution::Kind::levels:
+      break;
+  }
+  return {{"levels", true}};
+}
+
+Json factor_json(const Factor& factor, bool sampled) {
   Json json;
   json["path"] = factor.path;
   json["label"] = factor.label;
   if (!factor.unit.empty()) json["unit"] = factor.unit;
   if (factor.base) json["base"] = level_json(*factor.base);
+  if (sampled) json["distribution"] = distribution_json(factor.distribution);
   return json;
 }
 
 Json study_head(const Study& study) {
+  const bool sampled = is_sampled(study.plan);
   Json json;
   json["command"] = name(study.command);
-  json["plan"] = "one_at_a_time";
+  json["plan"] = prs::name(study.plan);
+  if (sampled) {
+    json["samples"] = study.samples;
+    json["seed"] = study.seed;
+  }
   json["factors"] = Json::array();
-  for (const Factor& factor : study.factors) json["factors"].push_back(factor_json(factor));
+  for (const Factor& factor : study.factors)
+    json["factors"].push_back(factor_json(factor, sampled));
   json["responses"] = study.responses;
+  return json;
+}
+
+Json statistics_json(const ResponseStatistics& s) {
+  Json json;
+  json["count"] = s.count;
+  if (s.count == 0) return json;
+  json["mean"] = s.mean;
+  put(json, "standard_deviation", s.standard_deviation);
+  json["min"] = s.min;
+  json["min_design"] = s.min_design;
+  json["max"] = s.max;
+  json["max_design"] = s.max_design;
+  for (std::size_t k = 0; k < kProbabilities.size(); ++k)
+    json["quantiles"][fmt::format("{:g}", kProbabilities[k])] = s.quantiles[k];
+  if (s.values_kept < s.count) json["quantiles_from"] = s.values_kept;
+  if (!s.histogram.counts.empty())
+    json["histogram"] = {
+        {"from", s.histogram.from}, {"to", s.histogram.to}, {"counts", s.histogram.counts}};
+  return json;
+}
+
+Json fit_json(const Study& study, const LinearFit& fit) {
+  Json json;
+  json["r_squared"] = fit.r_squared;
+  put(json, "adjusted_r_squared", fit.adjusted_r_squared);
+  json["intercept"] = fit.intercept;
+  json["factors"] = Json::array();
+  for (const FactorEffect& effect : fit.effects) {
+    Json factor;
+    factor["path"] = study.factors[effect.factor].path;
+    factor["contribution_percent"] = effect.contribution_percent;
+    factor["coefficient"] = effect.coefficient;
+    put(factor, "standard_error", effect.standard_error);
+    json["factors"].push_back(std::move(factor));
+  }
+  return json;
+}
+
+Json surfaces_json(const Study& study, const ResponseSurfaces& surfaces) {
+  Json json;
+  json["designs"] = surfaces.designs;
+  if (!surfaces.reason.empty()) json["reason"] = surfaces.reason;
+  for (std::size_t k = 0; k < surfaces.fits.size(); ++k)
+    if (surfaces.fits[k])
+      json["responses"][study.responses[k]] = fit_json(study, *surfaces.fits[k]);
+  return json;
+}
+
+Json estimate_json(const Estimate& estimate) {
+  Json json;
+  json["value"] = estimate.value;
+  put(json, "half_width_95", estimate.half_width);
+  return json;
+}
+
+Json indices_json(const Study& study, const ResponseIndices& indices) {
+  Json json;
+  json["samples"] = indices.samples;
+  json["samples_left_out"] = indices.left_out;
+  json["variance"] = indices.variance;
+  json["factors"] = Json::array();
+  for (const FactorIndices& factor : indices.factors)
+    json["factors"].push_back({{"path", study.factors[factor.factor].path},
+                               {"first", estimate_json(factor.first)},
+                               {"total", estimate_json(factor.total)}});
+  return json;
+}
+
+Json summary_json(const StudyResult& result) {
+  const Study& study = result.study;
+  Json json;
+  json["designs"] = result.designs;
+  json["refused"] = result.refused;
+  json["not_converged"] = result.failed;
+  json["statistics"] = Json::object();
+  for (std::size_t k = 0; k < result.summary.statistics.size(); ++k)
+    json["statistics"][study.responses[k]] = statistics_json(result.summary.statistics[k]);
+  if (result.summary.surfaces)
+    json["response_surface"] = surfaces_json(study, *result.summary.surfaces);
+  for (std::size_t k = 0; k < result.summary.indices.size(); ++k)
+    json["sobol_indices"][study.responses[k]] = indices_json(study, result.summary.indices[k]);
   return json;
 }
 
@@ -62,9 +172,31 @@ Json row_json(const Study& study, const StudyRow& row) {
 
 }  // namespace
 
+std::string_view name(Plan plan) {
+  switch (plan) {
+    case Plan::one_at_a_time:
+      return "one_at_a_time";
+    case Plan::grid:
+      return "grid";
+    case Plan::latin_hypercube:
+      return "latin_hypercube";
+    case Plan::sobol:
+      return "sobol";
+    case Plan::monte_carlo:
+      return "monte_carlo";
+    case Plan::sobol_indices:
+      return "sobol_indices";
+    case Plan::derivatives:
+      return "derivatives";
+  }
+  return "";
+}
+
 Json study_json(const StudyResult& result, const DocumentInfo& info) {
   Json document = document_head(info, {});
   document["study"] = study_head(result.study);
+  document["summary"] = summary_json(result);
+  if (result.rows.size() < result.designs) document["designs_shown"] = result.rows.size();
   document["designs"] = Json::array();
   for (const StudyRow& row : result.rows)
     document["designs"].push_back(row_json(result.study, row));

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "prs/output/case_table.h"
 #include "prs/output/response_title.h"
+#include "prs/output/study_json.h"
+#include "prs/output/study_text.h"
 #include "prs/output/text.h"
 
 namespace prs {
@@ -17,10 +20,15 @@ namespace {
 constexpr std::size_t kMostRows = 24;  // Of a factor.
 constexpr std::size_t kMostReasons = 8;
 constexpr std::size_t kMaxValueWidth = 28;
-constexpr std::size_t kLongNumber = 14;
 constexpr std::size_t kMinCell = 9;
 constexpr std::string_view kGap = "  ";
 constexpr std::string_view kBaseMark = "as in the file";
+constexpr std::size_t kMostRanked = 10;  // Factors, of a response.
+constexpr double kLeastShare = 1e-3;     // Of a factor that is shown.
+constexpr std::size_t kMostRankings = 6;
+constexpr std::size_t kMaxName = 33;
+constexpr std::size_t kStatistic = 10;
+constexpr std::size_t kBarCells = 30;
 
 /// A response over two lines, the unit at the end.
 struct Heading {
@@ -43,13 +51,6 @@ Heading heading(const std::string& path) {
   return broken(title.unit.empty() ? title.name : fmt::format("{} {}", title.name, title.unit));
 }
 
-/// As it is written, long numbers with six digits.
-std::string value_text(const Level& level, const std::string& unit) {
-  const std::string text = printable(level.text);
-  if (!level.number || width(text) <= kLongNumber || text.starts_with('{')) return text;
-  return fmt::format("{:.6g}{}{}", *level.number, unit.empty() ? "" : " ", printable(unit));
-}
-
 struct Columns {
   std::vector<Heading> headings;
   std::vector<std::size_t> widths;
@@ -63,7 +64,7 @@ Columns columns_of(const StudyResult& result) {
   for (const StudyRow& row : result.rows)
     for (const auto& [factor, level] : row.design.settings)
       columns.value_width = std::max(
-          columns.value_width, width(value_text(level, result.study.factors[factor].unit)) + 2);
+          columns.value_width, width(level_text(level, result.study.factors[factor].unit)) + 2);
   columns.value_width = std::min(columns.value_width, kMaxValueWidth);
   std::size_t used = columns.value_width;
   for (const std::string& path : result.study.responses) {
@@ -131,49 +132,204 @@ std::string factor_table(const StudyResult& result, std::size_t index, const Col
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const auto& [level, row, base] = rows[k];
     if (k % step != 0 && k + 1 != rows.size() && !base) continue;
-    const std::string value = value_text(*level, factor.unit);
+    const std::string value = level_text(*level, factor.unit);
     text += row_line(columns, fmt::format("{} {}", base ? '*' : ' ', value), *row);
   }
   if (step > 1) text += fmt::format("  … of {} values; all in study.csv\n", factor.levels.size());
   return text;
 }
 
-std::string design_name(const Study& study, const Design& design) {
-  std::string name;
+std::string settings_text(const Study& study, const Design& design) {
+  std::string text;
   for (const std::string& setting : overrides(study, design))
-    name += fmt::format("{}{}", name.empty() ? "" : ", ", printable(setting));
-  return name.empty() ? std::string(kBaseMark) : name;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", printable(setting));
+  return text.empty() ? std::string(kBaseMark) : text;
+}
+
+/// The same in the words of the study.
+std::string labelled_settings(const Study& study, const Design& design) {
+  std::string text;
+  for (const auto& [index, level] : design.settings) {
+    const Factor& factor = study.factors[index];
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", printable(factor.label),
+                        level_text(level, factor.unit));
+  }
+  return text;
 }
 
 /// What is wrong with the designs that have no answer.
 std::string failures(const StudyResult& result) {
-  std::string text;
-  std::size_t failed = 0;
-  for (const StudyRow& row : result.rows) {
-    if (row.status.converged() || ++failed > kMostReasons) continue;
-    text += wrapped(fmt::format("{} {}: {}", design_name(result.study, row.design), row.status.name,
-                                printable(row.status.reason)),
+  const std::size_t failed = result.refused + result.failed;
+  if (failed == 0) return "";
+  const bool drawn = is_sampled(result.study.plan);
+  std::string text = fmt::format("\n{} of {} designs without an answer\n", failed, result.designs);
+  std::size_t shown = 0;
+  for (std::size_t k = 0; k < result.rows.size() && shown < kMostReasons; ++k) {
+    const StudyRow& row = result.rows[k];
+    if (row.status.converged()) continue;
+    ++shown;
+    const std::string name =
+        drawn ? fmt::format("design {}", k) : settings_text(result.study, row.design);
+    text += wrapped(fmt::format("{} {}: {}", name, row.status.name, printable(row.status.reason)),
                     "  ", kTableWidth);
   }
-  if (failed == 0) return text;
-  if (failed > kMostReasons)
-    text += fmt::format("  … and {} more in study.csv\n", failed - kMostReasons);
-  return fmt::format("\n{} of {} designs without an answer\n{}", failed, result.rows.size(), text);
+  if (failed > shown) text += fmt::format("  … and {} more in study.csv\n", failed - shown);
+  return text;
 }
 
-}  // namespace
-
-std::string study_table(const StudyResult& result) {
+/// The rows of a study whose designs differ in one value, a table a factor.
+std::string factor_tables(const StudyResult& result) {
   const Columns columns = columns_of(result);
   std::string text = header_lines(columns);
   text += row_line(columns, std::string(kBaseMark), result.base());
   for (std::size_t k = 0; k < result.study.factors.size(); ++k)
     text.append("\n").append(factor_table(result, k, columns));
-  text += fmt::format("\n* as in the file");
+  text += "\n* as in the file";
   if (columns.headings.size() < result.study.responses.size())
     text += fmt::format("; {} more responses in study.csv",
                         result.study.responses.size() - columns.headings.size());
-  return text + '\n' + failures(result);
+  return text + '\n';
+}
+
+std::string label_cell(const Study& study, std::size_t factor) {
+  return padded(shortened(printable(study.factors[factor].label), kMaxName), kMaxName, true);
+}
+
+/// A bar of full length at a share of 1.
+std::string bar(double share) {
+  std::string text;
+  const double cells = std::round(kBarCells * std::clamp(share, 0.0, 1.0));
+  for (int k = 0; k < static_cast<int>(cells); ++k) text += "█";
+  return text;
+}
+
+/// A row of a ranking, without spaces at its end.
+std::string ranked_row(std::size_t k, const std::string& label, const std::string& numbers,
+                       double share) {
+  std::string row = fmt::format("  {:>3}  {}  {}  {}", k + 1, label, numbers, bar(share));
+  row.erase(row.find_last_not_of(' ') + 1);
+  return row + '\n';
+}
+
+/// Under a ranking: what it leaves out.
+std::string more_factors(std::size_t count) {
+  return count > 0 ? fmt::format("       … {} more in study.json\n", count) : "";
+}
+
+std::string contributions(const Study& study, std::size_t response, const LinearFit& fit) {
+  std::string text = fmt::format("\n{}: contributions to a linear response surface, R² = {:.4f}\n",
+                                 response_text(study.responses[response]), fit.r_squared);
+  if (fit.r_squared < kLowRSquared)
+    text += "  little of it is linear: rank by the shares of variance (plan: sobol_indices)\n";
+  std::size_t k = 0;
+  for (; k < std::min(fit.effects.size(), kMostRanked); ++k) {
+    const FactorEffect& effect = fit.effects[k];
+    if (k > 0 && effect.contribution_percent < 100.0 * kLeastShare) break;
+    text += ranked_row(
+        k, label_cell(study, effect.factor),
+        fmt::format("{:+7.2f} %", std::copysign(effect.contribution_percent, effect.coefficient)),
+        effect.contribution_percent / fit.effects[0].contribution_percent);
+  }
+  return text + more_factors(fit.effects.size() - k);
+}
+
+std::string estimate_text(const Estimate& estimate) {
+  if (!estimate.half_width) return fmt::format("{:7.4f}         ", estimate.value);
+  return fmt::format("{:7.4f} ± {:.4f}", estimate.value, *estimate.half_width);
+}
+
+std::string variance_shares(const Study& study, std::size_t response,
+                            const ResponseIndices& indices) {
+  std::string text = fmt::format("\n{}: shares of the variance, {} samples",
+                                 response_text(study.responses[response]), indices.samples);
+  if (indices.left_out > 0) text += fmt::format(", {} left out", indices.left_out);
+  text += fmt::format("\n       {}    alone             with others\n", std::string(kMaxName, ' '));
+  std::size_t k = 0;
+  for (; k < std::min(indices.factors.size(), kMostRanked); ++k) {
+    const FactorIndices& factor = indices.factors[k];
+    if (k > 0 && factor.total.value < kLeastShare) break;
+    text +=
+        ranked_row(k, label_cell(study, factor.factor),
+                   fmt::format("{}  {}", estimate_text(factor.first), estimate_text(factor.total)),
+                   factor.total.value / indices.factors[0].total.value);
+  }
+  return text + more_factors(indices.factors.size() - k);
+}
+
+/// What matters most to each response.
+std::string rankings(const StudyResult& result) {
+  const Study& study = result.study;
+  const StudySummary& summary = result.summary;
+  std::string text;
+  if (summary.surfaces && !summary.surfaces->reason.empty())
+    text += fmt::format("\nno response surface: {}\n", printable(summary.surfaces->reason));
+  const std::size_t shown = std::min(study.responses.size(), kMostRankings);
+  for (std::size_t k = 0; k < shown; ++k) {
+    if (!summary.indices.empty() && !summary.indices[k].factors.empty())
+      text += variance_shares(study, k, summary.indices[k]);
+    else if (summary.surfaces && !summary.surfaces->fits.empty() && summary.surfaces->fits[k])
+      text += contributions(study, k, *summary.surfaces->fits[k]);
+  }
+  if (!text.empty() && shown < study.responses.size())
+    text += fmt::format("\n… {} more responses in study.json\n", study.responses.size() - shown);
+  return text;
+}
+
+std::string statistics(const StudyResult& result) {
+  std::string text = fmt::format("\n{:<{}}", "", kMaxName);
+  for (const char* heading : {"in file", "mean", "std dev", "min", "5 %", "95 %", "max"})
+    text += fmt::format(" {:>{}}", heading, kStatistic);
+  text += '\n';
+  for (std::size_t k = 0; k < result.summary.statistics.size(); ++k) {
+    const ResponseStatistics& s = result.summary.statistics[k];
+    text += padded(shortened(response_text(result.study.responses[k]), kMaxName), kMaxName, true);
+    std::vector<std::optional<double>> values{result.base().responses[k]};
+    if (s.count > 0)
+      values.insert(values.end(),
+                    {s.mean, s.standard_deviation, s.min, s.quantiles[1], s.quantiles[3], s.max});
+    for (const std::optional<double>& value : values) {
+      const std::string cell = value ? fmt::format("{:.4g}", *value) : std::string(kAbsent);
+      text += fmt::format(" {}", padded(cell, kStatistic, false));
+    }
+    text += '\n';
+  }
+  const bool all_kept = std::ranges::all_of(result.summary.statistics,
+                                            [](const auto& s) { return s.values_kept == s.count; });
+  if (!all_kept) text += fmt::format("quantiles of {} designs, drawn at random\n", kMostValuesKept);
+  return text;
+}
+
+/// Which designs of a grid have the least and the largest response.
+std::string extremes(const StudyResult& result) {
+  std::string text;
+  for (std::size_t k = 0; k < std::min(result.study.responses.size(), kMostRankings); ++k) {
+    const ResponseStatistics& s = result.summary.statistics[k];
+    if (s.count == 0 || s.min == s.max) continue;
+    text += fmt::format("\n{}\n", response_text(result.study.responses[k]));
+    for (const auto& [word, value, at] :
+         {std::tuple{"min", s.min, s.min_design}, {"max", s.max, s.max_design}})
+      text += wrapped(fmt::format("{} {}: {}", word, number(value),
+                                  labelled_settings(result.study, design(result.study, at))),
+                      "  ", kTableWidth);
+  }
+  return text;
+}
+
+std::string head(const StudyResult& result) {
+  const Study& study = result.study;
+  std::string text = fmt::format("{}: {} designs", name(study.plan), result.designs - 1);
+  if (is_sampled(study.plan)) text += fmt::format(", seed {}", study.seed);
+  return text + '\n';
+}
+
+}  // namespace
+
+std::string study_table(const StudyResult& result) {
+  const Study& study = result.study;
+  if (study.plan == Plan::one_at_a_time || (study.plan == Plan::grid && study.factors.size() == 1))
+    return factor_tables(result) + failures(result);
+  return head(result) + rankings(result) + statistics(result) +
+         (study.plan == Plan::grid ? extremes(result) : "") + failures(result);
 }
 
 std::string progress_line(std::size_t done, std::size_t total, double seconds) {

@@ -96,6 +96,10 @@ std::vector<std::string> default_responses(Command command) {
       return {"axial_displacement_um",       "axial_stiffness_N_per_um",
               "screw.load_rate_percent.max", "nut.load_rate_percent.max",
               "screw.peak_pressure_MPa.max", "nut.peak_pressure_MPa.max"};
+    case Command::life:
+      return {"life.system.l10_revolutions", "life.catalogue.l10_revolutions",
+              "life.weakest_thread.equivalent_load_N", "life.capacity.dynamic_capacity_N",
+              "life.static_safety"};
     default:
       return {"slip.efficiency",
               "slip.efficiency_fit",

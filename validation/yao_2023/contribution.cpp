@@ -1,10 +1,12 @@
 #include "validation/yao_2023/contribution.h"
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "prs/output/units.h"
+#include "validation/yao_2023/sensitivity.h"
 
 namespace prs::yao_2023 {
 namespace {
@@ -73,9 +75,11 @@ ValidationTable closure_of_printed_points() {
 }  // namespace
 
 Contribution contribution() {
-  return {.folder = "yao_2023", .derived = derived, .tables = [] {
-            return std::vector{closure_of_printed_points()};
-          }};
+  return {.folder = "yao_2023",
+          .derived = derived,
+          .tables = [] { return std::vector{closure_of_printed_points()}; },
+          .supplement = [](const Case& initial,
+                           const std::filesystem::path&) { return sensitivity(initial); }};
 }
 
 }  // namespace prs::yao_2023

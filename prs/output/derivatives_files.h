@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "prs/output/figure.h"
+#include "prs/output/json.h"
+#include "prs/study/derivatives.h"
+
+namespace prs {
+
+/// The document of `prs study --json` with `plan: derivatives`: under `derivatives` one entry a
+/// response, with its value and what each factor does to it.
+nlohmann::ordered_json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info);
+
+/// `derivatives.csv`: a row a response and factor.
+std::string derivatives_csv(const CaseDerivatives& result);
+
+/// A table a response: what 1 % of each factor does to it, the strongest first.
+std::string derivatives_table(const CaseDerivatives& result);
+
+/// One figure a response, at most 24: what 1 % of each factor does to it, as bars.
+std::vector<Figure> derivatives_figures(const CaseDerivatives& result);
+
+}  // namespace prs

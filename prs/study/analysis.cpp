@@ -1,0 +1,234 @@
+#include "prs/study/analysis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+namespace prs {
+namespace {
+
+constexpr std::size_t kMostClasses = 48;
+
+/// Mean, deviation and extremes (Welford 1962).
+class Moments {
+ public:
+  void add(double value, std::size_t design) {
+    const double d = value - mean_;
+    mean_ += d / static_cast<double>(++count_);
+    squares_ += d * (value - mean_);
+    if (count_ == 1 || value < min_) min_ = value, min_design_ = design;
+    if (count_ == 1 || value > max_) max_ = value, max_design_ = design;
+  }
+
+  ResponseStatistics statistics() const {
+    ResponseStatistics s;
+    s.count = count_;
+    s.mean = mean_;
+    if (count_ > 1) s.standard_deviation = std::sqrt(squares_ / static_cast<double>(count_ - 1));
+    s.min = min_;
+    s.max = max_;
+    s.min_design = min_design_;
+    s.max_design = max_design_;
+    return s;
+  }
+
+ private:
+  std::size_t count_ = 0;
+  double mean_ = 0.0;
+  double squares_ = 0.0;
+  double min_ = 0.0;
+  double max_ = 0.0;
+  std::size_t min_design_ = 0;
+  std::size_t max_design_ = 0;
+};
+
+/// A one-to-one mixing of 64 bits (Steele et al. 2014, splitmix64).
+std::uint64_t mixed(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+  return x ^ (x >> 31);
+}
+
+/// The rows of up to `kMostValuesKept` designs, those whose numbers have the smallest hashes.
+class KeptRows {
+ public:
+  explicit KeptRows(std::size_t responses) : responses_(responses) {}
+
+  void add(std::span<const double> row, std::size_t design) {
+    const std::uint64_t hash = mixed(design);
+    if (heap_.size() < kMostValuesKept) {
+      heap_.push_back({hash, heap_.size()});
+      values_.insert(values_.end(), row.begin(), row.end());
+    } else {
+      if (hash > heap_.front().hash) return;
+      std::ranges::pop_heap(heap_, {}, &Entry::hash);
+      heap_.back().hash = hash;
+      std::ranges::copy(row, &values_[heap_.back().slot * responses_]);
+    }
+    std::ranges::push_heap(heap_, {}, &Entry::hash);
+  }
+
+  /// The numbers of a response, ascending.
+  std::vector<double> ascending(std::size_t response) const {
+    std::vector<double> values;
+    for (std::size_t k = response; k < values_.size(); k += responses_)
+      if (std::isfinite(values_[k])) values.push_back(values_[k]);
+    std::ranges::sort(values);
+    return values;
+  }
+
+ private:
+  struct Entry {
+    std::uint64_t hash = 0;
+    std::size_t slot = 0;
+  };
+  std::size_t responses_ = 0;
+  std::vector<Entry> heap_;  ///< The largest hash first.
+  std::vector<double> values_;
+};
+
+double quantile(const std::vector<double>& ascending, double probability) {
+  const double at = probability * static_cast<double>(ascending.size() - 1);
+  const auto k = static_cast<std::size_t>(at);
+  if (k + 1 == ascending.size()) return ascending[k];
+  return ascending[k] + (at - static_cast<double>(k)) * (ascending[k + 1] - ascending[k]);
+}
+
+/// Twice the cube root of the number of values for classes (Rice's rule).
+Histogram histogram(const std::vector<double>& ascending) {
+  Histogram h{ascending.front(), ascending.back(), {}};
+  if (!(h.from < h.to)) return h;
+  const double rice = std::ceil(2.0 * std::cbrt(static_cast<double>(ascending.size())));
+  h.counts.resize(std::min(kMostClasses, static_cast<std::size_t>(rice)));
+  const double classes = static_cast<double>(h.counts.size());
+  for (const double value : ascending) {
+    const auto k = static_cast<std::size_t>(classes * ((value - h.from) / (h.to - h.from)));
+    ++h.counts[std::min(k, h.counts.size() - 1)];
+  }
+  return h;
+}
+
+double value_of(const Factor& factor, const Draw& draw) {
+  switch (draw.kind) {
+    case Draw::Kind::number:
+      return draw.number;
+    case Draw::Kind::level:
+      return factor.levels[draw.level].number.value_or(kNoResponse);
+    case Draw::Kind::as_in_file:
+      return factor.base && factor.base->number ? *factor.base->number : kNoResponse;
+  }
+  return kNoResponse;
+}
+
+bool is_finite(double value) { return std::isfinite(value); }
+bool all_finite(std::span<const double> values) { return std::ranges::all_of(values, is_finite); }
+bool any_finite(std::span<const double> values) { return std::ranges::any_of(values, is_finite); }
+
+}  // namespace
+
+struct StudyAnalysis::Parts {
+  explicit Parts(const Study& s)
+      : study(s),
+        factors(normalised_factors(s)),
+        moments(s.responses.size()),
+        kept(s.responses.size()),
+        x(factors.size()) {
+    if (factors.size() > kMostFactorsOfSurface) {
+      reason = fmt::format("it takes at most {} factors, the study has {}", kMostFactorsOfSurface,
+                           factors.size());
+      factors.clear();
+    }
+    regression = LinearRegression(factors.size(), study.responses.size());
+    if (study.plan != Plan::sobol_indices) return;
+    const std::size_t d = study.factors.size();
+    indices.assign(study.responses.size(), VarianceIndices(d, study.samples));
+    sample.assign(study.responses.size(), std::vector<double>(d + 2));
+  }
+
+  void add(std::span<const double> row, std::size_t design) {
+    if (design == 0) return;
+    if (!indices.empty() && !add_to_sample(row, design)) return;
+    if (!any_finite(row)) return;
+    for (std::size_t j = 0; j < row.size(); ++j)
+      if (std::isfinite(row[j])) moments[j].add(row[j], design);
+    kept.add(row, design);
+    if (!factors.empty() && all_finite(row)) add_to_surface(row, design);
+  }
+
+  void add_to_surface(std::span<const double> row, std::size_t design) {
+    const std::vector<Draw> drawn = draws(study, design);
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      const std::size_t k = factors[i].factor;
+      x[i] = factors[i](value_of(study.factors[k], drawn[k]));
+    }
+    if (all_finite(x)) regression.add(x, row);
+  }
+
+  /// Whether the design is one of the two that are drawn independently of each other.
+  bool add_to_sample(std::span<const double> row, std::size_t design) {
+    const std::size_t designs = study.factors.size() + 2, k = (design - 1) % designs;
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      sample[j][k] = row[j];
+      if (k + 1 == designs) indices[j].add(sample[j]);
+    }
+    return k < 2;
+  }
+
+  Study study;
+  std::vector<NormalisedFactor> factors;
+  std::size_t next = 0;  ///< Design.
+  std::vector<Moments> moments;
+  KeptRows kept;
+  std::string reason;  ///< Why there is no response surface.
+  LinearRegression regression;
+  std::vector<double> x;                    ///< Of one design.
+  std::vector<VarianceIndices> indices;     ///< One a response, of plan sobol_indices.
+  std::vector<std::vector<double>> sample;  ///< A response of the designs of one sample.
+};
+
+StudyAnalysis::StudyAnalysis(const Study& study) : parts_(std::make_unique<Parts>(study)) {}
+StudyAnalysis::~StudyAnalysis() = default;
+StudyAnalysis::StudyAnalysis(StudyAnalysis&&) noexcept = default;
+StudyAnalysis& StudyAnalysis::operator=(StudyAnalysis&&) noexcept = default;
+
+void StudyAnalysis::add(const RowBlock& block) {
+  const std::size_t responses = parts_->study.responses.size();
+  assert(block.first == parts_->next && block.responses.size() == block.rows * responses);
+  const std::vector<double> none(responses, kNoResponse);
+  auto failure = block.failures.begin();
+  for (std::size_t k = 0; k < block.rows; ++k) {
+    const bool failed = failure != block.failures.end() && failure->row == k;
+    if (failed) ++failure;
+    parts_->add(failed ? none : std::span(block.responses).subspan(k * responses, responses),
+                block.first + k);
+  }
+  parts_->next += block.rows;
+}
+
+StudySummary StudyAnalysis::summary() const {
+  StudySummary summary;
+  for (std::size_t j = 0; j < parts_->moments.size(); ++j) {
+    ResponseStatistics s = parts_->moments[j].statistics();
+    const std::vector<double> values = parts_->kept.ascending(j);
+    s.values_kept = values.size();
+    if (!values.empty()) {
+      std::ranges::transform(kProbabilities, s.quantiles.begin(),
+                             [&](double probability) { return quantile(values, probability); });
+      s.histogram = histogram(values);
+    }
+    summary.statistics.push_back(std::move(s));
+  }
+  if (!parts_->factors.empty())
+    summary.surfaces = response_surfaces(parts_->regression, parts_->factors, parts_->study);
+  if (!parts_->reason.empty()) summary.surfaces = ResponseSurfaces{0, parts_->reason};
+  for (const VarianceIndices& indices : parts_->indices)
+    summary.indices.push_back(indices.result());
+  return summary;
+}
+
+}  // namespace prs

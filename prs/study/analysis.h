@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "prs/study/response_surface.h"
+#include "prs/study/row_block.h"
+#include "prs/study/study.h"
+#include "prs/study/variance_indices.h"
+
+namespace prs {
+
+/// Quantiles that are reported.
+inline constexpr std::array kProbabilities{0.01, 0.05, 0.5, 0.95, 0.99};
+
+/// Up to so many converged designs, quantiles and histograms are those of all; of more designs,
+/// those of so many drawn at random among them, by a hash of the design's number.
+inline constexpr std::size_t kMostValuesKept = 65'536;
+
+/// How often values fell into each of equally wide classes.
+struct Histogram {
+  double from = 0.0;
+  double to = 0.0;
+  std::vector<std::size_t> counts;  ///< Empty where all values are equal.
+};
+
+/// A response over the converged designs, the base case not among them.
+struct ResponseStatistics {
+  std::size_t count = 0;  ///< Designs with a number; the rest holds from 1 on.
+  double mean = 0.0;
+  std::optional<double> standard_deviation;  ///< Of the sample, by count - 1; from 2 on.
+  double min = 0.0;
+  double max = 0.0;
+  std::size_t min_design = 0;  ///< The first with this value.
+  std::size_t max_design = 0;
+  /// At `kProbabilities`, linear between the ordered values (Hyndman & Fan 1996, type 7).
+  std::array<double, kProbabilities.size()> quantiles{};
+  Histogram histogram;
+  std::size_t values_kept = 0;  ///< From which quantiles and histogram come.
+};
+
+/// What the rows of a study say together.
+struct StudySummary {
+  std::vector<ResponseStatistics> statistics;     ///< One a response.
+  std::optional<ResponseSurfaces> surfaces = {};  ///< Of sampled plans with numeric factors.
+  std::vector<ResponseIndices> indices = {};      ///< One a response; of plan sobol_indices.
+};
+
+/// Sums up a study block after block, in memory that does not depend on the number of designs and
+/// with a result that does not depend on how the rows are cut into blocks.
+class StudyAnalysis {
+ public:
+  /// Of a study with the responses that are recorded.
+  explicit StudyAnalysis(const Study& study);
+  ~StudyAnalysis();
+  StudyAnalysis(StudyAnalysis&&) noexcept;
+  StudyAnalysis& operator=(StudyAnalysis&&) noexcept;
+
+  /// The next block: in ascending order, without gaps, from design 0 on.
+  void add(const RowBlock& block);
+
+  StudySummary summary() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace prs

@@ -1,0 +1,282 @@
+#include "prs/study/derivatives.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "prs/analyze.h"
+#include "prs/case_error.h"
+#include "prs/contact_laws.h"
+#include "prs/load_case_result.h"
+#include "prs/load_distribution.h"
+#include "prs/study/design_engine.h"
+#include "prs/study/result_number.h"
+
+namespace prs {
+namespace {
+
+/// Steps of the difference formulas over the value of the factor, each tried where the one before
+/// does not settle.
+constexpr double kSteps[] = {2e-3, 2e-4, 2e-5};
+
+/// A derivative whose two step widths differ by more than this share does not settle.
+constexpr double kSettled = 1e-6;
+
+/// df/dx = sum_m c_m (f(m h) - f(-m h))/h, m = 1, 2, 3, of sixth order.
+constexpr std::array<double, 3> kDifference = {3.0 / 4.0, -3.0 / 20.0, 1.0 / 60.0};
+
+template <class Values>
+auto derivative(const std::array<Values, 3>& forward, const std::array<Values, 3>& backward,
+                double step) {
+  Values sum = kDifference[0] * (forward[0] - backward[0]);
+  for (std::size_t m = 1; m < kDifference.size(); ++m)
+    sum += kDifference[m] * (forward[m] - backward[m]);
+  return Values(sum / step);
+}
+
+std::vector<ResultNumber> numbers_of(const Study& study) {
+  std::vector<ResultNumber> numbers;
+  for (std::size_t k = 0; k < study.responses.size(); ++k) {
+    std::optional<ResultNumber> number = result_number(study.responses[k]);
+    if (!number)
+      throw UnknownResponse(k, fmt::format("got {}; expected a number of a contact, of the threads "
+                                           "or of a load case, which has derivatives; write for "
+                                           "example `axial_displacement_um`",
+                                           study.responses[k]));
+    numbers.push_back(std::move(*number));
+  }
+  return numbers;
+}
+
+/// The chain up to the equilibrium at one value of a factor.
+struct Model {
+  Contacts contacts;
+  PerInterface<ContactLaw> laws;
+  std::vector<LoadCase> load_cases;
+  std::vector<std::unique_ptr<SectorSolver>> solvers;  ///< Of a load case; null where none is.
+};
+
+/// The load cases that responses need stand at their index, all others are left out.
+Model model_of(const Case& c, Command command, const std::vector<ResultNumber>& numbers) {
+  bool complete = false;
+  for (const ResultNumber& number : numbers) complete = complete || number.needs_complete;
+  Model model;
+  model.contacts = checked_contacts(c, complete ? Detail::complete : Detail::numbers);
+  model.load_cases = c.load_cases;
+  model.solvers.resize(c.load_cases.size());
+  if (command != Command::solve) return model;
+  model.laws = contact_laws(c, model.contacts);
+  for (const ResultNumber& number : numbers) {
+    if (!number.load_case || *number.load_case >= c.load_cases.size()) continue;
+    const LoadCase& load = c.load_cases[*number.load_case];
+    std::unique_ptr<SectorSolver>& solver = model.solvers[*number.load_case];
+    if (solver || load.share == LoadCase::Share::equal) continue;
+    solver = std::make_unique<SectorSolver>(
+        build_sector(model.contacts.mechanism, *c.structure, *c.materials, c.model, model.laws,
+                     *load.direction, *load.position, c.deviations));
+  }
+  return model;
+}
+
+/// The responses; `states` are those of the solvers, by load case.
+Eigen::VectorXd responses(Model& model, Command command, const std::vector<ResultNumber>& numbers,
+                          const std::vector<fe::State>& states) {
+  std::vector<std::optional<LoadCaseResult>> results(model.load_cases.size());
+  Eigen::VectorXd values(static_cast<Eigen::Index>(numbers.size()));
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const LoadCaseResult* result = nullptr;
+    if (const std::optional<std::size_t> index = numbers[k].load_case) {
+      const LoadCase& load = model.load_cases[*index];
+      std::optional<LoadCaseResult>& answer = results[*index];
+      if (!answer && model.solvers[*index]) {
+        LoadDistribution loads = model.solvers[*index]->at(states[*index], load.axial_force);
+        loads.solve.status = fe::NewtonStatus::converged;
+        answer = solved_result(load, model.contacts, model.laws, std::move(loads));
+      } else if (!answer) {
+        answer = command == Command::contact ? equal_share_result(load, model.contacts)
+                                             : equal_share_result(load, model.contacts, model.laws);
+      }
+      result = &*answer;
+    }
+    values[static_cast<Eigen::Index>(k)] =
+        numbers[k].value(model.contacts, result).value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+  return values;
+}
+
+/// dE/dq of a load case of a model at a state, less the load.
+Eigen::VectorXd residual(const SectorSolver& solver, const LoadCase& load, const fe::State& state) {
+  Eigen::VectorXd r(solver.equations().size());
+  const double sector_force = load.axial_force / solver.sector().rollers;
+  solver.equations().energy_and_residual(state, sector_force * solver.unit_load(), r);
+  return r;
+}
+
+/// A solved case that is moved along factors.
+class BaseCase {
+ public:
+  BaseCase(const input::StudyInput& input, const Study& study)
+      : input_(input),
+        study_(study),
+        numbers_(numbers_of(study)),
+        model_(model_of(input::read_design(input, {}), study.command, numbers_)) {
+    states_.resize(model_.solvers.size());
+    for (std::size_t k = 0; k < states_.size(); ++k) {
+      if (!model_.solvers[k]) continue;
+      const LoadCase& load = model_.load_cases[k];
+      if (!model_.solvers[k]->solve(load.axial_force).solve.converged())
+        throw CaseError(load.input_path,
+                        fmt::format("got {}, which does not converge; expected a load case that "
+                                    "`prs solve` answers; its derivatives do not exist",
+                                    load.name));
+      states_[k] = model_.solvers[k]->state();
+    }
+  }
+
+  Eigen::VectorXd values() { return responses(model_, study_.command, numbers_, states_); }
+
+  /// dR/dx with one step width. Throws where a value on the way has no mechanism.
+  Eigen::VectorXd rates(const Factor& factor, double step) {
+    std::array<Model, 3> forward, backward;
+    for (std::size_t m = 0; m < kDifference.size(); ++m) {
+      const double shift = static_cast<double>(m + 1) * step;
+      forward[m] = moved(factor, shift);
+      backward[m] = moved(factor, -shift);
+    }
+    std::vector<Eigen::VectorXd> state_rates(states_.size());
+    for (std::size_t k = 0; k < states_.size(); ++k)
+      if (model_.solvers[k]) state_rates[k] = state_rate(k, forward, backward, step);
+    std::array<Eigen::VectorXd, 3> ahead, behind;
+    for (std::size_t m = 0; m < kDifference.size(); ++m) {
+      const double shift = static_cast<double>(m + 1) * step;
+      ahead[m] = responses(forward[m], study_.command, numbers_, shifted(state_rates, shift));
+      behind[m] = responses(backward[m], study_.command, numbers_, shifted(state_rates, -shift));
+    }
+    return derivative(ahead, behind, step);
+  }
+
+ private:
+  Model moved(const Factor& factor, double shift) const {
+    const double number = *factor.base->number + shift;
+    const std::string text =
+        fmt::format("{}={}{}{}", factor.path, number, factor.unit.empty() ? "" : " ", factor.unit);
+    return model_of(input::read_design(input_, {text}), study_.command, numbers_);
+  }
+
+  Eigen::VectorXd state_rate(std::size_t k, const std::array<Model, 3>& forward,
+                             const std::array<Model, 3>& backward, double step) {
+    const int size = model_.solvers[k]->equations().size();
+    std::array<Eigen::VectorXd, 3> ahead, behind;
+    for (std::size_t m = 0; m < kDifference.size(); ++m) {
+      const auto residual_in = [&](const Model& model) {
+        if (model.solvers[k]->equations().size() != size)
+          throw CaseError("study",
+                          "two sections of the nut meet here: faces, thrust section, contacts");
+        return residual(*model.solvers[k], model.load_cases[k], states_[k]);
+      };
+      ahead[m] = residual_in(forward[m]);
+      behind[m] = residual_in(backward[m]);
+    }
+    Eigen::VectorXd rate;
+    if (!model_.solvers[k]->state_rate(derivative(ahead, behind, step), rate))
+      throw CaseError("study", "the tangent stiffness is singular");
+    return rate;
+  }
+
+  std::vector<fe::State> shifted(const std::vector<Eigen::VectorXd>& rates, double shift) const {
+    std::vector<fe::State> states = states_;
+    for (std::size_t k = 0; k < states.size(); ++k)
+      if (rates[k].size() > 0) states[k].set_to_step(states_[k], -shift, rates[k]);
+    return states;
+  }
+
+  const input::StudyInput& input_;
+  const Study& study_;
+  std::vector<ResultNumber> numbers_;
+  Model model_;
+  std::vector<fe::State> states_;
+};
+
+/// Keeps, response by response, the derivative with the smallest difference of its step widths.
+void keep_better(FactorDerivatives& kept, const Eigen::VectorXd& wide,
+                 const Eigen::VectorXd& narrow, const Eigen::VectorXd& values, double x) {
+  for (std::size_t k = 0; k < kept.responses.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(k);
+    const double error = std::abs(wide[at] - narrow[at]);
+    // What changes by less than this share of the response over the factor is constant.
+    const double scale = std::abs(wide[at]) + 1e-6 * std::abs(values[at] / x);
+    if (!(error <= kSettled * scale)) continue;
+    std::optional<Derivative>& best = kept.responses[k];
+    if (best && best->error <= error) continue;
+    best = Derivative{wide[at], std::nullopt, error};
+    if (values[at] != 0.0) best->elasticity = wide[at] * x / values[at];
+  }
+}
+
+bool complete(const FactorDerivatives& factor, const Eigen::VectorXd& values) {
+  for (std::size_t k = 0; k < factor.responses.size(); ++k)
+    if (std::isfinite(values[static_cast<Eigen::Index>(k)]) && !factor.responses[k]) return false;
+  return true;
+}
+
+FactorDerivatives derivatives_by(const Factor& factor, BaseCase& base,
+                                 const Eigen::VectorXd& values) {
+  FactorDerivatives result;
+  result.responses.resize(static_cast<std::size_t>(values.size()));
+  if (!factor.base || !factor.base->number) {
+    result.reason = "the file states no number for it";
+    return result;
+  }
+  const double x = *factor.base->number;
+  if (x == 0.0) {
+    result.reason = "it is 0, of which a step cannot be a share";
+    return result;
+  }
+  for (const double share : kSteps) {
+    const double step = share * std::abs(x);
+    try {
+      keep_better(result, base.rates(factor, step), base.rates(factor, 0.5 * step), values, x);
+      result.reason.clear();
+    } catch (const input::InputError& error) {
+      result.reason = error.what();
+    } catch (const CaseError& error) {
+      result.reason = error.what();
+    }
+    if (complete(result, values)) return result;
+  }
+  if (result.reason.empty())
+    result.reason = "some derivatives do not exist: the response has a kink here";
+  return result;
+}
+
+void require_model(const Study& study, const Case& c) {
+  if (study.command != Command::contact && study.command != Command::solve)
+    throw CaseError("study.command",
+                    "got another command than `contact` or `solve`; expected one of them with "
+                    "`plan: derivatives`; write `command: solve`");
+  if (study.command == Command::solve && c.model.bodies == ModelOptions::Bodies::influence)
+    throw CaseError("model.bodies",
+                    "got influence; expected `bars` or `refined` with `plan: derivatives`; write "
+                    "`bodies: refined`");
+}
+
+}  // namespace
+
+CaseDerivatives case_derivatives(const input::StudyInput& input) {
+  require_model(input.study, input::read_design(input, {}));
+  CaseDerivatives result;
+  result.study = DesignEngine(input).study();
+  BaseCase base(input, result.study);
+  const Eigen::VectorXd values = base.values();
+  for (const double value : values)
+    result.values.push_back(std::isfinite(value) ? std::optional(value) : std::nullopt);
+  for (const Factor& factor : result.study.factors)
+    result.factors.push_back(derivatives_by(factor, base, values));
+  return result;
+}
+
+}  // namespace prs

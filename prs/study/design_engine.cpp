@@ -1,0 +1,368 @@
+#include "prs/study/design_engine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "prs/analyze.h"
+#include "prs/case_error.h"
+#include "prs/chain/bar_designs.h"
+#include "prs/contact_laws.h"
+#include "prs/input/design_reader.h"
+#include "prs/input/did_you_mean.h"
+#include "prs/input/force_history.h"
+#include "prs/life/analyze_life.h"
+#include "prs/load_case_result.h"
+#include "prs/output/json.h"
+#include "prs/output/life_files.h"
+#include "prs/output/slip_quantities.h"
+#include "prs/slip.h"
+#include "prs/study/response.h"
+#include "prs/study/result_number.h"
+
+namespace prs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Bodies = ModelOptions::Bodies;
+
+Result analyze_for(Command command, const Case& c, Detail detail) {
+  if (command == Command::contact) return analyze_contacts(c, detail);
+  return command == Command::slip ? analyze_slip(c, detail) : analyze(c, detail);
+}
+
+/// That of the first load case which did not converge.
+DesignStatus status_of(const std::vector<LoadCaseResult>& load_cases) {
+  for (const LoadCaseResult& load_case : load_cases) {
+    const bool slips = load_case.slip.has_value();
+    if (load_case.converged() && (!slips || load_case.slip->converged())) continue;
+    const std::string name(slips ? slip_status_name(load_case) : status_name(load_case));
+    return {name, fmt::format("load case {} did not converge", load_case.load_case.name)};
+  }
+  return {};
+}
+
+/// Runs `compute` and says what stopped it.
+template <class Compute>
+DesignStatus status_after(Compute compute) {
+  try {
+    return compute();
+  } catch (const input::InputError& error) {
+    return {"refused", error.what()};
+  } catch (const CaseError& error) {
+    return {"refused", fmt::format("{}: {}", error.path(), error.what())};
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return {"failed", error.what()};
+  }
+}
+
+/// The study's responses as far as the document has them, or those of its command.
+std::vector<std::string> recorded(const Study& study, const Json& document) {
+  if (study.responses.empty()) {
+    std::vector<std::string> paths = default_responses(study.command);
+    if (!document.is_null())
+      std::erase_if(paths, [&](const std::string& path) { return !response(document, path); });
+    return paths;
+  }
+  if (document.is_null()) return study.responses;
+  for (std::size_t k = 0; k < study.responses.size(); ++k) {
+    const std::string& path = study.responses[k];
+    if (response(document, path)) continue;
+    const std::vector<std::string> known = response_paths(document);
+    const std::string nearest = input::did_you_mean(path, {known.begin(), known.end()});
+    throw UnknownResponse(
+        k, fmt::format("got {}; expected the path of a number in the first load case, or in the "
+                       "document, that the command prints with --json; {}",
+                       input::shown(path),
+                       nearest.empty() ? "write for example `" + known.front() + "`" : nearest));
+  }
+  return study.responses;
+}
+
+/// The responses as numbers of results; none where one of them needs the document.
+std::optional<std::vector<ResultNumber>> numbers_of(const std::vector<std::string>& responses) {
+  std::vector<ResultNumber> numbers;
+  for (const std::string& path : responses) {
+    std::optional<ResultNumber> number = result_number(path);
+    if (!number || number->needs_complete) return std::nullopt;
+    numbers.push_back(std::move(*number));
+  }
+  return numbers;
+}
+
+std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers) {
+  std::vector<std::size_t> indices;
+  for (const ResultNumber& number : numbers)
+    if (number.load_case) indices.push_back(*number.load_case);
+  std::ranges::sort(indices);
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  return indices;
+}
+
+/// Designs whose sectors are solved together: many lanes, little memory.
+constexpr std::size_t kBatch = 64;
+
+/// What is known of one design while its sectors wait to be solved together.
+struct Pending {
+  std::size_t row = 0;
+  Contacts contacts;
+  PerInterface<ContactLaw> laws;
+  std::vector<LoadCaseResult> load_cases;  ///< Those that the responses need.
+};
+
+/// A sector of bars that waits, and where its answer goes.
+struct PendingSector {
+  std::size_t design = 0;     ///< Index of the pending design.
+  std::size_t load_case = 0;  ///< Of the design's.
+};
+
+}  // namespace
+
+struct DesignEngine::Parts {
+  explicit Parts(const input::StudyInput& given) : input(given), study(given.study) {}
+
+  const input::StudyInput& input;
+  Study study;
+  std::optional<std::vector<ResultNumber>> numbers;
+  std::vector<std::size_t> load_cases;  ///< That the numbers need.
+  Bodies bodies = Bodies::bars;         ///< Of the base case.
+  std::optional<LoadHistory> history;   ///< Of the base case.
+  std::optional<HistorySource> history_source;
+
+  /// What a thread needs for itself.
+  struct Worker {
+    input::DesignReader reader;
+    BarDesignSolver solver = BarDesignSolver();
+  };
+
+  /// A worker that no other thread has.
+  class Borrowed {
+   public:
+    explicit Borrowed(Parts& parts) : parts_(parts), worker_(parts.take()) {}
+    ~Borrowed() { parts_.give_back(std::move(worker_)); }
+    Borrowed(const Borrowed&) = delete;
+    Borrowed& operator=(const Borrowed&) = delete;
+    Worker* get() { return &worker_; }
+    Worker* operator->() { return &worker_; }
+
+   private:
+    Parts& parts_;
+    Worker worker_;
+  };
+
+  Worker take() {
+    {
+      const std::lock_guard lock(mutex);
+      if (!idle.empty()) {
+        Worker worker = std::move(idle.back());
+        idle.pop_back();
+        return worker;
+      }
+    }
+    return Worker{input::DesignReader(input)};
+  }
+  void give_back(Worker worker) {
+    const std::lock_guard lock(mutex);
+    idle.push_back(std::move(worker));
+  }
+
+  bool in_batches() const { return numbers && study.command == Command::solve; }
+
+  /// The history of a case; that of the base case is read once.
+  std::optional<LoadHistory> history_of(const Case& c) const {
+    if (!c.life->history) return std::nullopt;
+    if (history && c.life->history == history_source) return history;
+    return input::read_force_history(*c.life->history, input.source);
+  }
+
+  DesignStatus life_by_document(const Case& c, Json& document) const {
+    const LifeResult result = analyze_life(c, history_of(c));
+    if (!result.converged()) return {"not_converged", *result.failure};
+    document = life_json(result, {});
+    return {};
+  }
+
+  /// The chain of the command on one case, the whole document.
+  DesignStatus by_document(const Case& c, Json& document) const {
+    if (study.command == Command::life) return life_by_document(c, document);
+    const Result result = analyze_for(study.command, c, Detail::complete);
+    document = to_json(result, {});
+    return status_of(result.load_cases);
+  }
+
+  void read_base() {
+    Json document;
+    Borrowed worker(*this);
+    const DesignStatus status = status_after([&] {
+      const Case& c = worker->reader.read(0);
+      bodies = c.model.bodies;
+      if (study.command == Command::life && c.life->history) {
+        history = history_of(c);
+        history_source = c.life->history;
+      }
+      return by_document(c, document);
+    });
+    if (!status.converged()) document = nullptr;
+    study.responses = recorded(study, document);
+    numbers = numbers_of(study.responses);
+    if (numbers) load_cases = load_cases_of(*numbers);
+  }
+
+  void set_numbers(double* row, const Contacts& contacts,
+                   const std::vector<LoadCaseResult>& results) const {
+    for (std::size_t k = 0; k < numbers->size(); ++k) {
+      const ResultNumber& number = (*numbers)[k];
+      const LoadCaseResult* result = nullptr;
+      if (number.load_case) {
+        const auto at = std::ranges::find(load_cases, *number.load_case);
+        const auto index = static_cast<std::size_t>(at - load_cases.begin());
+        if (index >= results.size()) continue;
+        result = &results[index];
+      }
+      row[k] = number.value(contacts, result).value_or(kNoResponse);
+    }
+  }
+
+  DesignStatus answer(const Case& c, double* row) const {
+    if (!numbers) {
+      Json document;
+      const DesignStatus status = by_document(c, document);
+      if (status.converged())
+        for (std::size_t k = 0; k < study.responses.size(); ++k)
+          row[k] = response(document, study.responses[k]).value_or(kNoResponse);
+      return status;
+    }
+    Case needed = c;
+    needed.load_cases.clear();
+    for (const std::size_t k : load_cases)
+      if (k < c.load_cases.size()) needed.load_cases.push_back(c.load_cases[k]);
+    const Result result = analyze_for(study.command, needed, Detail::numbers);
+    DesignStatus status = status_of(result.load_cases);
+    if (status.converged()) set_numbers(row, result.contacts, result.load_cases);
+    return status;
+  }
+
+  /// Prepares one design of a batch: contacts, and the sectors whose loads are to be found.
+  DesignStatus prepare(const Case& c, Pending& design, std::size_t index,
+                       std::vector<PendingSector>& sectors, std::vector<BarSector>& bars,
+                       std::vector<double>& forces) const {
+    design.contacts = checked_contacts(c, Detail::numbers);
+    design.laws = contact_laws(c, design.contacts);
+    for (const std::size_t k : load_cases) {
+      if (k >= c.load_cases.size()) break;
+      const LoadCase& load = c.load_cases[k];
+      if (load.share == LoadCase::Share::equal) {
+        design.load_cases.push_back(equal_share_result(load, design.contacts, design.laws));
+        continue;
+      }
+      bars.push_back(bar_sector(design.contacts.mechanism, *c.structure, *c.materials, c.model,
+                                design.laws, *load.direction, *load.position, c.deviations));
+      forces.push_back(load.axial_force);
+      sectors.push_back({index, design.load_cases.size()});
+      design.load_cases.emplace_back().load_case = load;
+    }
+    return {};
+  }
+
+  void evaluate_batches(std::size_t first, RowBlock& block) {
+    Borrowed worker(*this);
+    for (std::size_t row = 0; row < block.rows; row += kBatch)
+      evaluate_batch(first, row, std::min(row + kBatch, block.rows), *worker.get(), block);
+    std::ranges::sort(block.failures, {}, &RowBlock::Failure::row);
+  }
+
+  /// Rows [from, to) of a block.
+  void evaluate_batch(std::size_t first, std::size_t from, std::size_t to, Worker& worker,
+                      RowBlock& block) {
+    std::vector<Pending> designs;
+    std::vector<PendingSector> sectors;
+    std::vector<BarSector> bars;
+    std::vector<double> forces;
+    designs.reserve(to - from);
+    for (std::size_t row = from; row < to; ++row) {
+      const std::size_t waiting = sectors.size();
+      Pending design{row, {}, {}, {}};
+      bool done = false;
+      DesignStatus status = status_after([&]() -> DesignStatus {
+        const Case& c = worker.reader.read(first + row);
+        if (c.model.bodies == Bodies::bars)
+          return prepare(c, design, designs.size(), sectors, bars, forces);
+        done = true;
+        return answer(c, row_of(block, row));
+      });
+      if (status.converged() && !done) {
+        designs.push_back(std::move(design));
+      } else {
+        sectors.resize(waiting);
+        bars.resize(waiting);
+        forces.resize(waiting);
+        if (!status.converged()) block.failures.push_back({row, std::move(status)});
+      }
+    }
+    std::vector<LoadDistribution> loads(bars.size());
+    worker.solver.solve(bars, forces, loads);
+    for (std::size_t k = 0; k < sectors.size(); ++k) {
+      Pending& design = designs[sectors[k].design];
+      LoadCaseResult& result = design.load_cases[sectors[k].load_case];
+      result = solved_result(result.load_case, design.contacts, design.laws, std::move(loads[k]));
+    }
+    for (const Pending& design : designs) {
+      DesignStatus status = status_of(design.load_cases);
+      if (status.converged())
+        set_numbers(row_of(block, design.row), design.contacts, design.load_cases);
+      else
+        block.failures.push_back({design.row, std::move(status)});
+    }
+  }
+
+  void evaluate_one_by_one(std::size_t first, RowBlock& block) {
+    Borrowed worker(*this);
+    for (std::size_t row = 0; row < block.rows; ++row) {
+      DesignStatus status = status_after(
+          [&] { return answer(worker->reader.read(first + row), row_of(block, row)); });
+      if (!status.converged()) block.failures.push_back({row, std::move(status)});
+    }
+  }
+
+  double* row_of(RowBlock& block, std::size_t row) const {
+    return block.responses.data() + row * study.responses.size();
+  }
+
+  std::mutex mutex;
+  std::vector<Worker> idle;
+};
+
+DesignEngine::DesignEngine(const input::StudyInput& input)
+    : parts_(std::make_unique<Parts>(input)) {
+  parts_->read_base();
+}
+
+DesignEngine::~DesignEngine() = default;
+
+const Study& DesignEngine::study() const { return parts_->study; }
+
+RowBlock DesignEngine::evaluate(std::size_t first, std::size_t count) const {
+  RowBlock block{first, count, {}, {}};
+  block.responses.assign(count * parts_->study.responses.size(), kNoResponse);
+  if (parts_->in_batches())
+    parts_->evaluate_batches(first, block);
+  else
+    parts_->evaluate_one_by_one(first, block);
+  return block;
+}
+
+std::size_t DesignEngine::chunk() const {
+  if (parts_->bodies == Bodies::influence) return 1;
+  if (!parts_->numbers) return 8;
+  if (parts_->study.command == Command::slip) return 32;
+  return parts_->bodies == Bodies::bars ? 512 : 64;
+}
+
+}  // namespace prs

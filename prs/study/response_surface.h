@@ -1,0 +1,111 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "prs/study/study.h"
+
+namespace prs {
+
+/// A factor of a sampled plan on the axis of the response surface,
+///
+///     x = (value - centre) / half_range,
+///
+/// so that a uniform factor runs from -1 to 1 and a normal one has the standard deviation 1. Values
+/// of a log-uniform factor are taken by their logarithm. Centre and half range come from the
+/// factor's distribution, not from the draws; Yao et al. 2023, section 3.1, scale by the draws'
+/// extremes, which differ from it by the order of 1 / samples.
+struct NormalisedFactor {
+  std::size_t factor = 0;  ///< Of the study's.
+  double centre = 0.0;     ///< In the factor's unit, or the logarithm of its number.
+  double half_range = 1.0;
+  bool logarithmic = false;
+
+  double operator()(double value) const;
+};
+
+/// Those of the study's factors that are numbers and vary. Empty unless the plan is sampled.
+std::vector<NormalisedFactor> normalised_factors(const Study& study);
+
+/// Part of a factor in what a response does over the ranges.
+struct FactorEffect {
+  std::size_t factor = 0;  ///< Of the study's.
+  /// b_i, the change of the response from the centre to the end of the factor's range (of a normal
+  /// factor: by one standard deviation), in the unit of the response.
+  double coefficient = 0.0;
+  /// Of the coefficient; absent where no design is left over to judge by.
+  std::optional<double> standard_error;
+  /// |b_i| / sum |b| [%]: A_i of Yao et al. 2023, section 3.1, whose sum of signed coefficients is
+  /// read as one of magnitudes, as their figures 8 and 9 draw it (bars of either sign that add up
+  /// to 100 %). Its sign is that of the coefficient.
+  double contribution_percent = 0.0;
+};
+
+/// The linear polynomial that comes closest to a response, y = b_0 + sum b_i x_i.
+struct LinearFit {
+  double intercept = 0.0;
+  std::vector<FactorEffect> effects;  ///< The largest contribution first.
+  double r_squared = 0.0;             ///< Share of the variance that the polynomial explains.
+  std::optional<double> adjusted_r_squared;
+};
+
+/// Below this R^2 a ranking by linear contributions misses much of what happens.
+inline constexpr double kLowRSquared = 0.9;
+
+/// With more factors a design would cost more to sum up than to solve.
+inline constexpr std::size_t kMostFactorsOfSurface = 100;
+
+/// Linear response surfaces of all responses of a study.
+struct ResponseSurfaces {
+  std::size_t designs = 0;  ///< In the fit: converged, with a number for each response.
+  std::string reason = {};  ///< Why there is no fit; empty where there is one.
+  /// One a response; absent where the response does not vary. Empty where there is no fit.
+  std::vector<std::optional<LinearFit>> fits = {};
+};
+
+/// Least squares by orthogonal triangularisation of [1 X Y], block after block of rows (Golub & Van
+/// Loan 2013, sections 5.3 and 6.5), in memory that does not depend on the number of rows. The
+/// result depends on the order of the rows only, not on how they come.
+class LinearRegression {
+ public:
+  LinearRegression() : LinearRegression(0, 0) {}
+  LinearRegression(std::size_t factors, std::size_t responses);
+
+  /// A row of normalised factors and its responses, all of them finite.
+  void add(std::span<const double> x, std::span<const double> y);
+
+  std::size_t rows() const { return rows_; }
+
+  /// The first column of X that does not vary, or moves with those before it.
+  std::optional<std::size_t> dependent_column() const;
+
+  /// One a response, absent where that does not vary, with effects in the order of the columns of
+  /// X. Needs more rows than there are factors, and no dependent column.
+  std::vector<std::optional<LinearFit>> fits() const;
+
+ private:
+  /// Brings the pending rows into the triangle.
+  static void reduce(Eigen::MatrixXd& triangle, Eigen::MatrixXd pending);
+  /// The triangle of all rows so far.
+  Eigen::MatrixXd triangle() const;
+
+  Eigen::Index factors_ = 0;
+  Eigen::Index responses_ = 0;
+  std::size_t rows_ = 0;
+  Eigen::VectorXd first_;     ///< Responses of the first row, from which all others are counted.
+  Eigen::VectorXd largest_;   ///< Largest magnitudes of the responses.
+  Eigen::MatrixXd triangle_;  ///< R of [1 X Y] = Q R, of all rows but the pending ones.
+  Eigen::MatrixXd pending_;
+  Eigen::Index pending_rows_ = 0;
+};
+
+/// The fits with the study's factors, ranked, or why there are none.
+ResponseSurfaces response_surfaces(const LinearRegression& regression,
+                                   const std::vector<NormalisedFactor>& factors,
+                                   const Study& study);
+
+}  // namespace prs

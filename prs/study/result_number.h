@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "prs/result.h"
+
+namespace prs {
+
+/// A response that the tables of quantities know, read from results without a document. What it
+/// says is what the document would.
+struct ResultNumber {
+  /// Index of the load case that it belongs to; none: it is the mechanism's.
+  std::optional<std::size_t> load_case;
+  bool needs_complete = false;  ///< Detail::numbers does not have it.
+  std::function<std::optional<double>(const Contacts&, const LoadCaseResult*)> value;
+};
+
+/// The response at a path, see `response`; none where only the document has it.
+std::optional<ResultNumber> result_number(std::string_view path);
+
+}  // namespace prs

@@ -1,0 +1,101 @@
+#include "prs/output/study_table.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "prs/output/study_text.h"
+#include "prs/output/text.h"
+#include "tests/prs/output/sample_study.h"
+
+namespace prs {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+void expect_narrow(const std::string& table) {
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(width(line), 110U) << line;
+}
+
+TEST(StudyTable, MarksTheBaseCaseInItsPlaceAndGivesReasons) {
+  const std::string table = study_table(sample::counting());
+  const std::size_t one = table.find("\n  1 "), base = table.find("\n* 2 "),
+                    three = table.find("\n  3 ");
+  ASSERT_NE(base, std::string::npos) << table;
+  EXPECT_LT(one, base);
+  EXPECT_LT(base, three);
+  EXPECT_THAT(table, HasSubstr("1 of 4 designs without an answer\n  x=3 refused: mechanism"));
+}
+
+TEST(StudyTable, RankingComesFirst) {
+  const std::string table = study_table(sample::sampled(Plan::latin_hypercube));
+  EXPECT_THAT(table, testing::StartsWith("latin_hypercube: 500 designs, seed 7\n\n"
+                                         "max screw peak pressure (MPa): contributions"));
+  const std::size_t a = table.find("  1  flank angle"), b = table.find("  2  b "),
+                    mean = table.find("mean");
+  ASSERT_NE(a, std::string::npos) << table;
+  EXPECT_LT(a, b);
+  EXPECT_LT(b, mean);
+  EXPECT_THAT(table, AllOf(HasSubstr("+75.00 %"), HasSubstr("-25.00 %"), HasSubstr("R² = 1.0000")));
+  // The other response is a product: nothing of it is linear.
+  EXPECT_THAT(table, HasSubstr("little of it is linear"));
+  EXPECT_THAT(table, Not(HasSubstr("without an answer")));
+  expect_narrow(table);
+}
+
+TEST(StudyTable, SharesOfTheVarianceHaveTheirIntervals) {
+  const std::string table = study_table(sample::sampled(Plan::sobol_indices, 512));
+  EXPECT_THAT(table, AllOf(HasSubstr("max nut peak pressure (MPa): shares of the variance, 512"),
+                           HasSubstr("with others"), HasSubstr("±")));
+  EXPECT_THAT(table, Not(HasSubstr("linear response surface")));
+  expect_narrow(table);
+}
+
+TEST(StudyTable, GridShowsItsExtremes) {
+  Study study;
+  study.plan = Plan::grid;
+  study.factors = {sample::counted("x", {1.0, 3.0, 4.0}), sample::counted("y", {2.0, 5.0})};
+  study.responses = {"sum"};
+  const std::string table = study_table(sample::run(study, [](const std::vector<double>& x) {
+    return x[0] == 3.0 ? std::vector<double>{} : std::vector{x[0] + x[1]};
+  }));
+  EXPECT_THAT(table, AllOf(HasSubstr("grid: 6 designs\n"), HasSubstr("min 3: x 1, y 2\n"),
+                           HasSubstr("max 9: x 4, y 5\n"),
+                           HasSubstr("2 of 7 designs without an answer\n  x=3, y=2 refused")));
+  expect_narrow(table);
+}
+
+TEST(StudyTable, SaysWhyThereIsNoRanking) {
+  EXPECT_THAT(study_table(sample::sampled(Plan::monte_carlo, 3)),
+              HasSubstr("no response surface: 3 designs with all responses do not determine 4"));
+}
+
+TEST(StudyTable, ProgressTellsRateAndTimeLeft) {
+  EXPECT_EQ(progress_line(50, 100, 0.5), "50 of 100 designs, 100 a second, 0:01 left");
+  EXPECT_EQ(progress_line(1, 1201, 1.0), "1 of 1201 designs, 1.0 a second, 20:00 left");
+  EXPECT_EQ(progress_line(1, 7201, 1.0), "1 of 7201 designs, 1.0 a second, 2:00:00 left");
+  EXPECT_EQ(progress_line(0, 5, 0.0), "0 of 5 designs");
+}
+
+TEST(StudyText, TitlesAreForPeople) {
+  EXPECT_EQ(response_text("screw.peak_pressure_MPa.max"), "max screw peak pressure (MPa)");
+  EXPECT_EQ(response_text("slip.share_percent.carrier_nut"), "carrier nut share (%)");
+  EXPECT_EQ(response_text("axial_stiffness_N_per_um"), "axial stiffness (N/µm)");
+  EXPECT_EQ(response_text("slip.efficiency"), "efficiency");
+  EXPECT_EQ(response_text("screw.load_rate_percent[0]"), "screw load rate, thread 1 (%)");
+  EXPECT_EQ(response_text("contact.nut.body_curvatures_per_mm[1]"),
+            "nut body curvatures[1] (1/mm)");
+  EXPECT_EQ(level_text({"54.33333333333333 mm", 54.33333333333333}, "mm"), "54.3333 mm");
+  EXPECT_EQ(level_text({"{convex: 6.25123456 mm}", 0.16}, "1/mm"), "{convex: 6.25123456 mm}");
+  EXPECT_EQ(factor_title(sample::counted("mechanism.rollers", {})), "mechanism.rollers");
+  EXPECT_EQ(factor_title(sample::counted("mechanism.rollers", {}, "number of rollers")),
+            "Number of rollers");
+  EXPECT_EQ(factor_title(sample::counted("mechanism.rollers", {}, "n_R")), "n_R");
+}
+
+}  // namespace
+}  // namespace prs

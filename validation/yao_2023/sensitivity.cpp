@@ -1,0 +1,411 @@
+#include "validation/yao_2023/sensitivity.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <numbers>
+#include <string_view>
+
+#include "prs/analyze.h"
+#include "prs/case_error.h"
+#include "prs/output/units.h"
+#include "prs/study/response_surface.h"
+#include "prs/study/sampling.h"
+
+namespace prs::yao_2023 {
+namespace {
+
+constexpr std::size_t kSamples = 2000;
+constexpr double kRange = 0.03;
+
+/// An input of tables A1 and A2 that takes part; pitches, moduli and ratios are those of S, R, N.
+struct Input {
+  std::string_view name;
+  void (*scale)(Case&, double);
+};
+
+template <Part part>
+void scale_flank_angle(Case& c, double by) {
+  c.mechanism.flank_angle[part] *= by;
+}
+template <Part part>
+void scale_pitch(Case& c, double by) {
+  c.mechanism.pitch[part] = by * axial_pitch(c.mechanism);
+}
+template <Part part>
+void scale_modulus(Case& c, double by) {
+  (*c.materials)[part].youngs_modulus *= by;
+}
+template <Part part>
+void scale_ratio(Case& c, double by) {
+  (*c.materials)[part].poisson_ratio *= by;
+}
+
+constexpr Input kInputs[] = {
+    {"d_R0", [](Case& c, double by) { *c.mechanism.pitch_diameter.roller *= by; }},
+    {"beta_S", scale_flank_angle<Part::screw>},
+    {"beta_R", scale_flank_angle<Part::roller>},
+    {"beta_N", scale_flank_angle<Part::nut>},
+    {"P_S", scale_pitch<Part::screw>},
+    {"P_R", scale_pitch<Part::roller>},
+    {"P_N", scale_pitch<Part::nut>},
+    {"E_S", scale_modulus<Part::screw>},
+    {"E_R", scale_modulus<Part::roller>},
+    {"E_N", scale_modulus<Part::nut>},
+    {"nu_S", scale_ratio<Part::screw>},
+    {"nu_R", scale_ratio<Part::roller>},
+    {"nu_N", scale_ratio<Part::nut>},
+    {"F", [](Case& c, double by) { c.load_cases[0].axial_force *= by; }},
+};
+constexpr std::size_t kInputCount = std::size(kInputs);
+
+enum Response : std::size_t {
+  kScrewStress,
+  kNutStress,
+  kScrewCurvature,
+  kNutCurvature,
+  kScrewRadius,
+  kRollerRadiusAtScrew,
+  kNutRadius,
+  kRollerRadiusAtNut,
+  kScrewAngle,
+  kRollerAngleAtScrew,
+  kNutAngle,
+  kRollerAngleAtNut,
+  kResponseCount
+};
+
+/// Normal load over axial load by (27) and (28), from the roller's nominal angle and radius.
+double printed_load_ratio(const Mechanism& m) {
+  const double helix = std::atan(m.pitch.roller.value_or(axial_pitch(m)) /
+                                 (std::numbers::pi * *m.pitch_diameter.roller));
+  return 1.0 /
+         (std::cos(std::atan(std::tan(m.flank_angle.roller) * std::cos(helix))) * std::cos(helix));
+}
+
+/// The peak pressure, which grows with the cube root of the normal load.
+double stress(const Case& c, const Result& result, Interface i, bool printed_load) {
+  const double peak = (*result.load_cases[0].threads)[i].peak_pressure[0];
+  if (!printed_load) return peak;
+  const double right = 1.0 / std::cos(result.contacts.interfaces[i].normal_angle());
+  return peak * std::cbrt(printed_load_ratio(c.mechanism) / right);
+}
+
+std::array<double, kResponseCount> responses(const Case& c, const Result& result,
+                                             bool printed_load) {
+  const auto& screw = result.contacts.interfaces.screw.geometry;
+  const auto& nut = result.contacts.interfaces.nut.geometry;
+  return {stress(c, result, Interface::screw, printed_load),
+          stress(c, result, Interface::nut, printed_load),
+          screw.relative.first + screw.relative.second,
+          nut.relative.first + nut.relative.second,
+          screw.point.radius_on_body,
+          screw.point.radius_on_roller,
+          nut.point.radius_on_body,
+          nut.point.radius_on_roller,
+          screw.point.angle_on_body,
+          std::remainder(screw.point.angle_on_roller, 2.0 * std::numbers::pi),
+          nut.point.angle_on_body,
+          nut.point.angle_on_roller};
+}
+
+/// Contributions of the inputs to each response.
+class Ranking {
+ public:
+  explicit Ranking(const LinearRegression& regression) : fits_(regression.fits()) {}
+
+  /// [%], with the sign of the effect.
+  double of(std::string_view input, Response response) const {
+    const auto found = std::ranges::find(kInputs, input, &Input::name);
+    const FactorEffect& e =
+        fits_[response]->effects[static_cast<std::size_t>(found - std::begin(kInputs))];
+    return std::copysign(e.contribution_percent, e.coefficient);
+  }
+  std::vector<std::string> ranked(Response response) const {
+    std::vector<std::string> names;
+    for (const Input& input : kInputs) names.emplace_back(input.name);
+    std::ranges::stable_sort(names, std::greater{},
+                             [&](const std::string& name) { return std::abs(of(name, response)); });
+    return names;
+  }
+  /// `d_R0 -22.0, beta_R +17.3`: the first so many.
+  std::string listed(Response response, std::size_t count) const {
+    std::vector<std::string> texts;
+    for (const std::string& name : ranked(response))
+      if (texts.size() < count)
+        texts.push_back(fmt::format("{} {:+.2f}", name, of(name, response)));
+    return fmt::format("{} %", fmt::join(texts, ", "));
+  }
+
+ private:
+  std::vector<std::optional<LinearFit>> fits_;
+};
+
+/// With the normal load of equilibrium, and with that of (27).
+struct Rankings {
+  Ranking equilibrium, printed;
+};
+
+/// A sample whose threads do not touch within their heights is left out.
+Rankings rankings(const Case& initial) {
+  LinearRegression equilibrium(kInputCount, kResponseCount), printed(kInputCount, kResponseCount);
+  Case middle = initial;
+  middle.mechanism.profile.roller = {Profile::Shape::centred};
+  std::array<double, kInputCount> x{};
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    Case c = middle;
+    for (std::size_t i = 0; i < kInputCount; ++i) {
+      x[i] = 2.0 * latin_hypercube_number(1, i, k, kSamples) - 1.0;
+      kInputs[i].scale(c, 1.0 + kRange * x[i]);
+    }
+    try {
+      const Result result = analyze_contacts(c, Detail::numbers);
+      equilibrium.add(x, responses(c, result, false));
+      printed.add(x, responses(c, result, true));
+    } catch (const CaseError&) {
+      continue;
+    }
+  }
+  return {Ranking(equilibrium), Ranking(printed)};
+}
+
+using Names = std::vector<std::string>;
+
+/// Whether these inputs are the first ones, in any order.
+bool leads(const Ranking& r, Response response, Names names) {
+  Names first = r.ranked(response);
+  first.resize(names.size());
+  std::ranges::sort(first);
+  std::ranges::sort(names);
+  return first == names;
+}
+
+bool have_signs(const Ranking& r, Response response, const Names& positive, const Names& negative) {
+  return std::ranges::all_of(positive, [&](const auto& n) { return r.of(n, response) > 0.0; }) &&
+         std::ranges::all_of(negative, [&](const auto& n) { return r.of(n, response) < 0.0; });
+}
+
+/// Sum of the contributions of these inputs [%].
+double together(const Ranking& r, Response response, const Names& names) {
+  double sum = 0.0;
+  for (const std::string& name : names) sum += std::abs(r.of(name, response));
+  return sum;
+}
+
+Finding screw_angle_leads(const Ranking& r) {
+  return {r.ranked(kScrewAngle)[0] == "beta_S" && r.ranked(kRollerAngleAtScrew)[0] == "beta_S" &&
+              r.of("beta_S", kScrewAngle) > 0.0 && r.of("beta_S", kRollerAngleAtScrew) < 0.0,
+          "screw: " + r.listed(kScrewAngle, 2) + "; roller: " + r.listed(kRollerAngleAtScrew, 2)};
+}
+
+Finding screw_angles_follow(const Ranking& r) {
+  const Names five{"beta_S", "d_R0", "beta_R", "P_S", "P_R"};
+  return {leads(r, kScrewAngle, five) && leads(r, kRollerAngleAtScrew, five),
+          "screw: " + r.listed(kScrewAngle, 6) + "; roller: " + r.listed(kRollerAngleAtScrew, 6)};
+}
+
+constexpr double kLittle = 5.0;  // [%]
+
+Finding screw_radii(const Ranking& r) {
+  const Names three{"d_R0", "beta_R", "beta_S"};
+  const double screw = together(r, kScrewRadius, three);
+  const double roller = together(r, kRollerRadiusAtScrew, three);
+  return {std::min(screw, roller) > 100.0 - kLittle,
+          fmt::format("{:.1f} % on the screw, {:.1f} % on the roller (judged against 95)", screw,
+                      roller)};
+}
+
+Finding screw_radii_signs(const Ranking& r) {
+  return {have_signs(r, kScrewRadius, {"beta_R"}, {"d_R0", "beta_S"}) &&
+              have_signs(r, kRollerRadiusAtScrew, {"d_R0", "beta_S"}, {"beta_R"}),
+          "screw: " + r.listed(kScrewRadius, 3) + "; roller: " + r.listed(kRollerRadiusAtScrew, 3)};
+}
+
+constexpr double kPoint = 1.0;  // How near a printed percentage has to be.
+
+Finding screw_curvature(const Ranking& r) {
+  return {std::abs(r.of("d_R0", kScrewCurvature) + 50.08) < kPoint &&
+              std::abs(r.of("beta_R", kScrewCurvature) - 39.23) < kPoint &&
+              std::abs(r.of("beta_S", kScrewCurvature) - 9.00) < kPoint,
+          r.listed(kScrewCurvature, 3) + " (judged to a point)"};
+}
+
+Finding nut_curvature(const Ranking& r) {
+  return {std::abs(r.of("d_R0", kNutCurvature) + 53.13) < kPoint &&
+              std::abs(r.of("beta_R", kNutCurvature) + 41.72) < kPoint &&
+              std::abs(r.of("beta_N", kNutCurvature) - 4.07) < kPoint,
+          r.listed(kNutCurvature, 3) + " (judged to a point)"};
+}
+
+Finding screw_stress_leaders(const Ranking& r) {
+  const Names first = r.ranked(kScrewStress);
+  return {first[0] == "beta_R" && first[1] == "d_R0" &&
+              have_signs(r, kScrewStress, {"beta_R"}, {"d_R0"}),
+          r.listed(kScrewStress, 3)};
+}
+
+Finding load_as_moduli(const Ranking& r) {
+  const double f = r.of("F", kScrewStress);
+  double difference = 0.0;
+  for (const char* modulus : {"E_S", "E_R"})
+    difference = std::max(difference, std::abs(r.of(modulus, kScrewStress) - f));
+  return {f > 0.0 && difference < 0.02 * f,
+          fmt::format("F {:+.2f}, E_S {:+.2f}, E_R {:+.2f} % (judged to 2 % of them)", f,
+                      r.of("E_S", kScrewStress), r.of("E_R", kScrewStress))};
+}
+
+Finding ratios_after_flank_angle(const Ranking& r) {
+  const Names order = r.ranked(kScrewStress);
+  const auto at = std::ranges::find(order, "beta_S") - order.begin();
+  const Names ratios{"nu_S", "nu_R"};
+  const bool follow =
+      std::ranges::find(ratios, order.at(static_cast<std::size_t>(at) + 1)) != ratios.end() &&
+      std::ranges::find(ratios, order.at(static_cast<std::size_t>(at) + 2)) != ratios.end();
+  return {follow && have_signs(r, kScrewStress, ratios, {}), r.listed(kScrewStress, 8)};
+}
+
+Finding nut_angles(const Ranking& r) {
+  const Names sequence{"P_N", "P_R", "d_R0", "beta_R", "beta_N"};
+  bool holds = true;
+  for (const Response response : {kNutAngle, kRollerAngleAtNut}) {
+    holds = holds && leads(r, response, sequence) &&
+            have_signs(r, response, {"P_N", "d_R0", "beta_N"}, {"P_R", "beta_R"});
+    for (std::size_t k = 1; k < sequence.size(); ++k)
+      holds = holds && std::abs(r.of(sequence[k], response)) <
+                           std::abs(r.of(sequence[k - 1], response)) + 0.5;
+  }
+  return {holds, "nut: " + r.listed(kNutAngle, 5) + "; roller: " + r.listed(kRollerAngleAtNut, 5) +
+                     " (judged to half a point)"};
+}
+
+Finding nut_radii(const Ranking& r) {
+  bool holds = true;
+  for (const Response response : {kNutRadius, kRollerRadiusAtNut})
+    holds = holds && leads(r, response, {"d_R0", "beta_N", "beta_R"}) &&
+            have_signs(r, response, {"d_R0", "beta_N", "P_N"}, {"beta_R", "P_R"});
+  return {holds,
+          "nut: " + r.listed(kNutRadius, 5) + "; roller: " + r.listed(kRollerRadiusAtNut, 5)};
+}
+
+Finding stresses_alike(const Ranking& r) {
+  const Names first{"d_R0", "beta_R"};
+  bool holds = leads(r, kScrewStress, first) && leads(r, kNutStress, first);
+  for (const char* name : {"d_R0", "beta_R", "F", "E_R", "nu_R"})
+    holds = holds && r.of(name, kScrewStress) * r.of(name, kNutStress) > 0.0;
+  return {holds, "screw: " + r.listed(kScrewStress, 7) + "; nut: " + r.listed(kNutStress, 7)};
+}
+
+using YaoStatement = Statement<Ranking>;
+
+std::vector<YaoStatement> statements() {
+  const std::string load =
+      "(27) takes the normal load from the roller's nominal flank angle, so that beta_R moves it. "
+      "Axial equilibrium takes it at the contact point, whose normal is that of the straight flank "
+      "of the screw: beta_S moves it";
+  return {
+      {"3.2",
+       "beta_S contributes most to the deflection angle of the screw and roller, with negative "
+       "effect "
+       "on the roller but positive effect on the screw",
+       screw_angle_leads},
+      {"3.2", "d_R0, beta_R, P_S and P_R are also sensitive to the deflection angle",
+       screw_angles_follow},
+      {"3.2",
+       "d_R0, beta_R and beta_S play a major role in the contact radius between the screw and "
+       "roller, while other parameters have little influence",
+       screw_radii},
+      {"3.2",
+       "the effects of d_R0 and beta_S on the screw are negative but positive on the roller, and "
+       "the "
+       "effect of beta_R is exact converse",
+       screw_radii_signs},
+      {"3.2",
+       "the negative effect of d_R0 on the curvature sum between screw and roller accounts for "
+       "50.08 %, while beta_R and beta_S positively contribute 39.23 % and 9.00 %",
+       screw_curvature},
+      {"3.2",
+       "beta_R has the most significant positive effect on the contact stress sigma_HSR, followed "
+       "by "
+       "d_R0 with greater negative sensitivity",
+       screw_stress_leaders, load},
+      {"3.2",
+       "the positive sensitivity of the applied load F is basically consistent with that of the "
+       "elastic modulus E_R and E_S",
+       load_as_moduli},
+      {"3.2", "nu_S and nu_R rank after beta_S, and they have a positive impact on sigma_HSR",
+       ratios_after_flank_angle, load},
+      {"3.2",
+       "the most sensitive parameters to the deflection angle of roller and nut are P_N, P_R, "
+       "d_R0, "
+       "beta_R and beta_N in sequence, in which P_N, d_R0 and beta_N have positive effects, while "
+       "P_R and beta_R have negative effects",
+       nut_angles},
+      {"3.2",
+       "d_R0, beta_N and beta_R are the main contributors to the contact radius of roller and nut, "
+       "and d_R0, beta_N and P_N are positive effects and the other two are negative",
+       nut_radii},
+      {"3.2",
+       "d_R0 and beta_R account for 53.13 % and 41.72 % of the negative effects on the curvature "
+       "sum "
+       "between nut and roller, and beta_N accounts for 4.07 % of the positive effects",
+       nut_curvature,
+       "the magnitudes are these, the signs of the two flank angles are not: a larger beta_R makes "
+       "the roller's arc smaller and the sum larger, as the text on figure 10 says, and a larger "
+       "beta_N makes the nut more hollow"},
+      {"3.2",
+       "the parameters affect the contact stress between the nut and roller in the way similar to "
+       "that between the screw and roller",
+       stresses_alike},
+  };
+}
+
+ValidationTable curvature_table(const Ranking& r) {
+  ValidationTable table{"Figures 8(e), 9(e): contributions to the curvature sum, in %",
+                        {"input", "screw, printed", "screw", "nut, printed", "nut"},
+                        {},
+                        2};
+  const auto row = [&](std::string label, std::string_view screw, std::string_view nut,
+                       double printed_screw, double printed_nut) {
+    table.rows.push_back({std::move(label),
+                          {printed_screw, std::abs(r.of(screw, kScrewCurvature)), printed_nut,
+                           std::abs(r.of(nut, kNutCurvature))}});
+  };
+  row("d_R0", "d_R0", "d_R0", 50.08, 53.13);
+  row("beta_R", "beta_R", "beta_R", 39.23, 41.72);
+  row("beta_S or beta_N", "beta_S", "beta_N", 9.00, 4.07);
+  return table;
+}
+
+ValidationTable stress_table(const Rankings& r) {
+  ValidationTable table{
+      "Figures 8(f), 9(f): contributions to the contact stress with Q = F/|n_z| at "
+      "the contact point and with Q of (27), in %",
+      {"input", "screw", "screw, (27)", "nut", "nut, (27)"},
+      {},
+      2};
+  for (const std::string& name : r.equilibrium.ranked(kScrewStress))
+    table.rows.push_back({name,
+                          {r.equilibrium.of(name, kScrewStress), r.printed.of(name, kScrewStress),
+                           r.equilibrium.of(name, kNutStress), r.printed.of(name, kNutStress)}});
+  return table;
+}
+
+}  // namespace
+
+Supplement sensitivity(const Case& initial) {
+  const Rankings r = rankings(initial);
+  const std::vector<Variant<Ranking>> variants{{"Q = F/|n_z|", r.equilibrium},
+                                               {"Q of (27)", r.printed}};
+  Supplement supplement;
+  for (const YaoStatement& s : statements())
+    supplement.statements.push_back({s.section, s.text, judge(s, variants)});
+  supplement.tables = {curvature_table(r.equilibrium), stress_table(r)};
+  return supplement;
+}
+
+}  // namespace prs::yao_2023
