@@ -1,6 +1,8 @@
 # Compiles a kernel's source once for each instruction set of simd/architectures.h, with
-# PRS_SIMD_ARCHITECTURE naming it, and adds the objects to TARGET.
+# PRS_SIMD_ARCHITECTURE naming it, and adds the objects to TARGET. UNROLLED: the source consists of
+# unrolled arithmetic, which compilers cannot instrument in reasonable time; sanitizers leave it out.
 function(add_simd_kernel target source)
+  cmake_parse_arguments(PARSE_ARGV 2 kernel "UNROLLED" "" "")
   set(architectures Baseline)
   set(flags_Baseline "")
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
@@ -15,6 +17,9 @@ function(add_simd_kernel target source)
     target_link_libraries(${library} PRIVATE prs_options)
     target_compile_definitions(${library} PRIVATE PRS_SIMD_ARCHITECTURE=simd::${architecture})
     target_compile_options(${library} PRIVATE ${flags_${architecture}})
+    if(PRS_SANITIZE AND kernel_UNROLLED)
+      target_compile_options(${library} PRIVATE -fno-sanitize=all)
+    endif()
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
       # False alarms in GCC's own AVX-512 headers (GCC bug 105593).
       target_compile_options(${library} PRIVATE -Wno-uninitialized -Wno-maybe-uninitialized)

@@ -1,101 +1,28 @@
 #include "prs/analyze.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <memory>
 #include <variant>
 
 #include "prs/case_error.h"
+#include "prs/chain/chain_solver.h"
 #include "prs/check_case.h"
 #include "prs/contact_laws.h"
 #include "prs/influence/influence_solver.h"
+#include "prs/load_case_result.h"
 #include "prs/load_distribution.h"
 #include "prs/unusual.h"
 
 namespace prs {
 namespace {
 
-void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact) {
-  for (const double normal_load : loads.normal_load) {
-    const contact::HertzContact at = contact::at_load(contact.hertz, normal_load);
-    loads.semi_major.push_back(at.semi_major);
-    loads.semi_minor.push_back(at.semi_minor);
-    loads.peak_pressure.push_back(at.peak_pressure);
-    loads.max_shear_stress.push_back(contact.shear.shear_over_pressure * at.peak_pressure);
-    loads.max_shear_depth.push_back(contact.shear.depth_over_semi_minor * at.semi_minor);
-  }
-}
-
-InterfaceLoads interface_loads(const LoadCase& load_case, const Contacts& contacts, Interface i,
-                               double normal_angle, std::vector<double> normal_load) {
-  InterfaceLoads loads;
-  loads.normal_angle = normal_angle;
-  loads.normal_load = std::move(normal_load);
-  const double cosine = std::cos(normal_angle);
-  const double roller_force = std::abs(load_case.axial_force) / contacts.mechanism.rollers;
-  for (const double n : loads.normal_load) {
-    loads.axial_load.push_back(n * cosine);
-    loads.load_rate.push_back(n * cosine / roller_force);
-  }
-  const InterfaceContact& contact = contacts.interfaces[i];
-  if (contact.has_hertz()) add_hertz_contacts(loads, contact);
-  return loads;
-}
-
-/// Threads that carry the same load by assumption.
-std::vector<double> equal_normal_loads(const LoadCase& load_case, const Mechanism& m, double psi) {
-  const double contacts = static_cast<double>(m.rollers) * m.contacts_per_roller;
-  return std::vector<double>(static_cast<std::size_t>(m.contacts_per_roller),
-                             std::abs(load_case.axial_force) / contacts / std::cos(psi));
-}
-
-std::vector<double> hertz_approaches(const std::vector<double>& normal_load, double constant) {
-  std::vector<double> approach;
-  for (const double n : normal_load) approach.push_back(std::pow(n / constant, 2.0 / 3.0));
-  return approach;
-}
-
-/// The most loaded thread's ellipse against the ends of the flanks.
-void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& contacts,
-                                  Interface i, std::vector<std::string>& warnings) {
-  if (loads.semi_major.empty()) return;
-  const auto violations = contact::ellipse_beyond_flanks(
-      pair_of(contacts.threads, i), contacts.interfaces[i].geometry,
-      *std::max_element(loads.semi_major.begin(), loads.semi_major.end()),
-      *std::max_element(loads.semi_minor.begin(), loads.semi_minor.end()));
-  for (const contact::FlankViolation& v : violations)
-    warnings.push_back(
-        fmt::format("the largest {} ellipse reaches {:.4f} mm beyond the {} of the {}", label(i),
-                    v.by * 1e3, contact::name(v.end), v.of_roller ? "roller" : name(i)));
-}
-
-std::vector<std::string> thread_warnings(const PerInterface<InterfaceLoads>& threads,
-                                         const Contacts& contacts) {
-  std::vector<std::string> warnings;
-  for (const Interface i : kInterfaces) {
-    const auto open = std::count(threads[i].normal_load.begin(), threads[i].normal_load.end(), 0.0);
-    if (open > 0)
-      warnings.push_back(fmt::format("{} of {} {} contacts are open", open,
-                                     threads[i].normal_load.size(), label(i)));
-    const auto& pressure = threads[i].peak_pressure;
-    const auto highest = std::max_element(pressure.begin(), pressure.end());
-    if (highest != pressure.end() && *highest > kStaticPressureLimit)
-      warnings.push_back(fmt::format("{} peak pressure {:.2f} GPa exceeds {:.1f} GPa", label(i),
-                                     *highest * 1e-9, kStaticPressureLimit * 1e-9));
-    warn_of_ellipse_beyond_flank(threads[i], contacts, i, warnings);
-  }
-  return warnings;
-}
-
 /// Solvers by direction and position: load cases on one sector share what does not depend on the
 /// load.
 class SolverPool {
  public:
-  SolverPool(const Case& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws)
-      : case_(c), contacts_(contacts), laws_(laws) {}
+  SolverPool(const Case& c, const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+             Detail detail)
+      : case_(c), contacts_(contacts), laws_(laws), detail_(detail) {}
 
   LoadDistribution solve(Direction direction, double position, double axial_force) {
     const auto key = std::pair(direction, position);
@@ -106,72 +33,56 @@ class SolverPool {
   }
 
  private:
-  using Solver = std::variant<std::unique_ptr<SectorSolver>, std::unique_ptr<InfluenceSolver>>;
+  using Solver = std::variant<std::unique_ptr<SectorSolver>, std::unique_ptr<ChainSolver>,
+                              std::unique_ptr<InfluenceSolver>>;
 
   Solver solver(Direction direction, double position) const {
     if (case_.model.bodies == ModelOptions::Bodies::influence)
       return std::make_unique<InfluenceSolver>(
           influence_solver(case_, contacts_, laws_, direction, position));
-    return std::make_unique<SectorSolver>(build_sector(case_.mechanism, *case_.structure,
-                                                       *case_.materials, case_.model, laws_,
-                                                       direction, position, case_.deviations));
+    Sector sector = build_sector(case_.mechanism, *case_.structure, *case_.materials, case_.model,
+                                 laws_, direction, position, case_.deviations);
+    if (detail_ == Detail::numbers) return std::make_unique<ChainSolver>(sector);
+    return std::make_unique<SectorSolver>(std::move(sector));
   }
 
   const Case& case_;
   const Contacts& contacts_;
   const PerInterface<ContactLaw>& laws_;
+  Detail detail_;
   std::map<std::pair<Direction, double>, Solver> solvers_;
 };
 
-/// Threads with equal loads by assumption; approaches follow where the Hertz constants are known.
-LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,
-                                  const PerInterface<double>& normal_angle,
-                                  const PerInterface<std::optional<double>>& hertz_constant) {
-  LoadCaseResult result;
-  result.load_case = load_case;
-  PerInterface<InterfaceLoads> threads;
-  for (const Interface i : kInterfaces) {
-    const std::vector<double> loads =
-        equal_normal_loads(load_case, contacts.mechanism, normal_angle[i]);
-    threads[i] = interface_loads(load_case, contacts, i, normal_angle[i], loads);
-    threads[i].hertz_constant = hertz_constant[i];
-    if (hertz_constant[i]) threads[i].approach = hertz_approaches(loads, *hertz_constant[i]);
-  }
-  result.warnings = thread_warnings(threads, contacts);
-  result.threads = std::move(threads);
+/// A result that so far holds the contacts and what is unusual about the case.
+Result contacts_of(const Case& c, Detail detail) {
+  Result result;
+  result.contacts = checked_contacts(c, detail);
+  result.model = c.model;
+  if (detail == Detail::numbers) return result;
+  result.warnings = result.contacts.warnings;
+  for (std::string& note : unusual_geometry(c, result.contacts))
+    result.warnings.push_back(std::move(note));
   return result;
 }
 
-LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts,
-                             const PerInterface<ContactLaw>& laws, SolverPool& pool) {
-  LoadCaseResult result;
-  result.load_case = load_case;
-  LoadDistribution d = pool.solve(*load_case.direction, *load_case.position, load_case.axial_force);
-  result.solve = std::move(d.solve);
-  if (!result.solve->converged()) {
-    result.warnings.push_back(fmt::format("not converged: {}, relative residual {:.1e}",
-                                          fe::name(result.solve->status),
-                                          result.solve->relative_residual));
-    return result;
-  }
-  result.axial_displacement = d.axial_displacement;
-  result.axial_stiffness = load_case.axial_force / d.axial_displacement;
-  result.tangent_stiffness = d.tangent_stiffness;
-  PerInterface<InterfaceLoads> threads;
+void require_contacts_of(const Case& c, const Contacts& contacts) {
+  PerInterface<bool> lacks;
   for (const Interface i : kInterfaces) {
-    threads[i] =
-        interface_loads(load_case, contacts, i, laws[i].normal_angle, std::move(d.normal_load[i]));
-    threads[i].hertz_constant = laws[i].hertz_constant;
-    threads[i].approach = std::move(d.approach[i]);
+    const InterfaceContact& contact = contacts.interfaces[i];
+    lacks[i] = !contact.geometry.ok() || (c.materials && !contact.hertz.ok());
   }
-  result.warnings = thread_warnings(threads, contacts);
-  result.threads = std::move(threads);
-  return result;
+  require_contacts(contacts, lacks, "mend profiles, flank angles or diameters");
 }
 
-/// Contacts whose mechanism fits the structure, also where the mechanism had to be designed.
-Contacts checked_contacts(const Case& c) {
-  Contacts contacts = find_contacts(c.mechanism, c.materials);
+void add(Result& result, LoadCaseResult load_case, Detail detail) {
+  if (detail == Detail::complete) add_warnings(load_case, result.contacts);
+  result.load_cases.push_back(std::move(load_case));
+}
+
+}  // namespace
+
+Contacts checked_contacts(const Case& c, Detail detail) {
+  Contacts contacts = find_contacts(c.mechanism, c.materials, detail);
   if (c.mechanism.geometry == Mechanism::Geometry::design) {
     Case designed = c;
     designed.mechanism = contacts.mechanism;
@@ -182,59 +93,30 @@ Contacts checked_contacts(const Case& c) {
   return contacts;
 }
 
-/// A result that so far holds the contacts and what is unusual about the case.
-Result contacts_of(const Case& c) {
-  Result result;
-  result.contacts = checked_contacts(c);
-  result.model = c.model;
-  result.warnings = result.contacts.warnings;
-  for (std::string& note : unusual_geometry(c, result.contacts))
-    result.warnings.push_back(std::move(note));
-  return result;
-}
-
-}  // namespace
-
-Result analyze(const Case& given) {
-  Result result = contacts_of(given);
+Result analyze(const Case& given, Detail detail) {
+  Result result = contacts_of(given, detail);
   Case c = given;
   c.mechanism = result.contacts.mechanism;
   const PerInterface<ContactLaw> laws = contact_laws(c, result.contacts);
-  PerInterface<double> normal_angle;
-  PerInterface<std::optional<double>> hertz_constant;
-  for (const Interface i : kInterfaces) {
-    normal_angle[i] = laws[i].normal_angle;
-    hertz_constant[i] = laws[i].hertz_constant;
+  SolverPool pool(c, result.contacts, laws, detail);
+  for (const LoadCase& load_case : c.load_cases) {
+    if (load_case.share == LoadCase::Share::equal) {
+      add(result, equal_share_result(load_case, result.contacts, laws), detail);
+      continue;
+    }
+    LoadDistribution loads =
+        pool.solve(*load_case.direction, *load_case.position, load_case.axial_force);
+    add(result, solved_result(load_case, result.contacts, laws, std::move(loads)), detail);
   }
-
-  SolverPool pool(c, result.contacts, laws);
-  for (const LoadCase& load_case : c.load_cases)
-    result.load_cases.push_back(
-        load_case.share == LoadCase::Share::equal
-            ? equal_share_result(load_case, result.contacts, normal_angle, hertz_constant)
-            : solved_result(load_case, result.contacts, laws, pool));
   return result;
 }
 
-Result analyze_contacts(const Case& c) {
-  Result result = contacts_of(c);
-  PerInterface<bool> lacks;
-  for (const Interface i : kInterfaces) {
-    const InterfaceContact& contact = result.contacts.interfaces[i];
-    lacks[i] = !contact.geometry.ok() || (c.materials && !contact.hertz.ok());
-  }
-  require_contacts(result.contacts, lacks, "mend profiles, flank angles or diameters");
-  PerInterface<double> normal_angle;
-  PerInterface<std::optional<double>> hertz_constant;
-  for (const Interface i : kInterfaces) {
-    const InterfaceContact& contact = result.contacts.interfaces[i];
-    normal_angle[i] = contact.normal_angle();
-    if (c.materials) hertz_constant[i] = contact.hertz.hertz_constant;
-  }
+Result analyze_contacts(const Case& c, Detail detail) {
+  Result result = contacts_of(c, detail);
+  require_contacts_of(c, result.contacts);
   for (const LoadCase& load_case : c.load_cases)
     if (load_case.share == LoadCase::Share::equal)
-      result.load_cases.push_back(
-          equal_share_result(load_case, result.contacts, normal_angle, hertz_constant));
+      add(result, equal_share_result(load_case, result.contacts), detail);
   return result;
 }
 

@@ -20,12 +20,12 @@ constexpr double kConformity = 0.01;
 
 contact::Elasticity elasticity(const Material& m) { return {m.youngs_modulus, m.poisson_ratio}; }
 
-void add_hertz(InterfaceContact& c, const Material& body, const Material& roller) {
+void add_hertz(InterfaceContact& c, const Material& body, const Material& roller, Detail detail) {
   c.contact_modulus = contact::contact_modulus(elasticity(body), elasticity(roller));
   c.hertz = contact::hertz_constants(c.geometry.relative.first, c.geometry.relative.second,
                                      c.contact_modulus);
   // Both bodies carry the same pressure; the larger shear stress is that of the smaller nu.
-  if (c.hertz.ok())
+  if (c.hertz.ok() && detail == Detail::complete)
     c.shear = contact::largest_subsurface_shear(c.hertz.ellipticity,
                                                 std::min(body.poisson_ratio, roller.poisson_ratio));
 }
@@ -117,16 +117,23 @@ void warn_of_crowding(const Contacts& c, std::vector<std::string>& warnings) {
                                    c.mechanism.rollers, most));
 }
 
+void warn(Contacts& c) {
+  for (const Part p : kParts) warn_of_heights(thread_of(c.threads, p), p, c.warnings);
+  warn_of_missing_contacts(c, c.warnings);
+  warn_of_crowding(c, c.warnings);
+  warn_of_kinematics(c, c.warnings);
+  warn_of_interference(c, c.warnings);
+  warn_of_conformity(c, c.warnings);
+}
+
 }  // namespace
 
-Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials) {
+Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials,
+                       Detail detail) {
   Contacts c;
   c.mechanism = resolved(mechanism);
   c.threads = threads_of(c.mechanism);
-  for (const Part p : kParts) {
-    c.bad_threads[p] = thread_failure(thread_of(c.threads, p), p);
-    warn_of_heights(thread_of(c.threads, p), p, c.warnings);
-  }
+  for (const Part p : kParts) c.bad_threads[p] = thread_failure(thread_of(c.threads, p), p);
   const contact::MechanismContact geometry =
       contact::mechanism_contact(c.threads, contact::Configuration::i1_j2);
   const auto sound = [&](Interface i) {
@@ -136,12 +143,8 @@ Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials
   if (sound(Interface::nut)) c.interfaces.nut.geometry = geometry.nut;
   for (const Interface i : kInterfaces)
     if (materials && c.interfaces[i].geometry.ok())
-      add_hertz(c.interfaces[i], (*materials)[body_of(i)], materials->roller);
-  warn_of_missing_contacts(c, c.warnings);
-  warn_of_crowding(c, c.warnings);
-  warn_of_kinematics(c, c.warnings);
-  warn_of_interference(c, c.warnings);
-  warn_of_conformity(c, c.warnings);
+      add_hertz(c.interfaces[i], (*materials)[body_of(i)], materials->roller, detail);
+  if (detail == Detail::complete) warn(c);
   return c;
 }
 

@@ -8,6 +8,7 @@
 #include "contact/mechanism_geometry.h"
 #include "contact/subsurface.h"
 #include "prs/contact_failure.h"
+#include "prs/detail.h"
 #include "prs/materials.h"
 #include "prs/mechanism.h"
 
@@ -17,9 +18,10 @@ namespace prs {
 /// compression the other two faces touch, mirrored: curvatures, angles and constants are the same.
 struct InterfaceContact {
   contact::InterfaceGeometry geometry;
-  contact::HertzConstants hertz;   ///< `not_computed` without materials.
-  contact::SubsurfaceShear shear;  ///< Below the centre of the ellipse; valid with `has_hertz`.
-  double contact_modulus = 0.0;    ///< E* [Pa], 0 without materials.
+  contact::HertzConstants hertz;  ///< `not_computed` without materials.
+  /// Below the centre of the ellipse; absent without Hertz contact and with Detail::numbers.
+  std::optional<contact::SubsurfaceShear> shear;
+  double contact_modulus = 0.0;  ///< E* [Pa], 0 without materials.
 
   bool has_hertz() const { return geometry.ok() && hertz.ok(); }
   double normal_angle() const { return geometry.point.normal_angle(); }
@@ -41,7 +43,8 @@ inline constexpr double kGearRatioTolerance = 1e-4;
 /// Resolves the mechanism, finds the contact points of both interfaces and, where materials are
 /// given, their Hertz contacts. An interface without contact is a result that says why. Throws
 /// CaseError where a design has no solution.
-Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials);
+Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials,
+                       Detail detail = Detail::complete);
 
 /// Why there is no contact or no Hertz contact.
 ContactFailure failure(const Contacts& contacts, Interface interface);

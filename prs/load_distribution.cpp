@@ -47,25 +47,35 @@ fe::NewtonOptions SectorSolver::newton_options(double axial_force) const {
 
 LoadDistribution SectorSolver::solve(double axial_force) {
   const double sector_force = axial_force / sector_.rollers;
-  LoadDistribution result;
   state_ = equal_shares(axial_force);
-  result.solve = solver_.solve(sector_force * unit_load_, newton_options(axial_force), state_);
+  fe::NewtonSummary summary =
+      solver_.solve(sector_force * unit_load_, newton_options(axial_force), state_);
+  LoadDistribution result = at(state_, axial_force);
+  result.solve = std::move(summary);
+  return result;
+}
 
+LoadDistribution SectorSolver::at(const fe::State& state, double axial_force) {
+  LoadDistribution result;
   for (const Interface i : kInterfaces)
     for (int k = 0; k < sector_.contacts(); ++k) {
       const fe::PowerLawSpring& law =
           sector_.model.springs[static_cast<std::size_t>(sector_.spring(i, k))].law;
-      const double w = equations_.approach(state_, sector_.spring(i, k));
+      const double w = equations_.approach(state, sector_.spring(i, k));
       result.normal_load[i].push_back(fe::evaluate(law, w).force);
       result.approach[i].push_back(fe::deflection(law, w));
     }
   result.axial_displacement =
-      unit_load_.dot(state_.head) + sector_.offset_compliance * sector_force;
-  if (solver_.solve_tangent(state_, unit_load_, rate_)) {
+      unit_load_.dot(state.head) + sector_.offset_compliance * axial_force / sector_.rollers;
+  if (solver_.solve_tangent(state, unit_load_, rate_)) {
     const double flexibility = unit_load_.dot(rate_) + sector_.offset_compliance;
     if (flexibility > 0.0) result.tangent_stiffness = sector_.rollers / flexibility;
   }
   return result;
+}
+
+bool SectorSolver::state_rate(const Eigen::VectorXd& residual_rate, Eigen::VectorXd& rate) {
+  return solver_.solve_tangent(state_, -residual_rate, rate);
 }
 
 }  // namespace prs

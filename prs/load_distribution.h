@@ -30,6 +30,16 @@ class SectorSolver {
   /// that share the load equally, so the answer does not depend on earlier loads.
   LoadDistribution solve(double axial_force);
 
+  /// What a state says under the axial force, be it in equilibrium or not; `solve` is left empty.
+  LoadDistribution at(const fe::State& state, double axial_force);
+
+  /// State that the last solve ended with.
+  const fe::State& state() const { return state_; }
+
+  /// dq/dt at the last solve's state for the rate dr/dt of the residual: K x = -rate. False where
+  /// the tangent K is singular.
+  bool state_rate(const Eigen::VectorXd& residual_rate, Eigen::VectorXd& rate);
+
   /// State of rigid bodies with equal shares: screw and roller shifted until every thread carries.
   Eigen::VectorXd equal_shares(double axial_force) const;
 

@@ -214,11 +214,11 @@ void require_admissible(const SlipModel& model, const std::optional<Operation>& 
 }
 
 /// Loads as slip takes them: solved ones, and equal shares by the geometry.
-Result loaded_threads_of(const Case& c) {
-  Result by_geometry = analyze_contacts(c);
+Result loaded_threads_of(const Case& c, Detail detail) {
+  Result by_geometry = analyze_contacts(c, detail);
   const auto equal = [](const LoadCase& load) { return load.share == LoadCase::Share::equal; };
   if (std::ranges::all_of(c.load_cases, equal)) return by_geometry;
-  Result result = analyze(c);
+  Result result = analyze(c, detail);
   auto next = by_geometry.load_cases.begin();
   for (LoadCaseResult& load_case : result.load_cases)
     if (equal(load_case.load_case)) load_case = std::move(*next++);
@@ -275,8 +275,8 @@ std::string_view name(SlipStatus status) {
   return "unknown";
 }
 
-Result analyze_slip(const Case& c) {
-  Result result = loaded_threads_of(c);
+Result analyze_slip(const Case& c, Detail detail) {
+  Result result = loaded_threads_of(c, detail);
   require_kinematics(result.contacts.threads);
   const SlipModels models(c, result.contacts);
   for (LoadCaseResult& loaded : result.load_cases) {
@@ -288,7 +288,7 @@ Result analyze_slip(const Case& c) {
       const SlipResult equal = slip_result(models, models.equal_shares(loaded.load_case));
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
     }
-    warn(*loaded.slip, model, loaded.warnings);
+    if (detail == Detail::complete) warn(*loaded.slip, model, loaded.warnings);
   }
   return result;
 }

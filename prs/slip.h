@@ -12,7 +12,7 @@ namespace prs {
 /// for each load case the stationary slip and what friction takes. The case must have passed
 /// `check_case` and the requirements of `slip`. Throws CaseError where the geometry gives no
 /// contact, its gears break (2.14), or an imposed slip ratio lies outside its range.
-Result analyze_slip(const Case& c);
+Result analyze_slip(const Case& c, Detail detail = Detail::complete);
 
 /// Moments on a roller along the slip ratio: one curve of Sandu 2018, fig. 3.6.
 struct ResidueCurve {

@@ -55,6 +55,9 @@ struct ChainSolver::Implementation {
 
   void run(InstructionSet instructions, std::span<const double> forces,
            const fe::NewtonOptions& options, const ThreadLoads& results) {
+    const bool apart =
+        sector.kind != ChainSector::Kind::bars && sector.kind != ChainSector::Kind::shell;
+    if (apart) instructions = InstructionSet::baseline;
     const std::size_t numbers = sector_workspace(sector.kind) *
                                 static_cast<std::size_t>(sector.contacts) *
                                 static_cast<std::size_t>(batch_size(instructions));

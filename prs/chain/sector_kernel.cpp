@@ -250,23 +250,21 @@ void solve_sector(const ChainSector& sector, std::span<const double> axial_force
   solve(HertzInSeries<Real>{{{stiffness[0], stiffness[1]}, {compliance[0], compliance[1]}}});
 }
 
-template <class Real>
+/// Stations with two roller nodes a tooth go load by load and without the wider instruction sets,
+/// in lanes they take minutes to compile.
+template <class Real, bool kWithApart>
 void solve_sector(const ChainSector& sector, std::span<const double> axial_forces,
                   const fe::NewtonOptions& options, const ThreadLoads& results, double* workspace) {
+  const auto solve = [&]<class Station>(Station*, auto number) {
+    solve_sector<decltype(number), Station>(sector, axial_forces, options, results, workspace);
+  };
   using enum ChainSector::Kind;
-  switch (sector.kind) {
-    case bars:
-      return solve_sector<Real, Bars<Real>>(sector, axial_forces, options, results, workspace);
-    case shell:
-      return solve_sector<Real, Shell<Real, shell>>(sector, axial_forces, options, results,
-                                                    workspace);
-    // Wide stations go load by load: in lanes they take minutes to compile.
-    case apart_nut_first:
-      return solve_sector<double, Shell<double, apart_nut_first>>(sector, axial_forces, options,
-                                                                  results, workspace);
-    case apart_screw_first:
-      return solve_sector<double, Shell<double, apart_screw_first>>(sector, axial_forces, options,
-                                                                    results, workspace);
+  if (sector.kind == bars) return solve(static_cast<Bars<Real>*>(nullptr), Real());
+  if (sector.kind == shell) return solve(static_cast<Shell<Real, shell>*>(nullptr), Real());
+  if constexpr (kWithApart) {
+    if (sector.kind == apart_nut_first)
+      return solve(static_cast<Shell<double, apart_nut_first>*>(nullptr), double());
+    solve(static_cast<Shell<double, apart_screw_first>*>(nullptr), double());
   }
 }
 
@@ -277,10 +275,12 @@ void SectorKernel::operator()(Arch, bool scalar, const ChainSector& sector,
                               std::span<const double> axial_forces,
                               const fe::NewtonOptions& options, const ThreadLoads& results,
                               double* workspace) const {
+  constexpr bool kWithApart = std::is_same_v<Arch, simd::Baseline>;
   if (scalar)
-    solve_sector<double>(sector, axial_forces, options, results, workspace);
+    solve_sector<double, kWithApart>(sector, axial_forces, options, results, workspace);
   else
-    solve_sector<xsimd::batch<double, Arch>>(sector, axial_forces, options, results, workspace);
+    solve_sector<xsimd::batch<double, Arch>, kWithApart>(sector, axial_forces, options, results,
+                                                         workspace);
 }
 
 template void SectorKernel::operator()(PRS_SIMD_ARCHITECTURE, bool, const ChainSector&,

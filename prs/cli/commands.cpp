@@ -1,42 +1,38 @@
 #include "prs/cli/commands.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "prs/analyze.h"
-#include "prs/case_error.h"
+#include "prs/cli/compute_from.h"
+#include "prs/cli/printing.h"
 #include "prs/cli/starting_case.h"
-#include "prs/input/fail_at.h"
+#include "prs/input/force_history.h"
 #include "prs/input/reader.h"
 #include "prs/input/schema.h"
 #include "prs/input/study_reader.h"
+#include "prs/life/analyze_life.h"
 #include "prs/output/check.h"
 #include "prs/output/contact_table.h"
 #include "prs/output/csv.h"
 #include "prs/output/files.h"
 #include "prs/output/json.h"
+#include "prs/output/life_figures.h"
+#include "prs/output/life_files.h"
+#include "prs/output/life_table.h"
 #include "prs/output/plots.h"
 #include "prs/output/preload_figures.h"
 #include "prs/output/preload_files.h"
 #include "prs/output/preload_table.h"
 #include "prs/output/slip_csv.h"
 #include "prs/output/slip_table.h"
-#include "prs/output/study_figures.h"
-#include "prs/output/study_files.h"
-#include "prs/output/study_table.h"
 #include "prs/output/table.h"
 #include "prs/output/warnings.h"
 #include "prs/preload/analyze_preload.h"
-#include "prs/sha256.h"
 #include "prs/slip.h"
-#include "prs/study/run.h"
 #include "prs/unusual.h"
 #include "prs/validation/validate.h"
 #include "prs/version.h"
@@ -47,31 +43,6 @@
 
 namespace prs::cli {
 namespace {
-
-/// Throws where the text does not arrive, as on a full disk.
-void print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw std::system_error(errno, std::generic_category(), "standard output");
-}
-
-void note(const Options& options, const std::string& text) {
-  if (!options.quiet) fmt::print(stderr, "{}\n", text);
-}
-
-DocumentInfo document_info(const input::Source& source) {
-  return {kVersion, kSchemaVersion, sha256(source.text), source.overrides};
-}
-
-/// Runs `compute` on a case that came from `source`, so that what it finds wrong with the case is
-/// reported where it stands.
-template <class Compute>
-auto compute_from(const input::Source& source, Compute compute) {
-  try {
-    return compute();
-  } catch (const CaseError& error) {
-    input::fail_at(source, error.path(), error.what());
-  }
-}
 
 /// The JSON document, where it is asked for.
 std::string document_of(const Result& result, const input::Source& source, const Options& options) {
@@ -115,30 +86,6 @@ void warn_of_preload(const Case& c, Result& result) {
         "the load cases are solved without preload; `prs preload` takes the block `preload`");
 }
 
-/// How far a study is, on a terminal.
-class ProgressLine {
- public:
-  explicit ProgressLine(const Options& options)
-      : shown_(!options.quiet && isatty(STDERR_FILENO) == 1) {}
-
-  void show(std::size_t done, std::size_t total) {
-    const Clock::time_point now = Clock::now();
-    if (!shown_ || now < next_) return;
-    next_ = now + std::chrono::milliseconds(200);
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    fmt::print(stderr, "\r\x1b[K{}", progress_line(done, total, seconds));
-  }
-  void clear() {
-    if (shown_) fmt::print(stderr, "\r\x1b[K");
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  bool shown_;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point next_ = start_ + std::chrono::milliseconds(200);
-};
-
 /// The document, and below the name of each source what its code wrote and drew.
 void write_validation(const std::vector<SourceReport>& reports, const std::string& document,
                       const Options& options) {
@@ -147,15 +94,6 @@ void write_validation(const std::vector<SourceReport>& reports, const std::strin
     const std::filesystem::path folder = *options.output / report.name;
     if (!report.files.empty()) write_files(folder, report.files);
     for (const std::string& text : draw_figures(report.figures, folder)) note(options, text);
-  }
-}
-
-/// Runs a study, so that a response that its base case lacks is reported where it stands.
-StudyResult study_from(const input::Source& source, auto run) {
-  try {
-    return run();
-  } catch (const UnknownResponse& error) {
-    input::fail_at(source, fmt::format("study.responses[{}]", error.index()), error.what());
   }
 }
 
@@ -271,36 +209,36 @@ int preload(const Options& options) {
   return result.converged() ? kDone : kNotConverged;
 }
 
-int study(const Options& options) {
+int life(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
-  const input::StudyInput in = input::read_study_input(source);
-  ProgressLine progress(options);
-  const auto solve = [&](const std::vector<std::string>& design) {
-    return solve_design(in, design);
-  };
-  const StudyResult result = study_from(source, [&] {
-    return run_study(in.study, solve,
-                     [&](std::size_t done, std::size_t total) { progress.show(done, total); });
-  });
-  progress.clear();
+  const input::CaseInput in = input::read_case_input(source, Command::life);
+  std::optional<LoadHistory> history;
+  if (in.values.life->history)
+    history = input::read_force_history(*in.values.life->history, source);
+  const LifeResult result =
+      compute_from(source, [&] { return analyze_life(in.values, std::move(history)); });
   std::string document;
   if (options.json || options.output)
-    document = json_text(study_json(result, document_info(source)));
+    document = json_text(life_json(result, document_info(source)));
   if (options.output) {
-    write_files(*options.output, {{"study.json", document}, {"study.csv", study_csv(result)}});
-    for (const std::string& text : draw_figures(study_figures(result), *options.output))
+    std::vector<OutputFile> files = {{"life.json", document},
+                                     {"life_threads.csv", life_threads_csv(result)}};
+    if (result.cycles) {
+      files.push_back({"cycles.csv", cycles_csv(*result.cycles)});
+      files.push_back({"cycle_matrix.csv", cycle_matrix_csv(result.cycles->matrix)});
+    }
+    write_files(*options.output, files);
+    for (const std::string& text : draw_figures(life_figures(result), *options.output))
       note(options, text);
   }
   if (options.json) {
     print(document);
+    for (const std::string& warning : result.warnings) note(options, "warning: " + warning);
   } else if (!options.quiet) {
-    print(study_table(result));
+    print(life_table(result));
     if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
   }
-  const bool solved = std::ranges::all_of(result.rows, [](const StudyRow& row) {
-    return row.status.converged() || row.status.name == "refused";
-  });
-  return solved ? kDone : kNotConverged;
+  return result.converged() ? kDone : kNotConverged;
 }
 
 int schema(const Options& options) {

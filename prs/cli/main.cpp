@@ -9,6 +9,7 @@
 #include "prs/cli/commands.h"
 #include "prs/influence/matrix_cache.h"
 #include "prs/input/source.h"
+#include "prs/study/journal.h"
 #include "prs/version.h"
 
 namespace {
@@ -32,6 +33,43 @@ void add_case_options(CLI::App& command, Options& options) {
       ->take_all()
       ->allow_extra_args(false);
   add_output_options(command, options);
+}
+
+void add_threads_option(CLI::App& command, Options& options) {
+  command
+      .add_option("--threads", options.threads, "Threads to compute on; default: one a processor")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t{1}, prs::cli::kMostThreads));
+}
+
+void add_study_options(CLI::App& study, Options& options) {
+  add_case_options(study, options);
+  study.get_option("file")->required(false);  // `merge` has none.
+  add_threads_option(study, options);
+  study
+      .add_option_function<std::string>(
+          "--shard",
+          [&options](const std::string& text) {
+            options.shard = prs::parse_shard(text);
+            if (!options.shard)
+              throw CLI::ValidationError(
+                  "--shard", "got " + text + "; expected i/n, from 1/n to n/n, for example 1/8");
+          },
+          "Compute the i-th of n parts only, into a journal in DIR for `prs study merge`")
+      ->type_name("i/n");
+  study.add_flag("--restart", options.restart,
+                 "Discard what an unfinished study left in DIR, and start again");
+}
+
+CLI::App* add_merge(CLI::App& study, Options& options) {
+  CLI::App* merge =
+      study.add_subcommand("merge", "Write the files of a study that was computed in shards");
+  merge->add_option("folders", options.folders, "The folders of the shards")
+      ->required()
+      ->type_name("DIR..");
+  add_threads_option(*merge, options);
+  add_output_options(*merge, options);
+  return merge;
 }
 
 /// Where bodies of the influence model are kept between runs: PRS_CACHE_DIR (empty: nowhere), else
@@ -78,8 +116,12 @@ int main(int argc, char** argv) {
                             prs::cli::preload),
                    options);
   add_case_options(
-      *command("study", "Run the study of the file: many designs, a row each", prs::cli::study),
+      *command("life", "Life under a load history or spectrum, static safety", prs::cli::life),
       options);
+  CLI::App* study =
+      command("study", "Run the study of the file: many designs, a row each", prs::cli::study);
+  add_study_options(*study, options);
+  CLI::App* merge = add_merge(*study, options);
   add_output_options(*command("schema", "Print the JSON Schema of the input", prs::cli::schema),
                      options);
   CLI::App* new_case = command("new", "Write a commented starting case", prs::cli::new_case);
@@ -103,12 +145,21 @@ int main(int argc, char** argv) {
     return status == 0 ? prs::cli::kDone : prs::cli::kWrongInput;
   }
   if (validate->parsed()) options.file = directory;
+  if (merge->parsed()) {
+    run = prs::cli::merge_study;
+  } else if (study->parsed() && options.file.empty()) {
+    fmt::print(stderr, "file is required\nRun with --help for more information.\n");
+    return prs::cli::kWrongInput;
+  }
   options.standard = type == "standard";
 
   prs::shared_matrix_cache().keep_in(cache_directory());
   try {
     return run(options);
   } catch (const prs::input::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return prs::cli::kWrongInput;
+  } catch (const prs::StudyFolderError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return prs::cli::kWrongInput;
   } catch (const std::exception& error) {

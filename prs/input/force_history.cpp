@@ -221,9 +221,16 @@ LoadHistory parse_force_history(std::string_view text, const std::string& name,
   return h;
 }
 
-LoadHistory read_force_history(const HistorySource& history, const Source& source) {
-  const std::filesystem::path path =
-      std::filesystem::path(source.name).parent_path() / history.file;
+namespace {
+
+std::filesystem::path path_of(const HistorySource& history, const Source& source) {
+  return std::filesystem::path(source.name).parent_path() / history.file;
+}
+
+}  // namespace
+
+std::string force_history_text(const HistorySource& history, const Source& source) {
+  const std::filesystem::path path = path_of(history, source);
   const auto refuse = [&](const std::string& why) {
     fail_at(source, "life.history.file", fmt::format("got {}; {}", shown(history.file), why));
   };
@@ -242,7 +249,12 @@ LoadHistory read_force_history(const HistorySource& history, const Source& sourc
   if (!file.read(text.data(), static_cast<std::streamsize>(size)))
     refuse(fmt::format("expected a file that can be read; check the rights of {}",
                        shown(path.string())));
-  return parse_force_history(text, path.string(), history, source);
+  return text;
+}
+
+LoadHistory read_force_history(const HistorySource& history, const Source& source) {
+  return parse_force_history(force_history_text(history, source), path_of(history, source).string(),
+                             history, source);
 }
 
 }  // namespace prs::input

@@ -20,7 +20,10 @@ namespace prs::input {
 LoadHistory parse_force_history(std::string_view text, const std::string& name,
                                 const HistorySource& history, const Source& source);
 
-/// The same from the file that the history names, relative to the input file: at most 1 GiB.
+/// The file that the history names, relative to the input file: at most 1 GiB. Throws InputError.
+std::string force_history_text(const HistorySource& history, const Source& source);
+
+/// The history of that file.
 LoadHistory read_force_history(const HistorySource& history, const Source& source);
 
 }  // namespace prs::input

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "prs/output/contact_quantities.h"
 #include "prs/output/json_values.h"
 #include "prs/output/model_summary.h"
 #include "prs/output/quantities.h"
@@ -20,27 +21,17 @@ Json both(const contact::PrincipalValues& values, double factor) {
 Json interface_json(const InterfaceContact& contact, bool same_pitch) {
   const contact::InterfaceGeometry& g = contact.geometry;
   Json json;
-  put(json, "radius_on_body_mm", g.point.radius_on_body, per_si::millimetre);
-  put(json, "radius_on_roller_mm", g.point.radius_on_roller, per_si::millimetre);
-  put(json, "angle_on_body_deg", g.point.angle_on_body, per_si::degree);
-  put(json, "angle_on_roller_deg", g.point.angle_on_roller, per_si::degree);
+  const auto put_all = [&](const auto& quantities) {
+    for (const ContactQuantity& q : quantities) put(json, q.key, q.value(contact), q.factor);
+  };
+  put_all(kContactPointQuantities);
   json["body_curvatures_per_mm"] = both(g.body, per_si::per_millimetre);
   json["roller_curvatures_per_mm"] = both(g.roller, per_si::per_millimetre);
   json["relative_curvatures_per_mm"] = both(g.relative, per_si::per_millimetre);
-  put(json, "curvature_sum_per_mm", g.curvature_sum(), per_si::per_millimetre);
-  put(json, "equivalent_radius_mm", 1.0 / g.curvature_sum(), per_si::millimetre);
-  put(json, "first_directions_angle_deg", g.first_directions_angle(), per_si::degree);
-  put(json, "normal_angle_deg", g.point.normal_angle(), per_si::degree);
+  put_all(kCurvatureQuantities);
   json["normal"] = g.point.normal;
-  if (same_pitch) put(json, "backlash_mm", g.point.backlash, per_si::millimetre);
-  if (!contact.hertz.ok()) return json;
-  put(json, "hertz_constant_N_per_mm1_5", contact.hertz.hertz_constant,
-      per_si::newton_per_millimetre1_5);
-  put(json, "ellipticity", contact.hertz.ellipticity);
-  put(json, "semi_major_mm_per_N1_3", contact.hertz.semi_major_per_cbrt_load, per_si::millimetre);
-  put(json, "semi_minor_mm_per_N1_3", contact.hertz.semi_minor_per_cbrt_load, per_si::millimetre);
-  put(json, "max_shear_over_peak_pressure", contact.shear.shear_over_pressure);
-  put(json, "max_shear_depth_over_semi_minor", contact.shear.depth_over_semi_minor);
+  if (same_pitch) put(json, kBacklash.key, kBacklash.value(contact), kBacklash.factor);
+  put_all(kHertzQuantities);
   return json;
 }
 

@@ -1,0 +1,96 @@
+// Studies of the whole chain (contact points, load distribution, pressures) on 2 threads: computed
+// alone, and with the journal, study.csv and study.nc written as `prs study --output` does.
+
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+
+#include "prs/output/study_files.h"
+#include "prs/study/analysis.h"
+#include "prs/study/design_engine.h"
+#include "prs/study/schedule.h"
+#include "prs/study/study_folder.h"
+#include "prs/study/study_run.h"
+#include "tests/prs/input/abevi.h"
+
+namespace {
+
+constexpr std::size_t kThreads = 2;
+
+prs::input::StudyInput study_of(std::size_t samples) {
+  return prs::input::read_study_input(
+      {"bench.yaml",
+       prs::input::kAbevi +
+           "study: {command: solve, plan: monte_carlo, samples: " + std::to_string(samples) +
+           ", factors: [{path: mechanism.flank_angle, within: 3 %}, {path: "
+           "mechanism.profile.roller.convex, within: 3 %}, {path: structure.nut.outer_diameter, "
+           "within: 3 %}, {path: structure.screw.bore, within: 3 %}, {path: "
+           "materials.youngs_modulus, within: 3 %}, {path: 'load_cases[0].axial_force', "
+           "log_uniform: {from: 450 N, to: 45 kN}}], responses: [axial_displacement_um, "
+           "axial_stiffness_N_per_um, screw.load_rate_percent.max, nut.load_rate_percent.max, "
+           "screw.peak_pressure_MPa.max, nut.peak_pressure_MPa.max]}\n",
+       {}});
+}
+
+void FullChainComputed(benchmark::State& state) {
+  const auto designs = static_cast<std::size_t>(state.range(0));
+  const prs::input::StudyInput in = study_of(designs);
+  const prs::DesignEngine engine(in);
+  const auto evaluate = [&](std::size_t first, std::size_t count) {
+    return engine.evaluate(first, count);
+  };
+  for (auto _ : state) {
+    std::atomic<std::size_t> next = 1;
+    prs::run_schedule(
+        kThreads, engine.chunk(),
+        [&](std::size_t most) -> std::optional<prs::DesignRange> {
+          const std::size_t first = next.fetch_add(most);
+          if (first > designs) return std::nullopt;
+          return prs::DesignRange{first, std::min(most, designs + 1 - first)};
+        },
+        evaluate, [](const std::string& record) { benchmark::DoNotOptimize(record.data()); });
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(designs));
+}
+BENCHMARK(FullChainComputed)->Arg(200'000)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+void FullChainWithFiles(benchmark::State& state) {
+  const auto designs = static_cast<std::size_t>(state.range(0));
+  const prs::input::StudyInput in = study_of(designs);
+  const prs::DesignEngine engine(in);
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / "prs_study_bench";
+  for (auto _ : state) {
+    std::filesystem::remove_all(path);
+    const prs::StudyFolder folder(path, prs::StudyFolder::Use::alone);
+    const prs::JournalHeader header{
+        "bench", in.source, engine.study().responses, prs::design_count(engine.study()), {}};
+    const prs::StoredRows rows = prs::run_study(
+        header, &folder,
+        [&](const prs::NextRange& next, const prs::TakeRecord& take) {
+          prs::run_schedule(
+              kThreads, engine.chunk(), next,
+              [&](std::size_t first, std::size_t count) { return engine.evaluate(first, count); },
+              take);
+        },
+        {});
+    prs::StudyAnalysis analysis(engine.study());
+    prs::write_rows(rows, engine.study(), {"bench", "1", "", {}}, &path, kThreads,
+                    [&](const prs::RowBlock& block) { analysis.add(block); });
+    folder.remove_journals();
+  }
+  std::filesystem::remove_all(path);
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  state.counters["largest_MiB"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(designs));
+}
+BENCHMARK(FullChainWithFiles)
+    ->Arg(200'000)
+    ->Arg(1'000'000)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace

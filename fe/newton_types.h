@@ -1,0 +1,66 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace fe {
+
+struct NewtonOptions {
+  /// Largest residual over `force_scale` (moments over `length_scale` as well) that counts as
+  /// equilibrium. Rounding allows about 1e-14 on a roller-screw sector.
+  double residual_tolerance = 1e-12;
+  /// Where stiffnesses are so far apart that rounding of the state alone leaves more, a state that
+  /// does not improve any further is equilibrium too if its residual is no larger than this.
+  double rounding_tolerance = 1e-10;
+  /// Largest energy that the last step may have gained, relative to the energy of the state.
+  double energy_tolerance = 1e-8;
+  /// A state this close to equilibrium takes one step with the last factorization, at a third of
+  /// the cost: its error shrinks as much as the last step changed the tangent, about 1e-3.
+  double reuse_factorization_below = 1e-8;
+  int max_iterations = 100;
+  /// A step is halved at most this often before the search is given up.
+  int max_halvings = 100;
+  /// Armijo's share of the energy gain that the slope promises.
+  double sufficient_decrease = 1e-4;
+  /// The tangent is singular where too few springs are closed. Then, and only then, the step is
+  /// taken with K + shift diag(K_linear), the shift growing from the first to the last value. The
+  /// residual never contains the shift, so no regularisation is left in a converged state.
+  double first_shift = 1e-10;
+  double last_shift = 1.0;
+  double force_scale = 1.0;   ///< [N]
+  double length_scale = 1.0;  ///< [m]
+};
+
+enum class NewtonStatus {
+  converged,
+  iteration_limit,
+  line_search_failed,
+  not_positive_definite,
+  out_of_memory,
+};
+
+std::string_view name(NewtonStatus status);
+
+/// One linear solve and the state it led to.
+struct NewtonIteration {
+  double energy = 0.0;             ///< [J]; NaN where a solver knows none.
+  double relative_residual = 0.0;  ///< After the step.
+  double step_length = 0.0;        ///< 1 is the full Newton step.
+  double shift = 0.0;              ///< Regularisation of this step's matrix; 0 as a rule.
+};
+
+/// Says why the solver stopped; born failed.
+struct NewtonSummary {
+  NewtonStatus status = NewtonStatus::iteration_limit;
+  double initial_relative_residual = 0.0;
+  double relative_residual = 0.0;
+  double energy = 0.0;
+  bool at_rounding = false;  ///< Stopped by the rounding of the state, above `residual_tolerance`.
+  std::vector<NewtonIteration> history;
+
+  bool converged() const { return status == NewtonStatus::converged; }
+  /// Linear solves, the first included.
+  int iterations() const { return static_cast<int>(history.size()); }
+};
+
+}  // namespace fe

@@ -1,0 +1,35 @@
+#include "prs/cli/progress_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "prs/output/study_table.h"
+
+namespace prs::cli {
+namespace {
+
+constexpr auto kPeriod = std::chrono::milliseconds(200);
+
+}  // namespace
+
+ProgressLine::ProgressLine(bool quiet)
+    : shown_(!quiet && isatty(STDERR_FILENO) == 1), next_(start_ + kPeriod) {}
+
+void ProgressLine::show(const StudyProgress& progress) {
+  if (!shown_) return;
+  const std::lock_guard lock(mutex_);
+  const Clock::time_point now = Clock::now();
+  if (now < next_) return;
+  next_ = now + kPeriod;
+  const double seconds = std::chrono::duration<double>(now - start_).count();
+  std::string text =
+      progress_line(progress.done - progress.found, progress.total - progress.found, seconds);
+  if (progress.found > 0) text += fmt::format("; {} were there before", progress.found);
+  fmt::print(stderr, "\r\x1b[K{}", text);
+}
+
+void ProgressLine::clear() {
+  if (shown_) fmt::print(stderr, "\r\x1b[K");
+}
+
+}  // namespace prs::cli

@@ -1,0 +1,245 @@
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "prs/cli/commands.h"
+#include "prs/cli/compute_from.h"
+#include "prs/cli/interruption.h"
+#include "prs/cli/printing.h"
+#include "prs/cli/progress_line.h"
+#include "prs/input/fail_at.h"
+#include "prs/input/force_history.h"
+#include "prs/input/study_reader.h"
+#include "prs/output/derivatives_files.h"
+#include "prs/output/files.h"
+#include "prs/output/plots.h"
+#include "prs/output/staged_file.h"
+#include "prs/output/study_figures.h"
+#include "prs/output/study_files.h"
+#include "prs/output/study_json.h"
+#include "prs/output/study_table.h"
+#include "prs/study/analysis.h"
+#include "prs/study/derivatives.h"
+#include "prs/study/design_engine.h"
+#include "prs/study/distributed.h"
+#include "prs/study/study_run.h"
+#include "prs/version.h"
+
+namespace prs::cli {
+namespace {
+
+/// What all ranks must have been started with.
+std::string arguments(const Options& options) {
+  return nlohmann::json{options.file, options.overrides,
+                        options.output ? options.output->string() : "", options.threads}
+      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// Reports a response that the base case does not have where it stands in the file.
+DesignEngine engine_of(const input::StudyInput& in) {
+  try {
+    return DesignEngine(in);
+  } catch (const UnknownResponse& error) {
+    input::fail_at(in.source, fmt::format("study.responses[{}]", error.index()), error.what());
+  }
+}
+
+CaseDerivatives derivatives_of(const input::StudyInput& in) {
+  try {
+    return case_derivatives(in);
+  } catch (const UnknownResponse& error) {
+    input::fail_at(in.source, fmt::format("study.responses[{}]", error.index()), error.what());
+  }
+}
+
+Evaluate evaluate_with(const DesignEngine& engine) {
+  return [&](std::size_t first, std::size_t count) { return engine.evaluate(first, count); };
+}
+
+/// What the rows of a study depend on.
+std::string key_of(const input::StudyInput& in) {
+  std::vector<std::string> referred;
+  if (in.study.command == Command::life)
+    if (const Case base = input::read_design(in, {}); base.life->history)
+      referred.push_back(input::force_history_text(*base.life->history, in.source));
+  return study_key(kVersion, in.source, referred);
+}
+
+/// Not the first rank: it says nothing and computes what it is given.
+int assist(Ranks& ranks, const input::Source& source, std::size_t threads) {
+  try {
+    const input::StudyInput in = input::read_study_input(source);
+    const DesignEngine engine = engine_of(in);
+    ranks.assist(evaluate_with(engine), threads);
+  } catch (const input::InputError&) {
+    // The first rank meets the same error and reports it.
+  }
+  return kDone;
+}
+
+bool is_full_disk(const std::error_code& code) {
+  return code == std::errc::no_space_on_device || code == std::errc::file_too_large ||
+         (code.category() == std::generic_category() && code.value() == EDQUOT);
+}
+
+/// Tables, figures and files of a study whose rows are complete.
+int deliver(const StoredRows& rows, const Study& study, const DocumentInfo& info,
+            std::size_t threads, const Options& options) {
+  StudyResult result{study, {}, 0, 0, 0, {}};
+  StudyAnalysis analysis(study);
+  write_rows(rows, study, info, options.output ? &*options.output : nullptr, threads,
+             [&](const RowBlock& block) {
+               add(result, block);
+               analysis.add(block);
+             });
+  result.summary = analysis.summary();
+  std::string document;
+  if (options.json || options.output) document = json_text(study_json(result, info));
+  if (options.output) {
+    for (const std::string& text : draw_figures(study_figures(result), *options.output))
+      note(options, text);
+    StagedFile file(*options.output / "study.json");
+    file.append(document);
+    file.sync();
+    file.publish();
+  }
+  if (options.json) {
+    print(document);
+  } else if (!options.quiet) {
+    print(study_table(result));
+    if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
+  }
+  return result.failed == 0 ? kDone : kNotConverged;
+}
+
+/// The plan that is one case with its derivatives.
+int derivatives(const input::StudyInput& in, const Options& options) {
+  const CaseDerivatives result = compute_from(in.source, [&] { return derivatives_of(in); });
+  std::string document;
+  if (options.json || options.output)
+    document = json_text(derivatives_json(result, document_info(in.source)));
+  if (options.output) {
+    write_files(*options.output,
+                {{"derivatives.json", document}, {"derivatives.csv", derivatives_csv(result)}});
+    for (const std::string& text : draw_figures(derivatives_figures(result), *options.output))
+      note(options, text);
+  }
+  if (options.json) {
+    print(document);
+  } else if (!options.quiet) {
+    print(derivatives_table(result));
+    if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
+  }
+  return kDone;
+}
+
+/// What a run that was stopped leaves behind.
+int report_interruption(std::size_t absent, std::size_t designs, const Options& options) {
+  fmt::print(stderr, "prs: interrupted, {} of {} designs are done; {}\n", designs - absent, designs,
+             options.output ? "the same command continues from there"
+                            : "they are lost; with --output DIR a study can be continued");
+  return kFailed;
+}
+
+int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
+            const Options& options) {
+  const input::StudyInput in = input::read_study_input(source);
+  if (in.study.plan == Plan::derivatives) return derivatives(in, options);
+  const DesignEngine engine = engine_of(in);
+  const Study& study = engine.study();
+  std::optional<StudyFolder> folder;
+  if (options.output)
+    folder.emplace(*options.output,
+                   options.shard ? StudyFolder::Use::among_shards : StudyFolder::Use::alone);
+  const JournalHeader header{key_of(in), source, study.responses, design_count(study),
+                             options.shard.value_or(Shard{})};
+
+  const RunDesigns run_here = [&](const NextRange& next, const TakeRecord& take) {
+    run_schedule(threads, engine.chunk(), next, evaluate_with(engine), take);
+  };
+  const RunDesigns run = [&](const NextRange& next, const TakeRecord& take) {
+    ranks.lead(next, take, engine.chunk(), run_here);
+  };
+  ProgressLine line(options.quiet);
+  std::optional<Interruption> interruption(std::in_place);
+  const StoredRows rows = run_study(header, folder ? &*folder : nullptr, run,
+                                    {options.restart, Interruption::asked,
+                                     [&](const StudyProgress& progress) { line.show(progress); },
+                                     [&](const std::string& text) { note(options, text); }});
+  interruption.reset();
+  line.clear();
+
+  const DesignRange all = part(header.designs, header.shard);
+  if (const std::size_t absent = count(rows.missing(all)); absent > 0)
+    return report_interruption(absent, all.count, options);
+  if (options.shard) {
+    note(options,
+         fmt::format("shard {}: {} designs are in {}; with all shards done, `prs study merge {} "
+                     "--output DIR` writes the files of the study",
+                     name(*options.shard), all.count, options.output->string(),
+                     options.output->string()));
+    return kDone;
+  }
+  const int status = deliver(rows, study, document_info(source), threads, options);
+  if (folder) folder->remove_journals();
+  return status;
+}
+
+}  // namespace
+
+int study(const Options& options) {
+  if (options.shard && !options.output) {
+    fmt::print(stderr, "prs: error: --shard needs --output DIR, where its part is kept\n");
+    return kWrongInput;
+  }
+  let_large_files_fail();
+  Ranks ranks(!options.shard);
+  if (!ranks.agree(arguments(options))) {
+    if (ranks.is_first())
+      fmt::print(stderr,
+                 "prs: error: the ranks of one MPI job were started with different arguments; give "
+                 "all of them the same, or use --shard i/n\n");
+    return ranks.is_first() ? kWrongInput : kDone;
+  }
+  const std::size_t threads = options.threads > 0 ? options.threads : ranks.threads();
+  const std::optional<std::string> text =
+      ranks.share([&] { return input::load_source(options.file, options.overrides).text; });
+  if (!text) return kDone;
+  const input::Source source{options.file, *text, options.overrides};
+  if (!ranks.is_first()) return assist(ranks, source, threads);
+  try {
+    return compute(ranks, source, threads, options);
+  } catch (const std::system_error& error) {
+    if (!options.output || !is_full_disk(error.code())) throw;
+    fmt::print(stderr,
+               "prs: error: {}\nprs: what was computed is kept; the same command continues from "
+               "there once there is space\n",
+               error.what());
+    return kFailed;
+  }
+}
+
+int merge_study(const Options& options) {
+  let_large_files_fail();
+  const StoredRows rows = gather_rows(options.folders);
+  const JournalHeader& header = rows.journals().front().header();
+  const input::StudyInput in = input::read_study_input(header.source);
+  if (header.key != key_of(in))
+    throw StudyFolderError(
+        fmt::format("{}: error: computed by another version of prs, or from another force history; "
+                    "merge with those",
+                    rows.journals().front().path().string()));
+  Study study = in.study;
+  study.responses = header.responses;
+  std::optional<StudyFolder> folder;
+  if (options.output) folder.emplace(*options.output, StudyFolder::Use::alone);
+  const std::size_t threads = options.threads > 0 ? options.threads : available_processors();
+  return deliver(rows, study, document_info(header.source), threads, options);
+}
+
+}  // namespace prs::cli

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace prs {
+
+/// How much of a result is wanted.
+enum class Detail {
+  complete,
+  numbers,  ///< Without warnings and without stresses below the surface, for studies.
+};
+
+}  // namespace prs

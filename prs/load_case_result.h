@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "prs/contact_laws.h"
+#include "prs/load_distribution.h"
+#include "prs/result.h"
+
+namespace prs {
+
+/// The answer to a load case whose load distribution is solved: loads, ellipses and pressures of
+/// each thread, displacement and stiffness; the status alone where it did not converge.
+LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts,
+                             const PerInterface<ContactLaw>& laws, LoadDistribution distribution);
+
+/// Threads with equal loads by assumption; approaches follow where the Hertz constants are known.
+LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,
+                                  const PerInterface<double>& normal_angle,
+                                  const PerInterface<std::optional<double>>& hertz_constant);
+
+/// The same with the laws of a load distribution.
+LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,
+                                  const PerInterface<ContactLaw>& laws);
+
+/// The same with what the geometry gives; the contacts must exist.
+LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts);
+
+/// Adds what is unusual about an answer: open threads, pressures, ellipses beyond the flanks.
+void add_warnings(LoadCaseResult& result, const Contacts& contacts);
+
+}  // namespace prs
