@@ -29,7 +29,7 @@ prs::input::StudyInput study_of(std::size_t samples) {
            "mechanism.profile.roller.convex, within: 3 %}, {path: structure.nut.outer_diameter, "
            "within: 3 %}, {path: structure.screw.bore, within: 3 %}, {path: "
            "materials.youngs_modulus, within: 3 %}, {path: 'load_cases[0].axial_force', "
-           "log_uniform: {from: 450 N, to: 45 kN}}], responses: [axial_displacement_um, "
+           "log_uniform: {from: 0.45 kN, to: 45 kN}}], responses: [axial_displacement_um, "
            "axial_stiffness_N_per_um, screw.load_rate_percent.max, nut.load_rate_percent.max, "
            "screw.peak_pressure_MPa.max, nut.peak_pressure_MPa.max]}\n",
        {}});

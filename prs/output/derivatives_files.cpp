@@ -8,8 +8,11 @@
 
 #include "prs/output/case_table.h"
 #include "prs/output/csv_writer.h"
+#include "prs/output/figure_style.h"
 #include "prs/output/json_values.h"
 #include "prs/output/response_title.h"
+#include "prs/output/study_figure_parts.h"
+#include "prs/output/study_text.h"
 #include "prs/output/text.h"
 
 namespace prs {
@@ -17,7 +20,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostFigures = 24;
 constexpr std::size_t kMostBars = 16;
 constexpr std::size_t kLabelWidth = 40;
 
@@ -55,9 +57,39 @@ std::string label_of(const Factor& factor) {
   return shortened(printable(factor.label), kLabelWidth);
 }
 
-Polyline bar(double from, double to, double at) {
-  constexpr double half = 0.36;
-  return {{from, at - half}, {to, at - half}, {to, at + half}, {from, at + half}};
+/// What 1 % of each factor does, as bars from above to below with the labels on their left.
+Figure elasticity_figure(const CaseDerivatives& result, std::size_t response,
+                         std::vector<std::size_t> order) {
+  order.resize(std::min(order.size(), kMostBars));
+  const std::string name = response_title(result.study.responses[response]).name;
+  Figure figure;
+  figure.name = "derivatives_" + study_figure_name(response, result.study.responses[response]);
+  figure.title = fmt::format("{}: change by 1 % of each factor", capitalised(name));
+  Line grows{add_to_legend(figure, "grows with the factor", fill_of("#004488")), {}};
+  Line falls{add_to_legend(figure, "falls", fill_of("#bb5566")), {}};
+  double least = 0.0, most = 0.0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const double elasticity = *result.factors[order[i]].responses[response]->elasticity;
+    const double at = static_cast<double>(i + 1);
+    (elasticity < 0.0 ? falls : grows)
+        .parts.push_back(
+            rectangle(std::min(elasticity, 0.0), std::max(elasticity, 0.0), at - 0.35, at + 0.35));
+    least = std::min(least, elasticity);
+    most = std::max(most, elasticity);
+  }
+  const double span = most > least ? most - least : 1.0;
+  const double label = least - 0.75 * span;
+  figure.x = {"Change of the response (%)", label - 0.02 * span, most + 0.04 * span};
+  figure.y = {
+      "", static_cast<double>(order.size()) + 0.5, 0.5, {0}};  // No tic, nor line, in sight.
+  figure.panel_height = 50 + 26 * static_cast<int>(order.size());
+  Panel panel;
+  for (std::size_t i = 0; i < order.size(); ++i)
+    panel.labels.push_back(
+        {label_of(result.study.factors[order[i]]), label, static_cast<double>(i + 1)});
+  panel.lines = {std::move(grows), std::move(falls)};
+  figure.panels.push_back(std::move(panel));
+  return figure;
 }
 
 }  // namespace
@@ -131,41 +163,9 @@ std::string derivatives_table(const CaseDerivatives& result) {
 
 std::vector<Figure> derivatives_figures(const CaseDerivatives& result) {
   std::vector<Figure> figures;
-  for (std::size_t k = 0; k < std::min(result.values.size(), kMostFigures); ++k) {
-    std::vector<std::size_t> order = ranked(result, k);
-    if (order.empty()) continue;
-    order.resize(std::min(order.size(), kMostBars));
-    const ResponseTitle title = response_title(result.study.responses[k]);
-    Figure figure;
-    figure.name = fmt::format("{:02}_derivatives", k + 1);
-    figure.title = fmt::format("{}: change by 1 % of each factor", title.name);
-    figure.styles = {fill_of("#004488")};
-    const auto rows = static_cast<double>(order.size());
-    figure.y = {"", -0.5, rows - 0.5};
-    Panel panel;
-    Line bars{0, {}};
-    double least = 0.0, most = 0.0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const double at = rows - 1.0 - static_cast<double>(i);
-      const double elasticity = *result.factors[order[i]].responses[k]->elasticity;
-      bars.parts.push_back(bar(0.0, elasticity, at));
-      least = std::min(least, elasticity);
-      most = std::max(most, elasticity);
-    }
-    // Room for the labels beside the bars.
-    const double span = std::max(most - least, 1e-12);
-    figure.x = {fmt::format("{} per 1 % (%)", title.name), least - 0.05 * span, most + 0.9 * span};
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const double elasticity = *result.factors[order[i]].responses[k]->elasticity;
-      panel.labels.push_back(
-          {fmt::format("{} ({:+.3f})", label_of(result.study.factors[order[i]]), elasticity),
-           std::max(elasticity, 0.0) + 0.02 * span, rows - 1.0 - static_cast<double>(i)});
-    }
-    panel.lines.push_back(std::move(bars));
-    figure.panels.push_back(std::move(panel));
-    figure.panel_height = static_cast<int>(60 + 26 * order.size());
-    figures.push_back(std::move(figure));
-  }
+  for (std::size_t k = 0; k < std::min(result.values.size(), kMostStudyFigures); ++k)
+    if (const std::vector<std::size_t> order = ranked(result, k); !order.empty())
+      figures.push_back(elasticity_figure(result, k, order));
   return figures;
 }
 

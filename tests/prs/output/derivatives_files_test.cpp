@@ -1,0 +1,74 @@
+#include "prs/output/derivatives_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace prs {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+Factor factor(const std::string& path, const std::string& unit, double at) {
+  Factor f;
+  f.path = f.label = path;
+  f.unit = unit;
+  f.base = Level{"", at};
+  return f;
+}
+
+/// A stiffness of 800 N/um: twice the diameter's change, against that of a bore, none of a length.
+CaseDerivatives sample() {
+  CaseDerivatives d;
+  d.study.responses = {"axial_stiffness_N_per_um"};
+  d.study.factors = {factor("bore", "mm", 6.0), factor("diameter", "mm", 20.0),
+                     factor("length", "mm", 90.0)};
+  d.values = {800.0};
+  d.factors = {{{Derivative{-10.0, -0.075, 1e-9}}, ""},
+               {{Derivative{80.0, 2.0, 1e-8}}, ""},
+               {{std::nullopt}, "two sections meet"}};
+  return d;
+}
+
+TEST(DerivativesFiles, DocumentHasAnEntryAFactorOrItsReason) {
+  const auto json = derivatives_json(sample(), {"1", "2", "", {}})["derivatives"];
+  ASSERT_THAT(json, SizeIs(1));
+  EXPECT_EQ(json[0]["value"], 800.0);
+  EXPECT_EQ(json[0]["by"][1]["derivative"], 80.0);
+  EXPECT_EQ(json[0]["by"][1]["percent_per_percent"], 2.0);
+  EXPECT_EQ(json[0]["by"][1]["unit"], "mm");
+  EXPECT_EQ(json[0]["by"][2]["reason"], "two sections meet");
+  EXPECT_FALSE(json[0]["by"][2].contains("derivative"));
+}
+
+TEST(DerivativesFiles, CsvHasARowAResponseAndFactor) {
+  EXPECT_EQ(derivatives_csv(sample()),
+            "response,value,factor,label,at,unit,derivative,percent_per_percent,error,reason\n"
+            "axial_stiffness_N_per_um,800,bore,bore,6,mm,-10,-0.075,1e-09,\n"
+            "axial_stiffness_N_per_um,800,diameter,diameter,20,mm,80,2,1e-08,\n"
+            "axial_stiffness_N_per_um,800,length,length,90,mm,,,,two sections meet\n");
+}
+
+TEST(DerivativesFiles, TableHasTheStrongestFirst) {
+  const std::string table = derivatives_table(sample());
+  EXPECT_LT(table.find("  diameter "), table.find("  bore "));
+  EXPECT_THAT(table, HasSubstr("axial stiffness: 800 N/µm"));
+  EXPECT_THAT(table, HasSubstr("length: no derivative of some responses: two sections meet"));
+}
+
+TEST(DerivativesFiles, FigureHasABarAFactor) {
+  const std::vector<Figure> figures = derivatives_figures(sample());
+  ASSERT_THAT(figures, SizeIs(1));
+  const Panel& panel = figures[0].panels.at(0);
+  EXPECT_THAT(panel.labels, SizeIs(2));
+  EXPECT_THAT(panel.lines.at(0).parts, SizeIs(1));
+  EXPECT_THAT(panel.lines.at(1).parts, SizeIs(1));
+  EXPECT_LT(figures[0].x.from, panel.labels[0].x);
+  EXPECT_LT(panel.labels[0].x, -0.075);
+  EXPECT_GT(figures[0].x.to, 2.0);
+}
+
+}  // namespace
+}  // namespace prs
