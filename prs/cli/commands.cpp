@@ -215,8 +215,10 @@ int life(const Options& options) {
   std::optional<LoadHistory> history;
   if (in.values.life->history)
     history = input::read_force_history(*in.values.life->history, source);
-  const LifeResult result =
+  LifeResult result =
       compute_from(source, [&] { return analyze_life(in.values, std::move(history)); });
+  if (in.values.preload)
+    result.warnings.push_back("lives are those without preload, whose loads come on top");
   std::string document;
   if (options.json || options.output)
     document = json_text(life_json(result, document_info(source)));

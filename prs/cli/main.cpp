@@ -146,6 +146,13 @@ int main(int argc, char** argv) {
   }
   if (validate->parsed()) options.file = directory;
   if (merge->parsed()) {
+    if (!options.file.empty()) {
+      fmt::print(stderr,
+                 "prs: error: got FILE {} before `merge`; expected `prs study merge DIR..`: the "
+                 "journals hold the file\n",
+                 options.file);
+      return prs::cli::kWrongInput;
+    }
     run = prs::cli::merge_study;
   } else if (study->parsed() && options.file.empty()) {
     fmt::print(stderr, "file is required\nRun with --help for more information.\n");

@@ -491,8 +491,9 @@ template <class Io>
 void fields(Io& io, SpectrumLoad& l) {
   io.field("force", l.force, Quantity{unit::force, positive}, required, "Axial load");
   io.field("direction", l.direction, Choice{}, required, "Sense of the load on the screw");
-  constexpr std::string_view one = "one of revolutions, distance, duration and share";
-  io.field("revolutions", l.revolutions, Number{positive}, optional,
+  constexpr std::string_view one = "as one of revolutions, distance, duration and share";
+  const Bounds revolutions{.least = 0.0, .greatest = 1e15, .least_excluded = true};
+  io.field("revolutions", l.revolutions, Number{revolutions}, optional,
            "Of the screw against the nut under the load");
   io.field("distance", l.distance, Quantity{unit::length, positive},
            optional_only_if(!l.revolutions, one), "Travel under the load");

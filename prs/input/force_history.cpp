@@ -113,7 +113,13 @@ class HistoryParser {
       names.push_back(unquoted(heading.substr(begin, end - begin)));
       begin = end + 1;
     }
+    width_ = names.size();
     for (WantedColumn& c : columns) {
+      if (std::ranges::count(names, c.name->column) > 1)
+        fail_at(source_, fmt::format("life.history.{}.column", c.key),
+                fmt::format("got {}, which stands twice in the heading of {}; expected one column "
+                            "of that name; rename the other one",
+                            shown(c.name->column), name_));
       const auto found = std::ranges::find(names, c.name->column);
       if (found == names.end())
         fail_at(source_, fmt::format("life.history.{}.column", c.key),
@@ -141,6 +147,17 @@ class HistoryParser {
       c.values->push_back(c.factor * number(line, at, end, c.name->column));
       if (c.key == "time") check_time(line, at, c);
     }
+    check_width(line, at, field);
+  }
+
+  /// A decimal comma between commas would move all fields behind it.
+  void check_width(std::string_view line, const char* last, std::size_t field) const {
+    const auto behind = std::count(last, line.data() + line.size(), separator_);
+    const std::size_t width = field + 1 + static_cast<std::size_t>(behind);
+    if (width <= width_) return;
+    refuse(line, 0, "row", fmt::format("{} fields", width),
+           fmt::format("at most {} as in the heading", width_),
+           "write decimal marks as points, or quote texts that hold the separator");
   }
 
   double number(std::string_view line, const char* at, const char* end, std::string_view column) {
@@ -188,6 +205,7 @@ class HistoryParser {
   const std::string& name_;
   const Source& source_;
   char separator_ = ',';
+  std::size_t width_ = 0;  ///< Fields of the heading.
 };
 
 double factor_to_si(const WantedColumn& c, const Source& source) {

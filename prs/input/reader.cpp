@@ -381,11 +381,14 @@ class MapReader : public Visitor {
   }
 
   void refuse_other_keys() const {
-    for (const Node& child : map_.node.children)
-      if (std::ranges::find(known_, child.key) == known_.end())
-        map_.errors.add(child.key_place, join(map_.path, child.key),
-                        fmt::format("unknown key; expected one of {}; {}", fmt::join(known_, ", "),
-                                    did_you_mean(child.key, known_)));
+    for (const Node& child : map_.node.children) {
+      if (std::ranges::find(known_, child.key) != known_.end()) continue;
+      const std::string nearest = did_you_mean(child.key, known_);
+      map_.errors.add(
+          child.key_place, join(map_.path, child.key),
+          fmt::format("unknown key; expected one of {}; {}", fmt::join(known_, ", "),
+                      nearest.empty() ? "delete it, or write it as one of these" : nearest));
+    }
   }
 
  private:

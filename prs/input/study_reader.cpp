@@ -420,9 +420,10 @@ class FactorReader {
                                    shown(*item().within)));
     if (!value || *value == 0.0)
       return refuse_at("within", fmt::format("got {} of {}; expected a value other than 0 in the "
-                                             "file; write `uniform: {{from: .., to: ..}}`",
+                                             "file; name one of several as `.screw`, or write "
+                                             "`uniform: {{from: .., to: ..}}`",
                                              shown(*item().within),
-                                             value ? "0" : "a value that the file lacks"));
+                                             value ? "0" : "no single value in the file"));
     const double half = share * std::abs(*value);
     factor.distribution = {Distribution::Kind::uniform, *value - half, *value + half};
     for (const double end : {factor.distribution.first, factor.distribution.second})
@@ -482,6 +483,19 @@ void check_number_of_levels(const StudyItem& item, const Node& root, ErrorList& 
                            count, kMostLevels));
 }
 
+void check_responses(const std::vector<std::string>& responses, const Node& root,
+                     ErrorList& errors) {
+  for (std::size_t k = 0; k < responses.size(); ++k) {
+    if (std::find(responses.begin(), responses.begin() + static_cast<std::ptrdiff_t>(k),
+                  responses[k]) == responses.begin() + static_cast<std::ptrdiff_t>(k))
+      continue;
+    const std::string path = fmt::format("study.responses[{}]", k);
+    errors.add(locate(root, path), path,
+               fmt::format("got {} a second time; expected each path once; delete one of them",
+                           shown(responses[k])));
+  }
+}
+
 /// Adds an error where a study has too many designs, or more factors than Sobol's sequence
 /// dimensions.
 void check_size(const Study& study, const Node& root, ErrorList& errors) {
@@ -493,7 +507,8 @@ void check_size(const Study& study, const Node& root, ErrorList& errors) {
   if (designs + 1.0 > static_cast<double>(kMostDesigns)) {
     const std::string path = is_sampled(study.plan) ? "study.samples" : "study.factors";
     errors.add(locate(root, path), path,
-               fmt::format("got {:.6g} designs; expected fewer than {}; {}", designs, kMostDesigns,
+               fmt::format("got {:.6g} designs; expected fewer than {} with the base case; {}",
+                           designs, kMostDesigns,
                            is_sampled(study.plan) ? "take fewer samples"
                                                   : "take fewer values, or draw samples with "
                                                     "`plan: latin_hypercube`"));
@@ -543,6 +558,7 @@ StudyInput read_study_input(const Source& source) {
   input.study.command = item.command;
   input.study.plan = item.plan;
   input.study.responses = item.responses.value_or(std::vector<std::string>{});
+  check_responses(input.study.responses, root, errors);
   input.study.samples = static_cast<std::size_t>(item.samples.value_or(0));
   input.study.seed = static_cast<std::uint64_t>(item.seed);
   const std::vector<EchoEntry> fields = echo(file, input.base);

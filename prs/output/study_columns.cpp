@@ -64,6 +64,7 @@ std::string unit_key(const std::string& unit) {
 std::vector<FactorColumn> factor_columns(const Study& study) {
   std::vector<FactorColumn> columns;
   std::map<std::string, int> uses;
+  for (const std::string& response : study.responses) ++uses[response];
   for (const Factor& factor : study.factors) {
     FactorColumn& column = columns.emplace_back(column_of(factor));
     if (const int use = ++uses[column.name]; use > 1) column.name += fmt::format("_{}", use);

@@ -18,7 +18,7 @@ struct FactorColumn {
   bool is_numeric() const { return words.empty(); }
 };
 
-/// A column a factor; two factors of one path are told apart by a number.
+/// A column a factor; a number tells it apart from a response or another factor of the same name.
 std::vector<FactorColumn> factor_columns(const Study& study);
 
 /// What designs [first, first + count) set: count x columns.

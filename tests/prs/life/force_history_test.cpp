@@ -77,6 +77,18 @@ TEST(ForceHistory, NamesFileLineAndValueOfWhatIsNoNumber) {
               AllOf(HasSubstr("flight.csv:2:3: error: load: got 1,5"), HasSubstr("as a point")));
 }
 
+TEST(ForceHistory, RefusesRowsWiderThanTheHeading) {
+  EXPECT_THAT(error_of("t,load,n\n0,1,2\n1,5,2,0\n"),
+              AllOf(StartsWith("dir/flight.csv:3:1: error: row: got 4 fields; expected at most 3"),
+                    HasSubstr("decimal marks as points")));
+  EXPECT_THAT(parse("t,load,n,more\n0,1,2\n1,5,2,\n").force, ElementsAre(1e3, 5e3));
+}
+
+TEST(ForceHistory, RefusesAColumnThatStandsTwice) {
+  EXPECT_THAT(error_of("t,load,n,load\n0,1,2,3\n"),
+              HasSubstr("life.history.force.column: got load, which stands twice"));
+}
+
 TEST(ForceHistory, RefusesTimeThatRunsBackwards) {
   EXPECT_THAT(error_of("load,n,t\n1,1,5\n1,1,5\n1,1,4\n"),
               StartsWith("dir/flight.csv:4:5: error: t: got 4 ms; expected a time not before that "

@@ -276,6 +276,13 @@ TEST(StudyReader, DerivativesNameNumbersOfTheFile) {
   EXPECT_THAT(error_of(source("operation.speed")), HasSubstr("of which the file says nothing"));
 }
 
+TEST(StudyReader, RefusesAResponseTwice) {
+  EXPECT_THAT(error_of(source_of("study:\n  command: solve\n  factors: [{path: mechanism.rollers, "
+                                 "values: [9]}]\n  responses: [a.b, c, a.b]\n")),
+              StartsWith("case.yaml:30:25: error: study.responses[2]: got a.b a second time; "
+                         "expected each path once"));
+}
+
 TEST(StudyReader, RefusesWhatCannotBeDrawn) {
   const std::pair<const char*, const char*> wrong[] = {
       {"path: mechanism.lead",
@@ -301,7 +308,7 @@ TEST(StudyReader, RefusesWhatCannotBeDrawn) {
       {"path: mechanism.lead, within: much", "within: got much; expected a share"},
       {"path: structure.screw.bore, within: 3 %}, {path: deviations.crowning, within: 3 %",
        "got 3 % of 0; expected a value other than 0 in the file"},
-      {"path: operation.speed, within: 3 %", "got 3 % of a value that the file lacks"},
+      {"path: operation.speed, within: 3 %", "got 3 % of no single value in the file"},
       {"path: deviations.reference_temperature, within: 3 %", "whose zero is a convention"},
       {"path: mechanism.lead, normal: {deviation: 0 mm}",
        "normal.deviation: got 0 mm; expected a number > 0 that goes with the unit mm"},
