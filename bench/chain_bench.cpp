@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <deque>
 #include <numbers>
@@ -69,19 +70,22 @@ BENCHMARK(SingleSectorChain)
     ->Arg(static_cast<int>(InstructionSet::scalar))
     ->Arg(static_cast<int>(InstructionSet::avx512));
 
-/// Random designs of 20 threads, geometry, constants and load drawn for each, as columns.
+/// Random designs of 20 threads, geometry, constants and load drawn for each, as columns; with
+/// several loads the one drawn is the last of as many equal steps.
 class Study {
  public:
-  static constexpr std::size_t kDesigns = 4096;
-
-  explicit Study(std::uint64_t seed) {
+  Study(std::uint64_t seed, std::size_t designs, std::size_t loads = 1)
+      : solves_(designs * loads) {
     std::mt19937_64 random(seed);
     std::vector<prs::BarSector> sectors;
-    for (std::size_t k = 0; k < kDesigns; ++k) {
+    for (std::size_t k = 0; k < designs; ++k) {
       sectors.push_back(draw(random));
-      forces_.push_back(draw_force(sectors.back(), random));
+      const double force = draw_force(sectors.back(), random);
+      for (std::size_t i = 1; i <= loads; ++i)
+        forces_.push_back(force * static_cast<double>(i) / static_cast<double>(loads));
     }
     fill(sectors);
+    designs_.loads = loads;
   }
 
   const prs::BarDesigns& designs() const { return designs_; }
@@ -100,16 +104,16 @@ class Study {
   double mean_iterations() const {
     double sum = 0.0;
     for (const int i : iterations_) sum += i;
-    return sum / kDesigns;
+    return sum / static_cast<double>(solves_);
   }
 
-  /// Iterations of the batches: those of their slowest design.
+  /// Iterations of the batches: those of their slowest design. One load a design.
   double lock_step_iterations(int batch) const {
     double sum = 0.0;
-    for (std::size_t k = 0; k < kDesigns; k += static_cast<std::size_t>(batch))
+    for (std::size_t k = 0; k < solves_; k += static_cast<std::size_t>(batch))
       sum += *std::max_element(iterations_.begin() + static_cast<std::ptrdiff_t>(k),
                                iterations_.begin() + static_cast<std::ptrdiff_t>(k) + batch);
-    return sum * batch / kDesigns;
+    return sum * batch / static_cast<double>(solves_);
   }
 
   double largest_residual() const { return *std::max_element(residual_.begin(), residual_.end()); }
@@ -201,16 +205,17 @@ class Study {
     }
   }
 
+  std::size_t solves_;
   std::vector<double> forces_;
   std::deque<std::vector<double>> columns_;
   std::vector<prs::BarDesigns::Flange> flanges_;
   prs::BarDesigns designs_;
-  std::vector<double> screw_ = std::vector<double>(20 * kDesigns);
-  std::vector<double> nut_ = std::vector<double>(20 * kDesigns);
-  std::vector<double> displacement_ = std::vector<double>(kDesigns);
-  std::vector<double> residual_ = std::vector<double>(kDesigns);
-  std::vector<fe::NewtonStatus> status_ = std::vector<fe::NewtonStatus>(kDesigns);
-  std::vector<int> iterations_ = std::vector<int>(kDesigns);
+  std::vector<double> screw_ = std::vector<double>(20 * solves_);
+  std::vector<double> nut_ = std::vector<double>(20 * solves_);
+  std::vector<double> displacement_ = std::vector<double>(solves_);
+  std::vector<double> residual_ = std::vector<double>(solves_);
+  std::vector<fe::NewtonStatus> status_ = std::vector<fe::NewtonStatus>(solves_);
+  std::vector<int> iterations_ = std::vector<int>(solves_);
 };
 
 /// Additions, multiplications, divisions and roots of one iteration at one station: the pivots and
@@ -232,29 +237,43 @@ constexpr double flops_per_station() {
   return factorize + assemble + move + substitute + contacts;
 }
 
-/// Cold start of every design, its set-up included, residual below 1e-10.
+/// Cold start of every design, its set-up included, residual below 1e-10. `kernel flop/s` counts the
+/// iterations' operations over the time that they take more than no iteration, which is the set-up,
+/// the start, the residual of the state and the results.
 void StudyOfRandomDesigns(benchmark::State& state) {
   const auto set = static_cast<InstructionSet>(state.range(0));
   if (!available(set)) return state.SkipWithError("not on this processor");
-  Study study(static_cast<std::uint64_t>(state.thread_index()) + 1);
-  prs::BarDesignSolver solver(set);
+  constexpr std::size_t kDesigns = 4096;
+  Study study(static_cast<std::uint64_t>(state.thread_index()) + 1, kDesigns);
+  prs::BarDesignSolver solver(set), set_up(set);
   solver.options.residual_tolerance = 1e-10;
+  set_up.options.max_iterations = 0;
   const prs::ThreadLoads results = study.results();
+  double seconds = 0.0, set_up_seconds = 0.0;
   for (auto _ : state) {
-    solver.solve(study.designs(), results);
-    benchmark::ClobberMemory();
+    const auto time = [&](prs::BarDesignSolver& s) {
+      const auto start = std::chrono::steady_clock::now();
+      s.solve(study.designs(), results);
+      benchmark::ClobberMemory();
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    set_up_seconds += time(set_up);
+    const double solve = time(solver);
+    seconds += solve;
+    state.SetIterationTime(solve);
   }
   if (!study.all_converged() || study.largest_residual() > 1e-10)
     return state.SkipWithError("not converged");
-  // The times of the threads are summed: a rate is that of one of them.
-  const double designs = static_cast<double>(state.iterations()) * Study::kDesigns;
+  // Counters are summed over the threads, rates are per time of one of them.
+  const double designs = static_cast<double>(state.iterations()) * kDesigns;
   const double flops =
       designs * study.lock_step_iterations(batch_size(set)) * 20.0 * flops_per_station();
-  state.counters["designs"] =
-      benchmark::Counter(designs * state.threads(), benchmark::Counter::kIsRate);
-  state.counters["flop/s"] = benchmark::Counter(flops, benchmark::Counter::kIsRate);
-  state.counters["iterations"] =
-      benchmark::Counter(study.mean_iterations(), benchmark::Counter::kAvgThreads);
+  using benchmark::Counter;
+  state.counters["designs"] = Counter(designs, Counter::kIsRate);
+  state.counters["flop/s"] = Counter(flops, Counter::kIsRate);
+  state.counters["kernel flop/s"] = flops / (seconds - set_up_seconds);
+  state.counters["set-up share"] = Counter(set_up_seconds / seconds, Counter::kAvgThreads);
+  state.counters["iterations"] = Counter(study.mean_iterations(), Counter::kAvgThreads);
 }
 BENCHMARK(StudyOfRandomDesigns)
     ->ArgName("set")
@@ -262,7 +281,7 @@ BENCHMARK(StudyOfRandomDesigns)
     ->Arg(static_cast<int>(InstructionSet::avx2))
     ->Arg(static_cast<int>(InstructionSet::avx512))
     ->ThreadRange(1, 2)
-    ->UseRealTime()
+    ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
 template <class Arch>
@@ -308,6 +327,34 @@ void SweepOf100LoadsChain(benchmark::State& state) {
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(SweepOf100LoadsChain)
+    ->ArgName("set")
+    ->Arg(static_cast<int>(InstructionSet::scalar))
+    ->Arg(static_cast<int>(InstructionSet::avx2))
+    ->Arg(static_cast<int>(InstructionSet::avx512))
+    ->Unit(benchmark::kMicrosecond);
+
+/// 100 ascending loads on each of 64 random designs, one design a lane, to thread loads and
+/// displacements.
+void SweepsOfRandomDesigns(benchmark::State& state) {
+  const auto set = static_cast<InstructionSet>(state.range(0));
+  if (!available(set)) return state.SkipWithError("not on this processor");
+  constexpr std::size_t kDesigns = 64, kLoads = 100;
+  Study study(1, kDesigns, kLoads);
+  prs::BarDesignSolver solver(set);
+  solver.options.residual_tolerance = 1e-10;
+  const prs::ThreadLoads results = study.results();
+  for (auto _ : state) {
+    solver.solve(study.designs(), results);
+    benchmark::ClobberMemory();
+  }
+  if (!study.all_converged() || study.largest_residual() > 1e-10)
+    return state.SkipWithError("not converged");
+  state.counters["iterations"] = study.mean_iterations();
+  state.counters["time/load"] =
+      benchmark::Counter(static_cast<double>(kDesigns * kLoads * state.iterations()),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(SweepsOfRandomDesigns)
     ->ArgName("set")
     ->Arg(static_cast<int>(InstructionSet::scalar))
     ->Arg(static_cast<int>(InstructionSet::avx2))

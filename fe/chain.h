@@ -11,18 +11,24 @@
 ///
 /// A `Station` tells the linear part and the contacts:
 ///
-///     kFreedoms                            M, freedoms of a station
-///     couples(i, j)                        whether the interval to the next station couples
-///     freedom
-///                                          i with freedom j there
-///     form<contact>()                      the two approaches as linear forms of the freedoms
-///     coefficient(contact, kind)           of the forms
-///     held(k, Index<i>)                    whether freedom i of station k cannot move
-///     add_station(k, add)                  supports and elements within station k
-///     add_interval_start(k, add)           what the interval from k to k + 1 adds to k and
-///     couples, add_interval_end(k, add)             and what it adds to k + 1 add_forces(k, here,
-///     force)           the same elements' forces, by what deforms them add_forces(k, here, next,
-///     force, next_force)
+/// - `kFreedoms`: M, freedoms of a station
+///
+/// - `couples(i, j)`: whether the interval to the next station couples freedom i with j there
+///
+/// - `form<contact>()`: the approaches of the two contacts as linear forms of the freedoms
+///
+/// - `coefficient(contact, kind)`: of the forms
+///
+/// - `held(k, Index<i>)`: whether freedom i of station k cannot move
+///
+/// - `add_station(k, add)`: stiffness of supports and elements within station k
+///
+/// - `add_interval_start(k, add)`: what the interval from k to k + 1 adds to k and couples
+///
+/// - `add_interval_end(k, add)`: what it adds to k + 1
+///
+/// - `add_forces(k, here, force)`, `add_forces(k, here, next, force, next_force)`: the forces of the
+///   same elements, from what deforms them
 ///
 /// with add(Index<i>, Index<j>, value) for i <= j, j >= M meaning freedom j - M of the next
 /// station. A held freedom has a support of infinite stiffness: its inverse pivot is 0, and with it
@@ -178,20 +184,11 @@ class Chain {
   Chain(const Station& station, const Law& law, int stations, Record* records)
       : station_(station), law_(law), stations_(stations), records_(records) {}
 
-  /// From rigid bodies, in which no linear element deforms and only `push` has a displacement.
-  ChainSummary<Real> solve_from_rest(const Real& load, const Real& scale, const Real& push,
-                                     const NewtonOptions& options) {
-    for (int k = 0; k < stations_; ++k)
-      for (auto& c : records_[k].contact) c.remainder = Real(0.0);
-    start(load, scale, load);
-    summary_.energy = contact_energy_ - load * push;
-    return iterate(options);
-  }
-
   /// From a state in which the linear elements balance the load `balanced` and contact forces that
-  /// stand as `remainder` in the records, as do all linear combinations of solutions.
-  ChainSummary<Real> solve_from_balance(const Real& load, const Real& scale, const Real& balanced,
-                                        const NewtonOptions& options) {
+  /// stand as `remainder` in the records, as do all linear combinations of solutions, and rigid
+  /// bodies with 0 for both. Residuals are relative to `scale`.
+  ChainSummary<Real> solve(const Real& load, const Real& scale, const Real& balanced,
+                           const NewtonOptions& options) {
     Real linear(0.0);
     for (int k = 0; k < stations_; ++k)
       unroll<2>([&](auto i) __attribute__((always_inline)) {

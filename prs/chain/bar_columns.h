@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "prs/part.h"
@@ -7,7 +8,8 @@
 namespace prs {
 
 /// Designs with the same number of contacts, each quantity as an array over the designs, with the
-/// meanings of `BarSector`. An array of size 0 stands for zeros.
+/// meanings of `BarSector`. An array of size 0 stands for zeros. There are as many designs as loads
+/// divided by `loads`, and a result for each load.
 struct BarDesigns {
   using Values = std::span<const double>;
   struct Section {
@@ -18,7 +20,10 @@ struct BarDesigns {
   };
 
   int contacts = 0;
-  Values axial_force;  ///< On the whole mechanism [N], > 0; its size is the number of designs.
+  /// Of every design; they are solved one after the other, each from the extrapolation of those
+  /// before it as far as they ascend.
+  std::size_t loads = 1;
+  Values axial_force;  ///< On the whole mechanism, load i of design k at `k * loads + i` [N], > 0.
   Values rollers;
   Values sense;  ///< s, -1 in tension and +1 in compression.
   Values pitch;

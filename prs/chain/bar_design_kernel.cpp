@@ -2,8 +2,8 @@
 
 #include "fe/chain_laws.h"
 #include "prs/chain/bar_station.h"
-#include "prs/chain/deliver.h"
 #include "prs/chain/lane_access.h"
+#include "prs/chain/sweep.h"
 
 namespace prs {
 namespace {
@@ -29,6 +29,7 @@ struct BarWorkspace {
   Real* nut;
   Real* ground;
   Real* compliance[2];
+  Real* history;
 
   BarWorkspace(double* memory, int contacts) {
     records = reinterpret_cast<BarRecord<Real>*>(memory);
@@ -36,6 +37,7 @@ struct BarWorkspace {
     ground = nut + contacts;
     compliance[0] = ground + contacts;
     compliance[1] = compliance[0] + contacts;
+    history = compliance[1] + contacts;
   }
 };
 
@@ -143,34 +145,24 @@ struct BarBatch {
     return s;
   }
 
+  SweptSector<Real> swept_sector() const {
+    SweptSector<Real> s{.contacts = designs.contacts,
+                        .rollers = load(designs.rollers),
+                        .sense = load(designs.sense),
+                        .cosine = {},
+                        .hertz_constant = {},
+                        .free_compliance = load(designs.free_length) / load(designs.screw_rigidity),
+                        .offset_compliance = Real(0.0)};
+    for (const Interface i : kInterfaces) {
+      s.cosine[static_cast<int>(i)] = load(designs.cosine[i]);
+      s.hertz_constant[static_cast<int>(i)] = load(designs.hertz_constant[i]);
+    }
+    return s;
+  }
+
   Real gap(Interface i, int k) const {
     return range.load<Real>(designs.gaps[i], static_cast<std::size_t>(designs.contacts),
                             static_cast<std::size_t>(k));
-  }
-
-  /// Rigid bodies that share the load equally, every thread closed; the shift of the screw.
-  Real start(const Real& force, const BarWorkspace<Real>& w) const {
-    const Real sense = load(designs.sense);
-    Real shift[2];
-    for (const Interface i : kInterfaces) {
-      const auto c = static_cast<int>(i);
-      const Real cosine = load(designs.cosine[i]);
-      const Real root = cbrt(force / (static_cast<double>(designs.contacts) * cosine *
-                                      load(designs.hertz_constant[i])));
-      Real widest = gap(i, 0);
-      for (int k = 1; k < designs.contacts; ++k) widest = fe::largest(widest, gap(i, k));
-      for (int k = 0; k < designs.contacts; ++k)
-        w.records[k].contact[c].closure = root * root + (widest - gap(i, k));
-      shift[c] = sense * (root * root + widest) / cosine;
-    }
-    const Real roller = shift[1], screw = shift[0] + shift[1];
-    for (int k = 0; k < designs.contacts; ++k) {
-      auto& state = w.records[k].state;
-      for (int i = 0; i < Bars<Real>::kFreedoms; ++i) state.head[i] = state.tail[i] = Real(0.0);
-      state.head[Bars<Real>::S] = screw;
-      state.head[Bars<Real>::U] = roller;
-    }
-    return screw;
   }
 };
 
@@ -179,26 +171,21 @@ void solve_batch(const BarBatch<Real>& batch, const Law& law, const Bars<Real>& 
                  const BarWorkspace<Real>& w, const fe::NewtonOptions& options,
                  const ThreadLoads& results) {
   const BarDesigns& designs = batch.designs;
-  const Real rollers = batch.load(designs.rollers), sense = batch.load(designs.sense);
-  const Real force = batch.load(designs.axial_force) / rollers;
-  const Real push = batch.start(force, w);
-  fe::Chain<Real, Bars<Real>, Law> chain(station, law, designs.contacts, w.records);
-  fe::ChainSummary<Real> summary = chain.solve_from_rest(sense * force, force, push, options);
-  const Real free_compliance = batch.load(designs.free_length) / batch.load(designs.screw_rigidity);
-  summary.energy -= 0.5 * free_compliance * force * force;
-  deliver(summary, law, designs.contacts, w.records, batch.range, results);
-  const auto& loaded = w.records[0].state;
-  batch.range.store(sense * (loaded.head[0] + loaded.tail[0]) + free_compliance * force,
-                    results.axial_displacement);
-  if (!results.tangent_stiffness.empty())
-    batch.range.store(rollers / (chain.flexibility() + free_compliance), results.tangent_stiffness);
+  const SweptSector<Real> swept = batch.swept_sector();
+  Sweep<Real, Bars<Real>, Law> sweep(swept, station, law, w.records, w.history);
+  const auto gap = [&](int i, int k) { return batch.gap(kInterfaces[i], k); };
+  const std::size_t loads = designs.loads;
+  for (std::size_t k = 0; k < loads; ++k) {
+    const LaneRange range{batch.range.first * loads + k, loads, batch.range.size * loads};
+    sweep.solve(range.load<Real>(designs.axial_force), gap, k + 1 < loads, options, range, results);
+  }
 }
 
 template <class Real>
 void solve_designs(const BarDesigns& designs, const fe::NewtonOptions& options,
                    const ThreadLoads& results, double* workspace) {
   BarWorkspace<Real> w(workspace, designs.contacts);
-  const std::size_t size = designs.axial_force.size();
+  const std::size_t size = designs.axial_force.size() / designs.loads;
   for (std::size_t first = 0; first < size; first += kLanes<Real>) {
     const BarBatch<Real> batch{designs, {first, 1, size}};
     const Bars<Real> station = batch.station(w);

@@ -9,10 +9,12 @@
 #include <numeric>
 #include <utility>
 
+#include "fe/chain_laws.h"
 #include "prs/chain/bar_design_kernel.h"
 #include "prs/chain/bar_station.h"
 #include "prs/chain/dispatch.h"
 #include "prs/chain/distribution.h"
+#include "prs/chain/sweep.h"
 #include "prs/chain/workspace.h"
 
 namespace prs {
@@ -84,11 +86,12 @@ bool compliant(const BarSector& s) {
 }
 
 /// Numbers that the kernel's workspace holds.
-std::size_t workspace_size(int contacts, int width) {
-  using Record = fe::ChainRecord<double, BarStation<double>>;
+std::size_t workspace_size(int contacts, int width, bool several_loads) {
+  using OneSweep = Sweep<double, BarStation<double>, fe::ChainHertz<double>>;
   constexpr std::size_t kArrays = 4;  // nut, ground and two compliances
+  constexpr std::size_t kHistory = OneSweep::kAges * OneSweep::kKept;
   return static_cast<std::size_t>(contacts) * static_cast<std::size_t>(width) *
-         (sizeof(Record) / sizeof(double) + kArrays);
+         (sizeof(OneSweep::Record) / sizeof(double) + kArrays + (several_loads ? kHistory : 0));
 }
 
 /// Sectors of as many contacts, all with compliances or all without, as columns.
@@ -223,7 +226,8 @@ struct BarDesignSolver::Implementation {
 
   void run(const BarDesigns& designs, const fe::NewtonOptions& options,
            const ThreadLoads& results) {
-    double* const memory = workspace.reserve(workspace_size(designs.contacts, batch_size(set)));
+    double* const memory = workspace.reserve(
+        workspace_size(designs.contacts, batch_size(set), designs.loads > 1));
     run_kernel(set, BarDesignKernel{}, designs, options, results, memory);
   }
 

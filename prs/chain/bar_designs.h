@@ -91,7 +91,7 @@ class BarDesignSolver {
   void solve(std::span<const BarSector> sectors, std::span<const double> axial_forces,
              const ThreadLoads& results);
 
-  /// Arrays in, arrays out: no allocation, no copy.
+  /// Arrays in, arrays out, several loads a design: no allocation, no copy.
   void solve(const BarDesigns& designs, const ThreadLoads& results);
 
  private:

@@ -4,9 +4,9 @@
 
 #include "fe/chain_laws.h"
 #include "prs/chain/bar_station.h"
-#include "prs/chain/deliver.h"
 #include "prs/chain/lane_access.h"
 #include "prs/chain/shell_station.h"
+#include "prs/chain/sweep.h"
 
 namespace prs {
 namespace {
@@ -78,153 +78,21 @@ Shell<Real, kKind> make_station(const ChainSector& sector, Real*, Shell<Real, kK
   return s;
 }
 
-/// Loads on one sector, batch after batch.
-template <class Real, class Station, class Law>
-class SectorSweep {
- public:
-  using Record = fe::ChainRecord<Real, Station>;
-  static constexpr int M = Station::kFreedoms;
-
-  /// `history` has room for 3 (M + 4) numbers a station.
-  SectorSweep(const ChainSector& sector, const Station& station, const Law& law, Record* records,
-              Real* history)
-      : sector_(sector),
-        law_(law),
-        records_(records),
-        chain_(station, law, sector.contacts, records) {
-    for (int age = 0; age < 3; ++age) ages_[age] = history + age * sector.contacts * kKept;
+template <class Real>
+SweptSector<Real> swept_sector(const ChainSector& sector) {
+  SweptSector<Real> s{.contacts = sector.contacts,
+                      .rollers = Real(sector.rollers),
+                      .sense = Real(sector.sense),
+                      .cosine = {},
+                      .hertz_constant = {},
+                      .free_compliance = Real(sector.free_compliance),
+                      .offset_compliance = Real(sector.offset_compliance)};
+  for (const Interface i : kInterfaces) {
+    s.cosine[static_cast<int>(i)] = Real(sector.sense * sector.axial_part[i]);
+    s.hertz_constant[static_cast<int>(i)] = Real(sector.hertz_constant[i]);
   }
-
-  void solve(std::span<const double> axial_forces, const fe::NewtonOptions& options,
-             const ThreadLoads& results) {
-    const std::size_t size = axial_forces.size();
-    const std::size_t batches = (size + kLanes<Real> - 1) / kLanes<Real>;
-    for (std::size_t batch = 0; batch < batches; ++batch) {
-      const LaneRange range{batch, batches, size};
-      const Real force = range.load<Real>(axial_forces) / sector_.rollers;
-      fe::ChainSummary<Real> summary = solve(force, options);
-      summary.energy -= 0.5 * sector_.free_compliance * force * force;
-      if (any(!summary.converged))
-        known_ = 0;
-      else if (batch + 1 < batches)
-        remember(force);
-      deliver(summary, law_, sector_.contacts, records_, range, results);
-      const auto& loaded = records_[0].state;
-      const double flexibility = sector_.free_compliance + sector_.offset_compliance;
-      range.store(sector_.sense * (loaded.head[0] + loaded.tail[0]) + flexibility * force,
-                  results.axial_displacement);
-      if (!results.tangent_stiffness.empty())
-        range.store(sector_.rollers / (chain_.flexibility() + flexibility),
-                    results.tangent_stiffness);
-    }
-  }
-
- private:
-  fe::ChainSummary<Real> solve(const Real& force, const fe::NewtonOptions& options) {
-    const Real load = sector_.sense * force;
-    if (known_ < 2) {
-      const Real push = start_from_rest(force);
-      return chain_.solve_from_rest(load, force, push, options);
-    }
-    const Real balanced = sector_.sense * extrapolate(force);
-    return chain_.solve_from_balance(load, force, balanced, options);
-  }
-
-  double gap(int i, int k) const {
-    return sector_.gaps[kInterfaces[i]][static_cast<std::size_t>(k)];
-  }
-
-  /// As BarBatch::start.
-  Real start_from_rest(const Real& force) {
-    Real shift[2];
-    for (int i = 0; i < 2; ++i) {
-      const Interface interface = kInterfaces[i];
-      const double cosine = sector_.sense * sector_.axial_part[interface];
-      const Real root =
-          cbrt(force / (sector_.contacts * cosine * sector_.hertz_constant[interface]));
-      double widest = gap(i, 0);
-      for (int k = 1; k < sector_.contacts; ++k) widest = fe::largest(widest, gap(i, k));
-      for (int k = 0; k < sector_.contacts; ++k)
-        records_[k].contact[i].closure = root * root + (widest - gap(i, k));
-      shift[i] = sector_.sense * (root * root + widest) / cosine;
-    }
-    for (int k = 0; k < sector_.contacts; ++k) {
-      auto& state = records_[k].state;
-      for (int i = 0; i < M; ++i) state.head[i] = state.tail[i] = Real(0.0);
-      state.head[Station::S] = shift[0] + shift[1];
-      for (int i = Station::U; i < M; i += 3) state.head[i] = shift[1];
-    }
-    return shift[0] + shift[1];
-  }
-
-  /// What is kept of a station: displacements, closures, contact forces.
-  static constexpr int kKept = M + 4;
-
-  /// The state reached becomes the youngest of the history.
-  void remember(const Real& force) {
-    known_ = known_ < 3 ? known_ + 1 : 3;
-    for (int age = 2; age > 0; --age) force_[age] = force_[age - 1];
-    force_[0] = force;
-    Real* const oldest = ages_[2];
-    ages_[2] = ages_[1];
-    ages_[1] = ages_[0];
-    ages_[0] = oldest;
-    for (int k = 0; k < sector_.contacts; ++k) {
-      Real* kept = ages_[0] + k * kKept;
-      for (int i = 0; i < M; ++i) *kept++ = records_[k].state.head[i];
-      for (const auto& c : records_[k].contact) {
-        *kept++ = c.closure;
-        *kept++ = c.force;
-      }
-    }
-  }
-
-  /// The quadratic, else the line, through the solutions of the last loads; the last one where
-  /// loads repeat. Returns the force on the sector that its linear elements balance.
-  Real extrapolate(const Real& force) {
-    const Real &f0 = force_[0], &f1 = force_[1], &f2 = force_[2];
-    const fe::Lanes<Real> ascending = (force > f0) & (f0 > f1);
-    const Real slope = (force - f0) / (f0 - f1);
-    Real weight[3] = {1.0 + slope, -slope, Real(0.0)};
-    if (known_ == 3) {
-      const fe::Lanes<Real> three = ascending & (f1 > f2);
-      const Real w[3] = {(force - f1) * (force - f2) / ((f0 - f1) * (f0 - f2)),
-                         (force - f0) * (force - f2) / ((f1 - f0) * (f1 - f2)),
-                         (force - f0) * (force - f1) / ((f2 - f0) * (f2 - f1))};
-      for (int age = 0; age < 3; ++age) weight[age] = select(three, w[age], weight[age]);
-    }
-    const Real last[3] = {Real(1.0), Real(0.0), Real(0.0)};
-    for (int age = 0; age < 3; ++age) weight[age] = select(ascending, weight[age], last[age]);
-    const int ages = known_ == 3 ? 3 : 2;
-    for (int k = 0; k < sector_.contacts; ++k) {
-      Real kept[kKept];
-      for (int i = 0; i < kKept; ++i) {
-        kept[i] = weight[0] * ages_[0][k * kKept + i];
-        for (int age = 1; age < ages; ++age) kept[i] += weight[age] * ages_[age][k * kKept + i];
-      }
-      Record& record = records_[k];
-      for (int i = 0; i < M; ++i) {
-        record.state.head[i] = kept[i];
-        record.state.tail[i] = Real(0.0);
-      }
-      for (int i = 0; i < 2; ++i) {
-        record.contact[i].closure = kept[M + 2 * i];
-        record.contact[i].remainder = kept[M + 2 * i + 1];
-      }
-    }
-    Real balanced = weight[0] * f0 + weight[1] * f1;
-    if (ages == 3) balanced += weight[2] * f2;
-    return balanced;
-  }
-
-  const ChainSector& sector_;
-  const Law& law_;
-  Record* records_;
-  Real* ages_[3];  ///< Of the history, the youngest first.
-  fe::Chain<Real, Station, Law> chain_;
-  Real force_[3];
-  int known_ = 0;  ///< States in the history that belong to the loads just before.
-};
+  return s;
+}
 
 template <class Real, class Station>
 void solve_sector(const ChainSector& sector, std::span<const double> axial_forces,
@@ -236,10 +104,20 @@ void solve_sector(const ChainSector& sector, std::span<const double> axial_force
   Real* const history = arrays + 4 * n;
   const auto station = make_station(sector, arrays, static_cast<Station*>(nullptr));
   const Real stiffness[2] = {Real(sector.hertz_constant.screw), Real(sector.hertz_constant.nut)};
+  const SweptSector<Real> swept = swept_sector<Real>(sector);
+  const auto gap = [&](int i, int k) {
+    return Real(sector.gaps[kInterfaces[i]][static_cast<std::size_t>(k)]);
+  };
   const auto solve = [&](const auto& law) {
-    SectorSweep<Real, Station, std::remove_cvref_t<decltype(law)>>(sector, station, law, records,
-                                                                   history)
-        .solve(axial_forces, options, results);
+    Sweep<Real, Station, std::remove_cvref_t<decltype(law)>> sweep(swept, station, law, records,
+                                                                   history);
+    const std::size_t size = axial_forces.size();
+    const std::size_t batches = (size + kLanes<Real> - 1) / kLanes<Real>;
+    for (std::size_t batch = 0; batch < batches; ++batch) {
+      const LaneRange range{batch, batches, size};
+      sweep.solve(range.load<Real>(axial_forces), gap, batch + 1 < batches, options, range,
+                  results);
+    }
   };
   if constexpr (std::is_same_v<Station, Bars<Real>>)
     if (sector.compliance.screw.empty()) return solve(Hertz<Real>{{{stiffness[0], stiffness[1]}}});
