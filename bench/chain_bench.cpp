@@ -74,8 +74,7 @@ BENCHMARK(SingleSectorChain)
 /// several loads the one drawn is the last of as many equal steps.
 class Study {
  public:
-  Study(std::uint64_t seed, std::size_t designs, std::size_t loads = 1)
-      : solves_(designs * loads) {
+  Study(std::uint64_t seed, std::size_t designs, std::size_t loads = 1) : solves_(designs * loads) {
     std::mt19937_64 random(seed);
     std::vector<prs::BarSector> sectors;
     for (std::size_t k = 0; k < designs; ++k) {
@@ -237,9 +236,9 @@ constexpr double flops_per_station() {
   return factorize + assemble + move + substitute + contacts;
 }
 
-/// Cold start of every design, its set-up included, residual below 1e-10. `kernel flop/s` counts the
-/// iterations' operations over the time that they take more than no iteration, which is the set-up,
-/// the start, the residual of the state and the results.
+/// Cold start of every design, its set-up included, residual below 1e-10. `kernel flop/s` counts
+/// the iterations' operations over the time that they take more than no iteration, which is the
+/// set-up, the start, the residual of the state and the results.
 void StudyOfRandomDesigns(benchmark::State& state) {
   const auto set = static_cast<InstructionSet>(state.range(0));
   if (!available(set)) return state.SkipWithError("not on this processor");

@@ -27,8 +27,9 @@
 ///
 /// - `add_interval_end(k, add)`: what it adds to k + 1
 ///
-/// - `add_forces(k, here, force)`, `add_forces(k, here, next, force, next_force)`: the forces of the
-///   same elements, from what deforms them
+/// - `add_forces(k, here, force)`: the forces of elements within a station, by what deforms them
+///
+/// - `add_forces(k, here, next, force, next_force)`: those of the interval
 ///
 /// with add(Index<i>, Index<j>, value) for i <= j, j >= M meaning freedom j - M of the next
 /// station. A held freedom has a support of infinite stiffness: its inverse pivot is 0, and with it
@@ -147,7 +148,17 @@ struct ChainRecord {
   Real step[M];
   ChainState<Real, M> state;
   Contact contact[2];
-  Real correction[M];  ///< Rest of the residual.
+  Real correction[M];  ///< Rest of the residual, of the linear elements [N].
+};
+
+/// Whether two lanes are the halves of one chain of twice as many stations, from its first station
+/// on and from its last one back to the middle, every interval of the second half being told in the
+/// sense of its walk. Loads are {load, 0}, and mirrored(x) swaps the lanes. The halves are
+/// eliminated at once and meet in the middle (twisted factorization: Parlett, Dhillon, Linear
+/// Algebra Appl. 267, 1997): a single solve waits for half as many pivots one after the other.
+template <class Station>
+inline constexpr bool kFolded = requires {
+  requires Station::kFolded;
 };
 
 /// How each of the chains side by side ended; as in NewtonSummary.
@@ -184,20 +195,22 @@ class Chain {
   Chain(const Station& station, const Law& law, int stations, Record* records)
       : station_(station), law_(law), stations_(stations), records_(records) {}
 
-  /// From a state in which the linear elements balance the load `balanced` and contact forces that
-  /// stand as `remainder` in the records, as do all linear combinations of solutions, and rigid
-  /// bodies with 0 for both. Residuals are relative to `scale`.
-  ChainSummary<Real> solve(const Real& load, const Real& scale, const Real& balanced,
-                           const NewtonOptions& options) {
-    Real linear(0.0);
-    for (int k = 0; k < stations_; ++k)
-      unroll<2>([&](auto i) __attribute__((always_inline)) {
-        linear -= 0.5 * records_[k].contact[i].remainder * along<i>(records_[k].state.head);
-      });
-    linear += (0.5 * balanced - load) * records_[0].state.head[0];
-    start(load, scale, load - balanced);
-    summary_.energy = contact_energy_ + linear;
+  /// From the states and closures in the records, whose `correction` are the forces of the linear
+  /// elements there: 0 for rigid bodies, their own combination for linear combinations of
+  /// solutions. Residuals are relative to `scale`.
+  ChainSummary<Real> solve(const Real& load, const Real& scale, const NewtonOptions& options) {
+    start(load, scale);
     return iterate(options);
+  }
+
+  /// After a solve, the forces of the linear elements at station k; of freedoms that are held, any.
+  void linear_forces(int k, Real* force) const {
+    const Record& record = records_[k];
+    unroll<M>([&](auto i) __attribute__((always_inline)) { force[i] = record.correction[i]; });
+    unroll<2>([&](auto i) __attribute__((always_inline)) {
+      add_along<i>(force, record.contact[i].remainder - record.contact[i].force);
+    });
+    if (k == 0) force[0] += load_;
   }
 
   /// Displacement of the loaded freedom per load, at the state reached; NaN where singular.
@@ -205,6 +218,8 @@ class Chain {
     for (int k = 0; k < stations_; ++k)
       for (auto& c : records_[k].contact) c.remainder = Real(0.0);
     pending_load_ = Real(-1.0);
+    if constexpr (kFolded<Station>)
+      pending_load_ = select(abs(load_) > 0.0, pending_load_, Real(0.0));
     load_pending_ = true;
     has_correction_ = move_pending_ = false;
     const Mask singular = factorize<false>(Real(0.0));
@@ -214,36 +229,70 @@ class Chain {
     return select(singular, Real(__builtin_nan("")), next[0]);
   }
 
+  /// Approach b'd of contact C, b its form.
+  template <int C>
+  [[gnu::always_inline]] Real along(const Real* d) const {
+    static constexpr auto form = Station::template form<C>();
+    Real sum(0.0);
+    unroll<static_cast<int>(form.size())>([&](auto i) __attribute__((always_inline)) {
+      if constexpr (form[i].negative)
+        sum -= station_.coefficient(C, form[i].kind) * d[form[i].freedom];
+      else
+        sum += station_.coefficient(C, form[i].kind) * d[form[i].freedom];
+    });
+    return sum;
+  }
+
  private:
-  /// The load and the contacts' forces less what the linear elements balance are the residual.
-  void start(const Real& load, const Real& scale, const Real& pending_load) {
-    load_ = load;
-    pending_load_ = pending_load;
+  /// Sum over the chain of what each lane has summed.
+  [[gnu::always_inline]] static Real total(const Real& sum) {
+    if constexpr (kFolded<Station>)
+      return sum + mirrored(sum);
+    else
+      return sum;
+  }
+
+  /// Largest over the chain of what is each lane's largest.
+  [[gnu::always_inline]] static Real of_both(const Real& worst) {
+    if constexpr (kFolded<Station>)
+      return max(worst, mirrored(worst));
+    else
+      return worst;
+  }
+
+  void start(const Real& load, const Real& scale) {
+    load_ = pending_load_ = load;
     inverse_scale_ = 1.0 / scale;
     contact_energy_ = Real(0.0);
-    Real worst(0.0);
+    Real worst(0.0), linear_energy(0.0);
     for (int k = 0; k < stations_; ++k) {
+      Record& record = records_[k];
       Real residual[M];
-      unroll<M>([&](auto i) __attribute__((always_inline)) { residual[i] = Real(0.0); });
-      if (k == 0) residual[0] = -pending_load_;
+      unroll<M>([&](auto i) __attribute__((always_inline)) {
+        residual[i] = record.correction[i];
+        linear_energy += 0.5 * record.correction[i] * record.state.head[i];
+      });
+      if (k == 0) residual[0] -= load;
       unroll<2>([&](auto i) __attribute__((always_inline)) {
-        auto& c = records_[k].contact[i];
+        auto& c = record.contact[i];
         const ChainResponse<Real> r = law_.evaluate(i, k, c.closure);
-        c.force = r.force;
+        c.force = c.remainder = r.force;
         c.tangent = r.tangent;
-        c.remainder = r.force - c.remainder;
         contact_energy_ += r.energy;
-        add_along<i>(residual, c.remainder);
+        add_along<i>(residual, r.force);
       });
       unroll<M>([&](auto i)
                     __attribute__((always_inline)) { worst = max(worst, abs(residual[i])); });
     }
+    contact_energy_ = total(contact_energy_);
     summary_ = {};
-    summary_.initial_relative_residual = summary_.relative_residual = worst * inverse_scale_;
+    summary_.initial_relative_residual = summary_.relative_residual =
+        of_both(worst) * inverse_scale_;
+    summary_.energy = contact_energy_ + total(linear_energy - load * records_[0].state.head[0]);
     active_ = scale >= scale;
     checked_ = !active_;
-    load_pending_ = true;
-    has_correction_ = move_pending_ = false;
+    load_pending_ = has_correction_ = true;
+    move_pending_ = false;
   }
 
   ChainSummary<Real> iterate(const NewtonOptions& options) {
@@ -281,10 +330,16 @@ class Chain {
     });
     if (load_pending_) front.right[0] = -pending_load_;
     Real smallest(1e300);  // pivot; one that is no number makes those after it so
-    for (int k = 0; k + 1 < stations_; ++k) eliminate<kShifted, false>(k, shift, front, smallest);
-    eliminate<kShifted, true>(stations_ - 1, shift, front, smallest);
+    for (int k = 0; k + 1 < stations_; ++k) {
+      assemble<kShifted, true>(k, shift, front);
+      eliminate<2 * M>(records_[k], front, smallest);
+      pass_on<kShifted>(k, shift, front);
+    }
+    assemble<kShifted, kFolded<Station>>(stations_ - 1, shift, front);
+    if constexpr (kFolded<Station>) meet(records_[stations_ - 1], front, smallest);
+    eliminate<M>(records_[stations_ - 1], front, smallest);
     move_pending_ = false;
-    return !(smallest > 0.0);
+    return !(-of_both(-smallest) > 0.0);
   }
 
   /// Upper triangle and right-hand side of a station and the next one. `added` collects what the
@@ -295,20 +350,24 @@ class Chain {
     Real right[2 * M];
   };
 
-  template <bool kShifted, bool kLast>
-  [[gnu::always_inline]] void eliminate(int k, const Real& shift, Front& front, Real& smallest) {
-    static constexpr const ChainFill<Station>& fill = kChainFill<Station>;
-    static constexpr int kReach = kLast ? M : 2 * M;
-    Record& record = records_[k];
-    const auto add = [&](auto i, auto j, const Real& value) __attribute__((always_inline)) {
+  /// add(i, j, value) of a station into the front.
+  template <bool kShifted>
+  [[gnu::always_inline]] static auto adder(const Real& shift, Front& front) {
+    return [&](auto i, auto j, const Real& value) __attribute__((always_inline)) {
       if constexpr (kShifted && i == j)
         front.added[i][j] += (1.0 + shift) * value;
       else
         front.added[i][j] += value;
     };
+  }
+
+  template <bool kShifted, bool kWithInterval>
+  [[gnu::always_inline]] void assemble(int k, const Real& shift, Front& front) {
+    Record& record = records_[k];
+    const auto add = adder<kShifted>(shift, front);
     if (move_pending_) move(record);
     station_.add_station(k, add);
-    if constexpr (!kLast) station_.add_interval_start(k, add);
+    if constexpr (kWithInterval) station_.add_interval_start(k, add);
     unroll<2>([&](auto c) __attribute__((always_inline)) {
       const auto& contact = record.contact[c];
       add_tangent<c>(front, contact.tangent);
@@ -323,7 +382,12 @@ class Chain {
       unroll<M>([&](auto j)
                     __attribute__((always_inline)) { front.a[i][M + j] = front.added[i][M + j]; });
     });
+  }
 
+  /// Eliminates a station from the first kReach freedoms of the front.
+  template <int kReach>
+  [[gnu::always_inline]] static void eliminate(Record& record, Front& front, Real& smallest) {
+    static constexpr const ChainFill<Station>& fill = kChainFill<Station>;
     unroll<M>([&](auto p) __attribute__((always_inline)) {
       smallest = min(smallest, front.a[p][p]);
       const Real inverse = 1.0 / front.a[p][p];
@@ -342,18 +406,37 @@ class Chain {
         }
       });
     });
+  }
 
-    if constexpr (!kLast) {
-      unroll<M>([&](auto i) __attribute__((always_inline)) {
-        front.right[i] = front.right[M + i];
-        front.right[M + i] = Real(0.0);
-        unroll<M>([&](auto j) __attribute__((always_inline)) {
-          front.a[i][j] = front.a[M + i][M + j];
-          front.a[M + i][M + j] = front.added[i][j] = front.added[i][M + j] = Real(0.0);
-        });
+  /// The next station's part of the front becomes the first.
+  template <bool kShifted>
+  [[gnu::always_inline]] void pass_on(int k, const Real& shift, Front& front) {
+    unroll<M>([&](auto i) __attribute__((always_inline)) {
+      front.right[i] = front.right[M + i];
+      front.right[M + i] = Real(0.0);
+      unroll<M>([&](auto j) __attribute__((always_inline)) {
+        front.a[i][j] = front.a[M + i][M + j];
+        front.a[M + i][M + j] = front.added[i][j] = front.added[i][M + j] = Real(0.0);
       });
-      station_.add_interval_end(k, add);
-    }
+    });
+    station_.add_interval_end(k, adder<kShifted>(shift, front));
+  }
+
+  /// Leaves in each lane the station beside the middle with what the other lane's elimination of
+  /// its own has for it.
+  [[gnu::always_inline]] static void meet(Record& record, Front& front, Real& smallest) {
+    Front own;
+    unroll<M>([&](auto i) __attribute__((always_inline)) {
+      own.right[i] = front.right[i];
+      unroll<M>([&](auto j) __attribute__((always_inline)) { own.a[i][j] = front.a[i][j]; });
+    });
+    eliminate<2 * M>(record, front, smallest);
+    unroll<M>([&](auto i) __attribute__((always_inline)) {
+      front.right[i] = own.right[i] + mirrored(front.right[M + i]);
+      unroll<M>([&](auto j) __attribute__((always_inline)) {
+        if constexpr (j >= i) front.a[i][j] = own.a[i][j] + mirrored(front.a[M + i][M + j]);
+      });
+    });
   }
 
   /// a += t b b', b the form of contact C.
@@ -384,20 +467,6 @@ class Chain {
       else
         right[form[i].freedom] += station_.coefficient(C, form[i].kind) * force;
     });
-  }
-
-  /// b'd
-  template <int C>
-  [[gnu::always_inline]] Real along(const Real* d) const {
-    static constexpr auto form = Station::template form<C>();
-    Real sum(0.0);
-    unroll<static_cast<int>(form.size())>([&](auto i) __attribute__((always_inline)) {
-      if constexpr (form[i].negative)
-        sum -= station_.coefficient(C, form[i].kind) * d[form[i].freedom];
-      else
-        sum += station_.coefficient(C, form[i].kind) * d[form[i].freedom];
-    });
-    return sum;
   }
 
   /// The step at station k from that at the next one, which it replaces.
@@ -462,6 +531,11 @@ class Chain {
                       __attribute__((always_inline)) { slope += record.correction[i] * d[i]; });
     }
     if (load_pending_) slope -= pending_load_ * d[0];
+    energy = total(energy);
+    work = total(work);
+    stiffness = total(stiffness);
+    slope = total(slope);
+    left = of_both(left);
     load_pending_ = has_correction_ = false;
 
     length_ = Real(1.0);
@@ -528,11 +602,11 @@ class Chain {
         c.tangent = select(marked, r.tangent, c.tangent);
       });
     }
-    return energy;
+    return total(energy);
   }
 
-  /// Residual of all freedoms at the state, relative to the load; where marked it takes the place
-  /// of the remainder, and the energy is that of the state.
+  /// Residual of all freedoms at the state, relative to the load; where marked, what of it is not
+  /// the remainders' becomes the correction, and the energy is that of the state.
   Real whole_residual(const Mask& marked) {
     Real worst(0.0), energy(0.0);
     Real carried[M];
@@ -550,6 +624,15 @@ class Chain {
         if (move_pending_) move(records_[k + 1]);
         station_.add_forces(k, record.state, records_[k + 1].state, force, next);
       }
+      if constexpr (kFolded<Station>)
+        if (k + 1 == stations_) {
+          ChainState<Real, M> beyond;
+          unroll<M>([&](auto i) __attribute__((always_inline)) {
+            beyond.head[i] = mirrored(record.state.head[i]);
+            beyond.tail[i] = mirrored(record.state.tail[i]);
+          });
+          station_.add_forces(k, record.state, beyond, force, next);
+        }
       unroll<M>([&](auto i) __attribute__((always_inline)) {
         carried[i] = next[i];
         energy += 0.5 * record.state.head[i] * force[i];
@@ -559,19 +642,28 @@ class Chain {
         energy -= load_ * record.state.head[0];
       }
       unroll<2>([&](auto i) __attribute__((always_inline)) {
-        add_along<i>(force, record.contact[i].force);
-        record.contact[i].remainder = select(marked, Real(0.0), record.contact[i].remainder);
+        add_along<i>(force, record.contact[i].force - record.contact[i].remainder);
+      });
+      Real remainder[M];
+      unroll<M>([&](auto i) __attribute__((always_inline)) { remainder[i] = Real(0.0); });
+      unroll<2>([&](auto i) __attribute__((always_inline)) {
+        add_along<i>(remainder, record.contact[i].remainder);
       });
       unroll<M>([&](auto i) __attribute__((always_inline)) {
-        const Real r = select(station_.held(k, i), Real(0.0), force[i]);
-        record.correction[i] = select(marked, r, Real(0.0));
-        worst = largest(worst, abs(r));
+        const Mask held = station_.held(k, i);
+        const Real none(0.0);
+        const Real unmarked = select(active_, none, record.correction[i]);
+        record.correction[i] = select(marked, select(held, none, force[i]), unmarked);
+        worst = max(worst, select(held, Real(0.0), abs(force[i] + remainder[i])));
       });
     }
     move_pending_ = false;
     has_correction_ = true;
+    energy = total(energy);
+    worst = of_both(worst);
     summary_.energy = select(marked, energy + contact_energy_, summary_.energy);
-    return worst * inverse_scale_;
+    // The largest of numbers some of which are none can be any; their sum is none.
+    return select(energy <= energy, worst, energy) * inverse_scale_;
   }
 
   const Station& station_;

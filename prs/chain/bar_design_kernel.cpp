@@ -147,6 +147,7 @@ struct BarBatch {
 
   SweptSector<Real> swept_sector() const {
     SweptSector<Real> s{.contacts = designs.contacts,
+                        .stations = designs.contacts,
                         .rollers = load(designs.rollers),
                         .sense = load(designs.sense),
                         .cosine = {},

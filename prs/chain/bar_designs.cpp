@@ -107,11 +107,11 @@ class Columns {
     gapped_ = {};
   }
 
-  std::size_t size() const { return force_.size(); }
+  std::size_t size() const { return values_[0].size(); }
 
-  void add(const BarSector& s, double force) {
+  void add(const BarSector& s, std::span<const double> forces) {
     for (std::size_t i = 0; i < values_.size(); ++i) values_[i].push_back(kFields[i].value(s));
-    force_.push_back(force);
+    force_.insert(force_.end(), forces.begin(), forces.end());
     flange_count_ = std::max(flange_count_, s.flanges.size());
     if (flange_count_ > flanges_.size()) flanges_.resize(flange_count_);
     for (std::size_t i = 0; i < flange_count_; ++i) {
@@ -136,6 +136,7 @@ class Columns {
   BarDesigns view(int contacts, bool with_compliance) {
     BarDesigns d;
     d.contacts = contacts;
+    d.loads = force_.size() / size();
     d.axial_force = force_;
     for (std::size_t i = 0; i < values_.size(); ++i) kFields[i].column(d) = values_[i];
     if (!with_compliance) d.compliance = {};
@@ -226,16 +227,19 @@ struct BarDesignSolver::Implementation {
 
   void run(const BarDesigns& designs, const fe::NewtonOptions& options,
            const ThreadLoads& results) {
-    double* const memory = workspace.reserve(
-        workspace_size(designs.contacts, batch_size(set), designs.loads > 1));
+    double* const memory =
+        workspace.reserve(workspace_size(designs.contacts, batch_size(set), designs.loads > 1));
     run_kernel(set, BarDesignKernel{}, designs, options, results, memory);
   }
 
-  /// Calls done(first, count), the columns of sectors[order[first]] .. having been solved into
+  /// Calls done(from, contacts, to) for every load, its results being those of solve `from` in
   /// `buffer`.
   template <class Done>
   void run(std::span<const BarSector> sectors, std::span<const double> forces,
            const fe::NewtonOptions& options, Done done) {
+    if (sectors.empty()) return;
+    assert(forces.size() % sectors.size() == 0);
+    const std::size_t loads = forces.size() / sectors.size();
     const auto kind = [&](std::size_t k) {
       return std::pair(sectors[k].contacts, compliant(sectors[k]));
     };
@@ -252,11 +256,12 @@ struct BarDesignSolver::Implementation {
       std::size_t end = first;
       for (; end < order.size() && columns.size() < kChunk; ++end) {
         if (kind(order[end]) != kind(order[first])) break;
-        columns.add(sectors[order[end]], forces[order[end]]);
+        columns.add(sectors[order[end]], forces.subspan(order[end] * loads, loads));
       }
-      buffer.resize(columns.size(), static_cast<std::size_t>(contacts));
+      buffer.resize(columns.size() * loads, static_cast<std::size_t>(contacts));
       run(columns.view(contacts, with_compliance), options, buffer.view());
-      done(first, columns.size());
+      for (std::size_t k = 0; k < columns.size() * loads; ++k)
+        done(k, contacts, order[first + k / loads] * loads + k % loads);
       first = end;
     }
   }
@@ -272,25 +277,18 @@ BarDesignSolver& BarDesignSolver::operator=(BarDesignSolver&&) noexcept = defaul
 
 void BarDesignSolver::solve(std::span<const BarSector> sectors, std::span<const double> forces,
                             std::span<LoadDistribution> results) {
-  assert(forces.size() == sectors.size() && results.size() == sectors.size());
+  assert(results.size() == forces.size());
   Implementation& s = *implementation_;
-  s.run(sectors, forces, options, [&](std::size_t first, std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t place = s.order[first + k];
-      s.buffer.copy(k, sectors[place].contacts, options.residual_tolerance, results[place]);
-    }
+  s.run(sectors, forces, options, [&](std::size_t from, int contacts, std::size_t to) {
+    s.buffer.copy(from, contacts, options.residual_tolerance, results[to]);
   });
 }
 
 void BarDesignSolver::solve(std::span<const BarSector> sectors, std::span<const double> forces,
                             const ThreadLoads& results) {
-  assert(forces.size() == sectors.size());
   Implementation& s = *implementation_;
-  s.run(sectors, forces, options, [&](std::size_t first, std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t place = s.order[first + k];
-      s.buffer.copy(k, sectors[place].contacts, place, results);
-    }
+  s.run(sectors, forces, options, [&](std::size_t from, int contacts, std::size_t to) {
+    s.buffer.copy(from, contacts, to, results);
   });
 }
 

@@ -83,7 +83,9 @@ class BarDesignSolver {
   /// slender rollers a residual of 1e-12 can leave 1e-10 in a thread's load.
   fe::NewtonOptions options{.residual_tolerance = 1e-13};
 
-  /// Designs of any mixture of thread counts under the axial force on the whole mechanism [N].
+  /// Designs of any mixture of thread counts under the axial force on the whole mechanism [N]. With
+  /// m times as many forces as designs, those of design k are m k .. m k + m - 1: each starts from
+  /// the extrapolation of those before it, as far as they ascend.
   void solve(std::span<const BarSector> sectors, std::span<const double> axial_forces,
              std::span<LoadDistribution> results);
 

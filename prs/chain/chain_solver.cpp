@@ -6,12 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "fe/chain_laws.h"
 #include "prs/chain/bar_station.h"
 #include "prs/chain/condense.h"
 #include "prs/chain/dispatch.h"
 #include "prs/chain/distribution.h"
 #include "prs/chain/sector_kernel.h"
 #include "prs/chain/shell_station.h"
+#include "prs/chain/sweep.h"
 #include "prs/chain/workspace.h"
 
 namespace prs {
@@ -19,9 +21,10 @@ namespace {
 
 template <class Station>
 std::size_t station_numbers() {
+  using OneSweep = Sweep<double, Station, fe::ChainHertz<double>>;
   constexpr std::size_t kArrays = 4;  // nut, ground and two compliances
-  return sizeof(fe::ChainRecord<double, Station>) / sizeof(double) + kArrays +
-         3 * (Station::kFreedoms + 4);
+  return sizeof(typename OneSweep::Record) / sizeof(double) + kArrays +
+         OneSweep::kAges * OneSweep::kKept;
 }
 
 /// Numbers that the kernel's workspace holds for a contact and a lane.

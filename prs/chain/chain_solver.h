@@ -33,7 +33,7 @@ class ChainSolver {
   void solve(double axial_force, LoadDistribution& result);
 
   /// Many loads side by side; results[k] belongs to axial_forces[k] whatever their order. From the
-  /// fourth batch on in ascending order, a solve starts from the extrapolation of those before it.
+  /// second batch on in ascending order, a solve starts from the extrapolation of those before it.
   void solve(std::span<const double> axial_forces, std::span<LoadDistribution> results);
 
   /// The same, as arrays.

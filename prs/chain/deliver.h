@@ -15,12 +15,27 @@ Real status_of(const fe::ChainSummary<Real>& s) {
                        select(s.search_failed, code(line_search_failed), code(iteration_limit))));
 }
 
-/// What the last solve left in the records, into the results.
-template <class Real, class Law, class Record>
+/// What the last solve left in the records, into the results. kFolded: one solve, whose second lane
+/// holds the second half of the threads, the last one first.
+template <bool kFolded, class Real, class Law, class Record>
 void deliver(const fe::ChainSummary<Real>& summary, const Law& law, int contacts,
              const Record* records, const LaneRange& range, const ThreadLoads& results) {
   for (const Interface i : kInterfaces) {
     const auto c = static_cast<int>(i);
+    if constexpr (kFolded) {
+      for (int k = 0; k < contacts; ++k) {
+        const bool second = 2 * k >= contacts;
+        const int station = second ? contacts - 1 - k : k;
+        const std::size_t l = second ? 1 : 0;
+        const auto& contact = records[station].contact[c];
+        const auto thread = static_cast<std::size_t>(k);
+        if (!results.normal_load[i].empty())
+          results.normal_load[i][thread] = lane(contact.force, l);
+        if (!results.approach[i].empty())
+          results.approach[i][thread] = lane(law.deflection(c, station, contact.closure), l);
+      }
+      continue;
+    }
     if (!results.normal_load[i].empty())
       for (std::size_t l = 0; l < kLanes<Real> && range.place(l) < range.size; ++l) {
         double* const load = results.normal_load[i].data() + range.place(l) * results.stride;

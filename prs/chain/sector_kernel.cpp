@@ -11,6 +11,30 @@
 namespace prs {
 namespace {
 
+/// Batches of the two halves of a sector, with whatever multiply-add this file is compiled for.
+struct Halves : simd::Baseline {};
+
+}  // namespace
+}  // namespace prs
+
+namespace xsimd {
+namespace types {
+XSIMD_DECLARE_SIMD_REGISTER_ALIAS(prs::Halves, simd::Baseline);
+}
+}  // namespace xsimd
+
+namespace prs {
+namespace {
+
+using Half = xsimd::batch<double, Halves>;
+
+[[gnu::always_inline]] inline Half both(double first, double second) {
+  const double lanes[] = {first, second};
+  return from_lanes<Half>(lanes);
+}
+[[gnu::always_inline]] inline Half mirrored(const Half& x) { return both(lane(x, 1), lane(x, 0)); }
+[[gnu::always_inline]] inline Half first_lane(const Half& x) { return both(lane(x, 0), 0.0); }
+
 // Types of this file's own, so that what is instantiated for one instruction set stays apart from
 // the same for another.
 template <class Real>
@@ -81,6 +105,7 @@ Shell<Real, kKind> make_station(const ChainSector& sector, Real*, Shell<Real, kK
 template <class Real>
 SweptSector<Real> swept_sector(const ChainSector& sector) {
   SweptSector<Real> s{.contacts = sector.contacts,
+                      .stations = sector.contacts,
                       .rollers = Real(sector.rollers),
                       .sense = Real(sector.sense),
                       .cosine = {},
@@ -128,18 +153,60 @@ void solve_sector(const ChainSector& sector, std::span<const double> axial_force
   solve(HertzInSeries<Real>{{{stiffness[0], stiffness[1]}, {compliance[0], compliance[1]}}});
 }
 
+struct FoldedBars : BarStation<Half> {
+  static constexpr bool kFolded = true;
+};
+
+/// One load on a sector of bars with an even number of threads.
+void solve_folded(const ChainSector& sector, double axial_force, const fe::NewtonOptions& options,
+                  const ThreadLoads& results, double* workspace) {
+  const int n = sector.contacts;
+  const auto at = [&](const std::vector<double>& values, int first, int second) {
+    return both(values[static_cast<std::size_t>(first)], values[static_cast<std::size_t>(second)]);
+  };
+  auto* const records = reinterpret_cast<fe::ChainRecord<Half, FoldedBars>*>(workspace);
+  Half* const nut = reinterpret_cast<Half*>(records + n / 2);
+  Half* const ground = nut + n / 2;
+  auto station = common_station<Half, FoldedBars>(sector);
+  for (const Interface i : kInterfaces) {
+    station.axial_part[static_cast<int>(i)] = Half(sector.axial_part[i]);
+    station.radial_part[static_cast<int>(i)] = Half(sector.radial_part[i]);
+  }
+  station.roller = to_all<Half>(sector.thread);
+  station.roller.slope = both(sector.thread.slope, -sector.thread.slope);
+  station.ends[0] = {both(sector.ends[0].vv, sector.ends[1].vv),
+                     both(sector.ends[0].vt, sector.ends[1].vt),
+                     both(sector.ends[0].tt, sector.ends[1].tt)};
+  for (int k = 0; k < n / 2; ++k) {
+    nut[k] = at(sector.nut, k, n - 2 - k);
+    ground[k] = at(sector.ground, k, n - 1 - k);
+  }
+  station.nut = nut;
+  station.ground = ground;
+  const Hertz<Half> law{{{Half(sector.hertz_constant.screw), Half(sector.hertz_constant.nut)}}};
+  SweptSector<Half> swept = swept_sector<Half>(sector);
+  swept.stations = n / 2;
+  const auto gap = [&](int i, int k) { return at(sector.gaps[kInterfaces[i]], k, n - 1 - k); };
+  Sweep<Half, FoldedBars, Hertz<Half>>(swept, station, law, records, nullptr)
+      .solve(Half(axial_force), gap, false, options, {0, 1, 1}, results);
+}
+
 /// Stations with two roller nodes a tooth go load by load and without the wider instruction sets,
 /// in lanes they take minutes to compile.
-template <class Real, bool kWithApart>
+template <class Real, bool kBaseline>
 void solve_sector(const ChainSector& sector, std::span<const double> axial_forces,
                   const fe::NewtonOptions& options, const ThreadLoads& results, double* workspace) {
   const auto solve = [&]<class Station>(Station*, auto number) {
     solve_sector<decltype(number), Station>(sector, axial_forces, options, results, workspace);
   };
   using enum ChainSector::Kind;
+  if constexpr (std::is_same_v<Real, double> && !kBaseline)
+    if (sector.kind == bars && sector.compliance.screw.empty() && axial_forces.size() == 1 &&
+        sector.contacts % 2 == 0)
+      return solve_folded(sector, axial_forces[0], options, results, workspace);
   if (sector.kind == bars) return solve(static_cast<Bars<Real>*>(nullptr), Real());
   if (sector.kind == shell) return solve(static_cast<Shell<Real, shell>*>(nullptr), Real());
-  if constexpr (kWithApart) {
+  if constexpr (kBaseline) {
     if (sector.kind == apart_nut_first)
       return solve(static_cast<Shell<double, apart_nut_first>*>(nullptr), double());
     solve(static_cast<Shell<double, apart_screw_first>*>(nullptr), double());
@@ -153,12 +220,12 @@ void SectorKernel::operator()(Arch, bool scalar, const ChainSector& sector,
                               std::span<const double> axial_forces,
                               const fe::NewtonOptions& options, const ThreadLoads& results,
                               double* workspace) const {
-  constexpr bool kWithApart = std::is_same_v<Arch, simd::Baseline>;
+  constexpr bool kBaseline = std::is_same_v<Arch, simd::Baseline>;
   if (scalar)
-    solve_sector<double, kWithApart>(sector, axial_forces, options, results, workspace);
+    solve_sector<double, kBaseline>(sector, axial_forces, options, results, workspace);
   else
-    solve_sector<xsimd::batch<double, Arch>, kWithApart>(sector, axial_forces, options, results,
-                                                         workspace);
+    solve_sector<xsimd::batch<double, Arch>, kBaseline>(sector, axial_forces, options, results,
+                                                        workspace);
 }
 
 template void SectorKernel::operator()(PRS_SIMD_ARCHITECTURE, bool, const ChainSector&,

@@ -10,6 +10,7 @@ namespace prs {
 template <class Real>
 struct SweptSector {
   int contacts;
+  int stations;  ///< As many; half as many where the chain is folded.
   Real rollers;
   Real sense;                         ///< s
   Real cosine[2], hertz_constant[2];  ///< Of psi, and k_0, of screw and nut.
@@ -17,16 +18,22 @@ struct SweptSector {
   Real offset_compliance;             ///< As in `Sector` [m/N].
 };
 
-/// Loads one after the other on one sector a lane. With two solutions of ascending loads behind it
-/// a lane starts from the line, with three from the quadratic, through them: both balance the
-/// linear elements with the same combination of the contacts' forces. Else it starts from rigid
-/// bodies that share the load equally, every thread closed.
+/// Loads F one after the other on one sector a lane. Displacements grow as F^(2/3) while Hertz's
+/// contacts are softer than the bodies, by a factor that is smooth in s = F^(1/3): as far as the
+/// loads ascend, a lane starts from
+///
+///     u(F) = sum over the last 3 loads of (s/s_j)^2 L_j(s) u_j,   L_j Lagrange's polynomials,
+///
+/// with the same combination of the linear elements' forces, from two loads or one where the step
+/// to this load is more than twice the one before. The first start is from rigid bodies that share
+/// the load equally, every thread closed. Folded chains (fe::kFolded) remember nothing.
 template <class Real, class Station, class Law>
 class Sweep {
  public:
   using Record = fe::ChainRecord<Real, Station>;
   static constexpr int M = Station::kFreedoms;
-  static constexpr int kKept = M + 4;  ///< Displacements, closures and forces of a station.
+  /// Displacements and forces of the linear elements at a station.
+  static constexpr int kKept = 2 * M;
   static constexpr int kAges = 3;
 
   /// `history` has room for kAges kKept numbers a station, unless no state is to be remembered.
@@ -35,8 +42,8 @@ class Sweep {
       : sector_(sector),
         law_(law),
         records_(records),
-        chain_(station, law, sector.contacts, records) {
-    for (int age = 0; age < kAges; ++age) ages_[age] = history + age * sector.contacts * kKept;
+        chain_(station, law, sector.stations, records) {
+    for (int age = 0; age < kAges; ++age) ages_[age] = history + age * sector.stations * kKept;
   }
 
   /// Solves under the axial forces on the mechanisms; gap(i, k) are the initial gaps. `remember`:
@@ -45,15 +52,17 @@ class Sweep {
   void solve(const Real& axial_force, const Gap& gap, bool remember,
              const fe::NewtonOptions& options, const LaneRange& range, const ThreadLoads& results) {
     const Real force = axial_force / sector_.rollers;
-    const fe::Lanes<Real> extrapolated = known_ >= 2.0;
+    const fe::Lanes<Real> extrapolated = known_ >= 1.0;
     if (any(!extrapolated)) start_from_rest(force, gap);
-    Real balanced(0.0);
-    if (any(extrapolated)) balanced = sector_.sense * extrapolate(force, extrapolated);
-    fe::ChainSummary<Real> summary =
-        chain_.solve(sector_.sense * force, force, balanced, options);
-    if (remember) this->remember(force, summary.converged);
+    if constexpr (!fe::kFolded<Station>)
+      if (any(extrapolated)) extrapolate(force, gap, extrapolated);
+    Real load = sector_.sense * force;
+    if constexpr (fe::kFolded<Station>) load = first_lane(load);
+    fe::ChainSummary<Real> summary = chain_.solve(load, force, options);
+    if constexpr (!fe::kFolded<Station>)
+      if (remember) this->remember(force, summary.converged);
     summary.energy -= 0.5 * sector_.free_compliance * force * force;
-    deliver(summary, law_, sector_.contacts, records_, range, results);
+    deliver<fe::kFolded<Station>>(summary, law_, sector_.contacts, records_, range, results);
     const auto& loaded = records_[0].state;
     const Real compliance = sector_.free_compliance + sector_.offset_compliance;
     range.store(sector_.sense * (loaded.head[0] + loaded.tail[0]) + compliance * force,
@@ -70,16 +79,16 @@ class Sweep {
       const Real root = cbrt(force / (static_cast<double>(sector_.contacts) * sector_.cosine[i] *
                                       sector_.hertz_constant[i]));
       Real widest = gap(i, 0);
-      for (int k = 1; k < sector_.contacts; ++k) widest = fe::largest(widest, Real(gap(i, k)));
-      for (int k = 0; k < sector_.contacts; ++k) {
+      for (int k = 1; k < sector_.stations; ++k) widest = fe::largest(widest, Real(gap(i, k)));
+      if constexpr (fe::kFolded<Station>) widest = fe::largest(widest, mirrored(widest));
+      for (int k = 0; k < sector_.stations; ++k)
         records_[k].contact[i].closure = root * root + (widest - gap(i, k));
-        records_[k].contact[i].remainder = Real(0.0);
-      }
       shift[i] = sector_.sense * (root * root + widest) / sector_.cosine[i];
     }
-    for (int k = 0; k < sector_.contacts; ++k) {
+    for (int k = 0; k < sector_.stations; ++k) {
       auto& state = records_[k].state;
-      for (int i = 0; i < M; ++i) state.head[i] = state.tail[i] = Real(0.0);
+      for (int i = 0; i < M; ++i)
+        state.head[i] = state.tail[i] = records_[k].correction[i] = Real(0.0);
       state.head[Station::S] = shift[0] + shift[1];
       for (int i = Station::U; i < M; i += 3) state.head[i] = shift[1];
     }
@@ -87,60 +96,63 @@ class Sweep {
 
   /// The state reached becomes the youngest of the history; one that failed empties it.
   void remember(const Real& force, const fe::Lanes<Real>& converged) {
-    known_ = select(converged, min(known_ + 1.0, Real(double{kAges})), Real(0.0));
     Real* const oldest = ages_[kAges - 1];
     for (int age = kAges - 1; age > 0; --age) {
-      force_[age] = force_[age - 1];
       ages_[age] = ages_[age - 1];
+      root_[age] = root_[age - 1];
     }
-    force_[0] = force;
+    root_[0] = cbrt(force);
     ages_[0] = oldest;
-    for (int k = 0; k < sector_.contacts; ++k) {
+    known_ = select(converged, min(known_ + 1.0, Real(double{kAges})), Real(0.0));
+    for (int k = 0; k < sector_.stations; ++k) {
+      const Record& record = records_[k];
       Real* kept = ages_[0] + k * kKept;
-      for (int i = 0; i < M; ++i) *kept++ = records_[k].state.head[i];
-      for (const auto& c : records_[k].contact) {
-        *kept++ = c.closure;
-        *kept++ = c.force;
-      }
+      for (int i = 0; i < M; ++i) *kept++ = record.state.head[i];
+      chain_.linear_forces(k, kept);
     }
+    if (first_)  // numbers, whatever weight they get
+      for (int i = 0; i < kKept * sector_.stations; ++i) ages_[1][i] = ages_[2][i] = ages_[0][i];
+    first_ = false;
   }
 
-  /// Start of the lanes marked; where loads do not ascend it is the last solution. Returns the
-  /// force on the sector that its linear elements balance.
-  Real extrapolate(const Real& force, const fe::Lanes<Real>& marked) {
-    const Real &f0 = force_[0], &f1 = force_[1], &f2 = force_[2];
-    const fe::Lanes<Real> line = (force > f0) & (f0 > f1);
-    const fe::Lanes<Real> quadratic = line & (known_ >= double{kAges}) & (f1 > f2);
-    const Real slope = (force - f0) / (f0 - f1);
-    const Real none(0.0);
-    const Real weight[kAges] = {
-        select(quadratic, (force - f1) * (force - f2) / ((f0 - f1) * (f0 - f2)),
-               select(line, 1.0 + slope, Real(1.0))),
-        select(quadratic, (force - f0) * (force - f2) / ((f1 - f0) * (f1 - f2)),
-               select(line, -slope, none)),
-        select(quadratic, (force - f0) * (force - f1) / ((f2 - f0) * (f2 - f1)), none)};
-    const bool three = any(quadratic);
-    const auto combine = [&](const Real& youngest, const Real& middle, const Real& oldest)
-                             __attribute__((always_inline)) {
-      const Real two = weight[0] * youngest + weight[1] * middle;
-      return three ? select(quadratic, two + weight[2] * oldest, two) : two;
+  /// Start of the lanes marked; where the load does not ascend it is the last solution.
+  template <class Gap>
+  void extrapolate(const Real& force, const Gap& gap, const fe::Lanes<Real>& marked) {
+    const Real s = cbrt(force);
+    const Real &s0 = root_[0], &s1 = root_[1], &s2 = root_[2];
+    const fe::Lanes<Real> one = s > s0;
+    const auto near = [](const Real& to, const Real& from, const Real& before) {
+      return to - from <= 2.0 * (from - before);
     };
-    for (int k = 0; k < sector_.contacts; ++k) {
+    const fe::Lanes<Real> two = one & (known_ >= 2.0) & near(s, s0, s1);
+    const fe::Lanes<Real> three = two & (known_ >= 3.0) & near(s0, s1, s2) & (s1 > s2);
+    const Real none(0.0), unit(1.0);
+    const auto scale = [&](const Real& at) { return s * s / (at * at); };
+    const auto factor = [&](const fe::Lanes<Real>& where, const Real& at, const Real& zero) {
+      return select(where, (s - zero) / (at - zero), unit);
+    };
+    const Real weight[kAges] = {
+        select(one, scale(s0), unit) * factor(two, s0, s1) * factor(three, s0, s2),
+        scale(s1) * factor(two, s1, s0) * factor(three, s1, s2),
+        scale(s2) * factor(two, s2, s0) * factor(three, s2, s1)};
+    for (int k = 0; k < sector_.stations; ++k) {
       const Real *a = ages_[0] + k * kKept, *b = ages_[1] + k * kKept, *c = ages_[2] + k * kKept;
       Record& record = records_[k];
-      const auto next = [&](Real& start) __attribute__((always_inline)) {
-        start = select(marked, combine(*a++, *b++, *c++), start);
+      const auto next = [&](Real & start) __attribute__((always_inline)) {
+        const Real sum = weight[0] * *a++ + select(two, weight[1] * *b++, none) +
+                         select(three, weight[2] * *c++, none);
+        start = select(marked, sum, start);
       };
       for (int i = 0; i < M; ++i) {
         next(record.state.head[i]);
         record.state.tail[i] = none;
       }
-      for (auto& contact : record.contact) {
-        next(contact.closure);
-        next(contact.remainder);
-      }
+      for (int i = 0; i < M; ++i) next(record.correction[i]);
+      fe::unroll<2>([&](auto i) __attribute__((always_inline)) {
+        Real& closure = record.contact[i].closure;
+        closure = select(marked, chain_.template along<i>(record.state.head) - gap(i, k), closure);
+      });
     }
-    return select(marked, combine(f0, f1, f2), none);
   }
 
   const SweptSector<Real>& sector_;
@@ -148,8 +160,9 @@ class Sweep {
   Record* records_;
   Real* ages_[kAges];  ///< Of the history, the youngest first.
   fe::Chain<Real, Station, Law> chain_;
-  Real force_[kAges] = {Real(0.0), Real(0.0), Real(0.0)};
+  Real root_[kAges] = {Real(0.0), Real(0.0), Real(0.0)};  ///< s
   Real known_ = Real(0.0);  ///< Solutions in the history of the loads just before.
+  bool first_ = true;       ///< Nothing is in the history yet.
 };
 
 }  // namespace prs

@@ -30,7 +30,7 @@ struct Designs {
     names.push_back(name);
   }
   std::vector<LoadDistribution> solve(InstructionSet set) const {
-    std::vector<LoadDistribution> results(sectors.size());
+    std::vector<LoadDistribution> results(forces.size());
     BarDesignSolver(set).solve(sectors, forces, results);
     return results;
   }
@@ -65,6 +65,73 @@ TEST(BarDesigns, AgreeWithSparseSolverOnRandomSectors) {
     const std::vector<LoadDistribution> results = designs.solve(set);
     for (std::size_t k = 0; k < results.size(); ++k)
       test::expect_same(expected[k], results[k], std::string(name(set)) + ' ' + designs.names[k]);
+  }
+}
+
+TEST(BarDesigns, SweepsAgreeWithSparseSolver) {
+  std::mt19937_64 random(31);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  // Ascending steps, large ones, a repetition, a failure, a descent.
+  const double shares[] = {0.01, 0.02, 0.03, 0.04, 0.3,  0.31, 0.31,
+                           0.32, nan,  0.6,  0.61, 0.62, 0.2};
+  Designs designs;
+  std::vector<LoadDistribution> expected;
+  for (int k = 0; k < test::count(20, 500); ++k) {
+    const SectorCase c = test::random_sector(random);
+    const Sector sector = c.build();
+    const double force = test::random_force(c, random);
+    designs.sectors.push_back(numbers(c));
+    for (const double share : shares) {
+      designs.forces.push_back(share * force);
+      designs.names.push_back(std::to_string(k) + ' ' + std::to_string(share));
+      expected.push_back(share > 0.0 ? test::sparse(sector, share * force) : LoadDistribution());
+    }
+  }
+  for (const InstructionSet set : test::instruction_sets()) {
+    const std::vector<LoadDistribution> results = designs.solve(set);
+    for (std::size_t k = 0; k < results.size(); ++k)
+      if (designs.forces[k] > 0.0)
+        test::expect_same(expected[k], results[k], std::string(name(set)) + ' ' + designs.names[k]);
+      else
+        EXPECT_FALSE(results[k].solve.converged());
+  }
+}
+
+TEST(BarDesigns, SweepTakesOneIterationALoadBehindTheFirst) {
+  std::vector<double> forces;
+  for (int k = 1; k <= 100; ++k) forces.push_back(450.0 * k);
+  const BarSector sector = numbers(test::abevi());
+  std::vector<LoadDistribution> results(forces.size());
+  BarDesignSolver solver;
+  solver.options.residual_tolerance = 1e-10;
+  solver.solve({&sector, 1}, forces, results);
+  for (std::size_t k = 5; k < results.size(); ++k) EXPECT_EQ(results[k].solve.iterations(), 1) << k;
+}
+
+TEST(BarDesigns, SweepsDoNotDependOnTheDesignsBeside) {
+  std::mt19937_64 random(37);
+  Designs designs;
+  for (int k = 0; k < 12; ++k) {
+    SectorCase c = test::random_sector(random);
+    c.mechanism.contacts_per_roller = 5;
+    designs.sectors.push_back(numbers(c));
+    const double force = test::random_force(c, random);
+    for (int i = 1; i <= 10; ++i)
+      designs.forces.push_back(k == 3 && i == 6 ? std::numeric_limits<double>::quiet_NaN()
+                                                : 0.1 * i * force);
+  }
+  for (const InstructionSet set : test::instruction_sets()) {
+    const auto together = designs.solve(set);
+    BarDesignSolver alone(set);
+    for (std::size_t k = 0; k < designs.sectors.size(); ++k) {
+      std::vector<LoadDistribution> single(10);
+      alone.solve({&designs.sectors[k], 1}, {&designs.forces[10 * k], 10}, single);
+      for (std::size_t i = 0; i < single.size(); ++i)
+        if (designs.forces[10 * k + i] > 0.0)
+          test::expect_identical(together[10 * k + i], single[i]);
+        else
+          EXPECT_FALSE(single[i].solve.converged());
+    }
   }
 }
 
