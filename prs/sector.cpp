@@ -3,26 +3,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 #include "prs/refined/refinement.h"
+#include "prs/section_properties.h"
 
 namespace prs {
 namespace {
 
 using fe::Dof;
-using std::numbers::pi;
-
-double disc_area(double diameter) { return pi / 4.0 * diameter * diameter; }
-
-double ring_area(double outer, double inner) { return disc_area(outer) - disc_area(inner); }
-
-double disc_second_moment(double diameter) { return pi / 64.0 * std::pow(diameter, 4); }
-
-/// Cowper's shear coefficient of a solid disc, 6 (1 + nu)/(7 + 6 nu) (J. Appl. Mech. 33, 1966).
-double disc_shear_coefficient(double poisson) {
-  return 6.0 * (1.0 + poisson) / (7.0 + 6.0 * poisson);
-}
 
 /// Bars from the loaded section through the contacts.
 void add_screw(Sector& s, const Mechanism& m, const Structure::Screw& screw, double diameter,
@@ -113,13 +101,8 @@ void add_roller(Sector& s, const Mechanism& m, const Structure::Roller& roller,
                 double thread_diameter, double half_distance, const Material& material,
                 bool shear) {
   const auto beam = [&](double diameter, double length) {
-    const double shear_modulus = material.youngs_modulus / (2.0 * (1.0 + material.poisson_ratio));
-    return fe::Beam{
-        material.youngs_modulus * disc_area(diameter),
-        material.youngs_modulus * disc_second_moment(diameter),
-        shear ? disc_shear_coefficient(material.poisson_ratio) * shear_modulus * disc_area(diameter)
-              : 0.0,
-        length};
+    const DiscRigidity r = disc_rigidity(material, diameter, shear);
+    return fe::Beam{r.axial, r.bending, r.shear, length};
   };
   const double pitch = axial_pitch(m);
   const fe::Beam end = beam(roller.end_diameter, roller.end_length);

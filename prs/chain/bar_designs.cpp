@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -16,23 +15,16 @@
 #include "prs/chain/distribution.h"
 #include "prs/chain/sweep.h"
 #include "prs/chain/workspace.h"
+#include "prs/section_properties.h"
 
 namespace prs {
 namespace {
 
-using std::numbers::pi;
-
 constexpr double kHeld = std::numeric_limits<double>::infinity();
 
-double ring_area(double outer, double inner) { return pi / 4.0 * (outer * outer - inner * inner); }
-
 BarSector::Section disc(const Material& material, double diameter, bool shear) {
-  const double area = ring_area(diameter, 0.0), nu = material.poisson_ratio;
-  // Cowper's shear coefficient (J. Appl. Mech. 33, 1966).
-  const double kappa = 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu);
-  return {material.youngs_modulus * area,
-          material.youngs_modulus * pi / 64.0 * std::pow(diameter, 4),
-          shear ? kappa * material.youngs_modulus / (2.0 * (1.0 + nu)) * area : 0.0};
+  const DiscRigidity r = disc_rigidity(material, diameter, shear);
+  return {r.axial, r.bending, r.shear};
 }
 
 /// A number of `BarSector` and where the column of it belongs.

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/analyze.h"
-#include "prs/cli/compute_from.h"
 #include "prs/cli/printing.h"
 #include "prs/cli/starting_case.h"
+#include "prs/input/compute_from.h"
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
 #include "prs/input/schema.h"
@@ -103,8 +103,8 @@ int check(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::check);
   if (in.has_study) input::read_study_input(source);
-  const Contacts contacts =
-      compute_from(source, [&] { return find_contacts(in.values.mechanism, in.values.materials); });
+  const Contacts contacts = input::compute_from(
+      source, [&] { return find_contacts(in.values.mechanism, in.values.materials); });
   std::vector<std::string> unusual = contacts.warnings;
   for (std::string& note : unusual_geometry(in.values, contacts))
     unusual.push_back(std::move(note));
@@ -123,7 +123,7 @@ int check(const Options& options) {
 int contact(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::contact);
-  const Result result = compute_from(source, [&] { return analyze_contacts(in.values); });
+  const Result result = input::compute_from(source, [&] { return analyze_contacts(in.values); });
   const std::string document = document_of(result, source, options);
   if (options.output) {
     write_files(*options.output, {{"contact.json", document}});
@@ -136,7 +136,7 @@ int contact(const Options& options) {
 int solve(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::solve);
-  Result result = compute_from(source, [&] { return analyze(in.values); });
+  Result result = input::compute_from(source, [&] { return analyze(in.values); });
   warn_of_preload(in.values, result);
   const std::string document = document_of(result, source, options);
   if (options.output) {
@@ -160,7 +160,7 @@ int solve(const Options& options) {
 int slip(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::slip);
-  Result result = compute_from(source, [&] { return analyze_slip(in.values); });
+  Result result = input::compute_from(source, [&] { return analyze_slip(in.values); });
   warn_of_preload(in.values, result);
   const std::string document = document_of(result, source, options);
   if (options.output) {
@@ -189,7 +189,8 @@ int slip(const Options& options) {
 int preload(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::preload);
-  const PreloadResult result = compute_from(source, [&] { return analyze_preload(in.values); });
+  const PreloadResult result =
+      input::compute_from(source, [&] { return analyze_preload(in.values); });
   std::string document;
   if (options.json || options.output)
     document = json_text(preload_json(result, document_info(source)));
@@ -216,7 +217,7 @@ int life(const Options& options) {
   if (in.values.life->history)
     history = input::read_force_history(*in.values.life->history, source);
   LifeResult result =
-      compute_from(source, [&] { return analyze_life(in.values, std::move(history)); });
+      input::compute_from(source, [&] { return analyze_life(in.values, std::move(history)); });
   if (in.values.preload)
     result.warnings.push_back("lives are those without preload, whose loads come on top");
   std::string document;

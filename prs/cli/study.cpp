@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "prs/cli/commands.h"
-#include "prs/cli/compute_from.h"
 #include "prs/cli/interruption.h"
 #include "prs/cli/printing.h"
 #include "prs/cli/progress_line.h"
+#include "prs/input/compute_from.h"
 #include "prs/input/fail_at.h"
 #include "prs/input/force_history.h"
 #include "prs/input/study_reader.h"
@@ -41,20 +41,17 @@ std::string arguments(const Options& options) {
 }
 
 /// Reports a response that the base case does not have where it stands in the file.
-DesignEngine engine_of(const input::StudyInput& in) {
+template <class Compute>
+auto with_responses_of(const input::StudyInput& in, Compute compute) {
   try {
-    return DesignEngine(in);
+    return compute(in);
   } catch (const UnknownResponse& error) {
     input::fail_at(in.source, fmt::format("study.responses[{}]", error.index()), error.what());
   }
 }
 
-CaseDerivatives derivatives_of(const input::StudyInput& in) {
-  try {
-    return case_derivatives(in);
-  } catch (const UnknownResponse& error) {
-    input::fail_at(in.source, fmt::format("study.responses[{}]", error.index()), error.what());
-  }
+DesignEngine engine_of(const input::StudyInput& in) {
+  return with_responses_of(in, [](const input::StudyInput& i) { return DesignEngine(i); });
 }
 
 Evaluate evaluate_with(const DesignEngine& engine) {
@@ -119,7 +116,8 @@ int deliver(const StoredRows& rows, const Study& study, const DocumentInfo& info
 
 /// The plan that is one case with its derivatives.
 int derivatives(const input::StudyInput& in, const Options& options) {
-  const CaseDerivatives result = compute_from(in.source, [&] { return derivatives_of(in); });
+  const CaseDerivatives result =
+      input::compute_from(in.source, [&] { return with_responses_of(in, case_derivatives); });
   std::string document;
   if (options.json || options.output)
     document = json_text(derivatives_json(result, document_info(in.source)));

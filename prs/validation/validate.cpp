@@ -12,8 +12,7 @@
 #include <utility>
 
 #include "prs/analyze.h"
-#include "prs/case_error.h"
-#include "prs/input/fail_at.h"
+#include "prs/input/compute_from.h"
 #include "prs/input/reader.h"
 #include "prs/output/json.h"
 #include "prs/output/text.h"
@@ -48,20 +47,9 @@ std::optional<double> number_at(const Json& document, std::string path) {
   return value->is_number() ? std::optional(value->get<double>()) : std::nullopt;
 }
 
-/// Runs `compute` on a case that came from `source`, so that what it finds wrong with the case is
-/// reported where it stands.
-template <class Compute>
-auto compute_from(const input::Source& source, Compute compute) {
-  try {
-    return compute();
-  } catch (const CaseError& error) {
-    input::fail_at(source, error.path(), error.what());
-  }
-}
-
 Result result_of(const input::Source& source, Command command) {
   const Case c = input::read_case_input(source, command).values;
-  return compute_from(source, [&] {
+  return input::compute_from(source, [&] {
     if (command == Command::slip) return analyze_slip(c);
     return command == Command::contact ? analyze_contacts(c) : analyze(c);
   });
@@ -117,7 +105,7 @@ SourceReport report_on(const std::filesystem::path& folder,
   if (subject == reference.cases.end()) return report;
   const input::Source source = input::load_source(subject->file.string(), {});
   const Case c = input::read_case_input(source, subject->command).values;
-  compute_from(source, [&] { add_subject(report, code, c, folder); });
+  input::compute_from(source, [&] { add_subject(report, code, c, folder); });
   return report;
 }
 

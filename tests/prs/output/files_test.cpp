@@ -1,11 +1,10 @@
 #include "prs/output/files.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <system_error>
 
+#include "support/small_files.h"
 #include "temporary_directory.h"
 
 namespace prs {
@@ -30,26 +29,6 @@ std::string write_error(const fs::path& directory, const std::vector<OutputFile>
   }
 }
 
-/// Files beyond 4 kB cannot be written, as on a full disk, while the object lives.
-class SmallFilesOnly {
- public:
-  SmallFilesOnly() : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &limit_);
-    const rlimit small{4096, limit_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &small);
-  }
-  SmallFilesOnly(const SmallFilesOnly&) = delete;
-  SmallFilesOnly& operator=(const SmallFilesOnly&) = delete;
-  ~SmallFilesOnly() {
-    ::setrlimit(RLIMIT_FSIZE, &limit_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  void (*handler_)(int);
-  rlimit limit_{};
-};
-
 TEST(WriteFiles, CreatesDirectoriesAndReplacesFiles) {
   const TemporaryDirectory temporary;
   const fs::path directory = temporary.path() / "a" / "b";
@@ -72,7 +51,7 @@ TEST(WriteFiles, FailedWriteLeavesEarlierFilesAlone) {
   const TemporaryDirectory temporary;
   write_files(temporary.path(), {{"a", "old"}, {"b", "old"}});
   {
-    const SmallFilesOnly full_disk;
+    const test::SmallFilesOnly full_disk(4096);
     const std::string error =
         write_error(temporary.path(), {{"a", "new"}, {"b", std::string(10000, 'x')}});
     EXPECT_NE(error.find("File too large"), std::string::npos) << error;

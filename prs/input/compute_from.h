@@ -4,17 +4,17 @@
 #include "prs/input/fail_at.h"
 #include "prs/input/source.h"
 
-namespace prs::cli {
+namespace prs::input {
 
 /// Runs `compute` on a case that came from `source`, so that what it finds wrong with the case is
 /// reported where it stands.
 template <class Compute>
-auto compute_from(const input::Source& source, Compute compute) {
+auto compute_from(const Source& source, Compute compute) {
   try {
     return compute();
   } catch (const CaseError& error) {
-    input::fail_at(source, error.path(), error.what());
+    fail_at(source, error.path(), error.what());
   }
 }
 
-}  // namespace prs::cli
+}  // namespace prs::input
