@@ -72,7 +72,10 @@ Wanted wanted(T&, const Quantity& q) {
 }
 template <class T>
 Wanted wanted(T&, const Number& n) {
-  return {fmt::format("a number{}", within(n.bounds, n)), "0.3"};
+  const double middle = 0.5 * (n.bounds.least + n.bounds.greatest);
+  const bool usual = n.bounds.contain(0.3) || !std::isfinite(middle);
+  return {fmt::format("a number{}", within(n.bounds, n)),
+          usual ? "0.3" : fmt::format("{:g}", middle)};
 }
 template <class T>
 Wanted wanted(T&, const Whole& w) {
