@@ -195,22 +195,11 @@ class Chain {
   Chain(const Station& station, const Law& law, int stations, Record* records)
       : station_(station), law_(law), stations_(stations), records_(records) {}
 
-  /// From the states and closures in the records, whose `correction` are the forces of the linear
-  /// elements there: 0 for rigid bodies, their own combination for linear combinations of
-  /// solutions. Residuals are relative to `scale`.
+  /// From the states and closures in the records; states of folded chains are those of rigid
+  /// bodies. Residuals are relative to `scale`.
   ChainSummary<Real> solve(const Real& load, const Real& scale, const NewtonOptions& options) {
     start(load, scale);
     return iterate(options);
-  }
-
-  /// After a solve, the forces of the linear elements at station k; of freedoms that are held, any.
-  void linear_forces(int k, Real* force) const {
-    const Record& record = records_[k];
-    unroll<M>([&](auto i) __attribute__((always_inline)) { force[i] = record.correction[i]; });
-    unroll<2>([&](auto i) __attribute__((always_inline)) {
-      add_along<i>(force, record.contact[i].remainder - record.contact[i].force);
-    });
-    if (k == 0) force[0] += load_;
   }
 
   /// Displacement of the loaded freedom per load, at the state reached; NaN where singular.
@@ -265,12 +254,24 @@ class Chain {
     inverse_scale_ = 1.0 / scale;
     contact_energy_ = Real(0.0);
     Real worst(0.0), linear_energy(0.0);
+    Real carried[M];
+    unroll<M>([&](auto i) __attribute__((always_inline)) { carried[i] = Real(0.0); });
     for (int k = 0; k < stations_; ++k) {
       Record& record = records_[k];
       Real residual[M];
       unroll<M>([&](auto i) __attribute__((always_inline)) {
-        residual[i] = record.correction[i];
-        linear_energy += 0.5 * record.correction[i] * record.state.head[i];
+        residual[i] = carried[i];
+        carried[i] = Real(0.0);
+      });
+      if constexpr (!kFolded<Station>) {
+        station_.add_forces(k, record.state, residual);
+        if (k + 1 < stations_)
+          station_.add_forces(k, record.state, records_[k + 1].state, residual, carried);
+      }
+      unroll<M>([&](auto i) __attribute__((always_inline)) {
+        residual[i] = select(station_.held(k, i), Real(0.0), residual[i]);
+        record.correction[i] = residual[i];
+        linear_energy += 0.5 * residual[i] * record.state.head[i];
       });
       if (k == 0) residual[0] -= load;
       unroll<2>([&](auto i) __attribute__((always_inline)) {

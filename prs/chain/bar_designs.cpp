@@ -81,7 +81,7 @@ bool compliant(const BarSector& s) {
 std::size_t workspace_size(int contacts, int width, bool several_loads) {
   using OneSweep = Sweep<double, BarStation<double>, fe::ChainHertz<double>>;
   constexpr std::size_t kArrays = 4;  // nut, ground and two compliances
-  constexpr std::size_t kHistory = OneSweep::kAges * OneSweep::kKept;
+  constexpr std::size_t kHistory = OneSweep::kAges * OneSweep::M;
   return static_cast<std::size_t>(contacts) * static_cast<std::size_t>(width) *
          (sizeof(OneSweep::Record) / sizeof(double) + kArrays + (several_loads ? kHistory : 0));
 }

@@ -24,7 +24,7 @@ std::size_t station_numbers() {
   using OneSweep = Sweep<double, Station, fe::ChainHertz<double>>;
   constexpr std::size_t kArrays = 4;  // nut, ground and two compliances
   return sizeof(typename OneSweep::Record) / sizeof(double) + kArrays +
-         OneSweep::kAges * OneSweep::kKept;
+         OneSweep::kAges * OneSweep::M;
 }
 
 /// Numbers that the kernel's workspace holds for a contact and a lane.

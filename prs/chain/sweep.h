@@ -24,26 +24,24 @@ struct SweptSector {
 ///
 ///     u(F) = sum over the last 3 loads of (s/s_j)^2 L_j(s) u_j,   L_j Lagrange's polynomials,
 ///
-/// with the same combination of the linear elements' forces, from two loads or one where the step
-/// to this load is more than twice the one before. The first start is from rigid bodies that share
-/// the load equally, every thread closed. Folded chains (fe::kFolded) remember nothing.
+/// from two loads or one where the step to this load is more than twice the one before. The first
+/// start is from rigid bodies that share the load equally, every thread closed. Folded chains
+/// (fe::kFolded) remember nothing.
 template <class Real, class Station, class Law>
 class Sweep {
  public:
   using Record = fe::ChainRecord<Real, Station>;
   static constexpr int M = Station::kFreedoms;
-  /// Displacements and forces of the linear elements at a station.
-  static constexpr int kKept = 2 * M;
   static constexpr int kAges = 3;
 
-  /// `history` has room for kAges kKept numbers a station, unless no state is to be remembered.
+  /// `history` has room for kAges M numbers a station, unless no state is to be remembered.
   Sweep(const SweptSector<Real>& sector, const Station& station, const Law& law, Record* records,
         Real* history)
       : sector_(sector),
         law_(law),
         records_(records),
         chain_(station, law, sector.stations, records) {
-    for (int age = 0; age < kAges; ++age) ages_[age] = history + age * sector.stations * kKept;
+    for (int age = 0; age < kAges; ++age) ages_[age] = history + age * sector.stations * M;
   }
 
   /// Solves under the axial forces on the mechanisms; gap(i, k) are the initial gaps. `remember`:
@@ -87,8 +85,7 @@ class Sweep {
     }
     for (int k = 0; k < sector_.stations; ++k) {
       auto& state = records_[k].state;
-      for (int i = 0; i < M; ++i)
-        state.head[i] = state.tail[i] = records_[k].correction[i] = Real(0.0);
+      for (int i = 0; i < M; ++i) state.head[i] = state.tail[i] = Real(0.0);
       state.head[Station::S] = shift[0] + shift[1];
       for (int i = Station::U; i < M; i += 3) state.head[i] = shift[1];
     }
@@ -106,12 +103,11 @@ class Sweep {
     known_ = select(converged, min(known_ + 1.0, Real(double{kAges})), Real(0.0));
     for (int k = 0; k < sector_.stations; ++k) {
       const Record& record = records_[k];
-      Real* kept = ages_[0] + k * kKept;
-      for (int i = 0; i < M; ++i) *kept++ = record.state.head[i];
-      chain_.linear_forces(k, kept);
+      Real* kept = ages_[0] + k * M;
+      for (int i = 0; i < M; ++i) *kept++ = select(converged, record.state.head[i], Real(0.0));
     }
     if (first_)  // numbers, whatever weight they get
-      for (int i = 0; i < kKept * sector_.stations; ++i) ages_[1][i] = ages_[2][i] = ages_[0][i];
+      for (int i = 0; i < M * sector_.stations; ++i) ages_[1][i] = ages_[2][i] = ages_[0][i];
     first_ = false;
   }
 
@@ -133,24 +129,29 @@ class Sweep {
     };
     const Real weight[kAges] = {
         select(one, scale(s0), unit) * factor(two, s0, s1) * factor(three, s0, s2),
-        scale(s1) * factor(two, s1, s0) * factor(three, s1, s2),
-        scale(s2) * factor(two, s2, s0) * factor(three, s2, s1)};
+        select(two, scale(s1) * factor(two, s1, s0) * factor(three, s1, s2), none),
+        select(three, scale(s2) * factor(two, s2, s0) * factor(three, s2, s1), none)};
+    if (any(!marked))
+      combine(weight, gap,
+              [&](const Real& sum, const Real& other) { return select(marked, sum, other); });
+    else
+      combine(weight, gap, [](const Real& sum, const Real&) { return sum; });
+  }
+
+  /// Weighted sum of the states in the history, as far as `choose(sum, start there)` takes it.
+  template <class Gap, class Choose>
+  void combine(const Real* weight, const Gap& gap, Choose choose) {
     for (int k = 0; k < sector_.stations; ++k) {
-      const Real *a = ages_[0] + k * kKept, *b = ages_[1] + k * kKept, *c = ages_[2] + k * kKept;
+      const Real *a = ages_[0] + k * M, *b = ages_[1] + k * M, *c = ages_[2] + k * M;
       Record& record = records_[k];
-      const auto next = [&](Real & start) __attribute__((always_inline)) {
-        const Real sum = weight[0] * *a++ + select(two, weight[1] * *b++, none) +
-                         select(three, weight[2] * *c++, none);
-        start = select(marked, sum, start);
-      };
       for (int i = 0; i < M; ++i) {
-        next(record.state.head[i]);
-        record.state.tail[i] = none;
+        record.state.head[i] =
+            choose(weight[0] * a[i] + weight[1] * b[i] + weight[2] * c[i], record.state.head[i]);
+        record.state.tail[i] = Real(0.0);
       }
-      for (int i = 0; i < M; ++i) next(record.correction[i]);
       fe::unroll<2>([&](auto i) __attribute__((always_inline)) {
         Real& closure = record.contact[i].closure;
-        closure = select(marked, chain_.template along<i>(record.state.head) - gap(i, k), closure);
+        closure = choose(chain_.template along<i>(record.state.head) - gap(i, k), closure);
       });
     }
   }
