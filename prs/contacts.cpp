@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "prs/case_error.h"
 #include "prs/threads.h"
 
 namespace prs {
@@ -76,6 +77,19 @@ void warn_of_kinematics(const Contacts& c, std::vector<std::string>& warnings) {
         k.gear_ratio, k.gear_ratio_by_leads));
 }
 
+void require_thickness(const Mechanism& m, Part part) {
+  if (!m.thread[part] || !m.thread[part]->thickness) return;
+  const double thickness = *m.thread[part]->thickness;
+  const double pitch = m.pitch[part].value_or(axial_pitch(m));
+  if (thickness < pitch) return;
+  throw CaseError(
+      fmt::format("mechanism.thread.{}.thickness", name(part)),
+      fmt::format(
+          "got {:.6g} mm; expected less than the axial pitch of {:.6g} mm, which thread and "
+          "groove share; change it, or leave it out for half a pitch",
+          thickness / kMillimetre, pitch / kMillimetre));
+}
+
 /// Why a thread cannot be, if so.
 std::optional<ContactFailure> thread_failure(const contact::Thread& thread, Part part) {
   const contact::RadiusLimits flank = contact::flank_limits(thread);
@@ -106,10 +120,6 @@ void warn_of_heights(const contact::Thread& thread, Part part, std::vector<std::
                   sharp.smallest / kMillimetre, sharp.largest / kMillimetre));
 }
 
-const contact::Thread& thread_of(const contact::MechanismGeometry& threads, Part part) {
-  return part == Part::screw ? threads.screw : part == Part::roller ? threads.roller : threads.nut;
-}
-
 void warn_of_crowding(const Contacts& c, std::vector<std::string>& warnings) {
   const int most = contact::largest_roller_count(c.threads);
   if (c.mechanism.rollers > most)
@@ -130,6 +140,7 @@ void warn(Contacts& c) {
 
 Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials,
                        Detail detail) {
+  for (const Part p : kParts) require_thickness(mechanism, p);
   Contacts c;
   c.mechanism = resolved(mechanism);
   c.threads = threads_of(c.mechanism);
@@ -144,8 +155,14 @@ Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials
   for (const Interface i : kInterfaces)
     if (materials && c.interfaces[i].geometry.ok())
       add_hertz(c.interfaces[i], (*materials)[body_of(i)], materials->roller, detail);
+  for (const Interface i : kInterfaces)
+    c.interfaces[i].clearance = thread_clearance(c.threads, i, c.interfaces[i].geometry.point);
   if (detail == Detail::complete) warn(c);
   return c;
+}
+
+const contact::Thread& thread_of(const contact::MechanismGeometry& threads, Part part) {
+  return part == Part::screw ? threads.screw : part == Part::roller ? threads.roller : threads.nut;
 }
 
 ContactFailure failure(const Contacts& contacts, Interface i) {

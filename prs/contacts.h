@@ -11,6 +11,7 @@
 #include "prs/detail.h"
 #include "prs/materials.h"
 #include "prs/mechanism.h"
+#include "prs/thread_clearance.h"
 
 namespace prs {
 
@@ -21,7 +22,8 @@ struct InterfaceContact {
   contact::HertzConstants hertz;  ///< `not_computed` without materials.
   /// Below the centre of the ellipse; absent without Hertz contact and with Detail::numbers.
   std::optional<contact::SubsurfaceShear> shear;
-  double contact_modulus = 0.0;  ///< E* [Pa], 0 without materials.
+  double contact_modulus = 0.0;              ///< E* [Pa], 0 without materials.
+  std::optional<ThreadClearance> clearance;  ///< Absent without contact or thread heights.
 
   bool has_hertz() const { return geometry.ok() && hertz.ok(); }
   double normal_angle() const { return geometry.point.normal_angle(); }
@@ -42,9 +44,12 @@ inline constexpr double kGearRatioTolerance = 1e-4;
 
 /// Resolves the mechanism, finds the contact points of both interfaces and, where materials are
 /// given, their Hertz contacts. An interface without contact is a result that says why. Throws
-/// CaseError where a design has no solution.
+/// CaseError where a design has no solution or a thread is thicker than its pitch.
 Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials,
                        Detail detail = Detail::complete);
+
+/// The thread of a part.
+const contact::Thread& thread_of(const contact::MechanismGeometry& threads, Part part);
 
 /// Why there is no contact or no Hertz contact.
 ContactFailure failure(const Contacts& contacts, Interface interface);

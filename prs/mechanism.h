@@ -19,10 +19,11 @@ struct Profile {
   double radius = 0.0;  ///< Arc radius r_B [m] where convex or concave.
 };
 
-/// Truncated thread: radial heights from the pitch radius [m]; the nut's addendum points inwards.
+/// Truncated thread [m]: radial heights from the pitch radius; the nut's addendum points inwards.
 struct ThreadHeight {
   double addendum = 0.0;
   double dedendum = 0.0;
+  std::optional<double> thickness = std::nullopt;  ///< Axial, at the pitch radius; half a pitch.
 };
 
 /// Threads of a planetary roller screw as the designer states them. SI units, angles in radians.

@@ -56,6 +56,7 @@ contact::Thread thread_of(const Mechanism& m, Part part) {
   if (m.thread[part]) {
     thread.addendum = m.thread[part]->addendum;
     thread.dedendum = m.thread[part]->dedendum;
+    thread.thickness = m.thread[part]->thickness;
   }
   return thread;
 }

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "prs/document/units.h"
 #include "prs/output/text.h"
-#include "prs/output/units.h"
 
 namespace prs {
 namespace {
@@ -47,8 +47,14 @@ std::string check_table(const std::vector<input::EchoEntry>& fields, const Conta
     for (const auto& [part, value] : json[key].items())
       line(fmt::format("{}.{}", key, part), value);
   line("max_rollers", json["max_rollers"]);
+  const Json threads = threads_json(contacts);
+  for (const auto& [part, widths] : threads.items())
+    for (const auto& [key, value] : widths.items())
+      line(fmt::format("threads.{}.{}", part, key), value);
   for (const char* interface : {"screw", "nut"})
-    for (const char* key : {"normal_angle_deg", "backlash_mm", "hertz_constant_N_per_mm1_5"})
+    for (const char* key :
+         {"normal_angle_deg", "backlash_mm", "flank_clearance_mm", "body_crest_clearance_mm",
+          "roller_crest_clearance_mm", "hertz_constant_N_per_mm1_5"})
       if (json.contains(interface) && json[interface].contains(key))
         line(fmt::format("contact.{}.{}", interface, key), json[interface][key]);
   if (!unusual.empty()) text += "\nUnusual\n";
@@ -63,7 +69,7 @@ nlohmann::ordered_json check_json(const std::vector<input::EchoEntry>& fields,
   for (const input::EchoEntry& f : fields)
     document["input"].push_back({{"path", f.path}, {"value", f.value}, {"default", f.is_default}});
   for (const auto& [key, value] : lengths(contacts.mechanism)) document["derived"][key] = value;
-  document["contact"] = contacts_json(contacts);
+  put_contacts(document, contacts);
   return document;
 }
 

@@ -11,11 +11,12 @@
 
 #include "contact/mechanism_geometry.h"
 #include "contact/thread_surface.h"
+#include "prs/document/quantities.h"
+#include "prs/document/units.h"
 #include "prs/output/case_groups.h"
-#include "prs/output/quantities.h"
 #include "prs/output/text.h"
-#include "prs/output/units.h"
 #include "prs/output/warnings.h"
+#include "prs/thread_clearance.h"
 
 namespace prs {
 namespace {
@@ -64,29 +65,39 @@ std::string mechanism_line(const Contacts& contacts) {
 struct PartRow {
   std::string_view label;
   Shown shown;
-  double (*value)(const Thread&);
+  std::optional<double> (*value)(const Thread&);
 };
+
+template <auto width>
+std::optional<double> of_widths(const Thread& thread) {
+  const std::optional<ThreadWidths> widths = thread_widths(thread);
+  return widths ? (*widths).*width : std::nullopt;
+}
 
 constexpr PartRow kPartRows[] = {
     {"  pitch diameter, mm",
      {per_si::millimetre, 4},
-     [](const Thread& t) { return 2.0 * t.pitch_radius; }},
+     [](const Thread& t) { return std::optional(2.0 * t.pitch_radius); }},
     {"  helix angle, deg",
      {per_si::degree, 4},
-     [](const Thread& t) { return ThreadSurface(t).helix_angle(); }},
+     [](const Thread& t) { return std::optional(ThreadSurface(t).helix_angle()); }},
     {"  flank from radius, mm",
      {per_si::millimetre, 4},
-     [](const Thread& t) { return contact::flank_limits(t).smallest; }},
+     [](const Thread& t) { return std::optional(contact::flank_limits(t).smallest); }},
     {"  flank to radius, mm",
      {per_si::millimetre, 4},
-     [](const Thread& t) { return contact::flank_limits(t).largest; }},
+     [](const Thread& t) { return std::optional(contact::flank_limits(t).largest); }},
+    {"  crest width, mm", {per_si::millimetre, 4}, of_widths<&ThreadWidths::crest>},
+    {"  root width, mm", {per_si::millimetre, 4}, of_widths<&ThreadWidths::root>},
 };
 
 std::string part_rows(const contact::MechanismGeometry& threads) {
   std::string rows = table_row("Threads", {"screw", "roller", "nut"});
-  for (const auto& [label, shown, value] : kPartRows)
-    rows += table_row(label, {shown(value(threads.screw)), shown(value(threads.roller)),
-                              shown(value(threads.nut))});
+  for (const auto& [label, shown, value] : kPartRows) {
+    const auto screw = value(threads.screw), roller = value(threads.roller),
+               nut = value(threads.nut);
+    if (screw || roller || nut) rows += table_row(label, {shown(screw), shown(roller), shown(nut)});
+  }
   return rows;
 }
 
@@ -109,6 +120,12 @@ template <double contact::HertzConstants::*value>
 std::optional<double> of_hertz(const Contacts& contacts, Interface i) {
   const InterfaceContact& c = contacts.interfaces[i];
   return c.has_hertz() ? std::optional<double>(c.hertz.*value) : std::nullopt;
+}
+
+template <auto clearance>
+std::optional<double> of_clearance(const Contacts& contacts, Interface i) {
+  const std::optional<ThreadClearance>& c = contacts.interfaces[i].clearance;
+  return c ? std::optional<double>((*c).*clearance) : std::nullopt;
 }
 
 std::optional<double> backlash(const Contacts& contacts, Interface i) {
@@ -136,6 +153,9 @@ const ContactRow kContactRows[] = {
     {"  normal against the axis, deg", kAngle,
      of_geometry<[](const G& g) { return g.point.normal_angle(); }>},
     {"  backlash, mm", kLength, backlash},
+    {"  flank to flank when centred, mm", kLength, of_clearance<&ThreadClearance::flank>},
+    {"  crest of the body to flank, mm", kLength, of_clearance<&ThreadClearance::body_crest>},
+    {"  crest of the roller to flank, mm", kLength, of_clearance<&ThreadClearance::roller_crest>},
     {"  curvatures of the body, 1/mm", kCurvature,
      of_geometry<[](const G& g) { return g.body.first; }>},
     {"", kCurvature, of_geometry<[](const G& g) { return g.body.second; }>},
