@@ -8,6 +8,7 @@
 #include "prs/life/life.h"
 #include "prs/load_case.h"
 #include "prs/materials.h"
+#include "prs/measures/measure_options.h"
 #include "prs/mechanism.h"
 #include "prs/model_options.h"
 #include "prs/operation.h"
@@ -33,6 +34,7 @@ struct Case {
   std::vector<LoadCase> load_cases;
   std::optional<Preload> preload;
   std::optional<Life> life;
+  std::optional<MeasureOptions> measures;
   std::optional<Lubricant> lubricant;
   std::optional<Friction> friction;
   std::optional<Operation> operation;

@@ -759,8 +759,12 @@ std::vector<Problem> check_requirements(const Case& c, Command command) {
   Problems problems;
   if (command == Command::preload) check_preload_requirements(c, problems);
   if (command == Command::life) check_life_requirements(c, problems);
-  if (command != Command::solve && command != Command::slip) return std::move(problems).take();
-  const std::string_view verb = command == Command::solve ? "solve" : "slip";
+  const bool measures = command == Command::measures && !c.load_cases.empty();
+  if (command != Command::solve && command != Command::slip && !measures)
+    return std::move(problems).take();
+  const std::string_view verb = command == Command::solve  ? "solve"
+                                : command == Command::slip ? "slip"
+                                                           : "measures";
 
   if (c.load_cases.empty())
     problems.add("load_cases",

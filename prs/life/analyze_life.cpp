@@ -70,24 +70,8 @@ ShareCurve::Solve share_solver(const Prepared& p, Direction d) {
   };
 }
 
-double contact_angle(const PerInterface<ContactLaw>& laws) {
-  return 0.5 * std::numbers::pi - 0.5 * (laws.screw.normal_angle + laws.nut.normal_angle);
-}
-
-LemorGeometry lemor_geometry(const Mechanism& m, double contact_angle) {
-  LemorGeometry g;
-  g.pitch = axial_pitch(m);
-  g.roller_diameter = *m.pitch_diameter.roller;
-  g.nut_diameter = *m.pitch_diameter.nut;
-  g.pitch_circle = 2.0 * *m.centre_distance;
-  g.contact_angle = contact_angle;
-  g.helix_angle = std::atan(std::abs(m.lead) / (std::numbers::pi * *m.pitch_diameter.screw));
-  g.contacts = m.rollers * m.contacts_per_roller;
-  return g;
-}
-
 void find_capacity(const Prepared& p, LifeResult& r) {
-  const double angle = contact_angle(p.laws);
+  const double angle = contact_angle({p.laws.screw.normal_angle, p.laws.nut.normal_angle});
   const LemorGeometry g = lemor_geometry(p.c.mechanism, angle);
   r.element_ratio = g.roller_diameter * std::cos(angle) / g.pitch_circle;
   r.failure_shares = failure_shares(r.element_ratio);

@@ -31,6 +31,22 @@ double factor_ratio(const LemorGeometry& g) {
   return g.roller_diameter * std::cos(g.contact_angle) / g.nut_diameter;
 }
 
+double contact_angle(const PerInterface<double>& normal_angle) {
+  return 0.5 * std::numbers::pi - 0.5 * (normal_angle.screw + normal_angle.nut);
+}
+
+LemorGeometry lemor_geometry(const Mechanism& m, double contact_angle) {
+  LemorGeometry g;
+  g.pitch = axial_pitch(m);
+  g.roller_diameter = *m.pitch_diameter.roller;
+  g.nut_diameter = *m.pitch_diameter.nut;
+  g.pitch_circle = 2.0 * *m.centre_distance;
+  g.contact_angle = contact_angle;
+  g.helix_angle = std::atan(std::abs(m.lead) / (std::numbers::pi * *m.pitch_diameter.screw));
+  g.contacts = m.rollers * m.contacts_per_roller;
+  return g;
+}
+
 std::optional<LemorCapacity> lemor_capacity(const LemorGeometry& g) {
   LemorCapacity c;
   c.ratio = factor_ratio(g);

@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "contact/hertz.h"
+#include "prs/mechanism.h"
+#include "prs/part.h"
 
 namespace prs {
 
@@ -54,6 +56,13 @@ struct LemorGeometry {
   double helix_angle = 0.0;      ///< beta of the screw [rad]
   int contacts = 0;              ///< N_c
 };
+
+/// Contact angle of bearings [rad], from the radial plane, by the angles between both contact
+/// normals and the axis: a right angle less their mean.
+double contact_angle(const PerInterface<double>& normal_angle);
+
+/// Of a mechanism with all pitch diameters and the centre distance.
+LemorGeometry lemor_geometry(const Mechanism& mechanism, double contact_angle);
 
 /// Lemor's capacity with the range in which its factor is known.
 struct LemorCapacity {

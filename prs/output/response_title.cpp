@@ -14,16 +14,23 @@ namespace {
 /// How units stand in keys and how people write them, longer ones before their own ends.
 constexpr std::pair<std::string_view, std::string_view> kUnits[] = {
     {"_N_per_mm1_5", "N/mm^1.5"},
+    {"_mm_per_rad", "mm/rad"},
+    {"_kN_per_kg", "kN/kg"},
     {"_W_per_mm2", "W/mm²"},
     {"_N_per_um", "N/µm"},
     {"_mm_per_s", "mm/s"},
+    {"_kg_per_m", "kg/m"},
+    {"_kg_mm2", "kg mm²"},
     {"_per_mm", "1/mm"},
     {"_percent", "%"},
     {"_Nmm", "N mm"},
     {"_Nm", "N m"},
+    {"_cm3", "cm³"},
     {"_MPa", "MPa"},
     {"_rpm", "rpm"},
     {"_deg", "deg"},
+    {"_km", "km"},
+    {"_kg", "kg"},
     {"_mm", "mm"},
     {"_um", "µm"},
     {"_nm", "nm"},
@@ -69,7 +76,7 @@ ResponseTitle response_title(std::string_view path) {
     path.remove_prefix(std::min(end + 1, path.size()));
     const std::string index = take_index(key, of_threads);
     if (const std::string_view unit = take_unit(key); !unit.empty()) title.unit = unit;
-    if (key == "slip" || key == "contact") continue;
+    if (key == "slip" || key == "contact" || key == "measures") continue;
     const bool is_summary = path.empty() && (key == "max" || key == "min" || key == "mean");
     const bool is_part = key == "screw" || key == "nut" || key.starts_with("carrier_");
     const std::string_view space = name.empty() ? "" : " ";

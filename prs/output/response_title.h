@@ -12,7 +12,7 @@ struct ResponseTitle {
 };
 
 /// `screw.peak_pressure_MPa.max` -> `max screw peak pressure`, `MPa`: what belongs to a part of the
-/// mechanism starts with its name, `slip` and `contact` are left out.
+/// mechanism starts with its name, `slip`, `contact` and `measures` are left out.
 ResponseTitle response_title(std::string_view path);
 
 }  // namespace prs

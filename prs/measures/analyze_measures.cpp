@@ -1,0 +1,20 @@
+#include "prs/measures/analyze_measures.h"
+
+#include "prs/analyze.h"
+
+namespace prs {
+
+MeasuresResult analyze_measures(const Case& c, Detail detail) {
+  MeasuresResult result;
+  result.analysis = c.load_cases.empty() ? analyze_contacts(c, detail) : analyze(c, detail);
+  const Contacts& contacts = result.analysis.contacts;
+  result.measures = measures_of(c, contacts);
+  for (const LoadCaseResult& load_case : result.analysis.load_cases)
+    result.load_measures.push_back(
+        load_case.converged()
+            ? std::optional(load_measures_of(c, contacts, result.measures, load_case))
+            : std::nullopt);
+  return result;
+}
+
+}  // namespace prs

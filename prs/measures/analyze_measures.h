@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "prs/detail.h"
+#include "prs/measures/measures.h"
+#include "prs/result.h"
+
+namespace prs {
+
+/// Everything that `analyze_measures` computes.
+struct MeasuresResult {
+  Result analysis;  ///< Contacts and thread loads that the measures are taken from.
+  Measures measures;
+  /// One a load case; absent where it did not converge.
+  std::vector<std::optional<LoadMeasures>> load_measures;
+};
+
+/// The chain of `analyze`, then the design measures of the mechanism and of each load case. Reads
+/// nothing, prints nothing. The case must have passed `check_case` and the requirements of
+/// `measures`. Throws CaseError where the geometry gives no contact.
+MeasuresResult analyze_measures(const Case& c, Detail detail = Detail::complete);
+
+}  // namespace prs

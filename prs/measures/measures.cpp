@@ -1,0 +1,318 @@
+#include "prs/measures/measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <numbers>
+
+#include "prs/analyze.h"
+#include "prs/life/capacity.h"
+#include "prs/life/rating_life.h"
+#include "prs/measures/bodies.h"
+#include "prs/measures/shaft.h"
+#include "prs/measures/static_capacity.h"
+#include "prs/measures/stiffness.h"
+#include "prs/measures/thread_root.h"
+#include "prs/measures/transmission.h"
+#include "prs/measures/yang_distribution.h"
+
+namespace prs {
+namespace {
+
+MeasureOptions options_of(const Case& c) { return c.measures.value_or(MeasureOptions{}); }
+
+/// As in the load distribution: the case's angle before the geometry's.
+std::optional<double> normal_angle(const Case& c, const Contacts& contacts, Interface i) {
+  if (c.contact.normal_angle[i]) return c.contact.normal_angle[i];
+  const InterfaceContact& contact = contacts.interfaces[i];
+  return contact.geometry.ok() ? std::optional(contact.normal_angle()) : std::nullopt;
+}
+
+std::optional<double> axial_hertz_coefficient(const Case& c, const Contacts& contacts,
+                                              Interface i) {
+  const std::optional<double> angle = normal_angle(c, contacts, i);
+  if (!angle) return std::nullopt;
+  if (c.contact.hertz_constant[i])
+    return prs::axial_hertz_coefficient(*c.contact.hertz_constant[i], *angle);
+  const InterfaceContact& contact = contacts.interfaces[i];
+  if (!contact.has_hertz()) return std::nullopt;
+  return prs::axial_hertz_coefficient(contact.hertz.hertz_constant, *angle);
+}
+
+/// Of all rollers at one interface.
+int contact_count(const Mechanism& m) { return m.rollers * m.contacts_per_roller; }
+
+template <class... T>
+std::optional<double> sum(const T&... values) {
+  return (values && ...) ? std::optional((*values + ...)) : std::nullopt;
+}
+
+std::optional<double> product(const std::optional<double>& a, double b) {
+  return a ? std::optional(*a * b) : std::nullopt;
+}
+
+std::optional<double> ratio(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b ? std::optional(*a / *b) : std::nullopt;
+}
+
+/// The smallest of those that are known.
+std::optional<double> smallest(std::initializer_list<std::optional<double>> values) {
+  std::optional<double> least;
+  for (const std::optional<double>& v : values)
+    if (v && (!least || *v < *least)) least = v;
+  return least;
+}
+
+std::optional<double> largest(const std::vector<double>& values) {
+  return values.empty() ? std::nullopt
+                        : std::optional(*std::max_element(values.begin(), values.end()));
+}
+
+double gear_ratio(const Contacts& contacts) {
+  return std::abs(contacts.threads.roller.lead / contacts.threads.screw.lead);
+}
+
+void find_transmission(const Case& c, const Contacts& contacts, Measures& m) {
+  const Mechanism& mechanism = contacts.mechanism;
+  m.velocity_ratio = velocity_ratio(mechanism.lead);
+  const PlanetaryRatios ratios = planetary_ratios(mechanism.type, gear_ratio(contacts));
+  if (ratios.carrier > 0.0 && ratios.carrier < 1.0) {
+    m.roller_ratio = ratios.roller;
+    m.carrier_ratio = ratios.carrier;
+  }
+  std::optional<double> friction = options_of(c).friction_coefficient;
+  if (!friction && c.friction && c.friction->model == Friction::Model::coulomb)
+    friction = c.friction->coefficient;
+  if (!friction) return;
+  const double diameter = *mechanism.pitch_diameter.screw;
+  m.efficiency = efficiency(mechanism.lead, diameter, *friction);
+  m.back_driving_efficiency = back_driving_efficiency(mechanism.lead, diameter, *friction);
+}
+
+void find_stiffness(const Case& c, const Contacts& contacts, Measures& m) {
+  if (!c.structure || !c.materials) return;
+  const PerPart<double> section = section_stiffness(contacts.mechanism, *c.structure, *c.materials);
+  const std::optional<double> width = options_of(c).loaded_width;
+  for (const Part p : kParts) {
+    m.section_stiffness[p] = section[p];
+    if (width)
+      m.tooth_stiffness[p] =
+          tooth_stiffness(contacts.mechanism, *c.structure, *c.materials, p, *width);
+  }
+}
+
+void find_dynamic_capacity(const Case& c, const Contacts& contacts, Measures& m) {
+  const std::optional<double> screw = normal_angle(c, contacts, Interface::screw);
+  const std::optional<double> nut = normal_angle(c, contacts, Interface::nut);
+  if (screw && nut) {
+    const double angle = contact_angle({*screw, *nut});
+    if (const auto lemor = lemor_capacity(lemor_geometry(contacts.mechanism, angle))) {
+      m.geometry_factor = lemor->factor;
+      m.element_diameter = lemor->element_diameter;
+      m.dynamic_capacity = lemor->capacity;
+      m.dynamic_capacity_low = lemor->capacity_range.least;
+      m.dynamic_capacity_high = lemor->capacity_range.greatest;
+    }
+  }
+  if (c.life && c.life->dynamic_capacity)
+    m.dynamic_capacity = m.dynamic_capacity_low = m.dynamic_capacity_high =
+        c.life->dynamic_capacity;
+}
+
+void find_static_capacity(const Case& c, const Contacts& contacts, Measures& m) {
+  const std::optional<double> diameter = flank_element_diameter(contacts.threads.roller);
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = contacts.interfaces[i];
+    const std::optional<double> angle = normal_angle(c, contacts, i);
+    if (!contact.has_hertz() || !angle) continue;
+    const double per_normal_load = std::cos(*angle) * contact_count(contacts.mechanism);
+    m.pressure_capacity[i] =
+        load_at_pressure(contact.hertz, kStaticPressureLimit) * per_normal_load;
+    if (diameter)
+      m.static_capacity[i] =
+          load_at_permanent_deformation(*diameter, contact.geometry.relative.first,
+                                        contact.geometry.relative.second) *
+          per_normal_load;
+  }
+}
+
+/// Inertias as seen at the part that turns, from the masses of the parts.
+void find_inertia(const Case& c, const Contacts& contacts, Measures& m) {
+  const Mechanism& mechanism = contacts.mechanism;
+  const PerPart<std::optional<double>> density = {
+      c.materials->screw.density, c.materials->roller.density, c.materials->nut.density};
+  m.nut_inertia = product(density.nut, nut_body(mechanism, c.structure->nut).polar_moment);
+  std::optional<double> screw_weight;
+  if (const auto shaft = options_of(c).shaft) {
+    const RoundBody screw = screw_body(mechanism, c.structure->screw, shaft->length);
+    screw_weight = product(density.screw, screw.volume);
+    m.screw_inertia = product(density.screw, screw.polar_moment);
+  }
+  const bool standard = mechanism.type == Mechanism::Type::standard;
+  if (const auto mass = sum(m.roller_weight, standard ? m.nut_weight : screw_weight))
+    m.travel_inertia = travel_inertia(*mass, mechanism.lead);
+  if (density.roller && m.roller_ratio) {
+    const RoundBody roller = roller_body(mechanism, c.structure->roller);
+    m.roller_inertia =
+        roller_inertia(mechanism.rollers, *density.roller * roller.volume,
+                       *density.roller * roller.polar_moment, *mechanism.centre_distance,
+                       ratios_to_frame(mechanism.type, {*m.roller_ratio, *m.carrier_ratio}));
+  }
+  m.equivalent_inertia =
+      sum(m.roller_inertia, m.travel_inertia, standard ? m.screw_inertia : m.nut_inertia);
+}
+
+void find_bodies(const Case& c, const Contacts& contacts, Measures& m) {
+  if (!c.structure) return;
+  const Mechanism& mechanism = contacts.mechanism;
+  const double nut = nut_body(mechanism, c.structure->nut).volume;
+  const double rollers = mechanism.rollers * roller_body(mechanism, c.structure->roller).volume;
+  m.material_volume = nut + rollers;
+  m.envelope_volume = envelope_volume(c.structure->nut);
+  if (!c.materials) return;
+  m.nut_weight = product(c.materials->nut.density, nut);
+  m.roller_weight = product(c.materials->roller.density, rollers);
+  m.weight = sum(m.nut_weight, m.roller_weight);
+  m.screw_weight_per_length =
+      product(c.materials->screw.density, screw_body(mechanism, c.structure->screw, 1.0).volume);
+  m.force_density = ratio(m.dynamic_capacity, m.weight);
+  find_inertia(c, contacts, m);
+}
+
+/// Between its bore and the roots of its thread.
+ShaftSection core_section(const Mechanism& m, const Structure& s) {
+  return {*m.pitch_diameter.screw - 2.0 * tooth_section(m, Part::screw).height, s.screw.bore};
+}
+
+void find_shaft(const Case& c, const Contacts& contacts, Measures& m) {
+  const MeasureOptions options = options_of(c);
+  if (!options.shaft || !c.structure || !c.materials) return;
+  const Material& material = c.materials->screw;
+  const ShaftSection core = core_section(contacts.mechanism, *c.structure);
+  if (!(core.diameter > core.bore)) return;
+  m.buckling_load =
+      buckling_load(core, material.youngs_modulus, *options.shaft, options.yield_strength);
+  if (material.density)
+    m.critical_speed =
+        critical_speed(core, material.youngs_modulus, *material.density, *options.shaft);
+}
+
+void find_load_stiffness(const Case& c, const Contacts& contacts, const Measures& measures,
+                         double force, LoadMeasures& m) {
+  const int threads = contact_count(contacts.mechanism);
+  PerInterface<std::optional<double>> coefficient;
+  for (const Interface i : kInterfaces) {
+    coefficient[i] = axial_hertz_coefficient(c, contacts, i);
+    if (coefficient[i])
+      m.hertz_stiffness[i] = thread_stiffness(force, threads, *coefficient[i], 0.0);
+  }
+  const std::optional<double> both = sum(coefficient.screw, coefficient.nut);
+  if (!both) return;
+  // A roller's tooth gives way at both of its contacts.
+  double teeth = 0.0;
+  for (const Part p : {Part::screw, Part::roller, Part::roller, Part::nut})
+    if (measures.tooth_stiffness[p]) teeth += 1.0 / *measures.tooth_stiffness[p];
+  m.thread_stiffness = thread_stiffness(force, threads, *both, teeth);
+}
+
+void find_yang_distribution(const Case& c, const Contacts& contacts, const LoadCase& load_case,
+                            LoadMeasures& m) {
+  if (!c.structure || !c.materials || !load_case.direction || !load_case.position) return;
+  const Structure::Thrust& sections = c.structure->nut.thrust;
+  const std::optional<double>& thrust =
+      *load_case.direction == Direction::tension ? sections.tension : sections.compression;
+  const auto coefficient = sum(axial_hertz_coefficient(c, contacts, Interface::screw),
+                               axial_hertz_coefficient(c, contacts, Interface::nut));
+  if (!thrust || !coefficient) return;
+  const double roller_force = std::abs(load_case.axial_force) / contacts.mechanism.rollers;
+  m.yang_load_rate = yang_distribution(
+      roller_force, *coefficient,
+      thread_gaps(contacts.mechanism, *c.structure, *c.materials, *thrust, *load_case.position));
+  for (double& load : m.yang_load_rate) load /= roller_force;
+  m.yang_largest_load_rate = largest(m.yang_load_rate);
+}
+
+void find_pressures(const Case& c, const Contacts& contacts, double force, LoadMeasures& m) {
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = contacts.interfaces[i];
+    const std::optional<double> angle = normal_angle(c, contacts, i);
+    if (!contact.has_hertz() || !angle) continue;
+    const double normal_load = force / (contact_count(contacts.mechanism) * std::cos(*angle));
+    m.mean_peak_pressure[i] = contact::at_load(contact.hertz, normal_load).peak_pressure;
+  }
+}
+
+/// What the loads of the threads say, solved or equal.
+void find_most_loaded(const Case& c, const Contacts& contacts, const Measures& measures,
+                      const LoadCaseResult& result, LoadMeasures& m) {
+  if (!result.threads) return;
+  PerInterface<std::optional<double>> axial_load, safety;
+  for (const Interface i : kInterfaces) {
+    const InterfaceLoads& loads = (*result.threads)[i];
+    axial_load[i] = largest(loads.axial_load);
+    m.largest_peak_pressure[i] = largest(loads.peak_pressure);
+    if (result.solve) m.largest_load_rate[i] = largest(loads.load_rate);
+    safety[i] =
+        ratio(product(smallest({measures.static_capacity[i], measures.pressure_capacity[i]}),
+                      1.0 / contact_count(contacts.mechanism)),
+              axial_load[i]);
+  }
+  m.thread_static_safety = smallest({safety.screw, safety.nut});
+  const std::optional<double> width = options_of(c).loaded_width;
+  if (!width || !axial_load.screw || !axial_load.nut) return;
+  const PerPart<double> load = {*axial_load.screw, std::max(*axial_load.screw, *axial_load.nut),
+                                *axial_load.nut};
+  for (const Part p : kParts) {
+    const RootStress stress = root_stress(tooth_section(contacts.mechanism, p), load[p], *width);
+    m.root_shear_stress[p] = stress.shear;
+    m.root_bending_stress[p] = stress.bending;
+  }
+}
+
+}  // namespace
+
+Measures measures_of(const Case& c, const Contacts& contacts) {
+  Measures m;
+  find_transmission(c, contacts, m);
+  find_stiffness(c, contacts, m);
+  find_dynamic_capacity(c, contacts, m);
+  find_static_capacity(c, contacts, m);
+  find_bodies(c, contacts, m);
+  find_shaft(c, contacts, m);
+  return m;
+}
+
+LoadMeasures load_measures_of(const Case& c, const Contacts& contacts, const Measures& measures,
+                              const LoadCaseResult& result) {
+  LoadMeasures m;
+  const LoadCase& load_case = result.load_case;
+  const double force = std::abs(load_case.axial_force), lead = contacts.mechanism.lead;
+  if (!(force > 0.0)) return m;
+  find_load_stiffness(c, contacts, measures, force, m);
+  find_yang_distribution(c, contacts, load_case, m);
+  find_pressures(c, contacts, force, m);
+  find_most_loaded(c, contacts, measures, result, m);
+  const auto &by_deformation = measures.static_capacity, &by_pressure = measures.pressure_capacity;
+  const std::optional<double> static_capacity =
+      c.life && c.life->static_capacity ? c.life->static_capacity
+                                        : smallest({by_deformation.screw, by_deformation.nut,
+                                                    by_pressure.screw, by_pressure.nut});
+  m.static_safety = product(static_capacity, 1.0 / force);
+  if (axial_force_on_nut(load_case) < 0.0)
+    m.buckling_safety = product(measures.buckling_load, 1.0 / force);
+
+  std::optional<double> speed = load_case.speed;
+  if (!speed && c.operation) speed = c.operation->speed;
+  if (speed) speed = std::abs(*speed);
+  if (measures.dynamic_capacity) {
+    m.life = rating_life(*measures.dynamic_capacity, force);
+    m.life_travel = *m.life * std::abs(lead);
+    if (speed && *speed > 0.0) m.life_hours = *m.life * 2.0 * std::numbers::pi / *speed / 3600.0;
+  }
+  if (measures.efficiency) m.drive_torque = drive_torque(force, lead, *measures.efficiency);
+  if (speed && *speed > 0.0 && contacts.mechanism.type == Mechanism::Type::standard)
+    m.speed_safety = ratio(measures.critical_speed, speed);
+  return m;
+}
+
+}  // namespace prs

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "prs/case.h"
+#include "prs/contacts.h"
+#include "prs/part.h"
+#include "prs/result.h"
+
+namespace prs {
+
+/// Design measures of a mechanism that no load case changes. SI units; absent where the case does
+/// not state what a measure needs. Formulas, validity and sources stand with the keys under which
+/// documents show them, see prs/document/measure_quantities.h.
+struct Measures {
+  // Transmission
+  std::optional<double> velocity_ratio;  ///< Travel per angle of the screw against the nut [m/rad].
+  std::optional<double> roller_ratio;    ///< omega_R/omega_S, nut at rest, < 0.
+  std::optional<double> carrier_ratio;   ///< omega_C/omega_S, nut at rest.
+  std::optional<double> efficiency;      ///< Estimate, rotation into travel.
+  std::optional<double> back_driving_efficiency;  ///< Estimate, travel into rotation; absent where
+                                                  ///< self-locking.
+  // Stiffness of the parts between two threads, all rollers together, and of a tooth at one contact
+  // [N/m]
+  PerPart<std::optional<double>> section_stiffness;
+  PerPart<std::optional<double>> tooth_stiffness;
+  // Capacity of all contacts under equal shares
+  std::optional<double> geometry_factor, element_diameter;  ///< f_c; D_c [m].
+  std::optional<double> dynamic_capacity, dynamic_capacity_low, dynamic_capacity_high;  ///< [N]
+  PerInterface<std::optional<double>> static_capacity;    ///< By permanent deformation [N].
+  PerInterface<std::optional<double>> pressure_capacity;  ///< By `kStaticPressureLimit` [N].
+  // Weight and room
+  std::optional<double> roller_weight, nut_weight, weight;  ///< All rollers; nut; both [kg].
+  std::optional<double> screw_weight_per_length;            ///< [kg/m]
+  std::optional<double> material_volume;                    ///< Of rollers and nut [m^3].
+  std::optional<double> envelope_volume;  ///< Of the cylinder around the nut [m^3].
+  std::optional<double> force_density;    ///< C_a over the weight of rollers and nut [N/kg].
+  // Inertia as seen at the part that turns, the screw of a standard mechanism and the nut of an
+  // inverted one, whose other part travels [kg m^2]
+  std::optional<double> roller_inertia;      ///< Of the rollers, spin and orbit.
+  std::optional<double> travel_inertia;      ///< Of rollers and nut, or of rollers and screw.
+  std::optional<double> screw_inertia;       ///< Of the shaft over its length, about its axis.
+  std::optional<double> nut_inertia;         ///< Of the nut about its axis.
+  std::optional<double> equivalent_inertia;  ///< Of rollers, travel and the part that turns.
+  // Shaft
+  std::optional<double> buckling_load;   ///< [N]
+  std::optional<double> critical_speed;  ///< First bending, of the screw's rotation [rad/s].
+};
+
+/// Design measures under one load case, mean values being those of equal shares. SI units.
+struct LoadMeasures {
+  // Stiffness of all threads of the mechanism side by side under equal shares, secant [N/m]
+  PerInterface<std::optional<double>> hertz_stiffness;
+  std::optional<double> thread_stiffness;  ///< Both Hertz contacts and teeth in series.
+  // Yang's load distribution beside that of the model
+  std::vector<double> yang_load_rate;  ///< Thread 1 first; empty where it is not defined.
+  std::optional<double> yang_largest_load_rate;
+  PerInterface<std::optional<double>> largest_load_rate;  ///< Of the solved distribution.
+  // Strength
+  PerInterface<std::optional<double>> mean_peak_pressure;     ///< Under equal shares [Pa].
+  PerInterface<std::optional<double>> largest_peak_pressure;  ///< Of the most loaded thread [Pa].
+  PerPart<std::optional<double>> root_shear_stress;           ///< Of the most loaded thread [Pa].
+  PerPart<std::optional<double>> root_bending_stress;         ///< [Pa]
+  std::optional<double> static_safety;         ///< Static capacity over the load, equal shares.
+  std::optional<double> thread_static_safety;  ///< The same of the most loaded thread.
+  std::optional<double> buckling_safety;       ///< Where the load compresses the screw.
+  // Life under this load alone, equal shares
+  std::optional<double> life;         ///< L10 [revolutions].
+  std::optional<double> life_hours;   ///< At the operation's speed [h].
+  std::optional<double> life_travel;  ///< [m]
+  // Drive
+  std::optional<double> drive_torque;  ///< By the estimate of efficiency [N m].
+  std::optional<double> speed_safety;  ///< Critical over operating speed, where the screw turns.
+};
+
+/// Measures of a mechanism whose contacts are known. Reads nothing, throws nothing.
+Measures measures_of(const Case& c, const Contacts& contacts);
+
+/// Measures under the solved or equal loads of one load case.
+LoadMeasures load_measures_of(const Case& c, const Contacts& contacts, const Measures& measures,
+                              const LoadCaseResult& result);
+
+}  // namespace prs

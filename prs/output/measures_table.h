@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "prs/measures/analyze_measures.h"
+
+namespace prs {
+
+/// The measures of the mechanism, then those of each load case side by side.
+std::string measures_table(const MeasuresResult& result);
+
+/// Formula, validity and source of every measure.
+std::string measure_explanations();
+
+/// `measures.csv`: a row a measure and load case, that of the mechanism's own empty.
+std::string measures_csv(const MeasuresResult& result);
+
+/// `yang.csv`: thread by thread, Yang's load rates beside those of the model.
+std::string yang_csv(const MeasuresResult& result);
+
+}  // namespace prs

@@ -1,0 +1,336 @@
+#include "prs/measures/measures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "prs/analyze.h"
+#include "prs/document/measure_quantities.h"
+#include "prs/input/reader.h"
+#include "prs/life/analyze_life.h"
+#include "tests/prs/input/abevi.h"
+
+namespace prs {
+namespace {
+
+constexpr double kForce = 45e3;
+constexpr int kContacts = 220;
+
+/// The screw of Abevi 2015 of steel with a density, and everything that measures can ask for.
+Case abevi(const std::vector<std::string>& overrides = {}) {
+  Case c = input::read_case_text(
+      input::abevi_with("poisson_ratio: 0.3", "poisson_ratio: 0.3\n  density: 7810 kg/m^3"),
+      "test.yaml", overrides, Command::solve);
+  c.load_cases.resize(2);  // pull, push under 1 kN
+  c.measures = MeasureOptions{.loaded_width = 2e-3,
+                              .friction_coefficient = 0.01,
+                              .yield_strength = 800e6,
+                              .shaft = MeasureOptions::Shaft{.length = 0.6}};
+  return c;
+}
+
+Measures measures(const Case& c) {
+  return measures_of(c, find_contacts(c.mechanism, c.materials, Detail::numbers));
+}
+
+LoadMeasures load_measures(const Case& c, std::size_t load_case) {
+  const Result r = analyze(c);
+  return load_measures_of(c, r.contacts, measures_of(c, r.contacts), r.load_cases[load_case]);
+}
+
+std::size_t defined(const Measures& m) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      kDesignMeasures, [&](const DesignMeasure& q) { return q.value(m).has_value(); }));
+}
+
+TEST(Measures, AreAllThereForACompleteCase) {
+  EXPECT_EQ(defined(measures(abevi())), std::size(kDesignMeasures));
+  const LoadMeasures pull = load_measures(abevi(), 0);
+  const std::set<std::string_view> lacking = {"l10_hours", "buckling_safety", "speed_safety"};
+  for (const LoadMeasure& q : kLoadMeasures)
+    EXPECT_EQ(q.value(pull).has_value(), !lacking.contains(q.key)) << q.key;
+}
+
+TEST(Measures, AreAbsentWithoutWhatTheyNeed) {
+  Case c = abevi();
+  c.measures.reset();
+  const Measures plain = measures(c);
+  EXPECT_FALSE(plain.efficiency || plain.back_driving_efficiency);
+  EXPECT_FALSE(plain.tooth_stiffness.screw || plain.buckling_load || plain.critical_speed);
+  EXPECT_FALSE(plain.screw_inertia || plain.equivalent_inertia);
+  EXPECT_TRUE(plain.weight && plain.nut_inertia && plain.roller_inertia);
+
+  c = abevi();
+  c.materials->nut.density.reset();
+  const Measures light = measures(c);
+  EXPECT_TRUE(light.roller_weight && light.material_volume && light.critical_speed);
+  EXPECT_FALSE(light.nut_weight || light.weight || light.force_density);
+  EXPECT_FALSE(light.nut_inertia || light.equivalent_inertia);
+
+  c = abevi();
+  c.structure.reset();
+  const Measures bare = measures(c);
+  EXPECT_TRUE(bare.dynamic_capacity && bare.static_capacity.nut && bare.velocity_ratio);
+  EXPECT_FALSE(bare.material_volume || bare.envelope_volume || bare.section_stiffness.screw);
+
+  c.materials.reset();
+  const Measures geometric = measures(c);
+  EXPECT_TRUE(geometric.dynamic_capacity);
+  EXPECT_FALSE(geometric.static_capacity.screw || geometric.pressure_capacity.screw);
+
+  c = abevi();
+  c.mechanism.profile.roller = {Profile::Shape::straight, 0.0};
+  const Measures straight = measures(c);
+  EXPECT_FALSE(straight.static_capacity.screw || straight.pressure_capacity.screw);
+  EXPECT_TRUE(straight.weight);
+}
+
+TEST(Measures, CapacitiesAreThoseOfLife) {
+  Case c = abevi();
+  const Measures m = measures(c);
+  c.life.emplace();
+  c.life->share = LoadCase::Share::equal;
+  SpectrumLoad load;
+  load.force = kForce;
+  load.revolutions = 1e3;
+  c.life->spectrum = {load};
+  const LifeResult life = analyze_life(c);
+  EXPECT_NEAR(*m.dynamic_capacity / life.dynamic_capacity, 1.0, 1e-13);
+  EXPECT_NEAR(*m.dynamic_capacity_low / life.dynamic_capacity_range.least, 1.0, 1e-13);
+  EXPECT_NEAR(*m.dynamic_capacity_high / life.dynamic_capacity_range.greatest, 1.0, 1e-13);
+  EXPECT_NEAR(std::min(*m.pressure_capacity.screw, *m.pressure_capacity.nut) /
+                  *life.equal_shares_static_capacity,
+              1.0, 1e-13);
+  const LoadMeasures pull = load_measures(abevi(), 0);
+  EXPECT_NEAR(*pull.life / life.catalogue_life, 1.0, 1e-12);
+  EXPECT_NEAR(*pull.life_travel, *pull.life * 5e-3, 1e-9 * *pull.life_travel);
+
+  c.life->dynamic_capacity = 60e3;
+  EXPECT_EQ(*measures(c).dynamic_capacity, 60e3);
+  EXPECT_EQ(*measures(c).geometry_factor, *m.geometry_factor);
+}
+
+TEST(Measures, PeakPressureAtThePressureCapacityIsTheLimit) {
+  Case c = abevi();
+  const Measures m = measures(c);
+  for (const Interface i : kInterfaces) {
+    c.load_cases[0].axial_force = *m.pressure_capacity[i];
+    EXPECT_NEAR(*load_measures(c, 0).mean_peak_pressure[i] / kStaticPressureLimit, 1.0, 1e-12);
+  }
+}
+
+TEST(Measures, StaticCapacityOfAFlankIsNearlyThatOfABallOnAPlane) {
+  // The roller's flank is a ball of its profile's radius and the other flank is nearly plane: on a
+  // plane N = D^2/2 sqrt(1e-4/1.3e-7) [mm, N].
+  const Measures m = measures(abevi());
+  const double diameter = 2 * 4.949747468;
+  const double plane = 0.5 * diameter * diameter * std::sqrt(1e-4 / 1.3e-7);
+  const double axial = kContacts * plane * std::sqrt(0.5);
+  EXPECT_NEAR(*m.static_capacity.screw / axial, 1.0, 0.15);
+  EXPECT_NEAR(*m.static_capacity.nut / axial, 1.0, 0.15);
+  // The convex screw is the weaker one, and pressure rules.
+  EXPECT_LT(*m.static_capacity.screw, *m.static_capacity.nut);
+  for (const Interface i : kInterfaces) EXPECT_LT(*m.pressure_capacity[i], *m.static_capacity[i]);
+}
+
+TEST(Measures, WeightAddsUpAndForceDensityIsItsRatio) {
+  const Measures m = measures(abevi());
+  EXPECT_NEAR(*m.weight, 7810.0 * *m.material_volume, 1e-12);
+  EXPECT_NEAR(*m.force_density * *m.weight / *m.dynamic_capacity, 1.0, 1e-13);
+  EXPECT_LT(*m.material_volume, *m.envelope_volume);
+}
+
+TEST(Measures, EquivalentInertiaIsThatOfItsParts) {
+  // Energies of all parts of the inverted screw: the nut turns, the screw travels.
+  Case c = abevi();
+  const Measures m = measures(c);
+  const double pi = std::acos(-1.0), speed = 30.0, velocity = speed * 5e-3 / (2.0 * pi);
+  const double screw = *m.screw_weight_per_length * c.measures->shaft->length;
+  EXPECT_NEAR(*m.travel_inertia * speed * speed, (*m.roller_weight + screw) * velocity * velocity,
+              1e-12);
+  EXPECT_NEAR(*m.equivalent_inertia, *m.nut_inertia + *m.roller_inertia + *m.travel_inertia, 1e-18);
+  // Rollers: their axes at r_N/2 times the speed of the nut, c = 14 mm, omega_R = r_N/(2 r_R).
+  const double mass = *m.roller_weight / 11.0, axis = 0.5 * 17.5e-3 * speed;
+  const double orbit = 11.0 * mass * axis * axis;
+  EXPECT_GT(*m.roller_inertia * speed * speed, orbit);
+  const double spin = *m.roller_inertia * speed * speed - orbit;
+  // Of solid cylinders, 1/2 M r^2 at most, thinner ends less.
+  const double whole = 11.0 * 0.5 * mass * std::pow(3.5e-3 * 2.5 * speed, 2);
+  EXPECT_LT(spin, whole);
+  EXPECT_GT(spin, 0.8 * whole);
+
+  // As a standard mechanism the screw turns and the nut travels.
+  c = abevi();
+  c.mechanism.type = Mechanism::Type::standard;
+  c.mechanism.starts.screw = 5;
+  c.mechanism.pitch_diameter.screw = 21e-3;
+  const Measures standard = measures(c);
+  EXPECT_NEAR(*standard.travel_inertia * speed * speed, *standard.weight * velocity * velocity,
+              1e-12);
+  EXPECT_NEAR(*standard.equivalent_inertia,
+              *standard.screw_inertia + *standard.roller_inertia + *standard.travel_inertia, 1e-18);
+}
+
+TEST(Measures, FrictionOfTheCaseStandsInForItsOwn) {
+  Case c = abevi();
+  const double own = *measures(c).efficiency;
+  c.measures->friction_coefficient.reset();
+  EXPECT_FALSE(measures(c).efficiency);
+  c.friction = Friction{Friction::Model::coulomb, 0.01};
+  EXPECT_EQ(*measures(c).efficiency, own);
+  c.friction = Friction{Friction::Model::jacod, 0.0};
+  EXPECT_FALSE(measures(c).efficiency);
+}
+
+TEST(LoadMeasures, ThreadsAreSofterThanEitherInterface) {
+  Case c = abevi();
+  const LoadMeasures with_teeth = load_measures(c, 0);
+  c.measures->loaded_width.reset();
+  const LoadMeasures m = load_measures(c, 0);
+  EXPECT_NEAR(1.0 / *m.thread_stiffness,
+              1.0 / *m.hertz_stiffness.screw + 1.0 / *m.hertz_stiffness.nut,
+              1e-13 / *m.thread_stiffness);
+  EXPECT_LT(*with_teeth.thread_stiffness, *m.thread_stiffness);
+  EXPECT_FALSE(m.root_shear_stress.screw);
+}
+
+TEST(LoadMeasures, HertzStiffnessIsThatOfTheModelWithEqualShares) {
+  Case c = abevi();
+  c.load_cases[0].share = LoadCase::Share::equal;
+  const Result r = analyze(c);
+  const LoadMeasures m =
+      load_measures_of(c, r.contacts, measures_of(c, r.contacts), r.load_cases[0]);
+  for (const Interface i : kInterfaces) {
+    const InterfaceLoads& loads = (*r.load_cases[0].threads)[i];
+    const double axial = loads.approach[0] / std::cos(loads.normal_angle);
+    EXPECT_NEAR(*m.hertz_stiffness[i] * axial / kForce, 1.0, 1e-12);
+    EXPECT_NEAR(*m.largest_peak_pressure[i] / *m.mean_peak_pressure[i], 1.0, 1e-12);
+    EXPECT_FALSE(m.largest_load_rate[i]);
+  }
+  EXPECT_NEAR(*m.static_safety / *m.thread_static_safety, 1.0, 1e-12);
+}
+
+TEST(LoadMeasures, YangIsTheModelWhoseRollerTeethAreBalls) {
+  Case c = abevi({"model.roller=rigid_bending"});
+  const Contacts contacts = find_contacts(c.mechanism, c.materials);
+  for (const Interface i : kInterfaces) {
+    c.contact.hertz_constant[i] = contacts.interfaces[i].hertz.hertz_constant;
+    c.contact.normal_angle[i] = contacts.interfaces[i].normal_angle();
+  }
+  const auto largest_difference = [&] {
+    const Result r = analyze(c);
+    const LoadMeasures m =
+        load_measures_of(c, r.contacts, measures_of(c, r.contacts), r.load_cases[0]);
+    EXPECT_EQ(m.yang_load_rate.size(), 20U);
+    double difference = 0.0;
+    for (const Interface i : kInterfaces)
+      for (std::size_t k = 0; k < m.yang_load_rate.size(); ++k)
+        difference = std::max(
+            difference, std::abs((*r.load_cases[0].threads)[i].load_rate[k] - m.yang_load_rate[k]));
+    return difference;
+  };
+  // A real roller evens out what differs between both interfaces.
+  EXPECT_GT(largest_difference(), 1e-3);
+  c.materials->roller.youngs_modulus *= 1e-9;
+  EXPECT_LT(largest_difference(), 1e-7);
+}
+
+TEST(LoadMeasures, MostLoadedThreadRulesStressAndSafety) {
+  const Case c = abevi();
+  const Result r = analyze(c);
+  const LoadMeasures m =
+      load_measures_of(c, r.contacts, measures_of(c, r.contacts), r.load_cases[0]);
+  EXPECT_LT(*m.thread_static_safety, *m.static_safety);
+  EXPECT_GT(*m.largest_peak_pressure.screw, *m.mean_peak_pressure.screw);
+  for (const Interface i : kInterfaces) {
+    const auto& rates = (*r.load_cases[0].threads)[i].load_rate;
+    EXPECT_EQ(*m.largest_load_rate[i], *std::ranges::max_element(rates));
+  }
+  // The roller's teeth, as wide at the root, take the larger load of both interfaces.
+  EXPECT_NEAR(*m.root_shear_stress.roller,
+              std::max(*m.root_shear_stress.screw, *m.root_shear_stress.nut), 1.0);
+  EXPECT_NEAR(*m.root_shear_stress.screw / *m.root_shear_stress.nut,
+              *m.largest_load_rate.screw / *m.largest_load_rate.nut, 1e-12);
+}
+
+TEST(LoadMeasures, OnlyCompressionBuckles) {
+  const Case c = abevi();
+  EXPECT_FALSE(load_measures(c, 0).buckling_safety);
+  EXPECT_NEAR(*load_measures(c, 1).buckling_safety, *measures(c).buckling_load / 1e3, 1e-9);
+  Case equal = abevi();
+  equal.load_cases[0].share = LoadCase::Share::equal;
+  equal.load_cases[0].direction.reset();
+  equal.load_cases[0].axial_force = -2e3;
+  EXPECT_NEAR(*load_measures(equal, 0).buckling_safety, *measures(equal).buckling_load / 2e3, 1e-9);
+}
+
+TEST(LoadMeasures, SpeedGivesHoursAndAStandardScrewItsMargin) {
+  Case c = abevi();
+  c.operation = Operation{};
+  c.operation->speed = -40.0;
+  LoadMeasures m = load_measures(c, 0);
+  const double pi = std::acos(-1.0);
+  EXPECT_NEAR(*m.life_hours * 3600.0 * 40.0 / (2.0 * pi) / *m.life, 1.0, 1e-12);
+  EXPECT_FALSE(m.speed_safety);  // The screw of an inverted mechanism does not turn.
+  c.load_cases[0].speed = 80.0;
+  EXPECT_NEAR(*load_measures(c, 0).life_hours / *m.life_hours, 0.5, 1e-12);
+
+  c.mechanism.type = Mechanism::Type::standard;
+  c.mechanism.starts.screw = 5;
+  const Contacts contacts = find_contacts(c.mechanism, c.materials);
+  LoadCaseResult result;
+  result.load_case = c.load_cases[0];
+  const Measures design = measures_of(c, contacts);
+  EXPECT_NEAR(*load_measures_of(c, contacts, design, result).speed_safety,
+              *design.critical_speed / 80.0, 1e-9);
+}
+
+TEST(LoadMeasures, ACaseThatDidNotConvergeKeepsItsMeanValues) {
+  const Case c = abevi();
+  const Contacts contacts = find_contacts(c.mechanism, c.materials);
+  LoadCaseResult failed;
+  failed.load_case = c.load_cases[0];
+  failed.solve.emplace();
+  const LoadMeasures m = load_measures_of(c, contacts, measures_of(c, contacts), failed);
+  EXPECT_TRUE(m.mean_peak_pressure.screw && m.life && m.static_safety && !m.yang_load_rate.empty());
+  EXPECT_FALSE(m.largest_peak_pressure.screw || m.largest_load_rate.nut || m.thread_static_safety);
+}
+
+TEST(MeasureQuantities, EveryMeasureHasOneKey) {
+  // Measures and the scalars of LoadMeasures are optional numbers and nothing else.
+  using Number = std::optional<double>;
+  static_assert(sizeof(Measures) == std::size(kDesignMeasures) * sizeof(Number));
+  static_assert(sizeof(LoadMeasures) ==
+                std::size(kLoadMeasures) * sizeof(Number) +
+                    std::size(kThreadMeasures) * sizeof(std::vector<double>));
+  std::set<std::string_view> keys;
+  for (const DesignMeasure& q : kDesignMeasures) keys.insert(q.key);
+  for (const LoadMeasure& q : kLoadMeasures) keys.insert(q.key);
+  for (const ThreadMeasure& q : kThreadMeasures) keys.insert(q.key);
+  EXPECT_EQ(keys.size(),
+            std::size(kDesignMeasures) + std::size(kLoadMeasures) + std::size(kThreadMeasures));
+
+  // No two keys show the same number.
+  Measures m;
+  auto* const numbers = reinterpret_cast<Number*>(&m);
+  for (std::size_t i = 0; i < std::size(kDesignMeasures); ++i)
+    numbers[i] = static_cast<double>(i + 1);
+  std::set<double> shown;
+  for (const DesignMeasure& q : kDesignMeasures) shown.insert(*q.value(m));
+  EXPECT_EQ(shown.size(), std::size(kDesignMeasures));
+}
+
+TEST(MeasureQuantities, SayWhatTheyAre) {
+  const auto complete = [](const auto& q) {
+    return !q.title.empty() && !q.formula.empty() && !q.validity.empty() && !q.source.empty();
+  };
+  EXPECT_TRUE(std::ranges::all_of(kDesignMeasures, complete));
+  EXPECT_TRUE(std::ranges::all_of(kLoadMeasures, complete));
+  EXPECT_TRUE(std::ranges::all_of(kThreadMeasures, complete));
+}
+
+}  // namespace
+}  // namespace prs

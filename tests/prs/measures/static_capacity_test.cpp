@@ -1,0 +1,62 @@
+#include "prs/measures/static_capacity.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "contact/hertz.h"
+
+namespace prs {
+namespace {
+
+TEST(PermanentDeformation, LoadAndDeformationAreInverse) {
+  const double load = load_at_permanent_deformation(10e-3, 20.0, 300.0);
+  EXPECT_NEAR(permanent_deformation(load, 10e-3, 20.0, 300.0) / 10e-3, 1e-4, 1e-17);
+  EXPECT_NEAR(load_at_permanent_deformation(10e-3, 20.0, 300.0, 4e-4) / load, 2.0, 1e-14);
+}
+
+/// Inner raceway of a ball bearing: gamma = D cos(alpha)/d_m, f the groove's radius over D.
+struct Raceway {
+  double kappa_1;
+  double kappa_2;
+};
+Raceway inner_raceway(double diameter, double gamma, double conformity) {
+  return {2.0 / diameter - 1.0 / (conformity * diameter), 2.0 / diameter / (1.0 - gamma)};
+}
+
+TEST(PermanentDeformation, IsHarrisFormOfABallOnItsInnerRaceway) {
+  // Harris: 5.25e-7 Q^2/D^3 (1 + gamma/(1 - gamma)) (1 - 1/(2 f)) [mm, N], rounded from 4 x 1.3e-7.
+  const double diameter = 12.0, load = 5e3, gamma = 0.18, f = 0.53;
+  const double harris = 5.25e-7 * load * load / std::pow(diameter, 3) *
+                        (1.0 + gamma / (1.0 - gamma)) * (1.0 - 0.5 / f);
+  const Raceway r = inner_raceway(diameter * 1e-3, gamma, f);
+  EXPECT_NEAR(permanent_deformation(load, diameter * 1e-3, r.kappa_1, r.kappa_2) * 1e3 / harris,
+              1.0, 0.01);
+}
+
+TEST(PermanentDeformation, TheLimitIsThePressureOfIso76ForBallBearings) {
+  // ISO 76 puts the same limit at about 4200 MPa for ball bearings; over all of them Palmgren's
+  // formula gives 3.8 to 4.3 GPa.
+  const double modulus = contact::contact_modulus({207e9, 0.3}, {207e9, 0.3});
+  for (const double gamma : {0.05, 0.1, 0.2, 0.3})
+    for (const double f : {0.515, 0.52, 0.53}) {
+      const Raceway r = inner_raceway(10e-3, gamma, f);
+      const double load = load_at_permanent_deformation(10e-3, r.kappa_1, r.kappa_2);
+      const auto hertz = contact::hertz_constants(r.kappa_1, r.kappa_2, modulus);
+      EXPECT_NEAR(contact::at_load(hertz, load).peak_pressure, 4.2e9, 0.1 * 4.2e9)
+          << gamma << ' ' << f;
+    }
+}
+
+TEST(PermanentDeformation, OnlyAConvexFlankHasARollingElement) {
+  contact::Thread roller;
+  roller.profile_curvature = 1.0 / 5e-3;
+  EXPECT_NEAR(*flank_element_diameter(roller), 10e-3, 1e-17);
+  roller.profile_curvature = 0.0;
+  EXPECT_FALSE(flank_element_diameter(roller));
+  roller.profile_curvature = -100.0;
+  EXPECT_FALSE(flank_element_diameter(roller));
+}
+
+}  // namespace
+}  // namespace prs
