@@ -1,0 +1,124 @@
+#include "prs/configurations/configurations.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "prs/cli/commands.h"
+#include "prs/cli/printing.h"
+#include "prs/document/configurations_json.h"
+#include "prs/input/field.h"
+#include "prs/input/source.h"
+#include "prs/input/units.h"
+#include "prs/output/configurations_files.h"
+#include "prs/output/configurations_table.h"
+#include "prs/output/files.h"
+#include "prs/version.h"
+
+namespace prs::cli {
+namespace {
+
+[[noreturn]] void fail(std::string_view option, std::string_view message) {
+  throw input::InputError(fmt::format("prs configurations: error: {}: {}", option, message));
+}
+
+/// The value of an option [SI] within bounds that `expected` puts into words.
+double quantity(std::string_view option, const std::string& text, const input::Dimension& dimension,
+                const input::Bounds& bounds, std::string_view expected) {
+  const input::ParsedQuantity parsed = input::parse_quantity(text, dimension);
+  if (!parsed.value)
+    fail(option, fmt::format("got {}; expected {} with its unit, for example `{}`{}{}",
+                             input::shown(text), dimension.name, dimension.example,
+                             parsed.hint.empty() ? "" : "; ", parsed.hint));
+  if (!bounds.contain(*parsed.value))
+    fail(option, fmt::format("got {}; expected {}", input::shown(text), expected));
+  return *parsed.value;
+}
+
+ConfigurationQuery query_of(const ConfigurationOptions& o) {
+  using namespace input;
+  constexpr double kDegree = std::numbers::pi / 180;
+  const Bounds size{1e-3, 1.0};
+  ConfigurationQuery q;
+  q.screw_diameter = quantity("--screw-diameter", o.screw_diameter, unit::length, size,
+                              "1 mm to 1 m; check the unit");
+  q.lead = quantity("--lead", o.lead, unit::length, not_zero,
+                    "a lead other than 0; > 0 right-handed, < 0 left-handed");
+  if (std::abs(q.lead) > 10.0 * q.screw_diameter || std::abs(q.lead) < 1e-4 * q.screw_diameter)
+    fail("--lead", fmt::format("got {}; expected 0.0001 to 10 screw diameters; check the units",
+                               shown(o.lead)));
+  if (o.flank_angle)
+    q.flank_angle = quantity("--flank-angle", *o.flank_angle, unit::angle,
+                             {20 * kDegree, 70 * kDegree}, "20 deg to 70 deg, usually 45 deg");
+  if (o.gap) q.gap = quantity("--gap", *o.gap, unit::length, not_negative, "0 mm or more");
+  if (o.roller_profile_radius)
+    q.roller_profile_radius = quantity("--roller-profile-radius", *o.roller_profile_radius,
+                                       unit::length, positive, "more than 0 mm");
+  if (o.type)
+    q.type = *o.type == "standard" ? Mechanism::Type::standard : Mechanism::Type::inverted;
+  q.screw_starts = o.starts;
+  q.roller_starts = o.roller_starts;
+  q.rollers = o.rollers;
+  return q;
+}
+
+[[noreturn]] void refuse(const Configurations& nothing) {
+  std::string reasons = left_out_text(nothing);
+  reasons.pop_back();  // The newline that whoever prints the error adds.
+  throw input::InputError(
+      "prs configurations: error: nothing sound has this diameter, lead and starts; change what "
+      "the reasons name\n" +
+      reasons);
+}
+
+/// The configuration that `--write` asks for.
+const Configuration& chosen(const Configurations& all, const ConfigurationOptions& o) {
+  const std::optional<double> number = input::parse_number(o.write[0]);
+  if (number)
+    for (std::size_t k = 0; k < all.found.size(); ++k)
+      if (*number == static_cast<double>(k + 1)) return all.found[k];
+  fail("--write", fmt::format("got {}; expected the number of a line, 1 to {}, and a file",
+                              input::shown(o.write[0]), all.found.size()));
+}
+
+}  // namespace
+
+int configurations(const Options& options) {
+  const ConfigurationOptions& asked = options.configurations;
+  const ConfigurationQuery query = query_of(asked);
+  const Configurations all = prs::configurations(query);
+  if (all.found.empty()) refuse(all);
+
+  std::optional<std::string> written;
+  if (!asked.write.empty()) {
+    written = configuration_case(chosen(all, asked));
+    if (std::filesystem::exists(asked.write[1]))
+      fail("--write", fmt::format("{}: the file exists already; give another name",
+                                  input::shown(asked.write[1])));
+  }
+  const std::string document =
+      json_text(configurations_json(all, {kVersion, kSchemaVersion, "", {}}));
+  if (options.output)
+    write_files(*options.output, {{"configurations.json", document},
+                                  {"configurations.csv", configurations_csv(all)},
+                                  {"gear_pairs.csv", gear_pairs_csv(all)}});
+  if (written) {
+    const std::filesystem::path file = std::filesystem::absolute(asked.write[1]);
+    write_files(file.parent_path(), {{file.filename().string(), *written}});
+  }
+  if (options.json) {
+    print(document);
+  } else if (!options.quiet) {
+    print(configurations_table(query, all));
+    if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
+  }
+  if (written)
+    note(options, fmt::format("{}: written; `prs check {}` is the next step", asked.write[1],
+                              asked.write[1]));
+  return kDone;
+}
+
+}  // namespace prs::cli

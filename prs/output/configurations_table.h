@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "prs/configurations/configurations.h"
+
+namespace prs {
+
+/// The configurations, a numbered line each, and below why the others are left out, within 110
+/// columns.
+std::string configurations_table(const ConfigurationQuery& query, const Configurations& all);
+
+/// Why starts are left out, those with the same reason together; of a few with the details.
+std::string left_out_text(const Configurations& all);
+
+}  // namespace prs
