@@ -1,0 +1,448 @@
+#include "prs/input/optimize_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "prs/input/fail_at.h"
+#include "prs/input/reader.h"
+#include "prs/input/slot.h"
+#include "prs/input/units.h"
+#include "prs/input/value_text.h"
+
+namespace prs::input {
+namespace {
+
+bool stands_in(const Node& node, Place place) {
+  return node.place == place || std::ranges::any_of(node.children, [&](const Node& child) {
+           return child.key_place == place || stands_in(child, place);
+         });
+}
+
+/// Reads the variables of one optimization.
+class VariableReader {
+ public:
+  /// `base`: the document without studies and optimization, `file` read from it.
+  VariableReader(const OptimizeItem& item, const Source& source, const Node& root, const Node& base,
+                 const CaseFile& file, ErrorList& errors)
+      : item_(item),
+        source_(source),
+        root_(root),
+        base_(base),
+        file_(file),
+        fields_(echo(file, base)),
+        errors_(errors) {}
+
+  Factor read(std::size_t index) {
+    path_ = fmt::format("optimize.variables[{}]", index);
+    const VariableItem& item = item_.variables[index];
+    Factor variable;
+    variable.path = item.path;
+    variable.label = item.label.value_or(item.path);
+    if (!is_outside(item.path, path_ + ".path")) return variable;
+    if (item.values)
+      read_levels(variable, *item.values, path_);
+    else
+      read_range(variable, item);
+    for (std::size_t k = 0; k < item.linked.size(); ++k)
+      if (std::optional<Factor> linked =
+              read_linked(item.linked[k], fmt::format("{}.with[{}]", path_, k), variable))
+        variable.companions.push_back(std::move(*linked));
+    return variable;
+  }
+
+ private:
+  void refuse(const std::string& at, const std::string& message) {
+    errors_.add(locate(root_, at), at, message);
+  }
+
+  /// Whether a path leads to a value of the case itself; else says so.
+  bool is_outside(const std::string& path, const std::string& at) {
+    for (const std::string_view block : {"study", "optimize"})
+      if (path == block || path.starts_with(std::string(block) + '.')) {
+        refuse(at, fmt::format("got {}; expected a value outside `{}`; write for example `path: "
+                               "mechanism.rollers`",
+                               shown(path), block));
+        return false;
+      }
+    return true;
+  }
+
+  /// What the file says of a path, or the default, in the unit of the variable.
+  std::optional<Level> base_of(const Factor& variable) const {
+    std::optional<std::string> text;
+    if (const Node* node = find_path(base_, variable.path))
+      text = flow_text(*node);
+    else if (const auto entry = std::ranges::find(fields_, variable.path, &EchoEntry::path);
+             entry != fields_.end())
+      text = entry->value;
+    if (!text) return std::nullopt;
+    return Level{*text, number_in(*text, variable.unit)};
+  }
+
+  /// Adds what is wrong with a value of a variable where the value stands, and returns whether
+  /// nothing is.
+  bool check_in_place(const std::string& path, const Node& value, const std::string& path_at) {
+    const Place at = locate(root_, path_at);
+    ErrorList found(source_);
+    Node design = base_;
+    if (set_value(design, path, value, at, found)) read_case_file(design, found);
+    errors_.take(found, [&](Place place) {
+      return place == at || stands_in(value, place) ? place : value.place;
+    });
+    return found.empty();
+  }
+
+  void read_levels(Factor& variable, const std::vector<std::string>& values,
+                   const std::string& at) {
+    const std::optional<NumberAndUnit> first = split_unit(values[0]);
+    if (first) variable.unit = first->unit;
+    bool is_number = first.has_value();
+    for (const std::string& text : values) {
+      variable.levels.push_back({text, first ? number_in(text, variable.unit) : std::nullopt});
+      is_number = is_number && variable.levels.back().number;
+    }
+    if (!is_number) {
+      variable.unit.clear();
+      for (Level& level : variable.levels) level.number.reset();
+    }
+    variable.base = base_of(variable);
+    const Node& list = *find_path(root_, at + ".values");
+    for (const Node& value : list.children)
+      if (!check_in_place(variable.path, value, at + ".path")) return;
+  }
+
+  std::optional<Factor> read_linked(const LinkedInputItem& item, const std::string& at,
+                                    const Factor& variable) {
+    Factor linked;
+    linked.path = linked.label = item.path;
+    if (!is_outside(item.path, at + ".path")) return std::nullopt;
+    read_levels(linked, item.values, at);
+    if (linked.levels.size() == variable.levels.size()) return linked;
+    refuse(at + ".values", fmt::format("got {} values; expected {}, one for each of the variable; "
+                                       "write as many",
+                                       linked.levels.size(), variable.levels.size()));
+    return std::nullopt;
+  }
+
+  void read_range(Factor& variable, const VariableItem& item) {
+    const std::optional<NumberAndUnit> from = split_unit(*item.from), to = split_unit(*item.to);
+    if (!from || !to)
+      return refuse(path_ + (from ? ".to" : ".from"),
+                    fmt::format("got {}; expected a number with its unit as in the file; of words "
+                                "write a list `values: [.., ..]`",
+                                shown(from ? *item.to : *item.from)));
+    if (from->unit != to->unit)
+      return refuse(path_ + ".to",
+                    fmt::format("got {}; expected the unit of `from`, {}; write both ends in the "
+                                "same unit",
+                                shown(*item.to), from->unit.empty() ? "none" : shown(from->unit)));
+    if (!(from->number < to->number))
+      return refuse(path_ + ".to", fmt::format("got {}; expected more than `from`, {}; write the "
+                                               "smaller one first",
+                                               shown(*item.to), shown(*item.from)));
+    variable.unit = from->unit;
+    variable.base = base_of(variable);
+    for (const char* end : {".from", ".to"})
+      if (!check_in_place(variable.path, *find_path(root_, path_ + end), path_ + ".path")) return;
+    CaseFile file = file_;
+    const Slot slot = find_slot(file, variable.path);
+    if (slot.kind == Slot::Kind::number) {
+      variable.distribution = {Distribution::Kind::uniform, from->number, to->number};
+      variable.continuous = true;
+    } else if (slot.kind == Slot::Kind::whole) {
+      read_whole(variable, from->number, to->number);
+    } else {
+      refuse(path_ + ".path",
+             fmt::format("got {}; expected the path of a number; write what it may "
+                         "be as a list, `values: [.., ..]`",
+                         shown(variable.path)));
+    }
+  }
+
+  void read_whole(Factor& variable, double from, double to) {
+    if (to - from + 1.0 > static_cast<double>(kMostLevels))
+      return refuse(path_ + ".to",
+                    fmt::format("got a range of {:.0f} numbers; expected at most {}; "
+                                "write a smaller one",
+                                to - from + 1.0, kMostLevels));
+    for (double value = from; value <= to; value += 1.0)
+      variable.levels.push_back({fmt::format("{:.0f}", value), value});
+  }
+
+  const OptimizeItem& item_;
+  const Source& source_;
+  const Node& root_;
+  const Node& base_;
+  const CaseFile& file_;
+  std::vector<EchoEntry> fields_;
+  ErrorList& errors_;
+  std::string path_;  ///< Of the variable in the document.
+};
+
+bool is_part_of(std::string_view path, std::string_view whole) {
+  return path.starts_with(whole) &&
+         (path.size() == whole.size() || path[whole.size()] == '.' || path[whole.size()] == '[');
+}
+
+/// Adds an error where two variables set the same value.
+void check_paths(const OptimizeItem& item, const Node& root, ErrorList& errors) {
+  std::vector<std::string> before;
+  const auto add = [&](const std::string& path, const std::string& at) {
+    for (const std::string& other : before)
+      if (is_part_of(path, other) || is_part_of(other, path))
+        errors.add(locate(root, at), at,
+                   fmt::format("got {} beside {}; expected variables that set different values; "
+                               "delete one of them",
+                               shown(path), shown(other)));
+    before.push_back(path);
+  };
+  for (std::size_t i = 0; i < item.variables.size(); ++i) {
+    const std::string at = fmt::format("optimize.variables[{}]", i);
+    add(item.variables[i].path, at + ".path");
+    for (std::size_t k = 0; k < item.variables[i].linked.size(); ++k)
+      add(item.variables[i].linked[k].path, fmt::format("{}.with[{}].path", at, k));
+  }
+}
+
+/// Reads what is wanted of the designs.
+class AimReader {
+ public:
+  AimReader(const OptimizeItem& item, const Node& root, OptimizeInput& input, ErrorList& errors)
+      : item_(item), root_(root), input_(input), errors_(errors) {}
+
+  void read_objectives() {
+    std::vector<std::string> before;
+    for (std::size_t k = 0; k < item_.objectives.size(); ++k) {
+      const ObjectiveItem& item = item_.objectives[k];
+      const std::string at =
+          fmt::format("optimize.objectives[{}].{}", k, item.minimize ? "minimize" : "maximize");
+      const std::string& path = item.minimize ? *item.minimize : *item.maximize;
+      if (item.minimize && item.maximize)
+        refuse(at,
+               "got minimize and maximize; expected one of the two; make two objectives of "
+               "them");
+      if (std::ranges::find(before, path) != before.end())
+        refuse(at, fmt::format("got {} a second time; expected each objective once; delete one",
+                               shown(path)));
+      before.push_back(path);
+      input_.optimization.objectives.push_back({response(path, at), item.maximize.has_value()});
+    }
+  }
+
+  void read_constraints() {
+    for (std::size_t k = 0; k < item_.constraints.size(); ++k) {
+      const ConstraintItem& item = item_.constraints[k];
+      const std::string at = fmt::format("optimize.constraints[{}]", k);
+      const std::size_t index = response(item.response, at + ".response");
+      const auto add = [&](const char* key, Constraint::Sense sense) {
+        if (const std::optional<Limit> limit = limit_at(fmt::format("{}.{}", at, key)))
+          input_.optimization.constraints.push_back(
+              {item.name.value_or(item.response), index, sense, *limit});
+      };
+      if (item.at_least) add("at_least", Constraint::Sense::at_least);
+      if (item.at_most) add("at_most", Constraint::Sense::at_most);
+    }
+  }
+
+  /// Yao et al. 2023, (51), (56) and (60).
+  void read_thread_constraints(const Mechanism& mechanism) {
+    const std::string at = "optimize.thread_constraints";
+    using enum Constraint::Sense;
+    const auto add = [&](std::string name, const std::string& path, Constraint::Sense sense,
+                         Limit limit) {
+      input_.optimization.constraints.push_back(
+          {std::move(name), response(path, at), sense, limit});
+    };
+    for (const VariableItem& variable : item_.variables)
+      for (const std::string_view block : {"mechanism.lead", "mechanism.starts", "mechanism.pitch"})
+        if (is_part_of(variable.path, block))
+          return refuse(at, fmt::format("got true beside the variable {}; expected a pitch that "
+                                        "stays as it is; delete one of the two",
+                                        shown(variable.path)));
+    const double pitch = 1e3 * std::abs(mechanism.lead) / mechanism.starts.screw;
+    const auto pitch_of = [&](const std::optional<double>& own) {
+      return own ? 1e3 * *own : pitch;
+    };
+    const std::array parts{std::pair{"screw", pitch_of(mechanism.pitch.screw)},
+                           std::pair{"roller", pitch_of(mechanism.pitch.roller)},
+                           std::pair{"nut", pitch_of(mechanism.pitch.nut)}};
+    for (const auto& [part, own_pitch] : parts) {
+      const std::string threads = fmt::format("threads.{}.", part);
+      add(fmt::format("{} crest not sharp (51)", part), threads + "crest_width_mm", at_least,
+          {Limit::Kind::number, 0.0, 0});
+      add(fmt::format("{} roots apart (51)", part), threads + "root_width_mm", at_most,
+          {Limit::Kind::number, own_pitch, 0});
+    }
+    for (const char* side : {"screw", "nut"}) {
+      const std::string contact = fmt::format("contact.{}.", side);
+      const std::string flank = contact + "flank_clearance_mm";
+      add(fmt::format("{} flanks apart (56)", side), flank, at_least,
+          {Limit::Kind::number, 0.0, 0});
+      const Limit beyond_flank{Limit::Kind::response, 0.0, response(flank, at)};
+      add(fmt::format("{} crest clear (60)", side), contact + "body_crest_clearance_mm", at_least,
+          beyond_flank);
+      add(fmt::format("roller crest clear of {} (60)", side), contact + "roller_crest_clearance_mm",
+          at_least, beyond_flank);
+    }
+  }
+
+  void read_compromise() {
+    const CompromiseItem& item = item_.compromise;
+    Compromise& compromise = input_.optimization.compromise;
+    compromise.by = item.by;
+    compromise.weights = item.weights;
+    const std::size_t objectives = item_.objectives.size();
+    if (item.by == Compromise::By::weights && item.weights.size() != objectives)
+      refuse("optimize.compromise.weights",
+             fmt::format("got {} weights; expected {}, one for each objective; write as many",
+                         item.weights.size(), objectives));
+    if (item.by != Compromise::By::best) return;
+    for (std::size_t k = 0; k < objectives; ++k)
+      if (item_.objectives[k].minimize == item.of || item_.objectives[k].maximize == item.of) {
+        compromise.objective = k;
+        return;
+      }
+    refuse("optimize.compromise.of",
+           fmt::format("got {}; expected the path of an objective; write for example `of: {}`",
+                       shown(item.of),
+                       item_.objectives[0].minimize ? *item_.objectives[0].minimize
+                                                    : item_.objectives[0].maximize.value_or("..")));
+  }
+
+  void read_algorithms() {
+    Optimization& o = input_.optimization;
+    const bool several = item_.objectives.size() > 1;
+    o.algorithm = item_.algorithm.value_or(several ? Algorithm::nsga2 : Algorithm::sade);
+    o.check = item_.check;
+    check_algorithm(o.algorithm, "optimize.algorithm", several);
+    if (o.check) check_algorithm(*o.check, "optimize.check", several);
+    const bool genetic = o.algorithm == Algorithm::nsga2 || o.check == Algorithm::nsga2;
+    if (genetic && item_.population % 4 != 0)
+      refuse("optimize.population",
+             fmt::format("got {}; expected a multiple of 4, as nsga2 pairs four at a time; write "
+                         "{}",
+                         item_.population, (item_.population / 4 + 1) * 4));
+    o.population = static_cast<std::size_t>(item_.population);
+    o.generations = static_cast<std::size_t>(item_.generations);
+    o.seed = static_cast<std::uint64_t>(item_.seed);
+    if (o.check == o.algorithm)
+      refuse("optimize.check", fmt::format("got {}, which searches already; expected another one; "
+                                           "write {}",
+                                           name(*o.check), several ? "moead" : "pso"));
+  }
+
+ private:
+  void refuse(const std::string& at, const std::string& message) {
+    errors_.add(locate(root_, at), at, message);
+  }
+
+  void check_algorithm(Algorithm algorithm, const std::string& at, bool several) {
+    if (takes_several_objectives(algorithm) == several) return;
+    refuse(at, fmt::format("got {} with {} objective{}; expected one for {}; write {}",
+                           name(algorithm), item_.objectives.size(), several ? "s" : "",
+                           several ? "several" : "a single one",
+                           several ? "nsga2, nspso or moead" : "sade, pso or cmaes"));
+  }
+
+  /// Index of a response, which is added where it is new.
+  std::size_t response(const std::string& path, const std::string& at) {
+    std::vector<std::string>& responses = input_.optimization.study.responses;
+    const auto found = std::ranges::find(responses, path);
+    if (found != responses.end()) return static_cast<std::size_t>(found - responses.begin());
+    responses.push_back(path);
+    input_.asked_at.push_back(at);
+    return responses.size() - 1;
+  }
+
+  /// `0.5`, `{initial: 1.1}` or `{response: PATH}`.
+  std::optional<Limit> limit_at(const std::string& at) {
+    const Node& node = *find_path(root_, at);
+    const auto number = [](const Node& n) {
+      return n.kind == Node::Kind::scalar && !n.quoted ? parse_number(n.text) : std::nullopt;
+    };
+    if (const std::optional<double> value = number(node)) return Limit{.value = *value};
+    const Node* only =
+        node.kind == Node::Kind::map && node.children.size() == 1 ? &node.children[0] : nullptr;
+    if (only && only->key == "initial")
+      if (const std::optional<double> value = number(*only))
+        return Limit{.kind = Limit::Kind::initial, .value = *value};
+    if (only && only->key == "response" && only->kind == Node::Kind::scalar && !only->text.empty())
+      return Limit{.kind = Limit::Kind::response, .response = response(only->text, at)};
+    refuse(at, fmt::format("got {}; expected a number in the unit of the path, {{initial: number}} "
+                           "or {{response: path}}; write for example `{}: {{initial: 1.1}}`",
+                           shown(flow_text(node)), at.substr(at.rfind('.') + 1)));
+    return std::nullopt;
+  }
+
+  const OptimizeItem& item_;
+  const Node& root_;
+  OptimizeInput& input_;
+  ErrorList& errors_;
+};
+
+OptimizeItem written_optimization(const CaseFile& file, const Node& root, ErrorList& errors) {
+  if (!file.optimize && !find(root, "optimize"))
+    errors.add(root.place, "optimize",
+               "missing; expected variables and objectives; add for example `optimize: {command: "
+               "contact, variables: [{path: mechanism.flank_angle, from: 40 deg, to: 50 deg}], "
+               "objectives: [{minimize: screw.peak_pressure_MPa.max}]}`");
+  errors.throw_if_any();
+  return *file.optimize;
+}
+
+}  // namespace
+
+OptimizeInput read_optimize_input(const Source& source) {
+  ErrorList errors(source);
+  const Node root = read_document(source, errors);
+  const CaseFile whole = read_case_file(root, errors);
+  const OptimizeItem item = written_optimization(whole, root, errors);
+  const Case own = checked_case(whole, root, item.command, errors);
+  check_paths(item, root, errors);
+  errors.throw_if_any();
+
+  OptimizeInput input{{source, root, {}}, {}, {}};
+  std::erase_if(input.start.base.children,
+                [](const Node& child) { return child.key == "optimize" || child.key == "study"; });
+  const CaseFile file = read_case_file(input.start.base, errors);
+  errors.throw_if_any();
+  Study& study = input.optimization.study;
+  study.command = item.command;
+  study.plan = Plan::monte_carlo;
+  VariableReader variables(item, source, root, input.start.base, file, errors);
+  for (std::size_t i = 0; i < item.variables.size(); ++i)
+    study.factors.push_back(variables.read(i));
+
+  AimReader aims(item, root, input, errors);
+  aims.read_objectives();
+  aims.read_constraints();
+  if (item.thread_constraints) aims.read_thread_constraints(own.mechanism);
+  aims.read_algorithms();
+  aims.read_compromise();
+  errors.throw_if_any();
+  input.start.study = study;
+  return input;
+}
+
+void check_initial(const OptimizeInput& input, const EvaluatedDesign& initial) {
+  for (const Constraint& constraint : input.optimization.constraints) {
+    if (constraint.limit.kind != Limit::Kind::initial) continue;
+    if (std::isfinite(initial.responses[constraint.response])) continue;
+    const std::string reason =
+        initial.status.reason.empty()
+            ? "it has no " + input.optimization.study.responses[constraint.response]
+            : initial.status.reason;
+    fail_at(input.start.source, input.asked_at[constraint.response],
+            fmt::format("got a limit relative to the file's own design, which has no answer ({}); "
+                        "expected a design that has one; mend the file, or write the limit as a "
+                        "number",
+                        reason));
+  }
+}
+
+}  // namespace prs::input

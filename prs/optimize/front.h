@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "prs/optimize/optimization.h"
+
+namespace prs {
+
+/// Indices of the points that no other point dominates, of equal ones the first, ascending in the
+/// first coordinate. Less is better. O(n log n) for two coordinates, else O(n x front).
+std::vector<std::size_t> non_dominated(const std::vector<std::vector<double>>& points);
+
+/// The front of the feasible designs.
+std::vector<std::size_t> front_of(const Optimization& optimization,
+                                  const std::vector<EvaluatedDesign>& designs);
+
+/// The front's design that `optimization.compromise` chooses; the first of equal ones.
+std::optional<std::size_t> compromise_of(const Optimization& optimization, const Search& search);
+
+FrontComparison compare_fronts(const Optimization& optimization, const EvaluatedDesign& initial,
+                               const Search& search, const Search& check);
+
+}  // namespace prs

@@ -1,0 +1,113 @@
+#include "prs/optimize/pagmo_search.h"
+
+#include <algorithm>
+#include <numeric>
+#include <pagmo/algorithm.hpp>
+#include <pagmo/algorithms/cmaes.hpp>
+#include <pagmo/algorithms/moead.hpp>
+#include <pagmo/algorithms/nsga2.hpp>
+#include <pagmo/algorithms/nspso.hpp>
+#include <pagmo/algorithms/pso_gen.hpp>
+#include <pagmo/algorithms/sade.hpp>
+#include <pagmo/batch_evaluators/member_bfe.hpp>
+#include <pagmo/bfe.hpp>
+#include <pagmo/population.hpp>
+#include <pagmo/problem.hpp>
+#include <pagmo/utils/hypervolume.hpp>
+#include <utility>
+
+namespace prs {
+namespace {
+
+using pagmo::vector_double;
+
+/// The unit cube as pagmo's problem.
+struct CubeProblem {
+  std::size_t dimensions = 1;
+  std::size_t objectives = 1;
+  const EvaluatePoints* evaluate = nullptr;
+
+  vector_double fitness(const vector_double& x) const { return (*evaluate)({x}).front(); }
+
+  vector_double batch_fitness(const vector_double& xs) const {
+    Points points;
+    for (auto at = xs.begin(); at != xs.end(); at += static_cast<std::ptrdiff_t>(dimensions))
+      points.emplace_back(at, at + static_cast<std::ptrdiff_t>(dimensions));
+    vector_double all;
+    for (const std::vector<double>& values : (*evaluate)(points))
+      all.insert(all.end(), values.begin(), values.end());
+    return all;
+  }
+
+  vector_double::size_type get_nobj() const { return objectives; }
+  std::pair<vector_double, vector_double> get_bounds() const {
+    return {vector_double(dimensions, 0.0), vector_double(dimensions, 1.0)};
+  }
+};
+
+template <class A>
+pagmo::algorithm in_batches(A algorithm) {
+  algorithm.set_bfe(pagmo::bfe(pagmo::member_bfe()));
+  return pagmo::algorithm(std::move(algorithm));
+}
+
+/// With pagmo's own settings, but that none stops before its last generation.
+pagmo::algorithm algorithm_of(const SearchOptions& options, std::size_t dimensions,
+                              std::size_t population) {
+  const auto generations = static_cast<unsigned>(options.generations - 1);
+  const auto seed = static_cast<unsigned>(options.seed ^ (options.seed >> 32U));
+  switch (options.algorithm) {
+    case Algorithm::nsga2:
+      // A variable mutates with probability 1/n, as its authors have it.
+      return in_batches(
+          pagmo::nsga2(generations, 0.95, 10.0, 1.0 / static_cast<double>(dimensions), 50.0, seed));
+    case Algorithm::nspso: {
+      pagmo::nspso swarm(generations);
+      swarm.set_seed(seed);
+      return in_batches(std::move(swarm));
+    }
+    case Algorithm::moead: {
+      const std::size_t neighbours = std::min<std::size_t>(20, population - 1);
+      return pagmo::algorithm(
+          pagmo::moead(generations, options.objectives == 2 ? "grid" : "low discrepancy",
+                       "tchebycheff", neighbours, 1.0, 0.5, 20.0, 0.9, 2, true, seed));
+    }
+    case Algorithm::sade:
+      return pagmo::algorithm(pagmo::sade(generations, 2, 1, 0.0, 0.0, false, seed));
+    case Algorithm::pso: {
+      pagmo::pso_gen swarm(generations);
+      swarm.set_seed(seed);
+      return in_batches(std::move(swarm));
+    }
+    case Algorithm::cmaes:
+      break;
+  }
+  return pagmo::algorithm(
+      pagmo::cmaes(generations, -1, -1, -1, -1, 0.3, 0.0, 0.0, false, true, seed));
+}
+
+}  // namespace
+
+void search_cube(const SearchOptions& options, const Points& first_population,
+                 const EvaluatePoints& evaluate) {
+  const std::size_t dimensions = first_population.front().size();
+  pagmo::population population(
+      pagmo::problem(CubeProblem{dimensions, options.objectives, &evaluate}), 0U, 0U);
+  const Points fitness = evaluate(first_population);
+  for (std::size_t k = 0; k < first_population.size(); ++k)
+    population.push_back(first_population[k], fitness[k]);
+  if (options.generations < 2) return;
+  algorithm_of(options, dimensions, first_population.size()).evolve(population);
+}
+
+double hypervolume(const Points& points, const std::vector<double>& corner) {
+  if (points.empty()) return 0.0;
+  if (corner.size() == 1) {  // pagmo's has two dimensions at least.
+    double best = corner[0];
+    for (const std::vector<double>& point : points) best = std::min(best, point[0]);
+    return corner[0] - best;
+  }
+  return pagmo::hypervolume(points, false).compute(corner);
+}
+
+}  // namespace prs

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "prs/document/json.h"
+#include "prs/optimize/optimization.h"
+
+namespace prs {
+
+/// The document of `prs optimize --json`: what was asked for, the file's own design, the
+/// compromise with changes in percent, the front, and of a check its front and how the two compare.
+nlohmann::ordered_json optimize_json(const OptimizationResult& result, const DocumentInfo& info);
+
+}  // namespace prs

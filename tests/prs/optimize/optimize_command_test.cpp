@@ -1,0 +1,169 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "support/processes.h"
+#include "tests/prs/output/temporary_directory.h"
+#include "yao_file.h"
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::content_of;
+using test::files_in;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kPressures =
+    "  objectives:\n"
+    "    - {minimize: screw.peak_pressure_MPa.max}\n"
+    "    - {minimize: nut.peak_pressure_MPa.max}\n";
+
+struct Outcome {
+  int status = 0;
+  std::string out;
+  std::string err;
+};
+
+class OptimizeCommand : public testing::Test {
+ protected:
+  void write(const std::string& optimize) const {
+    std::ofstream(file) << test::yao_mechanism() << test::yao_optimize(optimize);
+  }
+  Outcome prs(const std::string& arguments, const std::string& before = "") const {
+    const std::string out = (temporary.path() / "out").string();
+    const std::string err = (temporary.path() / "err").string();
+    const std::string command =
+        before + " '" PRS_EXECUTABLE "' " + arguments + " > '" + out + "' 2> '" + err + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
+  }
+  std::string optimize(const std::string& more = "") const {
+    return "optimize '" + file.string() + "' " + more;
+  }
+  std::string into(const fs::path& output, const std::string& more = "") const {
+    return optimize("--quiet --output '" + output.string() + "' " + more);
+  }
+
+  const test::TemporaryDirectory temporary;
+  const fs::path file = temporary.path() / "case.yaml";
+};
+
+TEST_F(OptimizeCommand, FindsYaosOptimum) {
+  // Section 4.1: 25 generations of 20 designs lower the contact stresses by 7.45 and 8.04 %.
+  write(kPressures +
+        "  thread_constraints: true\n  check: moead\n  population: 20\n  generations: 25");
+  const Outcome run = prs(optimize("--json"));
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json result = json::parse(run.out);
+  EXPECT_TRUE(result["initial"]["feasible"]);
+  const json& change = result["compromise"]["change_percent"];
+  EXPECT_LT(change["screw.peak_pressure_MPa.max"], -7.0);
+  EXPECT_LT(change["nut.peak_pressure_MPa.max"], -7.0);
+  ASSERT_EQ(result["compromise"]["constraints"].size(), 12);
+  for (const json& constraint : result["compromise"]["constraints"])
+    EXPECT_TRUE(constraint["satisfied"]) << constraint;
+  EXPECT_EQ(result["search"]["designs"], 500);
+  // Both searches come to the same pressures.
+  for (const json& best : result["comparison"]["best"])
+    EXPECT_NEAR(best["difference_percent"].get<double>(), 0.0, 1.0) << best;
+}
+
+TEST_F(OptimizeCommand, DesignsAreWhatContactSaysOfThem) {
+  write(kPressures + "  population: 8\n  generations: 3");
+  const fs::path output = temporary.path() / "o";
+  ASSERT_EQ(prs(into(output)).status, 0);
+  const json chosen = json::parse(content_of(output / "optimize.json"))["compromise"];
+  const std::string best = "contact '" + (output / "best.yaml").string() + "' --json";
+  const json result = json::parse(prs(best).out);
+  const json& load_case = result["load_cases"][0];
+  EXPECT_DOUBLE_EQ(load_case["screw"]["peak_pressure_MPa"][0],
+                   chosen["responses"]["screw.peak_pressure_MPa.max"].get<double>());
+  EXPECT_DOUBLE_EQ(load_case["nut"]["peak_pressure_MPa"][0],
+                   chosen["responses"]["nut.peak_pressure_MPa.max"].get<double>());
+  std::string settings;
+  for (const json& setting : chosen["set"])
+    settings += " --set '" + setting.get<std::string>() + "'";
+  const json by_settings =
+      json::parse(prs("contact '" + file.string() + "' --json" + settings).out);
+  EXPECT_EQ(by_settings["load_cases"], result["load_cases"]);
+  // Nothing else changed in the file.
+  const std::string text = content_of(output / "best.yaml");
+  EXPECT_THAT(text, StartsWith("# Compromise of `prs optimize "));
+  EXPECT_THAT(text, HasSubstr("deg}  # these vary\n"));
+}
+
+TEST_F(OptimizeCommand, FilesDependOnTheSeedNotOnThreads) {
+  write(kPressures + "  population: 40\n  generations: 8\n  check: nspso");
+  const fs::path one = temporary.path() / "1", three = temporary.path() / "3";
+  ASSERT_EQ(prs(into(one, "--threads 1")).status, 0);
+  ASSERT_EQ(prs(into(three, "--threads 3")).status, 0);
+  const auto files = files_in(one);
+  for (const char* name : {"optimize.json", "front.csv", "history.csv", "best.yaml"})
+    EXPECT_THAT(files, testing::Contains(testing::Key(name)));
+  EXPECT_TRUE(files == files_in(three));
+  const fs::path other = temporary.path() / "other";
+  ASSERT_EQ(prs(into(other, "--set optimize.seed=2")).status, 0);
+  EXPECT_NE(files.at("history.csv"), files_in(other).at("history.csv"));
+}
+
+TEST_F(OptimizeCommand, EndsTheSameHoweverOftenItIsStopped) {
+  write(kPressures + "  thread_constraints: true\n  population: 100\n  generations: 30");
+  const fs::path whole = temporary.path() / "whole", parts = temporary.path() / "parts";
+  ASSERT_EQ(prs(into(whole, "--threads 1")).status, 0);
+  int stopped = 0;
+  for (double patience = 0.03;; patience *= 1.2) {
+    const char* signal = stopped % 2 == 0 ? "INT" : "KILL";
+    const Outcome run = prs(into(parts, "--threads 2"), "timeout --signal=" + std::string(signal) +
+                                                            ' ' + std::to_string(patience));
+    if (run.status == 0) break;
+    ASSERT_LT(++stopped, 100) << run.err;
+  }
+  EXPECT_GT(stopped, 0);
+  EXPECT_TRUE(files_in(parts) == files_in(whole));
+}
+
+TEST_F(OptimizeCommand, AnotherOptimizationDoesNotGoOnWithTheFirst) {
+  write(kPressures + "  population: 100\n  generations: 30");
+  const fs::path output = temporary.path() / "o";
+  fs::create_directory(output);
+  std::ofstream(output / "optimize.journal") << "something else";
+  EXPECT_EQ(prs(into(output)).status, 2);
+  EXPECT_EQ(prs(into(output, "--restart")).status, 0);
+  EXPECT_FALSE(fs::exists(output / "optimize.journal"));
+}
+
+TEST_F(OptimizeCommand, ErrorsNameWhatAsksForThem) {
+  write("  objectives: [{minimize: screw.peak_pressure_GPa.max}]");
+  Outcome run = prs(optimize("--json"));
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err, HasSubstr("optimize.objectives[0].minimize: got "
+                                 "screw.peak_pressure_GPa.max; expected the path of a number"));
+  EXPECT_THAT(run.err, HasSubstr("did you mean `screw.peak_pressure_MPa.max`?"));
+  write("  objectives: [{minimize: screw.peak_pressure_MPa.max}]\n  thread_constraints: true");
+  run = prs(optimize("--set mechanism.thread=~"));
+  EXPECT_EQ(run.status, 2);
+}
+
+TEST_F(OptimizeCommand, WithoutAFeasibleDesignTheStatusIs3) {
+  write(kPressures +
+        "  constraints: [{response: screw.peak_pressure_MPa.max, at_most: {initial: 0.5}}]\n"
+        "  population: 8\n  generations: 3");
+  const fs::path output = temporary.path() / "o";
+  const Outcome run = prs(optimize("--output '" + output.string() + "'"));
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.out, HasSubstr("No design keeps all constraints"));
+  EXPECT_THAT(run.out, HasSubstr("violated: screw.peak_pressure_MPa.max"));
+  EXPECT_TRUE(json::parse(content_of(output / "optimize.json")).contains("nearest"));
+}
+
+}  // namespace
+}  // namespace prs
