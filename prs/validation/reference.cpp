@@ -115,9 +115,14 @@ Command read_command(const Node& node, ErrorList& errors) {
 
 ReferenceCase read_case(const Node& node, const std::filesystem::path& folder, ErrorList& errors) {
   ReferenceCase c;
-  if (!is_map_of(node, {"case", "command", "values"}, errors)) return c;
-  c.file = folder / required_text(node, "case", errors);
-  c.command = read_command(node, errors);
+  if (input::find(node, "formulas") != nullptr) {
+    if (!is_map_of(node, {"formulas", "values"}, errors)) return c;
+    c.formulas = required_text(node, "formulas", errors);
+  } else {
+    if (!is_map_of(node, {"case", "command", "values"}, errors)) return c;
+    c.file = folder / required_text(node, "case", errors);
+    c.command = read_command(node, errors);
+  }
   for (const Node& value : required_list(node, "values", errors))
     c.values.push_back(read_value(value, errors));
   return c;

@@ -37,9 +37,10 @@ struct PrintedValue {
   std::optional<PrintedNumber> corrected;  ///< What it gives instead, from an independent source.
 };
 
-/// A case and the numbers printed for it.
+/// A case, or formulas that the source's code computes without one, and the numbers printed for it.
 struct ReferenceCase {
-  std::filesystem::path file;
+  std::filesystem::path file;        ///< Empty for formulas.
+  std::string formulas;              ///< What they give: `table 7.1`; empty for a case.
   Command command = Command::solve;  ///< `solve`, `contact` or `slip`
   std::vector<PrintedValue> values;
 };

@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "prs/analyze.h"
+#include "prs/document/json.h"
 #include "prs/input/compute_from.h"
 #include "prs/input/reader.h"
-#include "prs/output/json.h"
 #include "prs/output/text.h"
 #include "prs/slip.h"
 
@@ -55,15 +55,22 @@ Result result_of(const input::Source& source, Command command) {
   });
 }
 
-std::vector<Comparison> compare(const ReferenceCase& reference, const DerivedQuantities& derived) {
+Json document_of(const ReferenceCase& reference, const Contribution& code) {
+  if (reference.file.empty()) return code.formulas ? code.formulas() : Json::object();
   const Result result =
       result_of(input::load_source(reference.file.string(), {}), reference.command);
   Json document = to_json(result, {});
-  if (derived) document["derived"] = derived(result);
+  if (code.derived) document["derived"] = code.derived(result);
+  return document;
+}
+
+std::vector<Comparison> compare(const ReferenceCase& reference, const Contribution& code) {
+  const Json document = document_of(reference, code);
+  const std::string name =
+      reference.file.empty() ? reference.formulas : reference.file.stem().string();
   std::vector<Comparison> comparisons;
   for (const PrintedValue& value : reference.values)
-    comparisons.push_back(
-        {reference.file.stem().string(), value, number_at(document, value.quantity)});
+    comparisons.push_back({name, value, number_at(document, value.quantity)});
   return comparisons;
 }
 
@@ -94,13 +101,12 @@ SourceReport report_on(const std::filesystem::path& folder,
   Contribution code;
   for (const Contribution& c : contributions)
     if (c.folder == report.name) code = c;
-  for (const ReferenceCase& c : reference.cases)
-    append(report.comparisons, compare(c, code.derived));
+  for (const ReferenceCase& c : reference.cases) append(report.comparisons, compare(c, code));
   if (code.tables) report.tables = code.tables();
   if (!code.statements && !code.subject_tables && !code.supplement) return report;
   // Left out where the reference does not hold the case that the code is about.
   const auto subject = std::ranges::find_if(reference.cases, [&](const ReferenceCase& c) {
-    return code.subject.empty() || c.file.filename() == code.subject;
+    return code.subject.empty() ? !c.file.empty() : c.file.filename() == code.subject;
   });
   if (subject == reference.cases.end()) return report;
   const input::Source source = input::load_source(subject->file.string(), {});

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "prs/case.h"
+#include "prs/document/json.h"
 #include "prs/output/figure.h"
 #include "prs/output/files.h"
-#include "prs/output/json.h"
 #include "prs/result.h"
 #include "prs/validation/reference.h"
 #include "prs/validation/statement.h"
@@ -29,7 +29,7 @@ const char* name(Outcome outcome);
 
 /// A printed number against the computed one.
 struct Comparison {
-  std::string case_name;  ///< Of the case's file, without its ending.
+  std::string case_name;  ///< Of the case's file, without its ending; or of formulas.
   PrintedValue reference;
   std::optional<double> computed;  ///< Absent where the result does not hold the quantity.
 
@@ -75,6 +75,8 @@ struct Contribution {
   std::string folder;
   StatementJudge statements = {};  ///< On the subject.
   DerivedQuantities derived = {};
+  /// What the source's formulas give without a case, by key.
+  std::function<nlohmann::ordered_json()> formulas = {};
   std::function<std::vector<ValidationTable>()> tables = {};
   std::function<std::vector<ValidationTable>(const Case&)> subject_tables = {};
   /// On the subject and the source's folder.

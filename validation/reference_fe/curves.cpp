@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "prs/output/units.h"
+#include "prs/document/units.h"
 #include "prs/validation/csv_table.h"
 
 namespace prs::reference_fe {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "prs/document/units.h"
 #include "prs/output/figure_style.h"
-#include "prs/output/units.h"
 
 namespace prs::reference_fe {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/output/units.h"
+#include "prs/document/units.h"
 
 namespace prs::reference_fe {
 namespace {

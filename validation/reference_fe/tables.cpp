@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "prs/document/units.h"
 #include "prs/output/csv_writer.h"
-#include "prs/output/units.h"
 
 namespace prs::reference_fe {
 namespace {

@@ -10,7 +10,7 @@
 #include "contact/film.h"
 #include "contact/patch.h"
 #include "prs/analyze.h"
-#include "prs/output/units.h"
+#include "prs/document/units.h"
 #include "prs/slip_model.h"
 
 namespace prs::sandu_2018 {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "prs/analyze.h"
-#include "prs/output/units.h"
+#include "prs/document/units.h"
 #include "prs/slip.h"
 #include "prs/slip_model.h"
 #include "validation/sandu_2018/sweep.h"

@@ -13,7 +13,7 @@
 
 #include "prs/analyze.h"
 #include "prs/case_error.h"
-#include "prs/output/units.h"
+#include "prs/document/units.h"
 #include "prs/study/response_surface.h"
 #include "prs/study/sampling.h"
 
