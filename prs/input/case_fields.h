@@ -8,6 +8,7 @@
 
 #include "prs/case.h"
 #include "prs/input/field.h"
+#include "prs/input/optimize_fields.h"
 #include "prs/study/study.h"
 
 /// The input, described once: every key, its unit and bounds, whether it must stand, its meaning.
@@ -33,6 +34,13 @@ struct WrittenNormal {
   std::string deviation;
 };
 
+/// An input that changes with a factor, as it is written.
+struct CompanionItem {
+  std::string path;
+  std::optional<std::string> label;
+  std::optional<WrittenValues> values;
+};
+
 /// A factor of a study as it is written.
 struct FactorItem {
   std::string path;
@@ -41,6 +49,23 @@ struct FactorItem {
   std::optional<WrittenInterval> uniform, log_uniform;
   std::optional<WrittenNormal> normal;
   std::optional<std::string> within;
+  std::vector<CompanionItem> companions;
+};
+
+/// A point of an envelope and the envelope itself, as they are written.
+struct EnvelopePointItem {
+  enum class Wanted { best };
+
+  std::string name;
+  std::optional<std::vector<std::string>> at;
+  std::optional<Wanted> wanted;
+  std::optional<std::vector<Envelope::Target>> reach;
+};
+struct EnvelopeItem {
+  Envelope::Combine combine = Envelope::Combine::product;
+  Envelope::Normalise normalise = Envelope::Normalise::rms;
+  std::vector<Envelope::Measure> measures;
+  std::vector<EnvelopePointItem> points;
 };
 
 /// A study as it is written.
@@ -51,6 +76,7 @@ struct StudyItem {
   std::int64_t seed = 1;
   std::vector<FactorItem> factors;
   std::optional<std::vector<std::string>> responses;
+  std::optional<EnvelopeItem> envelope;
 };
 
 /// A file as it is written: `values` lacks the load cases.
@@ -58,6 +84,7 @@ struct CaseFile {
   Case values;
   std::vector<LoadCaseItem> load_cases;
   std::optional<StudyItem> study;
+  std::optional<OptimizeItem> optimize;
 };
 
 // Choices: io.word(WORD, member, value, meaning), io.map(KEY, member, value, content, kind,
@@ -142,6 +169,15 @@ void alternatives(Io& io, ModelOptions::Roller& r) {
 }
 
 template <class Io>
+void alternatives(Io& io, MeasureOptions::Ends& e) {
+  using enum MeasureOptions::Ends;
+  io.word("fixed_free", e, fixed_free, "one end clamped, the other free");
+  io.word("supported_supported", e, supported_supported, "both ends can tilt");
+  io.word("fixed_supported", e, fixed_supported, "one end clamped, the other can tilt");
+  io.word("fixed_fixed", e, fixed_fixed, "both ends clamped");
+}
+
+template <class Io>
 void alternatives(Io& io, Direction& d) {
   io.word("tension", d, Direction::tension, "the load pulls the screw out of the mechanism");
   io.word("compression", d, Direction::compression, "the load pushes the screw in");
@@ -181,6 +217,8 @@ void alternatives(Io& io, Command& c) {
   io.word("solve", c, Command::solve, "load distribution, pressures and stiffness");
   io.word("slip", c, Command::slip, "slip, power loss and efficiency");
   io.word("life", c, Command::life, "life under a load history or spectrum");
+  io.word("measures", c, Command::measures,
+          "capacity, weight, stiffness and the other design measures");
 }
 
 template <class Io>
@@ -199,6 +237,24 @@ void alternatives(Io& io, Plan& p) {
           "the file as it stands, with the derivatives by every factor");
 }
 
+template <class Io>
+void alternatives(Io& io, Envelope::Combine& c) {
+  io.word("product", c, Envelope::Combine::product, "multiplied, weights as exponents");
+  io.word("sum", c, Envelope::Combine::sum, "added, weights as factors");
+}
+
+template <class Io>
+void alternatives(Io& io, Envelope::Normalise& n) {
+  io.word("rms", n, Envelope::Normalise::rms, "the root mean square of its map");
+  io.word("max", n, Envelope::Normalise::max, "the largest magnitude of its map");
+  io.word("none", n, Envelope::Normalise::none, "nothing");
+}
+
+template <class Io>
+void alternatives(Io& io, EnvelopePointItem::Wanted& w) {
+  io.word("best", w, EnvelopePointItem::Wanted::best, "where the envelope is largest");
+}
+
 // Blocks: io.field(KEY, member, kind, presence, meaning)
 
 template <class Io>
@@ -212,6 +268,8 @@ void fields(Io& io, ThreadHeight& t) {
   const Quantity height{unit::length, not_negative};
   io.field("addendum", t.addendum, height, required, "Height of the crest above the pitch radius");
   io.field("dedendum", t.dedendum, height, required, "Depth of the root below the pitch radius");
+  io.field("thickness", t.thickness, Quantity{unit::length, positive}, optional,
+           "Axial thickness of the thread at the pitch radius, half a pitch by default");
 }
 
 template <class Io>
@@ -524,6 +582,25 @@ void fields(Io& io, Life& l) {
 }
 
 template <class Io>
+void fields(Io& io, MeasureOptions::Shaft& s) {
+  io.field("length", s.length, Quantity{unit::length, positive}, required,
+           "Greatest distance between the supports of the screw");
+  io.field("ends", s.ends, Choice{}, required, "How the screw is held at both ends of it");
+}
+
+template <class Io>
+void fields(Io& io, MeasureOptions& m) {
+  io.field("loaded_width", m.loaded_width, Quantity{unit::length, positive}, optional,
+           "Of thread that one contact loads, for the compliance and the strength of its tooth");
+  io.field("friction_coefficient", m.friction_coefficient, Number{{.least = 0.0, .greatest = 1.0}},
+           optional,
+           "For the estimate of efficiency; that of `friction: {coulomb: ..}` where absent");
+  io.field("yield_strength", m.yield_strength, Quantity{unit::pressure, positive}, optional,
+           "Of the screw's shaft, for short columns");
+  io.field("shaft", m.shaft, Block{}, optional, "Of the screw, for buckling and critical speed");
+}
+
+template <class Io>
 void fields(Io& io, ViscosityPoint& p) {
   io.field("temperature", p.temperature, Quantity{unit::temperature, positive}, required,
            "Where the viscosity was measured");
@@ -608,6 +685,13 @@ void fields(Io& io, WrittenNormal& n) {
 }
 
 template <class Io>
+void fields(Io& io, CompanionItem& c) {
+  io.field("path", c.path, Text{}, required, "What changes with the factor, as `--set` names it");
+  io.field("values", c.values, ListOrRange{}, required, "One for each value of the factor");
+  io.field("label", c.label, Text{}, optional, "Its name in tables and figures");
+}
+
+template <class Io>
 void fields(Io& io, FactorItem& f) {
   io.field("path", f.path, Text{}, required,
            "What to vary, as `--set` names it; of a list of numbers every entry is drawn on its "
@@ -623,6 +707,40 @@ void fields(Io& io, FactorItem& f) {
            "In a plan with samples, in place of `values`: uniform in this share of what the file "
            "says, to both sides, `3 %`");
   io.field("label", f.label, Text{}, optional, "Its name in tables and figures");
+  io.field("with", f.companions, List{Block{}, 1}, optional,
+           "Inputs that change together with this one, value by value");
+}
+
+template <class Io>
+void fields(Io& io, Envelope::Measure& m) {
+  io.field("response", m.response, Text{}, required, "What is measured: the path of a response");
+  io.field("weight", m.weight, Number{not_zero}, optional,
+           "Exponent in a product, factor in a sum; < 0 of what shall be small");
+}
+
+template <class Io>
+void fields(Io& io, Envelope::Target& t) {
+  io.field("response", t.response, Text{}, required, "The path of a response");
+  io.field("value", t.value, Number{}, required, "What it shall be, in the unit of the path");
+}
+
+template <class Io>
+void fields(Io& io, EnvelopePointItem& p) {
+  io.field("name", p.name, Text{}, required, "In tables and figures");
+  io.field("at", p.at, List{Verbatim{}, 2, 2}, optional, "Values of the two factors");
+  io.field("wanted", p.wanted, Choice{}, optional, "In place of `at`");
+  io.field("reach", p.reach, List{Block{}, 1, 2}, optional,
+           "In place of `at`: one response, and the envelope as good as it gets along the lines of "
+           "the grid; or two");
+}
+
+template <class Io>
+void fields(Io& io, EnvelopeItem& e) {
+  io.field("combine", e.combine, Choice{}, optional, "How the measures become one");
+  io.field("normalise", e.normalise, Choice{}, optional, "What each measure is divided by before");
+  io.field("measures", e.measures, List{Block{}, 1}, required, "What makes a design good or bad");
+  io.field("points", e.points, List{Block{}, 1}, optional,
+           "Designs to read off, each with one of at, wanted, reach");
 }
 
 template <class Io>
@@ -641,7 +759,10 @@ void fields(Io& io, StudyItem& s) {
       "responses", s.responses, List{Text{}, 1}, optional,
       "What is recorded of each design: paths into the first load case of its JSON document or "
       "into the document, of an array `.max`, `.min`, `.mean` or `[k]`; a choice that suits "
-      "the command by default");
+      "the command by default, with an envelope what it needs");
+  io.field("envelope", s.envelope, Block{},
+           optional_only_if(s.plan == Plan::grid, "with the plan grid"),
+           "Maps of measures over two factors, made one, and designs read off them");
 }
 
 template <class Io>
@@ -659,6 +780,7 @@ void fields(Io& io, CaseFile& file) {
   io.field("preload", c.preload, Block{}, optional,
            "How the play is taken out, and the curve through zero, for `prs preload`");
   io.field("life", c.life, Block{}, optional, "Load history or spectrum for `prs life`");
+  io.field("measures", c.measures, Block{}, optional, "What the design measures ask beside");
   const Bounds up_to_100_um{.least = 0.0, .greatest = 1e-4, .least_excluded = true};
   io.field("roughness", c.roughness, OneOrEach{Quantity{unit::length, up_to_100_um}}, optional,
            "Rms roughness Rq of the flanks, for the film ratio");
@@ -667,6 +789,8 @@ void fields(Io& io, CaseFile& file) {
   io.field("operation", c.operation, Block{}, optional, "How the mechanism runs");
   io.field("carrier", c.carrier, Block{}, optional, "What acts on the rollers besides the threads");
   io.field("study", file.study, Block{}, optional, "What `prs study` varies");
+  io.field("optimize", file.optimize, Block{}, optional,
+           "What `prs optimize` varies, and its aims");
 }
 
 }  // namespace prs::input

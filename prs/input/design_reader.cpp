@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,16 +19,19 @@ namespace {
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMostFrames = 256;
 
-/// What is known of a factor's values before any design is read.
+/// What is known of an input's values before any design is read.
 struct Values {
+  std::size_t factor = 0;  ///< Whose draw sets it.
+  std::string path = {};
   bool number = false;              ///< A drawn number can be set without reading it.
   const Unit* unit = nullptr;       ///< None of bare numbers.
   std::vector<double> levels = {};  ///< As `slot_value` gives them; NaN where one must be read.
 };
 
-Values values_of(const Factor& factor, CaseFile& file) {
+Values values_of(const DrawnInput& input, CaseFile& file) {
+  const Factor& factor = *input.input;
   const Slot slot = find_slot(file, factor.path);
-  Values values;
+  Values values{.factor = input.factor, .path = factor.path};
   if (slot.dimension) values.unit = find_unit(factor.unit, *slot.dimension);
   values.number = slot.kind == Slot::Kind::number &&
                   (slot.dimension ? values.unit != nullptr : factor.unit.empty());
@@ -37,7 +41,7 @@ Values values_of(const Factor& factor, CaseFile& file) {
   return values;
 }
 
-/// How a factor's value comes into the case: designs that agree in this differ in numbers only.
+/// How an input's value comes into the case: designs that agree in this differ in numbers only.
 using Shape = std::vector<std::uint32_t>;
 constexpr std::uint32_t kAsInFile = 0;
 constexpr std::uint32_t kNumber = 1;
@@ -46,7 +50,7 @@ constexpr std::uint32_t kFirstLevel = 2;
 /// A case file whose numbers are set in place.
 struct Frame {
   struct Bound {
-    std::size_t factor;
+    std::size_t input;
     Slot slot;
   };
 
@@ -59,7 +63,7 @@ struct Frame {
 
 struct DesignReader::Parts {
   const StudyInput& input;
-  std::vector<Values> values = {};
+  std::vector<Values> values = {};  ///< Of `drawn_inputs`.
   std::map<Shape, std::unique_ptr<Frame>> frames = {};
   Shape shape = {};
   Frame* frame = nullptr;  ///< Of the last shape.
@@ -67,15 +71,15 @@ struct DesignReader::Parts {
 
   /// The shape of a design; false where a number must be read.
   bool find_shape(const std::vector<Draw>& draws, Shape& found) const;
-  Frame* frame_of(const std::vector<Draw>& draws, std::size_t k);
-  std::unique_ptr<Frame> make_frame(const Shape& of, std::size_t k) const;
+  Frame* frame_of(const std::vector<Draw>& draws);
+  std::unique_ptr<Frame> make_frame(const Shape& of, const std::vector<Draw>& draws) const;
   bool set_numbers(const std::vector<Draw>& draws);
 };
 
 bool DesignReader::Parts::find_shape(const std::vector<Draw>& draws, Shape& found) const {
-  found.resize(draws.size());
-  for (std::size_t i = 0; i < draws.size(); ++i) {
-    const Draw& draw = draws[i];
+  found.resize(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Draw& draw = draws[values[i].factor];
     if (draw.kind == Draw::Kind::as_in_file) {
       found[i] = kAsInFile;
     } else if (draw.kind == Draw::Kind::number) {
@@ -89,18 +93,19 @@ bool DesignReader::Parts::find_shape(const std::vector<Draw>& draws, Shape& foun
   return true;
 }
 
-/// Null where the design's document cannot be read, or has no number in a factor's place.
-std::unique_ptr<Frame> DesignReader::Parts::make_frame(const Shape& of, std::size_t k) const {
+/// Null where the design's document cannot be read, or has no number in an input's place.
+std::unique_ptr<Frame> DesignReader::Parts::make_frame(const Shape& of,
+                                                       const std::vector<Draw>& draws) const {
   auto made = std::make_unique<Frame>();
   try {
-    made->file = read_design_file(input, overrides(input.study, design(input.study, k))).file;
+    made->file = read_design_file(input, overrides(input.study, draws)).file;
   } catch (const InputError&) {
     return nullptr;
   }
   made->file.values.load_cases = expand(made->file.load_cases);
   for (std::size_t i = 0; i < of.size(); ++i) {
     if (of[i] != kNumber) continue;
-    const std::string& path = input.study.factors[i].path;
+    const std::string& path = values[i].path;
     Slot slot = find_slot(made->file, path);
     if (slot.kind != Slot::Kind::number && slot.kind != Slot::Kind::whole) return nullptr;
     made->bound.push_back({i, std::move(slot)});
@@ -109,13 +114,13 @@ std::unique_ptr<Frame> DesignReader::Parts::make_frame(const Shape& of, std::siz
   return made;
 }
 
-Frame* DesignReader::Parts::frame_of(const std::vector<Draw>& draws, std::size_t k) {
+Frame* DesignReader::Parts::frame_of(const std::vector<Draw>& draws) {
   Shape of;
   if (!find_shape(draws, of)) return nullptr;
   if (frame && of == shape) return frame;
   auto known = frames.find(of);
   if (known == frames.end()) {
-    std::unique_ptr<Frame> made = make_frame(of, k);
+    std::unique_ptr<Frame> made = make_frame(of, draws);
     if (!made) return nullptr;
     if (frames.size() >= kMostFrames) frames.clear();
     known = frames.emplace(of, std::move(made)).first;
@@ -127,9 +132,9 @@ Frame* DesignReader::Parts::frame_of(const std::vector<Draw>& draws, std::size_t
 
 /// Sets the numbers of the last shape's frame; false where one is out of its bounds.
 bool DesignReader::Parts::set_numbers(const std::vector<Draw>& draws) {
-  for (const auto& [factor, slot] : frame->bound) {
-    const Draw& draw = draws[factor];
-    const Values& known = values[factor];
+  for (const auto& [input_index, slot] : frame->bound) {
+    const Values& known = values[input_index];
+    const Draw& draw = draws[known.factor];
     const std::optional<double> value = draw.kind == Draw::Kind::level
                                             ? known.levels[draw.level]
                                             : slot_value(slot, draw.number, known.unit);
@@ -142,17 +147,18 @@ bool DesignReader::Parts::set_numbers(const std::vector<Draw>& draws) {
 
 DesignReader::DesignReader(const StudyInput& input) : parts_(new Parts{.input = input}) {
   CaseFile base = read_design_file(input, {}).file;
-  for (const Factor& factor : input.study.factors)
-    parts_->values.push_back(values_of(factor, base));
+  for (const DrawnInput& drawn : drawn_inputs(input.study))
+    parts_->values.push_back(values_of(drawn, base));
 }
 
 DesignReader::~DesignReader() = default;
 DesignReader::DesignReader(DesignReader&&) noexcept = default;
 
-const Case& DesignReader::read(std::size_t k) {
+const Case& DesignReader::read(std::size_t k) { return read(draws(parts_->input.study, k)); }
+
+const Case& DesignReader::read(const std::vector<Draw>& draws) {
   Parts& p = *parts_;
-  const std::vector<Draw> drawn = draws(p.input.study, k);
-  if (p.frame_of(drawn, k) && p.set_numbers(drawn)) {
+  if (p.frame_of(draws) && p.set_numbers(draws)) {
     const Case& values = p.frame->file.values;
     const std::vector<Problem> problems = problems_of(values, p.input.study.command);
     if (problems.empty()) return values;
@@ -162,7 +168,7 @@ const Case& DesignReader::read(std::size_t k) {
       throw InputError(errors.first());
     }
   }
-  p.read_in_full = read_design(p.input, overrides(p.input.study, design(p.input.study, k)));
+  p.read_in_full = read_design(p.input, overrides(p.input.study, draws));
   return p.read_in_full;
 }
 

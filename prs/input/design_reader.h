@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "prs/case.h"
 #include "prs/input/study_reader.h"
@@ -20,6 +21,9 @@ class DesignReader {
   /// The case of design k, valid until the next one is read: that of `read_design` with the
   /// design's overrides. Throws InputError.
   const Case& read(std::size_t k);
+
+  /// The same of a design that is given by its values, one draw a factor.
+  const Case& read(const std::vector<Draw>& draws);
 
  private:
   struct Parts;

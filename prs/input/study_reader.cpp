@@ -10,6 +10,7 @@
 
 #include "prs/input/reader.h"
 #include "prs/input/slot.h"
+#include "prs/input/study_envelope.h"
 #include "prs/input/units.h"
 #include "prs/input/value_text.h"
 #include "prs/study/sampling.h"
@@ -73,6 +74,20 @@ std::vector<std::string_view> ways(const FactorItem& item) {
   return given;
 }
 
+/// A companion as the factor that it would be by itself.
+FactorItem as_factor(const CompanionItem& companion) {
+  FactorItem item;
+  item.path = companion.path;
+  item.label = companion.label;
+  item.values = companion.values;
+  return item;
+}
+
+/// Number of values that are listed.
+std::size_t count_of(const WrittenValues& values) {
+  return values.range ? static_cast<std::size_t>(values.range->steps) : values.list.size();
+}
+
 /// Reads the factors of one study into the document they start from.
 class FactorReader {
  public:
@@ -89,10 +104,18 @@ class FactorReader {
     const auto refuse = [&](std::string_view key, std::string_view message) {
       refuse_at(key, fmt::format("got {}; {}", shown(flow_text(*written(key))), message));
     };
-    if (item().path == "study" || item().path.starts_with("study."))
-      return refuse("path",
-                    "expected a value outside the study; write for example `path: "
-                    "mechanism.rollers`");
+    const auto refuse_study = [&](const std::string& path, std::string_view key) {
+      if (path == "study" || path.starts_with("study."))
+        refuse(key,
+               "expected a value outside the study; write for example `path: mechanism.rollers`");
+    };
+    refuse_study(item().path, "path");
+    for (std::size_t k = 0; k < item().companions.size(); ++k)
+      refuse_study(item().companions[k].path, fmt::format("with[{}].path", k));
+    if (!item().companions.empty() && !item().values)
+      refuse("with",
+             "expected it only beside `values`, each of which sets the companions too; write "
+             "`values`, or delete it");
     for (const std::string_view key : given) {
       if (study_.plan == Plan::derivatives)
         refuse(key,
@@ -115,19 +138,20 @@ class FactorReader {
                           "`values: [20 mm, 30 mm]`");
   }
 
-  /// Adds what is wrong with the ends of a range or of an interval.
+  /// Adds what is wrong with the ends of a range or of an interval, and with companions.
   void check_ends(std::size_t index) {
     enter(index);
-    if (item().values && item().values->range) {
-      const WrittenRange& range = *item().values->range;
-      check_ends("values", range.from, range.to,
-                 range.spacing == WrittenRange::Spacing::logarithmic ? "spacing" : "");
+    check_written_ends();
+    const FactorItem& factor = study_.factors[index];
+    for (std::size_t k = 0; k < factor.companions.size(); ++k) {
+      enter_companion(index, k);
+      check_written_ends();
+      const std::size_t expected = count_of(*factor.values), got = count_of(*item().values);
+      if (got != expected)
+        refuse_at("values", fmt::format("got {} values; expected {}, one for each of {}; write as "
+                                        "many, or give both ranges `steps: {}`",
+                                        got, expected, shown(factor.path), expected));
     }
-    if (item().uniform && check_ends("uniform", item().uniform->from, item().uniform->to, ""))
-      check_order("uniform", *item().uniform);
-    if (item().log_uniform &&
-        check_ends("log_uniform", item().log_uniform->from, item().log_uniform->to, "from"))
-      check_order("log_uniform", *item().log_uniform);
   }
 
   /// Gives the document the list that a factor draws entry by entry, zeros where the file has none.
@@ -151,8 +175,15 @@ class FactorReader {
   std::vector<Factor> read(std::size_t index, CaseFile& file,
                            const std::vector<EchoEntry>& fields) {
     enter(index);
-    if (entries_.empty() || entries_[index] == 0)
-      return {read_one(item().path, item().label.value_or(item().path), file, fields)};
+    if (entries_.empty() || entries_[index] == 0) {
+      Factor factor = read_one(item().path, item().label.value_or(item().path), file, fields);
+      for (std::size_t k = 0; k < study_.factors[index].companions.size(); ++k) {
+        enter_companion(index, k);
+        factor.companions.push_back(
+            read_one(item().path, item().label.value_or(item().path), file, fields));
+      }
+      return {std::move(factor)};
+    }
     std::vector<Factor> entries;
     for (std::size_t k = 0; k < entries_[index]; ++k) {
       entries.push_back(read_one(fmt::format("{}[{}]", item().path, k),
@@ -166,11 +197,16 @@ class FactorReader {
 
  private:
   void enter(std::size_t index) {
-    index_ = index;
+    item_ = study_.factors[index];
     one_was_fine_ = false;
     path_ = fmt::format("study.factors[{}]", index);
   }
-  const FactorItem& item() const { return study_.factors[index_]; }
+  void enter_companion(std::size_t index, std::size_t k) {
+    item_ = as_factor(study_.factors[index].companions[k]);
+    one_was_fine_ = false;
+    path_ = fmt::format("study.factors[{}].with[{}]", index, k);
+  }
+  const FactorItem& item() const { return item_; }
 
   const Node* written(std::string_view key) const {
     return find_path(root_, fmt::format("{}.{}", path_, key));
@@ -180,6 +216,19 @@ class FactorReader {
   }
   void refuse_at(std::string_view key, const std::string& message) {
     errors_.add(place_of(key), fmt::format("{}.{}", path_, key), message);
+  }
+
+  void check_written_ends() {
+    if (item().values && item().values->range) {
+      const WrittenRange& range = *item().values->range;
+      check_ends("values", range.from, range.to,
+                 range.spacing == WrittenRange::Spacing::logarithmic ? "spacing" : "");
+    }
+    if (item().uniform && check_ends("uniform", item().uniform->from, item().uniform->to, ""))
+      check_order("uniform", *item().uniform);
+    if (item().log_uniform &&
+        check_ends("log_uniform", item().log_uniform->from, item().log_uniform->to, "from"))
+      check_order("log_uniform", *item().log_uniform);
   }
 
   /// `logarithmic`: the key to blame where the ends have no ratio, or nothing.
@@ -254,6 +303,7 @@ class FactorReader {
     const std::optional<WrittenRange>& range = item().values->range;
     std::vector<WrittenLevel> levels = range ? range_levels(*range, values) : list_levels(values);
     factor.logarithmic = range && range->spacing == WrittenRange::Spacing::logarithmic;
+    factor.continuous = slot.kind == Slot::Kind::number;
     place_on_axis(levels, base, factor.unit);
     for (const WrittenLevel& level : levels) factor.levels.push_back(level.level);
     for (const WrittenLevel& level : levels) check_in_place(factor.path, level.value, slot);
@@ -435,8 +485,8 @@ class FactorReader {
   const Node& root_;
   Node& base_;
   ErrorList& errors_;
-  std::size_t index_ = 0;
-  std::string path_;  ///< Of the factor in the document.
+  FactorItem item_;
+  std::string path_;  ///< Of the factor or companion in the document.
   bool one_was_fine_ = false;
   std::vector<std::size_t> entries_;  ///< Of the list that each factor draws; empty: none does.
 };
@@ -446,37 +496,57 @@ bool is_part_of(std::string_view path, std::string_view whole) {
          (path[whole.size()] == '.' || path[whole.size()] == '[');
 }
 
-/// Adds what is wrong with the paths of the factors among themselves.
-void check_paths(const StudyItem& item, const Node& root, ErrorList& errors) {
+/// A path that a study sets, and where it stands.
+struct SetPath {
+  std::string path;
+  std::string at;
+  std::size_t factor = 0;
+  bool companion = false;
+};
+
+std::vector<SetPath> set_paths(const StudyItem& item) {
+  std::vector<SetPath> paths;
   for (std::size_t i = 0; i < item.factors.size(); ++i) {
-    const std::string& path = item.factors[i].path;
+    const FactorItem& factor = item.factors[i];
+    paths.push_back({factor.path, fmt::format("study.factors[{}].path", i), i});
+    for (std::size_t k = 0; k < factor.companions.size(); ++k)
+      paths.push_back({factor.companions[k].path,
+                       fmt::format("study.factors[{}].with[{}].path", i, k), i, true});
+  }
+  return paths;
+}
+
+/// Adds what is wrong with the paths of the factors and companions among themselves.
+void check_paths(const StudyItem& item, const Node& root, ErrorList& errors) {
+  const std::vector<SetPath> paths = set_paths(item);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const SetPath& own = paths[i];
     const auto refuse = [&](const std::string& message) {
-      const std::string at = fmt::format("study.factors[{}].path", i);
-      errors.add(locate(root, at), at, message);
+      errors.add(locate(root, own.at), own.at, message);
     };
     for (std::size_t k = 0; k < i; ++k) {
-      const std::string& other = item.factors[k].path;
-      if (other == path)
+      const SetPath& other = paths[k];
+      const bool together = own.factor == other.factor || item.plan != Plan::one_at_a_time;
+      if (other.path == own.path && (together || (!own.companion && !other.companion)))
         refuse(
             fmt::format("got {} a second time; expected each path once; put all its values into "
                         "one factor",
-                        shown(path)));
-      else if (item.plan != Plan::one_at_a_time &&
-               (is_part_of(path, other) || is_part_of(other, path)))
+                        shown(own.path)));
+      else if (together && (is_part_of(own.path, other.path) || is_part_of(other.path, own.path)))
         refuse(
             fmt::format("got {} beside {}; expected factors of which none is a part of another; "
                         "delete one of them",
-                        shown(path), shown(other)));
+                        shown(own.path), shown(other.path)));
     }
   }
 }
 
 void check_number_of_levels(const StudyItem& item, const Node& root, ErrorList& errors) {
   std::size_t count = 0;
-  for (const FactorItem& factor : item.factors)
-    if (factor.values)
-      count += factor.values->range ? static_cast<std::size_t>(factor.values->range->steps)
-                                    : factor.values->list.size();
+  for (const FactorItem& factor : item.factors) {
+    if (factor.values) count += count_of(*factor.values);
+    for (const CompanionItem& companion : factor.companions) count += count_of(*companion.values);
+  }
   if (count > kMostLevels)
     errors.add(locate(root, "study.factors"), "study.factors",
                fmt::format("got {} values; expected at most {}; write ranges with fewer steps",
@@ -566,6 +636,8 @@ StudyInput read_study_input(const Source& source) {
     for (Factor& factor : reader.read(i, file, fields))
       input.study.factors.push_back(std::move(factor));
   check_size(input.study, root, errors);
+  errors.throw_if_any();
+  if (item.envelope) read_envelope(*item.envelope, root, input.study, errors);
   errors.throw_if_any();
   return input;
 }

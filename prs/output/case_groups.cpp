@@ -7,7 +7,7 @@
 #include <charconv>
 #include <utility>
 
-#include "prs/output/quantities.h"
+#include "prs/document/quantities.h"
 
 namespace prs {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "prs/document/units.h"
 #include "prs/output/case_groups.h"
 #include "prs/output/text.h"
-#include "prs/output/units.h"
 
 namespace prs {
 namespace {

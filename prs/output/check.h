@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "prs/contacts.h"
+#include "prs/document/json.h"
 #include "prs/input/echo.h"
-#include "prs/output/json.h"
 
 namespace prs {
 

@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "contact/hertz.h"
+#include "prs/document/quantities.h"
+#include "prs/document/units.h"
 #include "prs/output/contact_figures.h"
 #include "prs/output/contact_figures_style.h"
 #include "prs/output/figure_style.h"
-#include "prs/output/quantities.h"
 #include "prs/output/text.h"
-#include "prs/output/units.h"
 
 namespace prs {
 namespace {

@@ -5,10 +5,10 @@
 
 #include "contact/contact_point.h"
 #include "contact/thread_surface.h"
+#include "prs/document/units.h"
 #include "prs/output/contact_figures.h"
 #include "prs/output/contact_figures_style.h"
 #include "prs/output/figure_style.h"
-#include "prs/output/units.h"
 
 namespace prs {
 namespace {

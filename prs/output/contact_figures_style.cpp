@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "prs/output/units.h"
+#include "prs/document/units.h"
 
 namespace prs {
 

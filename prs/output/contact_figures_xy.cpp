@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "prs/document/units.h"
 #include "prs/output/contact_figures.h"
 #include "prs/output/contact_figures_style.h"
 #include "prs/output/figure_style.h"
-#include "prs/output/units.h"
 
 namespace prs {
 namespace {

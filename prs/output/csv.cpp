@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "prs/document/quantities.h"
 #include "prs/output/csv_writer.h"
-#include "prs/output/quantities.h"
 
 namespace prs {
 namespace {

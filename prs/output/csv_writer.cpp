@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "prs/output/units.h"
+#include "prs/document/units.h"
 
 namespace prs {
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "prs/document/json_values.h"
 #include "prs/output/case_table.h"
 #include "prs/output/csv_writer.h"
 #include "prs/output/figure_style.h"
-#include "prs/output/json_values.h"
 #include "prs/output/response_title.h"
 #include "prs/output/study_figure_parts.h"
 #include "prs/output/study_text.h"

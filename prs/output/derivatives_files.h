@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "prs/document/json.h"
 #include "prs/output/figure.h"
-#include "prs/output/json.h"
 #include "prs/study/derivatives.h"
 
 namespace prs {

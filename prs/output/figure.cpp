@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "prs/output/figure_script.h"
 #include "prs/output/text.h"
 
 namespace prs {
@@ -23,26 +24,11 @@ constexpr int kLegendSymbol = 75, kCharacter = 10;
 constexpr int kColourBarHeight = 14, kColourBarRoom = 74;  // The room with numbers and label.
 constexpr double kColourBarWidth = 0.4;                    // Share of the image.
 constexpr double kCellOverlap = 1.02;  // Hides the seams that smoothed edges leave.
-constexpr std::size_t kMaxTitle = 44;  // Characters that fit above a panel.
-
-/// A gnuplot string in which nothing is interpreted: what means something to gnuplot becomes an
-/// octal escape. (Single quotes would not do: gnuplot 5.4 takes a leading doubled quote for the
-/// end.)
-std::string quoted(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : printable(text))
-    if (std::string_view("\"'\\`@$#{}!").find(c) == std::string_view::npos)
-      result += c;
-    else
-      result += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
-  return result + '"';
-}
-
-std::string title(std::string_view text) { return shortened(printable(text), kMaxTitle); }
 
 int longest_title(const std::vector<LegendEntry>& legend) {
   std::size_t longest = 0;
-  for (const LegendEntry& entry : legend) longest = std::max(longest, width(title(entry.title)));
+  for (const LegendEntry& entry : legend)
+    longest = std::max(longest, width(panel_title(entry.title)));
   return static_cast<int>(longest);
 }
 
@@ -105,6 +91,14 @@ class Layout {
             bottom_of_row(last_row)};
   }
   std::string panel_margins(std::size_t index) const { return margins(panel(index)); }
+
+  /// With the room of tics and labels.
+  ScreenBox surface_box(std::size_t index) const {
+    const Box box = panel(index);
+    const double below = box.bottom + kBottom, left = box.left - 0.4 * kColumnGap;
+    return {left / kWidth, 1.0 - below / height(), (box.right + kRight - left) / kWidth,
+            (below - box.top + kTop / 2.0) / height()};
+  }
 
   bool is_leftmost(std::size_t index) const { return column(index) == 0; }
   bool is_lowest(std::size_t index) const { return is_overview(index) || row(index) == rows_ - 1; }
@@ -188,24 +182,18 @@ std::string data_block(std::size_t index, const Figure& figure) {
   std::string script = fmt::format("$panel_{} << END\n", index + 1);
   for (const Line& line : panel.lines)
     script += (figure.styles[line.style].arrows ? arrow_data(line) : line_data(line)) + "\n\n";
-  return script + cell_data(panel.map) + "END\n";
+  script += cell_data(panel.map) + "END\n";
+  return panel.surface ? script + surface_data(index, *panel.surface) : script;
 }
 
 std::string drawn_with(const Figure& figure, std::size_t style) {
   const LineStyle& s = figure.styles[style];
   if (s.arrows) return fmt::format("vectors filled head size screen 0.008,20 ls {}", style + 1);
+  if (s.filled && s.value)
+    return fmt::format("filledcurves closed fs solid noborder fc palette cb {:.7g}", *s.value);
   if (s.filled) return fmt::format("filledcurves closed fs solid noborder fc rgb '{}'", s.colour);
   const char* kind = s.point == 0 ? "lines" : s.dash == 0 ? "points" : "linespoints";
   return fmt::format("{} ls {}", kind, style + 1);
-}
-
-/// Distance of tics, 1, 2 or 5 times a power of ten, at which at most `count` fit in the length.
-double tic_distance(double length, int count) {
-  const double least = length / count;
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double step : {1.0, 2.0, 5.0})
-    if (step * power >= least) return step * power;
-  return 10.0 * power;
 }
 
 std::string axis_lines(char axis, const Axis& a, std::string_view label, std::string_view tics) {
@@ -276,15 +264,37 @@ std::string label_lines(const std::vector<Label>& labels) {
   std::string script = "unset label\n";
   for (const Label& label : labels)
     script += fmt::format("set label {0} at {1}{2:.7g}, {1}{3:.7g} {4} front\n",
-                          quoted(title(label.text)), label.in_panel ? "graph " : "", label.x,
+                          quoted(panel_title(label.text)), label.in_panel ? "graph " : "", label.x,
                           label.y, label.centred ? "center" : "left");
   return script;
 }
 
+/// The colours, before the panels.
+std::string palette_lines(const ColourScale& colours) {
+  return fmt::format(
+      "set palette defined (0 '#ffffe5', 1 '#fee391', 2 '#fec44f', 3 '#ec7014', 4 '#cc4c02')\n"
+      "set cbrange [{:.7g}:{:.7g}]\n"
+      "unset colorbox\n{}",
+      colours.from, colours.to,
+      colours.bands > 0 ? fmt::format("set palette maxcolors {}\n", colours.bands) : "");
+}
+
+/// A box around a drawing, two axes and a grid for reading values of other plots.
+std::string_view frame_lines(bool is_drawing) {
+  return is_drawing ? "set border 15 lw 0.7; set clip two\n"
+                    : "set border 3\n"
+                      "set grid y lc rgb '#d9d9d9' lt 1 lw 0.6\n";
+}
+
 std::string panel_lines(const Figure& figure, const Layout& layout, std::size_t index) {
   const Panel& panel = figure.panels[index];
+  if (panel.surface)
+    return surface_lines(index, panel, panel.x.value_or(figure.x), panel.y.value_or(figure.y),
+                         layout.surface_box(index)) +
+           std::string(frame_lines(figure.to_scale)) +
+           (figure.colours ? palette_lines(*figure.colours) : "");
   std::string script = layout.panel_margins(index);
-  script += fmt::format("set title {}\n", quoted(title(panel.title)));
+  script += fmt::format("set title {}\n", quoted(panel_title(panel.title)));
   script += axes_lines(figure, layout, index) + label_lines(panel.labels);
   std::vector<std::string> plots;
   if (!panel.map.cells.empty())
@@ -298,15 +308,6 @@ std::string panel_lines(const Figure& figure, const Layout& layout, std::size_t 
                                 drawn_with(figure, panel.lines[k].style)));
   if (plots.empty()) plots.push_back("NaN");
   return script + fmt::format("plot {}\n", fmt::join(plots, ", \\\n     "));
-}
-
-/// The colours, before the panels.
-std::string palette_lines(const ColourScale& colours) {
-  return fmt::format(
-      "set palette defined (0 '#ffffe5', 1 '#fee391', 2 '#fec44f', 3 '#ec7014', 4 '#cc4c02')\n"
-      "set cbrange [{:.7g}:{:.7g}]\n"
-      "unset colorbox\n",
-      colours.from, colours.to);
 }
 
 std::string colour_bar_lines(const ColourScale& colours, const Layout& layout) {
@@ -340,13 +341,6 @@ std::string legend_lines(const Figure& figure, const Layout& layout) {
                                 drawn_with(figure, style), k + 1));
   }
   return script + fmt::format("plot [0:1] [0:1] {}\n", fmt::join(plots, ", \\\n     "));
-}
-
-/// A box around a drawing, two axes and a grid for reading values of other plots.
-std::string_view frame_lines(bool is_drawing) {
-  return is_drawing ? "set border 15 lw 0.7; set clip two\n"
-                    : "set border 3\n"
-                      "set grid y lc rgb '#d9d9d9' lt 1 lw 0.6\n";
 }
 
 std::string terminal_lines(const Figure& figure, int height) {
@@ -389,7 +383,7 @@ std::string gnuplot_script(const Figure& figure) {
       figure.name);
   script += style_lines(figure.styles);
   for (std::size_t k = 0; k < figure.legend.size(); ++k)
-    script += fmt::format("legend_{} = {}\n", k + 1, quoted(title(figure.legend[k].title)));
+    script += fmt::format("legend_{} = {}\n", k + 1, quoted(panel_title(figure.legend[k].title)));
   for (std::size_t k = 0; k < figure.panels.size(); ++k) script += data_block(k, figure);
 
   script += "do for [format in 'svg png'] {\n" + terminal_lines(figure, layout.height());

@@ -20,6 +20,8 @@ struct LineStyle {
   int point_interval = 1;  ///< Every how many points one is marked.
   bool filled = false;     ///< The parts of the line are polygons, filled and without outline.
   bool arrows = false;     ///< The parts of the line are two points, from tail to head.
+  /// Of polygons: filled with the colour of this value on the figure's scale, not with `colour`.
+  std::optional<double> value = std::nullopt;
 };
 
 constexpr LineStyle fill_of(std::string_view colour) { return {colour, 1, 0, 0.0, 1, true}; }
@@ -27,6 +29,9 @@ constexpr LineStyle points_of(std::string_view colour, int point, double width) 
   return {colour, 0, point, width};
 }
 
+constexpr LineStyle fill_of_value(double value) {
+  return {"#ffffff", 1, 0, 0.0, 1, true, false, value};
+}
 constexpr LineStyle arrows_of(std::string_view colour, double width) {
   return {colour, 1, 0, width, 1, false, true};
 }
@@ -58,11 +63,37 @@ struct CellMap {
   std::vector<Cell> cells = {};
 };
 
-/// Which colours the cells of all panels have: from pale to dark orange.
+/// Numbers at the nodes (x_i, y_j) of a grid, both ascending; those along y are consecutive. NaN
+/// where there is none.
+struct GridData {
+  std::vector<double> x = {};
+  std::vector<double> y = {};
+  std::vector<double> values = {};
+
+  double at(std::size_t i, std::size_t j) const { return values[i * y.size() + j]; }
+};
+
+/// A point with its name, drawn over the surface.
+struct SurfacePoint {
+  std::string name;
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+};
+
+/// A surface in space, seen from above, in the colours of the figure.
+struct Surface {
+  GridData grid;
+  Axis z;
+  std::vector<SurfacePoint> points = {};
+};
+
+/// Which colours the cells and surfaces of all panels have: from pale to dark orange.
 struct ColourScale {
   std::string label;  ///< With the unit.
   double from = 0.0;
   double to = 1.0;
+  int bands = 0;  ///< So many equal ones of one colour each; 0: continuous.
 };
 
 /// A text inside a panel.
@@ -81,6 +112,7 @@ struct Panel {
   std::optional<Axis> x = std::nullopt;  ///< In place of the figure's.
   std::optional<Axis> y = std::nullopt;
   CellMap map = {};
+  std::optional<Surface> surface = std::nullopt;  ///< In place of lines, labels and map.
 };
 
 struct LegendEntry {

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "prs/output/units.h"
+#include "prs/document/units.h"
 
 namespace prs {
 

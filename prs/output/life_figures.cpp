@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "prs/document/units.h"
 #include "prs/output/figure_style.h"
-#include "prs/output/units.h"
 
 namespace prs {
 namespace {

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include "prs/analyze.h"
+#include "prs/document/life_units.h"
+#include "prs/document/model_summary.h"
+#include "prs/document/units.h"
 #include "prs/output/case_table.h"
-#include "prs/output/life_units.h"
-#include "prs/output/model_summary.h"
 #include "prs/output/text.h"
-#include "prs/output/units.h"
 
 namespace prs {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "prs/document/quantities.h"
 #include "prs/output/case_groups.h"
 #include "prs/output/figure_style.h"
-#include "prs/output/quantities.h"
 #include "prs/output/result_figures.h"
 
 namespace prs {

@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "prs/document/units.h"
 #include "prs/output/csv_writer.h"
 #include "prs/output/preload_files.h"
-#include "prs/output/units.h"
 
 namespace prs {
 namespace {

@@ -1,17 +1,10 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "prs/output/json.h"
 #include "prs/preload/analyze_preload.h"
 
 namespace prs {
-
-/// The document of `prs preload --json`, its results under `preload`. Forces and displacements are
-/// > 0 in tension; `tension` and `compression` of `sides` are the contacts that carry that sense of
-/// the load.
-nlohmann::ordered_json preload_json(const PreloadResult& result, const DocumentInfo& info);
 
 /// `preload.csv`: a row a load, the curve without preload beside.
 std::string preload_csv(const PreloadResult& result);

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "prs/document/units.h"
 #include "prs/output/case_table.h"
 #include "prs/output/text.h"
-#include "prs/output/units.h"
 
 namespace prs {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "prs/document/slip_quantities.h"
 #include "prs/output/csv_writer.h"
-#include "prs/output/slip_quantities.h"
 
 namespace prs {
 namespace {

@@ -5,10 +5,10 @@
 #include <iterator>
 #include <numeric>
 
+#include "prs/document/slip_quantities.h"
 #include "prs/output/case_groups.h"
 #include "prs/output/figure_style.h"
 #include "prs/output/slip_figures.h"
-#include "prs/output/slip_quantities.h"
 #include "prs/output/text.h"
 
 namespace prs {

@@ -5,9 +5,9 @@
 #include <iterator>
 #include <utility>
 
+#include "prs/document/slip_quantities.h"
 #include "prs/output/figure_style.h"
 #include "prs/output/slip_figures.h"
-#include "prs/output/slip_quantities.h"
 #include "prs/output/text.h"
 
 namespace prs {

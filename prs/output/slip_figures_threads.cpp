@@ -1,5 +1,5 @@
+#include "prs/document/slip_quantities.h"
 #include "prs/output/slip_figures.h"
-#include "prs/output/slip_quantities.h"
 #include "prs/output/thread_figure.h"
 
 namespace prs {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "prs/document/slip_quantities.h"
 #include "prs/output/bar_chart.h"
 #include "prs/output/case_table.h"
-#include "prs/output/slip_quantities.h"
 #include "prs/output/text.h"
 #include "prs/output/warnings.h"
 

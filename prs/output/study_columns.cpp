@@ -65,8 +65,8 @@ std::vector<FactorColumn> factor_columns(const Study& study) {
   std::vector<FactorColumn> columns;
   std::map<std::string, int> uses;
   for (const std::string& response : study.responses) ++uses[response];
-  for (const Factor& factor : study.factors) {
-    FactorColumn& column = columns.emplace_back(column_of(factor));
+  for (const DrawnInput& drawn : drawn_inputs(study)) {
+    FactorColumn& column = columns.emplace_back(column_of(*drawn.input));
     if (const int use = ++uses[column.name]; use > 1) column.name += fmt::format("_{}", use);
   }
   return columns;
@@ -74,12 +74,13 @@ std::vector<FactorColumn> factor_columns(const Study& study) {
 
 std::vector<double> factor_values(const Study& study, const std::vector<FactorColumn>& columns,
                                   std::size_t first, std::size_t count) {
+  const std::vector<DrawnInput> inputs = drawn_inputs(study);
   std::vector<double> values;
   values.reserve(count * columns.size());
   for (std::size_t k = first; k < first + count; ++k) {
     const std::vector<Draw> drawn = draws(study, k);
     for (std::size_t f = 0; f < columns.size(); ++f)
-      values.push_back(value_of(study.factors[f], columns[f], drawn[f]));
+      values.push_back(value_of(*inputs[f].input, columns[f], drawn[inputs[f].factor]));
   }
   return values;
 }

@@ -8,8 +8,8 @@
 
 namespace prs {
 
-/// A factor as a column of a file: numbers in its unit or, where its values are words, their
-/// indices.
+/// A factor or companion as a column of a file: numbers in its unit or, where its values are words,
+/// their indices.
 struct FactorColumn {
   std::string name;                ///< Path with the unit: `mechanism.lead_mm`
   std::vector<std::string> words;  ///< Empty where the values are numbers.
@@ -18,7 +18,8 @@ struct FactorColumn {
   bool is_numeric() const { return words.empty(); }
 };
 
-/// A column a factor; a number tells it apart from a response or another factor of the same name.
+/// A column for each of `drawn_inputs`; a number tells it apart from a response or another one of
+/// the same name.
 std::vector<FactorColumn> factor_columns(const Study& study);
 
 /// What designs [first, first + count) set: count x columns.

@@ -32,5 +32,6 @@ Polyline rectangle(double left, double right, double bottom, double top);
 std::vector<Figure> one_at_a_time_figures(const StudyResult& result);
 std::vector<Figure> grid_figures(const StudyResult& result);
 std::vector<Figure> sampled_figures(const StudyResult& result);
+std::vector<Figure> map_figures(const StudyResult& result);
 
 }  // namespace prs

@@ -79,6 +79,7 @@ Polyline rectangle(double left, double right, double bottom, double top) {
 
 std::vector<Figure> study_figures(const StudyResult& result) {
   const Study& study = result.study;
+  if (result.summary.envelope) return map_figures(result);
   if (study.plan == Plan::one_at_a_time || (study.plan == Plan::grid && study.factors.size() == 1))
     return one_at_a_time_figures(result);
   return study.plan == Plan::grid ? grid_figures(result) : sampled_figures(result);

@@ -16,6 +16,9 @@ namespace prs {
 /// - grid: one a response over the numeric factor with most values, a line for each value of a
 ///   second factor and a panel for each combination of the others; or, of two numeric factors with
 ///   many equidistant values each, a map.
+/// - grid with an envelope: the envelope and each response as a map in bands of colour with lines
+/// of
+///   equal value, and as a surface, with the designs read off marked (Jung 2017, figs. 7.7 to 8.8).
 /// - sampled plans: for each response the Pareto graph of the contributions to its linear surface
 ///   (Yao et al. 2023, figs. 8, 9) or the shares of its variance with 95 % intervals, and the
 ///   designs over the factors that matter most; histograms of all responses.

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "prs/document/slip_quantities.h"
 #include "prs/output/figure_style.h"
 #include "prs/output/response_title.h"
 #include "prs/output/slip_figures.h"
-#include "prs/output/slip_quantities.h"
 #include "prs/output/study_figure_parts.h"
 #include "prs/output/study_text.h"
 #include "prs/output/text.h"

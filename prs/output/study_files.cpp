@@ -4,26 +4,47 @@
 
 #include "prs/output/staged_file.h"
 #include "prs/output/study_csv.h"
+#include "prs/output/study_envelope_csv.h"
 #include "prs/output/study_netcdf.h"
 #include "prs/study/schedule.h"
 
 namespace prs {
 namespace {
 
+/// `envelope.csv` and what it says.
+struct EnvelopeFile {
+  StagedFile csv;
+  GridMapCollector maps;
+
+  EnvelopeFile(const std::filesystem::path& folder, const Study& study)
+      : csv(folder / "envelope.csv"), maps(study) {}
+
+  void finish(const Study& study) {
+    if (maps.maps())
+      csv.append(envelope_csv(study, *maps.maps(), evaluate_envelope(study, *maps.maps())));
+    csv.sync();
+  }
+};
+
 /// The files of a study, published together.
 struct RowFiles {
   StagedFile csv;
   StudyNetcdf netcdf;
+  std::optional<EnvelopeFile> envelope;
 
   RowFiles(const std::filesystem::path& folder, const Study& study,
            const std::vector<FactorColumn>& columns, const DocumentInfo& info)
-      : csv(folder / "study.csv"), netcdf(folder / "study.nc", study, columns, info) {}
+      : csv(folder / "study.csv"), netcdf(folder / "study.nc", study, columns, info) {
+    if (study.envelope) envelope.emplace(folder, study);
+  }
 
-  void publish() {
+  void publish(const Study& study) {
     csv.sync();
     netcdf.finish();
+    if (envelope) envelope->finish(study);
     csv.publish();
     netcdf.publish();
+    if (envelope) envelope->csv.publish();
   }
 };
 
@@ -48,10 +69,11 @@ void write_rows(const StoredRows& rows, const Study& study, const DocumentInfo& 
     return [&, block, factors, text] {
       files->csv.append(*text);
       files->netcdf.add(*block, *factors);
+      if (files->envelope) files->envelope->maps.add(*block);
       add(*block);
     };
   });
-  if (files) files->publish();
+  if (files) files->publish(study);
 }
 
 }  // namespace prs

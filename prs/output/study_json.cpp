@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "prs/output/json_values.h"
+#include "prs/document/json_values.h"
 
 namespace prs {
 namespace {
@@ -19,6 +20,8 @@ std::string_view name(Command command) {
       return "solve";
     case Command::life:
       return "life";
+    case Command::measures:
+      return "measures";
     default:
       return "slip";
   }
@@ -54,6 +57,8 @@ Json factor_json(const Factor& factor, bool sampled) {
   if (!factor.unit.empty()) json["unit"] = factor.unit;
   if (factor.base) json["base"] = level_json(*factor.base);
   if (sampled) json["distribution"] = distribution_json(factor.distribution);
+  for (const Factor& companion : factor.companions)
+    json["with"].push_back(factor_json(companion, false));
   return json;
 }
 
@@ -155,11 +160,105 @@ Json summary_json(const StudyResult& result) {
   return json;
 }
 
+std::string_view name(Envelope::Combine combine) {
+  return combine == Envelope::Combine::product ? "product" : "sum";
+}
+
+std::string_view name(Envelope::Normalise normalise) {
+  return normalise == Envelope::Normalise::rms   ? "rms"
+         : normalise == Envelope::Normalise::max ? "max"
+                                                 : "none";
+}
+
+/// A map as rows along the second factor; null where there is no number.
+Json map_json(const GridMaps& maps, const GridMap& map) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < maps.axes[0].nodes(); ++i) {
+    Json row = Json::array();
+    for (std::size_t j = 0; j < maps.axes[1].nodes(); ++j) {
+      const double value = map[maps.node(i, j)];
+      row.push_back(std::isfinite(value) ? Json(value) : Json());
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json point_json(const StudyResult& result, const EnvelopePoint& point) {
+  const Study& study = result.study;
+  Json json;
+  json["name"] = point.name;
+  if (!point.reason.empty()) {
+    json["reason"] = point.reason;
+    return json;
+  }
+  if (point.design) json["design"] = *point.design;
+  const std::vector<DrawnInput> inputs = drawn_inputs(study);
+  for (std::size_t k = 0; k < inputs.size(); ++k)
+    json["settings"][inputs[k].input->path] = level_json(point.inputs[k]);
+  json["responses"] = Json::object();
+  for (std::size_t k = 0; k < study.responses.size(); ++k)
+    if (std::isfinite(point.responses[k]))
+      json["responses"][study.responses[k]] = point.responses[k];
+  json["normalised"] = Json::object();
+  for (std::size_t k = 0; k < point.normalised.size(); ++k)
+    if (std::isfinite(point.normalised[k]))
+      json["normalised"][study.responses[result.summary.envelope->measures[k].response]] =
+          point.normalised[k];
+  if (std::isfinite(point.envelope)) json["envelope"] = point.envelope;
+  return json;
+}
+
+Json envelope_json(const StudyResult& result) {
+  const Study& study = result.study;
+  const GridMaps& maps = *result.summary.maps;
+  const EnvelopeResult& envelope = *result.summary.envelope;
+  const bool with_maps = maps.nodes() <= kMostRowsShown;
+  Json json;
+  json["combine"] = name(study.envelope->combine);
+  json["normalise"] = name(study.envelope->normalise);
+  json["axes"] = Json::array();
+  for (const MapAxis& axis : maps.axes) {
+    Json shown{{"path", study.factors[axis.factor].path}};
+    if (!study.factors[axis.factor].unit.empty()) shown["unit"] = study.factors[axis.factor].unit;
+    shown["numbers"] = axis.numbers;
+    json["axes"].push_back(std::move(shown));
+  }
+  json["measures"] = Json::array();
+  for (const MeasureMap& measure : envelope.measures) {
+    Json shown{{"response", study.responses[measure.response]},
+               {"weight", measure.weight},
+               {"rms", measure.rms},
+               {"normalised_by", measure.normalised_by},
+               {"designs_without", measure.without}};
+    if (with_maps) shown["normalised"] = map_json(maps, normalised(maps, measure));
+    json["measures"].push_back(std::move(shown));
+  }
+  json["rms"] = envelope.rms;
+  json["designs_without"] = envelope.without;
+  if (envelope.best) {
+    json["max"] = envelope.values[*envelope.best];
+    json["max_design"] = maps.design(*envelope.best);
+  }
+  if (with_maps)
+    json["values"] = map_json(maps, envelope.values);
+  else
+    json["maps_in"] = "envelope.csv";
+  json["points"] = Json::array();
+  for (const EnvelopePoint& point : envelope.points)
+    json["points"].push_back(point_json(result, point));
+  return json;
+}
+
 Json row_json(const Study& study, const StudyRow& row) {
   Json json;
   json["settings"] = Json::object();
-  for (const Setting& setting : row.design.settings)
-    json["settings"][study.factors[setting.factor].path] = level_json(setting.level);
+  for (const Setting& setting : row.design.settings) {
+    const Factor& factor = study.factors[setting.factor];
+    json["settings"][factor.path] = level_json(setting.level);
+    for (std::size_t k = 0; k < factor.companions.size(); ++k)
+      json["settings"][factor.companions[k].path] = level_json(setting.companions[k]);
+  }
   json["base"] = is_base(study, row.design);
   json["converged"] = row.status.converged();
   json["status"] = row.status.name;
@@ -196,6 +295,7 @@ Json study_json(const StudyResult& result, const DocumentInfo& info) {
   Json document = document_head(info, {});
   document["study"] = study_head(result.study);
   document["summary"] = summary_json(result);
+  if (result.summary.envelope) document["envelope"] = envelope_json(result);
   if (result.rows.size() < result.designs) document["designs_shown"] = result.rows.size();
   document["designs"] = Json::array();
   for (const StudyRow& row : result.rows)

@@ -60,7 +60,8 @@ std::uint64_t most_bytes(const Study& study, const std::vector<FactorColumn>& co
   const auto add = [&](const std::string& text) { texts += text.size() + 64; };
   for (const std::string& text : info.overrides) add(text);
   for (const std::string& text : study.responses) add(text);
-  for (const Factor& factor : study.factors) add(factor.path + factor.label + factor.unit);
+  for (const DrawnInput& drawn : drawn_inputs(study))
+    add(drawn.input->path + drawn.input->label + drawn.input->unit);
   for (const FactorColumn& column : columns)
     for (const std::string& text : column.words) add(text);
   const std::uint64_t variables = columns.size() + study.responses.size() + 1;
@@ -99,7 +100,8 @@ void StudyNetcdf::define(const Study& study, const DocumentInfo& info) {
   if (is_sampled(study.plan))
     require(nc_put_att_ulonglong(id_, NC_GLOBAL, "seed", NC_UINT64, 1, &seed));
   require(nc_def_dim(id_, "design", design_count(study), &dimension_));
-  for (std::size_t f = 0; f < columns_.size(); ++f) define_factor(study.factors[f], columns_[f]);
+  const std::vector<DrawnInput> inputs = drawn_inputs(study);
+  for (std::size_t f = 0; f < columns_.size(); ++f) define_factor(*inputs[f].input, columns_[f]);
   for (const std::string& path : study.responses) define_response(path);
   require(nc_def_var(id_, "status", NC_BYTE, 1, &dimension_, &status_id_));
   require(nc_def_var_chunking(id_, status_id_, NC_CONTIGUOUS, nullptr));

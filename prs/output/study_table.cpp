@@ -62,9 +62,10 @@ Columns columns_of(const StudyResult& result) {
   Columns columns;
   columns.value_width = width(kBaseMark);
   for (const StudyRow& row : result.rows)
-    for (const auto& [factor, level] : row.design.settings)
-      columns.value_width = std::max(
-          columns.value_width, width(level_text(level, result.study.factors[factor].unit)) + 2);
+    for (const Setting& setting : row.design.settings)
+      columns.value_width =
+          std::max(columns.value_width,
+                   width(level_text(setting.level, result.study.factors[setting.factor].unit)) + 2);
   columns.value_width = std::min(columns.value_width, kMaxValueWidth);
   std::size_t used = columns.value_width;
   for (const std::string& path : result.study.responses) {
@@ -127,6 +128,9 @@ std::string factor_table(const StudyResult& result, std::size_t index, const Col
   const std::vector<TableRow> rows = rows_of(result, index);
   std::string title = printable(factor.label);
   if (factor.label != factor.path) title += fmt::format(" ({})", printable(factor.path));
+  for (const Factor& companion : factor.companions)
+    title += fmt::format(", {}{}", &companion == &factor.companions[0] ? "with " : "",
+                         printable(companion.label));
   std::string text = shortened(title, kTableWidth) + '\n';
   const std::size_t step = (rows.size() + kMostRows - 1) / kMostRows;
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -149,10 +153,10 @@ std::string settings_text(const Study& study, const Design& design) {
 /// The same in the words of the study.
 std::string labelled_settings(const Study& study, const Design& design) {
   std::string text;
-  for (const auto& [index, level] : design.settings) {
-    const Factor& factor = study.factors[index];
+  for (const Setting& setting : design.settings) {
+    const Factor& factor = study.factors[setting.factor];
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", printable(factor.label),
-                        level_text(level, factor.unit));
+                        level_text(setting.level, factor.unit));
   }
   return text;
 }
@@ -315,6 +319,82 @@ std::string extremes(const StudyResult& result) {
   return text;
 }
 
+std::string envelope_row(const std::string& label, const std::vector<std::string>& cells) {
+  std::string row = padded(shortened(label, kMaxName), kMaxName, true);
+  for (const std::string& cell : cells)
+    row.append("  ").append(padded(shortened(cell, kStatistic), kStatistic, false));
+  return row + '\n';
+}
+
+std::string short_number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.5g}", value) : std::string(kAbsent);
+}
+
+/// What makes the envelope: `stiffness (N/µm)   weight 3   rms 412.3`.
+std::string envelope_measures(const StudyResult& result) {
+  const EnvelopeResult& envelope = *result.summary.envelope;
+  const bool product = result.study.envelope->combine == Envelope::Combine::product;
+  std::string text = fmt::format("\nEnvelope, {} of the normalised measures\n",
+                                 product ? "product of powers" : "weighted sum");
+  text += envelope_row("", {product ? "exponent" : "factor", "divided by", "rms"});
+  for (const MeasureMap& measure : envelope.measures)
+    text += envelope_row(response_text(result.study.responses[measure.response]),
+                         {fmt::format("{:g}", measure.weight), short_number(measure.normalised_by),
+                          short_number(measure.rms)});
+  text += envelope_row("envelope", {"", "", short_number(envelope.rms)});
+  if (envelope.without > 0)
+    text += fmt::format("{} of {} designs have no envelope\n", envelope.without,
+                        envelope.values.size());
+  return text;
+}
+
+/// The designs that were read off, a column each: inputs, responses, envelope.
+std::string envelope_points(const StudyResult& result) {
+  const Study& study = result.study;
+  std::vector<const EnvelopePoint*> found;
+  std::string reasons;
+  for (const EnvelopePoint& point : result.summary.envelope->points)
+    if (point.reason.empty())
+      found.push_back(&point);
+    else
+      reasons += wrapped(fmt::format("{}: {}", printable(point.name), printable(point.reason)),
+                         "  ", kTableWidth);
+  if (!reasons.empty()) reasons = "\nPoints that the grid does not have\n" + reasons;
+  if (found.empty()) return reasons;
+  const std::size_t shown = std::min(found.size(), (kTableWidth - kMaxName) / (kStatistic + 2));
+  const auto row = [&](const std::string& label, auto cell) {
+    std::vector<std::string> cells;
+    for (std::size_t k = 0; k < shown; ++k) cells.push_back(cell(*found[k]));
+    return envelope_row(label, cells);
+  };
+  std::string text = "\n" + row("point", [](const EnvelopePoint& p) { return printable(p.name); });
+  text += row("design", [](const EnvelopePoint& p) {
+    return p.design ? fmt::format("{}", *p.design) : "between";
+  });
+  const std::vector<DrawnInput> inputs = drawn_inputs(study);
+  for (std::size_t k = 0; k < inputs.size(); ++k)
+    text += row(factor_title(*inputs[k].input), [&](const EnvelopePoint& p) {
+      const Level& level = p.inputs[k];
+      const std::string& unit = inputs[k].input->unit;
+      if (!level.number || level.text.starts_with('{')) return printable(level.text);
+      return fmt::format("{:.5g}{}{}", *level.number, unit.empty() ? "" : " ", printable(unit));
+    });
+  for (std::size_t k = 0; k < study.responses.size(); ++k)
+    text += row(response_text(study.responses[k]),
+                [&](const EnvelopePoint& p) { return short_number(p.responses[k]); });
+  text += row("envelope", [](const EnvelopePoint& p) { return short_number(p.envelope); });
+  if (shown < found.size())
+    text += fmt::format("… {} more points in study.json\n", found.size() - shown);
+  if (std::ranges::any_of(found, [](const EnvelopePoint* p) { return !p->design; }))
+    text += "between: interpolated between four designs of the grid\n";
+  return text + reasons;
+}
+
+std::string envelope_text(const StudyResult& result) {
+  if (!result.summary.envelope) return "";
+  return envelope_measures(result) + envelope_points(result);
+}
+
 std::string head(const StudyResult& result) {
   const Study& study = result.study;
   std::string text = fmt::format("{}: {} designs", name(study.plan), result.designs - 1);
@@ -329,7 +409,8 @@ std::string study_table(const StudyResult& result) {
   if (study.plan == Plan::one_at_a_time || (study.plan == Plan::grid && study.factors.size() == 1))
     return factor_tables(result) + failures(result);
   return head(result) + rankings(result) + statistics(result) +
-         (study.plan == Plan::grid ? extremes(result) : "") + failures(result);
+         (study.plan == Plan::grid ? extremes(result) : "") + envelope_text(result) +
+         failures(result);
 }
 
 std::string progress_line(std::size_t done, std::size_t total, double seconds) {

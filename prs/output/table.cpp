@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "prs/document/model_summary.h"
+#include "prs/document/quantities.h"
 #include "prs/output/bar_chart.h"
 #include "prs/output/case_table.h"
-#include "prs/output/model_summary.h"
-#include "prs/output/quantities.h"
 #include "prs/output/warnings.h"
 
 namespace prs {

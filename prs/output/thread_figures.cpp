@@ -4,9 +4,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "prs/document/quantities.h"
 #include "prs/output/case_groups.h"
 #include "prs/output/figure_style.h"
-#include "prs/output/quantities.h"
 #include "prs/output/result_figures.h"
 #include "prs/output/thread_figure.h"
 

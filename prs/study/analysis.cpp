@@ -138,6 +138,7 @@ struct StudyAnalysis::Parts {
         moments(s.responses.size()),
         kept(s.responses.size()),
         x(factors.size()) {
+    if (s.envelope) maps.emplace(s);
     if (factors.size() > kMostFactorsOfSurface) {
       reason = fmt::format("it takes at most {} factors, the study has {}", kMostFactorsOfSurface,
                            factors.size());
@@ -189,6 +190,7 @@ struct StudyAnalysis::Parts {
   std::vector<double> x;                    ///< Of one design.
   std::vector<VarianceIndices> indices;     ///< One a response, of plan sobol_indices.
   std::vector<std::vector<double>> sample;  ///< A response of the designs of one sample.
+  std::optional<GridMapCollector> maps;     ///< Of a study with an envelope.
 };
 
 StudyAnalysis::StudyAnalysis(const Study& study) : parts_(std::make_unique<Parts>(study)) {}
@@ -207,6 +209,7 @@ void StudyAnalysis::add(const RowBlock& block) {
     parts_->add(failed ? none : std::span(block.responses).subspan(k * responses, responses),
                 block.first + k);
   }
+  if (parts_->maps) parts_->maps->add(block);
   parts_->next += block.rows;
 }
 
@@ -228,6 +231,10 @@ StudySummary StudyAnalysis::summary() const {
   if (!parts_->reason.empty()) summary.surfaces = ResponseSurfaces{0, parts_->reason};
   for (const VarianceIndices& indices : parts_->indices)
     summary.indices.push_back(indices.result());
+  if (parts_->maps && parts_->maps->maps()) {
+    summary.maps = parts_->maps->maps();
+    summary.envelope = evaluate_envelope(parts_->study, *summary.maps);
+  }
   return summary;
 }
 

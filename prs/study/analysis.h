@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "prs/study/envelope_result.h"
+#include "prs/study/grid_maps.h"
 #include "prs/study/response_surface.h"
 #include "prs/study/row_block.h"
 #include "prs/study/study.h"
@@ -47,10 +49,12 @@ struct StudySummary {
   std::vector<ResponseStatistics> statistics;     ///< One a response.
   std::optional<ResponseSurfaces> surfaces = {};  ///< Of sampled plans with numeric factors.
   std::vector<ResponseIndices> indices = {};      ///< One a response; of plan sobol_indices.
+  std::optional<GridMaps> maps = {};              ///< Of a study with an envelope.
+  std::optional<EnvelopeResult> envelope = {};
 };
 
-/// Sums up a study block after block, in memory that does not depend on the number of designs and
-/// with a result that does not depend on how the rows are cut into blocks.
+/// Sums up a study block after block, in memory that does not depend on the number of designs,
+/// maps aside, and with a result that does not depend on how the rows are cut into blocks.
 class StudyAnalysis {
  public:
   /// Of a study with the responses that are recorded.

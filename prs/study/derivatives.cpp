@@ -102,8 +102,9 @@ Eigen::VectorXd responses(Model& model, Command command, const std::vector<Resul
       }
       result = &*answer;
     }
-    values[static_cast<Eigen::Index>(k)] =
-        numbers[k].value(model.contacts, result).value_or(std::numeric_limits<double>::quiet_NaN());
+    values[static_cast<Eigen::Index>(k)] = numbers[k]
+                                               .value({model.contacts, result})
+                                               .value_or(std::numeric_limits<double>::quiet_NaN());
   }
   return values;
 }

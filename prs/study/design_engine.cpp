@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <mutex>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -13,14 +14,16 @@
 #include "prs/case_error.h"
 #include "prs/chain/bar_designs.h"
 #include "prs/contact_laws.h"
+#include "prs/document/json.h"
+#include "prs/document/life_json.h"
+#include "prs/document/measures_json.h"
+#include "prs/document/slip_quantities.h"
 #include "prs/input/design_reader.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/force_history.h"
 #include "prs/life/analyze_life.h"
 #include "prs/load_case_result.h"
-#include "prs/output/json.h"
-#include "prs/output/life_files.h"
-#include "prs/output/slip_quantities.h"
+#include "prs/measures/analyze_measures.h"
 #include "prs/slip.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
@@ -109,6 +112,9 @@ std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers)
 /// Designs whose sectors are solved together: many lanes, little memory.
 constexpr std::size_t kBatch = 64;
 
+/// Reads the case of the design that a row of a block answers.
+using ReadRow = std::function<const Case&(input::DesignReader& reader, std::size_t row)>;
+
 /// What is known of one design while its sectors wait to be solved together.
 struct Pending {
   std::size_t row = 0;
@@ -192,6 +198,11 @@ struct DesignEngine::Parts {
   /// The chain of the command on one case, the whole document.
   DesignStatus by_document(const Case& c, Json& document) const {
     if (study.command == Command::life) return life_by_document(c, document);
+    if (study.command == Command::measures) {
+      const MeasuresResult result = analyze_measures(c);
+      document = measures_json(result, {});
+      return status_of(result.analysis.load_cases);
+    }
     const Result result = analyze_for(study.command, c, Detail::complete);
     document = to_json(result, {});
     return status_of(result.load_cases);
@@ -215,18 +226,23 @@ struct DesignEngine::Parts {
     if (numbers) load_cases = load_cases_of(*numbers);
   }
 
+  /// `measured`: what measures are read from, where the command has them.
   void set_numbers(double* row, const Contacts& contacts,
-                   const std::vector<LoadCaseResult>& results) const {
+                   const std::vector<LoadCaseResult>& results,
+                   const MeasuresResult* measured = nullptr) const {
     for (std::size_t k = 0; k < numbers->size(); ++k) {
       const ResultNumber& number = (*numbers)[k];
-      const LoadCaseResult* result = nullptr;
+      Answer answer{contacts};
+      if (measured) answer.measures = &measured->measures;
       if (number.load_case) {
         const auto at = std::ranges::find(load_cases, *number.load_case);
         const auto index = static_cast<std::size_t>(at - load_cases.begin());
         if (index >= results.size()) continue;
-        result = &results[index];
+        answer.load_case = &results[index];
+        if (measured && measured->load_measures[index])
+          answer.load_measures = &*measured->load_measures[index];
       }
-      row[k] = number.value(contacts, result).value_or(kNoResponse);
+      row[k] = number.value(answer).value_or(kNoResponse);
     }
   }
 
@@ -243,6 +259,13 @@ struct DesignEngine::Parts {
     needed.load_cases.clear();
     for (const std::size_t k : load_cases)
       if (k < c.load_cases.size()) needed.load_cases.push_back(c.load_cases[k]);
+    if (study.command == Command::measures) {
+      const MeasuresResult result = analyze_measures(needed, Detail::numbers);
+      DesignStatus status = status_of(result.analysis.load_cases);
+      if (status.converged())
+        set_numbers(row, result.analysis.contacts, result.analysis.load_cases, &result);
+      return status;
+    }
     const Result result = analyze_for(study.command, needed, Detail::numbers);
     DesignStatus status = status_of(result.load_cases);
     if (status.converged()) set_numbers(row, result.contacts, result.load_cases);
@@ -271,15 +294,25 @@ struct DesignEngine::Parts {
     return {};
   }
 
-  void evaluate_batches(std::size_t first, RowBlock& block) {
+  RowBlock evaluate(std::size_t first, std::size_t rows, const ReadRow& read) {
+    RowBlock block{first, rows, {}, {}};
+    block.responses.assign(rows * study.responses.size(), kNoResponse);
+    if (in_batches())
+      evaluate_batches(read, block);
+    else
+      evaluate_one_by_one(read, block);
+    return block;
+  }
+
+  void evaluate_batches(const ReadRow& read, RowBlock& block) {
     Borrowed worker(*this);
     for (std::size_t row = 0; row < block.rows; row += kBatch)
-      evaluate_batch(first, row, std::min(row + kBatch, block.rows), *worker.get(), block);
+      evaluate_batch(read, row, std::min(row + kBatch, block.rows), *worker.get(), block);
     std::ranges::sort(block.failures, {}, &RowBlock::Failure::row);
   }
 
   /// Rows [from, to) of a block.
-  void evaluate_batch(std::size_t first, std::size_t from, std::size_t to, Worker& worker,
+  void evaluate_batch(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker,
                       RowBlock& block) {
     std::vector<Pending> designs;
     std::vector<PendingSector> sectors;
@@ -291,7 +324,7 @@ struct DesignEngine::Parts {
       Pending design{row, {}, {}, {}};
       bool done = false;
       DesignStatus status = status_after([&]() -> DesignStatus {
-        const Case& c = worker.reader.read(first + row);
+        const Case& c = read(worker.reader, row);
         if (c.model.bodies == Bodies::bars)
           return prepare(c, design, designs.size(), sectors, bars, forces);
         done = true;
@@ -322,11 +355,11 @@ struct DesignEngine::Parts {
     }
   }
 
-  void evaluate_one_by_one(std::size_t first, RowBlock& block) {
+  void evaluate_one_by_one(const ReadRow& read, RowBlock& block) {
     Borrowed worker(*this);
     for (std::size_t row = 0; row < block.rows; ++row) {
-      DesignStatus status = status_after(
-          [&] { return answer(worker->reader.read(first + row), row_of(block, row)); });
+      DesignStatus status =
+          status_after([&] { return answer(read(worker->reader, row), row_of(block, row)); });
       if (!status.converged()) block.failures.push_back({row, std::move(status)});
     }
   }
@@ -349,13 +382,17 @@ DesignEngine::~DesignEngine() = default;
 const Study& DesignEngine::study() const { return parts_->study; }
 
 RowBlock DesignEngine::evaluate(std::size_t first, std::size_t count) const {
-  RowBlock block{first, count, {}, {}};
-  block.responses.assign(count * parts_->study.responses.size(), kNoResponse);
-  if (parts_->in_batches())
-    parts_->evaluate_batches(first, block);
-  else
-    parts_->evaluate_one_by_one(first, block);
-  return block;
+  return parts_->evaluate(first, count,
+                          [first](input::DesignReader& reader, std::size_t row) -> const Case& {
+                            return reader.read(first + row);
+                          });
+}
+
+RowBlock DesignEngine::evaluate(const std::vector<std::vector<Draw>>& designs) const {
+  return parts_->evaluate(0, designs.size(),
+                          [&](input::DesignReader& reader, std::size_t row) -> const Case& {
+                            return reader.read(designs[row]);
+                          });
 }
 
 std::size_t DesignEngine::chunk() const {

@@ -37,6 +37,10 @@ class DesignEngine {
   /// for what is wrong with a design.
   RowBlock evaluate(std::size_t first, std::size_t count) const;
 
+  /// The same of designs that are given by their values, one draw a factor each: row k of the block
+  /// answers the k-th of them.
+  RowBlock evaluate(const std::vector<std::vector<Draw>>& designs) const;
+
   /// Designs that a thread should take at once.
   std::size_t chunk() const;
 

@@ -7,14 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "prs/output/contact_quantities.h"
-#include "prs/output/quantities.h"
-#include "prs/output/slip_quantities.h"
+#include "prs/document/contact_quantities.h"
+#include "prs/document/measure_quantities.h"
+#include "prs/document/quantities.h"
+#include "prs/document/slip_quantities.h"
 
 namespace prs {
 namespace {
 
-using Value = std::function<std::optional<double>(const Contacts&, const LoadCaseResult*)>;
+using Value = std::function<std::optional<double>(const Answer&)>;
 
 std::optional<double> shown(std::optional<double> si, double factor) {
   if (!si || !std::isfinite(*si)) return std::nullopt;
@@ -68,8 +69,8 @@ template <class List>
 Value thread_value(std::string_view rest, double factor, List list) {
   if (const std::optional<std::size_t> index = take_index(rest)) {
     if (!rest.empty()) return {};
-    return [=](const Contacts&, const LoadCaseResult* r) -> std::optional<double> {
-      const std::vector<double>* values = list(r);
+    return [=](const Answer& a) -> std::optional<double> {
+      const std::vector<double>* values = list(a);
       if (!values || *index >= values->size()) return std::nullopt;
       return (*values)[*index] * factor;
     };
@@ -77,8 +78,8 @@ Value thread_value(std::string_view rest, double factor, List list) {
   if (rest.starts_with('.')) rest.remove_prefix(1);
   const Summary summary = summary_named(rest, factor);
   if (!summary) return {};
-  return [=](const Contacts&, const LoadCaseResult* r) -> std::optional<double> {
-    const std::vector<double>* values = list(r);
+  return [=](const Answer& a) -> std::optional<double> {
+    const std::vector<double>* values = list(a);
     if (!values || values->empty()) return std::nullopt;
     return summary(*values);
   };
@@ -95,17 +96,20 @@ Value of_threads(Interface i, std::string_view path) {
   std::string_view rest;
   for (const ThreadQuantity& q : kThreadQuantities)
     if (is_list(path, q.key, rest))
-      return thread_value(rest, q.factor, [i, q](const LoadCaseResult* r) {
-        return r->threads ? &((*r->threads)[i].*q.values) : nullptr;
+      return thread_value(rest, q.factor, [i, q](const Answer& a) {
+        const auto& threads = a.load_case->threads;
+        return threads ? &((*threads)[i].*q.values) : nullptr;
       });
   if (path == "normal_angle_deg")
-    return [i](const Contacts&, const LoadCaseResult* r) {
-      return r->threads ? shown((*r->threads)[i].normal_angle, per_si::degree) : std::nullopt;
+    return [i](const Answer& a) {
+      const auto& threads = a.load_case->threads;
+      return threads ? shown((*threads)[i].normal_angle, per_si::degree) : std::nullopt;
     };
   if (path == "hertz_constant_N_per_mm1_5")
-    return [i](const Contacts&, const LoadCaseResult* r) {
-      return r->threads ? shown((*r->threads)[i].hertz_constant, per_si::newton_per_millimetre1_5)
-                        : std::nullopt;
+    return [i](const Answer& a) {
+      const auto& threads = a.load_case->threads;
+      return threads ? shown((*threads)[i].hertz_constant, per_si::newton_per_millimetre1_5)
+                     : std::nullopt;
     };
   return {};
 }
@@ -113,8 +117,8 @@ Value of_threads(Interface i, std::string_view path) {
 /// A number of a converged slip result.
 template <class Number>
 Value of_converged_slip(Number number, double factor) {
-  return [=](const Contacts&, const LoadCaseResult* r) {
-    return has_slip(*r) ? shown(number(*r->slip), factor) : std::nullopt;
+  return [=](const Answer& a) {
+    return has_slip(*a.load_case) ? shown(number(*a.load_case->slip), factor) : std::nullopt;
   };
 }
 
@@ -147,18 +151,44 @@ Value of_slip(std::string_view path) {
   if (i)
     for (const SlipThreadQuantity& q : kSlipThreadQuantities)
       if (is_list(path, q.key, rest))
-        return thread_value(rest, q.factor, [i, q](const LoadCaseResult* r) {
-          return has_slip(*r) ? &(r->slip->threads[*i].*q.values) : nullptr;
+        return thread_value(rest, q.factor, [i, q](const Answer& a) {
+          return has_slip(*a.load_case) ? &(a.load_case->slip->threads[*i].*q.values) : nullptr;
         });
+  return {};
+}
+
+Value of_load_measures(std::string_view path) {
+  for (const LoadMeasure& q : kLoadMeasures)
+    if (path == q.key)
+      return [q](const Answer& a) {
+        return a.load_measures ? shown(q.value(*a.load_measures), q.factor) : std::nullopt;
+      };
+  std::string_view rest;
+  for (const ThreadMeasure& q : kThreadMeasures)
+    if (is_list(path, q.key, rest))
+      return thread_value(rest, q.factor, [q](const Answer& a) {
+        return a.load_measures ? &(a.load_measures->*q.values) : nullptr;
+      });
+  return {};
+}
+
+/// Of the mechanism.
+Value of_measures(std::string_view path) {
+  for (const DesignMeasure& q : kDesignMeasures)
+    if (path == q.key)
+      return [q](const Answer& a) {
+        return a.measures ? shown(q.value(*a.measures), q.factor) : std::nullopt;
+      };
   return {};
 }
 
 Value of_load_case(std::string_view path) {
   for (const CaseQuantity& q : kCaseQuantities)
     if (path == q.key)
-      return [q](const Contacts&, const LoadCaseResult* r) { return shown(r->*q.value, q.factor); };
+      return [q](const Answer& a) { return shown(a.load_case->*q.value, q.factor); };
   const std::string_view key = take_key(path);
   if (key == "slip") return of_slip(path);
+  if (key == "measures") return of_load_measures(path);
   if (const std::optional<Interface> i = interface_named(key)) return of_threads(*i, path);
   return {};
 }
@@ -169,8 +199,8 @@ Value of_contact(std::string_view path) {
   const auto value_in = [&](const auto& quantities) -> Value {
     for (const ContactQuantity& q : quantities)
       if (path == q.key)
-        return [i, q](const Contacts& contacts, const LoadCaseResult*) {
-          const InterfaceContact& contact = contacts.interfaces[*i];
+        return [i, q](const Answer& a) {
+          const InterfaceContact& contact = a.contacts.interfaces[*i];
           return contact.geometry.ok() ? shown(q.value(contact), q.factor) : std::nullopt;
         };
     return {};
@@ -186,7 +216,9 @@ Value of_contact(std::string_view path) {
 std::optional<ResultNumber> result_number(std::string_view path) {
   ResultNumber number;
   number.needs_complete = path.find("max_shear") != std::string_view::npos;
-  constexpr std::string_view contact = "contact.", cases = "load_cases";
+  constexpr std::string_view contact = "contact.", cases = "load_cases", measures = "measures.";
+  if (path.starts_with(measures)) number.value = of_measures(path.substr(measures.size()));
+  if (number.value) return number;
   if (path.starts_with(contact)) {
     number.value = of_contact(path.substr(contact.size()));
   } else {

@@ -5,9 +5,18 @@
 #include <optional>
 #include <string_view>
 
+#include "prs/measures/measures.h"
 #include "prs/result.h"
 
 namespace prs {
+
+/// What a response is read from.
+struct Answer {
+  const Contacts& contacts;
+  const LoadCaseResult* load_case = nullptr;  ///< That of the response.
+  const Measures* measures = nullptr;         ///< Where they are asked for.
+  const LoadMeasures* load_measures = nullptr;
+};
 
 /// A response that the tables of quantities know, read from results without a document. What it
 /// says is what the document would.
@@ -15,7 +24,7 @@ struct ResultNumber {
   /// Index of the load case that it belongs to; none: it is the mechanism's.
   std::optional<std::size_t> load_case;
   bool needs_complete = false;  ///< Detail::numbers does not have it.
-  std::function<std::optional<double>(const Contacts&, const LoadCaseResult*)> value;
+  std::function<std::optional<double>(const Answer&)> value;
 };
 
 /// The response at a path, see `response`; none where only the document has it.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "prs/study/sampling.h"
 
@@ -89,8 +90,18 @@ void draw_combination(const Study& study, std::size_t k, std::vector<Draw>& draw
 
 Level level_of(const Factor& factor, const Draw& draw) {
   if (draw.kind == Draw::Kind::level) return factor.levels[draw.level];
+  assert(factor.companions.empty());  // They have no value between two levels.
   return {fmt::format("{}{}{}", draw.number, factor.unit.empty() ? "" : " ", factor.unit),
           draw.number};
+}
+
+bool is_same(const Level& level, const std::optional<Level>& base) {
+  if (!base) return false;
+  return level.text == base->text || (level.number && level.number == base->number);
+}
+
+std::string override_text(const Factor& factor, const Level& level) {
+  return fmt::format("{}={}", factor.path, level.text);
 }
 
 }  // namespace
@@ -130,29 +141,54 @@ std::vector<Draw> draws(const Study& study, std::size_t k) {
   return draws;
 }
 
-Design design(const Study& study, std::size_t k) {
+std::vector<DrawnInput> drawn_inputs(const Study& study) {
+  std::vector<DrawnInput> inputs;
+  for (std::size_t i = 0; i < study.factors.size(); ++i) {
+    inputs.push_back({i, &study.factors[i]});
+    for (const Factor& companion : study.factors[i].companions) inputs.push_back({i, &companion});
+  }
+  return inputs;
+}
+
+Design design(const Study& study, std::size_t k) { return design(study, draws(study, k)); }
+
+Design design(const Study& study, const std::vector<Draw>& draws) {
+  assert(draws.size() == study.factors.size());
   Design design;
-  const std::vector<Draw> values = draws(study, k);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (values[i].kind != Draw::Kind::as_in_file)
-      design.settings.push_back({i, level_of(study.factors[i], values[i])});
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    if (draws[i].kind == Draw::Kind::as_in_file) continue;
+    const Factor& factor = study.factors[i];
+    Setting setting{i, level_of(factor, draws[i]), {}};
+    for (const Factor& companion : factor.companions)
+      setting.companions.push_back(level_of(companion, draws[i]));
+    design.settings.push_back(std::move(setting));
+  }
   return design;
 }
 
 bool is_base(const Study& study, const Design& design) {
   return std::ranges::all_of(design.settings, [&](const Setting& setting) {
-    const std::optional<Level>& base = study.factors[setting.factor].base;
-    if (!base) return false;
-    return setting.level.text == base->text ||
-           (setting.level.number && setting.level.number == base->number);
+    const Factor& factor = study.factors[setting.factor];
+    if (!is_same(setting.level, factor.base)) return false;
+    for (std::size_t k = 0; k < factor.companions.size(); ++k)
+      if (!is_same(setting.companions[k], factor.companions[k].base)) return false;
+    return true;
   });
 }
 
 std::vector<std::string> overrides(const Study& study, const Design& design) {
   std::vector<std::string> texts;
-  for (const Setting& setting : design.settings)
-    texts.push_back(fmt::format("{}={}", study.factors[setting.factor].path, setting.level.text));
+  for (const Setting& setting : design.settings) {
+    const Factor& factor = study.factors[setting.factor];
+    texts.push_back(override_text(factor, setting.level));
+    for (std::size_t k = 0; k < factor.companions.size(); ++k)
+      texts.push_back(override_text(factor.companions[k], setting.companions[k]));
+  }
   return texts;
+}
+
+std::vector<std::string> overrides(const Study& study, const std::vector<Draw>& draws) {
+  return overrides(study, design(study, draws));
 }
 
 }  // namespace prs

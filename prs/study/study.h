@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "prs/check_case.h"
+#include "prs/study/envelope.h"
 
 namespace prs {
 
@@ -51,6 +52,10 @@ struct Factor {
   Distribution distribution = {};
   /// The entry of a list that is drawn entry by entry, as pitch errors are.
   bool entry_of_list = false;
+  /// Between two levels any number may stand: a quantity, no word and no whole number.
+  bool continuous = false;
+  /// Inputs that change with this one, level by level: as many levels, no companions of their own.
+  std::vector<Factor> companions = {};
 
   /// Whether every value has its place on an axis.
   bool is_numeric() const;
@@ -64,15 +69,26 @@ struct Study {
   std::vector<std::string> responses;  ///< Paths, see `response`; empty: those of the command.
   std::size_t samples = 0;             ///< Of sampled plans; of each matrix for `sobol_indices`.
   std::uint64_t seed = 1;
+  std::optional<Envelope> envelope = {};  ///< Of `grid` with two factors.
 };
 
 /// Whether the designs are drawn, not listed.
 bool is_sampled(Plan plan);
 
-/// A factor that differs from the file, and its value.
+/// An input that designs set: a factor or a companion of one.
+struct DrawnInput {
+  std::size_t factor = 0;         ///< Whose draw sets it.
+  const Factor* input = nullptr;  ///< Within the study.
+};
+
+/// Every factor, followed by its companions.
+std::vector<DrawnInput> drawn_inputs(const Study& study);
+
+/// A factor that differs from the file, its value and those of its companions.
 struct Setting {
   std::size_t factor = 0;
   Level level;
+  std::vector<Level> companions = {};
 };
 
 /// One case of a study: the file with these settings; none for the base case.
@@ -80,7 +96,7 @@ struct Design {
   std::vector<Setting> settings;
 };
 
-/// The value of one factor in one design, without its text.
+/// The value of one factor in one design, without its text. A level sets the companions too.
 struct Draw {
   enum class Kind { as_in_file, level, number };
   Kind kind = Kind::as_in_file;
@@ -100,11 +116,13 @@ std::vector<Draw> draws(const Study& study, std::size_t k);
 
 /// The same with texts.
 Design design(const Study& study, std::size_t k);
+Design design(const Study& study, const std::vector<Draw>& draws);
 
 /// Whether a design leaves every value as it is in the file, be it by the same value.
 bool is_base(const Study& study, const Design& design);
 
 /// The settings as `--set` takes them: `mechanism.rollers=9`.
 std::vector<std::string> overrides(const Study& study, const Design& design);
+std::vector<std::string> overrides(const Study& study, const std::vector<Draw>& draws);
 
 }  // namespace prs

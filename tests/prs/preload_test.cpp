@@ -7,6 +7,7 @@
 #include <random>
 
 #include "prs/case_error.h"
+#include "prs/document/preload_json.h"
 #include "prs/input/reader.h"
 #include "prs/load_distribution.h"
 #include "prs/output/preload_files.h"

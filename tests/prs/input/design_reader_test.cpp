@@ -92,13 +92,15 @@ std::vector<std::string> outcome(const Read& read) {
 /// How many of the designs are read as they are from their texts; the first one that is not fails.
 int refused_of(const StudyInput& input, std::size_t designs) {
   int refused = 0;
-  DesignReader reader(input);
+  DesignReader reader(input), by_draws(input);
   for (std::size_t k = 0; k < std::min(designs, design_count(input.study)); ++k) {
     const std::vector<std::string> texts = overrides(input.study, design(input.study, k));
     const auto expected = outcome([&] { return read_design(input, texts); });
     const auto read = outcome([&] { return reader.read(k); });
     refused += expected.size() == 1 ? 1 : 0;
     EXPECT_EQ(read, expected) << fmt::format("{}", fmt::join(texts, "\n"));
+    EXPECT_EQ(outcome([&] { return by_draws.read(draws(input.study, k)); }), expected);
+    EXPECT_EQ(overrides(input.study, draws(input.study, k)), texts);
     if (read != expected) break;
   }
   return refused;
@@ -233,6 +235,43 @@ TEST(DesignReader, ReadsListedPlans) {
   EXPECT_GT(
       refused_of(real_parts("plan: grid", factors.substr(factors.find("    - {path: st"))), 1000),
       10);
+}
+
+const std::string kTogether = R"(
+    - path: mechanism.pitch_diameter.screw
+      values: {from: 20.9 mm, to: 21.1 mm, steps: 5}
+      with:
+        - {path: mechanism.pitch_diameter.roller, values: {from: 6.9 mm, to: 7.1 mm, steps: 5}}
+        - {path: mechanism.flank_angle, values: {from: 44.5 deg, to: 45.5 deg, steps: 5}}
+        - {path: mechanism.rollers, values: [9, 10, 11, 12, 60]}
+        - {path: mechanism.profile.roller, values: [straight, {convex: 5 mm}, straight, {convex: 5 mm}, {convex: 6 mm}]}
+    - {path: structure.screw.bore, values: [4 mm, 40 mm]}
+)";
+
+TEST(DesignReader, SetsCompanionsAsTheirTextsDo) {
+  for (const char* plan : {"plan: one_at_a_time", "plan: grid", "plan: sobol\n  samples: 40"}) {
+    const StudyInput in = real_parts(plan, kTogether);
+    EXPECT_GT(refused_of(in, 100), 1) << plan;
+    EXPECT_LT(refused_of(in, 100), 40) << plan;
+  }
+}
+
+TEST(DesignReader, CompanionsTakeTheLevelOfTheirFactor) {
+  const StudyInput in = read_study_input(
+      lesson("11_real_parts",
+             "study:\n  command: solve\n  plan: grid\n  factors:\n    - {path: mechanism.rollers, "
+             "values: [9, 11], with: [{path: materials.youngs_modulus, values: [200 GPa, 210 "
+             "GPa]}]}\n    - {path: structure.screw.bore, values: [4 mm, 5 mm]}\n"));
+  ASSERT_EQ(design_count(in.study), 5U);
+  EXPECT_THAT(overrides(in.study, design(in.study, 2)),
+              ElementsAre("mechanism.rollers=9", "materials.youngs_modulus=200 GPa",
+                          "structure.screw.bore=5 mm"));
+  DesignReader reader(in);
+  EXPECT_EQ(reader.read(1).materials->screw.youngs_modulus, 200e9);
+  const Case& c = reader.read(3);
+  EXPECT_EQ(c.mechanism.rollers, 11);
+  EXPECT_EQ(c.materials->screw.youngs_modulus, 210e9);
+  EXPECT_EQ(c.structure->screw.bore, 0.004);
 }
 
 TEST(DesignReader, RangeOfForcesIsExpandedAnew) {

@@ -10,6 +10,7 @@
 
 #include "prs/analyze.h"
 #include "prs/case_error.h"
+#include "prs/document/life_json.h"
 #include "prs/input/reader.h"
 #include "prs/output/life_figures.h"
 #include "prs/output/life_files.h"

@@ -36,6 +36,22 @@ TEST(StudyCsv, HasAColumnAFactorAndAResponse) {
               ElementsAre("13", testing::_, testing::_, "failed", "design 13, \"no\"", "", "", ""));
 }
 
+TEST(StudyCsv, CompanionsHaveColumnsBesideTheirFactor) {
+  Study study = test::synthetic_study(7);
+  study.plan = Plan::grid;
+  study.factors[0].distribution = {};
+  study.factors[0].levels = {{"30 mm", 30.0}, {"31 mm", 31.0}, {"32 mm", 32.0}};
+  Factor rollers{"mechanism.rollers", "rollers", "", {{"9", 9.0}, {"10", 10.0}, {"11", 11.0}}, {}};
+  rollers.base = Level{"12", 12.0};
+  study.factors[0].companions = {rollers};
+  const auto rows = test::parse(csv_of(study, test::synthetic_rows(0, 7)));
+  ASSERT_EQ(rows.size(), 7u);
+  EXPECT_EQ(rows[0].at("mechanism.rollers"), "12");
+  EXPECT_EQ(rows[4].at("mechanism.pitch_diameter.screw_mm"), "31");
+  EXPECT_EQ(rows[4].at("mechanism.rollers"), "10");
+  EXPECT_EQ(rows[4].at("mechanism.profile.nut"), "{convex: 6 mm}");
+}
+
 TEST(StudyCsv, NumbersComeBackToTheLastBit) {
   const Study study = test::synthetic_study(300);
   const RowBlock block = test::synthetic_rows(40, 200);

@@ -166,6 +166,34 @@ TEST(StudyFigures, GridOfTwoLongFactorsIsAMap) {
   EXPECT_EQ(lines.legend.back().title, "y 9");
 }
 
+TEST(StudyFigures, EnvelopeIsAMapAndASurfaceWithItsPoints) {
+  std::vector<double> many;
+  for (int k = 0; k < 12; ++k) many.push_back(1.0 + 0.5 * k);
+  Study study = grid({sample::counted("x", many), sample::counted("y", many)});
+  for (Factor& factor : study.factors) factor.continuous = true;
+  study.envelope = Envelope{.measures = {{"y", 2.0}},
+                            .points = {{"A", {{1.25, 3.0}}, {}}, {"B", {}, {{"y", 1e3}}}}};
+  study.envelope->normalise = Envelope::Normalise::none;
+  const auto product = [](const std::vector<double>& x) { return std::vector{x[0] * x[1]}; };
+  const std::vector<Figure> figures = study_figures(sample::run(study, product));
+  ASSERT_THAT(names(figures), ElementsAre("envelope", "01_y"));
+  const Figure& y = figures[1];
+  ASSERT_THAT(y.panels, SizeIs(2));
+  EXPECT_EQ(y.x.from, 1.0);
+  EXPECT_EQ(y.x.to, 6.5);
+  ASSERT_TRUE(y.colours && y.panels[1].surface);
+  EXPECT_LE(y.colours->from, 1.0);
+  EXPECT_GE(y.colours->to, 6.5 * 6.5);
+  EXPECT_THAT(y.panels[0].lines.back().parts, ElementsAre(Polyline{{1.25, 3.0}}));
+  ASSERT_THAT(y.panels[1].surface->points, SizeIs(1));  // B is nowhere.
+  EXPECT_NEAR(y.panels[1].surface->points[0].z, 3.75, 1e-12);
+  EXPECT_NEAR(figures[0].panels[1].surface->points[0].z, 3.75 * 3.75, 1e-12);
+  EXPECT_EQ(y.panels[1].surface->grid.at(11, 0), 6.5);
+  const std::string script = gnuplot_script(y);
+  EXPECT_THAT(script, AllOf(HasSubstr("splot $surface_2"), HasSubstr("fc palette cb"),
+                            HasSubstr("set label \"A\" at 1.25,3,3.75")));
+}
+
 TEST(StudyFigures, NoneWithoutAnAnswer) {
   const auto none = [](const std::vector<double>&) { return std::vector<double>{}; };
   EXPECT_THAT(study_figures(sample::run(grid({words("a"), words("b")}), none)), IsEmpty());

@@ -38,6 +38,51 @@ TEST(StudyJson, DocumentLeavesOutWhatIsNotDefined) {
   EXPECT_FALSE(summary.contains("sobol_indices"));
 }
 
+TEST(StudyJson, SettingsNameTheCompanions) {
+  Study study;
+  study.command = Command::solve;
+  study.factors = {sample::counted("x", {1.0, 3.0})};
+  study.factors[0].companions = {sample::counted("z", {5.0, 7.0})};
+  study.responses = {"y"};
+  const auto answer = [](const std::vector<double>& x) { return std::vector{x[0]}; };
+  const Json json = study_json(sample::run(study, answer), kInfo);
+  EXPECT_EQ(json["study"]["factors"][0]["with"][0]["path"], "z");
+  EXPECT_EQ(json["designs"][2]["settings"]["x"]["number"], 3.0);
+  EXPECT_EQ(json["designs"][2]["settings"]["z"]["number"], 7.0);
+}
+
+TEST(StudyJson, GivesTheEnvelopeWithItsMapsAndPoints) {
+  Study study;
+  study.command = Command::solve;
+  study.plan = Plan::grid;
+  study.factors = {sample::counted("a", {1.0, 2.0}), sample::counted("b", {1.0, 3.0, 5.0})};
+  for (Factor& factor : study.factors) factor.continuous = true;
+  study.responses = {"y", "z"};
+  study.envelope = Envelope{.combine = Envelope::Combine::sum,
+                            .normalise = Envelope::Normalise::max,
+                            .measures = {{"y", 1.0}, {"z", 2.0}},
+                            .points = {{"A", {{1.5, 2.0}}, {}}, {"B", {}, {{"y", 11.0}}}}};
+  const auto answer = [](const std::vector<double>& x) {
+    return x[0] == 2.0 && x[1] == 5.0 ? std::vector<double>{} : std::vector{x[0] * x[1], x[1]};
+  };
+  const Json json = study_json(sample::run(study, answer), kInfo)["envelope"];
+  EXPECT_EQ(json["combine"], "sum");
+  EXPECT_EQ(json["normalise"], "max");
+  EXPECT_EQ(json["axes"][1]["numbers"], Json({1.0, 3.0, 5.0}));
+  EXPECT_EQ(json["measures"][1]["normalised_by"], 5.0);
+  EXPECT_EQ(json["measures"][0]["normalised"][0][1], 0.5);
+  EXPECT_TRUE(json["values"][1][2].is_null());
+  EXPECT_EQ(json["designs_without"], 1U);
+  EXPECT_EQ(json["values"][1][1], 1.0 + 2.0 * 3.0 / 5.0);
+  EXPECT_EQ(json["max_design"], 3U);
+  const Json& a = json["points"][0];
+  EXPECT_FALSE(a.contains("design"));
+  EXPECT_EQ(a["settings"]["b"]["number"], 2.0);
+  EXPECT_EQ(a["responses"]["y"], 3.0);
+  EXPECT_EQ(a["envelope"], 3.0 / 6.0 + 2.0 * 2.0 / 5.0);
+  EXPECT_EQ(json["points"][1]["reason"], "y lies between 1 and 6 in the grid, 11 is wanted");
+}
+
 TEST(StudyJson, RanksContributions) {
   const Json json = study_json(sample::sampled(Plan::latin_hypercube), kInfo);
   EXPECT_EQ(json["study"]["samples"], 500U);

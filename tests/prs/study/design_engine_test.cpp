@@ -10,8 +10,8 @@
 #include <string>
 
 #include "prs/analyze.h"
+#include "prs/document/json.h"
 #include "prs/input/reader.h"
-#include "prs/output/json.h"
 #include "prs/slip.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
@@ -55,7 +55,7 @@ TEST(ResultNumber, SaysWhatTheDocumentSays) {
       ++known;
       const LoadCaseResult* of =
           number->load_case ? &result.load_cases.at(*number->load_case) : nullptr;
-      EXPECT_EQ(number->value(result.contacts, of), response(document, path)) << path;
+      EXPECT_EQ(number->value({result.contacts, of}), response(document, path)) << path;
     }
     EXPECT_GE(known, slips ? 75U : 45U) << lesson;
     for (const std::string& path : default_responses(slips ? Command::slip : Command::solve))
@@ -135,6 +135,48 @@ TEST(DesignEngine, CutsDoNotMatter) {
         for (std::size_t row = 0; row < part.rows; ++row)
           EXPECT_EQ(reason(part, row), reason(whole, first + row));
       }
+  }
+}
+
+TEST(DesignEngine, DesignsByTheirDrawsGiveWhatTheyGiveByIndex) {
+  for (const char* command : {"solve", "contact"}) {
+    const input::StudyInput in = study_of(
+        std::string("{command: ") + command +
+        ", plan: latin_hypercube, samples: 80, factors: [{path: mechanism.flank_angle, within: "
+        "0.2}, {path: mechanism.rollers, values: [9, 10, 99], with: [{path: "
+        "mechanism.contacts_per_roller, values: [8, 17, 20]}]}], responses: "
+        "[contact.screw.hertz_constant_N_per_mm1_5" +
+        (command[0] == 's' ? ", axial_displacement_um]}" : "]}"));
+    const DesignEngine engine(in);
+    const RowBlock by_index = all(engine);
+    std::vector<std::vector<Draw>> designs;
+    for (std::size_t k = 0; k < by_index.rows; ++k) designs.push_back(draws(engine.study(), k));
+    const RowBlock by_draws = engine.evaluate(designs);
+    EXPECT_FALSE(by_index.failures.empty());
+    ASSERT_EQ(by_draws.responses.size(), by_index.responses.size());
+    EXPECT_EQ(std::memcmp(by_draws.responses.data(), by_index.responses.data(),
+                          by_index.responses.size() * sizeof(double)),
+              0);
+    for (std::size_t row = 0; row < by_index.rows; ++row)
+      EXPECT_EQ(reason(by_draws, row), reason(by_index, row));
+
+    // A design that no plan drew, against the program's own reading of its texts.
+    const std::vector<Draw> own{{.kind = Draw::Kind::number, .number = 44.25},
+                                {.kind = Draw::Kind::level, .level = 1}};
+    const Case c = input::read_case_text(input::kAbevi, "case.yaml", overrides(engine.study(), own),
+                                         Command::solve);
+    EXPECT_EQ(c.mechanism.rollers, 10);
+    EXPECT_EQ(c.mechanism.contacts_per_roller, 17);
+    const RowBlock one = engine.evaluate({designs[3], own});
+    const std::size_t responses = engine.study().responses.size();
+    EXPECT_EQ(std::memcmp(one.responses.data(), by_index.responses.data() + 3 * responses,
+                          responses * sizeof(double)),
+              0);
+    if (command[0] == 's') {
+      EXPECT_NEAR(
+          one.responses[responses + 1] / (*analyze(c).load_cases[0].axial_displacement * 1e6), 1.0,
+          1e-10);
+    }
   }
 }
 

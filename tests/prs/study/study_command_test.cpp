@@ -2,11 +2,16 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
 
+#include "../output/parsed_csv.h"
 #include "../output/temporary_directory.h"
 #include "prs/study/study_folder.h"
 #include "study_file.h"
@@ -46,6 +51,61 @@ class StudyCommand : public testing::Test {
   const fs::path alone = temporary.path() / "alone";
   const fs::path folder = temporary.path() / "folder";
 };
+
+TEST_F(StudyCommand, EnvelopeComesWithItsGridAndIsThatOfItsShards) {
+  std::ifstream lesson(PRS_SOURCE_DIR "/configs/01_config_1_to_3.yaml");
+  std::string text(std::istreambuf_iterator<char>(lesson), {});
+  text += R"(
+study:
+  command: solve
+  plan: grid
+  factors:
+    - {path: structure.nut.outer_diameter, values: {from: 44 mm, to: 50 mm, steps: 30}}
+    - path: structure.screw.bore
+      values: {from: 1 mm, to: 8 mm, steps: 30}
+      with: [{path: structure.screw.free_length, values: {from: 10 mm, to: 20 mm, steps: 30}}]
+  envelope:
+    measures: [{response: axial_stiffness_N_per_um}, {response: screw.load_rate_percent.max, weight: -2}]
+    points: [{name: best, wanted: best}, {name: given, at: [45 mm, 3.1 mm]}]
+)";
+  std::ofstream(file) << text;
+  ASSERT_EQ(prs(into(alone, "--threads 1")).status, 0);
+  const auto expected = files_in(alone);
+  ASSERT_THAT(expected, testing::Contains(testing::Key("envelope.csv")));
+  const auto rows = test::parse(content_of(alone / "envelope.csv"));
+  ASSERT_EQ(rows.size(), 902U);
+  double largest = 0.0;
+  for (std::size_t k = 0; k < 900; ++k) {
+    EXPECT_EQ(rows[k].at("design"), std::to_string(k + 1));
+    const double stiffness = std::stod(rows[k].at("normalised.axial_stiffness_N_per_um"));
+    const double share = std::stod(rows[k].at("normalised.screw.load_rate_percent.max"));
+    const double envelope = std::stod(rows[k].at("envelope"));
+    EXPECT_NEAR(envelope * share * share / stiffness, 1.0, 1e-12);
+    largest = std::max(largest, envelope);
+  }
+  EXPECT_EQ(rows[900].at("point"), "best");
+  EXPECT_EQ(std::stod(rows[900].at("envelope")), largest);
+  EXPECT_NEAR(std::stod(rows[901].at("structure.screw.free_length_mm")), 13.0, 1e-9);
+
+  const fs::path parts = temporary.path() / "parts", whole = temporary.path() / "whole";
+  EXPECT_EQ(prs(into(parts, "--shard 1/2")).status, 0);
+  EXPECT_EQ(prs(into(parts, "--shard 2/2")).status, 0);
+  EXPECT_EQ(
+      prs("study merge '" + parts.string() + "' --quiet --output '" + whole.string() + "'").status,
+      0);
+  EXPECT_TRUE(files_in(whole) == expected);
+
+  // What the interpolation says of a point is near what the program says of it.
+  const Outcome direct =
+      prs("solve '" + file.string() +
+          "' --json --set 'structure.nut.outer_diameter=45 mm' --set 'structure.screw.bore=3.1 mm' "
+          "--set 'structure.screw.free_length=13 mm'");
+  ASSERT_EQ(direct.status, 0) << direct.err;
+  const auto document = nlohmann::json::parse(direct.out);
+  EXPECT_NEAR(std::stod(rows[901].at("axial_stiffness_N_per_um")) /
+                  document["load_cases"][0]["axial_stiffness_N_per_um"].get<double>(),
+              1.0, 1e-5);
+}
 
 TEST_F(StudyCommand, WritesTheSameFilesOnAnyNumberOfThreadsAndInShards) {
   test::write_study_file(file, 1500);

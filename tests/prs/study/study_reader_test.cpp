@@ -91,6 +91,120 @@ TEST(StudyReader, ProfilesHaveTheirCurvatureForNumber) {
   EXPECT_EQ(f.base->number, 0.0);
 }
 
+TEST(StudyReader, FactorCarriesItsCompanions) {
+  const Factor f = read(
+      "path: mechanism.pitch_diameter.screw, values: {from: 20 mm, to: 22 mm, steps: 3}, with: "
+      "[{path: mechanism.pitch_diameter.roller, values: {from: 7 mm, to: 8 mm, steps: 3}}, {path: "
+      "mechanism.rollers, values: [11, 10, 9], label: rollers}]");
+  ASSERT_EQ(f.companions.size(), 2U);
+  EXPECT_THAT(texts(f.companions[0]), ElementsAre("7 mm", "7.5 mm", "8 mm"));
+  EXPECT_EQ(f.companions[0].base->text, "7 mm");
+  EXPECT_EQ(f.companions[1].label, "rollers");
+  EXPECT_TRUE(f.continuous && f.companions[0].continuous);
+  EXPECT_FALSE(f.companions[1].continuous);
+}
+
+TEST(StudyReader, RefusesCompanionsThatCannotGoAlong) {
+  const std::string lead = "path: mechanism.lead, values: [5 mm, 6 mm], with: ";
+  EXPECT_THAT(error_of(lead + "[{path: mechanism.rollers, values: [9]}]"),
+              HasSubstr("study.factors[0].with[0].values: got 1 values; expected 2, one for each "
+                        "of mechanism.lead"));
+  EXPECT_THAT(error_of(lead + "[{path: mechanism.rollers, values: [9, 0]}]"),
+              HasSubstr("mechanism.rollers: got 0; expected a whole number"));
+  EXPECT_THAT(error_of(lead + "[{path: mechanism.rolers, values: [9, 10]}]"),
+              HasSubstr("did you mean `rollers`?"));
+  EXPECT_THAT(error_of(lead + "[{path: mechanism.lead, values: [5 mm, 6 mm]}]"),
+              HasSubstr("with[0].path: got mechanism.lead a second time"));
+  EXPECT_THAT(error_of(lead + "[{path: study.plan, values: [grid, sobol]}]"),
+              HasSubstr("with[0].path: got study.plan; expected a value outside the study"));
+  EXPECT_THAT(error_of(lead + "[{path: mechanism.rollers, uniform: {from: 1, to: 2}}]"),
+              HasSubstr("study.factors[0].with[0].uniform: unknown key"));
+  EXPECT_THAT(error_of(lead + "[{path: mechanism.centre_distance, values: {from: 1 mm, to: 2 kN, "
+                              "steps: 2}}]"),
+              HasSubstr("with[0].values.to: got 2 kN; expected the unit of `from`"));
+  EXPECT_THAT(error_of_drawn("path: mechanism.lead, within: 1 %, with: [{path: mechanism.rollers, "
+                             "values: [9, 10]}]"),
+              HasSubstr("study.factors[0].with: got"));
+}
+
+/// A grid over two lengths, or `second` for the other one, with an envelope.
+Source with_envelope(const std::string& envelope,
+                     const std::string& second =
+                         "{path: structure.screw.bore, values: {from: 2 mm, to: 8 mm, steps: 4}}") {
+  return source_of(
+      "study:\n  command: solve\n  plan: grid\n  factors:\n    - {path: "
+      "structure.nut.outer_diameter, values: {from: 44 mm, to: 48 mm, steps: 5}}\n    - " +
+      second + "\n  envelope: {" + envelope + "}\n");
+}
+
+const std::string kMeasures =
+    "measures: [{response: axial_stiffness_N_per_um, weight: 2}, {response: "
+    "nut.peak_pressure_MPa.max, weight: -1}]";
+
+TEST(StudyReader, EnvelopeRecordsWhatItNeeds) {
+  const Study study =
+      read_study_input(
+          with_envelope(kMeasures +
+                        ", combine: sum, normalise: max, points: [{name: A, at: [4.5 cm, 2 mm]}, "
+                        "{name: B, wanted: best}, {name: C, reach: [{response: "
+                        "axial_displacement_um, value: 50}, {response: axial_stiffness_N_per_um, "
+                        "value: 900}]}]"))
+          .study;
+  EXPECT_THAT(study.responses, ElementsAre("axial_stiffness_N_per_um", "nut.peak_pressure_MPa.max",
+                                           "axial_displacement_um"));
+  ASSERT_TRUE(study.envelope);
+  EXPECT_EQ(study.envelope->combine, Envelope::Combine::sum);
+  EXPECT_EQ(study.envelope->normalise, Envelope::Normalise::max);
+  EXPECT_EQ(study.envelope->measures.at(1).weight, -1.0);
+  ASSERT_EQ(study.envelope->points.size(), 3U);
+  EXPECT_NEAR(study.envelope->points[0].at->at(0), 45.0, 1e-12);
+  EXPECT_EQ(study.envelope->points[0].at->at(1), 2.0);
+  EXPECT_FALSE(study.envelope->points[1].at);
+  EXPECT_EQ(study.envelope->points[2].reach.at(1).value, 900.0);
+}
+
+TEST(StudyReader, RefusesEnvelopesThatTheGridDoesNotHave) {
+  const auto refused = [](const std::string& envelope, const std::string& message) {
+    EXPECT_THAT(error_of(with_envelope(envelope)), HasSubstr(message)) << envelope;
+  };
+  const auto point = [](const std::string& p) { return kMeasures + ", points: [{" + p + "}]"; };
+  refused("combine: product", "study.envelope.measures: missing");
+  refused("measures: [{response: a}, {response: a}]",
+          "study.envelope.measures[1].response: got a a second time");
+  refused("measures: [{response: a, weight: 0}]", "study.envelope.measures[0].weight: got 0");
+  refused(kMeasures + ", combine: quotient", "study.envelope.combine: got quotient");
+  refused(point("name: A"), "study.envelope.points[0]: got none of at, wanted, reach");
+  refused(point("name: A, wanted: best, at: [44 mm, 2 mm]"), "got several of at, wanted, reach");
+  refused(point("name: A, at: [44 mm]"), "study.envelope.points[0].at: got");
+  refused(point("name: A, at: [44 mm, 9 mm]"),
+          "study.envelope.points[0].at[1]: got 9 mm; expected a value of structure.screw.bore from "
+          "2 mm to 8 mm");
+  refused(point("name: A, at: [44, 2 mm]"), "study.envelope.points[0].at[0]: got 44; expected");
+  refused(point("name: A, wanted: best}, {name: A, wanted: best"),
+          "study.envelope.points[1].name: got A a second time");
+  refused(point("name: A, reach: [{response: a, value: 1}, {response: a, value: 2}]"),
+          "study.envelope.points[0].reach[1].response: got a a second time");
+  const std::string whole =
+      error_of(with_envelope(point("name: A, reach: [{response: a, value: 1}, {response: b, value: "
+                                   "2}]}, {name: B, at: [44 mm, 10.4]"),
+                             "{path: mechanism.rollers, values: [9, 10, 11]}"));
+  EXPECT_THAT(whole, HasSubstr("study.envelope.points[0].reach: got two responses; expected one, "
+                               "since mechanism.rollers"));
+  EXPECT_THAT(whole, HasSubstr("study.envelope.points[1].at[1]: got 10.4; expected a value of "
+                               "mechanism.rollers from 9 to 11 that stands in the list"));
+  EXPECT_THAT(whole, HasSubstr("write for example `10`"));
+  EXPECT_THAT(error_of(with_envelope(kMeasures, "{path: model.roller, values: [flexible]}")),
+              HasSubstr("study.factors[1].values: expected at least two different numbers"));
+  EXPECT_THAT(error_of(source_of("study: {command: solve, plan: grid, factors: [{path: "
+                                 "mechanism.rollers, values: [9, 10]}], envelope: {" +
+                                 kMeasures + "}}\n")),
+              HasSubstr("study.factors: got 1 factor; expected two with `envelope`"));
+  EXPECT_THAT(error_of(source_of("study: {command: solve, factors: [{path: mechanism.rollers, "
+                                 "values: [9, 10]}], envelope: {" +
+                                 kMeasures + "}}\n")),
+              HasSubstr("study.envelope: got"));
+}
+
 TEST(StudyReader, WordsHaveNoNumber) {
   const Factor f = read("path: model.roller, values: [flexible, rigid_bending]");
   EXPECT_FALSE(f.is_numeric());

@@ -53,6 +53,29 @@ TEST(Study, EachDesignVariesOneFactorAndAllLevelsAppearOnce) {
                           "mechanism.rollers=10", "mechanism.rollers=8", "mechanism.rollers=9"));
 }
 
+TEST(Study, CompanionsGoWithTheLevelOfTheirFactor) {
+  Study study = two_factors();
+  Factor lead;
+  lead.path = "mechanism.lead";
+  lead.unit = "mm";
+  lead.levels = {{"4 mm", 4.0}, {"5 mm", 5.0}, {"6 mm", 6.0}};
+  lead.base = Level{"5 mm", 5.0};
+  study.factors[0].companions = {lead};
+  study.plan = Plan::grid;
+  ASSERT_EQ(design_count(study), 7U);
+  EXPECT_THAT(
+      overrides(study, draws(study, 5)),
+      ElementsAre("mechanism.rollers=10", "mechanism.lead=6 mm", "load_cases[0].axial_force=5 kN"));
+  EXPECT_TRUE(is_base(study, design(study, 4)));
+  study.factors[0].companions[0].base = Level{"4 mm", 4.0};
+  EXPECT_FALSE(is_base(study, design(study, 4)));
+  const std::vector<DrawnInput> inputs = drawn_inputs(study);
+  ASSERT_EQ(inputs.size(), 3U);
+  EXPECT_EQ(inputs[1].input->path, "mechanism.lead");
+  EXPECT_EQ(inputs[1].factor, 0U);
+  EXPECT_EQ(inputs[2].factor, 1U);
+}
+
 TEST(Study, GridHasEveryCombinationTheLastFactorFastest) {
   Study study = two_factors();
   study.plan = Plan::grid;

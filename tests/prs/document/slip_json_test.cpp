@@ -1,12 +1,12 @@
-#include "prs/output/slip_json.h"
+#include "prs/document/slip_json.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "prs/output/json.h"
-#include "sample_slip.h"
+#include "prs/document/json.h"
+#include "tests/prs/output/sample_slip.h"
 
 namespace prs {
 namespace {

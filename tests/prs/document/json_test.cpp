@@ -1,10 +1,10 @@
-#include "prs/output/json.h"
+#include "prs/document/json.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "sample_result.h"
+#include "tests/prs/output/sample_result.h"
 
 namespace prs {
 namespace {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "prs/input/case_fields.h"
+#include "prs/input/document.h"
+#include "prs/study/study.h"
+
+namespace prs::input {
+
+/// Reads the envelope of a study whose factors are read, and adds what it needs to the responses
+/// that are recorded. Adds an error for each value that does not suit the factors.
+void read_envelope(const EnvelopeItem& item, const Node& root, Study& study, ErrorList& errors);
+
+}  // namespace prs::input
