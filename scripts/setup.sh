@@ -6,7 +6,7 @@ packages=(
   cmake ninja-build g++ pkg-config
   libeigen3-dev libsuitesparse-dev libyaml-cpp-dev libboost-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev nettle-dev libxsimd-dev
-  libtbb-dev libnetcdf-dev libopenmpi-dev openmpi-bin
+  libtbb-dev libnetcdf-dev libopenmpi-dev libpagmo-dev openmpi-bin
   libgtest-dev libgmock-dev libbenchmark-dev python3-jsonschema
   gnuplot-nox
 )

@@ -1,6 +1,7 @@
 #include "prs/cli/commands.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -9,20 +10,26 @@
 #include "prs/analyze.h"
 #include "prs/cli/printing.h"
 #include "prs/cli/starting_case.h"
+#include "prs/document/json.h"
+#include "prs/document/life_json.h"
+#include "prs/document/measures_json.h"
+#include "prs/document/preload_json.h"
 #include "prs/input/compute_from.h"
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
 #include "prs/input/schema.h"
 #include "prs/input/study_reader.h"
 #include "prs/life/analyze_life.h"
+#include "prs/measures/analyze_measures.h"
 #include "prs/output/check.h"
 #include "prs/output/contact_table.h"
 #include "prs/output/csv.h"
 #include "prs/output/files.h"
-#include "prs/output/json.h"
 #include "prs/output/life_figures.h"
 #include "prs/output/life_files.h"
 #include "prs/output/life_table.h"
+#include "prs/output/measures_figures.h"
+#include "prs/output/measures_table.h"
 #include "prs/output/plots.h"
 #include "prs/output/preload_figures.h"
 #include "prs/output/preload_files.h"
@@ -37,6 +44,8 @@
 #include "prs/validation/validate.h"
 #include "prs/version.h"
 #include "validation/abevi_2015/statements.h"
+#include "validation/jung_2017/contribution.h"
+#include "validation/jung_2017/recipe.h"
 #include "validation/reference_fe/contribution.h"
 #include "validation/sandu_2018/contribution.h"
 #include "validation/yao_2023/contribution.h"
@@ -84,6 +93,10 @@ void warn_of_preload(const Case& c, Result& result) {
   if (c.preload)
     result.warnings.push_back(
         "the load cases are solved without preload; `prs preload` takes the block `preload`");
+}
+
+bool all_converged(const Result& result) {
+  return std::ranges::all_of(result.load_cases, &LoadCaseResult::converged);
 }
 
 /// The document, and below the name of each source what its code wrote and drew.
@@ -152,9 +165,7 @@ int solve(const Options& options) {
         text.append("\n").append(load_distribution_chart(r));
     return text;
   });
-  const bool converged = std::all_of(result.load_cases.begin(), result.load_cases.end(),
-                                     [](const LoadCaseResult& r) { return r.converged(); });
-  return converged ? kDone : kNotConverged;
+  return all_converged(result) ? kDone : kNotConverged;
 }
 
 int slip(const Options& options) {
@@ -244,6 +255,29 @@ int life(const Options& options) {
   return result.converged() ? kDone : kNotConverged;
 }
 
+int measures(const Options& options) {
+  if (options.explain) {
+    print(options.json ? json_text(measure_explanations_json()) : measure_explanations());
+    return kDone;
+  }
+  const input::Source source = input::load_source(options.file, options.overrides);
+  const input::CaseInput in = input::read_case_input(source, Command::measures);
+  MeasuresResult result = input::compute_from(source, [&] { return analyze_measures(in.values); });
+  warn_of_preload(in.values, result.analysis);
+  std::string document;
+  if (options.json || options.output)
+    document = json_text(measures_json(result, document_info(source)));
+  if (options.output) {
+    write_files(*options.output, {{"measures.json", document},
+                                  {"measures.csv", measures_csv(result)},
+                                  {"yang.csv", yang_csv(result)}});
+    for (const std::string& text : draw_figures(measures_figures(result), *options.output))
+      note(options, text);
+  }
+  print_result(result.analysis, options, document, [&] { return measures_table(result); });
+  return all_converged(result.analysis) ? kDone : kNotConverged;
+}
+
 int schema(const Options& options) {
   const std::string document = json_text(input::schema());
   if (options.output) write_files(*options.output, {{"prs.schema.json", document}});
@@ -276,6 +310,7 @@ int validate(const Options& options) {
   }
   const std::vector<SourceReport> reports =
       prs::validate(options.file, {{"abevi_2015", abevi_2015::judge_statements},
+                                   jung_2017::contribution(),
                                    reference_fe::contribution(),
                                    sandu_2018::contribution(),
                                    yao_2023::contribution()});
@@ -295,6 +330,31 @@ int validate(const Options& options) {
   for (const SourceReport& report : reports)
     for (const Comparison& comparison : report.comparisons)
       if (comparison.unexpected()) return kFailed;
+  return kDone;
+}
+
+int recipe(const Options& options) {
+  const jung_2017::Recipe* recipe = jung_2017::find_recipe(options.recipe.value_or(""));
+  if (recipe == nullptr) {
+    std::vector<std::string_view> names;
+    for (const jung_2017::Recipe& known : jung_2017::recipes()) names.push_back(known.name);
+    fmt::print(stderr, "prs validate: error: --recipe: got {}; expected one of {}\n",
+               input::shown(options.recipe.value_or("")), fmt::join(names, ", "));
+    return kWrongInput;
+  }
+  const std::vector<jung_2017::Diameters> rows =
+      jung_2017::read_diameters(options.file, options.diameters);
+  const std::string document =
+      json_text(jung_2017::recipe_json(*recipe, rows, {kVersion, kSchemaVersion, "", {}}));
+  if (options.output)
+    write_files(*options.output,
+                {{"recipe.json", document}, {"recipe.csv", jung_2017::recipe_csv(*recipe, rows)}});
+  if (options.json) {
+    print(document);
+  } else if (!options.quiet) {
+    print(jung_2017::recipe_text(*recipe, rows));
+    if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
+  }
   return kDone;
 }
 

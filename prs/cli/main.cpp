@@ -72,6 +72,61 @@ CLI::App* add_merge(CLI::App& study, Options& options) {
   return merge;
 }
 
+void add_configurations_options(CLI::App& command, prs::cli::ConfigurationOptions& options) {
+  const CLI::Range starts(1, 100);
+  command.add_option("--screw-diameter", options.screw_diameter, "Pitch diameter, with its unit")
+      ->type_name("LENGTH")
+      ->required();
+  command.add_option("--lead", options.lead, "Of screw and nut; > 0 right-handed")
+      ->type_name("LENGTH")
+      ->required();
+  command.add_option("--type", options.type, "standard or inverted; default: both")
+      ->check(CLI::IsMember({"standard", "inverted"}));
+  command.add_option("--starts", options.starts, "Of screw and nut; default: 3 to 10")
+      ->check(starts)
+      ->type_name("N");
+  command.add_option("--roller-starts", options.roller_starts, "Default: 1 to 3")
+      ->check(starts)
+      ->type_name("N");
+  command.add_option("--rollers", options.rollers, "That must fit; default: as many as do")
+      ->check(CLI::Range(3, 1000))
+      ->type_name("N");
+  command.add_option("--gap", options.gap, "Least between neighbouring crests; default: 0 mm")
+      ->type_name("LENGTH");
+  command.add_option("--flank-angle", options.flank_angle, "Default: 45 deg")->type_name("ANGLE");
+  command
+      .add_option("--roller-profile-radius", options.roller_profile_radius,
+                  "Of the convex rollers; default: arcs about the roller's axis")
+      ->type_name("LENGTH");
+  command
+      .add_option("--write", options.write, "Write line N as a commented case into the new FILE")
+      ->type_name("N FILE")
+      ->expected(2);
+}
+
+void add_validate_options(CLI::App& command, Options& options) {
+  command
+      .add_option("file", options.file,
+                  "Folder of the sources, default: validation; with --recipe a file of diameters, "
+                  "YAML or CSV")
+      ->type_name("DIR|FILE");
+  CLI::Option* recipe =
+      command
+          .add_option("--recipe", options.recipe,
+                      "Compute a source's table for other diameters: jung-as-printed (with its "
+                      "slips) or jung-corrected")
+          ->type_name("NAME");
+  command
+      .add_option("--diameters", options.diameters,
+                  "Nut (outer), screw and roller, e.g. \"54 mm, 27 mm, 9 mm\"; repeatable")
+      ->type_name("ROW")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false)
+      ->needs(recipe);
+  add_output_options(command, options);
+}
+
 /// Where bodies of the influence model are kept between runs: PRS_CACHE_DIR (empty: nowhere), else
 /// the user's cache.
 std::filesystem::path cache_directory() {
@@ -118,10 +173,28 @@ int main(int argc, char** argv) {
   add_case_options(
       *command("life", "Life under a load history or spectrum, static safety", prs::cli::life),
       options);
+  CLI::App* measures = command(
+      "measures", "Capacity, life, weight, stiffness, inertia and the other design measures",
+      prs::cli::measures);
+  add_case_options(*measures, options);
+  measures->get_option("file")->required(false);  // `--explain` needs none.
+  measures->add_flag("--explain", options.explain,
+                     "Print formula, validity and source of every measure");
   CLI::App* study =
       command("study", "Run the study of the file: many designs, a row each", prs::cli::study);
   add_study_options(*study, options);
   CLI::App* merge = add_merge(*study, options);
+  CLI::App* optimize =
+      command("optimize", "Search the designs that the file aims at", prs::cli::optimize);
+  add_case_options(*optimize, options);
+  add_threads_option(*optimize, options);
+  optimize->add_flag("--restart", options.restart,
+                     "Discard what an unfinished optimization left in DIR, and start again");
+  CLI::App* configurations =
+      command("configurations", "List the geometries that a screw diameter and a lead allow",
+              prs::cli::configurations);
+  add_configurations_options(*configurations, options.configurations);
+  add_output_options(*configurations, options);
   add_output_options(*command("schema", "Print the JSON Schema of the input", prs::cli::schema),
                      options);
   CLI::App* new_case = command("new", "Write a commented starting case", prs::cli::new_case);
@@ -132,11 +205,7 @@ int main(int argc, char** argv) {
   new_case->add_flag("--quiet", options.quiet, "Print errors only");
   CLI::App* validate =
       command("validate", "Compare with the published sources", prs::cli::validate);
-  std::string directory = "validation";
-  validate->add_option("directory", directory, "Folder of the sources")
-      ->type_name("DIR")
-      ->check(CLI::ExistingDirectory);
-  add_output_options(*validate, options);
+  add_validate_options(*validate, options);
 
   try {
     app.parse(argc, argv);
@@ -144,7 +213,12 @@ int main(int argc, char** argv) {
     const int status = app.exit(error);
     return status == 0 ? prs::cli::kDone : prs::cli::kWrongInput;
   }
-  if (validate->parsed()) options.file = directory;
+  if (validate->parsed()) {
+    if (options.recipe)
+      run = prs::cli::recipe;
+    else if (options.file.empty())
+      options.file = "validation";
+  }
   if (merge->parsed()) {
     if (!options.file.empty()) {
       fmt::print(stderr,
@@ -154,7 +228,8 @@ int main(int argc, char** argv) {
       return prs::cli::kWrongInput;
     }
     run = prs::cli::merge_study;
-  } else if (study->parsed() && options.file.empty()) {
+  } else if (options.file.empty() &&
+             (study->parsed() || (measures->parsed() && !options.explain))) {
     fmt::print(stderr, "file is required\nRun with --help for more information.\n");
     return prs::cli::kWrongInput;
   }

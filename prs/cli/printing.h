@@ -3,8 +3,8 @@
 #include <string>
 
 #include "prs/cli/commands.h"
+#include "prs/document/json.h"
 #include "prs/input/source.h"
-#include "prs/output/json.h"
 
 namespace prs::cli {
 
