@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -55,6 +56,12 @@ std::optional<double> load_measure(const LoadMeasures& m) {
 template <auto member, auto side>
 std::optional<double> load_measure(const LoadMeasures& m) {
   return (m.*member)[side];
+}
+
+/// Of both interfaces.
+inline std::optional<double> largest_load_rate(const LoadMeasures& m) {
+  const auto& [screw, nut] = m.largest_load_rate;
+  return screw && nut ? std::optional(std::max(*screw, *nut)) : std::nullopt;
 }
 
 namespace measure_text {
@@ -295,6 +302,9 @@ inline constexpr LoadMeasure kLoadMeasures[] = {
      load_measure<&LoadMeasures::largest_load_rate, Interface::nut>, per_si::percent,
      measure_text::kDistribution, "largest load rate, roller-nut", measure_text::kLoadRateFormula,
      "that of the model", "load distribution of `prs solve`"},
+    {"largest_load_rate_percent", largest_load_rate, per_si::percent, measure_text::kDistribution,
+     "largest load rate of all threads", measure_text::kLoadRateFormula, "that of the model",
+     "load distribution of `prs solve`"},
 
     {"mean_peak_pressure_screw_MPa",
      load_measure<&LoadMeasures::mean_peak_pressure, Interface::screw>, per_si::megapascal,
