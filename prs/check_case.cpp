@@ -716,6 +716,17 @@ void check_preload_requirements(const Case& c, Problems& problems) {
                  "one-dimensional model; write `bodies: refined`");
 }
 
+/// The bodies of `refined` and `influence` have teeth of half a pitch.
+void check_thickness(const Case& c, Problems& problems) {
+  if (c.model.bodies == ModelOptions::Bodies::bars) return;
+  for (const Part part : kParts)
+    if (const auto& thread = c.mechanism.thread[part]; thread && thread->thickness)
+      problems.add(fmt::format("mechanism.thread.{}.thickness", name(part)),
+                   fmt::format("got {}; expected none with `model.bodies` other than bars, whose "
+                               "teeth are half a pitch thick; delete it, or write `bodies: bars`",
+                               mm(*thread->thickness)));
+}
+
 void check_slip(const Case& c, Problems& problems) {
   const auto missing = [&](const char* path, std::string_view what, std::string_view example) {
     problems.add(
@@ -747,6 +758,7 @@ std::vector<Problem> check_case(const Case& c) {
   check_rollers(c.mechanism, problems);
   if (c.structure) check_structure(*c.structure, c.mechanism, problems);
   check_load_cases(c, problems);
+  check_thickness(c, problems);
   check_deviations(c, problems);
   if (c.preload) check_preload(c, problems);
   if (c.life) check_life(c, problems);

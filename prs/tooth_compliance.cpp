@@ -34,8 +34,9 @@ ToothSection tooth_section(const Mechanism& m, Part part) {
   const double height = m.thread[part]
                             ? m.thread[part]->dedendum
                             : default_groove(part == Part::nut, pitch, 0.0, flank, flank).dedendum;
-  const double half = 0.5 * pitch;
-  return {half + 2.0 * height * std::tan(flank), half, height, flank, pitch};
+  const double width =
+      m.thread[part] ? m.thread[part]->thickness.value_or(0.5 * pitch) : 0.5 * pitch;
+  return {width + 2.0 * height * std::tan(flank), width, height, flank, pitch};
 }
 
 PerInterface<double> yamamoto_compliance(const Mechanism& m, const Structure& structure,

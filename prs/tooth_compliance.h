@@ -43,8 +43,8 @@ struct ToothDeflection {
 ToothDeflection yamamoto_deflection(const ToothSection& tooth, const Material& material,
                                     double pitch_diameter, double nut_outer_diameter = 0.0);
 
-/// The tooth of a part: half a pitch wide at the pitch line, its root at the dedendum, with the
-/// default heights of the influence model where the mechanism states none.
+/// The tooth of a part: as thick as stated or half a pitch at the pitch line, its root at the
+/// dedendum, with the default heights of the influence model where the mechanism states none.
 ToothSection tooth_section(const Mechanism& mechanism, Part part);
 
 /// Compliance of both teeth of an interface along the contact normal [m/N] after Yamamoto, each

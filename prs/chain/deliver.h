@@ -15,11 +15,32 @@ Real status_of(const fe::ChainSummary<Real>& s) {
                        select(s.search_failed, code(line_search_failed), code(iteration_limit))));
 }
 
+/// Thread by thread of one lane after the other: records are read in order.
+template <class Real, class Record>
+void deliver_normal_loads(int contacts, const Record* records, const LaneRange& range,
+                          const ThreadLoads& results) {
+  const auto& [screw, nut] = results.normal_load;
+  for (std::size_t l = 0; l < kLanes<Real> && range.place(l) < range.size; ++l) {
+    const std::size_t first = range.place(l) * results.stride;
+    double* const at_screw = screw.empty() ? nullptr : screw.data() + first;
+    double* const at_nut = nut.empty() ? nullptr : nut.data() + first;
+    if (at_screw && at_nut)
+      for (int k = 0; k < contacts; ++k) {
+        at_screw[k] = lane(records[k].contact[0].force, l);
+        at_nut[k] = lane(records[k].contact[1].force, l);
+      }
+    else if (double* const only = at_screw ? at_screw : at_nut)
+      for (int k = 0; k < contacts; ++k)
+        only[k] = lane(records[k].contact[at_screw ? 0 : 1].force, l);
+  }
+}
+
 /// What the last solve left in the records, into the results. kFolded: one solve, whose second lane
 /// holds the second half of the threads, the last one first.
 template <bool kFolded, class Real, class Law, class Record>
 void deliver(const fe::ChainSummary<Real>& summary, const Law& law, int contacts,
              const Record* records, const LaneRange& range, const ThreadLoads& results) {
+  if constexpr (!kFolded) deliver_normal_loads<Real>(contacts, records, range, results);
   for (const Interface i : kInterfaces) {
     const auto c = static_cast<int>(i);
     if constexpr (kFolded) {
@@ -36,11 +57,6 @@ void deliver(const fe::ChainSummary<Real>& summary, const Law& law, int contacts
       }
       continue;
     }
-    if (!results.normal_load[i].empty())
-      for (std::size_t l = 0; l < kLanes<Real> && range.place(l) < range.size; ++l) {
-        double* const load = results.normal_load[i].data() + range.place(l) * results.stride;
-        for (int k = 0; k < contacts; ++k) load[k] = lane(records[k].contact[c].force, l);
-      }
     if (!results.approach[i].empty())
       for (int k = 0; k < contacts; ++k)
         range.store(law.deflection(c, k, records[k].contact[c].closure), results.approach[i],

@@ -123,14 +123,17 @@ class Sweep {
     const fe::Lanes<Real> two = one & (known_ >= 2.0) & near(s, s0, s1);
     const fe::Lanes<Real> three = two & (known_ >= 3.0) & near(s0, s1, s2) & (s1 > s2);
     const Real none(0.0), unit(1.0);
-    const auto scale = [&](const Real& at) { return s * s / (at * at); };
-    const auto factor = [&](const fe::Lanes<Real>& where, const Real& at, const Real& zero) {
-      return select(where, (s - zero) / (at - zero), unit);
+    const Real scale[kAges] = {s / s0, s / s1, s / s2};
+    // (s - s_j) and 1/(s_i - s_j)
+    const Real to0 = s - s0, to1 = s - s1, to2 = s - s2;
+    const Real by01 = unit / (s0 - s1), by02 = unit / (s0 - s2), by12 = unit / (s1 - s2);
+    const auto where = [&](const fe::Lanes<Real>& lanes, const Real& factor) {
+      return select(lanes, factor, unit);
     };
     const Real weight[kAges] = {
-        select(one, scale(s0), unit) * factor(two, s0, s1) * factor(three, s0, s2),
-        select(two, scale(s1) * factor(two, s1, s0) * factor(three, s1, s2), none),
-        select(three, scale(s2) * factor(two, s2, s0) * factor(three, s2, s1), none)};
+        where(one, scale[0] * scale[0]) * where(two, to1 * by01) * where(three, to2 * by02),
+        select(two, scale[1] * scale[1] * -to0 * by01 * where(three, to2 * by12), none),
+        select(three, scale[2] * scale[2] * to0 * by02 * to1 * by12, none)};
     if (any(!marked))
       combine(weight, gap,
               [&](const Real& sum, const Real& other) { return select(marked, sum, other); });

@@ -749,7 +749,7 @@ void fields(Io& io, StudyItem& s) {
   io.field("plan", s.plan, Choice{}, optional, "How designs are chosen");
   const std::string_view sampled =
       "only with the plans latin_hypercube, sobol, monte_carlo and sobol_indices";
-  io.field("samples", s.samples, Whole{1, kMostDesigns},
+  io.field("samples", s.samples, Whole{1, kMostDesigns - 1},
            required_only_if(is_sampled(s.plan), sampled), "Number of draws");
   io.field("seed", s.seed, Whole{0, std::int64_t{1} << 53},
            optional_only_if(is_sampled(s.plan), sampled),

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "prs/document/command_name.h"
 #include "prs/document/json_values.h"
 #include "prs/output/optimize_designs.h"
 
@@ -11,21 +12,6 @@ namespace prs {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string_view name(Command command) {
-  switch (command) {
-    case Command::contact:
-      return "contact";
-    case Command::solve:
-      return "solve";
-    case Command::life:
-      return "life";
-    case Command::measures:
-      return "measures";
-    default:
-      return "slip";
-  }
-}
 
 std::string_view name(Compromise::By by) {
   switch (by) {

@@ -78,7 +78,8 @@ ResponseTitle response_title(std::string_view path) {
     if (const std::string_view unit = take_unit(key); !unit.empty()) title.unit = unit;
     if (key == "slip" || key == "contact" || key == "measures") continue;
     const bool is_summary = path.empty() && (key == "max" || key == "min" || key == "mean");
-    const bool is_part = key == "screw" || key == "nut" || key.starts_with("carrier_");
+    const bool is_part =
+        key == "screw" || key == "roller" || key == "nut" || key.starts_with("carrier_");
     const std::string_view space = name.empty() ? "" : " ";
     name = is_summary || is_part ? fmt::format("{}{}{}", key, space, name)
                                  : fmt::format("{}{}{}{}", name, space, key, index);

@@ -5,27 +5,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "prs/document/command_name.h"
 #include "prs/document/json_values.h"
 
 namespace prs {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string_view name(Command command) {
-  switch (command) {
-    case Command::contact:
-      return "contact";
-    case Command::solve:
-      return "solve";
-    case Command::life:
-      return "life";
-    case Command::measures:
-      return "measures";
-    default:
-      return "slip";
-  }
-}
 
 Json level_json(const Level& level) {
   Json json;

@@ -211,16 +211,30 @@ Value of_contact(std::string_view path) {
   return {};
 }
 
+Value of_thread_widths(std::string_view path) {
+  const std::string_view key = take_key(path);
+  for (const Part part : kParts)
+    for (const WidthQuantity& q : kWidthQuantities)
+      if (key == name(part) && path == q.key)
+        return [part, q](const Answer& a) {
+          return shown(q.value(thread_of(a.contacts.threads, part)), q.factor);
+        };
+  return {};
+}
+
 }  // namespace
 
 std::optional<ResultNumber> result_number(std::string_view path) {
   ResultNumber number;
   number.needs_complete = path.find("max_shear") != std::string_view::npos;
-  constexpr std::string_view contact = "contact.", cases = "load_cases", measures = "measures.";
+  constexpr std::string_view contact = "contact.", cases = "load_cases", measures = "measures.",
+                             threads = "threads.";
   if (path.starts_with(measures)) number.value = of_measures(path.substr(measures.size()));
   if (number.value) return number;
   if (path.starts_with(contact)) {
     number.value = of_contact(path.substr(contact.size()));
+  } else if (path.starts_with(threads)) {
+    number.value = of_thread_widths(path.substr(threads.size()));
   } else {
     number.load_case = 0;
     if (path.starts_with(cases)) {

@@ -52,6 +52,14 @@ TEST(CheckCase, AbeviIsSound) {
   EXPECT_EQ(paths(check_requirements(abevi(), Command::solve)), "");
 }
 
+TEST(CheckCase, OnlyBarsTakeTheThicknessOfThreads) {
+  Case c = abevi();
+  c.mechanism.thread.roller = ThreadHeight{0.2e-3, 0.2e-3, 0.8e-3};
+  EXPECT_EQ(paths(check_case(c)), "");
+  c.model.bodies = ModelOptions::Bodies::refined;
+  EXPECT_EQ(paths(check_case(c)), "mechanism.thread.roller.thickness");
+}
+
 TEST(CheckCase, ContactsMayEndAtTheNutsFaces) {
   Case c = abevi();
   const double last = 0.090 - 19 * axial_pitch(c.mechanism);

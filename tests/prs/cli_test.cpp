@@ -9,15 +9,13 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/program.h"
+
 namespace {
 
-namespace fs = std::filesystem;
+using test::Outcome;
 
-struct Outcome {
-  int status = -1;
-  std::string out;
-  std::string err;
-};
+namespace fs = std::filesystem;
 
 class CommandLine : public testing::Test {
  protected:
@@ -31,13 +29,7 @@ class CommandLine : public testing::Test {
   }
 
   /// Runs `prs ARGUMENTS` from the repository's root.
-  Outcome prs(const std::string& arguments) const {
-    const fs::path out = folder / "stdout", err = folder / "stderr";
-    const std::string command = "cd '" PRS_SOURCE_DIR "' && '" PRS_EXECUTABLE "' " + arguments +
-                                " >'" + out.string() + "' 2>'" + err.string() + "'";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(err)};
-  }
+  Outcome prs(const std::string& arguments) const { return test::run_prs(arguments); }
 };
 
 TEST_F(CommandLine, SolvePrintsATableAndNothingElse) {

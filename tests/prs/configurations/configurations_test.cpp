@@ -11,13 +11,14 @@
 #include <numbers>
 
 #include "prs/analyze.h"
+#include "prs/configurations/roller_spacing.h"
 #include "prs/contacts.h"
 #include "prs/input/reader.h"
 #include "prs/output/configurations_files.h"
-#include "prs/configurations/roller_spacing.h"
 #include "prs/threads.h"
 #include "prs/unusual.h"
 #include "tests/prs/output/temporary_directory.h"
+#include "tests/support/program.h"
 
 namespace prs {
 namespace {
@@ -334,28 +335,18 @@ TEST(GearPairs, ExactModuleNeedsNoShift) {
   EXPECT_EQ(same->most_rollers, 10);
 }
 
-struct Outcome {
-  int status = -1;
-  std::string out, err;
-};
-
 class ConfigurationsCommand : public testing::Test {
  protected:
   test::TemporaryDirectory folder;
 
-  Outcome prs(const std::string& arguments) const {
-    const std::filesystem::path out = folder.path() / "stdout", err = folder.path() / "stderr";
-    const std::string command = "cd '" + folder.path().string() + "' && '" PRS_EXECUTABLE "' " +
-                                arguments + " >'" + out.string() + "' 2>'" + err.string() + "'";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, test::content_of(out),
-            test::content_of(err)};
+  test::Outcome prs(const std::string& arguments) const {
+    return test::run_prs(arguments, folder.path());
   }
 };
 
 TEST_F(ConfigurationsCommand, DocumentFilesAndTableAgree) {
   const std::string asked = "configurations --screw-diameter '30 mm' --lead '10 mm' ";
-  const Outcome json = prs(asked + "--json --output out");
+  const test::Outcome json = prs(asked + "--json --output out");
   ASSERT_EQ(json.status, 0) << json.err;
   EXPECT_EQ(json.err, "");
   const auto document = nlohmann::json::parse(json.out);
@@ -380,13 +371,13 @@ TEST_F(ConfigurationsCommand, DocumentFilesAndTableAgree) {
 
 TEST_F(ConfigurationsCommand, WritesACaseThatChecks) {
   const std::string asked = "configurations --screw-diameter '21 mm' --lead '5 mm' --starts 3 ";
-  const Outcome run = prs(asked + "--type inverted --rollers 9 --write 1 case.yaml");
+  const test::Outcome run = prs(asked + "--type inverted --rollers 9 --write 1 case.yaml");
   ASSERT_EQ(run.status, 0) << run.err;
-  const Outcome check = prs("check case.yaml");
+  const test::Outcome check = prs("check case.yaml");
   EXPECT_EQ(check.status, 0) << check.err;
   EXPECT_EQ(check.out.find("Unusual"), std::string::npos) << check.out;
   EXPECT_EQ(nlohmann::json::parse(prs("check case.yaml --json").out)["contact"]["max_rollers"], 11);
-  const Outcome again = prs(asked + "--write 1 case.yaml");
+  const test::Outcome again = prs(asked + "--write 1 case.yaml");
   EXPECT_EQ(again.status, 2);
   EXPECT_THAT(again.err, HasSubstr("exists already"));
 }
@@ -406,7 +397,7 @@ TEST_F(ConfigurationsCommand, RefusesWhatIsWrong) {
            {sound + "--starts 3 --rollers 40", "40 rollers do not fit, at most 11"},
            {sound + "--starts 2 --type standard", "more than two screw starts"},
            {sound + "--write 400 x.yaml", "expected the number of a line, 1 to"}}) {
-    const Outcome run = prs("configurations --json " + arguments);
+    const test::Outcome run = prs("configurations --json " + arguments);
     EXPECT_EQ(run.status, 2) << arguments;
     EXPECT_EQ(run.out, "") << arguments;
     EXPECT_THAT(run.err, HasSubstr(message)) << arguments;

@@ -12,29 +12,20 @@
 
 #include "prs/life/rainflow.h"
 #include "tests/prs/output/temporary_directory.h"
+#include "tests/support/program.h"
 
 namespace {
 
+using test::Outcome;
+
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-struct Outcome {
-  int status = -1;
-  std::string out, err;
-};
 
 class LifeCommand : public testing::Test {
  protected:
   test::TemporaryDirectory folder;
 
-  Outcome prs(const std::string& arguments) const {
-    const fs::path out = folder.path() / "stdout", err = folder.path() / "stderr";
-    const std::string command = "cd '" PRS_SOURCE_DIR "' && '" PRS_EXECUTABLE "' " + arguments +
-                                " >'" + out.string() + "' 2>'" + err.string() + "'";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, test::content_of(out),
-            test::content_of(err)};
-  }
+  Outcome prs(const std::string& arguments) const { return test::run_prs(arguments); }
 };
 
 TEST_F(LifeCommand, WritesWhatItPrints) {

@@ -9,10 +9,13 @@
 
 #include "support/processes.h"
 #include "tests/prs/output/temporary_directory.h"
+#include "tests/support/program.h"
 #include "yao_file.h"
 
 namespace prs {
 namespace {
+
+using test::Outcome;
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -26,24 +29,13 @@ const std::string kPressures =
     "    - {minimize: screw.peak_pressure_MPa.max}\n"
     "    - {minimize: nut.peak_pressure_MPa.max}\n";
 
-struct Outcome {
-  int status = 0;
-  std::string out;
-  std::string err;
-};
-
 class OptimizeCommand : public testing::Test {
  protected:
   void write(const std::string& optimize) const {
     std::ofstream(file) << test::yao_mechanism() << test::yao_optimize(optimize);
   }
   Outcome prs(const std::string& arguments, const std::string& before = "") const {
-    const std::string out = (temporary.path() / "out").string();
-    const std::string err = (temporary.path() / "err").string();
-    const std::string command =
-        before + " '" PRS_EXECUTABLE "' " + arguments + " > '" + out + "' 2> '" + err + "'";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
+    return test::run_prs(arguments, ".", before);
   }
   std::string optimize(const std::string& more = "") const {
     return "optimize '" + file.string() + "' " + more;

@@ -17,30 +17,22 @@
 #include "prs/study/study_folder.h"
 #include "study_file.h"
 #include "support/processes.h"
+#include "tests/support/program.h"
 
 namespace prs {
 namespace {
+
+using test::Outcome;
 
 namespace fs = std::filesystem;
 using test::content_of;
 using test::files_in;
 using testing::HasSubstr;
 
-struct Outcome {
-  int status = 0;
-  std::string out;
-  std::string err;
-};
-
 class StudyCommand : public testing::Test {
  protected:
   Outcome prs(const std::string& arguments, const std::string& before = "") const {
-    const std::string out = (temporary.path() / "out").string();
-    const std::string err = (temporary.path() / "err").string();
-    const std::string command =
-        before + " '" PRS_EXECUTABLE "' " + arguments + " > '" + out + "' 2> '" + err + "'";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
+    return test::run_prs(arguments, ".", before);
   }
   /// `study FILE --output DIR` with more arguments.
   std::string into(const fs::path& output, const std::string& more = "") const {

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "tests/prs/output/temporary_directory.h"
+
+namespace test {
+
+/// How a run of the program ended and what it wrote.
+struct Outcome {
+  int status = -1;
+  std::string out, err;
+};
+
+/// Runs `BEFORE prs ARGUMENTS` in a directory.
+inline Outcome run_prs(const std::string& arguments,
+                       const std::filesystem::path& directory = PRS_SOURCE_DIR,
+                       const std::string& before = "") {
+  const TemporaryDirectory folder;
+  const std::filesystem::path out = folder.path() / "stdout", err = folder.path() / "stderr";
+  const std::string command = "cd '" + directory.string() + "' && " + before +
+                              " '" PRS_EXECUTABLE "' " + arguments + " >'" + out.string() +
+                              "' 2>'" + err.string() + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
+}
+
+}  // namespace test
