@@ -78,9 +78,10 @@ inline constexpr std::string_view kLife = "Life under this load";
 inline constexpr std::string_view kDrive = "Drive";
 
 inline constexpr std::string_view kRatioValidity =
-    "rolling on pitch circles without slip; with friction see `prs slip`";
+    "rolling without slip by the leads, Gamma = |l_R/l_S|, formula of matched diameters; inverted: "
+    "1 - x is the ratio to the nut that turns, screw at rest; with friction see `prs slip`";
 inline constexpr std::string_view kEfficiencyValidity =
-    "needs measures.friction_coefficient or a Coulomb friction; mu is that of the whole mechanism "
+    "needs measures.friction_coefficient; mu is that of the whole mechanism "
     "as catalogues state it; no preload";
 inline constexpr std::string_view kSectionValidity =
     "sections of the sector model between two threads; nut between its flanges";
@@ -198,13 +199,18 @@ inline constexpr DesignMeasure kDesignMeasures[] = {
     {"dynamic_capacity_high_N", design_measure<&Measures::dynamic_capacity_high>, 1.0,
      measure_text::kCapacity, "dynamic capacity, greatest", measure_text::kRangeFormula,
      measure_text::kLemorValidity, "docs/life.md"},
-    {"static_capacity_screw_N", design_measure<&Measures::static_capacity, Interface::screw>, 1.0,
-     measure_text::kCapacity, "static capacity C_0, roller-screw",
+    {"static_capacity_N", design_measure<&Measures::static_capacity>, 1.0, measure_text::kCapacity,
+     "static capacity C_0", "the least of the four below; or life.static_capacity where stated",
+     "equal shares; hardened bearing steel", "ISO 76, Palmgren, Hertz"},
+    {"deformation_capacity_screw_N",
+     design_measure<&Measures::deformation_capacity, Interface::screw>, 1.0,
+     measure_text::kCapacity, "load at the permanent deformation, roller-screw",
      measure_text::kDeformationFormula, measure_text::kDeformationValidity,
      measure_text::kPalmgren},
-    {"static_capacity_nut_N", design_measure<&Measures::static_capacity, Interface::nut>, 1.0,
-     measure_text::kCapacity, "static capacity C_0, roller-nut", measure_text::kDeformationFormula,
-     measure_text::kDeformationValidity, measure_text::kPalmgren},
+    {"deformation_capacity_nut_N", design_measure<&Measures::deformation_capacity, Interface::nut>,
+     1.0, measure_text::kCapacity, "load at the permanent deformation, roller-nut",
+     measure_text::kDeformationFormula, measure_text::kDeformationValidity,
+     measure_text::kPalmgren},
     {"pressure_capacity_screw_N", design_measure<&Measures::pressure_capacity, Interface::screw>,
      1.0, measure_text::kCapacity, "load at the pressure limit, roller-screw",
      measure_text::kPressureFormula, measure_text::kPressureValidity,
@@ -257,6 +263,11 @@ inline constexpr DesignMeasure kDesignMeasures[] = {
      "rollers + what travels + the part that turns (screw; inverted: nut)",
      "needs all densities and measures.shaft.length", "Jung 2017, (8.34), corrected"},
 
+    {"shaft_stiffness_N_per_um", design_measure<&Measures::shaft_stiffness>,
+     per_si::newton_per_micrometre, measure_text::kShaft, "screw over its length, in series",
+     "E A_S/L, A_S = pi/4 (d_S^2 - d_bore^2)",
+     "needs measures.shaft; held axially at one end, the nut at the other",
+     measure_text::kGeometry},
     {"buckling_load_N", design_measure<&Measures::buckling_load>, 1.0, measure_text::kShaft,
      "buckling load",
      "pi^2 E I/(K L)^2; below lambda = sqrt(2 pi^2 E/s_y): A s_y (1 - s_y lambda^2/(4 pi^2 E))",
@@ -266,7 +277,8 @@ inline constexpr DesignMeasure kDesignMeasures[] = {
     {"critical_speed_rpm", design_measure<&Measures::critical_speed>, per_si::revolution_per_minute,
      measure_text::kShaft, "critical speed, first bending",
      "(beta L)^2 sqrt(E I/(rho A L^4)), beta L = 1.8751, pi, 3.9266, 4.7300",
-     "needs measures.shaft and the screw's density; slender uniform beam of the core diameter; no "
+     "standard mechanisms, whose screw turns; needs measures.shaft and the screw's density; "
+     "slender uniform beam of the core diameter; no "
      "axial load, no margin (catalogues: 80 %)",
      "Euler-Bernoulli beam"},
 };

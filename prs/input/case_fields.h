@@ -594,7 +594,7 @@ void fields(Io& io, MeasureOptions& m) {
            "Of thread that one contact loads, for the compliance and the strength of its tooth");
   io.field("friction_coefficient", m.friction_coefficient, Number{{.least = 0.0, .greatest = 1.0}},
            optional,
-           "For the estimate of efficiency; that of `friction: {coulomb: ..}` where absent");
+           "Of the whole mechanism, as catalogues state it, for the estimate of efficiency");
   io.field("yield_strength", m.yield_strength, Quantity{unit::pressure, positive}, optional,
            "Of the screw's shaft, for short columns");
   io.field("shaft", m.shaft, Block{}, optional, "Of the screw, for buckling and critical speed");

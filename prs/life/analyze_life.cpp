@@ -22,8 +22,6 @@ namespace {
 
 /// Loads below this share of the largest have its shares: a million of them weigh 1e-9 of it.
 constexpr double kLeastLoad = 1e-5;
-/// Beyond this angle from 45 deg Lemor's factor is stretched.
-constexpr double kAngleTolerance = 5.0 * std::numbers::pi / 180.0;
 
 /// A case whose mechanism is resolved, and what its threads are.
 struct Prepared {
@@ -90,10 +88,7 @@ void find_capacity(const Prepared& p, LifeResult& r) {
                     factor_ratio(g), kFactorRatios.least, kFactorRatios.greatest));
   r.dynamic_capacity = r.lemor->capacity;
   r.dynamic_capacity_range = r.lemor->capacity_range;
-  if (std::abs(angle - std::numbers::pi / 4) > kAngleTolerance)
-    r.warnings.push_back(
-        fmt::format("contact angle {:.1f} deg: the factor of Lemor's capacity is that of 45 deg",
-                    angle * 180.0 / std::numbers::pi));
+  if (const auto note = beside_lemor_angle(angle)) r.warnings.push_back(*note);
 }
 
 void find_spectrum(const Case& c, LifeResult& r) {
@@ -325,11 +320,8 @@ void warn_of_loads(LifeResult& r) {
                                          kStaticPressureLimit * 1e-9));
     }
   }
-  if (r.mean_load > 0.5 * r.dynamic_capacity)
-    r.warnings.push_back(fmt::format(
-        "the mean load is {:.0f} % of the dynamic capacity; the life formula holds up to half of "
-        "it (ISO 281)",
-        100.0 * r.mean_load / r.dynamic_capacity));
+  if (const auto note = beyond_life_formula(r.mean_load, r.dynamic_capacity))
+    r.warnings.push_back(*note);
 }
 
 }  // namespace

@@ -1,10 +1,19 @@
 #include "prs/life/capacity.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace prs {
+
+namespace {
+
+/// Beyond this angle from 45 deg Lemor's factor is stretched.
+constexpr double kAngleTolerance = 5.0 * std::numbers::pi / 180.0;
+
+}  // namespace
 
 double rolling_element_diameter(double pitch, double roller_diameter) {
   return std::sqrt(2.5 * pitch * roller_diameter * std::numbers::sqrt2);
@@ -75,6 +84,20 @@ double load_at_pressure(const contact::HertzConstants& hertz, double peak_pressu
   const double cube_root = 2.0 * std::numbers::pi / 3.0 * hertz.semi_major_per_cbrt_load *
                            hertz.semi_minor_per_cbrt_load * peak_pressure;
   return cube_root * cube_root * cube_root;
+}
+
+std::optional<std::string> beside_lemor_angle(double contact_angle) {
+  if (std::abs(contact_angle - std::numbers::pi / 4) <= kAngleTolerance) return std::nullopt;
+  return fmt::format("contact angle {:.1f} deg: the factor of Lemor's capacity is that of 45 deg",
+                     contact_angle * 180.0 / std::numbers::pi);
+}
+
+std::optional<std::string> beyond_life_formula(double load, double dynamic_capacity) {
+  if (load <= 0.5 * dynamic_capacity) return std::nullopt;
+  return fmt::format(
+      "the mean load is {:.0f} % of the dynamic capacity; the life formula holds up to half of it "
+      "(ISO 281)",
+      100.0 * load / dynamic_capacity);
 }
 
 }  // namespace prs

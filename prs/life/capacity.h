@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "contact/hertz.h"
 #include "prs/mechanism.h"
@@ -84,6 +85,13 @@ double factor_ratio(const LemorGeometry& g);
 /// exponents and the quality of steel and threads leave open is not part of it. Absent where Jung's
 /// ratio is outside 0.01 .. 0.30.
 std::optional<LemorCapacity> lemor_capacity(const LemorGeometry& g);
+
+/// A note where the contact angle [rad] is not that for which Lemor's factor is known, 45 deg.
+std::optional<std::string> beside_lemor_angle(double contact_angle);
+
+/// A note where a load [N] is beyond what the life formula is made for, half of the dynamic
+/// capacity [N] (ISO 281).
+std::optional<std::string> beyond_life_formula(double load, double dynamic_capacity);
 
 /// Normal load [N] that gives a contact the peak pressure p_0 [Pa]: with the semi-axes a = a' N^1/3
 /// and b = b' N^1/3,

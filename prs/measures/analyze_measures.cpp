@@ -9,11 +9,19 @@ MeasuresResult analyze_measures(const Case& c, Detail detail) {
   result.analysis = c.load_cases.empty() ? analyze_contacts(c, detail) : analyze(c, detail);
   const Contacts& contacts = result.analysis.contacts;
   result.measures = measures_of(c, contacts);
-  for (const LoadCaseResult& load_case : result.analysis.load_cases)
+  if (detail == Detail::complete)
+    for (std::string& note : unusual_measures(c, contacts, result.measures))
+      result.analysis.warnings.push_back(std::move(note));
+  for (LoadCaseResult& load_case : result.analysis.load_cases) {
+    if (detail == Detail::complete)
+      for (std::string& note :
+           unusual_load_measures(result.measures, load_case.load_case.axial_force))
+        load_case.warnings.push_back(std::move(note));
     result.load_measures.push_back(
         load_case.converged()
             ? std::optional(load_measures_of(c, contacts, result.measures, load_case))
             : std::nullopt);
+  }
   return result;
 }
 

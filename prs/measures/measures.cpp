@@ -15,6 +15,7 @@
 #include "prs/measures/thread_root.h"
 #include "prs/measures/transmission.h"
 #include "prs/measures/yang_distribution.h"
+#include "prs/thread_clearance.h"
 
 namespace prs {
 namespace {
@@ -80,9 +81,7 @@ void find_transmission(const Case& c, const Contacts& contacts, Measures& m) {
     m.roller_ratio = ratios.roller;
     m.carrier_ratio = ratios.carrier;
   }
-  std::optional<double> friction = options_of(c).friction_coefficient;
-  if (!friction && c.friction && c.friction->model == Friction::Model::coulomb)
-    friction = c.friction->coefficient;
+  const std::optional<double> friction = options_of(c).friction_coefficient;
   if (!friction) return;
   const double diameter = *mechanism.pitch_diameter.screw;
   m.efficiency = efficiency(mechanism.lead, diameter, *friction);
@@ -129,11 +128,15 @@ void find_static_capacity(const Case& c, const Contacts& contacts, Measures& m) 
     m.pressure_capacity[i] =
         load_at_pressure(contact.hertz, kStaticPressureLimit) * per_normal_load;
     if (diameter)
-      m.static_capacity[i] =
+      m.deformation_capacity[i] =
           load_at_permanent_deformation(*diameter, contact.geometry.relative.first,
                                         contact.geometry.relative.second) *
           per_normal_load;
   }
+  m.static_capacity = c.life && c.life->static_capacity
+                          ? c.life->static_capacity
+                          : smallest({m.deformation_capacity.screw, m.deformation_capacity.nut,
+                                      m.pressure_capacity.screw, m.pressure_capacity.nut});
 }
 
 /// Inertias as seen at the part that turns, from the masses of the parts.
@@ -189,10 +192,12 @@ void find_shaft(const Case& c, const Contacts& contacts, Measures& m) {
   if (!options.shaft || !c.structure || !c.materials) return;
   const Material& material = c.materials->screw;
   const ShaftSection core = core_section(contacts.mechanism, *c.structure);
+  m.shaft_stiffness = section_stiffness(contacts.mechanism, *c.structure, *c.materials).screw *
+                      axial_pitch(contacts.mechanism) / options.shaft->length;
   if (!(core.diameter > core.bore)) return;
   m.buckling_load =
       buckling_load(core, material.youngs_modulus, *options.shaft, options.yield_strength);
-  if (material.density)
+  if (material.density && contacts.mechanism.type == Mechanism::Type::standard)
     m.critical_speed =
         critical_speed(core, material.youngs_modulus, *material.density, *options.shaft);
 }
@@ -252,10 +257,11 @@ void find_most_loaded(const Case& c, const Contacts& contacts, const Measures& m
     axial_load[i] = largest(loads.axial_load);
     m.largest_peak_pressure[i] = largest(loads.peak_pressure);
     if (result.solve) m.largest_load_rate[i] = largest(loads.load_rate);
-    safety[i] =
-        ratio(product(smallest({measures.static_capacity[i], measures.pressure_capacity[i]}),
-                      1.0 / contact_count(contacts.mechanism)),
-              axial_load[i]);
+    const std::optional<double> capacity =
+        c.life && c.life->static_capacity
+            ? measures.static_capacity
+            : smallest({measures.deformation_capacity[i], measures.pressure_capacity[i]});
+    safety[i] = ratio(product(capacity, 1.0 / contact_count(contacts.mechanism)), axial_load[i]);
   }
   m.thread_static_safety = smallest({safety.screw, safety.nut});
   const std::optional<double> width = options_of(c).loaded_width;
@@ -263,13 +269,37 @@ void find_most_loaded(const Case& c, const Contacts& contacts, const Measures& m
   const PerPart<double> load = {*axial_load.screw, std::max(*axial_load.screw, *axial_load.nut),
                                 *axial_load.nut};
   for (const Part p : kParts) {
-    const RootStress stress = root_stress(tooth_section(contacts.mechanism, p), load[p], *width);
+    ToothSection tooth = tooth_section(contacts.mechanism, p);
+    if (const auto widths = thread_widths(thread_of(contacts.threads, p)))
+      tooth.root_width = widths->root.value_or(tooth.root_width);
+    const RootStress stress = root_stress(tooth, load[p], *width);
     m.root_shear_stress[p] = stress.shear;
     m.root_bending_stress[p] = stress.bending;
   }
 }
 
 }  // namespace
+
+std::vector<std::string> unusual_measures(const Case& c, const Contacts& contacts,
+                                          const Measures& m) {
+  std::vector<std::string> warnings;
+  const std::optional<double> screw = normal_angle(c, contacts, Interface::screw);
+  const std::optional<double> nut = normal_angle(c, contacts, Interface::nut);
+  if (m.geometry_factor && m.dynamic_capacity && !(c.life && c.life->dynamic_capacity))
+    if (const auto note = beside_lemor_angle(contact_angle({*screw, *nut})))
+      warnings.push_back(*note);
+  if (options_of(c).shaft && c.structure && c.materials && !m.buckling_load)
+    warnings.push_back(
+        "the bore of the screw reaches the roots of its thread: no buckling load, no critical "
+        "speed");
+  return warnings;
+}
+
+std::vector<std::string> unusual_load_measures(const Measures& m, double force) {
+  if (!m.dynamic_capacity) return {};
+  const std::optional<std::string> note = beyond_life_formula(std::abs(force), *m.dynamic_capacity);
+  return note ? std::vector{*note} : std::vector<std::string>{};
+}
 
 Measures measures_of(const Case& c, const Contacts& contacts) {
   Measures m;
@@ -292,12 +322,7 @@ LoadMeasures load_measures_of(const Case& c, const Contacts& contacts, const Mea
   find_yang_distribution(c, contacts, load_case, m);
   find_pressures(c, contacts, force, m);
   find_most_loaded(c, contacts, measures, result, m);
-  const auto &by_deformation = measures.static_capacity, &by_pressure = measures.pressure_capacity;
-  const std::optional<double> static_capacity =
-      c.life && c.life->static_capacity ? c.life->static_capacity
-                                        : smallest({by_deformation.screw, by_deformation.nut,
-                                                    by_pressure.screw, by_pressure.nut});
-  m.static_safety = product(static_capacity, 1.0 / force);
+  m.static_safety = product(measures.static_capacity, 1.0 / force);
   if (axial_force_on_nut(load_case) < 0.0)
     m.buckling_safety = product(measures.buckling_load, 1.0 / force);
 
@@ -310,8 +335,7 @@ LoadMeasures load_measures_of(const Case& c, const Contacts& contacts, const Mea
     if (speed && *speed > 0.0) m.life_hours = *m.life * 2.0 * std::numbers::pi / *speed / 3600.0;
   }
   if (measures.efficiency) m.drive_torque = drive_torque(force, lead, *measures.efficiency);
-  if (speed && *speed > 0.0 && contacts.mechanism.type == Mechanism::Type::standard)
-    m.speed_safety = ratio(measures.critical_speed, speed);
+  if (speed && *speed > 0.0) m.speed_safety = ratio(measures.critical_speed, speed);
   return m;
 }
 

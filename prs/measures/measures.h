@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "prs/case.h"
@@ -28,8 +29,10 @@ struct Measures {
   // Capacity of all contacts under equal shares
   std::optional<double> geometry_factor, element_diameter;  ///< f_c; D_c [m].
   std::optional<double> dynamic_capacity, dynamic_capacity_low, dynamic_capacity_high;  ///< [N]
-  PerInterface<std::optional<double>> static_capacity;    ///< By permanent deformation [N].
-  PerInterface<std::optional<double>> pressure_capacity;  ///< By `kStaticPressureLimit` [N].
+  /// That of a catalogue where the case states it, else the least of the four below [N].
+  std::optional<double> static_capacity;
+  PerInterface<std::optional<double>> deformation_capacity;  ///< By permanent deformation [N].
+  PerInterface<std::optional<double>> pressure_capacity;     ///< By `kStaticPressureLimit` [N].
   // Weight and room
   std::optional<double> roller_weight, nut_weight, weight;  ///< All rollers; nut; both [kg].
   std::optional<double> screw_weight_per_length;            ///< [kg/m]
@@ -44,8 +47,10 @@ struct Measures {
   std::optional<double> nut_inertia;         ///< Of the nut about its axis.
   std::optional<double> equivalent_inertia;  ///< Of rollers, travel and the part that turns.
   // Shaft
-  std::optional<double> buckling_load;   ///< [N]
-  std::optional<double> critical_speed;  ///< First bending, of the screw's rotation [rad/s].
+  std::optional<double> shaft_stiffness;  ///< Of the screw over its length, held at one end [N/m].
+  std::optional<double> buckling_load;    ///< [N]
+  /// First bending of a screw that turns, that of a standard mechanism [rad/s].
+  std::optional<double> critical_speed;
 };
 
 /// Design measures under one load case, mean values being those of equal shares. SI units.
@@ -76,6 +81,12 @@ struct LoadMeasures {
 
 /// Measures of a mechanism whose contacts are known. Reads nothing, throws nothing.
 Measures measures_of(const Case& c, const Contacts& contacts);
+
+/// What is unusual about them: outside of what the formulas were made for.
+std::vector<std::string> unusual_measures(const Case& c, const Contacts& contacts,
+                                          const Measures& measures);
+/// The same of a load on the mechanism [N].
+std::vector<std::string> unusual_load_measures(const Measures& measures, double axial_force);
 
 /// Measures under the solved or equal loads of one load case.
 LoadMeasures load_measures_of(const Case& c, const Contacts& contacts, const Measures& measures,

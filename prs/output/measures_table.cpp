@@ -12,6 +12,7 @@
 #include "prs/output/csv_writer.h"
 #include "prs/output/response_title.h"
 #include "prs/output/text.h"
+#include "prs/output/warnings.h"
 
 namespace prs {
 namespace {
@@ -103,7 +104,9 @@ std::string measures_table(const MeasuresResult& result) {
   const std::size_t cases = result.load_measures.size();
   for (std::size_t first = 0; first < cases; first += kMostCases)
     text += '\n' + load_table(result, first, std::min(first + kMostCases, cases));
-  return text + "\nFormulas, validity and sources: prs measures --explain\n";
+  text += "\nFormulas, validity and sources: prs measures --explain\n";
+  const std::string warnings = warning_summary(result.analysis);
+  return warnings.empty() ? text : text + '\n' + warnings;
 }
 
 std::string measure_explanations() {

@@ -97,7 +97,7 @@ std::vector<std::string> default_responses(Command command) {
               "screw.load_rate_percent.max", "nut.load_rate_percent.max",
               "screw.peak_pressure_MPa.max", "nut.peak_pressure_MPa.max"};
     case Command::measures:
-      return {"measures.dynamic_capacity_N",  "measures.static_capacity_screw_N",
+      return {"measures.dynamic_capacity_N",  "measures.static_capacity_N",
               "measures.weight_kg",           "measures.force_density_kN_per_kg",
               "measures.envelope_volume_cm3", "measures.thread_stiffness_N_per_um"};
     case Command::life:

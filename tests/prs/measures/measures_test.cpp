@@ -47,7 +47,12 @@ std::size_t defined(const Measures& m) {
 }
 
 TEST(Measures, AreAllThereForACompleteCase) {
-  EXPECT_EQ(defined(measures(abevi())), std::size(kDesignMeasures));
+  // The screw of an inverted mechanism does not turn and has no critical speed.
+  EXPECT_EQ(defined(measures(abevi())), std::size(kDesignMeasures) - 1);
+  Case standard = abevi();
+  standard.mechanism.type = Mechanism::Type::standard;
+  standard.mechanism.starts.screw = 5;
+  EXPECT_EQ(defined(measures(standard)), std::size(kDesignMeasures));
   const LoadMeasures pull = load_measures(abevi(), 0);
   const std::set<std::string_view> lacking = {"l10_hours", "buckling_safety", "speed_safety"};
   for (const LoadMeasure& q : kLoadMeasures)
@@ -66,25 +71,25 @@ TEST(Measures, AreAbsentWithoutWhatTheyNeed) {
   c = abevi();
   c.materials->nut.density.reset();
   const Measures light = measures(c);
-  EXPECT_TRUE(light.roller_weight && light.material_volume && light.critical_speed);
+  EXPECT_TRUE(light.roller_weight && light.material_volume && light.buckling_load);
   EXPECT_FALSE(light.nut_weight || light.weight || light.force_density);
   EXPECT_FALSE(light.nut_inertia || light.equivalent_inertia);
 
   c = abevi();
   c.structure.reset();
   const Measures bare = measures(c);
-  EXPECT_TRUE(bare.dynamic_capacity && bare.static_capacity.nut && bare.velocity_ratio);
+  EXPECT_TRUE(bare.dynamic_capacity && bare.deformation_capacity.nut && bare.velocity_ratio);
   EXPECT_FALSE(bare.material_volume || bare.envelope_volume || bare.section_stiffness.screw);
 
   c.materials.reset();
   const Measures geometric = measures(c);
   EXPECT_TRUE(geometric.dynamic_capacity);
-  EXPECT_FALSE(geometric.static_capacity.screw || geometric.pressure_capacity.screw);
+  EXPECT_FALSE(geometric.deformation_capacity.screw || geometric.pressure_capacity.screw);
 
   c = abevi();
   c.mechanism.profile.roller = {Profile::Shape::straight, 0.0};
   const Measures straight = measures(c);
-  EXPECT_FALSE(straight.static_capacity.screw || straight.pressure_capacity.screw);
+  EXPECT_FALSE(straight.deformation_capacity.screw || straight.pressure_capacity.screw);
   EXPECT_TRUE(straight.weight);
 }
 
@@ -129,11 +134,12 @@ TEST(Measures, StaticCapacityOfAFlankIsNearlyThatOfABallOnAPlane) {
   const double diameter = 2 * 4.949747468;
   const double plane = 0.5 * diameter * diameter * std::sqrt(1e-4 / 1.3e-7);
   const double axial = kContacts * plane * std::sqrt(0.5);
-  EXPECT_NEAR(*m.static_capacity.screw / axial, 1.0, 0.15);
-  EXPECT_NEAR(*m.static_capacity.nut / axial, 1.0, 0.15);
+  EXPECT_NEAR(*m.deformation_capacity.screw / axial, 1.0, 0.15);
+  EXPECT_NEAR(*m.deformation_capacity.nut / axial, 1.0, 0.15);
   // The convex screw is the weaker one, and pressure rules.
-  EXPECT_LT(*m.static_capacity.screw, *m.static_capacity.nut);
-  for (const Interface i : kInterfaces) EXPECT_LT(*m.pressure_capacity[i], *m.static_capacity[i]);
+  EXPECT_LT(*m.deformation_capacity.screw, *m.deformation_capacity.nut);
+  for (const Interface i : kInterfaces)
+    EXPECT_LT(*m.pressure_capacity[i], *m.deformation_capacity[i]);
 }
 
 TEST(Measures, WeightAddsUpAndForceDensityIsItsRatio) {
@@ -174,15 +180,45 @@ TEST(Measures, EquivalentInertiaIsThatOfItsParts) {
               *standard.screw_inertia + *standard.roller_inertia + *standard.travel_inertia, 1e-18);
 }
 
-TEST(Measures, FrictionOfTheCaseStandsInForItsOwn) {
+TEST(Measures, FrictionOfAContactIsNotThatOfTheMechanism) {
   Case c = abevi();
-  const double own = *measures(c).efficiency;
+  EXPECT_TRUE(measures(c).efficiency);
   c.measures->friction_coefficient.reset();
-  EXPECT_FALSE(measures(c).efficiency);
   c.friction = Friction{Friction::Model::coulomb, 0.01};
-  EXPECT_EQ(*measures(c).efficiency, own);
-  c.friction = Friction{Friction::Model::jacod, 0.0};
   EXPECT_FALSE(measures(c).efficiency);
+}
+
+TEST(Measures, StatedCapacityComesBeforeTheLeastOfTheOthers) {
+  Case c = abevi();
+  const Measures m = measures(c);
+  EXPECT_EQ(*m.static_capacity,
+            std::min({*m.deformation_capacity.screw, *m.deformation_capacity.nut,
+                      *m.pressure_capacity.screw, *m.pressure_capacity.nut}));
+  EXPECT_NEAR(*load_measures(c, 0).static_safety, *m.static_capacity / 45e3, 1e-12);
+  c.life = Life{};
+  c.life->static_capacity = 90e3;
+  EXPECT_EQ(*measures(c).static_capacity, 90e3);
+  const LoadMeasures stated = load_measures(c, 0);
+  EXPECT_NEAR(*stated.static_safety, 2.0, 1e-12);
+  const double share = std::max(*stated.largest_load_rate.screw, *stated.largest_load_rate.nut);
+  EXPECT_NEAR(*stated.thread_static_safety, 2.0 / (20.0 * share), 1e-12);
+}
+
+TEST(Measures, SayWhatTheFormulasWereNotMadeFor) {
+  Case c = abevi();
+  const auto warnings = [](const Case& of) {
+    const Contacts contacts = find_contacts(of.mechanism, of.materials);
+    return unusual_measures(of, contacts, measures_of(of, contacts)).size();
+  };
+  EXPECT_EQ(warnings(c), 0U);
+  c.structure->screw.bore = 0.0205;
+  EXPECT_EQ(warnings(c), 1U);
+  c = abevi();
+  c.contact.normal_angle = {0.6, 0.6};
+  EXPECT_EQ(warnings(c), 1U);
+  const Measures m = measures(abevi());
+  EXPECT_TRUE(unusual_load_measures(m, 0.49 * *m.dynamic_capacity).empty());
+  EXPECT_EQ(unusual_load_measures(m, -0.51 * *m.dynamic_capacity).size(), 1U);
 }
 
 TEST(LoadMeasures, ThreadsAreSofterThanEitherInterface) {
