@@ -16,6 +16,7 @@
 #include "prs/document/preload_json.h"
 #include "prs/input/compute_from.h"
 #include "prs/input/force_history.h"
+#include "prs/input/optimize_reader.h"
 #include "prs/input/reader.h"
 #include "prs/input/schema.h"
 #include "prs/input/study_reader.h"
@@ -116,6 +117,7 @@ int check(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::check);
   if (in.has_study) input::read_study_input(source);
+  if (in.has_optimize) input::read_optimize_input(source);
   const Contacts contacts = input::compute_from(
       source, [&] { return find_contacts(in.values.mechanism, in.values.materials); });
   std::vector<std::string> unusual = contacts.warnings;

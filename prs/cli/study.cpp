@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -40,13 +41,34 @@ std::string arguments(const Options& options) {
       .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+/// Where a response stands in the file: in the list, or in the envelope that needs it.
+std::string place_of(const input::StudyInput& in, std::size_t response) {
+  if (in.study.envelope) {
+    const Envelope& envelope = *in.study.envelope;
+    const auto is_it = [&](const auto& item) {
+      return item.response == in.study.responses[response];
+    };
+    const auto index_in = [&](const auto& items) -> std::optional<std::size_t> {
+      const auto at = std::ranges::find_if(items, is_it);
+      if (at == items.end()) return std::nullopt;
+      return static_cast<std::size_t>(at - items.begin());
+    };
+    if (const auto k = index_in(envelope.measures))
+      return fmt::format("study.envelope.measures[{}].response", *k);
+    for (std::size_t point = 0; point < envelope.points.size(); ++point)
+      if (const auto k = index_in(envelope.points[point].reach))
+        return fmt::format("study.envelope.points[{}].reach[{}].response", point, *k);
+  }
+  return fmt::format("study.responses[{}]", response);
+}
+
 /// Reports a response that the base case does not have where it stands in the file.
 template <class Compute>
 auto with_responses_of(const input::StudyInput& in, Compute compute) {
   try {
     return compute(in);
   } catch (const UnknownResponse& error) {
-    input::fail_at(in.source, fmt::format("study.responses[{}]", error.index()), error.what());
+    input::fail_at(in.source, place_of(in, error.index()), error.what());
   }
 }
 

@@ -145,8 +145,8 @@ void fields(Io& io, OptimizeItem& o) {
   io.field("algorithm", o.algorithm, Choice{}, optional,
            "How designs are searched; nsga2, or sade of a single objective by default");
   io.field("check", o.check, Choice{}, optional, "A second search to compare with");
-  io.field("population", o.population, Whole{8, 10'000}, optional, "Designs of a generation");
-  io.field("generations", o.generations, Whole{1, 100'000}, optional,
+  io.field("population", o.population, Whole{8, 2'000}, optional, "Designs of a generation");
+  io.field("generations", o.generations, Whole{1, 10'000}, optional,
            "The first, random one included");
   io.field("seed", o.seed, Whole{0, std::int64_t{1} << 53}, optional,
            "Of the random numbers: the same seed finds the same designs");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -301,6 +302,12 @@ class AimReader {
       refuse("optimize.compromise.weights",
              fmt::format("got {} weights; expected {}, one for each objective; write as many",
                          item.weights.size(), objectives));
+    const double sum = std::accumulate(item.weights.begin(), item.weights.end(), 0.0);
+    if (item.by == Compromise::By::weights && !(sum > 0.0 && std::isfinite(sum)))
+      refuse("optimize.compromise.weights",
+             fmt::format("got weights whose sum is {}; expected a sum above 0; write for example "
+                         "`weights: [2, 1]`",
+                         sum));
     if (item.by != Compromise::By::best) return;
     for (std::size_t k = 0; k < objectives; ++k)
       if (item_.objectives[k].minimize == item.of || item_.objectives[k].maximize == item.of) {

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -178,6 +179,8 @@ Wanted wanted(std::vector<T>&, const List<Kind>& kind) {
   std::string what = "a list";
   if (kind.least == kind.greatest)
     what += fmt::format(" of {}", kind.least);
+  else if (kind.greatest < std::numeric_limits<int>::max())
+    what += fmt::format(" of {} to {}", kind.least, kind.greatest);
   else if (kind.least > 0)
     what += fmt::format(" of at least {}", kind.least);
   const std::vector<std::string> examples(static_cast<std::size_t>(std::max(1, kind.least)),
@@ -510,7 +513,7 @@ CaseInput read_case_input(const Source& source, Command command) {
   const CaseFile file = read_case_file(root, errors);
   errors.throw_if_any();
   CaseInput input{checked_case(file, root, command, errors), echo(file, root),
-                  file.study.has_value()};
+                  file.study.has_value(), file.optimize.has_value()};
   errors.throw_if_any();
   return input;
 }

@@ -14,7 +14,8 @@ namespace prs::input {
 struct CaseInput {
   Case values;
   std::vector<EchoEntry> fields;
-  bool has_study = false;  ///< Whether the file has a study, which is another's to check.
+  bool has_study = false;     ///< Whether the file has a study, which is another's to check.
+  bool has_optimize = false;  ///< The same of an optimization.
 };
 
 /// Reads a document, each value on its own: contradictions between them are left to `checked_case`.

@@ -52,7 +52,8 @@ double limit_of(const Constraint& constraint, const EvaluatedDesign& design,
 
 std::optional<double> change_percent(double value, double initial) {
   const double change = 100.0 * (value / initial - 1.0);
-  return std::isfinite(change) ? std::optional(change) : std::nullopt;
+  // Against the rounding of a zero no change has a meaning.
+  return std::abs(change) < 1e9 ? std::optional(change) : std::nullopt;
 }
 
 }  // namespace prs

@@ -90,11 +90,16 @@ std::string load_table(const MeasuresResult& result, std::size_t first, std::siz
   return text;
 }
 
+/// A paragraph behind a word; its later lines stand below the first.
+std::string paragraph(std::string_view word, std::string_view text) {
+  const std::string indent(4 + word.size(), ' ');
+  std::string lines = wrapped(text, indent, kTableWidth);
+  return lines.replace(4, word.size(), word);
+}
+
 std::string explanation(const auto& q) {
-  return fmt::format("{}\n", q.key) + wrapped(q.title, "    ", kTableWidth) +
-         wrapped(q.formula, "    = ", kTableWidth) +
-         wrapped(q.validity, "    valid: ", kTableWidth) +
-         wrapped(q.source, "    source: ", kTableWidth);
+  return fmt::format("{}\n", q.key) + paragraph("", q.title) + paragraph("formula: ", q.formula) +
+         paragraph("valid: ", q.validity) + paragraph("source: ", q.source);
 }
 
 }  // namespace

@@ -164,6 +164,8 @@ std::string failures(const OptimizationResult& result) {
     text += wrapped(
         fmt::format("{} without an answer, the first: {}", reason.designs, printable(reason.first)),
         "", kTableWidth);
+  if (reasons.size() > kMostReasons)
+    text += fmt::format("… and {} other reasons in history.csv\n", reasons.size() - kMostReasons);
   return text.empty() ? "" : "\n" + text;
 }
 

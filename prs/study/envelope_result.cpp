@@ -254,6 +254,10 @@ class Evaluator {
     EnvelopePoint read{.name = point.name};
     const std::optional<MapPlace> place = place_of(point, read.reason);
     if (!place) return read;
+    if (std::isnan(value(*place))) {
+      read.reason = "a design there or beside it has no envelope";
+      return read;
+    }
     read.place = *place;
     if (std::floor(read.place[0]) == read.place[0] && std::floor(read.place[1]) == read.place[1])
       read.design = maps_.design(maps_.node(static_cast<std::size_t>(read.place[0]),
