@@ -272,7 +272,7 @@ TEST(StudyReader, SampledPlanHasSamplesAndSeed) {
     return error_of(source_of("study: {command: solve, " + keys + factors));
   };
   EXPECT_THAT(error("plan: sobol"),
-              HasSubstr("study.samples: missing; expected a whole number from 1 to 1000000000"));
+              HasSubstr("study.samples: missing; expected a whole number from 1 to 999999999"));
   EXPECT_THAT(error("plan: sobol, samples: 0"), HasSubstr("study.samples: got 0; expected"));
   EXPECT_THAT(error("plan: sobol, samples: 9, seed: -1"),
               HasSubstr("study.seed: got -1; expected a whole number from 0 to 9007199254740992"));
