@@ -196,7 +196,7 @@ TEST_F(StudyCommand, WithoutAFolderOnlySpeaks) {
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");
   EXPECT_NE(run.out, "");
-  EXPECT_EQ(files_in(temporary.path()).size(), 1u);  // study.yaml, out, err
+  EXPECT_EQ(files_in(temporary.path()).size(), 1u);  // study.yaml
 }
 
 }  // namespace
