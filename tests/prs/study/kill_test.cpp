@@ -45,9 +45,10 @@ TEST(KilledStudy, DISABLED_Process) {
   run_whole_study(folder);
 }
 
-/// Runs a program into fresh folders and kills it at random moments until `kills` of them hit,
-/// starting it again and again until it ends by itself; its files are then those of a run that
-/// nothing disturbed. Later in each folder the moments come later, so that a slow machine ends too.
+/// Runs a program into fresh folders and kills it at random moments until `kills` of them hit, one
+/// of them at least what has begun its journal, starting it again and again until it ends by
+/// itself; its files are then those of a run that nothing disturbed. Later in each folder the
+/// moments come later, so that a slow machine ends too.
 void expect_kills_do_no_harm(const std::function<Words(const fs::path&)>& command, int kills) {
   const test::TemporaryDirectory undisturbed;
   const Clock::time_point begin = Clock::now();
@@ -61,13 +62,14 @@ void expect_kills_do_no_harm(const std::function<Words(const fs::path&)>& comman
   int hits = 0;
   int with_journal = 0;
   int studies = 0;
-  for (; hits < kills; ++studies) {
+  const auto enough = [&] { return hits >= kills && with_journal > 0; };
+  for (; !enough() && studies < 100 + kills; ++studies) {
     const test::TemporaryDirectory folder;
     double stretch = 1.0;
     for (bool complete = false; !complete; stretch *= 1.1) {
       test::Process process(command(folder.path()));
       std::this_thread::sleep_for(std::chrono::duration<double>(stretch * moment(random)));
-      if (hits < kills) process.kill();
+      if (!enough()) process.kill();
       const int status = process.wait();
       complete = status == 0;
       ASSERT_TRUE(complete || status == -SIGKILL) << status;
