@@ -195,10 +195,11 @@ class Chain {
   Chain(const Station& station, const Law& law, int stations, Record* records)
       : station_(station), law_(law), stations_(stations), records_(records) {}
 
-  /// From the states and closures in the records; states of folded chains are those of rigid
-  /// bodies. Residuals are relative to `scale`.
-  ChainSummary<Real> solve(const Real& load, const Real& scale, const NewtonOptions& options) {
-    start(load, scale);
+  /// From the states and closures in the records. `rigid`: the states are those of rigid bodies, as
+  /// they always are of folded chains. Residuals are relative to `scale`.
+  ChainSummary<Real> solve(const Real& load, const Real& scale, const NewtonOptions& options,
+                           bool rigid) {
+    start(load, scale, rigid);
     return iterate(options);
   }
 
@@ -249,7 +250,7 @@ class Chain {
       return worst;
   }
 
-  void start(const Real& load, const Real& scale) {
+  void start(const Real& load, const Real& scale, bool rigid) {
     load_ = pending_load_ = load;
     inverse_scale_ = 1.0 / scale;
     contact_energy_ = Real(0.0);
@@ -263,11 +264,12 @@ class Chain {
         residual[i] = carried[i];
         carried[i] = Real(0.0);
       });
-      if constexpr (!kFolded<Station>) {
-        station_.add_forces(k, record.state, residual);
-        if (k + 1 < stations_)
-          station_.add_forces(k, record.state, records_[k + 1].state, residual, carried);
-      }
+      if constexpr (!kFolded<Station>)
+        if (!rigid) {
+          station_.add_forces(k, record.state, residual);
+          if (k + 1 < stations_)
+            station_.add_forces(k, record.state, records_[k + 1].state, residual, carried);
+        }
       unroll<M>([&](auto i) __attribute__((always_inline)) {
         residual[i] = select(station_.held(k, i), Real(0.0), residual[i]);
         record.correction[i] = residual[i];

@@ -56,7 +56,7 @@ class Sweep {
       if (any(extrapolated)) extrapolate(force, gap, extrapolated);
     Real load = sector_.sense * force;
     if constexpr (fe::kFolded<Station>) load = first_lane(load);
-    fe::ChainSummary<Real> summary = chain_.solve(load, force, options);
+    fe::ChainSummary<Real> summary = chain_.solve(load, force, options, !any(extrapolated));
     if constexpr (!fe::kFolded<Station>)
       if (remember) this->remember(force, summary.converged);
     summary.energy -= 0.5 * sector_.free_compliance * force * force;
