@@ -686,14 +686,15 @@ void fields(Io& io, WrittenNormal& n) {
 
 template <class Io>
 void fields(Io& io, CompanionItem& c) {
-  io.field("path", c.path, Text{}, required, "What changes with the factor, as `--set` names it");
+  io.field("path", c.path, Text{"mechanism.lead"}, required,
+           "What changes with the factor, as `--set` names it");
   io.field("values", c.values, ListOrRange{}, required, "One for each value of the factor");
   io.field("label", c.label, Text{}, optional, "Its name in tables and figures");
 }
 
 template <class Io>
 void fields(Io& io, FactorItem& f) {
-  io.field("path", f.path, Text{}, required,
+  io.field("path", f.path, Text{"mechanism.lead"}, required,
            "What to vary, as `--set` names it; of a list of numbers every entry is drawn on its "
            "own");
   io.field("values", f.values, ListOrRange{}, optional,
@@ -713,14 +714,16 @@ void fields(Io& io, FactorItem& f) {
 
 template <class Io>
 void fields(Io& io, Envelope::Measure& m) {
-  io.field("response", m.response, Text{}, required, "What is measured: the path of a response");
+  io.field("response", m.response, Text{"axial_stiffness_N_per_um"}, required,
+           "What is measured: the path of a response");
   io.field("weight", m.weight, Number{not_zero}, optional,
            "Exponent in a product, factor in a sum; < 0 of what shall be small");
 }
 
 template <class Io>
 void fields(Io& io, Envelope::Target& t) {
-  io.field("response", t.response, Text{}, required, "The path of a response");
+  io.field("response", t.response, Text{"axial_stiffness_N_per_um"}, required,
+           "The path of a response");
   io.field("value", t.value, Number{}, required, "What it shall be, in the unit of the path");
 }
 
@@ -756,7 +759,7 @@ void fields(Io& io, StudyItem& s) {
            "Of the random numbers: the same seed draws the same designs");
   io.field("factors", s.factors, List{Block{}, 1}, required, "The inputs that vary");
   io.field(
-      "responses", s.responses, List{Text{}, 1}, optional,
+      "responses", s.responses, List{Text{"axial_stiffness_N_per_um"}, 1}, optional,
       "What is recorded of each design: paths into the first load case of its JSON document or "
       "into the document, of an array `.max`, `.min`, `.mean` or `[k]`; a choice that suits "
       "the command by default, with an envelope what it needs");

@@ -436,6 +436,12 @@ const Node* find_path(const Node& root, std::string_view path) {
   return node;
 }
 
+bool stands_in(const Node& node, Place place) {
+  return node.place == place || std::ranges::any_of(node.children, [&](const Node& child) {
+           return child.key_place == place || stands_in(child, place);
+         });
+}
+
 const Node* find(const Node& map, std::string_view key) {
   for (const Node& child : map.children)
     if (child.key == key) return &child;

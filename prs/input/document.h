@@ -56,6 +56,9 @@ std::string flow_text(const Node& value);
 /// The value at a path, or null.
 const Node* find_path(const Node& root, std::string_view path);
 
+/// Whether the node, one below it or one of their keys stands at the place.
+bool stands_in(const Node& node, Place place);
+
 /// Place of the value at a path such as `load_cases[0].axial_force`; where it is absent, that of
 /// the key of the innermost map that exists.
 Place locate(const Node& root, std::string_view path);

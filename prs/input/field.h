@@ -98,7 +98,9 @@ struct Whole {
 struct Flag {};
 
 /// A line of 1 to 100 bytes.
-struct Text {};
+struct Text {
+  std::string_view example = "\"case-1\"";  ///< As it would stand in the file.
+};
 inline constexpr int kLongestText = 100;
 
 /// One of the words or of the maps with one key that `alternatives(io, value)` lists:
@@ -167,7 +169,9 @@ struct OneOrRange {
 };
 
 /// Any value, kept as the text that `--set` takes for it.
-struct Verbatim {};
+struct Verbatim {
+  std::string_view example = "5 mm";
+};
 
 /// Values of any kind as they are written: a list of them, or a range between two numbers that
 /// carry the same unit, ends included.

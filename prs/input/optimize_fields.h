@@ -58,6 +58,11 @@ struct OptimizeItem {
   CompromiseItem compromise;
 };
 
+/// Examples of what the texts may be.
+inline constexpr Text kInputPath{"mechanism.flank_angle.screw"};
+inline constexpr Text kResponsePath{"screw.peak_pressure_MPa.max"};
+inline constexpr Verbatim kLimit{"{initial: 1.1}"};
+
 template <class Io>
 void alternatives(Io& io, Algorithm& a) {
   io.word("nsga2", a, Algorithm::nsga2,
@@ -80,13 +85,14 @@ void alternatives(Io& io, Compromise::By& b) {
 
 template <class Io>
 void fields(Io& io, LinkedInputItem& l) {
-  io.field("path", l.path, Text{}, required, "What changes with the variable, as `--set` names it");
+  io.field("path", l.path, kInputPath, required,
+           "What changes with the variable, as `--set` names it");
   io.field("values", l.values, List{Verbatim{}, 2}, required, "One for each value of the variable");
 }
 
 template <class Io>
 void fields(Io& io, VariableItem& v) {
-  io.field("path", v.path, Text{}, required, "What may change, as `--set` names it");
+  io.field("path", v.path, kInputPath, required, "What may change, as `--set` names it");
   io.field("label", v.label, Text{}, optional, "Its name in tables and figures");
   io.field("values", v.values, List{Verbatim{}, 2}, optional,
            "What it may be, as it would stand in the file");
@@ -100,21 +106,22 @@ void fields(Io& io, VariableItem& v) {
 
 template <class Io>
 void fields(Io& io, ObjectiveItem& o) {
-  io.field("minimize", o.minimize, Text{}, optional,
+  io.field("minimize", o.minimize, kResponsePath, optional,
            "Path of the response that shall be small: into the first load case of the JSON "
            "document of the command or into the document, of an array `.max`, `.min`, `.mean` or "
            "`[k]`");
-  io.field("maximize", o.maximize, Text{}, required_only_if(!o.minimize, "in place of `minimize`"),
+  io.field("maximize", o.maximize, kResponsePath,
+           required_only_if(!o.minimize, "in place of `minimize`"),
            "Path of the response that shall be large");
 }
 
 template <class Io>
 void fields(Io& io, ConstraintItem& c) {
-  io.field("response", c.response, Text{}, required, "Path of a response");
-  io.field("at_least", c.at_least, Verbatim{}, optional,
+  io.field("response", c.response, kResponsePath, required, "Path of a response");
+  io.field("at_least", c.at_least, kLimit, optional,
            "A number in the unit of the path, `{initial: 0.9}` for so many times the value of the "
            "file's own design, or `{response: PATH}` for another response of the same design");
-  io.field("at_most", c.at_most, Verbatim{},
+  io.field("at_most", c.at_most, kLimit,
            c.at_least ? optional : Presence{true, true, "where there is no `at_least`"},
            "The same from above");
   io.field("name", c.name, Text{}, optional, "Its name in tables");
@@ -127,7 +134,7 @@ void fields(Io& io, CompromiseItem& c) {
   io.field("weights", c.weights, List{Number{not_negative}, 1},
            required_only_if(c.by == Compromise::By::weights, "only with `by: weights`"),
            "One for each objective");
-  io.field("of", c.of, Text{},
+  io.field("of", c.of, kResponsePath,
            required_only_if(c.by == Compromise::By::best, "only with `by: best`"),
            "The objective's path");
 }

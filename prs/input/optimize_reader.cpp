@@ -18,12 +18,6 @@
 namespace prs::input {
 namespace {
 
-bool stands_in(const Node& node, Place place) {
-  return node.place == place || std::ranges::any_of(node.children, [&](const Node& child) {
-           return child.key_place == place || stands_in(child, place);
-         });
-}
-
 /// Reads the variables of one optimization.
 class VariableReader {
  public:

@@ -88,13 +88,13 @@ Wanted wanted(T&, const Flag&) {
   return {"true or false", "true"};
 }
 template <class T>
-Wanted wanted(T&, const Text&) {
-  return {fmt::format("a line of 1 to {} characters", kLongestText), "\"case-1\""};
+Wanted wanted(T&, const Text& kind) {
+  return {fmt::format("a line of 1 to {} characters", kLongestText), std::string(kind.example)};
 }
 
 template <class T>
-Wanted wanted(T&, const Verbatim&) {
-  return {"a value", "5 mm"};
+Wanted wanted(T&, const Verbatim& kind) {
+  return {"a value", std::string(kind.example)};
 }
 template <class T>
 Wanted wanted(T&, const ListOrRange&) {

@@ -36,12 +36,6 @@ std::string with_unit(double number, std::string_view unit) {
   return with_unit(fmt::format("{}", number), unit);
 }
 
-bool stands_in(const Node& node, Place place) {
-  return node.place == place || std::ranges::any_of(node.children, [&](const Node& child) {
-           return child.key_place == place || stands_in(child, place);
-         });
-}
-
 /// Curvature of a profile [1/mm], convex > 0: `straight`, `{convex: 6 mm}`, `{concave: 60 mm}`.
 std::optional<double> profile_curvature(const Node& value) {
   if (value.kind == Node::Kind::scalar && value.text == "straight") return 0.0;

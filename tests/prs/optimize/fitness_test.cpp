@@ -8,7 +8,7 @@
 
 #include "prs/optimize/front.h"
 #include "prs/optimize/pagmo_search.h"
-#include "stub.h"
+#include "known_problems.h"
 
 namespace prs {
 namespace {

@@ -10,7 +10,7 @@
 #include "prs/output/optimize_json.h"
 #include "prs/output/optimize_table.h"
 #include "prs/output/text.h"
-#include "stub.h"
+#include "known_problems.h"
 
 namespace prs {
 namespace {
