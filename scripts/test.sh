@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds and runs the quick tests: all of them under the address and
-# undefined-behaviour sanitizers, those of the numbers also as shipped. Arguments go to CMake's
-# configuration.
+# undefined-behaviour sanitizers, those of the numbers also as shipped, then those of the Python
+# package. Arguments go to CMake's configuration.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,3 +13,4 @@ cmake --build --preset release --target prs prs_tests
 cmake --build --preset debug
 ctest --preset quick-sanitized -j "$(nproc)"
 ctest --preset numbers -j "$(nproc)"
+scripts/test_python.sh

@@ -7,21 +7,14 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "prs/analyze.h"
 #include "prs/cli/printing.h"
 #include "prs/cli/starting_case.h"
 #include "prs/document/json.h"
 #include "prs/document/life_json.h"
 #include "prs/document/measures_json.h"
 #include "prs/document/preload_json.h"
-#include "prs/input/compute_from.h"
-#include "prs/input/force_history.h"
-#include "prs/input/optimize_reader.h"
 #include "prs/input/reader.h"
 #include "prs/input/schema.h"
-#include "prs/input/study_reader.h"
-#include "prs/life/analyze_life.h"
-#include "prs/measures/analyze_measures.h"
 #include "prs/output/check.h"
 #include "prs/output/contact_table.h"
 #include "prs/output/csv.h"
@@ -39,9 +32,7 @@
 #include "prs/output/slip_table.h"
 #include "prs/output/table.h"
 #include "prs/output/warnings.h"
-#include "prs/preload/analyze_preload.h"
-#include "prs/slip.h"
-#include "prs/unusual.h"
+#include "prs/run/analyses.h"
 #include "prs/validation/validate.h"
 #include "prs/version.h"
 #include "validation/abevi_2015/statements.h"
@@ -89,13 +80,6 @@ std::vector<std::pair<std::size_t, SlipPictures>> pictures_of(const Case& c, con
   return pictures;
 }
 
-/// Load cases are solved one by one, each on the contacts that it closes.
-void warn_of_preload(const Case& c, Result& result) {
-  if (c.preload)
-    result.warnings.push_back(
-        "the load cases are solved without preload; `prs preload` takes the block `preload`");
-}
-
 bool all_converged(const Result& result) {
   return std::ranges::all_of(result.load_cases, &LoadCaseResult::converged);
 }
@@ -115,22 +99,15 @@ void write_validation(const std::vector<SourceReport>& reports, const std::strin
 
 int check(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
-  const input::CaseInput in = input::read_case_input(source, Command::check);
-  if (in.has_study) input::read_study_input(source);
-  if (in.has_optimize) input::read_optimize_input(source);
-  const Contacts contacts = input::compute_from(
-      source, [&] { return find_contacts(in.values.mechanism, in.values.materials); });
-  std::vector<std::string> unusual = contacts.warnings;
-  for (std::string& note : unusual_geometry(in.values, contacts))
-    unusual.push_back(std::move(note));
+  const CheckResult result = run_check(source, input::read_case_input(source, Command::check));
   const std::string document =
-      json_text(check_json(in.fields, contacts, unusual, document_info(source)));
+      json_text(check_json(result.fields, result.contacts, result.unusual, document_info(source)));
   if (options.output) write_files(*options.output, {{"check.json", document}});
   if (options.json) {
     print(document);
-    for (const std::string& warning : unusual) note(options, "warning: " + warning);
+    for (const std::string& warning : result.unusual) note(options, "warning: " + warning);
   } else if (!options.quiet) {
-    print(check_table(in.fields, contacts, unusual));
+    print(check_table(result.fields, result.contacts, result.unusual));
   }
   return kDone;
 }
@@ -138,7 +115,7 @@ int check(const Options& options) {
 int contact(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::contact);
-  const Result result = input::compute_from(source, [&] { return analyze_contacts(in.values); });
+  const Result result = run_contact(source, in.values);
   const std::string document = document_of(result, source, options);
   if (options.output) {
     write_files(*options.output, {{"contact.json", document}});
@@ -151,8 +128,7 @@ int contact(const Options& options) {
 int solve(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::solve);
-  Result result = input::compute_from(source, [&] { return analyze(in.values); });
-  warn_of_preload(in.values, result);
+  const Result result = run_solve(source, in.values);
   const std::string document = document_of(result, source, options);
   if (options.output) {
     write_files(*options.output, {{"result.json", document},
@@ -173,8 +149,7 @@ int solve(const Options& options) {
 int slip(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::slip);
-  Result result = input::compute_from(source, [&] { return analyze_slip(in.values); });
-  warn_of_preload(in.values, result);
+  const Result result = run_slip(source, in.values);
   const std::string document = document_of(result, source, options);
   if (options.output) {
     write_files(*options.output, {{"slip.json", document},
@@ -202,8 +177,7 @@ int slip(const Options& options) {
 int preload(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::preload);
-  const PreloadResult result =
-      input::compute_from(source, [&] { return analyze_preload(in.values); });
+  const PreloadResult result = run_preload(source, in.values);
   std::string document;
   if (options.json || options.output)
     document = json_text(preload_json(result, document_info(source)));
@@ -226,13 +200,7 @@ int preload(const Options& options) {
 int life(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::life);
-  std::optional<LoadHistory> history;
-  if (in.values.life->history)
-    history = input::read_force_history(*in.values.life->history, source);
-  LifeResult result =
-      input::compute_from(source, [&] { return analyze_life(in.values, std::move(history)); });
-  if (in.values.preload)
-    result.warnings.push_back("lives are those without preload, whose loads come on top");
+  const LifeResult result = run_life(source, in.values);
   std::string document;
   if (options.json || options.output)
     document = json_text(life_json(result, document_info(source)));
@@ -264,8 +232,7 @@ int measures(const Options& options) {
   }
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::CaseInput in = input::read_case_input(source, Command::measures);
-  MeasuresResult result = input::compute_from(source, [&] { return analyze_measures(in.values); });
-  warn_of_preload(in.values, result.analysis);
+  const MeasuresResult result = run_measures(source, in.values);
   std::string document;
   if (options.json || options.output)
     document = json_text(measures_json(result, document_info(source)));

@@ -127,17 +127,6 @@ void add_validate_options(CLI::App& command, Options& options) {
   add_output_options(command, options);
 }
 
-/// Where bodies of the influence model are kept between runs: PRS_CACHE_DIR (empty: nowhere), else
-/// the user's cache.
-std::filesystem::path cache_directory() {
-  if (const char* own = std::getenv("PRS_CACHE_DIR")) return own;
-  if (const char* user = std::getenv("XDG_CACHE_HOME"); user && *user == '/')
-    return std::filesystem::path(user) / "prs";
-  if (const char* home = std::getenv("HOME"); home && *home)
-    return std::filesystem::path(home) / ".cache" / "prs";
-  return {};
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -235,7 +224,7 @@ int main(int argc, char** argv) {
   }
   options.standard = type == "standard";
 
-  prs::shared_matrix_cache().keep_in(cache_directory());
+  prs::shared_matrix_cache().keep_in(prs::cache_directory());
   try {
     return run(options);
   } catch (const prs::input::InputError& error) {

@@ -6,10 +6,6 @@
 #include <cstdio>
 #include <system_error>
 
-#include "prs/input/schema.h"
-#include "prs/sha256.h"
-#include "prs/version.h"
-
 namespace prs::cli {
 
 void print(const std::string& text) {
@@ -19,10 +15,6 @@ void print(const std::string& text) {
 
 void note(const Options& options, const std::string& text) {
   if (!options.quiet) fmt::print(stderr, "{}\n", text);
-}
-
-DocumentInfo document_info(const input::Source& source) {
-  return {kVersion, kSchemaVersion, sha256(source.text), source.overrides};
 }
 
 }  // namespace prs::cli

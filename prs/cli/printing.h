@@ -3,8 +3,6 @@
 #include <string>
 
 #include "prs/cli/commands.h"
-#include "prs/document/json.h"
-#include "prs/input/source.h"
 
 namespace prs::cli {
 
@@ -13,7 +11,5 @@ void print(const std::string& text);
 
 /// A line on standard error, unless quiet.
 void note(const Options& options, const std::string& text);
-
-DocumentInfo document_info(const input::Source& source);
 
 }  // namespace prs::cli

@@ -12,9 +12,6 @@
 #include "prs/cli/interruption.h"
 #include "prs/cli/printing.h"
 #include "prs/cli/progress_line.h"
-#include "prs/input/compute_from.h"
-#include "prs/input/fail_at.h"
-#include "prs/input/force_history.h"
 #include "prs/input/study_reader.h"
 #include "prs/output/derivatives_files.h"
 #include "prs/output/files.h"
@@ -24,6 +21,8 @@
 #include "prs/output/study_files.h"
 #include "prs/output/study_json.h"
 #include "prs/output/study_table.h"
+#include "prs/run/analyses.h"
+#include "prs/run/study.h"
 #include "prs/study/analysis.h"
 #include "prs/study/derivatives.h"
 #include "prs/study/design_engine.h"
@@ -41,59 +40,11 @@ std::string arguments(const Options& options) {
       .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// Where a response stands in the file: in the list, or in the envelope that needs it.
-std::string place_of(const input::StudyInput& in, std::size_t response) {
-  if (in.study.envelope) {
-    const Envelope& envelope = *in.study.envelope;
-    const auto is_it = [&](const auto& item) {
-      return item.response == in.study.responses[response];
-    };
-    const auto index_in = [&](const auto& items) -> std::optional<std::size_t> {
-      const auto at = std::ranges::find_if(items, is_it);
-      if (at == items.end()) return std::nullopt;
-      return static_cast<std::size_t>(at - items.begin());
-    };
-    if (const auto k = index_in(envelope.measures))
-      return fmt::format("study.envelope.measures[{}].response", *k);
-    for (std::size_t point = 0; point < envelope.points.size(); ++point)
-      if (const auto k = index_in(envelope.points[point].reach))
-        return fmt::format("study.envelope.points[{}].reach[{}].response", point, *k);
-  }
-  return fmt::format("study.responses[{}]", response);
-}
-
-/// Reports a response that the base case does not have where it stands in the file.
-template <class Compute>
-auto with_responses_of(const input::StudyInput& in, Compute compute) {
-  try {
-    return compute(in);
-  } catch (const UnknownResponse& error) {
-    input::fail_at(in.source, place_of(in, error.index()), error.what());
-  }
-}
-
-DesignEngine engine_of(const input::StudyInput& in) {
-  return with_responses_of(in, [](const input::StudyInput& i) { return DesignEngine(i); });
-}
-
-Evaluate evaluate_with(const DesignEngine& engine) {
-  return [&](std::size_t first, std::size_t count) { return engine.evaluate(first, count); };
-}
-
-/// What the rows of a study depend on.
-std::string key_of(const input::StudyInput& in) {
-  std::vector<std::string> referred;
-  if (in.study.command == Command::life)
-    if (const Case base = input::read_design(in, {}); base.life->history)
-      referred.push_back(input::force_history_text(*base.life->history, in.source));
-  return study_key(kVersion, in.source, referred);
-}
-
 /// Not the first rank: it says nothing and computes what it is given.
 int assist(Ranks& ranks, const input::Source& source, std::size_t threads) {
   try {
     const input::StudyInput in = input::read_study_input(source);
-    const DesignEngine engine = engine_of(in);
+    const DesignEngine engine = study_engine(in);
     ranks.assist(evaluate_with(engine), threads);
   } catch (const input::InputError&) {
     // The first rank meets the same error and reports it.
@@ -138,8 +89,7 @@ int deliver(const StoredRows& rows, const Study& study, const DocumentInfo& info
 
 /// The plan that is one case with its derivatives.
 int derivatives(const input::StudyInput& in, const Options& options) {
-  const CaseDerivatives result =
-      input::compute_from(in.source, [&] { return with_responses_of(in, case_derivatives); });
+  const CaseDerivatives result = run_derivatives(in);
   std::string document;
   if (options.json || options.output)
     document = json_text(derivatives_json(result, document_info(in.source)));
@@ -170,14 +120,14 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
             const Options& options) {
   const input::StudyInput in = input::read_study_input(source);
   if (in.study.plan == Plan::derivatives) return derivatives(in, options);
-  const DesignEngine engine = engine_of(in);
+  const DesignEngine engine = study_engine(in);
   const Study& study = engine.study();
   std::optional<StudyFolder> folder;
   if (options.output)
     folder.emplace(*options.output,
                    options.shard ? StudyFolder::Use::among_shards : StudyFolder::Use::alone);
-  const JournalHeader header{key_of(in), source, study.responses, design_count(study),
-                             options.shard.value_or(Shard{})};
+  const JournalHeader header{key_of(in, in.study.command), source, study.responses,
+                             design_count(study), options.shard.value_or(Shard{})};
 
   const RunDesigns run_here = [&](const NextRange& next, const TakeRecord& take) {
     run_schedule(threads, engine.chunk(), next, evaluate_with(engine), take);
@@ -249,7 +199,7 @@ int merge_study(const Options& options) {
   const StoredRows rows = gather_rows(options.folders);
   const JournalHeader& header = rows.journals().front().header();
   const input::StudyInput in = input::read_study_input(header.source);
-  if (header.key != key_of(in))
+  if (header.key != key_of(in, in.study.command))
     throw StudyFolderError(
         fmt::format("{}: error: computed by another version of prs, or from another force history; "
                     "merge with those",

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -160,6 +161,15 @@ std::shared_ptr<const MatrixCache::Matrices> MatrixCache::get(
 int MatrixCache::computed() const {
   const std::lock_guard lock(mutex_);
   return computed_;
+}
+
+std::filesystem::path cache_directory() {
+  if (const char* own = std::getenv("PRS_CACHE_DIR")) return own;
+  if (const char* user = std::getenv("XDG_CACHE_HOME"); user && *user == '/')
+    return std::filesystem::path(user) / "prs";
+  if (const char* home = std::getenv("HOME"); home && *home)
+    return std::filesystem::path(home) / ".cache" / "prs";
+  return {};
 }
 
 MatrixCache& shared_matrix_cache() {

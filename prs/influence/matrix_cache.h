@@ -41,6 +41,9 @@ class MatrixCache {
   int computed_ = 0;
 };
 
+/// Where bodies are kept between runs: PRS_CACHE_DIR (empty: nowhere), else the user's cache.
+std::filesystem::path cache_directory();
+
 /// The cache that the program's commands share.
 MatrixCache& shared_matrix_cache();
 

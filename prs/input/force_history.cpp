@@ -241,8 +241,13 @@ LoadHistory parse_force_history(std::string_view text, const std::string& name,
 
 namespace {
 
-std::filesystem::path path_of(const HistorySource& history, const Source& source) {
+/// As messages show it.
+std::filesystem::path shown_path(const HistorySource& history, const Source& source) {
   return std::filesystem::path(source.name).parent_path() / history.file;
+}
+
+std::filesystem::path path_of(const HistorySource& history, const Source& source) {
+  return source.folder.empty() ? shown_path(history, source) : source.folder / history.file;
 }
 
 }  // namespace
@@ -257,7 +262,7 @@ std::string force_history_text(const HistorySource& history, const Source& sourc
     refuse(
         fmt::format("expected a file of comma-separated values; {} is none; give its path "
                     "relative to this file",
-                    shown(path.string())));
+                    shown(shown_path(history, source).string())));
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error || size > kMostBytes)
     refuse(fmt::format("expected at most {} MiB; shorten the history or keep fewer columns",
@@ -266,13 +271,13 @@ std::string force_history_text(const HistorySource& history, const Source& sourc
   std::ifstream file(path, std::ios::binary);
   if (!file.read(text.data(), static_cast<std::streamsize>(size)))
     refuse(fmt::format("expected a file that can be read; check the rights of {}",
-                       shown(path.string())));
+                       shown(shown_path(history, source).string())));
   return text;
 }
 
 LoadHistory read_force_history(const HistorySource& history, const Source& source) {
-  return parse_force_history(force_history_text(history, source), path_of(history, source).string(),
-                             history, source);
+  return parse_force_history(force_history_text(history, source),
+                             shown_path(history, source).string(), history, source);
 }
 
 }  // namespace prs::input

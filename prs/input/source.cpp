@@ -47,6 +47,17 @@ Source load_source(const std::string& file, std::vector<std::string> overrides) 
   return {file, std::move(text), std::move(overrides)};
 }
 
+Source source_of_text(std::string name, std::string text, std::vector<std::string> overrides,
+                      std::filesystem::path folder) {
+  if (text.size() > kLargestFile)
+    throw InputError(
+        fmt::format("{}:1:1: error: got a text of {} bytes; expected a YAML text of at most 1 MiB; "
+                    "check that it "
+                    "is the right one",
+                    name, text.size()));
+  return {std::move(name), std::move(text), std::move(overrides), std::move(folder)};
+}
+
 std::string ErrorList::where(Place place) const {
   const std::string_view before = std::string_view(source_.text).substr(0, place.offset);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');

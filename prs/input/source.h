@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -31,11 +32,17 @@ struct Source {
   std::string name;  ///< The file, as given.
   std::string text;
   std::vector<std::string> overrides;  ///< `path=value` each.
+  /// Where the files that it names are looked for; empty: in the folder of `name`.
+  std::filesystem::path folder = {};
 };
 
 /// Reads a file of at most 1 MiB. Throws InputError where it is missing, unreadable, too large or
 /// no regular file.
 Source load_source(const std::string& file, std::vector<std::string> overrides);
+
+/// The same from a text, for which `name` stands in messages.
+Source source_of_text(std::string name, std::string text, std::vector<std::string> overrides,
+                      std::filesystem::path folder = {});
 
 /// Collects errors, so that one run names them all.
 class ErrorList {

@@ -221,6 +221,12 @@ std::optional<NumberAndUnit> split_unit(std::string_view text) {
       *head.number, head.rest.substr(std::min(head.rest.find_first_not_of(' '), head.rest.size()))};
 }
 
+bool is_unit(std::string_view symbol) {
+  return std::ranges::any_of(kDimensions, [&](const Dimension* dimension) {
+    return find_unit(symbol, *dimension) != nullptr;
+  });
+}
+
 std::optional<double> number_in(std::string_view text, std::string_view unit) {
   const std::optional<NumberAndUnit> split = split_unit(text);
   if (!split) return std::nullopt;

@@ -50,6 +50,9 @@ bool zero_depends_on_unit(const Dimension& dimension);
 /// The unit of a dimension with this spelling, or null.
 const Unit* find_unit(std::string_view symbol, const Dimension& dimension);
 
+/// Whether a unit of any dimension has this spelling.
+bool is_unit(std::string_view symbol);
+
 /// A number in a unit [SI]; nothing where it is beyond the magnitudes that a text may have.
 std::optional<double> to_si(double number, const Unit& unit);
 

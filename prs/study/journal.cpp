@@ -17,7 +17,6 @@ namespace prs {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 /// Of a file: also tells the byte order and, by its last digit, the format.
 constexpr std::uint64_t kMagic = 0x3141'4e4a'2d53'5250;  // "PRS-JNA1" on a little-endian machine
@@ -117,21 +116,21 @@ std::optional<RowBlock> decode(std::string_view bytes, const JournalHeader& head
 }
 
 std::string encode(const JournalHeader& header) {
-  const Json json{{"key", header.key},
-                  {"name", header.source.name},
-                  {"text", header.source.text},
-                  {"overrides", header.source.overrides},
-                  {"responses", header.responses},
-                  {"designs", header.designs},
-                  {"shard", {header.shard.index, header.shard.count}}};
-  const std::vector<std::uint8_t> cbor = Json::to_cbor(json);
+  const nlohmann::json json{{"key", header.key},
+                            {"name", header.source.name},
+                            {"text", header.source.text},
+                            {"overrides", header.source.overrides},
+                            {"responses", header.responses},
+                            {"designs", header.designs},
+                            {"shard", {header.shard.index, header.shard.count}}};
+  const std::vector<std::uint8_t> cbor = nlohmann::json::to_cbor(json);
   std::string bytes;
   put(bytes, kMagic);
   return bytes + sealed({cbor.begin(), cbor.end()});
 }
 
 JournalHeader decode_header(std::string_view bytes) {
-  const Json json = Json::from_cbor(content(bytes));
+  const nlohmann::json json = nlohmann::json::from_cbor(content(bytes));
   return {json.at("key"),
           {json.at("name"), json.at("text"), json.at("overrides")},
           json.at("responses"),
@@ -240,6 +239,10 @@ void Journal::require(const JournalHeader& study) const {
       "{}: error: it holds the journal {} of another study: the file, an override or the program "
       "changed since; give another folder with --output, or --restart to discard what was computed",
       path_.parent_path().string(), path_.filename().string()));
+}
+
+bool Journal::takes(std::string_view record) const {
+  return is_whole(record) && decode(record, header_);
 }
 
 void Journal::append(std::string_view record) {

@@ -82,6 +82,9 @@ class Journal {
   /// Whether records were found that are not as they were written, a torn tail aside.
   bool is_damaged() const { return damaged_; }
 
+  /// Whether a text is what `encode` gave for designs of this study.
+  bool takes(std::string_view record) const;
+
   /// Appends what `encode` gave. Throws std::system_error where that does not fit on the disk; the
   /// journal is then as it was before.
   void append(std::string_view record);

@@ -16,6 +16,12 @@ double si(std::string_view text, const Dimension& dimension) {
   return parse_quantity(text, dimension).value.value_or(std::nan(""));
 }
 
+TEST(Units, KnowsItsUnits) {
+  for (const char* unit : {"mm", "kN", "deg", "GPa", "mPa s", "N/mm^1.5", "rpm", "1/GPa"})
+    EXPECT_TRUE(is_unit(unit)) << unit;
+  for (const char* unit : {"", " ", "in", "lbf", "5", "Mm"}) EXPECT_FALSE(is_unit(unit)) << unit;
+}
+
 TEST(Units, EveryDimensionConvertsToSi) {
   EXPECT_EQ(si("5 mm", unit::length), 0.005);
   EXPECT_EQ(si("0.3 um", unit::length), 3e-7);

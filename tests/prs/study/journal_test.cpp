@@ -17,12 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::content_of;
+using test::folder_error_of;
 using test::same_rows;
 using test::synthetic_header;
 using test::synthetic_rows;
 using testing::HasSubstr;
 
-constexpr std::size_t kDesigns = 1000;
+constexpr std::size_t kJournalDesigns = 1000;
 constexpr std::size_t kRows = 30;
 
 void write(const fs::path& path, const std::string& bytes) {
@@ -31,22 +32,13 @@ void write(const fs::path& path, const std::string& bytes) {
 
 /// A journal of three blocks, not in their order; returns where each ends.
 std::vector<std::uint64_t> write_journal(const fs::path& path) {
-  Journal journal = Journal::append_to(path, synthetic_header(kDesigns));
+  Journal journal = Journal::append_to(path, synthetic_header(kJournalDesigns));
   std::vector<std::uint64_t> ends;
   for (const std::size_t first : {100, 0, 200}) {
     journal.append(encode(synthetic_rows(first, kRows)));
     ends.push_back(fs::file_size(path));
   }
   return ends;
-}
-
-std::string error_of(auto run) {
-  try {
-    run();
-  } catch (const StudyFolderError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 TEST(Journal, GivesBackEveryBit) {
@@ -57,7 +49,7 @@ TEST(Journal, GivesBackEveryBit) {
                                    0x8000000000000000ULL, 0x3ff0000000000001ULL, 0ULL})
     block.responses.push_back(std::bit_cast<double>(bits));
   {
-    Journal journal = Journal::append_to(path, synthetic_header(kDesigns));
+    Journal journal = Journal::append_to(path, synthetic_header(kJournalDesigns));
     journal.append(encode(block));
     EXPECT_EQ(encode(journal.block(journal.records()[0])), encode(block));
   }
@@ -73,10 +65,20 @@ TEST(Journal, GivesBackEveryBit) {
   EXPECT_EQ(read.failures[0].status.reason, block.failures[0].status.reason);
 }
 
+TEST(Journal, TakesWhatWasEncodedForItsStudy) {
+  const Journal journal = Journal::temporary(synthetic_header(kJournalDesigns));
+  const std::string record = encode(synthetic_rows(100, kRows));
+  EXPECT_TRUE(journal.takes(record));
+  for (std::size_t size = 0; size < record.size(); ++size)
+    EXPECT_FALSE(journal.takes(record.substr(0, size))) << size;
+  EXPECT_FALSE(journal.takes(record + '\0'));
+  EXPECT_FALSE(journal.takes(encode(synthetic_rows(kJournalDesigns, kRows))));
+}
+
 TEST(Journal, HeaderTellsAllThatTheFilesOfTheStudyNeed) {
   const test::TemporaryDirectory temporary;
   const fs::path path = temporary.path() / "study.journal";
-  JournalHeader header = synthetic_header(kDesigns, {2, 8});
+  JournalHeader header = synthetic_header(kJournalDesigns, {2, 8});
   header.source.text = std::string("not UTF-8: \xff\xfe \0 end", 18);
   Journal::append_to(path, header);
   const JournalHeader read = Journal::read(path).header();
@@ -99,7 +101,7 @@ TEST(Journal, TailTornAtAnyByteCostsTheLastBlockOnly) {
     const Journal torn = Journal::read(path);
     ASSERT_EQ(torn.records().size(), 2u) << size;
     ASSERT_FALSE(torn.is_damaged());
-    Journal journal = Journal::append_to(path, synthetic_header(kDesigns));
+    Journal journal = Journal::append_to(path, synthetic_header(kJournalDesigns));
     ASSERT_EQ(fs::file_size(path), ends[1]);
     journal.append(encode(synthetic_rows(200, kRows)));
     ASSERT_EQ(content_of(path), whole) << size;
@@ -109,12 +111,12 @@ TEST(Journal, TailTornAtAnyByteCostsTheLastBlockOnly) {
 TEST(Journal, HeaderTornAtAnyByteBeginsAnew) {
   const test::TemporaryDirectory temporary;
   const fs::path path = temporary.path() / "study.journal";
-  Journal::append_to(path, synthetic_header(kDesigns));
+  Journal::append_to(path, synthetic_header(kJournalDesigns));
   const std::string whole = content_of(path);
   for (std::size_t size = 0; size < whole.size(); ++size) {
     write(path, whole.substr(0, size));
     ASSERT_EQ(Journal::read(path).header().key, "");
-    Journal::append_to(path, synthetic_header(kDesigns));
+    Journal::append_to(path, synthetic_header(kJournalDesigns));
     ASSERT_EQ(content_of(path), whole) << size;
   }
 }
@@ -151,7 +153,7 @@ TEST(Journal, DamageWithinIsTold) {
   bytes[ends[0] + 100] = static_cast<char>(bytes[ends[0] + 100] ^ 1);
   write(path, bytes);
   EXPECT_TRUE(Journal::read(path).is_damaged());
-  Journal::append_to(path, synthetic_header(kDesigns));
+  Journal::append_to(path, synthetic_header(kJournalDesigns));
   EXPECT_EQ(fs::file_size(path), ends[0]);
 }
 
@@ -159,15 +161,15 @@ TEST(Journal, WhatIsNoJournalIsRefused) {
   const test::TemporaryDirectory temporary;
   const fs::path path = temporary.path() / "study.journal";
   write(path, "design,status\n0,converged\n");
-  for (const std::string& error : {error_of([&] { Journal::read(path); }), error_of([&] {
-                                     Journal::append_to(path, synthetic_header(kDesigns));
-                                   })}) {
+  for (const std::string& error :
+       {folder_error_of([&] { Journal::read(path); }),
+        folder_error_of([&] { Journal::append_to(path, synthetic_header(kJournalDesigns)); })}) {
     EXPECT_THAT(error, HasSubstr(path.string() + ": error: "));
     EXPECT_THAT(error, HasSubstr("--restart"));
   }
   EXPECT_EQ(content_of(path), "design,status\n0,converged\n");
-  Journal::append_to(path, synthetic_header(kDesigns), true);
-  EXPECT_EQ(Journal::read(path).header().designs, kDesigns);
+  Journal::append_to(path, synthetic_header(kJournalDesigns), true);
+  EXPECT_EQ(Journal::read(path).header().designs, kJournalDesigns);
 }
 
 TEST(Journal, OfAnotherStudyIsRefused) {
@@ -175,12 +177,13 @@ TEST(Journal, OfAnotherStudyIsRefused) {
   const fs::path path = temporary.path() / "study.journal";
   write_journal(path);
   const std::string before = content_of(path);
-  JournalHeader other_key = synthetic_header(kDesigns);
+  JournalHeader other_key = synthetic_header(kJournalDesigns);
   other_key.key = "other";
-  JournalHeader other_responses = synthetic_header(kDesigns);
+  JournalHeader other_responses = synthetic_header(kJournalDesigns);
   other_responses.responses.pop_back();
-  for (const JournalHeader& header : {other_key, other_responses, synthetic_header(kDesigns + 1)}) {
-    const std::string error = error_of([&] { Journal::append_to(path, header); });
+  for (const JournalHeader& header :
+       {other_key, other_responses, synthetic_header(kJournalDesigns + 1)}) {
+    const std::string error = folder_error_of([&] { Journal::append_to(path, header); });
     EXPECT_THAT(error, HasSubstr(temporary.path().string() + ": error: "));
     EXPECT_THAT(error, HasSubstr("--output"));
     EXPECT_THAT(error, HasSubstr("--restart"));
@@ -191,8 +194,8 @@ TEST(Journal, OfAnotherStudyIsRefused) {
 TEST(Journal, HasOneWriter) {
   const test::TemporaryDirectory temporary;
   const fs::path path = temporary.path() / "study.journal";
-  const Journal journal = Journal::append_to(path, synthetic_header(kDesigns));
-  EXPECT_THAT(error_of([&] { Journal::append_to(path, synthetic_header(kDesigns)); }),
+  const Journal journal = Journal::append_to(path, synthetic_header(kJournalDesigns));
+  EXPECT_THAT(folder_error_of([&] { Journal::append_to(path, synthetic_header(kJournalDesigns)); }),
               HasSubstr("another process"));
 }
 
@@ -202,7 +205,7 @@ TEST(Journal, OnAFullDiskIsAsBefore) {
   const std::vector<std::uint64_t> ends = write_journal(path);
   const std::string whole = content_of(path);
   fs::resize_file(path, ends[1]);
-  Journal journal = Journal::append_to(path, synthetic_header(kDesigns));
+  Journal journal = Journal::append_to(path, synthetic_header(kJournalDesigns));
   for (const std::uint64_t room : {0ul, 1ul, 500ul}) {
     const test::SmallFilesOnly full_disk(ends[1] + room);
     try {
@@ -223,7 +226,7 @@ TEST(Journal, TemporaryLeavesNoFile) {
   const char* before = std::getenv("TMPDIR");
   const std::string restored = before ? before : "";
   ::setenv("TMPDIR", temporary.path().c_str(), 1);
-  Journal journal = Journal::temporary(synthetic_header(kDesigns));
+  Journal journal = Journal::temporary(synthetic_header(kJournalDesigns));
   before ? ::setenv("TMPDIR", restored.c_str(), 1) : ::unsetenv("TMPDIR");
   journal.append(encode(synthetic_rows(0, 10)));
   EXPECT_TRUE(same_rows(journal.block(journal.records()[0]), synthetic_rows(0, 10)));

@@ -1,0 +1,64 @@
+#include "prs/run/optimization.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "prs/input/fail_at.h"
+#include "prs/optimize/parallel_evaluation.h"
+#include "prs/output/optimize_case.h"
+#include "prs/output/optimize_designs.h"
+#include "prs/run/study.h"
+#include "prs/study/design_engine.h"
+
+namespace prs {
+namespace {
+
+DesignEngine engine_of(const input::OptimizeInput& in) {
+  try {
+    return DesignEngine(in.start);
+  } catch (const UnknownResponse& error) {
+    const std::string& at = in.asked_at[error.index()];
+    if (at != "optimize.thread_constraints") input::fail_at(in.start.source, at, error.what());
+    input::fail_at(in.start.source, at,
+                   fmt::format("needs {}, which this mechanism does not have; expected threads "
+                               "with heights and a contact at both interfaces; give "
+                               "`mechanism.thread` of screw, roller and nut",
+                               in.optimization.study.responses[error.index()]));
+  }
+}
+
+std::string remark(const OptimizationResult& result, const std::string& file) {
+  const Optimization& o = result.optimization;
+  return fmt::format("{} of `prs optimize {}`, {} with seed {}: design {} of {}",
+                     result.compromise ? "Compromise" : "Nearest design", file, name(o.algorithm),
+                     o.seed, result.compromise.value_or(result.nearest.value_or(0)) + 1,
+                     result.search.designs.size());
+}
+
+}  // namespace
+
+std::optional<OptimizationResult> run_optimization(
+    const input::OptimizeInput& in, std::size_t threads,
+    const std::function<Journal(const JournalHeader&)>& open, const OptimizeOptions& options) {
+  const DesignEngine engine = engine_of(in);
+  const Optimization& optimization = in.optimization;
+  const EvaluateDesigns evaluate = evaluate_in_parallel(engine, threads);
+  const std::vector<Draw> as_in_file(optimization.study.factors.size());
+  const RowBlock base = evaluate({as_in_file});
+  input::check_initial(in, {as_in_file, base.responses,
+                            base.failures.empty() ? DesignStatus{} : base.failures[0].status, 0.0});
+
+  Journal journal = open({key_of(in.start, optimization.study.command), in.start.source,
+                          optimization.study.responses, design_count(optimization), Shard{}});
+  return optimize(optimization, evaluate, journal, options);
+}
+
+std::optional<std::string> chosen_case(const OptimizationResult& result,
+                                       const input::Source& source) {
+  const EvaluatedDesign* chosen = result.chosen();
+  if (chosen == nullptr) return std::nullopt;
+  return case_with(source, settings_of(result.optimization, *chosen), remark(result, source.name));
+}
+
+}  // namespace prs

@@ -1,0 +1,71 @@
+#include "python/engine/beside.h"
+
+#include <condition_variable>
+#include <set>
+
+namespace nb = nanobind;
+
+namespace prs::python {
+namespace {
+
+/// All work that is under way.
+struct UnderWay {
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::set<Supervision*> supervised;
+  std::size_t away = 0;  ///< Threads that have left the interpreter to others.
+  bool ending = false;
+};
+
+/// Never destroyed: threads may outlive the module.
+UnderWay& under_way() {
+  static auto* all = new UnderWay;
+  return *all;
+}
+
+void end_all() {
+  constexpr std::chrono::seconds kPatience{10};
+  const nb::gil_scoped_release release;
+  UnderWay& all = under_way();
+  std::unique_lock lock(all.mutex);
+  all.ending = true;
+  for (Supervision* supervision : all.supervised) supervision->stop();
+  all.changed.wait_for(lock, kPatience, [&] { return all.away == 0; });
+}
+
+}  // namespace
+
+WithoutInterpreter::WithoutInterpreter() {
+  {
+    const std::lock_guard lock(under_way().mutex);
+    if (under_way().ending) return;
+    ++under_way().away;
+  }
+  state_ = PyEval_SaveThread();
+}
+
+WithoutInterpreter::~WithoutInterpreter() {
+  if (state_ == nullptr) return;
+  PyEval_RestoreThread(state_);
+  const std::lock_guard lock(under_way().mutex);
+  --under_way().away;
+  under_way().changed.notify_all();
+}
+
+Supervision::Supervision() {
+  const std::lock_guard lock(under_way().mutex);
+  stop_ = under_way().ending;
+  under_way().supervised.insert(this);
+}
+
+Supervision::~Supervision() {
+  const std::lock_guard lock(under_way().mutex);
+  under_way().supervised.erase(this);
+}
+
+void end_work_with(nb::module_& module) {
+  module.def("end_work", &end_all, "Called when the interpreter ends.");
+  nb::module_::import_("atexit").attr("register")(module.attr("end_work"));
+}
+
+}  // namespace prs::python

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace prs::python {
+
+/// A result document: made when it is first looked at, and kept. May be shared between threads.
+class Document : public std::enable_shared_from_this<Document> {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  explicit Document(std::function<Json()> make) : make_(std::move(make)) {}
+
+  /// A document of the program. Throws std::invalid_argument where the text is none.
+  static std::shared_ptr<Document> from_text(const std::string& text);
+
+  const Json& json() const;
+
+  /// As `--json` prints it.
+  std::string text() const;
+
+  /// Numbers of an array within the document, null as NaN; they live as long as anyone uses them.
+  std::shared_ptr<const std::vector<double>> numbers(const Json& array) const;
+
+ private:
+  mutable std::function<Json()> make_;
+  mutable std::once_flag made_;
+  mutable Json json_;
+  mutable std::mutex mutex_;
+  mutable std::map<const Json*, std::shared_ptr<const std::vector<double>>> numbers_;
+};
+
+/// An object within a document.
+struct Node {
+  std::shared_ptr<const Document> document;
+  const Document::Json* json = nullptr;
+};
+
+void bind_document(nanobind::module_& module);
+
+/// A read-only array of numpy on memory that lives as long as the array.
+nanobind::object view(std::shared_ptr<const std::vector<double>> numbers, std::size_t rows);
+nanobind::object view(std::shared_ptr<const std::vector<double>> numbers, std::size_t rows,
+                      std::size_t columns);
+
+}  // namespace prs::python

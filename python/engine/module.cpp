@@ -1,0 +1,43 @@
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
+
+#include "prs/document/measures_json.h"
+#include "prs/influence/matrix_cache.h"
+#include "prs/input/schema.h"
+#include "prs/input/source.h"
+#include "prs/input/units.h"
+#include "prs/version.h"
+#include "python/engine/beside.h"
+#include "python/engine/case.h"
+#include "python/engine/document.h"
+#include "python/engine/optimization.h"
+#include "python/engine/study.h"
+
+namespace nb = nanobind;
+
+NB_MODULE(_engine, module) {
+  using namespace prs;
+  using namespace prs::python;
+  module.doc() = "The engine of rollerscrew: cases, studies and documents as the program has them.";
+  module.attr("version") = kVersion;
+  nb::exception<input::InputError>(module, "InputError", PyExc_ValueError);
+  module.def(
+      "schema", [] { return json_text(input::schema()); },
+      "JSON Schema of the input, as `prs schema` prints it.");
+  module.def("knows_unit", &input::is_unit, nb::arg("unit"),
+             "Whether values may be written in it.");
+  module.def(
+      "measure_explanations", [] { return json_text(measure_explanations_json()); },
+      "Formula, validity and source of every measure.");
+#ifdef NDEBUG
+  nb::set_leak_warnings(false);  // Objects of daemon threads outlive the interpreter.
+#endif
+  end_work_with(module);
+  bind_document(module);
+  bind_case(module);
+  bind_study(module);
+  bind_optimization(module);
+  shared_matrix_cache().keep_in(cache_directory());
+}

@@ -1,0 +1,48 @@
+"""Planetary roller screws: load distribution, stiffness, contact, slip, life and design.
+
+>>> import rollerscrew as rs
+>>> case = rs.Case.from_yaml("configs/01_config_1_to_3.yaml")
+>>> case.solve().load_cases[0].axial_stiffness_N_per_um
+"""
+
+from rollerscrew import records
+from rollerscrew._engine import InputError, schema
+from rollerscrew._engine import version as __version__
+from rollerscrew.case import Case
+from rollerscrew.designs import Designs
+from rollerscrew.record import Record, Result
+from rollerscrew.results import (
+    CheckResult,
+    ContactResult,
+    DerivativesResult,
+    LifeResult,
+    MeasuresResult,
+    OptimizationResult,
+    PreloadResult,
+    SlipResult,
+    SolveResult,
+    StudyResult,
+)
+
+__all__ = [
+    "Case",
+    "CheckResult",
+    "ContactResult",
+    "DerivativesResult",
+    "Designs",
+    "InputError",
+    "LifeResult",
+    "MeasuresResult",
+    "OptimizationResult",
+    "PreloadResult",
+    "Record",
+    "Result",
+    "SlipResult",
+    "SolveResult",
+    "StudyResult",
+    "__version__",
+    "records",
+    "schema",
+]
+
+InputError.__module__ = __name__

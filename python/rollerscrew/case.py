@@ -1,0 +1,240 @@
+"""A case: what a file of the command line describes."""
+
+from __future__ import annotations
+
+import os
+import reprlib
+from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
+from typing import Any, Self
+
+from rollerscrew import _engine
+from rollerscrew.designs import Command, Designs, evaluate, study_rows, thread_count
+from rollerscrew.progress import Progress, progress_callback
+from rollerscrew.results import (
+    CheckResult,
+    ContactResult,
+    DerivativesResult,
+    LifeResult,
+    MeasuresResult,
+    OptimizationResult,
+    PreloadResult,
+    SlipResult,
+    SolveResult,
+    StudyResult,
+)
+from rollerscrew.values import case_text, checked_text, override_text
+
+_FILE = "<case>"
+
+
+class Case:
+    """A planetary roller screw with its loads, as a case file describes it.
+
+    >>> case = Case.from_yaml("configs/01_config_1_to_3.yaml")
+    >>> case.with_({"mechanism.rollers": 9}).solve().load_cases[0].axial_stiffness_N_per_um
+
+    `blocks` are those of a file: dictionaries whose values are texts with their unit (`"45 kN"`),
+    pint quantities, numbers, lists. Cases do not change; `with_` gives another one. They may be
+    shared between threads, pickled and sent to other processes.
+
+    Raises InputError, with the text of `prs check`, where something is wrong. For a case from
+    dictionaries line numbers are those of `text`.
+    """
+
+    __slots__ = ("_case",)
+
+    def __init__(self, blocks: Mapping[str, Any], *, name: str = _FILE) -> None:
+        if not isinstance(blocks, Mapping):
+            raise TypeError(
+                f"got {type(blocks).__name__}; expected a dictionary of blocks such as "
+                "{'mechanism': {..}}; `Case.from_yaml` reads a file"
+            )
+        self._case = _engine.Case(_source(name, case_text(blocks), [], _folder(name)))
+
+    @classmethod
+    def from_yaml(
+        cls, file: str | os.PathLike[str], *, set: Mapping[str, Any] | None = None
+    ) -> Self:
+        """The case of a file, with values replaced as `--set` does it."""
+        overrides = _overrides({} if set is None else set)
+        return cls._from_source(_engine.Source.load(_file_name(file), overrides))
+
+    @classmethod
+    def from_text(cls, text: str, *, name: str = _FILE) -> Self:
+        """The case of a YAML text; `name` stands for the file in messages."""
+        return cls._from_source(_source(name, text, [], _folder(name)))
+
+    @classmethod
+    def _from_source(cls, source: _engine.Source) -> Self:
+        case = cls.__new__(cls)
+        case._case = _engine.Case(source)
+        return case
+
+    def with_(self, values: Mapping[str, Any] | None = None, /, **blocks: Any) -> Self:
+        """The case with other values: `case.with_({"load_cases[0].axial_force": "30 kN"})`.
+
+        Paths are those of `--set`; texts are taken as they would stand in the file. Whole blocks
+        may be given by their names: `case.with_(operation={"speed": "400 rpm"})`.
+        """
+        source = self._case.source
+        changed = [*_overrides({} if values is None else values), *_overrides(blocks)]
+        return self._from_source(
+            _source(source.name, source.text, [*source.overrides, *changed], source.folder)
+        )
+
+    @property
+    def name(self) -> str:
+        """The file, as it was given."""
+        return self._case.source.name
+
+    @property
+    def text(self) -> str:
+        """The YAML text, without `overrides`."""
+        return self._case.source.text
+
+    @property
+    def overrides(self) -> list[str]:
+        """What `with_` changed: `path=value` each."""
+        return list(self._case.source.overrides)
+
+    def check(self) -> CheckResult:
+        """Every value with its default, and what is unusual about the geometry."""
+        return CheckResult(self._case.check())
+
+    def contact(self) -> ContactResult:
+        """Contact points, curvatures, ellipses, Hertz constants, backlash."""
+        return ContactResult(self._case.contact())
+
+    def solve(self) -> SolveResult:
+        """Load distribution, pressures, displacement and stiffness of every load case.
+
+        A load case that does not converge is a result with its status.
+        """
+        return SolveResult(self._case.solve())
+
+    def slip(self) -> SlipResult:
+        """Slip, friction, dissipated power, efficiency, torques of every load case."""
+        return SlipResult(self._case.slip())
+
+    def preload(self) -> PreloadResult:
+        """Curve through zero, lost motion and opening loads of a preloaded nut."""
+        return PreloadResult(self._case.preload())
+
+    def life(self) -> LifeResult:
+        """Life under the load history or spectrum of the case, static safety."""
+        return LifeResult(self._case.life())
+
+    def measures(self) -> MeasuresResult:
+        """Capacity, weight, stiffness terms, inertia and the other design measures."""
+        return MeasuresResult(self._case.measures())
+
+    def study(
+        self,
+        *,
+        executor: Executor | None = None,
+        threads: int | None = None,
+        progress: Progress = None,
+    ) -> StudyResult | DerivativesResult:
+        """Runs the block `study` of the case: all its designs, on `threads` threads.
+
+        With an `executor` of `concurrent.futures` (processes, Dask's `Client.get_executor()`, MPI
+        pools) its workers answer the designs. The result does not depend on either. `progress` is
+        called with the designs done and those of the whole study; True shows a line on a terminal.
+
+        A design that no mechanism can have, or that does not converge, is a row with its reason.
+        The plan `derivatives` gives a DerivativesResult.
+        """
+        study, rows = study_rows(self._case.source, executor, threads, progress)
+        if rows is None:
+            return DerivativesResult(study.derivatives())
+        return StudyResult(rows.document(), None, study, rows)
+
+    def optimize(
+        self, *, threads: int | None = None, progress: Progress = None
+    ) -> OptimizationResult:
+        """Searches the designs that the block `optimize` of the case aims at."""
+        source = self._case.source
+        document, chosen = _engine.optimize(
+            source, thread_count(threads), progress_callback(progress)
+        )
+        if chosen is None:
+            return OptimizationResult(document)
+        best = _source(f"{source.name} (optimized)", chosen, [], source.folder)
+        return OptimizationResult(document, Case._from_source(best))
+
+    def evaluate(
+        self,
+        inputs: Mapping[str, Any],
+        responses: Sequence[str] | None = None,
+        *,
+        command: Command = "solve",
+        threads: int | None = None,
+        progress: Progress = None,
+    ) -> Designs:
+        """Answers many designs in one call: one for each element of the arrays in `inputs`.
+
+        >>> case.evaluate({"mechanism.lead": (leads, "mm"), "mechanism.rollers": rollers},
+        ...               ["axial_stiffness_N_per_um", "screw.peak_pressure_MPa.max"])
+
+        `inputs` gives each path, as `--set` takes it, an array of numbers with its unit, a pint
+        array, or a list of what may stand there; single values are those of all designs.
+        `responses` are paths into the document of the command: those of the first load case may
+        leave `load_cases[0].` out, arrays take `[k]`, `.max`, `.min` and `.mean`. Without them
+        those that a study records are.
+
+        Raises InputError where a value cannot stand at its path, and ValueError for numbers that
+        are not finite or lengths that differ.
+        """
+        return evaluate(self._case.source, inputs, responses, command, threads, progress)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        name, text, overrides, folder = self._parts()
+        return _restore, (type(self), name, text, list(overrides), folder)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Case):
+            return NotImplemented
+        return self._parts() == other._parts()
+
+    def __hash__(self) -> int:
+        return hash(self._parts())
+
+    def _parts(self) -> tuple[str, str, tuple[str, ...], str]:
+        source = self._case.source
+        return source.name, source.text, tuple(source.overrides), source.folder
+
+    def __repr__(self) -> str:
+        changed = "".join(f", {override}" for override in self.overrides)
+        return f"<Case {self.name}{changed}>"
+
+
+def _restore(kind: type[Case], name: str, text: str, overrides: list[str], folder: str) -> Case:
+    return kind._from_source(_source(name, text, overrides, folder))
+
+
+def _source(name: str, text: str, overrides: list[str], folder: str) -> _engine.Source:
+    """A case that looks for the files it names in `folder`."""
+    return _engine.Source.of_text(
+        checked_text("name", name), checked_text("text", text), overrides, folder
+    )
+
+
+def _folder(name: str) -> str:
+    return os.path.abspath(os.path.dirname(checked_text("name", name)))
+
+
+def _file_name(file: str | os.PathLike[str]) -> str:
+    name = checked_text("file", os.fspath(file))
+    if "\0" in name:
+        raise ValueError(f"file: got {name!r}; expected a path without the character NUL")
+    return name
+
+
+def _overrides(values: Mapping[str, Any]) -> list[str]:
+    if not isinstance(values, Mapping):
+        raise TypeError(
+            f"set: got {reprlib.repr(values)}; expected a dictionary such as "
+            "{'mechanism.rollers': 9}"
+        )
+    return [f"{checked_text('path', path)}={override_text(item)}" for path, item in values.items()]

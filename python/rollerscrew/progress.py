@@ -1,0 +1,23 @@
+"""How far long work is."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+
+#: Called with what is done and with all of it; True: a line on a terminal; None: quiet.
+Progress = Callable[[int, int], object] | bool | None
+
+
+def progress_callback(progress: Progress) -> Callable[[int, int], object] | None:
+    """The function to call; nothing where nobody would see it."""
+    if callable(progress):
+        return progress
+    if progress and sys.stderr.isatty():
+        return _show_line
+    return None
+
+
+def _show_line(done: int, total: int) -> None:
+    end = "\n" if done >= total else ""
+    print(f"\r{done} of {total} designs", end=end, file=sys.stderr, flush=True)

@@ -1,0 +1,574 @@
+"""What the commands answer: documents with data frames and pictures.
+
+Every `plot_` method draws into `ax`, or into a new figure, and returns the axes.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pandas as pd
+
+from rollerscrew import _engine, plots
+from rollerscrew.designs import Designs, designs_of, study_inputs
+from rollerscrew.record import Record, Result
+from rollerscrew.records import Contacts, InputValue, Life, LoadCase, Preload
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from rollerscrew.case import Case
+
+INTERFACES = ("screw", "nut")
+
+#: Load cases by their places or names: one, or several.
+Which = int | str | Iterable[int | str]
+
+
+def _flat(record: Record, prefix: str = "") -> Iterator[tuple[str, Any]]:
+    """The values of a record and the records in it that are no arrays or lists."""
+    for name, value in record.items():
+        if isinstance(value, Record):
+            yield from _flat(value, f"{prefix}{name}_")
+        elif not isinstance(value, np.ndarray | list):
+            yield f"{prefix}{name}", value
+
+
+def _numbers(record: Record) -> dict[str, Any]:
+    """The values of a record; of an array `normal[0]`, `normal[1]`, .."""
+    numbers: dict[str, Any] = {}
+    for name, value in record.items():
+        if isinstance(value, np.ndarray):
+            numbers.update({f"{name}[{k}]": number for k, number in enumerate(value)})
+        else:
+            numbers[name] = value
+    return numbers
+
+
+def _arrays(record: Record) -> dict[str, Any]:
+    """The arrays over threads of a record, and the numbers of the threads."""
+    arrays = {name: value for name, value in record.items() if isinstance(value, np.ndarray)}
+    count = len(next(iter(arrays.values()), ()))
+    return {"thread": np.arange(1, count + 1), **arrays}
+
+
+def _interfaces(record: Record) -> pd.DataFrame:
+    """The threads of both interfaces, one below the other."""
+    frames = []
+    for interface in INTERFACES:
+        if interface in record:
+            frame = pd.DataFrame(_arrays(record[interface]))
+            frame.insert(0, "interface", interface)
+            frames.append(frame)
+    return pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
+
+
+class CheckResult(Result):
+    """Every value of a case, what follows from it, what is unusual."""
+
+    __slots__ = ()
+    _block = "input"
+    input: list[InputValue]
+    derived: Record
+    contact: Contacts
+    threads: Record
+
+    def to_frame(self) -> pd.DataFrame:
+        """Path, value and whether it is a default, a row each."""
+        return pd.DataFrame([value.to_dict() for value in self.input])
+
+    def plot_contact_points(self, ax: Axes | None = None) -> Axes:
+        """The contacts seen along the axis."""
+        return plots.contact_points(self.contact, ax)
+
+
+class LoadCasesResult(Result):
+    """A result with load cases."""
+
+    __slots__ = ()
+    contact: Contacts
+    threads: Record
+    model: Record
+    load_cases: list[LoadCase]
+
+    @property
+    def _load_cases(self) -> list[LoadCase]:
+        """None where the case has no loads."""
+        cases: list[LoadCase] = self.get("load_cases", [])
+        return cases
+
+    def load_case(self, which: int | str = 0) -> LoadCase:
+        """A load case by its place or its name."""
+        if isinstance(which, str):
+            for load_case in self._load_cases:
+                if load_case.name == which:
+                    return load_case
+            names = ", ".join(load_case.name for load_case in self._load_cases)
+            raise KeyError(f"no load case {which!r}; there is {names or 'none'}")
+        return self._load_cases[which]
+
+    @property
+    def converged(self) -> bool:
+        """Whether every load case did."""
+        return all(load_case.converged for load_case in self._load_cases)
+
+    def load_cases_frame(self) -> pd.DataFrame:
+        """Force, status, displacement and stiffness, a row a load case."""
+        skipped = {"screw", "nut", "slip", "measures"}
+        rows = [
+            {k: v for k, v in case.items() if k not in skipped and not isinstance(v, list)}
+            for case in self._load_cases
+        ]
+        return pd.DataFrame(rows).rename(columns={"name": "case"})
+
+    def threads_frame(self) -> pd.DataFrame:
+        """Loads, ellipses and pressures, a row a load case, interface and thread."""
+        return self._by_case((case, case) for case in self._load_cases)
+
+    def plot_load_distribution(
+        self, load_cases: Which | None = None, ax: Axes | None = None
+    ) -> Axes:
+        """Share of each thread in the load."""
+        return plots.load_distribution(self._chosen(load_cases), ax)
+
+    def plot_pressures(self, load_cases: Which | None = None, ax: Axes | None = None) -> Axes:
+        """Peak pressure of each thread."""
+        return plots.pressures(self._chosen(load_cases), ax)
+
+    def plot_ellipses(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
+        """Contact ellipses of the threads, to scale."""
+        return plots.ellipses(self.load_case(load_case), ax)
+
+    def plot_contact_points(self, ax: Axes | None = None) -> Axes:
+        """The contacts seen along the axis."""
+        return plots.contact_points(self.contact, ax)
+
+    def _chosen(self, load_cases: Which | None) -> list[LoadCase]:
+        """The load cases named that have loads; without a choice all of them."""
+        if load_cases is None:
+            return [case for case in self._load_cases if "screw" in case]
+        if isinstance(load_cases, str | int):
+            load_cases = [load_cases]
+        return [self.load_case(which) for which in load_cases]
+
+    def _by_case(self, threads: Iterable[tuple[LoadCase, Record]]) -> pd.DataFrame:
+        """The threads of records of load cases, one below the other, with what tells them apart."""
+        columns: dict[str, list[Any]] = {}
+        rows = 0
+        for case, record in threads:
+            told = {"case": case.name}
+            told |= {key: case.get(key) for key in ("axial_force_N", "direction", "position_mm")}
+            for interface in INTERFACES:
+                if interface not in record:
+                    continue
+                arrays = _arrays(record[interface])
+                count = len(arrays["thread"])
+                constant = {**told, "interface": interface}
+                for name, value in [*constant.items(), *arrays.items()]:
+                    column = columns.setdefault(name, [np.full(rows, np.nan)] if rows else [])
+                    column.append(np.full(count, value) if name in constant else value)
+                rows += count
+                for name, column in columns.items():
+                    if name not in constant and name not in arrays:
+                        column.append(np.full(count, np.nan))
+        return pd.DataFrame({name: np.concatenate(column) for name, column in columns.items()})
+
+
+class ContactResult(LoadCasesResult):
+    """Contact points, curvatures and, where materials and equal shares are given, ellipses."""
+
+    __slots__ = ()
+    _block = "contact"
+
+    def to_frame(self) -> pd.DataFrame:
+        """Contact quantities, a column an interface; of pairs and vectors a row each number."""
+        return pd.DataFrame({name: _numbers(self.contact[name]) for name in INTERFACES})
+
+
+class SolveResult(LoadCasesResult):
+    """Load distribution, pressures, displacement and stiffness of every load case."""
+
+    __slots__ = ()
+    _block = "load_cases"
+
+    def plot_stiffness(self, ax: Axes | None = None) -> Axes:
+        """Axial stiffness against the load, a line a sweep."""
+        return plots.stiffness(self._load_cases, ax)
+
+    def plot_displacement(self, ax: Axes | None = None) -> Axes:
+        """Axial displacement against the load, a line a sweep."""
+        return plots.displacement(self._load_cases, ax)
+
+    def plot_butterfly(self, interface: str = "screw", ax: Axes | None = None) -> Axes:
+        """Share of each thread against the load: they spread like wings as the load grows."""
+        return plots.butterfly(self._load_cases, interface, ax)
+
+    def plot_convergence(self, ax: Axes | None = None) -> Axes:
+        """Residual after each linear solve."""
+        return plots.convergence(self._load_cases, ax)
+
+
+class SlipResult(SolveResult):
+    """Slip, friction, dissipated power, efficiency and torques of every load case."""
+
+    __slots__ = ()
+
+    def slip_frame(self) -> pd.DataFrame:
+        """Slip ratio, efficiency, powers and torques, a row a load case."""
+        rows = [
+            {
+                "case": case.name,
+                "axial_force_N": case.get("axial_force_N"),
+                **dict(_flat(case.slip)),
+            }
+            for case in self._load_cases
+            if "slip" in case
+        ]
+        return pd.DataFrame(rows)
+
+    def slip_threads_frame(self) -> pd.DataFrame:
+        """Power, friction, sliding and film, a row a load case, interface and thread."""
+        return self._by_case((case, case.slip) for case in self._load_cases if "slip" in case)
+
+    def plot_power(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
+        """Power that each thread of a roller dissipates."""
+        return plots.power(self.load_case(load_case), ax)
+
+    def plot_power_by_source(self, load_cases: Which | None = None, ax: Axes | None = None) -> Axes:
+        """Where the power goes, a bar a load case."""
+        return plots.power_by_source(self._chosen(load_cases), ax)
+
+    def plot_friction(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
+        """Friction coefficient and sliding speed of each thread."""
+        return plots.friction(self.load_case(load_case), ax)
+
+
+class MeasuresResult(SolveResult):
+    """Capacity, weight, stiffness terms, inertia and the other design measures."""
+
+    __slots__ = ()
+    _block = "measures"
+    measures: Record
+
+    def measures_frame(self) -> pd.DataFrame:
+        """Measures of the mechanism, and of each load case under its name; units in the names."""
+        rows = [("", name, value) for name, value in _flat(self.measures)]
+        for case in self._load_cases:
+            if "measures" in case:
+                rows += [(case.name, name, value) for name, value in _flat(case.measures)]
+        return pd.DataFrame(rows, columns=["load_case", "measure", "value"])
+
+    def plot_stiffness_terms(self, ax: Axes | None = None) -> Axes:
+        """The springs in series that make up the stiffness, by their part in the compliance."""
+        return plots.stiffness_terms(self, ax)
+
+
+class PreloadResult(Result):
+    """Curve through zero, lost motion and opening loads of a preloaded nut."""
+
+    __slots__ = ()
+    _block = "preload"
+    contact: Contacts
+    threads: Record
+    preload: Preload
+
+    def to_frame(self) -> pd.DataFrame:
+        """Displacement, stiffness and loads of the sides, a row an external load."""
+        frame = pd.DataFrame([dict(_flat(point)) for point in self.preload.loads])
+        if "without_preload" in self.preload:
+            bare = pd.DataFrame([dict(_flat(p)) for p in self.preload.without_preload.loads])
+            for name in ("axial_displacement_um", "tangent_stiffness_N_per_um"):
+                frame[f"without_preload_{name}"] = bare[name]
+        return frame
+
+    def plot_displacement(self, ax: Axes | None = None) -> Axes:
+        """Displacement over the external load, with preload and without."""
+        return plots.preload_displacement(self.preload, ax)
+
+    def plot_stiffness(self, ax: Axes | None = None) -> Axes:
+        """Tangent stiffness over the external load, with preload and without."""
+        return plots.preload_stiffness(self.preload, ax)
+
+
+class LifeResult(Result):
+    """Life of mechanism and threads under a load history or spectrum."""
+
+    __slots__ = ()
+    _block = "life"
+    contact: Contacts
+    threads: Record
+    life: Life
+
+    def threads_frame(self) -> pd.DataFrame:
+        """Equivalent load and life, a row a direction, interface and thread."""
+        frames = []
+        for direction in ("tension", "compression"):
+            if direction in self.life:
+                frame = _interfaces(self.life[direction])
+                frame.insert(0, "direction", direction)
+                frames.append(frame)
+        return pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
+
+    def plot_lives(self, ax: Axes | None = None) -> Axes:
+        """Life of each thread."""
+        return plots.thread_lives(self.life, ax)
+
+    def plot_cycles(self, ax: Axes | None = None) -> Axes:
+        """How many load cycles have which range and mean (rainflow)."""
+        return plots.cycles(self.life, ax)
+
+
+class DerivativesResult(Result):
+    """Responses of a case with their derivatives."""
+
+    __slots__ = ()
+    _block = "derivatives"
+    derivatives: list[Record]
+
+    def to_frame(self) -> pd.DataFrame:
+        """Derivative, elasticity and error, a row a response and factor."""
+        rows = [
+            {"response": response.response, "value": response.get("value"), **by.to_dict()}
+            for response in self.derivatives
+            for by in response["by"]
+        ]
+        return pd.DataFrame(rows)
+
+    def plot_elasticities(self, response: str | None = None, ax: Axes | None = None) -> Axes:
+        """What 1 % of each factor does to a response, in percent."""
+        return plots.elasticities(self.to_frame(), response, ax)
+
+
+class StudyResult(Result):
+    """A study: what its designs say together, and every one of them."""
+
+    __slots__ = ("_designs", "_rows", "_study")
+    _block = "study"
+    study: Record
+    summary: Record
+    envelope: Record
+    designs: list[Record]
+    designs_shown: int
+    _designs: Designs | None
+    _rows: _engine.StudyRows | None
+    _study: _engine.Study | None
+
+    def __init__(
+        self,
+        document: _engine.Document,
+        designs: Designs | None = None,
+        study: _engine.Study | None = None,
+        rows: _engine.StudyRows | None = None,
+    ) -> None:
+        super().__init__(document)
+        object.__setattr__(self, "_designs", designs)
+        object.__setattr__(self, "_rows", rows)
+        object.__setattr__(self, "_study", study)
+
+    @property
+    def all_designs(self) -> Designs:
+        """Inputs and answers of all designs, the base case first.
+
+        Of a result that was read from JSON, those that the document holds.
+        """
+        if self._designs is None:
+            if self._rows is not None and self._study is not None:
+                designs = designs_of(study_inputs(self._study), self._rows.designs())
+            else:
+                designs = _designs_of_document(self)
+            object.__setattr__(self, "_designs", designs)
+        assert self._designs is not None
+        return self._designs
+
+    def to_frame(self) -> pd.DataFrame:
+        """Inputs, status, reason and responses, a row a design, the base case first."""
+        return self.all_designs.to_frame()
+
+    def statistics_frame(self) -> pd.DataFrame:
+        """Mean, deviation, extremes and quantiles, a row a response."""
+        rows = {}
+        for response, statistics in self.summary["statistics"].items():
+            row = dict(_flat(statistics))
+            rows[response] = {
+                name.replace("quantiles_", "quantile_"): value
+                for name, value in row.items()
+                if not name.startswith("histogram")
+            }
+        return pd.DataFrame.from_dict(rows, orient="index")
+
+    def envelope_frame(self) -> pd.DataFrame:
+        """The points of the envelope: design, inputs, measures and the envelope's value."""
+        drawn = [i for factor in self.study.factors for i in (factor, *factor.get("with", []))]
+        units = {each["path"]: each.get("unit", "") for each in drawn}
+        rows = [
+            {
+                "name": point["name"],
+                "design": point["design"],
+                **{
+                    _with_unit(path, units.get(path, "")): setting.get(
+                        "number", setting.get("value")
+                    )
+                    for path, setting in point["settings"].items()
+                },
+                **point["responses"].to_dict(),
+                "envelope": point["envelope"],
+            }
+            for point in (self.envelope.get("points", []) if "envelope" in self else [])
+        ]
+        return pd.DataFrame(rows)
+
+    def plot(self, response: str | None = None, ax: Axes | None = None) -> Axes:
+        """A response over the numeric factor with most values, a line each value of the others."""
+        return plots.study_lines(self, response, ax)
+
+    def plot_map(
+        self,
+        response: str | None = None,
+        x: str | None = None,
+        y: str | None = None,
+        ax: Axes | None = None,
+    ) -> Axes:
+        """A response of a grid over two factors, as filled contours."""
+        return plots.study_map(self, response, x, y, ax)
+
+    def plot_histogram(self, response: str | None = None, ax: Axes | None = None) -> Axes:
+        """How often a response has which value, with its quantiles."""
+        return plots.study_histogram(self, response, ax)
+
+    def plot_contributions(self, response: str | None = None, ax: Axes | None = None) -> Axes:
+        """Which factor moves a response, from its linear surface."""
+        return plots.study_contributions(self, response, ax)
+
+    def plot_envelope(self, ax: Axes | None = None) -> Axes:
+        """The envelope of several measures over two factors, with its points."""
+        return plots.study_envelope(self, ax)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _study_result, (self.to_json(), self.all_designs)
+
+
+def _study_result(text: str, designs: Designs) -> StudyResult:
+    return StudyResult(_engine.Document.from_text(text), designs)
+
+
+def _designs_of_document(result: StudyResult) -> Designs:
+    rows = result["designs"] if "designs" in result else []
+    responses = tuple(result.study["responses"])
+    values = np.array(
+        [[row["responses"].get(name, np.nan) for name in responses] for row in rows],
+        dtype=np.float64,
+    ).reshape(len(rows), len(responses))
+    status = np.array([row["status"] for row in rows], dtype=object)
+    reason = np.array([row.get("reason", "") for row in rows], dtype=object)
+    return Designs(_inputs_of_document(result.study, rows), responses, values, status, reason)
+
+
+def _inputs_of_document(study: Record, rows: list[Record]) -> pd.DataFrame:
+    """What `study_inputs` gives, of a study that was read from JSON."""
+    settings = [row["settings"].to_dict() for row in rows]
+    uses = Counter(study["responses"])
+    columns = {}
+    for factor in study["factors"]:
+        inputs = [factor, *factor.get("with", [])]
+        paths = {drawn["path"] for drawn in inputs}
+        one_at_a_time = study["plan"] == "one_at_a_time"
+        sets = [not one_at_a_time or paths == row.keys() for row in settings]
+        for drawn in inputs:
+            base = drawn["base"].to_dict() if "base" in drawn else {}
+            values = [
+                row.get(drawn["path"], base) if is_set else base
+                for row, is_set in zip(settings, sets, strict=True)
+            ]
+            numeric = all("number" in value for value in values if value)
+            name = _with_unit(drawn["path"], drawn.get("unit", "") if numeric else "")
+            uses[name] += 1
+            if uses[name] > 1:
+                name += f"_{uses[name]}"
+            key, missing = ("number", np.nan) if numeric else ("value", None)
+            columns[name] = [value.get(key, missing) for value in values]
+    return pd.DataFrame(columns)
+
+
+def _with_unit(path: str, unit: str) -> str:
+    return f"{path}_{_engine.unit_key(unit)}" if unit else path
+
+
+class OptimizationResult(Result):
+    """The Pareto front of an optimization and the compromise chosen on it."""
+
+    __slots__ = ("_best",)
+    _block = "optimize"
+    optimize: Record
+    initial: Record
+    compromise: Record
+    nearest: Record
+    search: Record
+    check: Record
+    comparison: Record
+    _best: Any  # Case | None
+
+    def __init__(self, document: _engine.Document, best: Case | None = None) -> None:
+        super().__init__(document)
+        object.__setattr__(self, "_best", best)
+
+    @property
+    def best_case(self) -> Case:
+        """The case with the chosen design written into it.
+
+        Of the compromise or, where no design keeps all limits, of the one nearest to it.
+        """
+        best: Case | None = self._best
+        if best is None:
+            raise ValueError("a result that was read from JSON has no case; run `optimize`")
+        return best
+
+    def front_frame(self) -> pd.DataFrame:
+        """Variables and responses of the designs of the front: columns of `front.csv`."""
+        units = {variable["path"]: variable.get("unit", "") for variable in self.optimize.variables}
+        rows = []
+        for design in self.search["front"]:
+            row = {"design": design["design"]}
+            for path, variable in design["variables"].items():
+                name = _with_unit(path, units.get(path, ""))
+                row[name] = variable.get("number", variable.get("value"))
+            rows.append(row | design["responses"].to_dict())
+        return pd.DataFrame(rows)
+
+    def constraints_frame(self) -> pd.DataFrame:
+        """Value and limit of each constraint, for the file's own design and the compromise."""
+        rows = [
+            {"of": of, **constraint.to_dict()}
+            for of in ("initial", "compromise")
+            for constraint in (self[of].get("constraints", []) if of in self else [])
+        ]
+        return pd.DataFrame(rows)
+
+    def plot_front(self, ax: Axes | None = None) -> Axes:
+        """The front in its first two objectives, with the file's own design and the compromise."""
+        return plots.front(self, ax)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _optimization_result, (self.to_json(), self._best)
+
+
+def _optimization_result(text: str, best: Case | None) -> OptimizationResult:
+    return OptimizationResult(_engine.Document.from_text(text), best)
+
+
+__all__ = [
+    "CheckResult",
+    "ContactResult",
+    "DerivativesResult",
+    "LifeResult",
+    "LoadCasesResult",
+    "MeasuresResult",
+    "OptimizationResult",
+    "PreloadResult",
+    "Result",
+    "SlipResult",
+    "SolveResult",
+    "StudyResult",
+]

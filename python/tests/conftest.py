@@ -1,0 +1,141 @@
+"""Fixtures of all tests: the lessons in `configs/`, and the program that they are compared with."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+# Matrices of earlier runs, on disk, are left alone; set before the engine is loaded.
+os.environ.setdefault("PRS_CACHE_DIR", "")
+
+import rollerscrew as rs
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+CONFIGS = REPOSITORY / "configs"
+
+#: The block that a case needs for a command.
+BLOCKS = {
+    "check": "mechanism",
+    "contact": "mechanism",
+    "solve": "structure",
+    "slip": "friction",
+    "preload": "preload",
+    "life": "life",
+    "measures": "measures",
+    "study": "study",
+    "optimize": "optimize",
+}
+
+#: What takes more than some seconds.
+SLOW = {("23_crowning", "optimize")}
+
+Run = Callable[..., "subprocess.CompletedProcess[str]"]
+
+
+def lessons() -> list[Path]:
+    return sorted(CONFIGS.glob("*.yaml"))
+
+
+def commands(file: Path) -> list[str]:
+    """The commands that a file has the block for."""
+    lines = file.read_text(encoding="utf-8").splitlines()
+    return [
+        command
+        for command, block in BLOCKS.items()
+        if any(line.startswith(f"{block}:") for line in lines)
+    ]
+
+
+def lesson_commands() -> list[Any]:
+    """Parameters: every lesson with every command that it is for."""
+    return [
+        pytest.param(
+            file.stem,
+            command,
+            id=f"{file.stem}-{command}",
+            marks=[pytest.mark.thorough] if (file.stem, command) in SLOW else [],
+        )
+        for file in lessons()
+        for command in commands(file)
+    ]
+
+
+@cache
+def lesson(number_or_stem: int | str) -> rs.Case:
+    """The case of a lesson, by its number or the name of its file."""
+    if isinstance(number_or_stem, int):
+        (file,) = CONFIGS.glob(f"{number_or_stem:02d}_*.yaml")
+    else:
+        file = CONFIGS / f"{number_or_stem}.yaml"
+    return rs.Case.from_yaml(file)
+
+
+@cache
+def answer(number_or_stem: int | str, command: str) -> rs.Result:
+    """What a command answers for a lesson."""
+    result = getattr(lesson(number_or_stem), command)()
+    assert isinstance(result, rs.Result)
+    return result
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.addinivalue_line("markers", "thorough: takes long; runs where PRS_THOROUGH=1 is set")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    if os.environ.get("PRS_THOROUGH") == "1":
+        return
+    for item in items:
+        if item.get_closest_marker("thorough"):
+            item.add_marker(pytest.mark.skip(reason="set PRS_THOROUGH=1"))
+
+
+@pytest.fixture(scope="session")
+def configs() -> Path:
+    """The folder of the lessons."""
+    return CONFIGS
+
+
+@pytest.fixture(scope="session")
+def program() -> Run:
+    """Runs the command line program with some arguments."""
+    built = REPOSITORY / "build" / "release" / "prs" / "cli" / "prs"
+    path = os.environ.get("PRS_EXECUTABLE") or (str(built) if built.is_file() else None)
+    path = path or shutil.which("prs")
+    if path is None:
+        pytest.skip("no program: build it, or set PRS_EXECUTABLE")
+
+    def run(*arguments: object) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            [path, *map(str, arguments)],
+            capture_output=True,
+            encoding="utf-8",
+            timeout=300,
+            check=False,
+        )
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def written(
+    program: Run, configs: Path, tmp_path_factory: pytest.TempPathFactory
+) -> Callable[[int, str], Path]:
+    """The folder with the files that the program writes of a lesson."""
+
+    @cache
+    def write(number: int, command: str) -> Path:
+        (file,) = configs.glob(f"{number:02d}_*.yaml")
+        folder = tmp_path_factory.mktemp(f"{file.stem}_{command}")
+        run = program(command, file, "--output", folder, "--quiet")
+        assert run.returncode in (0, 3), run.stderr
+        return folder
+
+    return write

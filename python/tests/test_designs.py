@@ -1,0 +1,737 @@
+"""Many designs: arrays of inputs, studies on executors, optimizations."""
+
+from __future__ import annotations
+
+import math
+import multiprocessing
+import os
+import pickle
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from concurrent.futures import (
+    CancelledError,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+)
+from concurrent.futures.process import BrokenProcessPool
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pytest
+import rollerscrew as rs
+from conftest import CONFIGS, answer, lesson
+from rollerscrew.designs import Designs
+
+FORCE = "load_cases[0].axial_force"
+STIFFNESS = "axial_stiffness_N_per_um"
+PRESSURE = "screw.peak_pressure_MPa.max"
+
+
+@pytest.fixture(scope="module")
+def ureg() -> Any:
+    return pytest.importorskip("pint").UnitRegistry()
+
+
+def one_by_one(case: rs.Case, designs: list[dict[str, Any]]) -> np.ndarray[Any, Any]:
+    """Stiffness and pressure of each design, by a case of its own."""
+    rows = []
+    for values in designs:
+        load_case = case.with_(**values).solve().load_cases[0]
+        rows.append([load_case.axial_stiffness_N_per_um, load_case.screw.peak_pressure_MPa.max()])
+    return np.array(rows)
+
+
+# Arrays of inputs
+
+
+def test_evaluate_is_solving_one_by_one() -> None:
+    generator = np.random.default_rng(1)
+    forces = generator.uniform(1, 45, 25)
+    rollers = generator.integers(5, 13, 25)
+    diameters = generator.uniform(44, 55, 25)
+    words = generator.choice(["flexible", "rigid_bending"], 25)
+    designs = lesson(1).evaluate(
+        {
+            FORCE: (forces, "kN"),
+            "mechanism.rollers": rollers,
+            "structure.nut.outer_diameter": (diameters, "mm"),
+            "model.roller": words,
+        },
+        [STIFFNESS, PRESSURE],
+    )
+    expected = one_by_one(
+        lesson(1),
+        [
+            {
+                FORCE: f"{force!r} kN",
+                "mechanism.rollers": int(count),
+                "structure.nut.outer_diameter": f"{diameter!r} mm",
+                "model.roller": str(word),
+            }
+            for force, count, diameter, word in zip(
+                forces.tolist(), rollers, diameters.tolist(), words, strict=True
+            )
+        ],
+    )
+    assert designs.converged.all()
+    np.testing.assert_allclose(designs.values, expected, rtol=1e-9)
+
+
+def test_answers_are_a_frame() -> None:
+    forces = np.array([10.0, 20.0, 30.0])
+    designs = lesson(1).evaluate(
+        {FORCE: (forces, "kN"), "mechanism.rollers": [9, 10, 11]}, [STIFFNESS, PRESSURE]
+    )
+    assert isinstance(designs, Designs) and len(designs) == 3
+    assert designs.responses == (STIFFNESS, PRESSURE)
+    frame = designs.to_frame()
+    assert list(frame.columns) == [
+        f"{FORCE}_kN",
+        "mechanism.rollers",
+        "status",
+        "reason",
+        STIFFNESS,
+        PRESSURE,
+    ]
+    np.testing.assert_array_equal(frame[f"{FORCE}_kN"], forces)
+    np.testing.assert_array_equal(frame[STIFFNESS], designs[STIFFNESS])
+    with pytest.raises(KeyError, match="'nope'; there is axial_stiffness_N_per_um, screw"):
+        designs["nope"]
+
+
+def test_answers_are_read_only() -> None:
+    designs = lesson(1).evaluate({FORCE: ([10.0, 20.0], "kN")}, [STIFFNESS])
+    for each in (designs, pickle.loads(pickle.dumps(designs))):
+        for array in (each.values, each[STIFFNESS], each.status, each.reason):
+            assert not array.flags.writeable
+        with pytest.raises(AttributeError):
+            each.values = None  # type: ignore[misc]
+    assert designs == designs and designs != pickle.loads(pickle.dumps(designs))
+    assert isinstance(hash(designs), int)
+
+
+def test_without_responses_those_of_a_study() -> None:
+    designs = lesson(1).evaluate({FORCE: ([45.0], "kN")})
+    assert STIFFNESS in designs.responses and PRESSURE in designs.responses
+    slip = lesson(9).evaluate({"operation.speed": ([100.0], "rpm")}, command="slip")
+    assert "slip.efficiency" in slip.responses
+
+
+def test_other_commands() -> None:
+    speeds = [100.0, 250.0]
+    designs = lesson(9).evaluate(
+        {"operation.speed": (speeds, "rpm")}, ["slip.efficiency"], command="slip"
+    )
+    expected = [
+        lesson(9).with_(**{"operation.speed": f"{speed} rpm"}).slip().load_cases[0].slip.efficiency
+        for speed in speeds
+    ]
+    np.testing.assert_allclose(designs["slip.efficiency"], expected, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        [9, 11],
+        (9, 11),
+        range(9, 12, 2),
+        np.array([9, 11]),
+        np.array([9, 11], dtype=np.int8),
+        np.array([9.0, 11.0]),
+        np.array([9, 10, 11])[::2],
+        pd.Series([9, 11], index=["a", "b"]),
+        [9.0, 11],
+    ],
+    ids=lambda values: f"{type(values).__name__}",
+)
+def test_counts(values: Any) -> None:
+    expected = one_by_one(lesson(1), [{"mechanism.rollers": 9}, {"mechanism.rollers": 11}])
+    designs = lesson(1).evaluate({"mechanism.rollers": values}, [STIFFNESS, PRESSURE])
+    np.testing.assert_allclose(designs.values, expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "of",
+    [
+        lambda u: ([10.0, 20.5], "kN"),
+        lambda u: (np.array([10e3, 20.5e3]), "N"),
+        lambda u: (np.array([10, 20.5], dtype=np.longdouble), "kN"),
+        lambda u: u.Quantity([10.0, 20.5], "kN"),
+        lambda u: u.Quantity([10.0, 20.5], "kN").to("lbf"),
+        lambda u: [u.Quantity(10.0, "kN"), u.Quantity(20.5e3, "N")],
+        lambda u: [u.Quantity(10.0, "kN"), "20.5 kN"],
+        lambda u: ["10 kN", "20500 N"],
+        lambda u: ("10 kN", "20500 N"),
+        lambda u: np.array(["10 kN", "20.5 kN"]),
+        lambda u: pd.Series(["10 kN", "20.5 kN"]),
+    ],
+)
+def test_units(of: Callable[[Any], Any], ureg: Any) -> None:
+    expected = one_by_one(lesson(1), [{FORCE: "10 kN"}, {FORCE: "20.5 kN"}])
+    designs = lesson(1).evaluate({FORCE: of(ureg)}, [STIFFNESS, PRESSURE])
+    np.testing.assert_allclose(designs.values, expected, rtol=1e-9)
+
+
+def test_columns_hold_numbers_where_their_name_has_a_unit() -> None:
+    case = lesson(1)
+    numbers = case.evaluate({FORCE: ([10.0, 20.0], "kN")}, [STIFFNESS]).inputs
+    assert list(numbers.columns) == [f"{FORCE}_kN"]
+    assert numbers.dtypes.iloc[0] == np.float64
+    texts = case.evaluate({FORCE: ["10 kN", "20000 N"]}, [STIFFNESS]).inputs
+    assert texts.to_dict("list") == {FORCE: ["10 kN", "20000 N"]}
+
+
+def test_words_and_blocks() -> None:
+    profiles = [{"convex": "4.9 mm"}, {"convex": "5.5 mm"}, {"convex": "4.9 mm"}]
+    case = lesson(4)
+    designs = case.evaluate({"mechanism.profile.roller": profiles}, [STIFFNESS, PRESSURE])
+    expected = one_by_one(case, [{"mechanism.profile.roller": profile} for profile in profiles])
+    np.testing.assert_allclose(designs.values, expected, rtol=1e-9)
+    np.testing.assert_array_equal(designs.values[0], designs.values[2])
+
+
+def test_one_design_and_equal_designs() -> None:
+    one = lesson(1).evaluate({FORCE: ([45.0], "kN")}, [STIFFNESS])
+    many = lesson(1).evaluate({FORCE: (np.full(50, 45.0), "kN")}, [STIFFNESS])
+    assert len(one) == 1 and len(many) == 50
+    np.testing.assert_array_equal(many[STIFFNESS], one[STIFFNESS][0])
+
+
+def test_order_is_kept() -> None:
+    forces = np.random.default_rng(2).uniform(1, 45, 500)
+    designs = lesson(1).evaluate({FORCE: (forces, "kN")}, [STIFFNESS])
+    order = np.argsort(forces)
+    assert (np.diff(designs[STIFFNESS][order]) > 0).all()
+
+
+@pytest.mark.parametrize("threads", [1, 2, 7, np.int64(3)])
+def test_threads_do_not_matter(threads: int) -> None:
+    forces = np.linspace(1, 45, 301)
+    expected = lesson(1).evaluate({FORCE: (forces, "kN")}, [STIFFNESS]).values
+    designs = lesson(1).evaluate({FORCE: (forces, "kN")}, [STIFFNESS], threads=threads)
+    np.testing.assert_array_equal(designs.values, expected)
+
+
+def test_impossible_designs_are_rows_with_their_reason() -> None:
+    designs = lesson(1).evaluate({"mechanism.rollers": [9, 50, 11]}, [STIFFNESS, PRESSURE])
+    assert list(designs.status) == ["converged", "refused", "converged"]
+    assert list(designs.converged) == [True, False, True]
+    assert list(designs.reason[[0, 2]]) == ["", ""]
+    assert "expected at most 12: more rollers of 7 mm overlap" in designs.reason[1]
+    assert np.isnan(designs.values[1]).all() and np.isfinite(designs.values[[0, 2]]).all()
+    assert list(designs.to_frame()["status"]) == list(designs.status)
+
+
+def test_numbers_that_cannot_be_solved_are_rows() -> None:
+    designs = lesson(1).evaluate({FORCE: ([-5.0, 10.0], "kN")}, [STIFFNESS])
+    assert list(designs.status) == ["refused", "converged"]
+    assert "expected a force > 0" in designs.reason[0]
+
+
+@pytest.mark.parametrize("number", [math.nan, math.inf, -math.inf])
+@pytest.mark.parametrize("container", [list, np.array])
+def test_numbers_that_are_not_finite(number: float, container: Any) -> None:
+    with pytest.raises(ValueError, match=r"axial_force\[1\]: got .*; expected finite numbers"):
+        lesson(1).evaluate({FORCE: (container([1.0, number]), "kN")}, [STIFFNESS])
+    with pytest.raises(ValueError, match="expected finite numbers"):
+        lesson(1).evaluate({"mechanism.rollers": container([9, number])}, [STIFFNESS])
+
+
+WRONG_INPUTS: dict[str, tuple[Any, type[Exception], str]] = {
+    "nothing": (None, TypeError, "expected a dictionary of arrays"),
+    "no inputs": ({}, TypeError, "expected a dictionary of arrays"),
+    "a list": ([1, 2], TypeError, "expected a dictionary of arrays"),
+    "lengths": ({FORCE: ([1, 2], "kN"), "mechanism.rollers": [9]}, ValueError, "2 of load_cases"),
+    "empty list": ({FORCE: ([], "kN")}, ValueError, "with at least one value"),
+    "empty array": ({"mechanism.rollers": np.array([])}, ValueError, "with at least one value"),
+    "empty texts": ({FORCE: []}, ValueError, "with at least one value"),
+    "two dimensions": ({FORCE: (np.ones((2, 2)), "kN")}, ValueError, "of one dimension"),
+    "lists of lists": ({FORCE: [[1], [2]]}, rs.InputError, "got a list of 1"),
+    "ragged": ({FORCE: [[1], [1, 2]]}, rs.InputError, "got a list of 1"),
+    "a number": ({"mechanism.rollers": 9}, ValueError, "expected an array"),
+    "a text": ({FORCE: "10 kN"}, ValueError, "expected an array"),
+    "bytes": ({FORCE: b"10 kN"}, ValueError, "of one dimension"),
+    "a generator": ({FORCE: (x for x in "ab")}, ValueError, "of one dimension"),
+    "None inside": ({FORCE: None}, ValueError, "of one dimension"),
+    "objects": ({FORCE: np.array([object()])}, TypeError, "expected a number"),
+    "complex": ({FORCE: [1j]}, TypeError, "expected a number"),
+    "dates": ({FORCE: np.array(["2020"], dtype="M8[D]")}, TypeError, "expected a number"),
+    "flags": ({"mechanism.rollers": [True]}, rs.InputError, "got true"),
+    "masked": (
+        {FORCE: (np.ma.array([1.0, 2.0], mask=[False, True]), "kN")},
+        ValueError,
+        "masked",
+    ),
+    "no unit": ({FORCE: [10.5, 20.5]}, rs.InputError, "write the unit"),
+    "another dimension": ({FORCE: ([10.5, 20.5], "mm")}, rs.InputError, "unit of a length"),
+    "no such unit": ({FORCE: ([10.5, 20.5], "bananas")}, rs.InputError, "not a known unit"),
+    "texts with unit": ({FORCE: (["10", "20"], "kN")}, TypeError, "numbers beside the unit 'kN'"),
+    "path": ({"mechanism.rolers": [9]}, rs.InputError, "did you mean `rollers`"),
+    "empty path": ({"": [9]}, rs.InputError, "path"),
+    "path that is no text": ({5: [9]}, TypeError, "path: got 5; expected a text"),
+    "path within another": (
+        {"mechanism.rollers": [9], "mechanism": [{}]},
+        rs.InputError,
+        "none is a part of another",
+    ),
+    "fractions of rollers": ({"mechanism.rollers": [9.5, 9.6]}, rs.InputError, "expected"),
+    "huge": ({"mechanism.rollers": [10**400]}, ValueError, "400 digits"),
+    "unsigned": ({"mechanism.rollers": np.array([2**64 - 1], np.uint64)}, rs.InputError, "expect"),
+    "half a character": ({FORCE: ["\ud800"]}, ValueError, "UTF-8"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG_INPUTS)
+def test_wrong_inputs(name: str) -> None:
+    inputs, error, message = WRONG_INPUTS[name]
+    with pytest.raises(error, match=message) as raised:
+        lesson(1).evaluate(inputs, [STIFFNESS])
+    assert isinstance(raised.value, (ValueError, TypeError))
+
+
+@pytest.mark.parametrize(
+    ("responses", "error"),
+    [
+        (["nope"], rs.InputError),
+        ([], rs.InputError),
+        ([1], rs.InputError),
+        ([None], rs.InputError),
+        ([STIFFNESS, STIFFNESS], rs.InputError),
+        ([object()], TypeError),
+        ("axial_stiffness_N_per_um", TypeError),
+        (5, TypeError),
+        (["\ud800"], ValueError),
+        (["x" * 10**6], rs.InputError),
+    ],
+    ids=lambda value: ascii(value)[:20],
+)
+def test_wrong_responses(responses: Any, error: type[Exception]) -> None:
+    with pytest.raises(error):
+        lesson(1).evaluate({"mechanism.rollers": [9]}, responses)
+
+
+@pytest.mark.parametrize(
+    ("keywords", "error"),
+    [
+        ({"command": "fly"}, rs.InputError),
+        ({"command": 5}, rs.InputError),
+        ({"command": "slip"}, rs.InputError),
+        ({"threads": 0}, ValueError),
+        ({"threads": -1}, ValueError),
+        ({"threads": 10**30}, ValueError),
+        ({"threads": 1.5}, TypeError),
+        ({"threads": "2"}, TypeError),
+    ],
+)
+def test_wrong_options(keywords: dict[str, Any], error: type[Exception]) -> None:
+    with pytest.raises(error):
+        lesson(1).evaluate({"mechanism.rollers": [9]}, [STIFFNESS], **keywords)
+
+
+@pytest.mark.thorough
+def test_a_million_designs() -> None:
+    forces = np.linspace(1.0, 45.0, 1_000_000)
+    designs = lesson(5).evaluate({FORCE: (forces, "kN")}, [STIFFNESS])
+    assert designs.converged.all()
+
+
+# Studies
+
+
+class Here(Executor):
+    """Does everything at once, in this thread."""
+
+    def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        try:
+            future.set_result(self.answer(fn, *args, **kwargs))
+        except Exception as error:
+            future.set_exception(error)
+        return future
+
+    def answer(self, fn: Any, *args: Any, **kwargs: Any) -> Any:
+        return fn(*args, **kwargs)
+
+
+class Failing(Here):
+    """Each second task raises."""
+
+    def __init__(self, error: Exception) -> None:
+        self.error = error
+        self.tasks: list[tuple[int, int]] = []
+
+    def answer(self, fn: Any, *args: Any, **kwargs: Any) -> Any:
+        first, count = args[-2:]
+        self.tasks.append((first, count))
+        if len(self.tasks) % 2 == 0:
+            raise self.error
+        return fn(*args, **kwargs)
+
+
+def small_study() -> rs.StudyResult:
+    result = answer(16, "study")
+    assert isinstance(result, rs.StudyResult)
+    return result
+
+
+@pytest.mark.parametrize("threads", [1, 2, 16])
+def test_threads_do_not_matter_to_studies(threads: int) -> None:
+    assert lesson(16).study(threads=threads).to_json() == small_study().to_json()
+
+
+@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
+@pytest.mark.parametrize("start", ["fork", "spawn"])
+def test_processes_do_not_matter_to_studies(start: str) -> None:
+    if start not in multiprocessing.get_all_start_methods():
+        pytest.skip(f"no {start} here")
+    context = multiprocessing.get_context(start)
+    with ProcessPoolExecutor(2, mp_context=context) as pool:
+        result = lesson(16).study(executor=pool)
+    assert isinstance(result, rs.StudyResult)
+    assert result.to_json() == small_study().to_json()
+    np.testing.assert_array_equal(result.all_designs.values, small_study().all_designs.values)
+
+
+@pytest.mark.parametrize("executor", [lambda: ThreadPoolExecutor(3), Here], ids=["pool", "here"])
+@pytest.mark.parametrize("number", [10, 16, 21])
+def test_executors_do_not_matter_to_studies(number: int, executor: Any) -> None:
+    with executor() as pool:
+        result = lesson(number).study(executor=pool)
+    expected = answer(number, "study")
+    assert isinstance(expected, rs.StudyResult)
+    assert result.to_json() == expected.to_json()
+    pd.testing.assert_frame_equal(result.to_frame(), expected.to_frame())
+
+
+def test_derivatives_need_no_executor() -> None:
+    result = lesson(17).study(executor=Failing(RuntimeError("nobody calls")))
+    assert isinstance(result, rs.DerivativesResult)
+    assert result.to_json() == answer(17, "study").to_json()
+
+
+@pytest.mark.parametrize("number", [10, 15])
+def test_what_workers_cannot_answer_are_failed_rows(number: int) -> None:
+    pool = Failing(ZeroDivisionError("of the worker"))
+    result = lesson(number).study(executor=pool)
+    assert isinstance(result, rs.StudyResult)
+    failed = np.zeros(len(result.all_designs), dtype=bool)
+    for first, count in pool.tasks[1::2]:
+        failed[first : first + count] = True
+    assert failed.any() and not failed.all()
+
+    designs = result.all_designs
+    assert set(designs.status[failed]) == {"failed"}
+    assert set(designs.reason[failed]) == {"ZeroDivisionError: of the worker"}
+    assert np.isnan(designs.values[failed]).all()
+    expected = answer(number, "study")
+    assert isinstance(expected, rs.StudyResult)
+    np.testing.assert_array_equal(designs.values[~failed], expected.all_designs.values[~failed])
+    pd.testing.assert_frame_equal(designs.inputs, expected.all_designs.inputs)
+    assert rs.StudyResult.from_json(result.to_json()).to_json() == result.to_json()
+
+
+def test_nobody_can_answer() -> None:
+    class Dead(Here):
+        def answer(self, fn: Any, *args: Any, **kwargs: Any) -> Any:
+            raise MemoryError
+
+    result = lesson(16).study(executor=Dead())
+    assert isinstance(result, rs.StudyResult)
+    assert set(result.all_designs.status) == {"failed"}
+    assert result.to_frame().shape == small_study().to_frame().shape
+
+
+@pytest.mark.parametrize("message", ["", "two\nlines", "Ünï \U0001f600", "x" * 100_000, "\0"])
+def test_reasons_of_all_kinds(message: str) -> None:
+    result = lesson(10).study(executor=Failing(OSError(message)))
+    assert isinstance(result, rs.StudyResult)
+    failed = result.all_designs.status == "failed"
+    assert set(result.all_designs.reason[failed]) == {f"OSError: {message}"}
+
+
+def test_reasons_that_are_no_text() -> None:
+    result = lesson(10).study(executor=Failing(OSError("\ud800")))
+    assert isinstance(result, rs.StudyResult)
+    assert "OSError: ?" in result.all_designs.reason
+
+
+@pytest.mark.parametrize("kind", [BrokenProcessPool, CancelledError])
+def test_broken_pools_raise(kind: type[Exception]) -> None:
+    with pytest.raises(kind):
+        lesson(10).study(executor=Failing(kind("broken")))
+
+
+@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
+def test_processes_that_die_raise() -> None:
+    class Deadly(ProcessPoolExecutor):
+        def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
+            return super().submit(os._exit, 3)
+
+    with Deadly(1) as pool, pytest.raises(BrokenProcessPool):
+        lesson(16).study(executor=pool)
+
+
+def test_cancelled_futures_raise() -> None:
+    class Cancelling(Executor):
+        def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
+            future: Future[Any] = Future()
+            future.cancel()
+            future.set_running_or_notify_cancel()
+            return future
+
+    with pytest.raises(CancelledError):
+        lesson(16).study(executor=Cancelling())
+
+
+def test_executors_that_take_no_tasks_raise() -> None:
+    pool = ThreadPoolExecutor(1)
+    pool.shutdown()
+    with pytest.raises(RuntimeError, match="shutdown"):
+        lesson(16).study(executor=pool)
+
+
+@pytest.mark.parametrize(
+    "record", [b"", b"junk", b"\0" * 1000, b"\xff" * 1000, None, 5, "text", bytearray(b"x")]
+)
+def test_executors_that_answer_something_else_raise(record: Any) -> None:
+    class Other(Here):
+        def answer(self, fn: Any, *args: Any, **kwargs: Any) -> Any:
+            return record
+
+    with pytest.raises((ValueError, TypeError, IndexError)):
+        lesson(16).study(executor=Other())
+
+
+def test_executors_that_answer_for_others_raise() -> None:
+    class Repeating(Here):
+        def answer(self, fn: Any, *args: Any, **kwargs: Any) -> Any:
+            return fn(*args[:-2], 0, 10)
+
+    with pytest.raises(ValueError, match="missing"):
+        lesson(10).study(executor=Repeating())
+
+
+@pytest.mark.parametrize("length", [1, 10, 50, -1])
+def test_executors_that_lose_bytes_raise(length: int) -> None:
+    class Losing(Here):
+        def answer(self, fn: Any, *args: Any, **kwargs: Any) -> Any:
+            return fn(*args, **kwargs)[:length]
+
+    with pytest.raises((ValueError, IndexError, RuntimeError)):
+        lesson(16).study(executor=Losing())
+
+
+# Progress
+
+
+RUNS = [
+    pytest.param(lambda show: lesson(16).study(progress=show), 145, id="threads"),
+    pytest.param(lambda show: lesson(16).study(threads=1, progress=show), 145, id="thread"),
+    pytest.param(lambda show: lesson(16).study(executor=Here(), progress=show), 145, id="here"),
+    pytest.param(lambda show: lesson(15).study(progress=show), 2001, id="many"),
+]
+
+
+@pytest.mark.parametrize(("run", "total"), RUNS)
+def test_progress_grows_to_all(run: Any, total: int) -> None:
+    told: list[tuple[int, int]] = []
+    run(lambda done, of: told.append((done, of)))
+    done = [each for each, _ in told]
+    assert {of for _, of in told} == {total}
+    assert done == sorted(done) and done[-1] == total and done[0] >= 0
+
+
+def test_progress_of_optimizations() -> None:
+    told: list[tuple[int, int]] = []
+    lesson(22).optimize(progress=lambda done, of: told.append((done, of)))
+    assert told and told == sorted(told) and told[-1][0] == told[-1][1]
+
+
+def test_progress_is_quiet_without_terminal(capfd: pytest.CaptureFixture[str]) -> None:
+    for progress in (True, False, None):
+        lesson(11).study(progress=progress)
+    assert capfd.readouterr() == ("", "")
+
+
+def long_study() -> rs.Case:
+    """Takes minutes."""
+    return lesson(5).with_(
+        study={
+            "command": "solve",
+            "plan": "monte_carlo",
+            "samples": 500_000,
+            "factors": [{"path": FORCE, "within": "3 %"}],
+        }
+    )
+
+
+class Stop(Exception):
+    pass
+
+
+def stop_at_once(done: int, total: int) -> None:
+    raise Stop(f"{done} of {total}")
+
+
+@pytest.mark.parametrize(
+    "work",
+    [lambda: long_study().study(progress=stop_at_once)]
+    + [lambda: lesson(23).optimize(progress=stop_at_once)],
+    ids=["study", "optimize"],
+)
+def test_exceptions_of_progress_stop_the_work(work: Callable[[], Any]) -> None:
+    begin = time.monotonic()
+    with pytest.raises(Stop, match="of"):
+        work()
+    assert time.monotonic() - begin < 5
+
+
+def test_exceptions_of_progress_cancel_what_waits() -> None:
+    with ThreadPoolExecutor(1) as pool:
+        begin = time.monotonic()
+        with pytest.raises(Stop):
+            long_study().study(executor=pool, progress=stop_at_once)
+    assert time.monotonic() - begin < 20
+
+
+INTERRUPT = """
+import os, signal, sys, threading, time
+import rollerscrew as rs
+case = rs.Case.from_text(sys.stdin.read())
+signal.signal(signal.SIGINT, signal.default_int_handler)
+sent = []
+def send():
+    sent.append(time.monotonic())
+    os.kill(os.getpid(), signal.SIGINT)
+threading.Timer(0.7, send).start()
+try:
+    {call}
+except KeyboardInterrupt:
+    print("stopped after", time.monotonic() - sent[0])
+else:
+    print("ran to its end")
+"""
+
+
+@pytest.mark.parametrize(
+    ("case", "call"),
+    [
+        (long_study, "case.study()"),
+        (long_study, "case.study(threads=1)"),
+        (long_study, "case.study(progress=lambda done, total: None)"),
+        (lambda: lesson(23), "case.optimize()"),
+    ],
+)
+def test_interrupts_stop_long_work(case: Callable[[], rs.Case], call: str) -> None:
+    text = case().text
+    if case().overrides:
+        text += case().overrides[0].replace("study=", "study: ", 1)
+    run = subprocess.run(
+        [sys.executable, "-X", "faulthandler", "-c", INTERRUPT.format(call=call)],
+        input=text,
+        capture_output=True,
+        encoding="utf-8",
+        timeout=60,
+        check=False,
+    )
+    assert run.returncode == 0, run.stderr
+    assert run.stdout.startswith("stopped after"), run.stdout
+    assert float(run.stdout.split()[-1]) < 2.0
+
+
+@pytest.mark.parametrize(
+    "keywords", [{"threads": 0}, {"threads": "x"}, {"executor": 5}, {"progress": 5.5}]
+)
+def test_wrong_options_of_studies(keywords: dict[str, Any]) -> None:
+    if "progress" in keywords:
+        lesson(11).study(**keywords)  # Anything true is a wish for a line on a terminal.
+        return
+    with pytest.raises((ValueError, TypeError, AttributeError)):
+        lesson(11).study(**keywords)
+
+
+# Optimizations
+
+
+def test_best_case_is_what_the_document_says() -> None:
+    result = answer(22, "optimize")
+    assert isinstance(result, rs.OptimizationResult)
+    load_case = result.best_case.contact().load_cases[0]
+    stated = result.compromise.responses
+    for interface in ("screw", "nut"):
+        assert load_case[interface].peak_pressure_MPa.max() == pytest.approx(
+            stated[f"{interface}.peak_pressure_MPa.max"], rel=1e-12
+        )
+    set_by = lesson(22).with_(**dict(each.split("=", 1) for each in result.compromise.set))
+    assert set_by.contact().load_cases[0].to_dict().keys() == load_case.to_dict().keys()
+    np.testing.assert_array_equal(
+        set_by.contact().load_cases[0].screw.peak_pressure_MPa, load_case.screw.peak_pressure_MPa
+    )
+
+
+def test_best_case_without_feasible_design() -> None:
+    limits = [{"response": PRESSURE, "at_most": 1}]
+    case = lesson(22).with_(**{"optimize.generations": 3, "optimize.constraints": limits})
+    result = case.optimize()
+    assert "compromise" not in result and "nearest" in result
+    pressure = result.best_case.contact().load_cases[0].screw.peak_pressure_MPa.max()
+    assert pressure == pytest.approx(result.nearest.responses[PRESSURE], rel=1e-12)
+
+
+def test_best_case_of_a_case_with_overrides() -> None:
+    case = lesson(22).with_(**{"mechanism.rollers": 8, "optimize.generations": 3})
+    result = case.optimize()
+    pressure = result.best_case.contact().load_cases[0].screw.peak_pressure_MPa.max()
+    assert pressure == pytest.approx(result.compromise.responses[PRESSURE], rel=1e-12)
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_optimizations_are_deterministic(threads: int) -> None:
+    expected = answer(22, "optimize")
+    assert isinstance(expected, rs.OptimizationResult)
+    result = lesson(22).optimize(threads=threads)
+    assert result.to_json() == expected.to_json()
+    assert result.best_case == expected.best_case
+
+
+def test_seeds_matter() -> None:
+    other = lesson(22).with_(**{"optimize.seed": 2}).optimize()
+    expected = answer(22, "optimize")
+    assert isinstance(expected, rs.OptimizationResult)
+    assert other.best_case != expected.best_case
+
+
+def test_single_values_are_those_of_all_designs() -> None:
+    case = rs.Case.from_yaml(CONFIGS / "05_standard_screw.yaml")
+    forces = np.array([10.0, 20.0])
+    answers = case.evaluate(
+        {"load_cases[0].axial_force": (forces, "kN"), "materials.youngs_modulus": "200 GPa"},
+        ("axial_stiffness_N_per_um",),
+    )
+    soft = case.with_({"materials.youngs_modulus": "200 GPa"})
+    for force, stiffness in zip(forces, answers["axial_stiffness_N_per_um"], strict=True):
+        solved = soft.with_({"load_cases[0].axial_force": f"{force} kN"}).solve()
+        expected = solved.load_cases[0].axial_stiffness_N_per_um
+        np.testing.assert_allclose(stiffness, expected, rtol=1e-9)
+    with pytest.raises(ValueError, match="expected an array"):
+        case.evaluate({"materials.youngs_modulus": "200 GPa"})
+
+
+def test_progress_of_arrays() -> None:
+    case = rs.Case.from_yaml(CONFIGS / "05_standard_screw.yaml")
+    told: list[tuple[int, int]] = []
+    forces = (np.linspace(5.0, 20.0, 1000), "kN")
+    case.evaluate(
+        {"load_cases[0].axial_force": forces}, progress=lambda *counts: told.append(counts)
+    )
+    assert told[-1] == (1000, 1000)
+
+
+def test_no_executor() -> None:
+    with pytest.raises(TypeError, match="expected an executor"):
+        rs.Case.from_yaml(CONFIGS / "16_abevi_parameters.yaml").study(executor=4)  # type: ignore[arg-type]

@@ -1,0 +1,366 @@
+"""Attributes of results: annotated as they are, read-only, alive as long as they are needed."""
+
+from __future__ import annotations
+
+import copy
+import gc
+import pickle
+import typing
+import weakref
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import numpy as np
+import pytest
+import rollerscrew as rs
+from conftest import answer, lesson, lesson_commands
+from rollerscrew import records
+
+RESULTS = [
+    rs.CheckResult,
+    rs.ContactResult,
+    rs.SolveResult,
+    rs.SlipResult,
+    rs.PreloadResult,
+    rs.LifeResult,
+    rs.MeasuresResult,
+    rs.StudyResult,
+    rs.DerivativesResult,
+    rs.OptimizationResult,
+]
+
+#: Annotated, and in none of the documents here: how a life that was not found failed.
+NEVER_MET = {("Life", "status")}
+
+_HEIGHTS = "{addendum: 0.4 mm, dedendum: 0.5 mm}"
+_THREADS = f"{{screw: {_HEIGHTS}, roller: {_HEIGHTS}, nut: {_HEIGHTS}}}"
+
+#: Documents with names that no lesson has.
+VARIANTS: list[tuple[int, str, dict[str, Any]]] = [
+    (1, "contact", {"mechanism.thread": _THREADS}),
+    (1, "measures", {}),
+    (1, "solve", {"model.bodies": "refined"}),
+    (9, "measures", {}),
+    (10, "slip", {"friction": {"coulomb": 0.1}}),
+    (12, "preload", {"mechanism.thread": _THREADS}),
+    (
+        12,
+        "preload",
+        {
+            "preload": {
+                "arrangement": "single_nut",
+                "backlash": "5 um",
+                "position": "29 mm",
+                "load": {"from": "-20 kN", "to": "20 kN", "steps": 5},
+            }
+        },
+    ),
+    (14, "life", {"mechanism.thread": _THREADS}),
+    (
+        22,
+        "optimize",
+        {
+            "optimize.generations": 2,
+            "optimize.constraints": [{"response": "screw.peak_pressure_MPa.max", "at_most": 1}],
+        },
+    ),
+]
+
+
+def documents() -> Iterator[rs.Result]:
+    """Of all lessons and variants."""
+    for parameter in lesson_commands():
+        if not parameter.marks:
+            yield answer(*parameter.values)
+    for number, command, values in VARIANTS:
+        yield getattr(lesson(number).with_(**values), command)()
+
+
+def annotated_records() -> list[type[rs.Record]]:
+    return [
+        value
+        for value in vars(records).values()
+        if isinstance(value, type) and issubclass(value, rs.Record) and value is not rs.Record
+    ]
+
+
+def hints_of(owner: type[rs.Record]) -> dict[str, Any]:
+    hints = typing.get_type_hints(owner)
+    return {name: hint for name, hint in hints.items() if not name.startswith("_")}
+
+
+def fits(value: Any, hint: Any) -> bool:
+    """Whether a value is what the annotation says; floats are floats, flags are no numbers."""
+    if typing.get_origin(hint) is list:
+        (item,) = typing.get_args(hint)
+        return isinstance(value, list) and all(fits(each, item) for each in value)
+    if hint == records.Array:
+        return isinstance(value, np.ndarray) and value.dtype == np.float64
+    return type(value) is hint
+
+
+def walk(record: rs.Record, path: str = "") -> Iterator[tuple[str, rs.Record]]:
+    """A record and all that are in it."""
+    yield path, record
+    for name, value in record.items():
+        inside = value if isinstance(value, list) else [value]
+        for place, each in enumerate(inside[:50]):
+            if isinstance(each, rs.Record):
+                yield from walk(each, f"{path}.{name}[{place}]")
+
+
+def check_annotations(result: rs.Result) -> None:
+    for path, record in walk(result):
+        if type(record) is rs.Record:
+            continue
+        hints = hints_of(type(record))
+        for name in record:
+            assert name in hints, f"{path}: {type(record).__name__}.{name} is not annotated"
+            assert fits(record[name], hints[name]), f"{path}.{name}: {record[name]!r}"
+
+
+@pytest.mark.parametrize(("stem", "command"), lesson_commands())
+def test_every_key_is_annotated_as_it_is(stem: str, command: str) -> None:
+    check_annotations(answer(stem, command))
+
+
+@pytest.mark.parametrize(("number", "command", "values"), VARIANTS)
+def test_every_key_of_variants_is_annotated(
+    number: int, command: str, values: dict[str, Any]
+) -> None:
+    check_annotations(getattr(lesson(number).with_(**values), command)())
+
+
+def test_every_annotated_name_is_met() -> None:
+    met = {
+        (owner.__name__, name)
+        for result in documents()
+        for _, record in walk(result)
+        for owner in type(record).__mro__
+        for name in record
+    }
+    names = {
+        (owner.__name__, name)
+        for owner in [*annotated_records(), *RESULTS, rs.Result]
+        for name in owner.__annotations__
+        if not name.startswith("_")
+    }
+    assert names - met == NEVER_MET
+
+
+@pytest.mark.parametrize(("stem", "command"), lesson_commands())
+def test_attributes_are_items(stem: str, command: str) -> None:
+    """No key is hidden behind a method or property."""
+    for path, record in walk(answer(stem, command)):
+        for name in record:
+            if not name.isidentifier():
+                continue
+            attribute, item = getattr(record, name), record[name]
+            assert type(attribute) is type(item), f"{path}.{name}"
+            if isinstance(item, (int, float, str)):
+                assert attribute == item
+
+
+# Access
+
+
+@pytest.fixture
+def case_record() -> records.LoadCase:
+    result = answer(1, "solve")
+    assert isinstance(result, rs.SolveResult)
+    return result.load_cases[0]
+
+
+def test_records_are_mappings(case_record: records.LoadCase) -> None:
+    keys = case_record.keys()
+    assert list(case_record) == keys == [name for name, _ in case_record.items()]
+    assert len(case_record) == len(keys)
+    assert "screw" in case_record and "slip" not in case_record
+    assert 5 not in case_record and None not in case_record
+    assert set(keys) <= set(dir(case_record))
+    assert dict(case_record.items())["name"] == case_record.name == case_record["name"]
+    assert repr(case_record) == f"<LoadCase: {', '.join(keys)}>"
+
+
+def test_what_is_absent_says_what_there_is(case_record: records.LoadCase) -> None:
+    with pytest.raises(AttributeError, match="'slip' is not defined by this case; there is name, "):
+        _ = case_record.slip
+    with pytest.raises(KeyError, match="there is name, "):
+        _ = case_record["slip"]
+    assert case_record.get("slip") is None
+    assert case_record.get("slip", 5) == 5
+    assert not hasattr(case_record, "slip")
+    assert not hasattr(case_record, "_private")
+
+
+@pytest.mark.parametrize(
+    "key",
+    [None, 0, 1.5, b"name", ("name",), "", "\ud800", "a\0b", "x" * 10**6],
+    ids=lambda key: ascii(key)[:20],
+)
+def test_keys_of_other_kinds(case_record: records.LoadCase, key: Any) -> None:
+    with pytest.raises(KeyError, match="is not defined by this case; there is name"):
+        _ = case_record[key]
+    assert case_record.get(key) is None
+    assert key not in case_record
+
+
+def test_records_are_read_only(case_record: records.LoadCase) -> None:
+    for record in (case_record, case_record.screw, answer(1, "solve")):
+        for name in ("name", "new", "_node", "_document"):
+            with pytest.raises(AttributeError, match="read-only"):
+                setattr(record, name, 1)
+        with pytest.raises((AttributeError, TypeError)):
+            del record.name
+        with pytest.raises(TypeError):
+            record["name"] = 1
+
+
+def test_records_cannot_be_made_of_anything() -> None:
+    with pytest.raises(AttributeError):
+        _ = rs.Record.__new__(rs.Record).name
+    with pytest.raises(AttributeError):
+        _ = rs.SolveResult.__new__(rs.SolveResult).load_cases
+
+
+def test_plain_dictionaries(case_record: records.LoadCase) -> None:
+    plain = case_record.to_dict()
+    assert plain["screw"]["axial_load_N"] is not None
+    assert type(plain["screw"]) is dict
+    assert type(plain["newton_history"][0]) is dict
+    assert list(plain) == case_record.keys()
+
+
+# Memory
+
+
+def array_of(result: Any) -> np.ndarray[Any, Any]:
+    array = result.load_cases[0].screw.axial_load_N
+    assert isinstance(array, np.ndarray)
+    return array
+
+
+def test_arrays_are_read_only() -> None:
+    array = array_of(answer(1, "solve"))
+    assert not array.flags.writeable
+    assert array.dtype == np.float64 and array.ndim == 1 and array.flags.c_contiguous
+    with pytest.raises(ValueError, match="read-only"):
+        array[0] = 1.0
+    with pytest.raises(ValueError, match="read-only"):
+        array += 1.0
+    with pytest.raises(ValueError, match="read-only"):
+        array.sort()
+    with pytest.raises(ValueError):
+        array.flags.writeable = True
+
+
+def test_every_array_of_every_document_is_read_only() -> None:
+    for result in documents():
+        for path, record in walk(result):
+            for name in record:
+                value = record[name]
+                assert not (isinstance(value, np.ndarray) and value.flags.writeable), (path, name)
+
+
+def test_arrays_share_memory() -> None:
+    result = answer(1, "solve")
+    first, second = array_of(result), array_of(result)
+    assert np.shares_memory(first, second)
+    assert first.ctypes.data == second.ctypes.data
+    assert not np.shares_memory(first, array_of(lesson(1).solve()))
+
+
+def test_arrays_outlive_everything() -> None:
+    case = rs.Case.from_yaml(lesson(1).name)
+    result = case.solve()
+    load_case = result.load_cases[0]
+    interface = load_case.screw
+    array = interface.axial_load_N
+    expected = array.copy()
+    view = array[3:]
+    del case, result
+    gc.collect()
+    assert load_case.name == "config1-tension"
+    del load_case
+    gc.collect()
+    np.testing.assert_array_equal(interface.axial_load_N, expected)
+    del interface
+    gc.collect()
+    np.testing.assert_array_equal(array, expected)
+    del array
+    gc.collect()
+    junk = [np.full(expected.size, np.nan) for _ in range(1000)]
+    np.testing.assert_array_equal(view, expected[3:])
+    assert len(junk) == 1000
+
+
+def test_results_end_when_nobody_uses_them() -> None:
+    class Tracked(rs.SolveResult):
+        __slots__ = ("__weakref__",)
+
+    result = Tracked(lesson(1).solve()._document)
+    alive = weakref.ref(result)
+    assert result.converged
+    del result
+    gc.collect()
+    assert alive() is None
+
+
+def test_many_threads_read_one_result() -> None:
+    result = lesson(2).solve()
+    expected = answer(2, "solve").to_json()
+
+    def read(k: int) -> float:
+        if k % 10 == 0:
+            assert result.to_json() == expected
+        cases = result.load_cases
+        return float(cases[k % len(cases)].screw.axial_load_N.sum())
+
+    with ThreadPoolExecutor(16) as pool:
+        sums = list(pool.map(read, range(200)))
+    cases = result.load_cases
+    assert sums == [float(cases[k % len(cases)].screw.axial_load_N.sum()) for k in range(200)]
+
+
+def test_null_is_no_number() -> None:
+    text = (
+        '{"prs_version": "0", "lives": [1.5, null, 2], "matrix": [[1, 2], [null, 4]], "none": []}'
+    )
+    result = rs.Result.from_json(text)
+    np.testing.assert_array_equal(result["lives"], [1.5, np.nan, 2.0])
+    np.testing.assert_array_equal(result["matrix"], [[1.0, 2.0], [np.nan, 4.0]])
+    assert result["none"] == []
+
+
+def test_kinds_of_values() -> None:
+    text = (
+        '{"prs_version": "0", "u": 18446744073709551615, "i": -5, "f": 1.0, "b": true, "n": null, '
+        '"t": "\\u0000 \\ud83d\\ude00", "l": ["a", 1, [2, 3]], "o": {}, "keys": 1, "a b": 2}'
+    )
+    result = rs.Result.from_json(text)
+    assert (result["u"], result["i"], result["f"], result["b"]) == (2**64 - 1, -5, 1.0, True)
+    assert type(result["f"]) is float and type(result["i"]) is int and result["b"] is True
+    assert result["n"] is None
+    assert result["t"] == "\0 \U0001f600"
+    assert result["l"][:2] == ["a", 1] and list(result["l"][2]) == [2.0, 3.0]
+    assert len(result["o"]) == 0 and repr(result["o"]) == "<Record: >"
+    assert result["keys"] == 1 and callable(result.keys)
+    assert result["a b"] == 2
+
+
+# Copies
+
+
+def test_copies_of_records_are_the_records(case_record: records.LoadCase) -> None:
+    assert copy.copy(case_record) is case_record
+    assert copy.deepcopy({"case": case_record})["case"] is case_record
+    result = answer(1, "solve")
+    assert copy.deepcopy(result) is result
+
+
+def test_parts_of_results_cannot_be_pickled(case_record: records.LoadCase) -> None:
+    with pytest.raises(TypeError, match="pickle the result"):
+        pickle.dumps(case_record)
+    plain = pickle.loads(pickle.dumps(case_record.to_dict()))
+    np.testing.assert_array_equal(plain["screw"]["axial_load_N"], case_record.screw.axial_load_N)
