@@ -1,7 +1,7 @@
 # Compiles a kernel's source once for each instruction set of simd/architectures.h, with
 # PRS_SIMD_ARCHITECTURE naming it, and adds the objects to TARGET. UNROLLED: the source consists of
 # unrolled arithmetic, which compilers instrument, or optimise a little, in minutes only: it is
-# compiled alike in all builds, without sanitizers.
+# compiled without sanitizers. `unroll_kernels` makes the rest of its options those of a release.
 function(add_simd_kernel target source)
   cmake_parse_arguments(PARSE_ARGV 2 kernel "UNROLLED" "" "")
   set(architectures Baseline)
@@ -12,14 +12,14 @@ function(add_simd_kernel target source)
     set(flags_Avx512 -mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx2 -mfma -mprefer-vector-width=512)
   endif()
   get_filename_component(name ${source} NAME_WE)
+  set(options prs_options)
   if(kernel_UNROLLED)
-    # Options of a source come after those of its target, and win.
-    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "-O3;-g0;-fno-sanitize=all")
+    set(options prs_warnings)
   endif()
   foreach(architecture IN LISTS architectures)
     set(library ${target}_${name}_${architecture})
     add_library(${library} OBJECT ${source})
-    target_link_libraries(${library} PRIVATE prs_options)
+    target_link_libraries(${library} PRIVATE ${options})
     target_compile_definitions(${library} PRIVATE PRS_SIMD_ARCHITECTURE=simd::${architecture})
     target_compile_options(${library} PRIVATE ${flags_${architecture}})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
@@ -29,3 +29,10 @@ function(add_simd_kernel target source)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${library}>)
   endforeach()
 endfunction()
+
+# In a folder of kernels: its sources are compiled alike in all builds, which ccache makes use of.
+macro(unroll_kernels)
+  foreach(config DEBUG RELWITHDEBINFO MINSIZEREL)
+    set(CMAKE_CXX_FLAGS_${config} "${CMAKE_CXX_FLAGS_RELEASE}")
+  endforeach()
+endmacro()

@@ -18,7 +18,7 @@ constexpr int kOuter = 5;                  ///< As in ShellMatrix.
 constexpr int kAll = kOuter + 3 * kInner;  ///< Inner ones of u, then v, then theta.
 
 /// Strains (u', -theta', v, v' - theta) as rows, freedoms as columns.
-using Strains = Eigen::Matrix<double, 4, kAll>;
+using ShellStrains = Eigen::Matrix<double, 4, kAll>;
 
 Eigen::Matrix4d strain_rigidity(const ShellRigidity& s) {
   Eigen::Matrix4d d;
@@ -34,9 +34,9 @@ Eigen::Matrix4d strain_rigidity(const ShellRigidity& s) {
 /// Coefficient of the Legendre polynomial P_i(xi), -1 <= xi <= 1 along the length, in the strains.
 /// A displacement is mean P_0 + difference/2 P_1 + sum_k a_k (P_k - P_(k-2))/sqrt(2 (2 k - 1)),
 /// k = 2 .. kDegree, the derivatives of which are sqrt((2 k - 1)/2) P_(k-1).
-Strains legendre_strains(int i, double length) {
+ShellStrains legendre_strains(int i, double length) {
   const double rate = 2.0 / length;
-  Strains b = Strains::Zero();
+  ShellStrains b = ShellStrains::Zero();
   const auto value = [&](int strain, int column, double factor) { b(strain, column) += factor; };
   if (i == 0) {
     value(0, 0, 0.5 * rate);
@@ -70,7 +70,7 @@ ShellMatrix piece(const ShellRigidity& shell, double length) {
   const Eigen::Matrix4d d = strain_rigidity(shell);
   Eigen::Matrix<double, kAll, kAll> k = Eigen::Matrix<double, kAll, kAll>::Zero();
   for (int i = 0; i <= kDegree; ++i) {
-    const Strains b = legendre_strains(i, length);
+    const ShellStrains b = legendre_strains(i, length);
     k.noalias() += length / (2 * i + 1) * b.transpose() * (d * b);
   }
   if (shell.radially_rigid) {

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "prs/document/units.h"
+
 namespace prs {
 namespace {
-
-constexpr double kMillimetre = 1e-3;
 
 /// From the crest of the body's flank to the roller's crest on the line of centres [m]; < 0 where
 /// they overlap.
@@ -21,7 +21,7 @@ std::string off_the_flanks(const contact::FlankViolations& violations, Interface
   std::string text = "the contact point lies ";
   const char* separator = "";
   for (const contact::FlankViolation& v : violations) {
-    text += fmt::format("{}{:.4f} mm beyond the {} of the {}", separator, v.by / kMillimetre,
+    text += fmt::format("{}{:.4f} mm beyond the {} of the {}", separator, v.by * per_si::millimetre,
                         contact::name(v.end), v.of_roller ? "roller" : name(i));
     separator = ", ";
   }
@@ -61,7 +61,7 @@ ContactFailure why_no_contact(const contact::MechanismGeometry& threads,
       return {"mechanism.centre_distance",
               fmt::format("the flanks of roller and {} {} by {:.4f} mm", name(i),
                           distance > 0.0 ? "miss each other" : "pass each other",
-                          std::abs(distance) / kMillimetre)};
+                          std::abs(distance) * per_si::millimetre)};
     }
     case Status::outside_flank:
       return {"mechanism.thread", off_the_flanks(geometry.point.violations, i)};

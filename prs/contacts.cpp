@@ -6,12 +6,11 @@
 #include <cmath>
 
 #include "prs/case_error.h"
+#include "prs/document/units.h"
 #include "prs/threads.h"
 
 namespace prs {
 namespace {
-
-constexpr double kMillimetre = 1e-3;
 
 /// Interference below this is the rounding of the input [m].
 constexpr double kInterference = 1e-9;
@@ -50,7 +49,7 @@ void warn_of_interference(const Contacts& c, std::vector<std::string>& warnings)
     const contact::Thread& body = i == Interface::screw ? c.threads.screw : c.threads.nut;
     if (point.ok() && same_pitch(body, c.threads.roller) && point.backlash < -kInterference)
       warnings.push_back(fmt::format("the {} threads interfere: backlash {:.4f} mm", label(i),
-                                     point.backlash / kMillimetre));
+                                     point.backlash * per_si::millimetre));
   }
 }
 
@@ -69,7 +68,7 @@ void warn_of_kinematics(const Contacts& c, std::vector<std::string>& warnings) {
   const contact::KinematicConsistency k = contact::kinematic_consistency(c.threads);
   if (std::abs(k.lead_difference) > 1e-9 * std::abs(c.threads.screw.lead))
     warnings.push_back(fmt::format("the leads of nut and screw differ by {:.6f} mm",
-                                   k.lead_difference / kMillimetre));
+                                   k.lead_difference * per_si::millimetre));
   if (std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) > kGearRatioTolerance)
     warnings.push_back(fmt::format(
         "the rollers migrate: the pitch diameters give the gear ratio {:.6f}, the leads ask for "
@@ -87,7 +86,7 @@ void require_thickness(const Mechanism& m, Part part) {
       fmt::format(
           "got {:.6g} mm; expected less than the axial pitch of {:.6g} mm, which thread and "
           "groove share; change it, or leave it out for half a pitch",
-          thickness / kMillimetre, pitch / kMillimetre));
+          thickness * per_si::millimetre, pitch * per_si::millimetre));
 }
 
 /// Why a thread cannot be, if so.
@@ -102,22 +101,22 @@ std::optional<ContactFailure> thread_failure(const contact::Thread& thread, Part
     return ContactFailure{path, fmt::format("the flanks of the {} have no height", name(part))};
   }
   return ContactFailure{
-      path,
-      fmt::format("the flanks of the {} would reach from {:.4f} to {:.4f} mm radius, around a "
-                  "pitch radius of {:.4f} mm ({})",
-                  name(part), flank.smallest / kMillimetre, flank.largest / kMillimetre,
-                  thread.pitch_radius / kMillimetre, contact::name(status))};
+      path, fmt::format(
+                "the flanks of the {} would reach from {:.4f} to {:.4f} mm radius, around a "
+                "pitch radius of {:.4f} mm ({})",
+                name(part), flank.smallest * per_si::millimetre, flank.largest * per_si::millimetre,
+                thread.pitch_radius * per_si::millimetre, contact::name(status))};
 }
 
 void warn_of_heights(const contact::Thread& thread, Part part, std::vector<std::string>& warnings) {
   if (contact::check(thread) != contact::ThreadStatus::beyond_sharp_limit) return;
   const contact::RadiusLimits given = contact::flank_limits(thread);
   const contact::RadiusLimits sharp = contact::sharp_limits(thread);
-  warnings.push_back(
-      fmt::format("the thread of the {} is given from {:.4f} to {:.4f} mm radius, its flanks meet "
-                  "at {:.4f} and {:.4f} mm",
-                  name(part), given.smallest / kMillimetre, given.largest / kMillimetre,
-                  sharp.smallest / kMillimetre, sharp.largest / kMillimetre));
+  warnings.push_back(fmt::format(
+      "the thread of the {} is given from {:.4f} to {:.4f} mm radius, its flanks meet "
+      "at {:.4f} and {:.4f} mm",
+      name(part), given.smallest * per_si::millimetre, given.largest * per_si::millimetre,
+      sharp.smallest * per_si::millimetre, sharp.largest * per_si::millimetre));
 }
 
 void warn_of_crowding(const Contacts& c, std::vector<std::string>& warnings) {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "prs/document/units.h"
+
 namespace prs {
 namespace {
-
-constexpr double kMillimetre = 1e-3;
 
 /// Radial distance by which the pitch cylinders of an interface miss each other, overlap < 0 [m].
 double pitch_cylinder_gap(const contact::MechanismGeometry& m, Interface i) {
@@ -23,7 +23,7 @@ void note_pitch_cylinders(const contact::MechanismGeometry& m, std::vector<std::
     if (std::abs(gap) > 0.1 * m.roller.pitch)
       notes.push_back(fmt::format("the pitch cylinders of roller and {} {} by {:.4f} mm", name(i),
                                   gap > 0 ? "miss each other" : "overlap",
-                                  std::abs(gap) / kMillimetre));
+                                  std::abs(gap) * per_si::millimetre));
   }
 }
 
@@ -39,12 +39,13 @@ void note_proportions(const Case& c, const Mechanism& m, std::vector<std::string
   if (!c.structure) return;
   const Structure& s = *c.structure;
   if (s.screw.bore > 0.8 * *m.pitch_diameter.screw)
-    notes.push_back(fmt::format("the screw's bore leaves a wall of {:.2f} mm at the pitch diameter",
-                                0.5 * (*m.pitch_diameter.screw - s.screw.bore) / kMillimetre));
+    notes.push_back(
+        fmt::format("the screw's bore leaves a wall of {:.2f} mm at the pitch diameter",
+                    0.5 * (*m.pitch_diameter.screw - s.screw.bore) * per_si::millimetre));
   if (s.roller.end_diameter > *m.pitch_diameter.roller)
     notes.push_back(fmt::format("the roller's ends ({:g} mm) are thicker than its thread ({:g} mm)",
-                                s.roller.end_diameter / kMillimetre,
-                                *m.pitch_diameter.roller / kMillimetre));
+                                s.roller.end_diameter * per_si::millimetre,
+                                *m.pitch_diameter.roller * per_si::millimetre));
 }
 
 /// A face of the nut that looks the way that the load pushes the nut can only be pulled.
@@ -60,7 +61,7 @@ void note_pulled_faces(const Case& c, std::vector<std::string>& notes) {
     notes.push_back(
         fmt::format("the face at {:g} mm looks away from where {} pushes the nut: it holds with a "
                     "bolted flange, not against a housing that only pushes",
-                    *section / kMillimetre, name(d)));
+                    *section * per_si::millimetre, name(d)));
   }
 }
 

@@ -11,6 +11,7 @@
 #include "fe/chain_laws.h"
 #include "prs/chain/bar_design_kernel.h"
 #include "prs/chain/bar_station.h"
+#include "prs/chain/chain_sector.h"
 #include "prs/chain/dispatch.h"
 #include "prs/chain/distribution.h"
 #include "prs/chain/sweep.h"
@@ -19,8 +20,6 @@
 
 namespace prs {
 namespace {
-
-constexpr double kHeld = std::numeric_limits<double>::infinity();
 
 BarSector::Section disc(const Material& material, double diameter, bool shear) {
   const DiscRigidity r = disc_rigidity(material, diameter, shear);

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "prs/chain/roller_beam.h"
 #include "prs/part.h"
 
 namespace prs {
+
+/// Stiffness of a support that does not give.
+inline constexpr double kHeld = std::numeric_limits<double>::infinity();
 
 /// Freedoms of a nut node are u, v and r theta, r the radius that rotations are scaled by.
 struct NutSegment {

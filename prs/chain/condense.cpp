@@ -18,8 +18,6 @@ using Matrix3 = Eigen::Matrix<Real, 3, 3>;
 using Matrix6 = Eigen::Matrix<Real, 6, 6>;
 using Matrix9 = Eigen::Matrix<Real, 9, 9>;
 
-constexpr double kHeld = std::numeric_limits<double>::infinity();
-
 /// Upper triangle row by row.
 template <class Matrix, std::size_t N>
 void set_triangle(const Matrix& m, double (&triangle)[N]) {

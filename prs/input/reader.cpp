@@ -47,7 +47,7 @@ struct Wanted {
 };
 
 template <class Kind>
-std::string within(const Bounds& b, const Kind& kind) {
+std::string text_of_bounds(const Bounds& b, const Kind& kind) {
   if (b.zero_excluded) return " other than 0";
   std::string text;
   if (std::isfinite(b.least))
@@ -69,13 +69,14 @@ std::string example_of(const Quantity& q) {
 
 template <class T>
 Wanted wanted(T&, const Quantity& q) {
-  return {fmt::format("{}{} with its unit", q.dimension.name, within(q.bounds, q)), example_of(q)};
+  return {fmt::format("{}{} with its unit", q.dimension.name, text_of_bounds(q.bounds, q)),
+          example_of(q)};
 }
 template <class T>
 Wanted wanted(T&, const Number& n) {
   const double middle = 0.5 * (n.bounds.least + n.bounds.greatest);
   const bool usual = n.bounds.contain(0.3) || !std::isfinite(middle);
-  return {fmt::format("a number{}", within(n.bounds, n)),
+  return {fmt::format("a number{}", text_of_bounds(n.bounds, n)),
           usual ? "0.3" : fmt::format("{:g}", middle)};
 }
 template <class T>

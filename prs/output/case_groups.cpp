@@ -72,21 +72,21 @@ std::vector<CaseGroup> group_cases(const std::vector<LoadCaseResult>& results) {
   return groups;
 }
 
-const CaseGroup* Configuration::group(std::optional<Direction> direction) const {
+const CaseGroup* LoadedConfiguration::group(std::optional<Direction> direction) const {
   const auto found = std::find_if(groups.begin(), groups.end(),
                                   [&](const CaseGroup& g) { return g.direction == direction; });
   return found == groups.end() ? nullptr : &*found;
 }
 
-std::vector<Configuration> configurations(const std::vector<LoadCaseResult>& results,
-                                          std::size_t min_points,
-                                          bool (*keep)(const LoadCaseResult&)) {
-  std::vector<Configuration> found;
+std::vector<LoadedConfiguration> loaded_configurations(const std::vector<LoadCaseResult>& results,
+                                                       std::size_t min_points,
+                                                       bool (*keep)(const LoadCaseResult&)) {
+  std::vector<LoadedConfiguration> found;
   for (CaseGroup& group : group_cases(results)) {
     std::erase_if(group.cases, [&](const LoadCaseResult* result) { return !keep(*result); });
     if (group.cases.size() < min_points) continue;
     const std::string name = configuration_name(group);
-    auto it = std::find_if(found.begin(), found.end(), [&](const Configuration& c) {
+    auto it = std::find_if(found.begin(), found.end(), [&](const LoadedConfiguration& c) {
       return c.name == name && !c.group(group.direction);
     });
     if (it == found.end()) it = found.insert(it, {name, {}});

@@ -20,7 +20,7 @@ struct CaseGroup {
 std::vector<CaseGroup> group_cases(const std::vector<LoadCaseResult>& results);
 
 /// One configuration of the mechanism in one or both directions of load.
-struct Configuration {
+struct LoadedConfiguration {
   std::string name;
   std::vector<CaseGroup> groups;  ///< At most one a direction.
 
@@ -30,9 +30,9 @@ struct Configuration {
 /// Groups of at least `min_points` cases of which `keep` is true, the others left out. Two
 /// directions belong together where their names differ in the last word only: `config1-tension` and
 /// `config1-compression` make `config1`.
-std::vector<Configuration> configurations(const std::vector<LoadCaseResult>& results,
-                                          std::size_t min_points,
-                                          bool (*keep)(const LoadCaseResult&));
+std::vector<LoadedConfiguration> loaded_configurations(const std::vector<LoadCaseResult>& results,
+                                                       std::size_t min_points,
+                                                       bool (*keep)(const LoadCaseResult&));
 
 /// Lists names with the points of a range folded: `a[0–44], b, c[3, 7–9]`. Beyond
 /// twelve entries says how many there are.

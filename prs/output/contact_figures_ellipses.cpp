@@ -16,7 +16,6 @@ namespace prs {
 namespace {
 
 constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
-constexpr std::size_t kMaxCaseName = 30;
 
 /// An ellipse as it is drawn: in mm, or with the major semi-axis 1 where there is no load.
 struct Ellipse {

@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostBars = 16;
-constexpr std::size_t kLabelWidth = 40;
+constexpr std::size_t kFactorWidth = 40;
 
 /// Factors that have an elasticity of a response, the strongest first.
 std::vector<std::size_t> ranked(const CaseDerivatives& result, std::size_t response) {
@@ -54,7 +54,7 @@ Json factor_json(const Factor& factor, const std::optional<Derivative>& d,
 }
 
 std::string label_of(const Factor& factor) {
-  return shortened(printable(factor.label), kLabelWidth);
+  return shortened(printable(factor.label), kFactorWidth);
 }
 
 /// What 1 % of each factor does, as bars from above to below with the labels on their left.
@@ -142,13 +142,13 @@ std::string derivatives_table(const CaseDerivatives& result) {
     text += fmt::format("{}{}: {}{}\n", k > 0 ? "\n" : "", title.name,
                         result.values[k] ? fmt::format("{:.6g}", *result.values[k]) : "absent",
                         title.unit.empty() ? "" : " " + title.unit);
-    text += fmt::format("  {:<{}}  {:>16}  {:>16}  {}\n", "factor", kLabelWidth, "% per 1 %",
+    text += fmt::format("  {:<{}}  {:>16}  {:>16}  {}\n", "factor", kFactorWidth, "% per 1 %",
                         "derivative", "per");
     for (const std::size_t f : ranked(result, k)) {
       const Factor& factor = result.study.factors[f];
       const Derivative& d = *result.factors[f].responses[k];
       text += fmt::format("  {}  {:>16.5f}  {:>16.7g}  {}\n",
-                          padded(label_of(factor), kLabelWidth, true), *d.elasticity, d.value,
+                          padded(label_of(factor), kFactorWidth, true), *d.elasticity, d.value,
                           factor.unit.empty() ? "1" : printable(factor.unit));
     }
   }

@@ -202,7 +202,7 @@ std::string axis_lines(char axis, const Axis& a, std::string_view label, std::st
       "set {0}range [{1:.7g}:{2:.7g}]\n"
       "set {0}tics {3}\n"
       "set {0}label {4}\n",
-      axis, a.from, a.to, tics, quoted(label), a.logarithmic ? "set" : "unset");
+      axis, a.from, a.to, tics, gnuplot_string(label), a.logarithmic ? "set" : "unset");
 }
 
 /// Tics as the axis has them, or those that gnuplot chooses.
@@ -264,8 +264,8 @@ std::string label_lines(const std::vector<Label>& labels) {
   std::string script = "unset label\n";
   for (const Label& label : labels)
     script += fmt::format("set label {0} at {1}{2:.7g}, {1}{3:.7g} {4} front\n",
-                          quoted(panel_title(label.text)), label.in_panel ? "graph " : "", label.x,
-                          label.y, label.centred ? "center" : "left");
+                          gnuplot_string(panel_title(label.text)), label.in_panel ? "graph " : "",
+                          label.x, label.y, label.centred ? "center" : "left");
   return script;
 }
 
@@ -294,7 +294,7 @@ std::string panel_lines(const Figure& figure, const Layout& layout, std::size_t 
            std::string(frame_lines(figure.to_scale)) +
            (figure.colours ? palette_lines(*figure.colours) : "");
   std::string script = layout.panel_margins(index);
-  script += fmt::format("set title {}\n", quoted(panel_title(panel.title)));
+  script += fmt::format("set title {}\n", gnuplot_string(panel_title(panel.title)));
   script += axes_lines(figure, layout, index) + label_lines(panel.labels);
   std::vector<std::string> plots;
   if (!panel.map.cells.empty())
@@ -315,7 +315,7 @@ std::string colour_bar_lines(const ColourScale& colours, const Layout& layout) {
       "set colorbox user horizontal origin screen {:.4f},{:.4f} size screen {:.4f},{:.4f}\n"
       "set cblabel {} offset 0,0.4\n",
       0.5 * (1.0 - kColourBarWidth), layout.colour_bar_from(), kColourBarWidth,
-      static_cast<double>(kColourBarHeight) / layout.height(), quoted(colours.label));
+      static_cast<double>(kColourBarHeight) / layout.height(), gnuplot_string(colours.label));
 }
 
 /// What draws nothing but the sample in the legend.
@@ -383,11 +383,12 @@ std::string gnuplot_script(const Figure& figure) {
       figure.name);
   script += style_lines(figure.styles);
   for (std::size_t k = 0; k < figure.legend.size(); ++k)
-    script += fmt::format("legend_{} = {}\n", k + 1, quoted(panel_title(figure.legend[k].title)));
+    script +=
+        fmt::format("legend_{} = {}\n", k + 1, gnuplot_string(panel_title(figure.legend[k].title)));
   for (std::size_t k = 0; k < figure.panels.size(); ++k) script += data_block(k, figure);
 
   script += "do for [format in 'svg png'] {\n" + terminal_lines(figure, layout.height());
-  script += fmt::format("set multiplot title {}\n", quoted(figure.title));
+  script += fmt::format("set multiplot title {}\n", gnuplot_string(figure.title));
   script +=
       "set xtics out nomirror scale 0.5; set ytics out nomirror scale 0.5\n"
       "unset key\n";

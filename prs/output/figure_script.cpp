@@ -13,7 +13,7 @@ constexpr std::size_t kMaxTitle = 44;  // Characters that fit above a panel.
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string gnuplot_string(std::string_view text) {
   std::string result = "\"";
   for (const char c : printable(text))
     if (std::string_view("\"'\\`@$#{}!").find(c) == std::string_view::npos)

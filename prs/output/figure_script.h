@@ -12,7 +12,7 @@ namespace prs {
 /// A gnuplot string in which nothing is interpreted: what means something to gnuplot becomes an
 /// octal escape. (Single quotes would not do: gnuplot 5.4 takes a leading doubled quote for the
 /// end.)
-std::string quoted(std::string_view text);
+std::string gnuplot_string(std::string_view text);
 
 /// What fits above a panel.
 std::string panel_title(std::string_view text);

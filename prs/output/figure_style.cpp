@@ -26,7 +26,8 @@ void add_mean(Figure& figure, std::size_t threads) {
   for (Panel& panel : figure.panels) panel.lines.insert(panel.lines.begin(), line);
 }
 
-void keep_first(std::vector<Configuration>& configurations, std::size_t count, std::string& title) {
+void keep_first(std::vector<LoadedConfiguration>& configurations, std::size_t count,
+                std::string& title) {
   if (configurations.size() <= count) return;
   title += fmt::format(", first {} of {}", count, configurations.size());
   configurations.resize(count);

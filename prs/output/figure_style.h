@@ -17,6 +17,9 @@ inline constexpr LineStyle kConfigurationStyles[] = {
     {"#88ccee", 1, 4, 1.4}, {"#777777", 1, 8, 1.4},
 };
 
+/// Characters of a load case's name in a title; longer names are cut.
+inline constexpr std::size_t kMaxCaseName = 30;
+
 /// `Screw–roller` or `Nut–roller`.
 std::string interface_title(Interface i);
 
@@ -27,6 +30,7 @@ std::size_t add_to_legend(Figure& figure, std::string title, const LineStyle& st
 void add_mean(Figure& figure, std::size_t threads);
 
 /// Drops the configurations beyond the first `count` and says so in the title.
-void keep_first(std::vector<Configuration>& configurations, std::size_t count, std::string& title);
+void keep_first(std::vector<LoadedConfiguration>& configurations, std::size_t count,
+                std::string& title);
 
 }  // namespace prs

@@ -20,7 +20,7 @@ std::string axis_lines(char axis, const Axis& a) {
       "set {0}range [{1:.7g}:{2:.7g}]\n"
       "set {0}tics {3} out nomirror scale 0.5 offset 0,0\n"
       "set {0}label {5} rotate parallel\n",
-      axis, a.from, a.to, tics, a.logarithmic ? "set" : "unset", quoted(a.label));
+      axis, a.from, a.to, tics, a.logarithmic ? "set" : "unset", gnuplot_string(a.label));
 }
 
 /// Turn about the vertical that brings the lowest corner to the front, so that the surface rises
@@ -62,14 +62,14 @@ std::string surface_lines(std::size_t index, const Panel& panel, const Axis& x, 
   script += fmt::format("set origin {:.4f},{:.4f}; set size {:.4f},{:.4f}\n", box.left, box.bottom,
                         box.width, box.height);
   script += fmt::format("set view {},{},{},{}\n", kTilt, turn(surface.grid), kScale, kHeightScale);
-  script += fmt::format("set title {}\n", quoted(panel_title(panel.title)));
+  script += fmt::format("set title {}\n", gnuplot_string(panel_title(panel.title)));
   script += axis_lines('x', x) + axis_lines('y', y) + axis_lines('z', surface.z);
   script += "unset label\n";
   for (const SurfacePoint& point : surface.points)
     script += fmt::format(
         "set label {} at {:.7g},{:.7g},{:.7g} point pt 7 ps 0.7 lc rgb 'black' offset 0.6,0.5 "
         "front\n",
-        quoted(panel_title(point.name)), point.x, point.y, point.z);
+        gnuplot_string(panel_title(point.name)), point.x, point.y, point.z);
   script += fmt::format("splot $surface_{} using 1:2:3 with pm3d\n", index + 1);
   return script +
          "set origin 0,0; set size 1,1; unset grid; unset label; unset zlabel; unset logscale\n"

@@ -18,9 +18,9 @@ double force_kN(const LoadCaseResult& result) {
   return result.load_case.axial_force * per_si::kilonewton;
 }
 
-double largest_force_kN(const std::vector<Configuration>& sweeps, Direction direction) {
+double largest_force_kN(const std::vector<LoadedConfiguration>& sweeps, Direction direction) {
   double largest = 0.0;
-  for (const Configuration& sweep : sweeps)
+  for (const LoadedConfiguration& sweep : sweeps)
     if (const CaseGroup* group = sweep.group(direction))
       for (const LoadCaseResult* result : group->cases)
         largest = std::max(largest, force_kN(*result));
@@ -61,7 +61,7 @@ LineStyle tangent_style(std::size_t configuration) {
   return {kConfigurationStyles[configuration].colour, 2};
 }
 
-Panel stiffness_panel(const std::vector<Configuration>& sweeps, Direction direction) {
+Panel stiffness_panel(const std::vector<LoadedConfiguration>& sweeps, Direction direction) {
   Panel panel;
   panel.title = direction == Direction::tension ? "Tension" : "Compression";
   for (std::size_t c = 0; c < sweeps.size(); ++c)
@@ -104,11 +104,11 @@ Polyline thread_line(const CaseGroup& group, Interface i, std::size_t thread) {
   });
 }
 
-std::size_t thread_count(const Configuration& sweep) {
+std::size_t thread_count(const LoadedConfiguration& sweep) {
   return sweep.groups.front().cases.front()->threads->screw.load_rate.size();
 }
 
-Panel butterfly_panel(const Configuration& sweep, Interface i) {
+Panel butterfly_panel(const LoadedConfiguration& sweep, Interface i) {
   Panel panel;
   panel.title = fmt::format("{}, {}", interface_title(i), sweep.name);
   const std::size_t count = thread_count(sweep);
@@ -125,7 +125,7 @@ Panel butterfly_panel(const Configuration& sweep, Interface i) {
 }  // namespace
 
 std::optional<Figure> stiffness_figure(const Result& result) {
-  auto sweeps = configurations(result.load_cases, kMinSweepPoints, has_stiffness);
+  auto sweeps = loaded_configurations(result.load_cases, kMinSweepPoints, has_stiffness);
   if (sweeps.empty()) return std::nullopt;
   Figure figure;
   figure.name = "stiffness";
@@ -151,7 +151,7 @@ std::optional<Figure> stiffness_figure(const Result& result) {
 }
 
 std::optional<Figure> butterfly_figure(const Result& result) {
-  auto sweeps = configurations(result.load_cases, kMinSweepPoints, is_solved);
+  auto sweeps = loaded_configurations(result.load_cases, kMinSweepPoints, is_solved);
   if (sweeps.empty()) return std::nullopt;
   Figure figure;
   figure.name = "butterfly";
@@ -165,7 +165,7 @@ std::optional<Figure> butterfly_figure(const Result& result) {
   for (const ThreadRole& role : kThreadRoles)
     add_to_legend(figure, std::string(role.title), role.style);
   std::reverse(figure.legend.begin(), figure.legend.end());
-  for (const Configuration& sweep : sweeps)
+  for (const LoadedConfiguration& sweep : sweeps)
     for (const Interface i : kInterfaces) figure.panels.push_back(butterfly_panel(sweep, i));
   add_mean(figure, thread_count(sweeps.front()));
   fit_y_range(figure);

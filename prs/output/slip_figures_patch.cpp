@@ -13,7 +13,6 @@
 namespace prs {
 namespace {
 
-constexpr std::size_t kMaxCaseName = 30;
 constexpr int kMostArrows = 11;  // Along each axis.
 
 /// Styles of the figure in the order of their legend.

@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::size_t kMinSweepPoints = 3;
 constexpr std::size_t kMostFigures = 4;
-constexpr std::size_t kMaxCaseName = 30;
 
 /// P. Tol's "medium contrast" scheme, from dark to pale and back.
 constexpr std::string_view kSourceColours[] = {"#004488", "#6699cc", "#eecc66", "#997700",
@@ -180,8 +179,8 @@ Figure power_by_source_figure(const std::vector<double>& x, const std::string& x
 
 std::vector<Figure> power_over_load_figures(const Result& result) {
   std::vector<Figure> figures;
-  const auto sweeps = configurations(result.load_cases, kMinSweepPoints, has_slip);
-  for (const Configuration& configuration : sweeps)
+  const auto sweeps = loaded_configurations(result.load_cases, kMinSweepPoints, has_slip);
+  for (const LoadedConfiguration& configuration : sweeps)
     for (const CaseGroup& group : configuration.groups) {
       if (figures.size() == kMostFigures) return figures;
       std::vector<double> force;

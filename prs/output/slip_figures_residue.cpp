@@ -13,8 +13,6 @@
 namespace prs {
 namespace {
 
-constexpr std::size_t kMaxCaseName = 30;
-
 /// A curve of the figure, in the order of drawing: the sum lies on top.
 struct MomentCurve {
   std::string_view title;

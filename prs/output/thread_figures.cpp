@@ -24,16 +24,16 @@ bool has_pressure(const LoadCaseResult& result) {
 const LoadCaseResult& representative(const CaseGroup& group) { return *group.cases.back(); }
 
 /// Names the force where all lines have the same.
-std::string common_force(const std::vector<Configuration>& all) {
+std::string common_force(const std::vector<LoadedConfiguration>& all) {
   const auto force = [](const CaseGroup& g) { return representative(g).load_case.axial_force; };
   const double first = force(all.front().groups.front());
-  for (const Configuration& c : all)
+  for (const LoadedConfiguration& c : all)
     for (const CaseGroup& group : c.groups)
       if (std::abs(force(group) - first) > 1e-9 * std::abs(first)) return {};
   return fmt::format(", {:.4g} kN", first * per_si::kilonewton);
 }
 
-std::size_t thread_count(const std::vector<Configuration>& all) {
+std::size_t thread_count(const std::vector<LoadedConfiguration>& all) {
   return representative(all.front().groups.front()).threads->screw.axial_load.size();
 }
 
@@ -46,7 +46,7 @@ Axis thread_axis(std::size_t threads) {
   return axis;
 }
 
-std::vector<std::optional<Direction>> directions(const std::vector<Configuration>& all) {
+std::vector<std::optional<Direction>> directions(const std::vector<LoadedConfiguration>& all) {
   const std::optional<Direction> kAll[] = {Direction::tension, Direction::compression, {}};
   std::vector<std::optional<Direction>> present;
   for (const auto d : kAll)
@@ -62,7 +62,7 @@ Polyline over_threads(const std::vector<double>& values, double factor) {
   return points;
 }
 
-Panel thread_panel(const ThreadPlot& plot, const std::vector<Configuration>& all,
+Panel thread_panel(const ThreadPlot& plot, const std::vector<LoadedConfiguration>& all,
                    std::optional<Direction> direction, Interface i) {
   Panel panel;
   panel.title = interface_title(i);
@@ -80,7 +80,8 @@ Panel& panel_at(Figure& figure, std::size_t row, Interface i) {
 }
 
 /// The levels of all lines, behind them.
-void add_levels(Figure& figure, const ThreadPlot& plot, const std::vector<Configuration>& all) {
+void add_levels(Figure& figure, const ThreadPlot& plot,
+                const std::vector<LoadedConfiguration>& all) {
   const std::size_t first_style = figure.styles.size();
   for (std::size_t c = 0; c < all.size(); ++c)
     figure.styles.push_back({kConfigurationStyles[c].colour, 2, 0, 1.2});
@@ -108,7 +109,7 @@ const std::vector<double>& loads_of(const LoadCaseResult& result, Interface i) {
 }  // namespace
 
 std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result) {
-  std::vector<Configuration> all = configurations(result.load_cases, 1, plot.keep);
+  std::vector<LoadedConfiguration> all = loaded_configurations(result.load_cases, 1, plot.keep);
   if (all.empty()) return std::nullopt;
   Figure figure;
   figure.name = plot.name;

@@ -18,8 +18,8 @@
 namespace contact {
 namespace {
 
+using std::numbers::pi;
 using test::RandomMechanisms;
-constexpr double pi = std::numbers::pi;
 
 int gamma_of(RollerFace face) { return static_cast<int>(face); }
 

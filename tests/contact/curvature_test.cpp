@@ -8,7 +8,7 @@
 namespace contact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(SymmetricTensor, TurningKeepsTraceAndDeterminant) {
   const SymmetricTensor t{3.0, -1.2, 0.7};

@@ -19,7 +19,7 @@ namespace contact {
 namespace {
 
 using Multiprecision = boost::multiprecision::cpp_bin_float_50;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kModulus = 115e9;
 
 struct HighPrecisionIntegrals {

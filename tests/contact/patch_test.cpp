@@ -13,7 +13,7 @@
 namespace contact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 HertzContact ellipse(double a, double b, double load) {
   HertzContact e;
@@ -163,9 +163,9 @@ TEST(Patch, EveryInstructionSetGivesTheSameSums) {
 TEST(Patch, FrictionAllocatesNothing) {
   const PatchGrid grid(21);
   const Patch patch(grid, kEllipse, kGrease, kFilmContact);
-  const auto before = test::allocations();
+  const auto before = ::test::allocations();
   (void)patch.friction({0.05, 0.07, 40.0, 0.5});
-  EXPECT_EQ(test::allocations(), before);
+  EXPECT_EQ(::test::allocations(), before);
 }
 
 }  // namespace

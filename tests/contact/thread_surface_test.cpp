@@ -11,7 +11,7 @@
 namespace contact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Thread external(double radius, double lead, double pitch, double profile_curvature = 0.0) {
   return {.pitch_radius = radius,

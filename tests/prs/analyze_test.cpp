@@ -4,21 +4,21 @@
 
 #include <cmath>
 #include <filesystem>
-#include <numeric>
 
 #include "prs/case_error.h"
 #include "prs/input/reader.h"
+#include "support/sum.h"
 
 namespace prs {
 namespace {
+
+using test::sum;
 
 const std::filesystem::path kConfigs = PRS_SOURCE_DIR "/configs";
 
 Case lesson(const std::string& name, const std::vector<std::string>& overrides = {}) {
   return input::read_case((kConfigs / name).string(), overrides, Command::solve);
 }
-
-double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
 
 TEST(Analyze, EveryLessonConverges) {
   for (const auto& entry : std::filesystem::directory_iterator(kConfigs)) {

@@ -10,7 +10,7 @@ namespace prs {
 namespace {
 
 /// The screw of Abevi 2015 in CONFIG 1, and a case with equal shares.
-Case abevi() {
+Case abevi_case() {
   Case c;
   c.mechanism.lead = 0.005;
   c.mechanism.starts = {3, 1};
@@ -48,12 +48,12 @@ std::string paths(const std::vector<Problem>& problems) {
 }
 
 TEST(CheckCase, AbeviIsSound) {
-  EXPECT_EQ(paths(check_case(abevi())), "");
-  EXPECT_EQ(paths(check_requirements(abevi(), Command::solve)), "");
+  EXPECT_EQ(paths(check_case(abevi_case())), "");
+  EXPECT_EQ(paths(check_requirements(abevi_case(), Command::solve)), "");
 }
 
 TEST(CheckCase, OnlyBarsTakeTheThicknessOfThreads) {
-  Case c = abevi();
+  Case c = abevi_case();
   c.mechanism.thread.roller = ThreadHeight{0.2e-3, 0.2e-3, 0.8e-3};
   EXPECT_EQ(paths(check_case(c)), "");
   c.model.bodies = ModelOptions::Bodies::refined;
@@ -61,7 +61,7 @@ TEST(CheckCase, OnlyBarsTakeTheThicknessOfThreads) {
 }
 
 TEST(CheckCase, ContactsMayEndAtTheNutsFaces) {
-  Case c = abevi();
+  Case c = abevi_case();
   const double last = 0.090 - 19 * axial_pitch(c.mechanism);
   for (double position : {0.0, last, -1e-12, last + 1e-12}) {
     c.load_cases[0].position = position;
@@ -73,9 +73,9 @@ TEST(CheckCase, ContactsMayEndAtTheNutsFaces) {
   }
 }
 
-/// abevi() with another model of its bodies.
+/// abevi_case() with another model of its bodies.
 Case with_bodies(ModelOptions::Bodies bodies) {
-  Case c = abevi();
+  Case c = abevi_case();
   c.model.bodies = bodies;
   return c;
 }
@@ -142,13 +142,13 @@ TEST(CheckCase, OptionsOfOtherBodiesAreRefused) {
   EXPECT_EQ(paths(check_case(c)), "");
   c.model.roller_shear = true;
   EXPECT_EQ(paths(check_case(c)), "model.roller_shear");
-  c = abevi();
+  c = abevi_case();
   c.model.tooth_compliance = {ModelOptions::ToothCompliance::Kind::yamamoto, 1e-12};
   EXPECT_EQ(paths(check_case(c)), "model.tooth_compliance.yamamoto");
 }
 
 TEST(CheckCase, FlangesMayTouchInAnyOrder) {
-  Case c = abevi();
+  Case c = abevi_case();
   c.structure->nut.flanges = {{0.080, 0.090, 0.062}, {0.0, 0.010, 0.062}, {0.010, 0.020, 0.050}};
   EXPECT_EQ(paths(check_case(c)), "");
   c.structure->nut.flanges[2].from = 0.0099;
@@ -156,7 +156,7 @@ TEST(CheckCase, FlangesMayTouchInAnyOrder) {
 }
 
 TEST(CheckCase, PublishedNegativeBacklashIsSound) {
-  Case c = abevi();
+  Case c = abevi_case();
   for (double offset : {-0.2e-3, -0.064e-3, 0.107e-3}) {
     c.mechanism.centre_distance = 0.014 + offset;
     EXPECT_EQ(paths(check_case(c)), "") << offset;
@@ -164,13 +164,13 @@ TEST(CheckCase, PublishedNegativeBacklashIsSound) {
 }
 
 TEST(CheckCase, PartsThatCannotMeetAreRefused) {
-  Case c = abevi();
+  Case c = abevi_case();
   c.mechanism.centre_distance = 0.016;
   EXPECT_EQ(paths(check_case(c)), "mechanism.centre_distance mechanism.pitch_diameter.nut");
 }
 
 TEST(CheckCase, AsManyRollersAsFitAreSound) {
-  Case c = abevi();
+  Case c = abevi_case();
   c.mechanism.rollers = 12;
   EXPECT_EQ(paths(check_case(c)), "");
   c.mechanism.rollers = 13;
@@ -178,7 +178,7 @@ TEST(CheckCase, AsManyRollersAsFitAreSound) {
 }
 
 TEST(CheckCase, DesignModeIsJudgedByWhatIsGiven) {
-  Case c = abevi();
+  Case c = abevi_case();
   c.mechanism.geometry = Mechanism::Geometry::design;
   c.mechanism.pitch_diameter = {0.021, {}, {}};
   c.mechanism.centre_distance.reset();
@@ -189,7 +189,7 @@ TEST(CheckCase, DesignModeIsJudgedByWhatIsGiven) {
 }
 
 TEST(CheckCase, EachPathHasOneProblem) {
-  Case c = abevi();
+  Case c = abevi_case();
   LoadCase& pull = c.load_cases[0];
   pull.axial_force = -1.0;
   c.load_cases.push_back(pull);
@@ -199,7 +199,7 @@ TEST(CheckCase, EachPathHasOneProblem) {
 
 TEST(CheckRequirements, FollowTheCommand) {
   Case c;
-  c.mechanism = abevi().mechanism;
+  c.mechanism = abevi_case().mechanism;
   for (Command command : {Command::check, Command::contact, Command::measures})
     EXPECT_EQ(paths(check_requirements(c, command)), "");
   EXPECT_EQ(paths(check_requirements(c, Command::solve)), "load_cases materials");
@@ -207,7 +207,7 @@ TEST(CheckRequirements, FollowTheCommand) {
 }
 
 TEST(CheckRequirements, EqualSharesNeedNoStructure) {
-  Case c = abevi();
+  Case c = abevi_case();
   c.structure.reset();
   EXPECT_EQ(paths(check_requirements(c, Command::solve)), "structure");
   c.load_cases.erase(c.load_cases.begin());
@@ -215,7 +215,7 @@ TEST(CheckRequirements, EqualSharesNeedNoStructure) {
 }
 
 TEST(CheckRequirements, JacodNeedsALubricantAndSlipASpeed) {
-  Case c = abevi();
+  Case c = abevi_case();
   c.load_cases.pop_back();
   c.friction = Friction{};
   EXPECT_EQ(paths(check_requirements(c, Command::slip)), "lubricant operation");
@@ -225,7 +225,7 @@ TEST(CheckRequirements, JacodNeedsALubricantAndSlipASpeed) {
 }
 
 TEST(CheckRequirements, ForceAndSpeedHaveOneSign) {
-  Case c = abevi();
+  Case c = abevi_case();
   c.friction = Friction{Friction::Model::coulomb, 0.1};
   c.operation = Operation{40.0, {}};
   EXPECT_EQ(paths(check_requirements(c, Command::slip)), "load_cases[1]");
@@ -242,7 +242,7 @@ TEST(CheckRequirements, ForceAndSpeedHaveOneSign) {
 }
 
 TEST(CheckRequirements, ALeftHandedScrewMayDriveOrBeDriven) {
-  Case c = abevi();
+  Case c = abevi_case();
   c.mechanism.lead = -0.005;
   c.friction = Friction{Friction::Model::coulomb, 0.1};
   for (const double speed : {40.0, -40.0}) {
@@ -254,7 +254,7 @@ TEST(CheckRequirements, ALeftHandedScrewMayDriveOrBeDriven) {
 }
 
 TEST(CheckRequirements, ABearingNeedsALubricantWithAnyFriction) {
-  Case c = abevi();
+  Case c = abevi_case();
   c.load_cases.pop_back();
   c.friction = Friction{Friction::Model::coulomb, 0.1};
   c.operation = Operation{40.0, {}};
@@ -265,7 +265,7 @@ TEST(CheckRequirements, ABearingNeedsALubricantWithAnyFriction) {
 }
 
 TEST(CheckCase, BearingsAreThinFilmsAndShort) {
-  Case c = abevi();
+  Case c = abevi_case();
   contact::JournalBearing& b = c.carrier.bearing.emplace();
   b = {0.010, 0.005, 0.499e-3};
   EXPECT_EQ(paths(check_case(c)), "");
@@ -286,7 +286,7 @@ Lubricant oil() {
 }
 
 TEST(CheckCase, ALineThroughTwoPointsFalls) {
-  Case c = abevi();
+  Case c = abevi_case();
   c.lubricant = oil();
   EXPECT_EQ(paths(check_case(c)), "");
   std::swap(c.lubricant->viscosity_at[0], c.lubricant->viscosity_at[1]);
@@ -300,7 +300,7 @@ TEST(CheckCase, ALineThroughTwoPointsFalls) {
 }
 
 TEST(CheckCase, DensityIsNeededWhereAViscosityIsKinematic) {
-  Case c = abevi();
+  Case c = abevi_case();
   c.lubricant = oil();
   c.lubricant->density.reset();
   EXPECT_EQ(paths(check_case(c)), "lubricant.density");
@@ -361,14 +361,14 @@ TEST(InOperation, TheDensityBetweenDynamicViscositiesHardlyMatters) {
 }
 
 TEST(CheckCase, TheDirectionOfALoadNeedsItsThrustSection) {
-  Case c = abevi();
+  Case c = abevi_case();
   c.structure->nut.thrust.tension.reset();
   EXPECT_EQ(paths(check_case(c)), "structure.nut.thrust.tension");
 }
 
 /// The screw of Abevi with a spacer between two nuts.
 Case two_nuts() {
-  Case c = abevi();
+  Case c = abevi_case();
   Preload& p = c.preload.emplace();
   p.arrangement = Preload::Arrangement::double_nut;
   p.force = 3e3;
@@ -436,7 +436,7 @@ TEST(CheckCase, APreloadIsHeldSomewhereAndWithinTheThreads) {
 
 TEST(CheckRequirements, PreloadNeedsPartsAndOneDimensionalBodies) {
   Case c;
-  c.mechanism = abevi().mechanism;
+  c.mechanism = abevi_case().mechanism;
   EXPECT_EQ(paths(check_requirements(c, Command::preload)), "preload materials structure");
   c = two_nuts();
   c.model.bodies = ModelOptions::Bodies::influence;

@@ -167,7 +167,7 @@ TEST_F(CommandLine, WrongOverrideIsReportedWhereItTakesEffect) {
 }
 
 TEST_F(CommandLine, OutputThatGetsLostIsStatus1) {
-  const std::string command = "cd '" PRS_SOURCE_DIR "' && '" PRS_EXECUTABLE
+  const std::string command = std::string("cd '" PRS_SOURCE_DIR "' && '") + test::program() +
                               "' solve configs/01_config_1_to_3.yaml --json --quiet >/dev/full "
                               "2>/dev/null";
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1);

@@ -18,6 +18,7 @@
 #include "prs/life/capacity.h"
 #include "prs/validation/validate.h"
 #include "tests/prs/output/temporary_directory.h"
+#include "tests/support/program.h"
 #include "validation/jung_2017/contact_parameters.h"
 #include "validation/jung_2017/contribution.h"
 #include "validation/jung_2017/measures.h"
@@ -314,9 +315,10 @@ struct ProgramRun {
 ProgramRun run_recipe(const std::string& arguments) {
   const test::TemporaryDirectory folder;
   const std::string out = (folder.path() / "out").string();
-  const int status = std::system(("'" PRS_EXECUTABLE "' validate --recipe jung-as-printed " +
-                                  arguments + " >'" + out + "' 2>/dev/null")
-                                     .c_str());
+  const int status =
+      std::system((std::string("'") + test::program() + "' validate --recipe jung-as-printed " +
+                   arguments + " >'" + out + "' 2>/dev/null")
+                      .c_str());
   std::ifstream in(out);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
           std::string(std::istreambuf_iterator<char>(in), {})};

@@ -4,17 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "support/count.h"
 #include "support/dense_sector.h"
 #include "support/sectors.h"
+#include "support/sum.h"
 
 namespace prs {
 namespace {
 
 using test::abevi;
 using test::SectorCase;
+using test::sum;
 
 LoadDistribution solve(const SectorCase& c, double force) {
   SectorSolver solver(c.build());
@@ -31,8 +32,6 @@ std::vector<double> rates(const SectorCase& c, const LoadDistribution& r, Interf
     rates.push_back(n * std::cos(c.laws[i].normal_angle) * c.mechanism.rollers / force);
   return rates;
 }
-
-double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   EXPECT_EQ(a.size(), b.size());

@@ -23,7 +23,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using enum ModelOptions::Bodies;
-using Contacts = ModelOptions::RollerContacts;
+using RollerContacts = ModelOptions::RollerContacts;
 
 const std::filesystem::path kFolder = PRS_SOURCE_DIR "/validation/reference_fe";
 
@@ -53,7 +53,8 @@ std::vector<Curve> at_full_load(Keep keep) {
 
 bool everywhere(const Setup&, double) { return true; }
 
-const Setup kExample{2, Direction::tension, Guidance::Kind::both_end_nodes, Contacts::opposite};
+const Setup kExample{2, Direction::tension, Guidance::Kind::both_end_nodes,
+                     RollerContacts::opposite};
 
 // The file.
 

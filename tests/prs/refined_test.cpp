@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
-#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -15,6 +14,7 @@
 #include "prs/refined/nut_shell.h"
 #include "support/count.h"
 #include "support/sectors.h"
+#include "support/sum.h"
 
 namespace prs {
 namespace {
@@ -22,7 +22,8 @@ namespace {
 using std::numbers::pi;
 using test::abevi;
 using test::SectorCase;
-using Contacts = ModelOptions::RollerContacts;
+using test::sum;
+using RollerContacts = ModelOptions::RollerContacts;
 
 constexpr RefinedEffects kNone{false, false, false, false, false, false, false};
 
@@ -32,7 +33,7 @@ SectorCase refined(SectorCase c, const RefinedEffects& effects = {}) {
   return c;
 }
 
-SectorCase with_contacts(SectorCase c, Contacts contacts) {
+SectorCase with_contacts(SectorCase c, RollerContacts contacts) {
   c.options.roller_contacts = contacts;
   return c;
 }
@@ -65,8 +66,6 @@ double largest_difference(const LoadDistribution& a, const LoadDistribution& b) 
   return d;
 }
 
-double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
-
 /// A random sector, refined, with some effects off; stated heights leave a wall and a core.
 SectorCase random_refined(std::mt19937_64& random) {
   const auto flag = [&] { return std::uniform_int_distribution<int>(0, 3)(random) > 0; };
@@ -77,8 +76,9 @@ SectorCase random_refined(std::mt19937_64& random) {
   if (flag())
     for (const Part p : kParts)
       c.mechanism.thread[p] = ThreadHeight{0.15 * pitch, std::min(0.18 * pitch, 0.1 * wall)};
-  return refined(with_contacts(c, flag() ? Contacts::opposite : Contacts::half_pitch_apart),
-                 effects);
+  return refined(
+      with_contacts(c, flag() ? RollerContacts::opposite : RollerContacts::half_pitch_apart),
+      effects);
 }
 
 TEST(Refined, WithoutEffectsIsTheBarModel) {
@@ -89,7 +89,7 @@ TEST(Refined, WithoutEffectsIsTheBarModel) {
     const double force = 2e3 * c.mechanism.rollers;
     const LoadDistribution bars = solve(c, force);
     const LoadDistribution same =
-        solve(refined(with_contacts(c, Contacts::opposite), kNone), force);
+        solve(refined(with_contacts(c, RollerContacts::opposite), kNone), force);
     EXPECT_LE(largest_difference(bars, same), 1e-12 * force);
     EXPECT_NEAR(same.axial_displacement / bars.axial_displacement, 1.0, 1e-12);
     EXPECT_NEAR(*same.tangent_stiffness / *bars.tangent_stiffness, 1.0, 1e-12);
@@ -164,7 +164,7 @@ TEST(Refined, RandomSectorsConvergeAndCarryTheLoad) {
 
 TEST(Refined, RollerIsInMomentBalance) {
   const double p = 5e-3 / 3, radius = 3.5e-3, end = 5e-3, spring = 2e7;
-  for (const Contacts contacts : {Contacts::opposite, Contacts::half_pitch_apart})
+  for (const RollerContacts contacts : {RollerContacts::opposite, RollerContacts::half_pitch_apart})
     for (SectorCase c : six_cases()) {
       c = refined(with_contacts(c, contacts));
       c.structure.roller.guidance = {Guidance::Kind::ring, spring};
@@ -176,7 +176,7 @@ TEST(Refined, RollerIsInMomentBalance) {
           newton.solve(45e3 / 11 * solver.unit_load(), solver.newton_options(45e3), q).converged());
       const LoadDistribution r = solver.solve(45e3);
       const double s = sense(c.direction);
-      const double apart = contacts == Contacts::opposite ? 0.0 : 0.25 * p;
+      const double apart = contacts == RollerContacts::opposite ? 0.0 : 0.25 * p;
       double radial = 0.0, moment = 0.0;
       for (std::size_t k = 0; k < 20; ++k) {
         const double x = static_cast<double>(k) * p;
@@ -201,7 +201,8 @@ TEST(Refined, RollerIsInMomentBalance) {
 }
 
 TEST(Refined, MirroredNutUnderTheOtherDirectionSharesInReverse) {
-  for (const Contacts contacts : {Contacts::opposite, Contacts::half_pitch_apart}) {
+  for (const RollerContacts contacts :
+       {RollerContacts::opposite, RollerContacts::half_pitch_apart}) {
     SectorCase c = refined(with_contacts(abevi(), contacts));
     c.materials.screw.youngs_modulus = 1e20;  // the screw has a loaded end
     c.structure.nut.flanges = {{0.0, 10e-3, 62e-3}, {70e-3, 90e-3, 55e-3}};
@@ -244,8 +245,9 @@ std::vector<ReferenceRow> reference_rows() {
     double force = 0.0, displacement = 0.0, stiffness = 0.0;
     fields >> config >> direction >> guidance >> lever >> force >> displacement >> stiffness;
     ReferenceRow r;
-    r.sector = refined(with_contacts(
-        abevi(), lever == "opposite" ? Contacts::opposite : Contacts::half_pitch_apart));
+    r.sector =
+        refined(with_contacts(abevi(), lever == "opposite" ? RollerContacts::opposite
+                                                           : RollerContacts::half_pitch_apart));
     r.sector.position = config == 1 ? 54.3333333e-3 : config == 2 ? 29.1666667e-3 : 4e-3;
     r.sector.direction = direction == "tension" ? Direction::tension : Direction::compression;
     if (guidance == "outer_node")

@@ -23,7 +23,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 contact::Thread thread(double pitch_radius, double pitch, double lead, double flank_angle) {
   return {.pitch_radius = pitch_radius,

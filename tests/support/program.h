@@ -10,6 +10,9 @@
 
 namespace test {
 
+/// The file of `prs`. A build folder's name stands in no other object than that of this function.
+const char* program();
+
 /// How a run of the program ended and what it wrote.
 struct Outcome {
   int status = -1;
@@ -22,9 +25,9 @@ inline Outcome run_prs(const std::string& arguments,
                        const std::string& before = "") {
   const TemporaryDirectory folder;
   const std::filesystem::path out = folder.path() / "stdout", err = folder.path() / "stderr";
-  const std::string command = "cd '" + directory.string() + "' && " + before +
-                              " '" PRS_EXECUTABLE "' " + arguments + " >'" + out.string() +
-                              "' 2>'" + err.string() + "'";
+  const std::string command = "cd '" + directory.string() + "' && " + before + " '" + program() +
+                              "' " + arguments + " >'" + out.string() + "' 2>'" + err.string() +
+                              "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
 }

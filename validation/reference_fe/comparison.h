@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "prs/case.h"
+#include "prs/document/units.h"
 #include "validation/reference_fe/curves.h"
 
 namespace prs::reference_fe {
+
+inline double percent(double share) { return share * per_si::percent; }
 
 /// Half widths of the interval in which the truth should lie.
 struct ErrorBar {

@@ -27,8 +27,6 @@ ErrorBar sum(const ErrorBar& a, const ErrorBar& b) {
   return {a.stiffness + b.stiffness, a.load_rate + b.load_rate};
 }
 
-double percent(double share) { return share * per_si::percent; }
-
 /// `-1.20 % (3 tension both_end_nodes opposite, 45 kN)`
 std::string shown(const Extreme& e, const char* format) {
   return fmt::format(fmt::runtime(format), percent(e.value)) +

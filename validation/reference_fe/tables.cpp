@@ -14,8 +14,6 @@ namespace {
 
 constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
 
-double percent(double share) { return share * per_si::percent; }
-
 bool all_loads(const Setup&, double) { return true; }
 
 std::string at_full_load(const std::vector<Curve>& reference) {

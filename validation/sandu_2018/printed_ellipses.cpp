@@ -12,11 +12,11 @@
 #include "prs/analyze.h"
 #include "prs/document/units.h"
 #include "prs/slip_model.h"
+#include "validation/sandu_2018/sweep.h"
 
 namespace prs::sandu_2018 {
 namespace {
 
-constexpr double kMeasuredSlipRatio = 0.3730;  // experiment 6
 constexpr int kPointsOfFigure28 = 11;
 
 /// Relative curvatures along the axes that the thesis gives the ellipse: table 1.4 with absolute

@@ -20,8 +20,6 @@ namespace {
 using Values = std::vector<double>;
 using Results = std::vector<SlipResult>;
 
-constexpr double kMeasuredSlipRatio = 0.3730;  // experiment 6
-
 // Ranges of the text or, where it gives none, around the reference.
 const Values kDiameters{20, 25, 30, 35, 40, 45, 50};         // 2 r_S [mm]
 const Values kLeads{5, 7.5, 10, 12.5, 15, 20};               // [mm]

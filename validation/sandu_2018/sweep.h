@@ -8,6 +8,8 @@
 
 namespace prs::sandu_2018 {
 
+inline constexpr double kMeasuredSlipRatio = 0.3730;  ///< Experiment 6.
+
 /// Slip of the first load case, as it ended.
 SlipResult slip_of(const Case& c);
 

@@ -22,7 +22,7 @@ using std::numbers::pi;
 
 constexpr int kTeeth = 20, kRollers = 11;
 constexpr double kPitch = 5e-3 / 3;
-const fe::Isotropic kSteel{209e9, 0.3};
+const fe::Isotropic kElasticSteel{209e9, 0.3};
 const HertzPatch kScrewPatch{0.22077e-3, 0.22077e-3}, kNutPatch{0.20285e-3, 0.20285e-3};
 
 /// Rows of numbers; m/N, the file has mm/N.
@@ -75,7 +75,7 @@ double radius(const GroovedBody& body, int node) {
 Eigen::MatrixXd held_axially(const GroovedBody& body, const std::vector<int>& nodes) {
   std::vector<fe::HarmonicSupport> supports;
   for (const int node : nodes) supports.push_back({node, fe::Component::axial});
-  fe::HarmonicBody solver(body.mesh, kSteel, 0, supports);
+  fe::HarmonicBody solver(body.mesh, kElasticSteel, 0, supports);
   EXPECT_EQ(solver.factorize(0), fe::FactorizationStatus::ok);
   const Eigen::MatrixXd loads = patch_loads(body, 0);
   return loads.transpose() * solver.solve(loads);

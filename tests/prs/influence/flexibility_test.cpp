@@ -19,7 +19,7 @@ using test::abevi;
 using test::SectorCase;
 
 /// With flank normals at 45 deg.
-SectorCase short_screw() {
+SectorCase short_screw_at_45_deg() {
   SectorCase c = test::short_screw();
   for (const Interface i : kInterfaces) c.laws[i].normal_angle = pi / 4.0;
   return c;
@@ -86,7 +86,7 @@ TEST(Flexibility, FarThreadsOfTheScrewSeeABarBetweenCoreAndPitchSection) {
 }
 
 TEST(Flexibility, IsSymmetricAndHasNoHertzLeft) {
-  const SectorCase c = short_screw();
+  const SectorCase c = short_screw_at_45_deg();
   const BodyFlexibilities f = body_flexibilities(geometry(c), c.direction, c.position, {});
   for (const Flexibility* body : {&f.screw, &f.nut, &f.roller}) {
     EXPECT_LT((body->matrix - body->matrix.transpose()).norm(), 1e-15 * body->matrix.norm());
@@ -96,7 +96,7 @@ TEST(Flexibility, IsSymmetricAndHasNoHertzLeft) {
 }
 
 TEST(Flexibility, MirroredScrewHasMirroredBodies) {
-  SectorCase c = short_screw();
+  SectorCase c = short_screw_at_45_deg();
   const BodyGeometry tension = geometry(c);
   const Flexibility nut = nut_flexibility(tension, c.direction, c.position, test::coarse_bodies());
   const Flexibility roller = roller_flexibility(tension, c.direction, test::coarse_bodies());
@@ -120,7 +120,7 @@ TEST(Flexibility, MirroredScrewHasMirroredBodies) {
 }
 
 TEST(Flexibility, SizeOfThePatchDropsOut) {
-  SectorCase c = short_screw();
+  SectorCase c = short_screw_at_45_deg();
   c.mechanism.contacts_per_roller = 4;
   FlexibilityOptions options;
   options.mesh.patch_cells = 8;
@@ -158,7 +158,7 @@ TEST(Flexibility, DefaultsHaveWorkingAccuracy) {
 }
 
 TEST(Flexibility, GuidanceRingOfGreatStiffnessHoldsLikeASupport) {
-  SectorCase c = short_screw();
+  SectorCase c = short_screw_at_45_deg();
   const Flexibility held = roller_flexibility(geometry(c), c.direction, test::coarse_bodies());
   c.structure.roller.guidance = {Guidance::Kind::ring, 1e13};
   const Flexibility ring = roller_flexibility(geometry(c), c.direction, test::coarse_bodies());
@@ -170,7 +170,7 @@ TEST(Flexibility, GuidanceRingOfGreatStiffnessHoldsLikeASupport) {
 }
 
 TEST(Flexibility, ContactsAtTheEndsOfTheNutHaveTheirThread) {
-  SectorCase c = short_screw();
+  SectorCase c = short_screw_at_45_deg();
   c.structure.screw.free_length = 0.0;
   c.structure.nut.length = 5.0 * axial_pitch(c.mechanism);
   c.structure.nut.flanges.clear();
@@ -189,7 +189,7 @@ TEST(Flexibility, ContactsAtTheEndsOfTheNutHaveTheirThread) {
 }
 
 TEST(Flexibility, UnilateralThrustFaceIsSofter) {
-  const SectorCase c = short_screw();
+  const SectorCase c = short_screw_at_45_deg();
   FlexibilityOptions bilateral = test::coarse_bodies();
   bilateral.unilateral_thrust = false;
   const double both = nut_flexibility(geometry(c), c.direction, c.position, bilateral).matrix.sum();

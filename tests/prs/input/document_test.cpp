@@ -9,12 +9,12 @@
 namespace prs::input {
 namespace {
 
-struct Read {
+struct ReadText {
   Node root;
   std::string error;
 };
 
-Read read(const std::string& text, std::vector<std::string> overrides = {}) {
+ReadText read_text(const std::string& text, std::vector<std::string> overrides = {}) {
   const Source source{"case.yaml", text, std::move(overrides)};
   ErrorList errors(source);
   try {
@@ -39,7 +39,7 @@ std::string repeated(const std::string& part, std::size_t bytes) {
 }
 
 TEST(Document, KeepsOrderKindsAndQuotes) {
-  const Node root = read("b: 5\na: [\"5\", {c: x}, ~]\n").root;
+  const Node root = read_text("b: 5\na: [\"5\", {c: x}, ~]\n").root;
   ASSERT_EQ(root.children.size(), 2U);
   EXPECT_EQ(root.children[0].key, "b");
   EXPECT_EQ(scalar_type(root.children[0]), ScalarType::number);
@@ -65,14 +65,15 @@ TEST(Document, PlaceOfAnAbsentValueIsItsInnermostMap) {
 }
 
 TEST(Document, AliasesStandForTheirValue) {
-  const Node root = read("a: &x {b: 1}\nc: *x\n").root;
+  const Node root = read_text("a: &x {b: 1}\nc: *x\n").root;
   EXPECT_EQ(root.children[1].key, "c");
   EXPECT_EQ(root.children[1].children[0].text, "1");
 }
 
 TEST(Document, OverridesReplaceAndCreate) {
   const Node root =
-      read("a: {b: 1}\nc: [{d: 1}]\n", {"a.b=2", "c[0].d=20 kN", "e.f.g={h: 3}", "a.b=4"}).root;
+      read_text("a: {b: 1}\nc: [{d: 1}]\n", {"a.b=2", "c[0].d=20 kN", "e.f.g={h: 3}", "a.b=4"})
+          .root;
   EXPECT_EQ(find(*find(root, "a"), "b")->text, "4");
   EXPECT_EQ(find(find(root, "c")->children[0], "d")->text, "20 kN");
   EXPECT_EQ(find(*find(*find(*find(root, "e"), "f"), "g"), "h")->text, "3");
@@ -80,7 +81,7 @@ TEST(Document, OverridesReplaceAndCreate) {
 
 TEST(Document, ErrorsOfAnOverrideNameTheOverride) {
   const auto error = [](const char* text, const char* override) {
-    return read(text, {override}).error;
+    return read_text(text, {override}).error;
   };
   EXPECT_EQ(error("a: [1]", "a[1]=2").rfind("case.yaml:1:1: error: a[1]: got the index 1", 0), 0U);
   EXPECT_EQ(error("b: 1\na: 1", "a.b=2").rfind("case.yaml:2:1: error: a.b: ", 0), 0U);
@@ -89,16 +90,17 @@ TEST(Document, ErrorsOfAnOverrideNameTheOverride) {
   EXPECT_NE(error("a: 1", "b={").find("(from --set b={)"), std::string::npos);
   for (const char* bad : {"", "=", "a", "a b", "=1", ".a=1", "a.=1", "a..b=1", "a[=1", "a[]=1",
                           "a[-1]=1", "a[x]=1", "a[0]b=1", "[0]=1", "a[99999999999999999999]=1"})
-    EXPECT_NE(read("a: [1]", {bad}).error.find("error: expected path=value"), std::string::npos)
+    EXPECT_NE(read_text("a: [1]", {bad}).error.find("error: expected path=value"),
+              std::string::npos)
         << bad;
 }
 
 TEST(Document, NestingIsBounded) {
   for (const char* opening : {"[", "{a: ", "- ", "? ", "[a, ", "{? "})
-    EXPECT_NE(read(repeated(opening, 60'000)).error.find("more than 64 nested levels"),
+    EXPECT_NE(read_text(repeated(opening, 60'000)).error.find("more than 64 nested levels"),
               std::string::npos)
         << opening;
-  EXPECT_EQ(read(std::string(60, '[') + std::string(60, ']')).error, "");
+  EXPECT_EQ(read_text(std::string(60, '[') + std::string(60, ']')).error, "");
 }
 
 TEST(Document, AliasExpansionIsBounded) {
@@ -109,11 +111,14 @@ TEST(Document, AliasExpansionIsBounded) {
     for (int k = 1; k < 10; ++k) bomb += ", " + alias;
     bomb += "]\n";
   }
-  EXPECT_NE(read(bomb).error.find("more than 200000 values, aliases expanded"), std::string::npos);
-  const std::string large = "a: &a \"" + std::string(900'000, 'x') + "\"\nb: [";
-  EXPECT_NE(read(large + repeated("*a, ", 80'000) + "*a]").error.find("more than 200000 values"),
+  EXPECT_NE(read_text(bomb).error.find("more than 200000 values, aliases expanded"),
             std::string::npos);
-  EXPECT_NE(read("a: &a [*a]").error.find("alias of a value that contains it"), std::string::npos);
+  const std::string large = "a: &a \"" + std::string(900'000, 'x') + "\"\nb: [";
+  EXPECT_NE(
+      read_text(large + repeated("*a, ", 80'000) + "*a]").error.find("more than 200000 values"),
+      std::string::npos);
+  EXPECT_NE(read_text("a: &a [*a]").error.find("alias of a value that contains it"),
+            std::string::npos);
 }
 
 TEST(Document, AMegabyteOfAnythingIsJudgedQuickly) {
@@ -123,7 +128,7 @@ TEST(Document, AMegabyteOfAnythingIsJudgedQuickly) {
         "...\n", ",",    ":",   "#",   "\n",   "\r",   "\t",     "a,",       "[a,",  "{a,",
         "[[],",  "- - ", "-\n", "?\n", "<<: ", "a\n",  "k",      "\xC3\xA9", "\xFF", "@"}) {
     const auto start = std::chrono::steady_clock::now();
-    read(repeated(part, std::size_t{1} << 20));
+    read_text(repeated(part, std::size_t{1} << 20));
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     EXPECT_LT(taken.count(), 4.0) << part;
   }
@@ -131,9 +136,22 @@ TEST(Document, AMegabyteOfAnythingIsJudgedQuickly) {
 
 TEST(Document, ManyDuplicateKeysAreJudgedQuickly) {
   const auto start = std::chrono::steady_clock::now();
-  EXPECT_NE(read(repeated("a: 1\n", 450'000)).error.find("duplicate key"), std::string::npos);
+  EXPECT_NE(read_text(repeated("a: 1\n", 450'000)).error.find("duplicate key"), std::string::npos);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   EXPECT_LT(taken.count(), 4.0);
+}
+
+TEST(Document, TextsAreBoundedLikeFiles) {
+  constexpr std::size_t kMiB = std::size_t{1} << 20;
+  EXPECT_EQ(source_of_text("case", std::string(kMiB, 'a'), {}).text.size(), kMiB);
+  try {
+    source_of_text("case", std::string(kMiB + 1, 'a'), {});
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(),
+                 "case:1:1: error: got a text of 1048577 bytes; expected a YAML text of at most 1 "
+                 "MiB; check that it is the right one");
+  }
 }
 
 TEST(Document, WhatIsNoRegularFileIsRefused) {

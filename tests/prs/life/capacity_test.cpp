@@ -11,14 +11,14 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// ISO 281:1990, table 4, thrust ball bearings, contact angle 45 deg: D_w cos(alpha)/D_pw and f_c.
-constexpr double kStandard[][2] = {{0.01, 42.1}, {0.02, 51.7}, {0.03, 58.2}, {0.04, 63.3},
-                                   {0.05, 67.3}, {0.06, 70.7}, {0.07, 73.5}, {0.08, 75.9},
-                                   {0.09, 78.0}, {0.10, 79.7}, {0.12, 82.3}, {0.14, 84.1},
-                                   {0.16, 85.1}, {0.18, 85.5}, {0.20, 85.4}, {0.22, 84.9},
-                                   {0.24, 84.0}, {0.26, 82.8}, {0.28, 81.3}, {0.30, 79.6}};
+constexpr double kStandardFactors[][2] = {{0.01, 42.1}, {0.02, 51.7}, {0.03, 58.2}, {0.04, 63.3},
+                                          {0.05, 67.3}, {0.06, 70.7}, {0.07, 73.5}, {0.08, 75.9},
+                                          {0.09, 78.0}, {0.10, 79.7}, {0.12, 82.3}, {0.14, 84.1},
+                                          {0.16, 85.1}, {0.18, 85.5}, {0.20, 85.4}, {0.22, 84.9},
+                                          {0.24, 84.0}, {0.26, 82.8}, {0.28, 81.3}, {0.30, 79.6}};
 
 TEST(GeometryFactor, IsThatOfThrustBallBearings) {
-  for (const auto& [ratio, factor] : kStandard)
+  for (const auto& [ratio, factor] : kStandardFactors)
     EXPECT_NEAR(*geometry_factor(ratio) / factor, 1.0, kFactorFit) << ratio;
 }
 

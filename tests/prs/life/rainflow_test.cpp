@@ -33,10 +33,10 @@ std::vector<Plain> plain(const std::vector<Cycle>& cycles) {
 }
 
 /// The standard's history of peaks and valleys, figure 6: A to I.
-const std::vector<double> kStandard = {-2, 1, -3, 5, -1, 3, -4, 4, -2};
+const std::vector<double> kStandardHistory = {-2, 1, -3, 5, -1, 3, -4, 4, -2};
 
 TEST(Rainflow, CountsTheExampleOfTheStandard) {
-  const std::vector<Cycle> cycles = rainflow(kStandard);
+  const std::vector<Cycle> cycles = rainflow(kStandardHistory);
   EXPECT_EQ(counts_of(cycles), (Counts{{3, 0.5}, {4, 1.5}, {6, 0.5}, {8, 1.0}, {9, 0.5}}));
   // Events A-B, B-C, E-F, C-D, D-G, then what is left: G-H, H-I.
   EXPECT_EQ(plain(cycles), (std::vector<Plain>{{-2, 1, 0.5},

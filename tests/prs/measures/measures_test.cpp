@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -15,6 +16,8 @@
 
 namespace prs {
 namespace {
+
+using std::numbers::pi;
 
 constexpr double kForce = 45e3;
 constexpr int kContacts = 220;
@@ -153,7 +156,7 @@ TEST(Measures, EquivalentInertiaIsThatOfItsParts) {
   // Energies of all parts of the inverted screw: the nut turns, the screw travels.
   Case c = abevi();
   const Measures m = measures(c);
-  const double pi = std::acos(-1.0), speed = 30.0, velocity = speed * 5e-3 / (2.0 * pi);
+  const double speed = 30.0, velocity = speed * 5e-3 / (2.0 * pi);
   const double screw = *m.screw_weight_per_length * c.measures->shaft->length;
   EXPECT_NEAR(*m.travel_inertia * speed * speed, (*m.roller_weight + screw) * velocity * velocity,
               1e-12);
@@ -308,7 +311,6 @@ TEST(LoadMeasures, SpeedGivesHoursAndAStandardScrewItsMargin) {
   c.operation = Operation{};
   c.operation->speed = -40.0;
   LoadMeasures m = load_measures(c, 0);
-  const double pi = std::acos(-1.0);
   EXPECT_NEAR(*m.life_hours * 3600.0 * 40.0 / (2.0 * pi) / *m.life, 1.0, 1e-12);
   EXPECT_FALSE(m.speed_safety);  // The screw of an inverted mechanism does not turn.
   c.load_cases[0].speed = 80.0;

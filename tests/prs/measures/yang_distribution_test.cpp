@@ -4,18 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 
 #include "prs/load_distribution.h"
 #include "prs/measures/stiffness.h"
 #include "support/count.h"
 #include "support/sectors.h"
+#include "support/sum.h"
 
 namespace prs {
 namespace {
 
-double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
+using test::sum;
 
 std::vector<ThreadGap> same_side(std::size_t threads, double screw, double nut) {
   return std::vector<ThreadGap>(threads - 1, {screw, 0.0, nut});

@@ -5,16 +5,18 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "known_problems.h"
 #include "prs/output/optimize_csv.h"
 #include "prs/output/optimize_figures.h"
 #include "prs/output/optimize_json.h"
 #include "prs/output/optimize_table.h"
 #include "prs/output/text.h"
-#include "known_problems.h"
+#include "tests/prs/output/text_lines.h"
 
 namespace prs {
 namespace {
 
+using test::lines;
 using testing::HasSubstr;
 using testing::SizeIs;
 using testing::StartsWith;
@@ -31,13 +33,6 @@ test::Problem problem() {
     return x[0] < 1.0 && x[1] > 2.0 ? std::vector<double>{} : answer(x);
   };
   return problem;
-}
-
-std::vector<std::string> lines(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> all;
-  for (std::string line; std::getline(stream, line);) all.push_back(line);
-  return all;
 }
 
 TEST(OptimizeCsv, HasARowForEachDesign) {

@@ -25,7 +25,7 @@ TEST(CaseGroups, DirectionsOfOneConfigurationFindEachOther) {
       solved_case("c-compression", 1e3, Direction::compression),
       solved_case("tension", 1e3, Direction::tension),
       solved_case("c-compression", 1e3, Direction::tension)};
-  const auto found = configurations(results, 1, [](const LoadCaseResult&) { return true; });
+  const auto found = loaded_configurations(results, 1, [](const LoadCaseResult&) { return true; });
   ASSERT_EQ(found.size(), 3);
   EXPECT_EQ(found[0].name, "c");
   EXPECT_EQ(found[0].groups.size(), 2);

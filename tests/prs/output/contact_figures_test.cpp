@@ -7,8 +7,9 @@
 #include <regex>
 
 #include "contact/mechanism_geometry.h"
+#include "contact_cases.h"
+#include "drawn.h"
 #include "prs/analyze.h"
-#include "prs/input/reader.h"
 #include "prs/output/plots.h"
 #include "temporary_directory.h"
 #include "tests/contact/mechanisms.h"
@@ -17,30 +18,18 @@ namespace prs {
 namespace {
 
 namespace fs = std::filesystem;
+using test::abevi_contacts;
+using test::contact_lesson;
 using test::content_of;
+using test::equal_share;
+using test::expect_no_notes;
 using test::TemporaryDirectory;
 
 constexpr double mm = 1e-3;
 constexpr double kChord = 1e-4;  ///< Between a curved flank and its polyline [mm].
 
-Case lesson(const std::string& file, std::vector<LoadCase> load_cases = {}) {
-  Case c = input::read_case(PRS_SOURCE_DIR "/configs/" + file, {}, Command::contact);
-  c.load_cases = std::move(load_cases);
-  return c;
-}
-Case abevi(std::vector<LoadCase> load_cases = {}) {
-  return lesson("04_contacts_from_geometry.yaml", std::move(load_cases));
-}
 /// Also example 1 of Sandu 2018, table 1.6.
-Case standard() { return lesson("05_standard_screw.yaml"); }
-
-LoadCase equal_share(std::string name, double force) {
-  LoadCase load_case;
-  load_case.name = std::move(name);
-  load_case.axial_force = force;
-  load_case.share = LoadCase::Share::equal;
-  return load_case;
-}
+Case standard() { return contact_lesson("05_standard_screw.yaml"); }
 
 Case left_handed(Case c) {
   c.mechanism.lead = -c.mechanism.lead;
@@ -56,7 +45,8 @@ Case truncated() {
 }
 
 std::vector<Case> variants() {
-  return {abevi(), left_handed(abevi()), standard(), left_handed(standard()), truncated()};
+  return {abevi_contacts(), left_handed(abevi_contacts()), standard(), left_handed(standard()),
+          truncated()};
 }
 
 std::vector<Figure> all_figures(const Result& result) {
@@ -131,7 +121,7 @@ TEST(ContactSection, LoadedFlanksTouchAtTheMarksAndNowhereInterpenetrate) {
 TEST(ContactSection, ThreadsStandWhereTheirAxialPositionsAre) {
   // This screw's contact lies in the plane of the axes, where the middle of a groove is at the
   // height of the origin; the roller's origin is at z = 0.
-  const Result result = analyze_contacts(abevi());
+  const Result result = analyze_contacts(abevi_contacts());
   const contact::MechanismGeometry& threads = result.contacts.threads;
   const auto positions = contact::axial_positions(
       threads, contact::mechanism_contact(threads, contact::Configuration::i1_j2),
@@ -145,7 +135,7 @@ TEST(ContactSection, ThreadsStandWhereTheirAxialPositionsAre) {
 }
 
 TEST(ContactSection, PartsOfDifferentPitchTouchAtOneThread) {
-  Case c = abevi();
+  Case c = abevi_contacts();
   c.mechanism.pitch.screw = c.mechanism.pitch.nut = 1.67 * mm;
   const auto figure = contact_section_figure(analyze_contacts(c));
   ASSERT_TRUE(figure);
@@ -176,15 +166,15 @@ TEST(ContactXy, MarksStandAtTheContactPoints) {
 }
 
 TEST(ContactXy, AllRollersAreDrawn) {
-  const Result result = analyze_contacts(abevi());
+  const Result result = analyze_contacts(abevi_contacts());
   const auto figure = contact_xy_figure(result);
   ASSERT_TRUE(figure);
   EXPECT_EQ(line_of(*figure, figure->panels[0], "pitch circle, roller").parts.size(), 11);
 }
 
 TEST(ContactEllipses, AreThoseOfTheLargestLoad) {
-  const Result result = analyze_contacts(
-      abevi({equal_share("small", 5e3), equal_share("large", -45e3), equal_share("some", 20e3)}));
+  const Result result = analyze_contacts(abevi_contacts(
+      {equal_share("small", 5e3), equal_share("large", -45e3), equal_share("some", 20e3)}));
   const auto figure = contact_ellipse_figure(result);
   ASSERT_TRUE(figure);
   EXPECT_EQ(figure->title, "Contact ellipses, load case large");
@@ -200,7 +190,7 @@ TEST(ContactEllipses, AreThoseOfTheLargestLoad) {
 }
 
 TEST(ContactEllipses, HaveUnitMajorAxesWithoutMaterials) {
-  Case c = abevi({equal_share("equal", 45e3)});
+  Case c = abevi_contacts({equal_share("equal", 45e3)});
   const contact::HertzConstants hertz = analyze_contacts(c).contacts.interfaces.nut.hertz;
   c.materials.reset();
   const auto figure = contact_ellipse_figure(analyze_contacts(c));
@@ -245,7 +235,7 @@ TEST(ContactFigures, AllCoordinatesAreFinite) {
 }
 
 TEST(ContactFigures, NeedBothContactPoints) {
-  Result result = analyze_contacts(abevi());
+  Result result = analyze_contacts(abevi_contacts());
   result.contacts.interfaces.nut.geometry.point.status = contact::ContactPointStatus::outside_flank;
   EXPECT_TRUE(all_figures(result).empty());
   const TemporaryDirectory temporary;
@@ -279,17 +269,10 @@ TEST(ContactFigures, DrawingsAreToScale) {
   EXPECT_NEAR(x[0] / y[0], x[1] / y[1], 1e-5);
 }
 
-/// Skips the test where there is no gnuplot.
-void draw_without_notes(const Result& result, const fs::path& directory) {
-  const auto notes = draw_contact_plots(result, directory);
-  if (!notes.empty() && notes[0].find("No such file") != std::string::npos)
-    GTEST_SKIP() << notes[0];
-  for (const std::string& note : notes) ADD_FAILURE() << note;
-}
-
 TEST(ContactPlots, EveryFigureIsDrawnBesideItsScript) {
   const TemporaryDirectory temporary;
-  ASSERT_NO_FATAL_FAILURE(draw_without_notes(analyze_contacts(truncated()), temporary.path()));
+  ASSERT_NO_FATAL_FAILURE(
+      expect_no_notes(draw_contact_plots(analyze_contacts(truncated()), temporary.path())));
   if (IsSkipped()) return;
   for (const char* name : {"contact_axial_section", "contact_xy", "contact_ellipses"}) {
     const fs::path base = temporary.path() / "plots" / name;
@@ -303,8 +286,8 @@ TEST(ContactPlots, NamesAreDrawnAsTheyStandAndNeverRun) {
   for (const std::string name : {"'; system('touch run'); '", "\"; system('touch run'); \"",
                                  "`touch run`", "}\n!touch run\n", "\xff\x01", ""}) {
     const TemporaryDirectory temporary;
-    ASSERT_NO_FATAL_FAILURE(
-        draw_without_notes(analyze_contacts(abevi({equal_share(name, 45e3)})), temporary.path()));
+    ASSERT_NO_FATAL_FAILURE(expect_no_notes(draw_contact_plots(
+        analyze_contacts(abevi_contacts({equal_share(name, 45e3)})), temporary.path())));
     if (IsSkipped()) return;
     EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "contact_ellipses.png")) << name;
     EXPECT_FALSE(fs::exists(temporary.path() / "plots" / "run")) << name;

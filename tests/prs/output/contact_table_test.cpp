@@ -5,28 +5,15 @@
 #include <algorithm>
 #include <sstream>
 
+#include "contact_cases.h"
 #include "prs/analyze.h"
-#include "prs/input/reader.h"
 #include "prs/output/text.h"
 
 namespace prs {
 namespace {
 
-/// The Abevi screw of lesson 4 under the given equal shares.
-Case abevi(const std::vector<LoadCase>& load_cases = {}) {
-  Case c = input::read_case(PRS_SOURCE_DIR "/configs/04_contacts_from_geometry.yaml", {},
-                            Command::contact);
-  c.load_cases = load_cases;
-  return c;
-}
-
-LoadCase equal_share(std::string name, double force) {
-  LoadCase load_case;
-  load_case.name = std::move(name);
-  load_case.axial_force = force;
-  load_case.share = LoadCase::Share::equal;
-  return load_case;
-}
+using test::abevi_contacts;
+using test::equal_share;
 
 std::string table(const Case& c) { return contact_table(analyze_contacts(c)); }
 
@@ -43,7 +30,7 @@ std::string row(const std::string& table, const std::string& label) {
 }
 
 TEST(ContactTable, HoldsTheMechanismAndBothContacts) {
-  const std::string text = table(abevi());
+  const std::string text = table(abevi_contacts());
   EXPECT_TRUE(text.starts_with("Inverted roller screw, right-handed, lead 5 mm, 11 rollers"));
   EXPECT_EQ(row(text, "centre distance"), "centre distance 14.0000 mm");
   EXPECT_EQ(row(text, "pitch diameter"), "pitch diameter, mm 21.0000 7.0000 35.0000");
@@ -54,11 +41,11 @@ TEST(ContactTable, HoldsTheMechanismAndBothContacts) {
 }
 
 TEST(ContactTable, RoundingErrorsHaveNoSign) {
-  EXPECT_EQ(row(table(abevi()), "backlash"), "backlash, mm 0.0000 -0.0643");
+  EXPECT_EQ(row(table(abevi_contacts()), "backlash"), "backlash, mm 0.0000 -0.0643");
 }
 
 TEST(ContactTable, WithoutMaterialsThereIsNoHertzContact) {
-  Case c = abevi({equal_share("equal", 45e3)});
+  Case c = abevi_contacts({equal_share("equal", 45e3)});
   c.materials.reset();
   const std::string text = table(c);
   for (const char* label : {"ellipticity", "Hertz constant"}) EXPECT_EQ(row(text, label), "");
@@ -67,7 +54,7 @@ TEST(ContactTable, WithoutMaterialsThereIsNoHertzContact) {
 }
 
 TEST(ContactTable, DifferentPitchesHaveNoBacklash) {
-  Case c = abevi();
+  Case c = abevi_contacts();
   c.mechanism.pitch.screw = c.mechanism.pitch.nut = 1.67e-3;
   EXPECT_EQ(row(table(c), "backlash"), "");
   c.mechanism.pitch.nut.reset();
@@ -75,14 +62,14 @@ TEST(ContactTable, DifferentPitchesHaveNoBacklash) {
 }
 
 TEST(ContactTable, LoadCasesShowWhatOneThreadBears) {
-  const std::string text = table(abevi({equal_share("equal", -45e3)}));
+  const std::string text = table(abevi_contacts({equal_share("equal", -45e3)}));
   EXPECT_EQ(row(text, "thread"), "thread normal a b peak approach shear depth");
   EXPECT_TRUE(
       row(text, "equal screw").starts_with("equal screw 204.55 290.10 0.2271 0.1778 3430.0"));
 }
 
 TEST(ContactTable, WarningsOfMechanismAndCasesStandBelow) {
-  const std::string text = table(abevi({equal_share("heavy", 150e3)}));
+  const std::string text = table(abevi_contacts({equal_share("heavy", 150e3)}));
   const auto heading = text.find("\nWarnings\n");
   ASSERT_NE(heading, std::string::npos);
   EXPECT_NE(text.find("the roller-nut threads interfere", heading), std::string::npos);
@@ -95,7 +82,7 @@ TEST(ContactTable, FitsInto110ColumnsWhateverTheNames) {
     cases.push_back(equal_share("range[" + std::to_string(k) + ']', 1e6 * (k + 1)));
   cases.push_back(equal_share(std::string(300, 'x'), 1.0));
   cases.push_back(equal_share("\x1b[2J\n\xff", 1.0));
-  const std::string text = table(abevi(cases));
+  const std::string text = table(abevi_contacts(cases));
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(width(line), 110) << line;
   EXPECT_EQ(text.find('\x1b'), std::string::npos);

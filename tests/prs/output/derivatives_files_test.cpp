@@ -20,7 +20,7 @@ Factor factor(const std::string& path, const std::string& unit, double at) {
 }
 
 /// A stiffness of 800 N/um: twice the diameter's change, against that of a bore, none of a length.
-CaseDerivatives sample() {
+CaseDerivatives sample_derivatives() {
   CaseDerivatives d;
   d.study.responses = {"axial_stiffness_N_per_um"};
   d.study.factors = {factor("bore", "mm", 6.0), factor("diameter", "mm", 20.0),
@@ -33,7 +33,7 @@ CaseDerivatives sample() {
 }
 
 TEST(DerivativesFiles, DocumentHasAnEntryAFactorOrItsReason) {
-  const auto json = derivatives_json(sample(), {"1", "2", "", {}})["derivatives"];
+  const auto json = derivatives_json(sample_derivatives(), {"1", "2", "", {}})["derivatives"];
   ASSERT_THAT(json, SizeIs(1));
   EXPECT_EQ(json[0]["value"], 800.0);
   EXPECT_EQ(json[0]["by"][1]["derivative"], 80.0);
@@ -44,7 +44,7 @@ TEST(DerivativesFiles, DocumentHasAnEntryAFactorOrItsReason) {
 }
 
 TEST(DerivativesFiles, CsvHasARowAResponseAndFactor) {
-  EXPECT_EQ(derivatives_csv(sample()),
+  EXPECT_EQ(derivatives_csv(sample_derivatives()),
             "response,value,factor,label,at,unit,derivative,percent_per_percent,error,reason\n"
             "axial_stiffness_N_per_um,800,bore,bore,6,mm,-10,-0.075,1e-09,\n"
             "axial_stiffness_N_per_um,800,diameter,diameter,20,mm,80,2,1e-08,\n"
@@ -52,14 +52,14 @@ TEST(DerivativesFiles, CsvHasARowAResponseAndFactor) {
 }
 
 TEST(DerivativesFiles, TableHasTheStrongestFirst) {
-  const std::string table = derivatives_table(sample());
+  const std::string table = derivatives_table(sample_derivatives());
   EXPECT_LT(table.find("  diameter "), table.find("  bore "));
   EXPECT_THAT(table, HasSubstr("axial stiffness: 800 N/µm"));
   EXPECT_THAT(table, HasSubstr("length: no derivative of some responses: two sections meet"));
 }
 
 TEST(DerivativesFiles, FigureHasABarAFactor) {
-  const std::vector<Figure> figures = derivatives_figures(sample());
+  const std::vector<Figure> figures = derivatives_figures(sample_derivatives());
   ASSERT_THAT(figures, SizeIs(1));
   const Panel& panel = figures[0].panels.at(0);
   EXPECT_THAT(panel.labels, SizeIs(2));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "drawn.h"
 #include "prs/output/files.h"
 #include "prs/output/result_figures.h"
 #include "sample_result.h"
@@ -17,6 +18,7 @@ namespace fs = std::filesystem;
 using test::add_sweep;
 using test::content_of;
 using test::equal_share_case;
+using test::expect_no_notes;
 using test::failed_case;
 using test::solved_case;
 using test::TemporaryDirectory;
@@ -48,14 +50,6 @@ Result single_case(std::string name) {
   Result result;
   result.load_cases = {solved_case(std::move(name), 45e3, Direction::tension)};
   return result;
-}
-
-/// Draws into the directory; skips the test where there is no gnuplot.
-void draw_without_notes(const Result& result, const fs::path& directory) {
-  const auto notes = draw_plots(result, directory);
-  if (!notes.empty() && notes[0].find("No such file") != std::string::npos)
-    GTEST_SKIP() << notes[0];
-  for (const std::string& note : notes) ADD_FAILURE() << note;
 }
 
 TEST(Figures, DirectionsOfOneConfigurationShareALine) {
@@ -118,7 +112,7 @@ TEST(Figures, MoreConfigurationsThanStylesAreLimited) {
 
 TEST(Plots, EveryFigureIsDrawnBesideItsScript) {
   const TemporaryDirectory temporary;
-  ASSERT_NO_FATAL_FAILURE(draw_without_notes(sweeps(), temporary.path()));
+  ASSERT_NO_FATAL_FAILURE(expect_no_notes(draw_plots(sweeps(), temporary.path())));
   if (IsSkipped()) return;
   for (const char* name : {"load_distribution", "peak_pressure", "stiffness", "butterfly"}) {
     const fs::path base = temporary.path() / "plots" / name;
@@ -139,7 +133,7 @@ TEST(Plots, FewThreadsAndAbsentTangentsAreDrawn) {
     }
   }
   const TemporaryDirectory temporary;
-  draw_without_notes(result, temporary.path());
+  expect_no_notes(draw_plots(result, temporary.path()));
 }
 
 /// The text as gnuplot's SVG holds it.
@@ -155,7 +149,7 @@ TEST(Plots, NamesAreDrawnAsTheyStandAndNeverRun) {
         "\\140touch run\\140", "$(touch run) $panel_1 @x # {", "}", "!touch run", "\\", "%s %d",
         "<b>&amp;</b>", "a_{b}^c"}) {
     const TemporaryDirectory temporary;
-    ASSERT_NO_FATAL_FAILURE(draw_without_notes(single_case(name), temporary.path()));
+    ASSERT_NO_FATAL_FAILURE(expect_no_notes(draw_plots(single_case(name), temporary.path())));
     if (IsSkipped()) return;
     const fs::path plots = temporary.path() / "plots";
     EXPECT_FALSE(fs::exists(plots / "run")) << name;
@@ -167,7 +161,7 @@ TEST(Plots, NamesAreDrawnAsTheyStandAndNeverRun) {
 TEST(Plots, MalformedNamesAreDrawn) {
   for (const std::string name : {"\xff\x01 \xEF\xBF\xBF", "}\n!touch run\n", ""}) {
     const TemporaryDirectory temporary;
-    ASSERT_NO_FATAL_FAILURE(draw_without_notes(single_case(name), temporary.path()));
+    ASSERT_NO_FATAL_FAILURE(expect_no_notes(draw_plots(single_case(name), temporary.path())));
     if (IsSkipped()) return;
     EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "load_distribution.png"));
     EXPECT_FALSE(fs::exists(temporary.path() / "plots" / "run"));

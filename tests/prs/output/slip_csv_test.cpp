@@ -15,7 +15,7 @@ using test::solved_case;
 using test::with_slip;
 using test::without_equilibrium;
 
-Result sample() {
+Result sample_cases() {
   Result result;
   result.load_cases = {with_slip(solved_case("a, \"b\"", 45e3, Direction::tension)),
                        without_equilibrium(equal_share_case("none")), failed_case("hopeless"),
@@ -25,7 +25,7 @@ Result sample() {
 }
 
 TEST(SlipCsv, OneRowALoadCase) {
-  const Result result = sample();
+  const Result result = sample_cases();
   const SlipResult& slip = *result.load_cases[0].slip;
   const auto rows = parse(slip_csv(result));
   ASSERT_EQ(rows.size(), 4);
@@ -48,7 +48,7 @@ TEST(SlipCsv, OneRowALoadCase) {
 }
 
 TEST(SlipCsv, CasesWithoutAnAnswerSayWhy) {
-  const auto rows = parse(slip_csv(sample()));
+  const auto rows = parse(slip_csv(sample_cases()));
   EXPECT_EQ(rows[1].at("converged"), "false");
   EXPECT_EQ(rows[1].at("status"), "no_equilibrium");
   EXPECT_EQ(rows[1].at("evaluations"), "2");
@@ -61,7 +61,7 @@ TEST(SlipCsv, CasesWithoutAnAnswerSayWhy) {
 }
 
 TEST(SlipCsv, OneRowAThreadAndInterface) {
-  const Result result = sample();
+  const Result result = sample_cases();
   const auto rows = parse(slip_threads_csv(result));
   ASSERT_EQ(rows.size(), 2 * (20 + 4));
   EXPECT_EQ(rows[0].at("interface"), "screw");
@@ -75,7 +75,7 @@ TEST(SlipCsv, OneRowAThreadAndInterface) {
 }
 
 TEST(SlipCsv, AbsentFilmIsAnEmptyField) {
-  Result result = sample();
+  Result result = sample_cases();
   for (const Interface i : kInterfaces) result.load_cases[0].slip->threads[i].film_thickness = {};
   EXPECT_EQ(parse(slip_threads_csv(result))[0].at("film_thickness_nm"), "");
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawn.h"
 #include "prs/output/plots.h"
 #include "sample_slip.h"
 #include "temporary_directory.h"
@@ -16,14 +17,13 @@ namespace fs = std::filesystem;
 using test::add_sweep;
 using test::content_of;
 using test::equal_share_case;
+using test::expect_no_notes;
 using test::failed_case;
 using test::sample_pictures;
 using test::solved_case;
 using test::TemporaryDirectory;
 using test::with_slip;
 using test::without_equilibrium;
-
-using Pictures = std::vector<std::pair<std::size_t, SlipPictures>>;
 
 Result sweeps() {
   Result result;
@@ -41,14 +41,6 @@ bool has_style(const Figure& figure, const Panel& panel, const std::string& titl
       return std::any_of(panel.lines.begin(), panel.lines.end(),
                          [&](const Line& line) { return line.style == entry.style; });
   return false;
-}
-
-/// Draws into the directory; skips the test where there is no gnuplot.
-void draw_without_notes(const Result& result, const Pictures& pictures, const fs::path& directory) {
-  const auto notes = draw_slip_plots(result, pictures, directory);
-  if (!notes.empty() && notes[0].find("No such file") != std::string::npos)
-    GTEST_SKIP() << notes[0];
-  for (const std::string& note : notes) ADD_FAILURE() << note;
 }
 
 TEST(SlipFigures, ThreadPowersStandBesideTheLevelOfEqualShares) {
@@ -175,7 +167,8 @@ TEST(SlipFigures, ReferencesStandInBothPanels) {
 
 TEST(SlipPlots, EveryFigureIsDrawnBesideItsScript) {
   const TemporaryDirectory temporary;
-  ASSERT_NO_FATAL_FAILURE(draw_without_notes(sweeps(), {{8, sample_pictures()}}, temporary.path()));
+  ASSERT_NO_FATAL_FAILURE(
+      expect_no_notes(draw_slip_plots(sweeps(), {{8, sample_pictures()}}, temporary.path())));
   if (IsSkipped()) return;
   for (const char* name :
        {"thread_power", "slip_patches", "slip_residue", "power_by_source", "power_by_source_2"}) {
@@ -188,8 +181,8 @@ TEST(SlipPlots, EveryFigureIsDrawnBesideItsScript) {
 
 TEST(SlipPlots, PicturesOfSeveralCasesAreNumbered) {
   const TemporaryDirectory temporary;
-  ASSERT_NO_FATAL_FAILURE(draw_without_notes(
-      sweeps(), {{0, sample_pictures()}, {8, sample_pictures()}}, temporary.path()));
+  ASSERT_NO_FATAL_FAILURE(expect_no_notes(draw_slip_plots(
+      sweeps(), {{0, sample_pictures()}, {8, sample_pictures()}}, temporary.path())));
   if (IsSkipped()) return;
   EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "slip_patches_1.png"));
   EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "slip_residue_2.png"));
@@ -207,14 +200,14 @@ TEST(SlipPlots, DegenerateValuesAreDrawn) {
   }
   pictures.residue_near_root = {{0.373, 0.373}, {{}, {}}};
   const TemporaryDirectory temporary;
-  draw_without_notes(result, {{0, pictures}}, temporary.path());
+  expect_no_notes(draw_slip_plots(result, {{0, pictures}}, temporary.path()));
 }
 
 TEST(SlipPlots, NamesAreDrawnAsTheyStandAndNeverRun) {
   Result result;
   result.load_cases = {with_slip(equal_share_case("\"; system('touch run'); \""))};
   const TemporaryDirectory temporary;
-  draw_without_notes(result, {{0, sample_pictures()}}, temporary.path());
+  expect_no_notes(draw_slip_plots(result, {{0, sample_pictures()}}, temporary.path()));
   EXPECT_FALSE(fs::exists(temporary.path() / "plots" / "run"));
 }
 

@@ -2,37 +2,20 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <sstream>
-
-#include "prs/output/text.h"
 #include "sample_slip.h"
+#include "text_lines.h"
 
 namespace prs {
 namespace {
 
+using test::contains;
 using test::equal_share_case;
 using test::failed_case;
+using test::lines;
 using test::solved_case;
+using test::widest_line;
 using test::with_slip;
 using test::without_equilibrium;
-
-bool contains(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
-}
-
-std::vector<std::string> lines(const std::string& text) {
-  std::vector<std::string> all;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) all.push_back(line);
-  return all;
-}
-
-std::size_t widest_line(const std::string& text) {
-  std::size_t widest = 0;
-  for (const std::string& line : lines(text)) widest = std::max(widest, width(line));
-  return widest;
-}
 
 Result result_of(std::vector<LoadCaseResult> load_cases) {
   Result result;

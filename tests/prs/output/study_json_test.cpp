@@ -12,10 +12,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const DocumentInfo kInfo{"1", "2", "", {}};
+const DocumentInfo kStudyInfo{"1", "2", "", {}};
 
 TEST(StudyJson, DocumentLeavesOutWhatIsNotDefined) {
-  const Json json = study_json(sample::counting(), kInfo);
+  const Json json = study_json(sample::counting(), kStudyInfo);
   EXPECT_EQ(json["study"]["command"], "solve");
   EXPECT_EQ(json["study"]["plan"], "one_at_a_time");
   EXPECT_FALSE(json["study"].contains("samples"));
@@ -45,7 +45,7 @@ TEST(StudyJson, SettingsNameTheCompanions) {
   study.factors[0].companions = {sample::counted("z", {5.0, 7.0})};
   study.responses = {"y"};
   const auto answer = [](const std::vector<double>& x) { return std::vector{x[0]}; };
-  const Json json = study_json(sample::run(study, answer), kInfo);
+  const Json json = study_json(sample::run(study, answer), kStudyInfo);
   EXPECT_EQ(json["study"]["factors"][0]["with"][0]["path"], "z");
   EXPECT_EQ(json["designs"][2]["settings"]["x"]["number"], 3.0);
   EXPECT_EQ(json["designs"][2]["settings"]["z"]["number"], 7.0);
@@ -65,7 +65,7 @@ TEST(StudyJson, GivesTheEnvelopeWithItsMapsAndPoints) {
   const auto answer = [](const std::vector<double>& x) {
     return x[0] == 2.0 && x[1] == 5.0 ? std::vector<double>{} : std::vector{x[0] * x[1], x[1]};
   };
-  const Json json = study_json(sample::run(study, answer), kInfo)["envelope"];
+  const Json json = study_json(sample::run(study, answer), kStudyInfo)["envelope"];
   EXPECT_EQ(json["combine"], "sum");
   EXPECT_EQ(json["normalise"], "max");
   EXPECT_EQ(json["axes"][1]["numbers"], Json({1.0, 3.0, 5.0}));
@@ -84,7 +84,7 @@ TEST(StudyJson, GivesTheEnvelopeWithItsMapsAndPoints) {
 }
 
 TEST(StudyJson, RanksContributions) {
-  const Json json = study_json(sample::sampled(Plan::latin_hypercube), kInfo);
+  const Json json = study_json(sample::sampled(Plan::latin_hypercube), kStudyInfo);
   EXPECT_EQ(json["study"]["samples"], 500U);
   EXPECT_EQ(json["study"]["seed"], 7U);
   EXPECT_EQ(json["study"]["factors"][0]["distribution"]["uniform"]["from"], 1.0);
@@ -99,7 +99,7 @@ TEST(StudyJson, RanksContributions) {
 }
 
 TEST(StudyJson, GivesIndicesWithTheirIntervals) {
-  const Json json = study_json(sample::sampled(Plan::sobol_indices, 1024), kInfo);
+  const Json json = study_json(sample::sampled(Plan::sobol_indices, 1024), kStudyInfo);
   const Json& indices = json["summary"]["sobol_indices"]["screw.peak_pressure_MPa.max"];
   EXPECT_EQ(indices["samples"], 1024U);
   EXPECT_EQ(indices["samples_left_out"], 0U);
@@ -110,7 +110,7 @@ TEST(StudyJson, GivesIndicesWithTheirIntervals) {
 }
 
 TEST(StudyJson, SaysHowManyDesignsItShows) {
-  const Json json = study_json(sample::sampled(Plan::monte_carlo, kMostRowsShown + 5), kInfo);
+  const Json json = study_json(sample::sampled(Plan::monte_carlo, kMostRowsShown + 5), kStudyInfo);
   EXPECT_EQ(json["designs_shown"], kMostRowsShown);
   EXPECT_EQ(json["designs"].size(), kMostRowsShown);
   EXPECT_EQ(json["summary"]["designs"], kMostRowsShown + 6);

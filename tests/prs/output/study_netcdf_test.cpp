@@ -18,11 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const DocumentInfo kInfo{"1.2", "3", "abc", {"a=1", "b=2"}};
+const DocumentInfo kNetcdfInfo{"1.2", "3", "abc", {"a=1", "b=2"}};
 
 void write(const fs::path& path, const Study& study, std::size_t designs, std::size_t rows) {
   const std::vector<FactorColumn> columns = factor_columns(study);
-  StudyNetcdf file(path, study, columns, kInfo);
+  StudyNetcdf file(path, study, columns, kNetcdfInfo);
   for (std::size_t first = 0; first < designs; first += rows) {
     const std::size_t count = std::min(rows, designs - first);
     file.add(test::synthetic_rows(first, count), factor_values(study, columns, first, count));

@@ -9,6 +9,7 @@
 #include "study_file.h"
 #include "support/count.h"
 #include "support/processes.h"
+#include "support/program.h"
 
 namespace prs {
 namespace {
@@ -23,7 +24,7 @@ constexpr bool kSanitized = false;
 #endif
 
 Words study(const fs::path& file, const fs::path& folder) {
-  return {PRS_EXECUTABLE, "study", file.string(), "--output", folder.string(), "--quiet"};
+  return {test::program(), "study", file.string(), "--output", folder.string(), "--quiet"};
 }
 
 Words on_ranks(int ranks, const Words& command) {
@@ -92,7 +93,7 @@ TEST_F(Distributed, WrongInputEndsAllRanksWithItsStatus) {
 TEST_F(Distributed, RanksWithDifferentArgumentsAreRefused) {
   test::write_study_file(file, 100);
   const Words ranks{"sh", "-c",
-                    std::string("exec ") + PRS_EXECUTABLE + " study '" + file.string() +
+                    std::string("exec ") + test::program() + " study '" + file.string() +
                         "' --output '" + temporary.path().string() + "'/$OMPI_COMM_WORLD_RANK"};
   EXPECT_EQ(test::Process(on_ranks(2, ranks)).wait(), 2);
 }

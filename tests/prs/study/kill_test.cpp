@@ -14,6 +14,7 @@
 #include "study_file.h"
 #include "support/count.h"
 #include "support/processes.h"
+#include "support/program.h"
 #include "synthetic_study.h"
 
 namespace prs {
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using Words = std::vector<std::string>;
 
-constexpr std::size_t kDesigns = 100'000;
+constexpr std::size_t kKilledDesigns = 100'000;
 constexpr const char* kFolder = "PRS_KILL_TEST_FOLDER";
 
 /// All that `prs study --output` does, on a cheap evaluator.
@@ -32,8 +33,8 @@ void run_whole_study(const fs::path& path) {
   const RunDesigns run = [](const NextRange& next, const TakeRecord& take) {
     run_schedule(2, 200, next, test::synthetic_rows, take);
   };
-  const StoredRows rows = run_study(test::synthetic_header(kDesigns), &folder, run, {});
-  write_rows(rows, test::synthetic_study(kDesigns), {"1", "1", "abc"}, &path, 2,
+  const StoredRows rows = run_study(test::synthetic_header(kKilledDesigns), &folder, run, {});
+  write_rows(rows, test::synthetic_study(kKilledDesigns), {"1", "1", "abc"}, &path, 2,
              [](const RowBlock&) {});
   folder.remove_journals();
 }
@@ -101,7 +102,7 @@ TEST(KilledStudy, OfTheProgramItselfToo) {
   const fs::path file = input.path() / "study.yaml";
   test::write_study_file(file, 3000);
   const auto program = [&](const fs::path& folder) -> Words {
-    return {PRS_EXECUTABLE, "study", file.string(), "--output", folder.string(), "--quiet"};
+    return {test::program(), "study", file.string(), "--output", folder.string(), "--quiet"};
   };
   expect_kills_do_no_harm(program, test::count(2, 100));
 }

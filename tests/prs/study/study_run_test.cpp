@@ -17,6 +17,7 @@ namespace prs {
 namespace {
 
 namespace fs = std::filesystem;
+using test::folder_error_of;
 using test::synthetic_header;
 using test::synthetic_rows;
 using testing::HasSubstr;
@@ -56,15 +57,6 @@ void expect_all_rows(const StoredRows& rows, std::size_t designs = kDesigns) {
     next += block.rows;
   }
   EXPECT_EQ(next, designs);
-}
-
-std::string error_of(auto run) {
-  try {
-    run();
-  } catch (const StudyFolderError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 TEST(StudyRun, GivesAllRowsOnAnyNumberOfThreads) {
@@ -125,7 +117,7 @@ TEST(StudyRun, RefusesTheJournalOfAnotherStudyUntilItIsDiscarded) {
   JournalHeader changed = synthetic_header(kDesigns);
   changed.key = "changed";
   const StudyFolder folder(temporary.path(), Use::alone);
-  EXPECT_THAT(error_of([&] { run_study(changed, &folder, computer.run(), {}); }),
+  EXPECT_THAT(folder_error_of([&] { run_study(changed, &folder, computer.run(), {}); }),
               HasSubstr("of another study"));
   computer.evaluated = 0;
   expect_all_rows(run_study(changed, &folder, computer.run(), {.restart = true}));
@@ -174,13 +166,14 @@ TEST(StudyFolder, IsOfOneStudyOrOfShards) {
   {
     const StudyFolder folder(path, Use::alone);
     for (const Use use : {Use::alone, Use::among_shards})
-      EXPECT_THAT(error_of([&] { StudyFolder(path, use); }), HasSubstr("another process"));
+      EXPECT_THAT(folder_error_of([&] { StudyFolder(path, use); }), HasSubstr("another process"));
   }
   EXPECT_TRUE(fs::is_empty(path));
   {
     const StudyFolder one(path, Use::among_shards);
     { const StudyFolder two(path, Use::among_shards); }
-    EXPECT_THAT(error_of([&] { StudyFolder(path, Use::alone); }), HasSubstr("another process"));
+    EXPECT_THAT(folder_error_of([&] { StudyFolder(path, Use::alone); }),
+                HasSubstr("another process"));
   }
   EXPECT_TRUE(fs::is_empty(path));
   const StudyFolder again(path, Use::alone);
@@ -208,7 +201,7 @@ TEST(Shards, TogetherAreTheStudy) {
   };
   run_shard(here.path(), 2, {});
   run_shard(there.path(), 0, stopped_after(20));
-  const std::string error = error_of([&] { gather_rows({here.path(), there.path()}); });
+  const std::string error = folder_error_of([&] { gather_rows({here.path(), there.path()}); });
   EXPECT_THAT(error, HasSubstr("shard 1/3: 1347 of 1667 designs are missing"));
   EXPECT_THAT(error, HasSubstr("shard 2/3: 1667 of 1667 designs are missing"));
   EXPECT_THAT(error, testing::Not(HasSubstr("shard 3/3")));
@@ -227,17 +220,19 @@ TEST(Shards, OfAnEarlierStudyDoNotHinderTheirSuccessors) {
   run_study(old, &folder, computer.run(), {});
   run_study(synthetic_header(kDesigns, {1, 2}), &folder, computer.run(), {});
   const JournalHeader fresh = synthetic_header(kDesigns, {0, 2});
-  EXPECT_THAT(error_of([&] { run_study(fresh, &folder, computer.run(), {}); }),
+  EXPECT_THAT(folder_error_of([&] { run_study(fresh, &folder, computer.run(), {}); }),
               HasSubstr("--restart"));
-  EXPECT_THAT(error_of([&] { gather_rows({temporary.path()}); }), HasSubstr("of another study"));
+  EXPECT_THAT(folder_error_of([&] { gather_rows({temporary.path()}); }),
+              HasSubstr("of another study"));
   run_study(fresh, &folder, computer.run(), {.restart = true});
   expect_all_rows(gather_rows({temporary.path()}));
 }
 
 TEST(Shards, AreLookedForWhereTheyCanBe) {
   const test::TemporaryDirectory temporary;
-  EXPECT_THAT(error_of([&] { gather_rows({temporary.path()}); }), HasSubstr("no journal"));
-  EXPECT_THAT(error_of([&] { gather_rows({temporary.path() / "none"}); }), HasSubstr("no such"));
+  EXPECT_THAT(folder_error_of([&] { gather_rows({temporary.path()}); }), HasSubstr("no journal"));
+  EXPECT_THAT(folder_error_of([&] { gather_rows({temporary.path() / "none"}); }),
+              HasSubstr("no such"));
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ TEST(Study, DerivativesNeedTheBaseCaseOnly) {
 }
 
 /// Each kind of distribution once.
-Study sampled(Plan plan, std::size_t samples) {
+Study sampled_distributions(Plan plan, std::size_t samples) {
   using enum Distribution::Kind;
   Study study = two_factors();
   study.plan = plan;
@@ -130,19 +130,20 @@ std::vector<double> column(const Study& study, std::size_t factor) {
 }
 
 TEST(Study, SampledPlansHaveTheirSamplesAndTheBaseCase) {
-  EXPECT_EQ(design_count(sampled(Plan::latin_hypercube, 100)), 101U);
-  EXPECT_EQ(design_count(sampled(Plan::sobol, 100)), 101U);
-  EXPECT_EQ(design_count(sampled(Plan::monte_carlo, 100)), 101U);
-  EXPECT_EQ(design_count(sampled(Plan::sobol_indices, 100)), 801U);  // Two more than factors.
+  EXPECT_EQ(design_count(sampled_distributions(Plan::latin_hypercube, 100)), 101U);
+  EXPECT_EQ(design_count(sampled_distributions(Plan::sobol, 100)), 101U);
+  EXPECT_EQ(design_count(sampled_distributions(Plan::monte_carlo, 100)), 101U);
+  EXPECT_EQ(design_count(sampled_distributions(Plan::sobol_indices, 100)),
+            801U);  // Two more than factors.
   for (const Plan plan : kSampled) {
     EXPECT_TRUE(is_sampled(plan));
-    EXPECT_TRUE(design(sampled(plan, 100), 0).settings.empty());
+    EXPECT_TRUE(design(sampled_distributions(plan, 100), 0).settings.empty());
   }
 }
 
 TEST(Study, DrawIsAPureFunctionOfSeedAndIndex) {
   for (const Plan plan : kSampled) {
-    Study study = sampled(plan, 50);
+    Study study = sampled_distributions(plan, 50);
     std::vector<std::vector<std::string>> forwards;
     for (std::size_t k = 0; k < 50; ++k) forwards.push_back(overrides(study, design(study, k)));
     for (std::size_t k = 50; k-- > 0;) EXPECT_EQ(overrides(study, design(study, k)), forwards[k]);
@@ -154,7 +155,7 @@ TEST(Study, DrawIsAPureFunctionOfSeedAndIndex) {
 // The formulas of sampling.h in exact integers of another language.
 TEST(Study, SameSeedDrawsTheSameOnEveryPlatform) {
   const auto first = [](Plan plan) {
-    const Study study = sampled(plan, 8);
+    const Study study = sampled_distributions(plan, 8);
     return overrides(study, design(study, 1))[2];
   };
   EXPECT_EQ(first(Plan::latin_hypercube), "mechanism.lead=5.70727626021835 mm");
@@ -164,7 +165,7 @@ TEST(Study, SameSeedDrawsTheSameOnEveryPlatform) {
 
 TEST(Study, TextReadsBackAsTheSameNumber) {
   for (const Plan plan : kSampled) {
-    const Study study = sampled(plan, 200);
+    const Study study = sampled_distributions(plan, 200);
     for (std::size_t k = 1; k < design_count(study); ++k) {
       const std::vector<Draw> drawn = draws(study, k);
       const Design with_texts = design(study, k);
@@ -182,7 +183,7 @@ TEST(Study, TextReadsBackAsTheSameNumber) {
 
 TEST(Study, LatinHypercubeHasOneSampleInEachStratumOfEachDistribution) {
   constexpr std::size_t kSamples = 1000;
-  const Study study = sampled(Plan::latin_hypercube, kSamples);
+  const Study study = sampled_distributions(Plan::latin_hypercube, kSamples);
   const std::vector<double> lead = column(study, 2), viscosity = column(study, 3),
                             crowning = column(study, 4);
   for (std::size_t k = 0; k < kSamples; ++k) {
@@ -194,7 +195,7 @@ TEST(Study, LatinHypercubeHasOneSampleInEachStratumOfEachDistribution) {
 }
 
 TEST(Study, LevelsAreAsLikely) {
-  const Study study = sampled(Plan::latin_hypercube, 600);
+  const Study study = sampled_distributions(Plan::latin_hypercube, 600);
   std::map<std::size_t, int> rollers, force;
   for (std::size_t k = 1; k <= 600; ++k) {
     ++rollers[draws(study, k)[0].level];
@@ -206,7 +207,7 @@ TEST(Study, LevelsAreAsLikely) {
 
 // Saltelli et al. 2010: A, B, and A with one column of B.
 TEST(Study, IndicesOfVarianceMixTheColumnsOfTwoMatrices) {
-  const Study study = sampled(Plan::sobol_indices, 16);
+  const Study study = sampled_distributions(Plan::sobol_indices, 16);
   const std::size_t factors = study.factors.size();
   const auto value = [](const Draw& d) { return std::pair(d.level, d.number); };
   for (std::size_t sample = 0; sample < 16; ++sample) {

@@ -59,4 +59,14 @@ inline bool same_rows(const prs::RowBlock& a, const prs::RowBlock& b) {
   return prs::encode(a) == prs::encode(b);
 }
 
+/// What the StudyFolderError says that `run` throws; empty where it throws none.
+std::string folder_error_of(auto run) {
+  try {
+    run();
+  } catch (const prs::StudyFolderError& error) {
+    return error.what();
+  }
+  return {};
+}
+
 }  // namespace test

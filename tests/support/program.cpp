@@ -1,0 +1,3 @@
+#include "program.h"
+
+const char* test::program() { return PRS_EXECUTABLE; }
