@@ -10,7 +10,7 @@ from rollerscrew._engine import InputError, schema
 from rollerscrew._engine import version as __version__
 from rollerscrew.case import Case
 from rollerscrew.designs import Designs
-from rollerscrew.record import Record, Result
+from rollerscrew.record import Record, Result, Values
 from rollerscrew.results import (
     CheckResult,
     ContactResult,
@@ -40,6 +40,7 @@ __all__ = [
     "SlipResult",
     "SolveResult",
     "StudyResult",
+    "Values",
     "__version__",
     "records",
     "schema",

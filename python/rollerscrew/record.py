@@ -6,7 +6,7 @@ import reprlib
 import typing
 from collections.abc import Iterator
 from functools import cache
-from typing import Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from rollerscrew import _engine
 from rollerscrew.values import checked_text
@@ -26,7 +26,7 @@ class Record:
     def __init__(self, node: _engine.Node) -> None:
         object.__setattr__(self, "_node", node)
 
-    def __getattr__(self, name: str) -> Any:
+    def _attribute(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
         if hasattr(type(self), name):  # A property that raised: let it say why.
@@ -35,6 +35,9 @@ class Record:
             return self._wrapped(name, self._node.get(name))
         except (KeyError, TypeError):
             raise AttributeError(self._absent(name)) from None
+
+    if not TYPE_CHECKING:  # Type checkers know the names that are annotated.
+        __getattr__ = _attribute
 
     def __getitem__(self, name: str) -> Any:
         try:
@@ -88,11 +91,20 @@ class Record:
 
     def _wrapped(self, name: str, value: Any) -> Any:
         owner: type = type(self)
-        return _wrap(value, _record_types(owner).get(name, Record))
+        return _wrap(value, _record_types(owner).get(name, Values))
 
     def _absent(self, name: str) -> str:
         there = ", ".join(self.keys()) or "nothing"
         return f"{reprlib.repr(name)} is not defined by this case; there is {there}"
+
+
+class Values(Record):
+    """A record whose names depend on the case."""
+
+    __slots__ = ()
+
+    def __getattr__(self, name: str) -> Any:
+        return self._attribute(name)
 
 
 def _wrap(value: Any, record: type[Record]) -> Any:
@@ -140,11 +152,13 @@ class Result(Record):
     def __init__(self, document: _engine.Document) -> None:
         object.__setattr__(self, "_document", document)
 
-    def __getattr__(self, name: str) -> Any:
-        if name == "_node":  # Made when it is first looked at.
-            object.__setattr__(self, "_node", self._document.root)
-            return self._node
-        return super().__getattr__(name)
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            if name == "_node":  # Made when it is first looked at.
+                object.__setattr__(self, "_node", self._document.root)
+                return self._node
+            return self._attribute(name)
 
     def __repr__(self) -> str:
         said = []

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from rollerscrew.record import Record
+from rollerscrew.record import Record, Values
 
 Array = npt.NDArray[np.float64]  #: Read-only.
 
@@ -125,12 +125,12 @@ class Slip(Record):
     torque_nut_Nm: float
     viscosity_mPas: float
     bearing_eccentricity_ratio: float
-    slip_ratio_estimates: Record
-    share_percent: Record
-    roller_moments_Nmm: Record
-    roller_forces_N: Record
-    hottest_thread: Record
-    equal_shares: Record
+    slip_ratio_estimates: Values
+    share_percent: Values
+    roller_moments_Nmm: Values
+    roller_forces_N: Values
+    hottest_thread: Values
+    equal_shares: Values
     screw: InterfaceSlip
     nut: InterfaceSlip
 
@@ -163,7 +163,7 @@ class LoadCase(Record):
     screw: InterfaceLoads
     nut: InterfaceLoads
     slip: Slip
-    measures: Record
+    measures: Values
     warnings: list[str]
     newton_history: list[NewtonIteration]
 
@@ -188,14 +188,14 @@ class PreloadPoint(Record):
     relative_residual: float
     axial_displacement_um: float
     tangent_stiffness_N_per_um: float
-    sides: Record
+    sides: Values
 
 
 class WithoutPreload(Record):
     """The same nut without preload."""
 
     __slots__ = ()
-    stiffness_at_zero_N_per_um: Record
+    stiffness_at_zero_N_per_um: Values
     lost_motion_um: float
     loads: list[PreloadPoint]
 
@@ -206,13 +206,13 @@ class Preload(Record):
     __slots__ = ()
     arrangement: str
     position_mm: float
-    held_at_mm: Record
+    held_at_mm: Values
     preload_force_N: float
     interference_um: float
     backlash_um: float
-    opening_force_N: Record
+    opening_force_N: Values
     lost_motion_load_N: float
-    stiffness_at_zero_N_per_um: Record
+    stiffness_at_zero_N_per_um: Values
     lost_motion_um: float
     loads: list[PreloadPoint]
     without_preload: WithoutPreload
@@ -256,13 +256,13 @@ class Life(Record):
     converged: bool
     status: str
     share: str
-    capacity: Record
-    loads: Record
-    cycles: Record
-    system: Record
-    equal_shares: Record
-    catalogue: Record
+    capacity: Values
+    loads: Values
+    cycles: Values
+    system: Values
+    equal_shares: Values
+    catalogue: Values
     static_safety: float
-    weakest_thread: Record
+    weakest_thread: Values
     tension: DirectionLife
     compression: DirectionLife

@@ -14,7 +14,7 @@ import pandas as pd
 
 from rollerscrew import _engine, plots
 from rollerscrew.designs import Designs, designs_of, study_inputs
-from rollerscrew.record import Record, Result
+from rollerscrew.record import Record, Result, Values
 from rollerscrew.records import Contacts, InputValue, Life, LoadCase, Preload
 
 if TYPE_CHECKING:
@@ -72,9 +72,9 @@ class CheckResult(Result):
     __slots__ = ()
     _block = "input"
     input: list[InputValue]
-    derived: Record
+    derived: Values
     contact: Contacts
-    threads: Record
+    threads: Values
 
     def to_frame(self) -> pd.DataFrame:
         """Path, value and whether it is a default, a row each."""
@@ -90,8 +90,8 @@ class LoadCasesResult(Result):
 
     __slots__ = ()
     contact: Contacts
-    threads: Record
-    model: Record
+    threads: Values
+    model: Values
     load_cases: list[LoadCase]
 
     @property
@@ -251,7 +251,7 @@ class MeasuresResult(SolveResult):
 
     __slots__ = ()
     _block = "measures"
-    measures: Record
+    measures: Values
 
     def measures_frame(self) -> pd.DataFrame:
         """Measures of the mechanism, and of each load case under its name; units in the names."""
@@ -272,7 +272,7 @@ class PreloadResult(Result):
     __slots__ = ()
     _block = "preload"
     contact: Contacts
-    threads: Record
+    threads: Values
     preload: Preload
 
     def to_frame(self) -> pd.DataFrame:
@@ -299,7 +299,7 @@ class LifeResult(Result):
     __slots__ = ()
     _block = "life"
     contact: Contacts
-    threads: Record
+    threads: Values
     life: Life
 
     def threads_frame(self) -> pd.DataFrame:
@@ -326,7 +326,7 @@ class DerivativesResult(Result):
 
     __slots__ = ()
     _block = "derivatives"
-    derivatives: list[Record]
+    derivatives: list[Values]
 
     def to_frame(self) -> pd.DataFrame:
         """Derivative, elasticity and error, a row a response and factor."""
@@ -347,10 +347,10 @@ class StudyResult(Result):
 
     __slots__ = ("_designs", "_rows", "_study")
     _block = "study"
-    study: Record
-    summary: Record
-    envelope: Record
-    designs: list[Record]
+    study: Values
+    summary: Values
+    envelope: Values
+    designs: list[Values]
     designs_shown: int
     _designs: Designs | None
     _rows: _engine.StudyRows | None
@@ -501,13 +501,13 @@ class OptimizationResult(Result):
 
     __slots__ = ("_best",)
     _block = "optimize"
-    optimize: Record
-    initial: Record
-    compromise: Record
-    nearest: Record
-    search: Record
-    check: Record
-    comparison: Record
+    optimize: Values
+    initial: Values
+    compromise: Values
+    nearest: Values
+    search: Values
+    check: Values
+    comparison: Values
     _best: Any  # Case | None
 
     def __init__(self, document: _engine.Document, best: Case | None = None) -> None:

@@ -81,7 +81,9 @@ def annotated_records() -> list[type[rs.Record]]:
     return [
         value
         for value in vars(records).values()
-        if isinstance(value, type) and issubclass(value, rs.Record) and value is not rs.Record
+        if isinstance(value, type)
+        and issubclass(value, rs.Record)
+        and value not in (rs.Record, rs.Values)
     ]
 
 
@@ -112,7 +114,7 @@ def walk(record: rs.Record, path: str = "") -> Iterator[tuple[str, rs.Record]]:
 
 def check_annotations(result: rs.Result) -> None:
     for path, record in walk(result):
-        if type(record) is rs.Record:
+        if type(record) is rs.Values:
             continue
         hints = hints_of(type(record))
         for name in record:
@@ -344,7 +346,7 @@ def test_kinds_of_values() -> None:
     assert result["n"] is None
     assert result["t"] == "\0 \U0001f600"
     assert result["l"][:2] == ["a", 1] and list(result["l"][2]) == [2.0, 3.0]
-    assert len(result["o"]) == 0 and repr(result["o"]) == "<Record: >"
+    assert len(result["o"]) == 0 and repr(result["o"]) == "<Values: >"
     assert result["keys"] == 1 and callable(result.keys)
     assert result["a b"] == 2
 
