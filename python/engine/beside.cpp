@@ -1,5 +1,7 @@
 #include "python/engine/beside.h"
 
+#include <pthread.h>
+
 #include <condition_variable>
 #include <set>
 
@@ -21,6 +23,16 @@ struct UnderWay {
 UnderWay& under_way() {
   static auto* all = new UnderWay;
   return *all;
+}
+
+/// A forked process has the forking thread only, and none of the work of the others.
+void survive_forks() {
+  ::pthread_atfork([] { under_way().mutex.lock(); }, [] { under_way().mutex.unlock(); },
+                   [] {
+                     under_way().away = 0;
+                     under_way().supervised.clear();
+                     under_way().mutex.unlock();
+                   });
 }
 
 void end_all() {
@@ -64,6 +76,7 @@ Supervision::~Supervision() {
 }
 
 void end_work_with(nb::module_& module) {
+  survive_forks();
   module.def("end_work", &end_all, "Called when the interpreter ends.");
   nb::module_::import_("atexit").attr("register")(module.attr("end_work"));
 }
