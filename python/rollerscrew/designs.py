@@ -254,6 +254,8 @@ def thread_count(threads: int | None) -> int:
     """The threads asked for, or one a processor."""
     if threads is None:
         return _engine.available_processors()
+    if not hasattr(threads, "__index__"):
+        raise TypeError(f"threads: got {threads!r}; expected a whole number from 1 to 4096")
     count = operator.index(threads)
     if not 1 <= count <= 4096:
         raise ValueError(f"threads: got {count}; expected 1 to 4096")

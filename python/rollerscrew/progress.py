@@ -13,6 +13,8 @@ def progress_callback(progress: Progress) -> Callable[[int, int], object] | None
     """The function to call; nothing where nobody would see it."""
     if callable(progress):
         return progress
+    if not (progress is None or isinstance(progress, bool)):
+        raise TypeError(f"progress: got {progress!r}; expected a function, True, or nothing")
     if progress and sys.stderr.isatty():
         return _show_line
     return None

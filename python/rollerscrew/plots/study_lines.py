@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
+    from matplotlib.lines import Line2D
 
     from rollerscrew.results import StudyResult
 
@@ -176,6 +177,22 @@ def _factor_axis(on: Canvas, x: Input, rows: npt.NDArray[np.int_]) -> None:
         on.ax.set_xticks(levels)
 
 
+def _base_mark(on: Canvas, x: Input, value: float) -> list[Line2D]:
+    """The file's own design; nothing where it has no number or no answer."""
+    if not (x.is_numeric and isinstance(x.base, float | int) and np.isfinite(value)):
+        return []
+    return on.ax.plot(
+        [x.base],
+        [value],
+        marker="D",
+        linestyle="none",
+        color=VERMILLION,
+        markerfacecolor="white",
+        markersize=5.0,
+        label="as in the file",
+    )
+
+
 def _one_factor(
     response: str, values: npt.NDArray[np.float64], factor: Input, ax: Axes | None
 ) -> Axes:
@@ -185,18 +202,7 @@ def _one_factor(
         _line_over(on, factor, rows, values, response_name(response).text, style)
         _factor_axis(on, factor, rows)
         on.ax.set_ylabel(response_name(response).label)
-        if factor.is_numeric and isinstance(factor.base, float | int) and np.isfinite(values[0]):
-            handles = on.ax.plot(
-                [factor.base],
-                [values[0]],
-                marker="D",
-                linestyle="none",
-                color=VERMILLION,
-                markerfacecolor="white",
-                markersize=5.0,
-                label="as in the file",
-            )
-            legend(on, handles)
+        legend(on, _base_mark(on, factor, values[0]))
         return on.ax
 
 
@@ -297,21 +303,10 @@ def _cloud(
             style["alpha"] = 0.6
         style["markeredgewidth"] = 0.0
         _line_over(on, x, rows, values, "designs", style)
-        handles = list(on.ax.get_lines()[-1:])
-        if x.is_numeric and isinstance(x.base, float | int) and np.isfinite(values[0]):
-            handles += on.ax.plot(
-                [x.base],
-                [values[0]],
-                marker="D",
-                linestyle="none",
-                color=VERMILLION,
-                markerfacecolor="white",
-                markersize=5.0,
-                label="as in the file",
-            )
+        mark = _base_mark(on, x, values[0])
         _factor_axis(on, x, rows)
         on.ax.set_ylabel(response_name(response).label)
-        legend(on, [key("designs", color=BLUE, marker=".", linestyle="none"), *handles[1:]])
+        legend(on, [key("designs", color=BLUE, marker=".", linestyle="none"), *mark])
         return on.ax
 
 
