@@ -31,6 +31,10 @@ class MatrixCache {
   /// Matrices computed so far, found neither in memory nor in a file.
   int computed() const;
 
+  /// No thread is within the cache while it is locked, so that the process may fork.
+  void lock() { mutex_.lock(); }
+  void unlock() { mutex_.unlock(); }
+
  private:
   std::filesystem::path file(const std::string& key) const;
 

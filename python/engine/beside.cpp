@@ -5,6 +5,8 @@
 #include <condition_variable>
 #include <set>
 
+#include "prs/influence/matrix_cache.h"
+
 namespace nb = nanobind;
 
 namespace prs::python {
@@ -25,14 +27,24 @@ UnderWay& under_way() {
   return *all;
 }
 
-/// A forked process has the forking thread only, and none of the work of the others.
+void lock_for_fork() {
+  under_way().mutex.lock();
+  shared_matrix_cache().lock();
+}
+
+void unlock_after_fork() {
+  shared_matrix_cache().unlock();
+  under_way().mutex.unlock();
+}
+
+/// A forked process has the forking thread only, and none of the work of the others. Locks that
+/// those hold would stay locked for ever.
 void survive_forks() {
-  ::pthread_atfork([] { under_way().mutex.lock(); }, [] { under_way().mutex.unlock(); },
-                   [] {
-                     under_way().away = 0;
-                     under_way().supervised.clear();
-                     under_way().mutex.unlock();
-                   });
+  ::pthread_atfork(lock_for_fork, unlock_after_fork, [] {
+    under_way().away = 0;
+    under_way().supervised.clear();
+    unlock_after_fork();
+  });
 }
 
 void end_all() {

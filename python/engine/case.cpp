@@ -5,6 +5,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <filesystem>
+#include <type_traits>
 #include <utility>
 
 #include "prs/document/life_json.h"
@@ -20,26 +21,11 @@ namespace nb = nanobind;
 namespace prs::python {
 namespace {
 
-/// The document that `make` writes of a result, once it is looked at.
-template <class Result, class Make>
-std::shared_ptr<Document> document(Result result, std::shared_ptr<const input::Source> source,
-                                   Make make) {
-  auto shared = std::make_shared<const Result>(std::move(result));
-  return std::make_shared<Document>(
-      [shared, source, make] { return make(*shared, document_info(*source)); });
-}
-
 /// A source that finds its files from wherever it is used later.
 input::Source load(const std::string& file, std::vector<std::string> overrides) {
   input::Source source = input::load_source(file, std::move(overrides));
   source.folder = std::filesystem::absolute(file).parent_path();
   return source;
-}
-
-template <std::shared_ptr<Document> (CaseSource::*run)() const>
-std::shared_ptr<Document> without_interpreter(const CaseSource& c) {
-  const WithoutInterpreter without;
-  return (c.*run)();
 }
 
 }  // namespace
@@ -50,41 +36,56 @@ CaseSource::CaseSource(input::Source source)
 }
 
 std::shared_ptr<const Case> CaseSource::values(Command command) const {
-  const std::lock_guard lock(mutex_);
-  std::shared_ptr<const Case>& kept = values_[command];
-  if (!kept) kept = std::make_shared<const Case>(input::read_case_input(*source_, command).values);
-  return kept;
+  if (const auto kept = values_.find(command); kept != values_.end()) return kept->second;
+  const auto read = [&] {
+    const WithoutInterpreter without;
+    return std::make_shared<const Case>(input::read_case_input(*source_, command).values);
+  };
+  return values_.try_emplace(command, read()).first->second;
+}
+
+template <class Run, class Make>
+std::shared_ptr<Document> CaseSource::analysis(Command command, Run run, Make make) const {
+  const std::shared_ptr<const Case> values = this->values(command);
+  const WithoutInterpreter without;
+  auto result =
+      std::make_shared<const std::invoke_result_t<Run, const input::Source&, const Case&>>(
+          run(*source_, *values));
+  return std::make_shared<Document>(
+      [result, source = source_, make] { return make(*result, document_info(*source)); });
 }
 
 std::shared_ptr<Document> CaseSource::check() const {
-  return document(run_check(*source_, input::read_case_input(*source_, Command::check)), source_,
-                  [](const CheckResult& r, const DocumentInfo& info) {
-                    return check_json(r.fields, r.contacts, r.unusual, info);
-                  });
+  const auto checked = [](const input::Source& source, const Case&) {
+    return run_check(source, input::read_case_input(source, Command::check));
+  };
+  return analysis(Command::check, checked, [](const CheckResult& r, const DocumentInfo& info) {
+    return check_json(r.fields, r.contacts, r.unusual, info);
+  });
 }
 
 std::shared_ptr<Document> CaseSource::contact() const {
-  return document(run_contact(*source_, *values(Command::contact)), source_, to_json);
+  return analysis(Command::contact, run_contact, to_json);
 }
 
 std::shared_ptr<Document> CaseSource::solve() const {
-  return document(run_solve(*source_, *values(Command::solve)), source_, to_json);
+  return analysis(Command::solve, run_solve, to_json);
 }
 
 std::shared_ptr<Document> CaseSource::slip() const {
-  return document(run_slip(*source_, *values(Command::slip)), source_, to_json);
+  return analysis(Command::slip, run_slip, to_json);
 }
 
 std::shared_ptr<Document> CaseSource::preload() const {
-  return document(run_preload(*source_, *values(Command::preload)), source_, preload_json);
+  return analysis(Command::preload, run_preload, preload_json);
 }
 
 std::shared_ptr<Document> CaseSource::life() const {
-  return document(run_life(*source_, *values(Command::life)), source_, life_json);
+  return analysis(Command::life, run_life, life_json);
 }
 
 std::shared_ptr<Document> CaseSource::measures() const {
-  return document(run_measures(*source_, *values(Command::measures)), source_, measures_json);
+  return analysis(Command::measures, run_measures, measures_json);
 }
 
 void bind_case(nb::module_& module) {
@@ -112,16 +113,16 @@ void bind_case(nb::module_& module) {
       .def_ro("overrides", &input::Source::overrides);
 
   nb::class_<CaseSource>(module, "Case", "A case that was read and checked.")
-      .def(nb::init<input::Source>(), nb::arg("source"), nb::call_guard<WithoutInterpreter>(),
+      .def(nb::init<input::Source>(), nb::arg("source"),
            "InputError with the text of `prs check` where something is wrong.")
       .def_prop_ro("source", &CaseSource::source, nb::rv_policy::copy)
-      .def("check", &without_interpreter<&CaseSource::check>)
-      .def("contact", &without_interpreter<&CaseSource::contact>)
-      .def("solve", &without_interpreter<&CaseSource::solve>)
-      .def("slip", &without_interpreter<&CaseSource::slip>)
-      .def("preload", &without_interpreter<&CaseSource::preload>)
-      .def("life", &without_interpreter<&CaseSource::life>)
-      .def("measures", &without_interpreter<&CaseSource::measures>);
+      .def("check", &CaseSource::check)
+      .def("contact", &CaseSource::contact)
+      .def("solve", &CaseSource::solve)
+      .def("slip", &CaseSource::slip)
+      .def("preload", &CaseSource::preload)
+      .def("life", &CaseSource::life)
+      .def("measures", &CaseSource::measures);
 }
 
 }  // namespace prs::python

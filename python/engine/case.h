@@ -4,7 +4,6 @@
 
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -15,8 +14,8 @@
 
 namespace prs::python {
 
-/// A case as it was written, read once for each command that is asked for. May be shared between
-/// threads.
+/// A case as it was written, read once for each command that is asked for. Threads may share it:
+/// what it keeps is only touched by who has the interpreter, as whoever forks the process has.
 class CaseSource {
  public:
   /// Reads and checks it. Throws InputError, with the text of `prs check`.
@@ -36,8 +35,11 @@ class CaseSource {
   /// The case for a command. Throws InputError where that needs what the case lacks.
   std::shared_ptr<const Case> values(Command command) const;
 
+  /// The document that `make` writes of what `run` computes, once it is looked at.
+  template <class Run, class Make>
+  std::shared_ptr<Document> analysis(Command command, Run run, Make make) const;
+
   std::shared_ptr<const input::Source> source_;
-  mutable std::mutex mutex_;
   mutable std::map<Command, std::shared_ptr<const Case>> values_;
 };
 

@@ -98,17 +98,24 @@ std::shared_ptr<Document> Document::from_text(const std::string& text) {
 }
 
 const Json& Document::json() const {
-  std::call_once(made_, [this] {
-    json_ = make_();
+  if (!json_) {
+    auto made = [make = make_] {
+      const WithoutInterpreter without;
+      return std::make_unique<const Json>(make());
+    }();
+    if (!json_) json_ = std::move(made);
     make_ = nullptr;
-  });
-  return json_;
+  }
+  return *json_;
 }
 
-std::string Document::text() const { return json_text(json()); }
+std::string Document::text() const {
+  const Json& written = json();
+  const WithoutInterpreter without;
+  return json_text(written);
+}
 
 std::shared_ptr<const std::vector<double>> Document::numbers(const Json& array) const {
-  const std::lock_guard lock(mutex_);
   std::shared_ptr<const std::vector<double>>& kept = numbers_[&array];
   if (!kept) kept = std::make_shared<const std::vector<double>>(numbers_of(array));
   return kept;
@@ -157,17 +164,8 @@ void bind_document(nb::module_& module) {
             return Document::from_text(text);
           },
           nb::arg("text"), "Reads what `text` gave. ValueError where the text is no document.")
-      .def("text",
-           [](const Document& document) {
-             std::string text;
-             {
-               const WithoutInterpreter without;
-               text = document.text();
-             }
-             return text;
-           })
+      .def("text", &Document::text)
       .def_prop_ro("root", [](const std::shared_ptr<Document>& document) {
-        const WithoutInterpreter without;
         return Node{document, &document->json()};
       });
 }

@@ -5,14 +5,14 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 namespace prs::python {
 
-/// A result document: made when it is first looked at, and kept. May be shared between threads.
+/// A result document: made when it is first looked at, and kept. Threads may share it: what it
+/// keeps is only touched by who has the interpreter, as whoever forks the process has.
 class Document : public std::enable_shared_from_this<Document> {
  public:
   using Json = nlohmann::ordered_json;
@@ -32,9 +32,7 @@ class Document : public std::enable_shared_from_this<Document> {
 
  private:
   mutable std::function<Json()> make_;
-  mutable std::once_flag made_;
-  mutable Json json_;
-  mutable std::mutex mutex_;
+  mutable std::unique_ptr<const Json> json_;
   mutable std::map<const Json*, std::shared_ptr<const std::vector<double>>> numbers_;
 };
 
