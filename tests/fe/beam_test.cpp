@@ -73,7 +73,7 @@ TEST(Beam, RigidMotionsStoreNoEnergy) {
     const Eigen::Matrix<double, 6, 1> scale{1, 1, l, 1, 1, l};
     const Eigen::Matrix<double, 6, 6> scaled =
         scale.cwiseInverse().asDiagonal() * k * scale.cwiseInverse().asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(scaled);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
     EXPECT_GT(eigen.eigenvalues()[3], 1e-6 * eigen.eigenvalues()[5]);
   }
 }
