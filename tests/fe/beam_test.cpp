@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include "fe/newton.h"
 
@@ -73,8 +73,7 @@ TEST(Beam, RigidMotionsStoreNoEnergy) {
     const Eigen::Matrix<double, 6, 1> scale{1, 1, l, 1, 1, l};
     const Eigen::Matrix<double, 6, 6> scaled =
         scale.cwiseInverse().asDiagonal() * k * scale.cwiseInverse().asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-    EXPECT_GT(eigen.eigenvalues()[3], 1e-6 * eigen.eigenvalues()[5]);
+    EXPECT_EQ(scaled.fullPivLu().setThreshold(1e-6).rank(), 3);
   }
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -90,8 +89,7 @@ TEST(Shell, StiffnessIsPositiveDefinite) {
     // Forces and moments in units of the same size.
     const ShellMatrix scaled = k.diagonal().cwiseSqrt().cwiseInverse().asDiagonal() * k *
                                k.diagonal().cwiseSqrt().cwiseInverse().asDiagonal();
-    ASSERT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues().minCoeff(), 0.0)
-        << i << ' ' << length;
+    ASSERT_EQ(scaled.llt().info(), Eigen::Success) << i << ' ' << length;
   }
 }
 
