@@ -15,7 +15,7 @@ venv=$PWD/build/venv
 export PRS_EXECUTABLE=$PWD/build/release/prs/cli/prs PRS_CACHE_DIR= MPLBACKEND=Agg
 if [[ ${1:-} != --sanitized ]]; then
   "$venv/bin/mypy"
-  "$venv/bin/pytest" -q "$@"
+  "$venv/bin/pytest" -q -n "$(nproc)" "$@"
   exit
 fi
 
@@ -31,5 +31,5 @@ sanitizers="$(g++ -print-file-name=libasan.so) $(g++ -print-file-name=libubsan.s
 # processes with threads: the sanitizer's allocator may be locked in the child.
 PRS_EXECUTABLE=$PWD/build/debug/prs/cli/prs LD_PRELOAD=$sanitizers ASAN_OPTIONS=detect_leaks=0:alloc_dealloc_mismatch=0 \
   PYTHONMALLOC=malloc PYTHONPATH=$site \
-  "$venv/bin/pytest" -q -p no:cacheprovider --deselect python/tests/test_notebooks.py \
+  "$venv/bin/pytest" -q -n "$(nproc)" -p no:cacheprovider --deselect python/tests/test_notebooks.py \
   --deselect python/tests/test_plots.py -k "not (fork and threads)"

@@ -89,6 +89,8 @@ TEST(KilledStudy, EndsWithTheFilesOfAnUndisturbedOne) {
     return {"/usr/bin/env",
             "-u",
             "GTEST_OUTPUT",
+            "-u",
+            "GTEST_TOTAL_SHARDS",
             std::string(kFolder) + "=" + folder.string(),
             fs::read_symlink("/proc/self/exe").string(),
             "--gtest_filter=KilledStudy.DISABLED_Process",

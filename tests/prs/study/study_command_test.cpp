@@ -140,7 +140,7 @@ TEST_F(StudyCommand, ShardsWithoutSenseAreStatus2) {
 }
 
 TEST_F(StudyCommand, InterruptedItContinues) {
-  test::write_study_file(file, 100'000);
+  test::write_study_file(file, 40'000);
   test::Process process({test::program(), "study", file.string(), "--output", folder.string()});
   ASSERT_TRUE(test::wait_for_size(journal_path(folder, {}), 30'000));
   process.signal(SIGSTOP);
