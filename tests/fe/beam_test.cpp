@@ -71,9 +71,9 @@ TEST(Beam, RigidMotionsStoreNoEnergy) {
     EXPECT_LT((k * rigid).cwiseAbs().maxCoeff(), 1e-14 * k.cwiseAbs().maxCoeff());
     EXPECT_EQ(k, k.transpose());
     const Eigen::Matrix<double, 6, 1> scale{1, 1, l, 1, 1, l};
-    const Eigen::Matrix<double, 6, 6> scaled =
-        scale.cwiseInverse().asDiagonal() * k * scale.cwiseInverse().asDiagonal();
-    EXPECT_EQ(scaled.fullPivLu().setThreshold(1e-6).rank(), 3);
+    Eigen::FullPivLU<Eigen::MatrixXd> scaled(scale.cwiseInverse().asDiagonal() * k *
+                                             scale.cwiseInverse().asDiagonal());
+    EXPECT_EQ(scaled.setThreshold(1e-6).rank(), 3);
   }
 }
 

@@ -91,6 +91,8 @@ TEST(KilledStudy, EndsWithTheFilesOfAnUndisturbedOne) {
             "GTEST_OUTPUT",
             "-u",
             "GTEST_TOTAL_SHARDS",
+            "-u",
+            "GTEST_SHARD_INDEX",
             std::string(kFolder) + "=" + folder.string(),
             fs::read_symlink("/proc/self/exe").string(),
             "--gtest_filter=KilledStudy.DISABLED_Process",
