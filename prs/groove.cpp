@@ -20,15 +20,24 @@ Eigen::Vector2d Groove::normal(FlankSide f) const {
   return {outwards * std::sin(angle(f)), sign(f) * std::cos(angle(f))};
 }
 
+double sharp_height(double pitch, double flank_angle) {
+  return 0.25 * pitch / std::tan(flank_angle);
+}
+
+double default_root_depth(double pitch, double flank_angle) {
+  return std::min(kRootDepth * pitch, sharp_height(pitch, flank_angle));
+}
+
 Groove default_groove(bool internal, double pitch, double pitch_radius, double backward_angle,
                       double forward_angle) {
-  const double sharp = 0.25 * pitch / std::tan(std::max(backward_angle, forward_angle));
+  constexpr double kMeshedRootDepth = 0.23;  // pitches
+  const double highest = 0.95 * sharp_height(pitch, std::max(backward_angle, forward_angle));
   Groove g;
   g.internal = internal;
   g.pitch = pitch;
   g.pitch_radius = pitch_radius;
-  g.addendum = std::min(0.15 * pitch, 0.95 * sharp);
-  g.dedendum = std::min(0.18 * pitch, 0.95 * sharp);
+  g.addendum = std::min(kCrestHeight * pitch, highest);
+  g.dedendum = std::min(kMeshedRootDepth * pitch, highest);
   g.backward_angle = backward_angle;
   g.forward_angle = forward_angle;
   return g;

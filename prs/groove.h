@@ -35,9 +35,22 @@ struct Groove {
   Eigen::Vector2d normal(FlankSide f) const;
 };
 
-/// Truncation where the mechanism gives no heights: 0.25 mm above and 0.30 mm below the pitch line
-/// for a pitch of 5/3 mm (assumption, from Abevi's screw), scaled with the pitch; always less than
-/// 95 % of what meeting flanks allow.
+/// Threads as makers cut them, in pitches: crest above and root below the pitch line, from the
+/// outer and root diameters of a catalogue (tests/prs/measures/shaft_test.cpp). At 45 deg the
+/// flanks of a groove meet at its root.
+inline constexpr double kCrestHeight = 0.15;
+inline constexpr double kRootDepth = 0.25;
+
+/// Radial distance from the pitch line at which the flanks of ridges half a pitch wide meet [m].
+double sharp_height(double pitch, double flank_angle);
+
+/// Depth of the root below the pitch line where the mechanism gives no heights [m]: `kRootDepth`
+/// or where the flanks meet.
+double default_root_depth(double pitch, double flank_angle);
+
+/// Groove for bodies with teeth where the mechanism gives no heights: a maker's crest and, since a
+/// mesh needs a flat between the flanks, a root of 0.23 p only; both at most 95 % of what meeting
+/// flanks allow.
 Groove default_groove(bool internal, double pitch, double pitch_radius, double backward_angle,
                       double forward_angle);
 

@@ -271,8 +271,8 @@ inline constexpr DesignMeasure kDesignMeasures[] = {
     {"buckling_load_N", design_measure<&Measures::buckling_load>, 1.0, measure_text::kShaft,
      "buckling load",
      "pi^2 E I/(K L)^2; below lambda = sqrt(2 pi^2 E/s_y): A s_y (1 - s_y lambda^2/(4 pi^2 E))",
-     "needs measures.shaft; core diameter; straight, no safety factor; without "
-     "measures.yield_strength Euler alone, too high for stocky shafts",
+     "needs measures.shaft; core diameter, by default d_S - 0.5 p; straight, no safety factor; "
+     "without measures.yield_strength Euler alone, too high for stocky shafts",
      "Euler; J. B. Johnson; K = 2, 1, 0.699, 0.5"},
     {"critical_speed_rpm", design_measure<&Measures::critical_speed>, per_si::revolution_per_minute,
      measure_text::kShaft, "critical speed, first bending",

@@ -128,7 +128,7 @@ std::vector<double> columns_of(const GroovedShape& s, const std::vector<LoadedFl
   for (std::size_t i = 0; i < distinct.size(); ++i) {
     const auto gives_way_to = [&](std::size_t k) {
       return k < distinct.size() && distinct[k].essential &&
-             std::abs(distinct[k].z - distinct[i].z) < close;
+             std::abs(distinct[k].z - distinct[i].z) < close - same;
     };
     if (distinct[i].essential || !(gives_way_to(i + 1) || gives_way_to(i - 1)))
       z.push_back(distinct[i].z);

@@ -182,16 +182,11 @@ void find_bodies(const Case& c, const Contacts& contacts, Measures& m) {
   find_inertia(c, contacts, m);
 }
 
-/// Between its bore and the roots of its thread.
-ShaftSection core_section(const Mechanism& m, const Structure& s) {
-  return {*m.pitch_diameter.screw - 2.0 * tooth_section(m, Part::screw).height, s.screw.bore};
-}
-
 void find_shaft(const Case& c, const Contacts& contacts, Measures& m) {
   const MeasureOptions options = options_of(c);
   if (!options.shaft || !c.structure || !c.materials) return;
   const Material& material = c.materials->screw;
-  const ShaftSection core = core_section(contacts.mechanism, *c.structure);
+  const ShaftSection core = core_section(contacts.mechanism, c.structure->screw);
   m.shaft_stiffness = section_stiffness(contacts.mechanism, *c.structure, *c.materials).screw *
                       axial_pitch(contacts.mechanism) / options.shaft->length;
   if (!(core.diameter > core.bore)) return;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "prs/groove.h"
 #include "prs/section_properties.h"
 
 namespace prs {
@@ -26,6 +27,13 @@ double bending_root(Ends ends) {
 }
 
 }  // namespace
+
+ShaftSection core_section(const Mechanism& m, const Structure::Screw& screw) {
+  const std::optional<ThreadHeight>& thread = m.thread.screw;
+  const double depth =
+      thread ? thread->dedendum : default_root_depth(axial_pitch(m), m.flank_angle.screw);
+  return {*m.pitch_diameter.screw - 2.0 * depth, screw.bore};
+}
 
 double radius_of_gyration(const ShaftSection& s) { return 0.25 * std::hypot(s.diameter, s.bore); }
 

@@ -4,6 +4,8 @@
 
 #include "prs/materials.h"
 #include "prs/measures/measure_options.h"
+#include "prs/mechanism.h"
+#include "prs/structure.h"
 
 namespace prs {
 
@@ -12,6 +14,10 @@ struct ShaftSection {
   double diameter = 0.0;  ///< [m]
   double bore = 0.0;      ///< [m]
 };
+
+/// The screw between its bore and the roots of its thread, `mechanism.thread` or
+/// `default_root_depth` below the pitch line.
+ShaftSection core_section(const Mechanism& mechanism, const Structure::Screw& screw);
 
 /// Radius of gyration [m], sqrt(I/A) = sqrt(d^2 + d_b^2)/4.
 double radius_of_gyration(const ShaftSection& section);

@@ -25,6 +25,13 @@ SectorCase short_screw_at_45_deg() {
   return c;
 }
 
+/// Abevi's screw with the teeth of the reference curves, whose grooves are wider than by default.
+SectorCase with_wide_grooves() {
+  SectorCase c = abevi();
+  for (const Part p : kParts) c.mechanism.thread[p] = ThreadHeight{0.25e-3, 0.30e-3};
+  return c;
+}
+
 BodyGeometry geometry(const SectorCase& c, double patch_scale = 1.0) {
   const PerInterface<HertzPatch> patches{{0.227e-3 * patch_scale, 0.178e-3 * patch_scale},
                                          {0.198e-3 * patch_scale, 0.242e-3 * patch_scale}};
@@ -34,7 +41,7 @@ BodyGeometry geometry(const SectorCase& c, double patch_scale = 1.0) {
 Eigen::MatrixXd reversed(const Eigen::MatrixXd& m) { return m.reverse(); }
 
 TEST(BlockSolver, ShortWavesSeeAHalfSpace) {
-  const BodyGeometry b = geometry(abevi());
+  const BodyGeometry b = geometry(with_wide_grooves());
   FlexibilityOptions options;
   options.mesh.patch_cells = 8;
   options.mesh.growth = 1.3;
@@ -56,7 +63,7 @@ TEST(BlockSolver, ShortWavesSeeAHalfSpace) {
 }
 
 TEST(BlockSolver, HarmonicsDieOutWithinTheirReach) {
-  const BodyGeometry b = geometry(abevi());
+  const BodyGeometry b = geometry(with_wide_grooves());
   const FlexibilityOptions options;
   const LoadedFlank flank{0.0, FlankSide::backward, b.patches.nut, options.mesh.patch_cells};
   BlockSolver block(b.grooves.nut, 23e-3, b.materials.nut, {flank}, options);

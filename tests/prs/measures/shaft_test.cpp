@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "prs/groove.h"
+
 namespace prs {
 namespace {
 
@@ -15,6 +17,51 @@ constexpr double kModulus = 209e9, kYield = 800e6, kDensity = 7850.0;
 const ShaftSection kCore{18e-3, 6e-3};
 const double kArea = pi / 4.0 * (18e-3 * 18e-3 - 6e-3 * 6e-3);
 const double kInertia = pi / 64.0 * (std::pow(18e-3, 4) - std::pow(6e-3, 4));
+
+/// Printed with one decimal.
+struct CatalogueScrew {
+  double diameter, lead;  ///< [mm]
+  int starts;
+  double outer_diameter, root_diameter;  ///< [mm]
+};
+
+/// The standard screws of a maker's series SRS-C whose threads are printed, by a public
+/// configurator: github.com/vdimichele-helix/email-roller-screw-configuration, commit beed04e3,
+/// srsCTechnicalData.jsx.
+constexpr CatalogueScrew kCatalogue[] = {
+    {12, 5, 5, 12.3, 11.5},  {18, 5, 5, 18.3, 17.5},  {21, 5, 5, 21.3, 20.5},
+    {21, 10, 5, 21.6, 20.0}, {24, 12, 6, 24.6, 23.0}, {24, 5, 5, 24.3, 23.5},
+    {30, 10, 5, 30.6, 29.0}, {36, 9, 6, 36.5, 35.3},  {39, 5, 5, 39.4, 38.5},
+    {44, 12, 6, 44.7, 43.0}, {48, 5, 5, 48.4, 47.5},  {60, 20, 5, 61.3, 58.0},
+    {75, 10, 5, 75.7, 74.1}};
+
+TEST(CoreSection, HasTheRootDiameterOfACatalogue) {
+  int to_the_last_digit = 0;
+  for (const CatalogueScrew& s : kCatalogue) {
+    Mechanism m;
+    m.lead = 1e-3 * s.lead;
+    m.starts.screw = s.starts;
+    m.pitch_diameter.screw = 1e-3 * s.diameter;
+    const double root = 1e3 * core_section(m, {2e-3, 0.0}).diameter;
+    // Half of the last digit, and one more where the nominal diameter is not quite the pitch's.
+    const double off = std::abs(root - s.root_diameter);
+    EXPECT_LE(off, 0.1 + 1e-9) << s.diameter << 'x' << s.lead;
+    to_the_last_digit += off <= 0.05 + 1e-9;
+    EXPECT_NEAR(s.diameter + 2.0 * kCrestHeight * s.lead / s.starts, s.outer_diameter, 0.1 + 1e-9);
+  }
+  EXPECT_EQ(to_the_last_digit, 12);  // all but 75 x 10, printed 74.1
+}
+
+TEST(CoreSection, TakesTheStatedRoot) {
+  Mechanism m;
+  m.lead = 5e-3;
+  m.starts.screw = 5;
+  m.pitch_diameter.screw = 20e-3;
+  m.thread.screw = ThreadHeight{0.1e-3, 0.2e-3};
+  const ShaftSection core = core_section(m, {6e-3, 0.0});
+  EXPECT_DOUBLE_EQ(core.diameter, 19.6e-3);
+  EXPECT_EQ(core.bore, 6e-3);
+}
 
 TEST(ShaftSection, RadiusOfGyrationIsThatOfARing) {
   EXPECT_NEAR(radius_of_gyration(kCore), std::sqrt(kInertia / kArea), 1e-17);
