@@ -13,6 +13,7 @@
 #include "contact/viscosity.h"
 #include "prs/groove.h"
 #include "prs/preload/preload_sector.h"
+#include "prs/refined/refinement.h"
 
 namespace prs {
 
@@ -246,6 +247,26 @@ void check_shoulder_meets_face(const Structure::Nut& nut, double bore, Problems&
   }
 }
 
+/// Least wall below the roots that `influence` can mesh, in pitches.
+constexpr double kLeastMeshedWall = 0.42;
+
+/// Walls under flanges and collars: `refined`, whose roots may be less deep there, counts them from
+/// the pitch diameter, `influence` from the roots.
+void check_flange_walls(const Structure::Nut& nut, double pitch_diameter, double dedendum,
+                        double pitch, bool meshed, Problems& problems) {
+  const double inner = pitch_diameter + (meshed ? 2.0 * dedendum : 0.0);
+  const double least = (meshed ? kLeastMeshedWall : kLeastWall) * pitch;
+  for (std::size_t i = 0; i < nut.flanges.size(); ++i) {
+    const double outer = nut.flanges[i].outer_diameter, wall = 0.5 * (outer - inner);
+    if (wall < least)
+      problems.add(fmt::format("structure.nut.flanges[{}].outer_diameter", i),
+                   fmt::format("got {}, {} more in radius than the {} of its thread; expected at "
+                               "least {} for `bodies: {}`; widen the flange or take `bodies: bars`",
+                               mm(outer), mm(wall), meshed ? "roots" : "pitch line", mm(least),
+                               meshed ? "influence" : "refined"));
+  }
+}
+
 /// Teeth and walls as `refined` and `influence` need them.
 void check_threaded_walls(const Case& c, std::string_view bodies, Problems& problems) {
   const Mechanism& m = c.mechanism;
@@ -256,7 +277,7 @@ void check_threaded_walls(const Case& c, std::string_view bodies, Problems& prob
     if (!diameter) continue;
     const double flank = m.flank_angle[part];
     // Flanks that meet end the thread.
-    const double sharp = 0.25 * pitch / std::tan(flank);
+    const double sharp = sharp_height(pitch, flank);
     const double least = meshed ? 0.03 * pitch : 0.0;
     const std::string path = fmt::format("mechanism.thread.{}", name(part));
     if (m.thread[part]) {
@@ -274,11 +295,13 @@ void check_threaded_walls(const Case& c, std::string_view bodies, Problems& prob
         m.thread[part] ? m.thread[part]->dedendum
                        : default_groove(part == Part::nut, pitch, 0.0, flank, flank).dedendum;
     const double root = 0.5 * *diameter + (part == Part::nut ? 1.0 : -1.0) * dedendum;
+    if (part == Part::nut)
+      check_flange_walls(c.structure->nut, *diameter, dedendum, pitch, meshed, problems);
     const double far = part == Part::screw ? 0.5 * c.structure->screw.bore
                        : part == Part::nut ? 0.5 * c.structure->nut.outer_diameter
                                            : 0.0;
     const double wall = part == Part::nut ? far - root : root - far;
-    const double thinnest = (meshed ? 0.42 : 0.1) * pitch;
+    const double thinnest = (meshed ? kLeastMeshedWall : kLeastWall) * pitch;
     if (wall < thinnest)
       problems.add(part == Part::screw ? "structure.screw.bore"
                    : part == Part::nut ? "structure.nut.outer_diameter"

@@ -13,9 +13,9 @@ namespace {
 using fe::Dof;
 
 /// Bars from the loaded section through the contacts.
-void add_screw(Sector& s, const Mechanism& m, const Structure::Screw& screw, double diameter,
-               double modulus) {
-  const double rigidity = modulus * ring_area(diameter, screw.bore) / m.rollers;
+void add_screw(Sector& s, const Mechanism& m, const Structure::Screw& screw, double free_diameter,
+               double diameter, double modulus) {
+  const auto rigidity = [&](double d) { return modulus * ring_area(d, screw.bore) / m.rollers; };
   s.loaded_node = s.model.add_node();
   const bool at_first_contact = screw.free_length == 0.0;
   int previous = s.loaded_node;
@@ -25,8 +25,9 @@ void add_screw(Sector& s, const Mechanism& m, const Structure::Screw& screw, dou
       continue;
     }
     const int node = s.model.add_node();
-    const double length = k == 0 ? screw.free_length : axial_pitch(m);
-    s.model.bars.push_back({previous, node, {rigidity, length}});
+    const fe::Bar bar = k == 0 ? fe::Bar{rigidity(free_diameter), screw.free_length}
+                               : fe::Bar{rigidity(diameter), axial_pitch(m)};
+    s.model.bars.push_back({previous, node, bar});
     s.screw_nodes.push_back(node);
     previous = node;
   }
@@ -73,10 +74,11 @@ int add_nut_nodes(Sector& s, const NutLine& line) {
   return first;
 }
 
-void add_nut_bars(Sector& s, const NutLine& line, double bore, double modulus) {
+void add_nut_bars(Sector& s, const NutLine& line, const std::vector<double>& bore, double modulus) {
   int node = add_nut_nodes(s, line);
   for (std::size_t i = 0; i < line.outer_radius.size(); ++i, ++node) {
-    const double rigidity = modulus * ring_area(2.0 * line.outer_radius[i], bore) / s.rollers;
+    const double area = ring_area(2.0 * line.outer_radius[i], 2.0 * bore[i]);
+    const double rigidity = modulus * area / s.rollers;
     s.model.bars.push_back({node, node + 1, {rigidity, line.length(i)}});
   }
 }
@@ -197,16 +199,16 @@ Sector build_sector(const Mechanism& m, const Structure& structure, const Materi
 
   const NutLine line = nut_line(m, structure.nut, direction, position);
   const Refinement refined = refinement(m, structure, materials, options, laws, direction, line);
-  const PerPart<double>& core = refined.core_diameter;
   s.offset_compliance = refined.offset_compliance;
 
-  add_screw(s, m, structure.screw, core.screw, materials.screw.youngs_modulus);
-  add_roller(s, m, structure.roller, core.roller, refined.roller_half_distance, materials.roller,
-             refined.roller_shear);
+  add_screw(s, m, structure.screw, refined.plain_screw_diameter, refined.screw_diameter,
+            materials.screw.youngs_modulus);
+  add_roller(s, m, structure.roller, refined.roller_diameter, refined.roller_half_distance,
+             materials.roller, refined.roller_shear);
   if (refined.nut)
     add_nut_shell(s, line, *refined.nut, refined.nut_radially_rigid);
   else
-    add_nut_bars(s, line, core.nut, materials.nut.youngs_modulus);
+    add_nut_bars(s, line, refined.nut_bore, materials.nut.youngs_modulus);
   add_guidance(s, structure.roller.guidance, options.roller);
   add_contacts(s, refined.nut ? refined.nut->contact_arm : 0.0, refined.compliance);
   return s;

@@ -14,21 +14,27 @@ namespace {
 
 using std::numbers::pi;
 
-fe::ShellRigidity wall_rigidity(const NutBore& bore, double outer, double reference,
-                                const Material& material, int rollers,
-                                const RefinedEffects& effects) {
+/// Radii of the nut between two nodes [m].
+struct Wall {
+  double root = 0.0;
+  double pitch = 0.0;
+  double outer = 0.0;
+};
+
+fe::ShellRigidity wall_rigidity(const Wall& radii, double reference, const Material& material,
+                                int rollers, const RefinedEffects& effects) {
   const double modulus = material.youngs_modulus;
   const double shear_modulus = modulus / (2.0 * (1.0 + material.poisson_ratio));
   const double poisson = effects.poisson && effects.hoop ? material.poisson_ratio : 0.0;
   const auto tube = [&](double inner, double r0) {
-    return fe::tube_rigidity(inner, outer, r0, modulus, poisson, shear_modulus);
+    return fe::tube_rigidity(inner, radii.outer, r0, modulus, poisson, shear_modulus);
   };
-  fe::ShellRigidity wall = tube(bore.root, reference);
+  fe::ShellRigidity wall = tube(radii.root, reference);
   if (!effects.flange) {
-    wall = tube(bore.root, reference + wall.eccentric / wall.axial);
+    wall = tube(radii.root, reference + wall.eccentric / wall.axial);
     wall.eccentric = 0.0;
   }
-  wall.hoop = tube(bore.pitch, reference).hoop;
+  wall.hoop = tube(radii.pitch, reference).hoop;
   wall.radially_rigid = !effects.hoop;
   return fe::scaled(wall, 1.0 / rollers);
 }
@@ -40,16 +46,16 @@ std::vector<fe::ShellMatrix> segments(const NutLine& line, const NutBore& bore, 
   std::vector<fe::ShellMatrix> shells;
   for (std::size_t i = 0; i < line.outer_radius.size(); ++i) {
     const auto same = [&](std::size_t k) {
-      return line.outer_radius[k] == line.outer_radius[i] &&
+      return line.outer_radius[k] == line.outer_radius[i] && bore.root[k] == bore.root[i] &&
              std::abs(line.length(k) - line.length(i)) <= 1e-12 * line.length(i);
     };
     std::size_t k = 0;
     while (k < i && !same(k)) ++k;
-    shells.push_back(k < i
-                         ? shells[k]
-                         : fe::stiffness_matrix(wall_rigidity(bore, line.outer_radius[i], reference,
-                                                              material, rollers, effects),
-                                                line.length(i)));
+    const Wall wall{bore.root[i], bore.pitch, line.outer_radius[i]};
+    shells.push_back(k < i ? shells[k]
+                           : fe::stiffness_matrix(
+                                 wall_rigidity(wall, reference, material, rollers, effects),
+                                 line.length(i)));
   }
   return shells;
 }
@@ -131,8 +137,8 @@ std::optional<ThrustRing> thrust_ring(const NutLine& line, const Structure::Nut&
                                       const NutBore& bore) {
   const auto thrust = static_cast<std::size_t>(line.thrust);
   const bool at_first = thrust == 0, at_last = thrust == line.outer_radius.size();
-  const double before = at_first ? bore.root : line.outer_radius[thrust - 1];
-  const double behind = at_last ? bore.root : line.outer_radius[thrust];
+  const double before = at_first ? bore.root.front() : line.outer_radius[thrust - 1];
+  const double behind = at_last ? bore.root.back() : line.outer_radius[thrust];
   if (before == behind) return {};
   ThrustRing ring{std::min(before, behind), std::max(before, behind)};
   if (nut.shoulder) {
@@ -159,8 +165,9 @@ double centre_of_pressure(double force, double tilt, double width, double plane_
 NutShell nut_shell(const NutLine& line, const std::optional<ThrustRing>& ring, const NutBore& bore,
                    const NutLoad& load, const Material& material, int rollers,
                    const RefinedEffects& effects) {
-  const double wall = line.outer_radius[static_cast<std::size_t>(std::max(line.thrust, 1)) - 1];
-  const double reference = ring ? ring->inner_radius : 0.5 * (bore.root + wall);
+  const std::size_t before = static_cast<std::size_t>(std::max(line.thrust, 1)) - 1;
+  const double middle = 0.5 * (bore.root[before] + line.outer_radius[before]);
+  const double reference = ring ? ring->inner_radius : middle;
   NutShell nut{segments(line, bore, reference, material, rollers, effects),
                effects.flange ? bore.pitch - reference : 0.0, effects.flange && !ring};
   if (!ring || !effects.flange) return nut;

@@ -29,7 +29,8 @@ struct ThrustRing {
 
 /// Radii of the nut's threads [m].
 struct NutBore {
-  double root = 0.0;   ///< Inner radius of what carries axial force.
+  /// Inner radius of what carries axial force, between a node of the line and the next.
+  std::vector<double> root;
   double pitch = 0.0;  ///< Where the contacts are; the ridges, closed rings half of which fill the
                        ///< groove depth, carry hoop stress from here on.
 };

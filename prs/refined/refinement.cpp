@@ -11,16 +11,22 @@ namespace {
 
 double pitch_radius(const Mechanism& m, Part p) { return 0.5 * *m.pitch_diameter[p]; }
 
-double root_diameter(const Mechanism& m, Part p, double normal_angle, double far_radius) {
-  const double radius = pitch_radius(m, p);
-  const bool internal = p == Part::nut;
-  const double dedendum =
-      m.thread[p]
-          ? m.thread[p]->dedendum
-          : std::min(default_groove(internal, axial_pitch(m), radius, normal_angle, normal_angle)
-                         .dedendum,
-                     0.5 * std::abs(far_radius - radius));
-  return 2.0 * (internal ? radius + dedendum : radius - dedendum);
+double root_depth(const Mechanism& m, Part p, double normal_angle) {
+  if (m.thread[p]) return m.thread[p]->dedendum;
+  return default_groove(p == Part::nut, axial_pitch(m), pitch_radius(m, p), normal_angle,
+                        normal_angle)
+      .dedendum;
+}
+
+/// Where the nut's roots lie between the nodes.
+std::vector<double> nut_roots(const Mechanism& m, double depth, const NutLine& line) {
+  const double radius = pitch_radius(m, Part::nut), least = kLeastWall * axial_pitch(m);
+  std::vector<double> roots;
+  for (const double outer : line.outer_radius) {
+    const double wall = outer - radius;
+    roots.push_back(radius + std::min(depth, std::max(wall - least, 0.5 * wall)));
+  }
+  return roots;
 }
 
 double outer_radius_at(const NutLine& line, int node) {
@@ -67,7 +73,9 @@ Refinement refinement(const Mechanism& m, const Structure& structure, const Mate
                       const ModelOptions& options, const PerInterface<ContactLaw>& laws,
                       Direction direction, const NutLine& line) {
   Refinement r;
-  for (const Part p : kParts) r.core_diameter[p] = *m.pitch_diameter[p];
+  r.plain_screw_diameter = r.screw_diameter = *m.pitch_diameter.screw;
+  r.roller_diameter = *m.pitch_diameter.roller;
+  r.nut_bore.assign(line.outer_radius.size(), pitch_radius(m, Part::nut));
   r.roller_shear = options.roller_shear;
   for (const Interface i : kInterfaces)
     r.compliance[i].assign(static_cast<std::size_t>(m.contacts_per_roller), 0.0);
@@ -76,16 +84,16 @@ Refinement refinement(const Mechanism& m, const Structure& structure, const Mate
   const RefinedEffects& effects = options.refined;
   const double bore = 0.5 * structure.screw.bore;
   if (effects.core) {
-    const double wall = *std::min_element(line.outer_radius.begin(), line.outer_radius.end());
     const double psi = std::max(laws.screw.normal_angle, laws.nut.normal_angle);
-    r.core_diameter = {root_diameter(m, Part::screw, psi, bore),
-                       root_diameter(m, Part::roller, psi, 0.0),
-                       root_diameter(m, Part::nut, psi, wall)};
+    r.screw_diameter -= 2.0 * root_depth(m, Part::screw, psi);
+    r.roller_diameter -= 2.0 * root_depth(m, Part::roller, psi);
+    r.nut_bore = nut_roots(m, root_depth(m, Part::nut, psi), line);
+    if (m.type == Mechanism::Type::standard) r.plain_screw_diameter = r.screw_diameter;
   }
   r.roller_shear |= effects.shear;
   if (roller_contacts(options, m.starts.roller) == ModelOptions::RollerContacts::half_pitch_apart)
     r.roller_half_distance = 0.25 * axial_pitch(m);
-  const NutBore nut{0.5 * r.core_diameter.nut, pitch_radius(m, Part::nut)};
+  const NutBore nut{r.nut_bore, pitch_radius(m, Part::nut)};
   if (effects.hoop || effects.flange)
     r.nut = nut_shell(line, thrust_ring(line, structure.nut, nut), nut,
                       {sense(direction), laws.nut.normal_angle}, materials.nut, m.rollers, effects);
@@ -93,7 +101,7 @@ Refinement refinement(const Mechanism& m, const Structure& structure, const Mate
   if (effects.radial) add_radial(r, m, structure, materials, laws, line);
   if (effects.concentration) add_concentration(r, m, materials, laws);
   if (effects.poisson)
-    r.offset_compliance = poisson_offset(sense(direction), 0.5 * r.core_diameter.screw, bore,
+    r.offset_compliance = poisson_offset(sense(direction), 0.5 * r.screw_diameter, bore,
                                          materials.screw, m.rollers, laws.screw.normal_angle);
   return r;
 }

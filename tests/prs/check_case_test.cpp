@@ -119,6 +119,33 @@ TEST(CheckCase, ThreadedWallsMustCarry) {
   EXPECT_EQ(paths(check_case(c)), "structure.nut.outer_diameter");
 }
 
+TEST(CheckCase, WallsUnderFlangesMustCarry) {
+  using enum ModelOptions::Bodies;
+  for (const bool stated : {false, true}) {
+    Case c = with_bodies(refined);
+    if (stated)
+      for (const Part part : kParts) c.mechanism.thread[part] = ThreadHeight{0.25e-3, 0.30e-3};
+    const auto paths_at = [&](double diameter) {
+      c.structure->nut.flanges = {{0.0, 0.010, 0.062}, {0.087, 0.088, diameter}};
+      return paths(check_case(c));
+    };
+    c.structure->nut.thrust.compression = 0.010;
+    const std::string path = "structure.nut.flanges[1].outer_diameter";
+    // 0.1 of the pitch 5/3 mm outside the pitch diameter of 35 mm.
+    EXPECT_EQ(paths_at(0.0351), path);
+    EXPECT_EQ(paths_at(0.03533), path);
+    EXPECT_EQ(paths_at(0.03534), "");
+    EXPECT_EQ(paths_at(0.036), "");
+    c.model.bodies = bars;
+    EXPECT_EQ(paths_at(0.0351), "");
+    // A mesh needs 0.42 of it below the roots.
+    c.model.bodies = influence;
+    const double root = stated ? 0.30e-3 : 0.23 * 5e-3 / 3, least = 0.42 * 5e-3 / 3;
+    EXPECT_EQ(paths_at(0.035 + 2.0 * (root + least) - 1e-5), path);
+    EXPECT_EQ(paths_at(0.035 + 2.0 * (root + least) + 1e-5), "");
+  }
+}
+
 TEST(CheckCase, TeethMustHaveHeightAndFlanksThatHaveNotMet) {
   using enum ModelOptions::Bodies;
   Case c = with_bodies(influence);

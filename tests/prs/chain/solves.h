@@ -135,6 +135,9 @@ inline std::vector<NamedCase> special_cases() {
   add("flanges over contacts", [](SectorCase& c) {
     c.structure.nut.flanges = {{0.0, 31e-3, 62e-3}, {31e-3, 33e-3, 50e-3}, {40e-3, 80e-3, 70e-3}};
   });
+  add("collars with hardly a wall", [](SectorCase& c) {
+    c.structure.nut.flanges = {{0.0, 10e-3, 62e-3}, {35e-3, 38e-3, 35.4e-3}, {80e-3, 90e-3, 62e-3}};
+  });
   add("no flanges", [](SectorCase& c) { c.structure.nut.flanges.clear(); });
   for (const int contacts : {1, 2, 5, 40})
     add(std::to_string(contacts) + " threads", [&](SectorCase& c) {
