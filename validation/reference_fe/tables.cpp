@@ -20,6 +20,13 @@ std::string at_full_load(const std::vector<Curve>& reference) {
   return fmt::format("{:g} kN", reference.front().points.back().load * per_si::kilonewton);
 }
 
+/// The unit of load rates and how to read it.
+std::string of_sector_load(const std::vector<Curve>& reference) {
+  const std::size_t threads = reference.front().points.back().load_rate.screw.size();
+  return fmt::format("in % of the sector load, of which the mean thread of {} carries {:g} %",
+                     threads, percent(1.0 / static_cast<double>(threads)));
+}
+
 ValidationTable stiffness_table(const std::vector<Model>& models,
                                 const std::vector<Curve>& reference) {
   ValidationTable table{fmt::format("Axial stiffness at {} in N/um; the models less the reference, "
@@ -49,8 +56,9 @@ ValidationTable stiffness_table(const std::vector<Model>& models,
 ValidationTable load_table(const std::vector<Model>& models, const std::vector<Curve>& reference,
                            Interface i) {
   ValidationTable table{fmt::format("Load rates at the {} at {}: mean and largest discrepancy over "
-                                    "the threads, in % of the sector load",
-                                    prs::name(i), at_full_load(reference)),
+                                    "the threads, {}",
+                                    prs::name(i), at_full_load(reference),
+                                    of_sector_load(reference)),
                         {"CONFIG, direction, guidance, contacts"},
                         {},
                         3};
@@ -81,8 +89,8 @@ ValidationTable summary_table(const std::vector<Model>& models,
                               const std::vector<Curve>& reference) {
   ValidationTable table{
       fmt::format("All {} cases at all {} loads: stiffness less that of the reference, in %; load "
-                  "rates, mean and largest discrepancy in % of the sector load",
-                  reference.size(), reference.front().points.size()),
+                  "rates, mean and largest discrepancy, {}",
+                  reference.size(), reference.front().points.size(), of_sector_load(reference)),
       {"", "softest", "mean", "stiffest", "screw", "largest", "nut", "largest"},
       {},
       3};
