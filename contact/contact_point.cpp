@@ -147,6 +147,10 @@ ContactPoint assess(const ThreadPair& pair, RollerFace face, const Clearance& cl
       pair.body.side * pair.body.profile(p.radius_on_body).height -
       gamma * (pair.body.reduced_lead * body_turn - pair.roller.reduced_lead * roller_turn);
   p.backlash = 2.0 * value - (external ? pair.roller.pitch : 0.0);
+  // Its terms come from the radii, whose rounding stands for a play of zero.
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() *
+                          (p.radius_on_body + p.radius_on_roller + pair.centre_distance);
+  if (std::abs(p.backlash) <= rounding) p.backlash = 0.0;
 
   const SymmetricTensor& h = p.clearance_hessian;
   if (!descent.converged) {

@@ -92,7 +92,7 @@ struct ContactPoint {
   /// Second derivatives of the axial clearance over x, y [1/m].
   SymmetricTensor clearance_hessian;
   /// Total axial play of the pair, both faces (Sandu 2018, (1.40)) [m]; negative: the threads are
-  /// too thick by that much. Has a meaning only where both parts have the same pitch.
+  /// too thick by that much, 0 within the radii's rounding. Means something at equal pitches only.
   double backlash = 0.0;
 
   FlankViolations violations;  ///< Of `outside_flank`; else empty.

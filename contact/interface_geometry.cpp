@@ -1,8 +1,12 @@
 #include "contact/interface_geometry.h"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+
+#include "contact/flank_edge.h"
 
 namespace contact {
 
@@ -11,6 +15,28 @@ namespace {
 /// Unit tangent of the helix through a point of a thread, towards growing theta.
 Eigen::Vector3d helix_tangent(const ThreadSurface& surface, const Eigen::Vector2d& from_axis) {
   return Eigen::Vector3d(-from_axis.y(), from_axis.x(), surface.reduced_lead).normalized();
+}
+
+/// The contact point as one of the two flanks sees it.
+struct FlankSpot {
+  const ThreadSurface* surface;
+  bool of_roller;
+  double radius;             ///< From the axis of its part [m].
+  Eigen::Vector2d outwards;  ///< Unit vector.
+};
+
+std::array<FlankSpot, 2> spots_on_flanks(const ThreadPair& pair, const InterfaceGeometry& g) {
+  const Eigen::Vector2d on_body = g.point.position;
+  const Eigen::Vector2d on_roller = on_body - Eigen::Vector2d(pair.centre_distance, 0.0);
+  return {{{&pair.body, false, on_body.norm(), on_body.normalized()},
+           {&pair.roller, true, on_roller.norm(), on_roller.normalized()}}};
+}
+
+/// Largest radial distance of the ellipse's points from its centre, in the tangent plane [m].
+double radial_reach(const InterfaceGeometry& g, const FlankSpot& spot, double semi_major,
+                    double semi_minor) {
+  return std::hypot(semi_major * g.major_axis.head<2>().dot(spot.outwards),
+                    semi_minor * g.minor_axis.head<2>().dot(spot.outwards));
 }
 
 }  // namespace
@@ -54,18 +80,27 @@ InterfaceGeometry interface_geometry(const ThreadPair& pair, RollerFace face) {
 FlankViolations ellipse_beyond_flanks(const ThreadPair& pair, const InterfaceGeometry& interface,
                                       double semi_major, double semi_minor) {
   FlankViolations violations;
-  const Eigen::Vector2d on_body = interface.point.position;
-  const Eigen::Vector2d on_roller = on_body - Eigen::Vector2d(pair.centre_distance, 0.0);
-  const auto add = [&](const ThreadSurface& surface, bool of_roller, const Eigen::Vector2d& point) {
-    const double radius = point.norm();
-    const Eigen::Vector2d outwards = point / radius;
-    const double reach = std::hypot(semi_major * interface.major_axis.head<2>().dot(outwards),
-                                    semi_minor * interface.minor_axis.head<2>().dot(outwards));
-    violations.add(surface, of_roller, radius - reach, radius + reach);
-  };
-  add(pair.body, false, on_body);
-  add(pair.roller, true, on_roller);
+  for (const FlankSpot& spot : spots_on_flanks(pair, interface)) {
+    const double reach = radial_reach(interface, spot, semi_major, semi_minor);
+    violations.add(*spot.surface, spot.of_roller, spot.radius - reach, spot.radius + reach);
+  }
   return violations;
+}
+
+FlankEdge nearest_flank_edge(const ThreadPair& pair, const InterfaceGeometry& interface,
+                             double semi_major, double semi_minor) {
+  FlankEdge nearest{.scale = std::numeric_limits<double>::infinity()};
+  for (const FlankSpot& spot : spots_on_flanks(pair, interface)) {
+    const double reach = radial_reach(interface, spot, semi_major, semi_minor);
+    const bool internal = spot.surface->side < 0.0;
+    const double inwards = (spot.radius - spot.surface->smallest_radius) / reach;
+    const double outwards = (spot.surface->largest_radius - spot.radius) / reach;
+    if (inwards < nearest.scale)
+      nearest = {spot.of_roller, internal ? FlankEnd::crest : FlankEnd::root, inwards};
+    if (outwards < nearest.scale)
+      nearest = {spot.of_roller, internal ? FlankEnd::root : FlankEnd::crest, outwards};
+  }
+  return nearest;
 }
 
 InterfaceGeometry on_other_faces(const InterfaceGeometry& interface) {

@@ -48,7 +48,7 @@ void warn_of_interference(const Contacts& c, std::vector<std::string>& warnings)
     const contact::ContactPoint& point = c.interfaces[i].geometry.point;
     const contact::Thread& body = i == Interface::screw ? c.threads.screw : c.threads.nut;
     if (point.ok() && same_pitch(body, c.threads.roller) && point.backlash < -kInterference)
-      warnings.push_back(fmt::format("the {} threads interfere: backlash {:.4f} mm", label(i),
+      warnings.push_back(fmt::format("the {} threads interfere: backlash {:.4g} mm", label(i),
                                      point.backlash * per_si::millimetre));
   }
 }
@@ -67,7 +67,7 @@ void warn_of_conformity(const Contacts& c, std::vector<std::string>& warnings) {
 void warn_of_kinematics(const Contacts& c, std::vector<std::string>& warnings) {
   const contact::KinematicConsistency k = contact::kinematic_consistency(c.threads);
   if (std::abs(k.lead_difference) > 1e-9 * std::abs(c.threads.screw.lead))
-    warnings.push_back(fmt::format("the leads of nut and screw differ by {:.6f} mm",
+    warnings.push_back(fmt::format("the leads of nut and screw differ by {:.4g} mm",
                                    k.lead_difference * per_si::millimetre));
   if (std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) > kGearRatioTolerance)
     warnings.push_back(fmt::format(

@@ -61,7 +61,7 @@ void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& c
       *std::max_element(loads.semi_minor.begin(), loads.semi_minor.end()));
   for (const contact::FlankViolation& v : violations)
     warnings.push_back(
-        fmt::format("the largest {} ellipse reaches {:.4f} mm beyond the {} of the {}", label(i),
+        fmt::format("the largest {} ellipse reaches {:.4g} mm beyond the {} of the {}", label(i),
                     v.by * 1e3, contact::name(v.end), v.of_roller ? "roller" : name(i)));
 }
 
@@ -147,6 +147,15 @@ void add_warnings(LoadCaseResult& result, const Contacts& contacts) {
   if (result.threads)
     for (std::string& text : thread_warnings(*result.threads, contacts))
       result.warnings.push_back(std::move(text));
+}
+
+std::optional<std::string> running_pressure_note(Interface i, double pressure) {
+  if (pressure <= kRunningPressureLimit || pressure > kStaticPressureLimit) return std::nullopt;
+  return fmt::format(
+      "{} peak pressure {:.2f} GPa is above {:.1f} GPa, much for flanks that run ({:.1f} GPa is "
+      "the "
+      "limit at rest); lower the load or take more contacts",
+      label(i), pressure * 1e-9, kRunningPressureLimit * 1e-9, kStaticPressureLimit * 1e-9);
 }
 
 }  // namespace prs

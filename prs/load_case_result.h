@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "prs/contact_laws.h"
 #include "prs/load_distribution.h"
@@ -27,5 +28,14 @@ LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& con
 
 /// Adds what is unusual about an answer: open threads, pressures, ellipses beyond the flanks.
 void add_warnings(LoadCaseResult& result, const Contacts& contacts);
+
+/// Contact pressure from which a note stands beside a screw that runs under it: flanks of bearing
+/// steel that turn under more than some 2.5 GPa live short, however static safety stands.
+inline constexpr double kRunningPressureLimit = 2.5e9;
+
+/// A note where the largest peak pressure [Pa] of an interface is above `kRunningPressureLimit`;
+/// none above `kStaticPressureLimit`, of which its own warning speaks. `slip`, `life` and, with a
+/// speed, `measures` have it: `solve` does not know whether the screw turns under the load.
+std::optional<std::string> running_pressure_note(Interface i, double peak_pressure);
 
 }  // namespace prs

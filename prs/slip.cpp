@@ -10,6 +10,7 @@
 #include "prs/analyze.h"
 #include "prs/case_error.h"
 #include "prs/contact_failure.h"
+#include "prs/load_case_result.h"
 #include "prs/slip_equilibrium.h"
 #include "prs/slip_model.h"
 
@@ -25,7 +26,7 @@ void require_kinematics(const contact::MechanismGeometry& threads) {
   const contact::KinematicConsistency k = contact::kinematic_consistency(threads);
   if (std::abs(k.lead_difference) > 1e-9 * std::abs(threads.screw.lead))
     throw CaseError("mechanism.pitch",
-                    fmt::format("the leads of nut and screw differ by {:.6f} mm; expected equal "
+                    fmt::format("the leads of nut and screw differ by {:.4g} mm; expected equal "
                                 "leads for `slip`, or the contacts part as the screw turns (Sandu "
                                 "2018, (2.14)); leave the measured pitches out",
                                 k.lead_difference * 1e3));
@@ -169,6 +170,15 @@ void warn_of_lubrication(const SlipResult& slip, std::vector<std::string>& warni
   }
 }
 
+void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads,
+                              std::vector<std::string>& warnings) {
+  for (const Interface i : kInterfaces)
+    if (const auto& pressure = threads[i].peak_pressure; !pressure.empty())
+      if (const auto note =
+              running_pressure_note(i, *std::max_element(pressure.begin(), pressure.end())))
+        warnings.push_back(*note);
+}
+
 void warn(const SlipResult& slip, const SlipModel& model, std::vector<std::string>& warnings) {
   if (slip.status == SlipStatus::jammed)
     warnings.push_back(
@@ -288,7 +298,9 @@ Result analyze_slip(const Case& c, Detail detail) {
       const SlipResult equal = slip_result(models, models.equal_shares(loaded.load_case));
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
     }
-    if (detail == Detail::complete) warn(*loaded.slip, model, loaded.warnings);
+    if (detail != Detail::complete) continue;
+    warn(*loaded.slip, model, loaded.warnings);
+    warn_of_running_pressure(*loaded.threads, loaded.warnings);
   }
   return result;
 }

@@ -40,6 +40,7 @@
 #include "validation/jung_2017/recipe.h"
 #include "validation/reference_fe/contribution.h"
 #include "validation/sandu_2018/contribution.h"
+#include "validation/standard_screws/contribution.h"
 #include "validation/yao_2023/contribution.h"
 
 namespace prs::cli {
@@ -282,6 +283,7 @@ int validate(const Options& options) {
                                    jung_2017::contribution(),
                                    reference_fe::contribution(),
                                    sandu_2018::contribution(),
+                                   standard_screws::contribution(),
                                    yao_2023::contribution()});
   if (reports.empty()) {
     fmt::print(stderr, "{}: error: no folder with a reference.yaml\n", options.file);

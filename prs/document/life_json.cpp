@@ -43,6 +43,7 @@ Json capacity_json(const LifeResult& r) {
   }
   json["failure_share"] = {{"screw", r.failure_shares.screw}, {"nut", r.failure_shares.nut}};
   put(json, "static_capacity_equal_shares_N", r.equal_shares_static_capacity);
+  put(json, "flank_edge_load_equal_shares_N", r.equal_shares_flank_edge_load);
   put(json, "static_capacity_given_N", r.life.static_capacity);
   return json;
 }
@@ -79,7 +80,9 @@ Json flank_json(const LifeResult& r, const FlankLife& f) {
   put(json, "mean_load_N", f.mean_load);
   put(json, "largest_force_N", f.largest_force);
   put(json, "static_capacity_N", f.static_capacity);
-  if (f.static_capacity) put(json, "static_safety", *f.static_capacity / f.largest_force);
+  put(json, "flank_edge_load_N", f.flank_edge_load);
+  put(json, "static_safety", f.static_safety());
+  if (f.static_rating) json["static_safety_limit"] = name(f.static_rating->limit);
   json["equilibria"] = f.solves;
   put(json, "interpolation_error", f.interpolation_error);
   for (const Interface i : kInterfaces) {
@@ -127,6 +130,7 @@ Json life_json(const LifeResult& r, const DocumentInfo& info) {
     json["equal_shares"] = life_json(r, r.equal_shares_life);
     json["catalogue"] = life_json(r, r.catalogue_life);
     put(json, "static_safety", r.static_safety());
+    if (const auto limit = r.static_safety_limit()) json["static_safety_limit"] = name(*limit);
     if (r.weakest) {
       Json weakest = life_json(r, r.weakest->life);
       weakest["direction"] = name(r.weakest->direction);

@@ -38,6 +38,16 @@ struct ThreadMeasure {
   std::string_view source;
 };
 
+/// A measure that is a word: which static limit an estimate of safety stands on.
+struct LimitMeasure {
+  std::string_view key;
+  std::optional<StaticLimit> LoadMeasures::*value;
+  std::string_view title;
+  std::string_view formula;
+  std::string_view validity;
+  std::string_view source;
+};
+
 template <auto member>
 std::optional<double> design_measure(const Measures& m) {
   return m.*member;
@@ -80,6 +90,10 @@ inline constexpr std::string_view kDrive = "Drive";
 inline constexpr std::string_view kRatioValidity =
     "rolling without slip by the leads, Gamma = |l_R/l_S|, formula of matched diameters; inverted: "
     "1 - x is the ratio to the nut that turns, screw at rest; with friction see `prs slip`";
+inline constexpr std::string_view kEfficiencyEstimate =
+    "estimate: Coulomb friction of one screw and nut; `prs slip` computes the efficiency from the "
+    "losses of the contacts; needs measures.friction_coefficient, that of the whole mechanism as "
+    "catalogues state it; no preload";
 inline constexpr std::string_view kEfficiencyValidity =
     "needs measures.friction_coefficient; mu is that of the whole mechanism "
     "as catalogues state it; no preload";
@@ -98,6 +112,10 @@ inline constexpr std::string_view kLemorValidity =
 inline constexpr std::string_view kLemor = "Lemor, in Jung 2017, (5.5), (6.1), (8.26)";
 inline constexpr std::string_view kRangeFormula =
     "C_a with the other readings of the diameter ratio in f_c and the fit's 0.35 %";
+inline constexpr std::string_view kRangeValidity =
+    "how f_c is read, not an error bar: C_a is 0.69 to 1.26 times a maker's for screws from 8 to "
+    "120 "
+    "mm (validation/standard_screws); a maker's own value goes first";
 inline constexpr std::string_view kDeformationFormula =
     "C_0 = N_r N cos(psi) D sqrt(1e-4/(1.3e-7 kappa_1 kappa_2)) [N, mm], D twice the radius of the "
     "roller's profile: permanent deformation 1e-4 D";
@@ -113,6 +131,16 @@ inline constexpr std::string_view kPressureValidity =
     "equal shares; hardened bearing steel; elastic up to there";
 inline constexpr std::string_view kPressureSource =
     "Hertz; limit of ISO 76:2006 for roller bearings (4.2 GPa for ball bearings)";
+inline constexpr std::string_view kStaticSource = "ISO 76; Palmgren; Hertz";
+inline constexpr std::string_view kFlankEdgeFormula =
+    "N_r N cos(psi) min(h/rho')^3, h the radial height from the contact point to a crest or root "
+    "of "
+    "body or roller, rho' = sqrt((a' t_1r)^2 + (b' t_2r)^2) the ellipse's radial reach under 1 N";
+inline constexpr std::string_view kFlankEdgeValidity =
+    "equal shares; ellipse of the unbounded flank; crests and roots of mechanism.thread, else "
+    "where "
+    "flanks meet";
+inline constexpr std::string_view kFlankEdgeSource = "Hertz; geometry";
 inline constexpr std::string_view kBodyValidity =
     "bodies bounded by the pitch diameters; rollers with run-out and ends, nut with flanges; "
     "without carrier, gears and seals";
@@ -155,7 +183,7 @@ inline constexpr DesignMeasure kDesignMeasures[] = {
      measure_text::kRatioValidity, "Sandu 2018, (2.21); Jung 2017, (2.27), inverted there"},
     {"efficiency", design_measure<&Measures::efficiency>, 1.0, measure_text::kTransmission,
      "efficiency, rotation into travel (estimate)", "eta = 1/(1 + pi d_S mu/l)",
-     measure_text::kEfficiencyValidity, "Jung 2017, (8.29)"},
+     measure_text::kEfficiencyEstimate, "Jung 2017, (8.29)"},
     {"back_driving_efficiency", design_measure<&Measures::back_driving_efficiency>, 1.0,
      measure_text::kTransmission, "efficiency, travel into rotation (estimate)",
      "eta' = 1 - pi d_S mu/l = 2 - 1/eta; absent where self-locking",
@@ -194,14 +222,17 @@ inline constexpr DesignMeasure kDesignMeasures[] = {
      measure_text::kCapacity, "dynamic capacity C_a", measure_text::kLemorFormula,
      measure_text::kLemorValidity, measure_text::kLemor},
     {"dynamic_capacity_low_N", design_measure<&Measures::dynamic_capacity_low>, 1.0,
-     measure_text::kCapacity, "dynamic capacity, least", measure_text::kRangeFormula,
-     measure_text::kLemorValidity, "docs/life.md"},
+     measure_text::kCapacity, "dynamic capacity, least reading of f_c", measure_text::kRangeFormula,
+     measure_text::kRangeValidity, "docs/life.md"},
     {"dynamic_capacity_high_N", design_measure<&Measures::dynamic_capacity_high>, 1.0,
-     measure_text::kCapacity, "dynamic capacity, greatest", measure_text::kRangeFormula,
-     measure_text::kLemorValidity, "docs/life.md"},
+     measure_text::kCapacity, "dynamic capacity, greatest reading of f_c",
+     measure_text::kRangeFormula, measure_text::kRangeValidity, "docs/life.md"},
     {"static_capacity_N", design_measure<&Measures::static_capacity>, 1.0, measure_text::kCapacity,
-     "static capacity C_0", "the least of the four below; or life.static_capacity where stated",
-     "equal shares; hardened bearing steel", "ISO 76, Palmgren, Hertz"},
+     "static capacity C_0", "the least of the next four; or life.static_capacity where stated",
+     "equal shares; hardened bearing steel; flanks of any height, see flank_edge_load_N; as "
+     "uncertain as the profile radius: a maker's hardly depends on the lead, as if r = 5 p, which "
+     "gives 0.7 to 1.4 times his, an arc about the axis 0.4 to 4.7 (validation/standard_screws)",
+     "ISO 76, Palmgren, Hertz"},
     {"deformation_capacity_screw_N",
      design_measure<&Measures::deformation_capacity, Interface::screw>, 1.0,
      measure_text::kCapacity, "load at the permanent deformation, roller-screw",
@@ -219,6 +250,18 @@ inline constexpr DesignMeasure kDesignMeasures[] = {
      measure_text::kCapacity, "load at the pressure limit, roller-nut",
      measure_text::kPressureFormula, measure_text::kPressureValidity,
      measure_text::kPressureSource},
+    {"flank_edge_load_N", design_measure<&Measures::flank_edge_load>, 1.0, measure_text::kCapacity,
+     "load at the edge of a flank", "the smaller of both below", measure_text::kFlankEdgeValidity,
+     measure_text::kFlankEdgeSource},
+    {"flank_edge_load_screw_N",
+     design_measure<&Measures::interface_flank_edge_load, Interface::screw>, 1.0,
+     measure_text::kCapacity, "load at the edge of a flank, roller-screw",
+     measure_text::kFlankEdgeFormula, measure_text::kFlankEdgeValidity,
+     measure_text::kFlankEdgeSource},
+    {"flank_edge_load_nut_N", design_measure<&Measures::interface_flank_edge_load, Interface::nut>,
+     1.0, measure_text::kCapacity, "load at the edge of a flank, roller-nut",
+     measure_text::kFlankEdgeFormula, measure_text::kFlankEdgeValidity,
+     measure_text::kFlankEdgeSource},
 
     {"roller_weight_kg", design_measure<&Measures::roller_weight>, 1.0, measure_text::kWeight,
      "weight of all rollers", "N_r rho pi/4 (d_R^2 N p + 2 d_end^2 L_end)",
@@ -297,7 +340,11 @@ inline constexpr LoadMeasure kLoadMeasures[] = {
      per_si::newton_per_micrometre, measure_text::kStiffness, "all threads, secant",
      "N_r N/((h_S + h_N) f^(-1/3) + sum 1/k_tooth), teeth of screw, nut and twice the roller where "
      "measures.loaded_width is given",
-     measure_text::kHertzStiffnessValidity,
+     "secant, equal shares; roller moves axially only; with teeth a lower bound, which may be "
+     "below "
+     "`solve`'s whole screw: the models of the bodies have Hertz contacts without Yamamoto's "
+     "teeth, "
+     "whose deflection Hertz has in part and whose nut ring each contact widens alone",
      "Jung 2017, (3.45), (3.46), without the roller's teeth there"},
 
     {"yang_largest_load_rate_percent", load_measure<&LoadMeasures::yang_largest_load_rate>,
@@ -353,16 +400,17 @@ inline constexpr LoadMeasure kLoadMeasures[] = {
      per_si::megapascal, measure_text::kStrength, "bending at the root, nut",
      measure_text::kBendingFormula, measure_text::kRootValidity, measure_text::kRootSource},
     {"static_safety", load_measure<&LoadMeasures::static_safety>, 1.0, measure_text::kStrength,
-     "static safety under equal shares",
-     "the smallest of both static capacities and both loads at the pressure limit, or "
-     "life.static_capacity, over F",
-     "equal shares", measure_text::kPalmgren},
+     "static safety (estimate: equal shares)",
+     "the smaller of static_capacity_N and flank_edge_load_N over F",
+     "estimate of `prs life`'s static safety, force at which the first thread reaches a limit over "
+     "the force; the same there with `share: equal`",
+     measure_text::kStaticSource},
     {"thread_static_safety", load_measure<&LoadMeasures::thread_static_safety>, 1.0,
-     measure_text::kStrength, "static safety of the most loaded thread",
-     "the smaller of static capacity and load at the pressure limit over N_r N times the largest "
-     "axial "
-     "thread load; the smaller of both interfaces",
-     "that of the load distribution", measure_text::kPalmgren},
+     measure_text::kStrength, "static safety (estimate: shares under this load)",
+     "the smaller of both interfaces' static limits over N_r N times the largest axial thread load",
+     "estimate of `prs life`'s static safety, with the shares that the threads have under this "
+     "load in place of those at the limit",
+     measure_text::kStaticSource},
     {"buckling_safety", load_measure<&LoadMeasures::buckling_safety>, 1.0, measure_text::kStrength,
      "safety against buckling", "buckling load over F", "in compression; that of the buckling load",
      "Euler; J. B. Johnson"},
@@ -381,6 +429,15 @@ inline constexpr LoadMeasure kLoadMeasures[] = {
     {"speed_safety", load_measure<&LoadMeasures::speed_safety>, 1.0, measure_text::kDrive,
      "critical over operating speed", "critical speed over |speed|",
      "standard mechanisms, whose screw turns; that of the critical speed", "Euler-Bernoulli beam"},
+};
+
+inline constexpr LimitMeasure kLimitMeasures[] = {
+    {"static_safety_limit", &LoadMeasures::static_safety_limit, "what limits static safety",
+     "pressure | deformation | flank_edge | given", "that of static_safety",
+     measure_text::kStaticSource},
+    {"thread_static_safety_limit", &LoadMeasures::thread_static_safety_limit,
+     "what limits static safety, most loaded thread", "pressure | deformation | flank_edge | given",
+     "that of thread_static_safety", measure_text::kStaticSource},
 };
 
 inline constexpr ThreadMeasure kThreadMeasures[] = {

@@ -19,6 +19,8 @@ Json measures_json(const Measures& measures) {
 Json measures_json(const LoadMeasures& measures) {
   Json json = Json::object();
   for (const LoadMeasure& q : kLoadMeasures) put(json, q.key, q.value(measures), q.factor);
+  for (const LimitMeasure& q : kLimitMeasures)
+    if (const auto limit = measures.*q.value) json[q.key] = name(*limit);
   for (const ThreadMeasure& q : kThreadMeasures)
     if (!(measures.*q.values).empty()) json[q.key] = shown(measures.*q.values, q.factor);
   return json;
@@ -44,6 +46,7 @@ Json measure_explanations_json() {
   Json list = Json::array();
   for (const DesignMeasure& q : kDesignMeasures) list.push_back(explanation(q, "mechanism"));
   for (const LoadMeasure& q : kLoadMeasures) list.push_back(explanation(q, "load case"));
+  for (const LimitMeasure& q : kLimitMeasures) list.push_back(explanation(q, "load case"));
   for (const ThreadMeasure& q : kThreadMeasures) list.push_back(explanation(q, "thread"));
   return list;
 }

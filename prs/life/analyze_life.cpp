@@ -15,6 +15,7 @@
 #include "prs/contact_laws.h"
 #include "prs/influence/influence_solver.h"
 #include "prs/life/share_curve.h"
+#include "prs/load_case_result.h"
 #include "prs/load_distribution.h"
 
 namespace prs {
@@ -158,43 +159,72 @@ double along(double axial_force, Direction d) {
   return std::max(0.0, d == Direction::tension ? axial_force : -axial_force);
 }
 
-/// Largest peak pressure of the threads of an interface under an axial force [Pa].
-double peak_pressure(const Prepared& p, Interface i, std::span<const double> shares, double force) {
-  const auto first = shares.begin() + (i == Interface::screw ? 0 : std::ssize(shares) / 2);
-  const double share = *std::max_element(first, first + std::ssize(shares) / 2);
-  const double axial = share * force * p.equal_share();
-  return contact::at_load(p.contacts.interfaces[i].hertz, axial / std::cos(p.laws[i].normal_angle))
-      .peak_pressure;
-}
-
 bool has_pressures(const Contacts& contacts) {
   return contacts.interfaces.screw.has_hertz() && contacts.interfaces.nut.has_hertz();
 }
 
-/// Force at which the most loaded thread reaches the limit: p^3 is nearly proportional to the
-/// force, so F (limit/p)^3 converges in a few steps.
-std::optional<double> static_capacity(const Prepared& p, const ShareCurve::Solve& solve,
-                                      double force) {
+/// Largest normal load of the threads of an interface under an axial force [N].
+double largest_normal_load(const Prepared& p, Interface i, std::span<const double> shares,
+                           double force) {
+  const auto first = shares.begin() + (i == Interface::screw ? 0 : std::ssize(shares) / 2);
+  const double share = *std::max_element(first, first + std::ssize(shares) / 2);
+  return share * force * p.equal_share() / std::cos(p.laws[i].normal_angle);
+}
+
+/// Largest peak pressure of the threads of an interface under an axial force [Pa].
+double peak_pressure(const Prepared& p, Interface i, std::span<const double> shares, double force) {
+  return contact::at_load(p.contacts.interfaces[i].hertz, largest_normal_load(p, i, shares, force))
+      .peak_pressure;
+}
+
+/// Force at which the most loaded thread of one interface reaches its normal load: that load is
+/// nearly proportional to the force, so F N_limit/N converges in a few steps.
+std::optional<double> force_at(const Prepared& p, const ShareCurve::Solve& solve, double force,
+                               const PerInterface<std::optional<double>>& limit) {
+  if (!limit.screw && !limit.nut) return std::nullopt;
   for (int step = 0; step < 60; ++step) {
     const auto shares = solve(force);
     if (!shares) return std::nullopt;
-    const double pressure = std::max(peak_pressure(p, Interface::screw, *shares, force),
-                                     peak_pressure(p, Interface::nut, *shares, force));
-    const double next = force * std::pow(kStaticPressureLimit / pressure, 3.0);
+    double used = 0.0;
+    for (const Interface i : kInterfaces)
+      if (limit[i]) used = std::max(used, largest_normal_load(p, i, *shares, force) / *limit[i]);
+    const double next = force / used;
     if (std::abs(next - force) < 1e-10 * force) return next;
     force = next;
   }
   return std::nullopt;
 }
 
-std::optional<double> equal_shares_static_capacity(const Prepared& p) {
-  if (!has_pressures(p.contacts)) return std::nullopt;
-  double capacity = std::numeric_limits<double>::infinity();
-  for (const Interface i : kInterfaces)
-    capacity =
-        std::min(capacity, load_at_pressure(p.contacts.interfaces[i].hertz, kStaticPressureLimit) *
-                               std::cos(p.laws[i].normal_angle) / p.equal_share());
-  return capacity;
+void find_static_loads(const Prepared& p, const ShareCurve::Solve& solve, FlankLife& flank) {
+  PerInterface<std::optional<double>> pressure, deformation, edge;
+  bool deforms_first = false;
+  for (const Interface i : kInterfaces) {
+    const StaticLimits limits = static_limits(p.contacts, i);
+    pressure[i] = limits.pressure;
+    deformation[i] = limits.deformation;
+    edge[i] = limits.flank_edge;
+    deforms_first = deforms_first || (limits.deformation && *limits.deformation < *limits.pressure);
+  }
+  StaticLimits forces;
+  if (has_pressures(p.contacts)) {
+    forces.pressure = flank.static_capacity = force_at(p, solve, flank.largest_force, pressure);
+    forces.flank_edge = flank.flank_edge_load = force_at(p, solve, flank.largest_force, edge);
+    if (deforms_first) forces.deformation = force_at(p, solve, flank.largest_force, deformation);
+  }
+  flank.static_rating = static_rating(forces, p.c.life->static_capacity);
+}
+
+void find_equal_shares_static_loads(const Prepared& p, LifeResult& r) {
+  if (!has_pressures(p.contacts)) return;
+  double pressure = std::numeric_limits<double>::infinity(), edge = pressure;
+  for (const Interface i : kInterfaces) {
+    const StaticLimits limits = static_limits(p.contacts, i);
+    const double per_normal_load = std::cos(p.laws[i].normal_angle) / p.equal_share();
+    pressure = std::min(pressure, *limits.pressure * per_normal_load);
+    edge = std::min(edge, *limits.flank_edge * per_normal_load);
+  }
+  r.equal_shares_static_capacity = pressure;
+  r.equal_shares_flank_edge_load = edge;
 }
 
 void require_thrust(const Case& c, Direction d) {
@@ -241,12 +271,13 @@ std::vector<double> part_of(std::span<const double> all, Interface i, double fac
 void find_lives(const Prepared& p, LifeResult& r, Direction d) {
   FlankLife flank;
   double least = std::numeric_limits<double>::infinity();
-  double damage = 0.0;
+  double running_force = 0.0, damage = 0.0;
   for (const LoadStep& s : r.steps) {
     const double force = along(s.axial_force, d);
     if (force == 0.0) continue;
     flank.revolutions += s.revolutions;
     flank.largest_force = std::max(flank.largest_force, force);
+    if (s.revolutions > 0.0) running_force = std::max(running_force, force);
     least = std::min(least, force);
     damage += force * force * force * s.revolutions;
   }
@@ -277,6 +308,8 @@ void find_lives(const Prepared& p, LifeResult& r, Direction d) {
     ranges = equivalent_ranges(curve, r.cycles->cycles, d, p.c.life->fatigue_slope, threads);
   std::vector<double> largest(threads);
   curve.shares_at(flank.largest_force, largest);
+  std::vector<double> largest_running(threads);
+  if (running_force > 0.0) curve.shares_at(running_force, largest_running);
 
   std::vector<double> lives;
   for (const Interface i : kInterfaces) {
@@ -288,12 +321,13 @@ void find_lives(const Prepared& p, LifeResult& r, Direction d) {
     t.equivalent_load = part_of(equivalent, i, p.equal_share());
     t.largest_load = part_of(largest, i, flank.largest_force * p.equal_share());
     if (!ranges.empty()) t.equivalent_range = part_of(ranges, i, p.equal_share());
-    if (p.contacts.interfaces[i].has_hertz())
-      flank.peak_pressure[i] = peak_pressure(p, i, largest, flank.largest_force);
+    if (!p.contacts.interfaces[i].has_hertz()) continue;
+    flank.peak_pressure[i] = peak_pressure(p, i, largest, flank.largest_force);
+    if (running_force > 0.0)
+      flank.running_peak_pressure[i] = peak_pressure(p, i, largest_running, running_force);
   }
   flank.life = combined_life(lives);
-  if (has_pressures(p.contacts))
-    flank.static_capacity = static_capacity(p, solve, flank.largest_force);
+  find_static_loads(p, solve, flank);
   r.flanks[d] = std::move(flank);
 }
 
@@ -318,22 +352,42 @@ void warn_of_loads(LifeResult& r) {
         r.warnings.push_back(fmt::format("{} peak pressure {:.2f} GPa in {} exceeds {:.1f} GPa",
                                          label(i), *pressure * 1e-9, name(d),
                                          kStaticPressureLimit * 1e-9));
+      if (const auto& running = r.flanks[d]->running_peak_pressure[i])
+        if (const auto note = running_pressure_note(i, *running))
+          r.warnings.push_back(fmt::format("{}: {}", name(d), *note));
     }
+    if (const auto& rating = r.flanks[d]->static_rating)
+      if (const auto note = beyond_static_rating(r.flanks[d]->largest_force, *rating))
+        r.warnings.push_back(fmt::format("{}: {}", name(d), *note));
   }
   if (const auto note = beyond_life_formula(r.mean_load, r.dynamic_capacity))
     r.warnings.push_back(*note);
+  const std::optional<double> static_capacity =
+      r.life.static_capacity ? r.life.static_capacity : r.equal_shares_static_capacity;
+  if (static_capacity)
+    if (const auto note = dynamic_above_static(r.dynamic_capacity, *static_capacity))
+      r.warnings.push_back(*note);
 }
 
 }  // namespace
 
-std::optional<double> LifeResult::static_safety() const {
-  if (life.static_capacity) return *life.static_capacity / largest_force;
-  std::optional<double> safety;
+const FlankLife* LifeResult::statically_weakest() const {
+  const FlankLife* flank = nullptr;
   for (const Direction d : kDirections)
-    if (flanks[d] && flanks[d]->static_capacity)
-      safety = std::min(safety.value_or(std::numeric_limits<double>::infinity()),
-                        *flanks[d]->static_capacity / flanks[d]->largest_force);
-  return safety;
+    if (flanks[d] && flanks[d]->static_safety() &&
+        (!flank || *flanks[d]->static_safety() < *flank->static_safety()))
+      flank = &*flanks[d];
+  return flank;
+}
+
+std::optional<double> LifeResult::static_safety() const {
+  const FlankLife* flank = statically_weakest();
+  return flank ? flank->static_safety() : std::nullopt;
+}
+
+std::optional<StaticLimit> LifeResult::static_safety_limit() const {
+  const FlankLife* flank = statically_weakest();
+  return flank ? std::optional(flank->static_rating->limit) : std::nullopt;
 }
 
 LifeResult analyze_life(const Case& given, std::optional<LoadHistory> history) {
@@ -363,7 +417,7 @@ LifeResult analyze_life(const Case& given, std::optional<LoadHistory> history) {
     find_lives(p, r, d);
     if (r.failure) return r;
   }
-  r.equal_shares_static_capacity = equal_shares_static_capacity(p);
+  find_equal_shares_static_loads(p, r);
   r.catalogue_life = rating_life(r.dynamic_capacity, r.mean_load);
   std::vector<double> equal, real;
   for (const Direction d : kDirections)

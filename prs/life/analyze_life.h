@@ -10,6 +10,7 @@
 #include "prs/life/load_history.h"
 #include "prs/life/rainflow.h"
 #include "prs/life/rating_life.h"
+#include "prs/life/static_limits.h"
 #include "prs/preload/preload.h"
 
 namespace prs {
@@ -31,8 +32,18 @@ struct FlankLife {
   double life = 0.0;           ///< L10 with the real thread loads [revolutions of both senses].
   PerInterface<ThreadLives> threads;
   PerInterface<std::optional<double>> peak_pressure;  ///< Under the largest force [Pa].
+  /// The same under the largest force under which the screw turns [Pa].
+  PerInterface<std::optional<double>> running_peak_pressure;
   /// Force at which the most loaded thread reaches `kStaticPressureLimit` [N].
   std::optional<double> static_capacity;
+  /// Force at which the ellipse of the most loaded thread reaches a crest or root [N].
+  std::optional<double> flank_edge_load;
+  /// What static safety stands on, see prs/life/static_limits.h.
+  std::optional<StaticRating> static_rating;
+  /// The rating over the largest force.
+  std::optional<double> static_safety() const {
+    return static_rating ? std::optional(static_rating->force / largest_force) : std::nullopt;
+  }
   int solves = 0;                    ///< Equilibria found for it.
   double interpolation_error = 0.0;  ///< Of thread loads between them, relative.
 };
@@ -78,16 +89,20 @@ struct LifeResult {
   double system_life = 0.0;        ///< Both flanks on their own, real thread loads.
   std::optional<WeakestThread> weakest;
   PerDirection<std::optional<FlankLife>> flanks;
-  /// Force at which equal thread loads reach `kStaticPressureLimit` [N].
-  std::optional<double> equal_shares_static_capacity;
+  /// Forces at which equal thread loads reach `kStaticPressureLimit` and the end of a flank [N].
+  std::optional<double> equal_shares_static_capacity, equal_shares_flank_edge_load;
   std::optional<LoadCycles> cycles;
 
   std::optional<std::string> failure;  ///< Why there are no lives: a load did not converge.
   std::vector<std::string> warnings;
 
   bool converged() const { return !failure; }
-  /// Smallest ratio of static capacity to largest force over both senses.
+  /// Of the sense of the load whose rating is the smallest multiple of its largest force.
   std::optional<double> static_safety() const;
+  std::optional<StaticLimit> static_safety_limit() const;
+
+ private:
+  const FlankLife* statically_weakest() const;
 };
 
 /// Contacts -> capacity -> load distribution over the loads of the spectrum -> lives. Reads

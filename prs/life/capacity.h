@@ -82,9 +82,13 @@ double factor_ratio(const LemorGeometry& g);
 /// ISO 281's ratio of rolling element to pitch circle, which Jung's diameters stand for, so the
 /// range spans the ratios d_r cos(alpha)/d_n, d_r cos(alpha)/(2 c) and D_c cos(alpha)/(2 c),
 /// widened by the error of the fit; a ratio beyond 0.30 counts as 0.30 there. What Lemor's
-/// exponents and the quality of steel and threads leave open is not part of it. Absent where Jung's
-/// ratio is outside 0.01 .. 0.30.
+/// exponents and the quality of steel and threads leave open is not part of it: what that amounts
+/// to is `kCapacityOverMakers`. Absent where Jung's ratio is outside 0.01 .. 0.30.
 std::optional<LemorCapacity> lemor_capacity(const LemorGeometry& g);
+
+/// Lemor's C_a over that of a maker for standard screws from 8 to 120 mm, see
+/// validation/standard_screws.
+inline constexpr Interval kCapacityOverMakers = {0.69, 1.26};
 
 /// A note where the contact angle [rad] is not that for which Lemor's factor is known, 45 deg.
 std::optional<std::string> beside_lemor_angle(double contact_angle);

@@ -13,14 +13,15 @@ MeasuresResult analyze_measures(const Case& c, Detail detail) {
     for (std::string& note : unusual_measures(c, contacts, result.measures))
       result.analysis.warnings.push_back(std::move(note));
   for (LoadCaseResult& load_case : result.analysis.load_cases) {
+    if (!load_case.converged()) {
+      result.load_measures.push_back(std::nullopt);
+      continue;
+    }
+    const LoadMeasures& measures = *result.load_measures.emplace_back(
+        load_measures_of(c, contacts, result.measures, load_case));
     if (detail == Detail::complete)
-      for (std::string& note :
-           unusual_load_measures(result.measures, load_case.load_case.axial_force))
+      for (std::string& note : unusual_load_measures(c, result.measures, measures, load_case))
         load_case.warnings.push_back(std::move(note));
-    result.load_measures.push_back(
-        load_case.converged()
-            ? std::optional(load_measures_of(c, contacts, result.measures, load_case))
-            : std::nullopt);
   }
   return result;
 }

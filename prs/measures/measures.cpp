@@ -1,16 +1,20 @@
 #include "prs/measures/measures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
 
 #include "prs/analyze.h"
+#include "prs/document/units.h"
 #include "prs/life/capacity.h"
 #include "prs/life/rating_life.h"
+#include "prs/life/static_limits.h"
+#include "prs/load_case_result.h"
 #include "prs/measures/bodies.h"
 #include "prs/measures/shaft.h"
-#include "prs/measures/static_capacity.h"
 #include "prs/measures/stiffness.h"
 #include "prs/measures/thread_root.h"
 #include "prs/measures/transmission.h"
@@ -69,6 +73,17 @@ std::optional<double> largest(const std::vector<double>& values) {
                         : std::optional(*std::max_element(values.begin(), values.end()));
 }
 
+/// Of the screw against the nut [rad/s], >= 0.
+std::optional<double> speed_of(const Case& c, const LoadCase& load_case) {
+  std::optional<double> speed = load_case.speed;
+  if (!speed && c.operation) speed = c.operation->speed;
+  return speed ? std::optional(std::abs(*speed)) : std::nullopt;
+}
+
+bool runs(const Case& c, const LoadCase& load_case) {
+  return speed_of(c, load_case).value_or(0.0) > 0.0;
+}
+
 double gear_ratio(const Contacts& contacts) {
   return std::abs(contacts.threads.roller.lead / contacts.threads.screw.lead);
 }
@@ -118,25 +133,39 @@ void find_dynamic_capacity(const Case& c, const Contacts& contacts, Measures& m)
         c.life->dynamic_capacity;
 }
 
+std::optional<double> stated_static_capacity(const Case& c) {
+  return c.life ? c.life->static_capacity : std::nullopt;
+}
+
 void find_static_capacity(const Case& c, const Contacts& contacts, Measures& m) {
-  const std::optional<double> diameter = flank_element_diameter(contacts.threads.roller);
   for (const Interface i : kInterfaces) {
-    const InterfaceContact& contact = contacts.interfaces[i];
     const std::optional<double> angle = normal_angle(c, contacts, i);
-    if (!contact.has_hertz() || !angle) continue;
+    if (!angle) continue;
     const double per_normal_load = std::cos(*angle) * contact_count(contacts.mechanism);
-    m.pressure_capacity[i] =
-        load_at_pressure(contact.hertz, kStaticPressureLimit) * per_normal_load;
-    if (diameter)
-      m.deformation_capacity[i] =
-          load_at_permanent_deformation(*diameter, contact.geometry.relative.first,
-                                        contact.geometry.relative.second) *
-          per_normal_load;
+    const StaticLimits limits = static_limits(contacts, i);
+    m.pressure_capacity[i] = product(limits.pressure, per_normal_load);
+    m.deformation_capacity[i] = product(limits.deformation, per_normal_load);
+    m.interface_flank_edge_load[i] = product(limits.flank_edge, per_normal_load);
   }
-  m.static_capacity = c.life && c.life->static_capacity
-                          ? c.life->static_capacity
-                          : smallest({m.deformation_capacity.screw, m.deformation_capacity.nut,
-                                      m.pressure_capacity.screw, m.pressure_capacity.nut});
+  m.flank_edge_load =
+      smallest({m.interface_flank_edge_load.screw, m.interface_flank_edge_load.nut});
+  m.static_capacity = stated_static_capacity(c);
+  if (!m.static_capacity)
+    m.static_capacity = smallest({m.deformation_capacity.screw, m.deformation_capacity.nut,
+                                  m.pressure_capacity.screw, m.pressure_capacity.nut});
+}
+
+/// Of equal shares at one interface.
+std::optional<StaticRating> interface_static_rating(const Case& c, const Measures& m, Interface i) {
+  return static_rating(
+      {m.pressure_capacity[i], m.deformation_capacity[i], m.interface_flank_edge_load[i]},
+      stated_static_capacity(c));
+}
+
+/// Of equal shares.
+std::optional<StaticRating> equal_shares_static_rating(const Case& c, const Measures& m) {
+  return smaller(interface_static_rating(c, m, Interface::screw),
+                 interface_static_rating(c, m, Interface::nut));
 }
 
 /// Inertias as seen at the part that turns, from the masses of the parts.
@@ -246,19 +275,20 @@ void find_pressures(const Case& c, const Contacts& contacts, double force, LoadM
 void find_most_loaded(const Case& c, const Contacts& contacts, const Measures& measures,
                       const LoadCaseResult& result, LoadMeasures& m) {
   if (!result.threads) return;
-  PerInterface<std::optional<double>> axial_load, safety;
+  PerInterface<std::optional<double>> axial_load;
   for (const Interface i : kInterfaces) {
     const InterfaceLoads& loads = (*result.threads)[i];
     axial_load[i] = largest(loads.axial_load);
     m.largest_peak_pressure[i] = largest(loads.peak_pressure);
     if (result.solve) m.largest_load_rate[i] = largest(loads.load_rate);
-    const std::optional<double> capacity =
-        c.life && c.life->static_capacity
-            ? measures.static_capacity
-            : smallest({measures.deformation_capacity[i], measures.pressure_capacity[i]});
-    safety[i] = ratio(product(capacity, 1.0 / contact_count(contacts.mechanism)), axial_load[i]);
+    if (!axial_load[i] || !(*axial_load[i] > 0.0)) continue;
+    const auto rating = interface_static_rating(c, measures, i);
+    if (!rating) continue;
+    const double safety = rating->force / (contact_count(contacts.mechanism) * *axial_load[i]);
+    if (m.thread_static_safety && *m.thread_static_safety <= safety) continue;
+    m.thread_static_safety = safety;
+    m.thread_static_safety_limit = rating->limit;
   }
-  m.thread_static_safety = smallest({safety.screw, safety.nut});
   const std::optional<double> width = options_of(c).loaded_width;
   if (!width || !axial_load.screw || !axial_load.nut) return;
   const PerPart<double> load = {*axial_load.screw, std::max(*axial_load.screw, *axial_load.nut),
@@ -283,6 +313,14 @@ std::vector<std::string> unusual_measures(const Case& c, const Contacts& contact
   if (m.geometry_factor && m.dynamic_capacity && !(c.life && c.life->dynamic_capacity))
     if (const auto note = beside_lemor_angle(contact_angle({*screw, *nut})))
       warnings.push_back(*note);
+  if (m.dynamic_capacity && m.static_capacity)
+    if (const auto note = dynamic_above_static(*m.dynamic_capacity, *m.static_capacity))
+      warnings.push_back(*note);
+  for (const Interface i : kInterfaces)
+    if (m.interface_flank_edge_load[i] && m.static_capacity)
+      if (const auto note = flank_edge_below_capacity(contacts, *m.interface_flank_edge_load[i],
+                                                      *m.static_capacity, i))
+        warnings.push_back(*note);
   if (options_of(c).shaft && c.structure && c.materials && !m.buckling_load)
     warnings.push_back(
         "the bore of the screw reaches the roots of its thread: no buckling load, no critical "
@@ -290,10 +328,30 @@ std::vector<std::string> unusual_measures(const Case& c, const Contacts& contact
   return warnings;
 }
 
-std::vector<std::string> unusual_load_measures(const Measures& m, double force) {
-  if (!m.dynamic_capacity) return {};
-  const std::optional<std::string> note = beyond_life_formula(std::abs(force), *m.dynamic_capacity);
-  return note ? std::vector{*note} : std::vector<std::string>{};
+std::vector<std::string> unusual_load_measures(const Case& c, const Measures& m,
+                                               const LoadMeasures& load_measures,
+                                               const LoadCaseResult& result) {
+  std::vector<std::string> warnings;
+  const auto add = [&](std::optional<std::string> note) {
+    if (note) warnings.push_back(std::move(*note));
+  };
+  const double force = std::abs(result.load_case.axial_force);
+  if (m.dynamic_capacity) add(beyond_life_formula(force, *m.dynamic_capacity));
+  if (const auto rating = equal_shares_static_rating(c, m))
+    add(beyond_static_rating(force, *rating));
+  if (runs(c, result.load_case))
+    for (const Interface i : kInterfaces)
+      if (load_measures.largest_peak_pressure[i])
+        add(running_pressure_note(i, *load_measures.largest_peak_pressure[i]));
+  if (load_measures.thread_stiffness && result.axial_stiffness &&
+      *load_measures.thread_stiffness < *result.axial_stiffness)
+    warnings.push_back(fmt::format(
+        "the threads alone ({:.0f} N/µm) come out softer than the whole screw of the model "
+        "({:.0f} N/µm), which has no such teeth: Yamamoto's count twice what Hertz has; leave out "
+        "measures.loaded_width",
+        *load_measures.thread_stiffness * per_si::newton_per_micrometre,
+        *result.axial_stiffness * per_si::newton_per_micrometre));
+  return warnings;
 }
 
 Measures measures_of(const Case& c, const Contacts& contacts) {
@@ -317,13 +375,14 @@ LoadMeasures load_measures_of(const Case& c, const Contacts& contacts, const Mea
   find_yang_distribution(c, contacts, load_case, m);
   find_pressures(c, contacts, force, m);
   find_most_loaded(c, contacts, measures, result, m);
-  m.static_safety = product(measures.static_capacity, 1.0 / force);
+  if (const auto rating = equal_shares_static_rating(c, measures)) {
+    m.static_safety = rating->force / force;
+    m.static_safety_limit = rating->limit;
+  }
   if (axial_force_on_nut(load_case) < 0.0)
     m.buckling_safety = product(measures.buckling_load, 1.0 / force);
 
-  std::optional<double> speed = load_case.speed;
-  if (!speed && c.operation) speed = c.operation->speed;
-  if (speed) speed = std::abs(*speed);
+  const std::optional<double> speed = speed_of(c, load_case);
   if (measures.dynamic_capacity) {
     m.life = rating_life(*measures.dynamic_capacity, force);
     m.life_travel = *m.life * std::abs(lead);

@@ -6,6 +6,7 @@
 
 #include "prs/case.h"
 #include "prs/contacts.h"
+#include "prs/life/static_limits.h"
 #include "prs/part.h"
 #include "prs/result.h"
 
@@ -29,10 +30,13 @@ struct Measures {
   // Capacity of all contacts under equal shares
   std::optional<double> geometry_factor, element_diameter;  ///< f_c; D_c [m].
   std::optional<double> dynamic_capacity, dynamic_capacity_low, dynamic_capacity_high;  ///< [N]
-  /// That of a catalogue where the case states it, else the least of the four below [N].
+  /// That of a catalogue where the case states it, else the least of the next four [N].
   std::optional<double> static_capacity;
   PerInterface<std::optional<double>> deformation_capacity;  ///< By permanent deformation [N].
   PerInterface<std::optional<double>> pressure_capacity;     ///< By `kStaticPressureLimit` [N].
+  /// At which an ellipse reaches a crest or root; the smaller of both interfaces [N].
+  std::optional<double> flank_edge_load;
+  PerInterface<std::optional<double>> interface_flank_edge_load;  ///< [N]
   // Weight and room
   std::optional<double> roller_weight, nut_weight, weight;  ///< All rollers; nut; both [kg].
   std::optional<double> screw_weight_per_length;            ///< [kg/m]
@@ -67,9 +71,11 @@ struct LoadMeasures {
   PerInterface<std::optional<double>> largest_peak_pressure;  ///< Of the most loaded thread [Pa].
   PerPart<std::optional<double>> root_shear_stress;           ///< Of the most loaded thread [Pa].
   PerPart<std::optional<double>> root_bending_stress;         ///< [Pa]
-  std::optional<double> static_safety;         ///< Static capacity over the load, equal shares.
-  std::optional<double> thread_static_safety;  ///< The same of the most loaded thread.
-  std::optional<double> buckling_safety;       ///< Where the load compresses the screw.
+  /// Estimates of static safety, see prs/life/static_limits.h, and what limits them.
+  std::optional<double> static_safety;         ///< With equal shares.
+  std::optional<double> thread_static_safety;  ///< With the shares under this load.
+  std::optional<StaticLimit> static_safety_limit, thread_static_safety_limit;
+  std::optional<double> buckling_safety;  ///< Where the load compresses the screw.
   // Life under this load alone, equal shares
   std::optional<double> life;         ///< L10 [revolutions].
   std::optional<double> life_hours;   ///< At the operation's speed [h].
@@ -85,8 +91,10 @@ Measures measures_of(const Case& c, const Contacts& contacts);
 /// What is unusual about them: outside of what the formulas were made for.
 std::vector<std::string> unusual_measures(const Case& c, const Contacts& contacts,
                                           const Measures& measures);
-/// The same of a load on the mechanism [N].
-std::vector<std::string> unusual_load_measures(const Measures& measures, double axial_force);
+/// The same of a load case that converged and its measures.
+std::vector<std::string> unusual_load_measures(const Case& c, const Measures& measures,
+                                               const LoadMeasures& load_measures,
+                                               const LoadCaseResult& result);
 
 /// Measures under the solved or equal loads of one load case.
 LoadMeasures load_measures_of(const Case& c, const Contacts& contacts, const Measures& measures,

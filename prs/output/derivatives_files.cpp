@@ -1,6 +1,7 @@
 #include "prs/output/derivatives_files.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,6 +93,16 @@ Figure elasticity_figure(const CaseDerivatives& result, std::size_t response,
   return figure;
 }
 
+/// The responses that have no derivative by a factor, by name.
+std::string without_derivative(const CaseDerivatives& result, std::size_t factor) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < result.study.responses.size(); ++k)
+    if (!result.factors[factor].responses[k])
+      names.push_back(response_title(result.study.responses[k]).name);
+  if (names.size() > 1 && names.size() == result.study.responses.size()) return "any response";
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 }  // namespace
 
 Json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info) {
@@ -154,8 +165,9 @@ std::string derivatives_table(const CaseDerivatives& result) {
   }
   for (std::size_t f = 0; f < result.factors.size(); ++f)
     if (!result.factors[f].reason.empty())
-      text += "\n" + wrapped(fmt::format("{}: no derivative of some responses: {}",
+      text += "\n" + wrapped(fmt::format("{}: no derivative of {}: {}",
                                          printable(result.study.factors[f].label),
+                                         without_derivative(result, f),
                                          printable(result.factors[f].reason)),
                              "  ", kTableWidth);
   return text;

@@ -56,20 +56,35 @@ std::string lives(const LifeResult& r) {
   return text;
 }
 
+std::string by_direction(const LifeResult& r, std::optional<double> FlankLife::*force) {
+  std::string text;
+  for (const Direction d : kDirections)
+    if (r.flanks[d])
+      text += fmt::format("{}{} in {}", text.empty() ? "" : ", ",
+                          kilonewtons((*r.flanks[d]).*force), name(d));
+  return text;
+}
+
 std::string capacities(const LifeResult& r) {
   std::string text;
   const Interval& range = r.dynamic_capacity_range;
   text +=
       line("dynamic capacity C_a",
-           r.lemor ? fmt::format("{} ({:.2f} to {:.2f} kN by the range of Lemor's factor)",
+           r.lemor ? fmt::format("{} ({:.2f} to {:.2f} kN by readings of Lemor's factor alone)",
                                  kilonewtons(r.dynamic_capacity), range.least * per_si::kilonewton,
                                  range.greatest * per_si::kilonewton)
                    : fmt::format("{} (given)", kilonewtons(r.dynamic_capacity)));
+  if (r.lemor)
+    text += line("  by a maker's 23 standard screws",
+                 fmt::format("{:.0f} to {:.0f} kN (C_a is {:g} to {:g} times theirs)",
+                             r.dynamic_capacity / kCapacityOverMakers.greatest * per_si::kilonewton,
+                             r.dynamic_capacity / kCapacityOverMakers.least * per_si::kilonewton,
+                             kCapacityOverMakers.least, kCapacityOverMakers.greatest));
   if (r.lemor && std::isfinite(r.system_life)) {
     const auto scaled = [&](double capacity) {
       return 1e-6 * r.system_life * std::pow(capacity / r.dynamic_capacity, kLifeExponent);
     };
-    text += line("life of the mechanism by that range",
+    text += line("life of the mechanism by the readings",
                  fmt::format("{:.4g} to {:.4g} million revolutions", scaled(range.least),
                              scaled(range.greatest)));
   }
@@ -78,16 +93,17 @@ std::string capacities(const LifeResult& r) {
   if (r.life.static_capacity)
     text += line("static capacity C_0", kilonewtons(r.life.static_capacity) + " (given)");
   if (r.equal_shares_static_capacity) {
-    std::string real;
-    for (const Direction d : kDirections)
-      if (r.flanks[d])
-        real += fmt::format("{}{} in {}", real.empty() ? "" : ", ",
-                            kilonewtons(r.flanks[d]->static_capacity), name(d));
-    text += line(fmt::format("force that gives {:.1f} GPa", kStaticPressureLimit * 1e-9), real);
+    text += line(fmt::format("force that gives {:.1f} GPa", kStaticPressureLimit * 1e-9),
+                 by_direction(r, &FlankLife::static_capacity));
     text += line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
+    text +=
+        line("force with ellipses at a flank's edge", by_direction(r, &FlankLife::flank_edge_load));
+    text += line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));
   }
-  text += line("static safety", r.static_safety() ? fmt::format("{:.2f}", *r.static_safety())
-                                                  : std::string(kAbsent));
+  text += line("static safety", r.static_safety()
+                                    ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(),
+                                                  describe(*r.static_safety_limit()))
+                                    : std::string(kAbsent));
   return text;
 }
 

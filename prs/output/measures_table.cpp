@@ -61,6 +61,22 @@ std::string mechanism_table(const Measures& measures) {
   return text;
 }
 
+std::string limit_rows(const MeasuresResult& result, std::size_t first, std::size_t last) {
+  std::string text;
+  for (const LimitMeasure& q : kLimitMeasures) {
+    std::string cells;
+    bool any = false;
+    for (std::size_t k = first; k < last; ++k) {
+      const std::optional<LoadMeasures>& measures = result.load_measures[k];
+      const std::optional<StaticLimit> limit = measures ? (*measures).*q.value : std::nullopt;
+      any = any || limit;
+      cells += padded(limit ? name(*limit) : std::string(kAbsent), kCellWidth, false);
+    }
+    if (any) text += padded(fmt::format("  {}", q.title), kTitleWidth, true) + cells + '\n';
+  }
+  return text;
+}
+
 /// The load cases [first, last) side by side.
 std::string load_table(const MeasuresResult& result, std::size_t first, std::size_t last) {
   std::string text = padded("Load case", kTitleWidth, true);
@@ -84,6 +100,8 @@ std::string load_table(const MeasuresResult& result, std::size_t first, std::siz
       cells += padded(cell(value), kCellWidth, false);
     }
     if (!any) continue;
+    if (group == measure_text::kStrength && q.group != group)
+      text += limit_rows(result, first, last);
     add_group(text, group, q.group);
     text += padded(titled(q.title, q.key), kTitleWidth, true) + cells + '\n';
   }
@@ -119,6 +137,7 @@ std::string measure_explanations() {
   for (const DesignMeasure& q : kDesignMeasures) text += explanation(q);
   text += "\nMeasures of a load case: `load_cases[].measures` in documents\n\n";
   for (const LoadMeasure& q : kLoadMeasures) text += explanation(q);
+  for (const LimitMeasure& q : kLimitMeasures) text += explanation(q);
   for (const ThreadMeasure& q : kThreadMeasures) text += explanation(q);
   return text;
 }

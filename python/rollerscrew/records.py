@@ -242,7 +242,9 @@ class DirectionLife(Record):
     mean_load_N: float
     largest_force_N: float
     static_capacity_N: float
+    flank_edge_load_N: float
     static_safety: float
+    static_safety_limit: str
     equilibria: int
     interpolation_error: float
     screw: InterfaceLife
@@ -263,6 +265,7 @@ class Life(Record):
     equal_shares: Values
     catalogue: Values
     static_safety: float
+    static_safety_limit: str
     weakest_thread: Values
     tension: DirectionLife
     compression: DirectionLife

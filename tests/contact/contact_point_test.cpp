@@ -365,6 +365,14 @@ TEST(ContactPoint, ThinnerThreadsHaveMoreBacklash) {
   EXPECT_NEAR(find_contact_point(nut_pair(m), RollerFace::bottom).backlash, nut + 0.05 * mm, 1e-17);
 }
 
+/// The radii of Abevi's screw leave no play, but for the rounding of their sums.
+TEST(ContactPoint, BacklashWithinTheRoundingOfTheRadiiIsNone) {
+  MechanismGeometry m = test::abevi();
+  EXPECT_EQ(find_contact_point(screw_pair(m), RollerFace::top).backlash, 0.0);
+  m.centre_distance += 1e-15;
+  EXPECT_NEAR(find_contact_point(screw_pair(m), RollerFace::top).backlash, 2e-15, 1e-16);
+}
+
 TEST(ContactPoint, StraightOnStraightIsRefused) {
   MechanismGeometry m = test::abevi();
   m.roller.profile_curvature = 0.0;

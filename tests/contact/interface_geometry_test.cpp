@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "contact/flank_edge.h"
 #include "contact/hertz.h"
 #include "contact/mechanism_geometry.h"
 #include "support/count.h"
@@ -268,6 +270,23 @@ TEST(InterfaceGeometry, EllipseBeyondTheFlankIsNamed) {
   EXPECT_EQ(v.begin()->end, FlankEnd::root);
   EXPECT_EQ((v.begin() + 1)->end, FlankEnd::crest);
   EXPECT_TRUE((v.begin() + 2)->of_roller);
+}
+
+TEST(InterfaceGeometry, AnEllipseGrownToTheNearestEdgeTouchesThatEdgeAlone) {
+  for (const MechanismGeometry& m : {test::abevi(), test::sandu_example_1(), test::yao()})
+    for (const ThreadPair& pair : {screw_pair(m), nut_pair(m)}) {
+      const InterfaceGeometry g = interface_geometry(pair, RollerFace::top);
+      ASSERT_TRUE(g.ok());
+      const double a = 0.2 * mm, b = 0.1 * mm;
+      const FlankEdge edge = nearest_flank_edge(pair, g, a, b);
+      const double short_of = edge.scale * (1.0 - 1e-9), beyond = edge.scale * (1.0 + 1e-9);
+      EXPECT_TRUE(ellipse_beyond_flanks(pair, g, short_of * a, short_of * b).empty());
+      const FlankViolations v = ellipse_beyond_flanks(pair, g, beyond * a, beyond * b);
+      ASSERT_GE(v.size(), 1u);
+      EXPECT_TRUE(std::any_of(v.begin(), v.end(), [&](const FlankViolation& violation) {
+        return violation.of_roller == edge.of_roller && violation.end == edge.end;
+      }));
+    }
 }
 
 TEST(InterfaceGeometry, NoAdmissiblePointLeavesOnlyTheReason) {

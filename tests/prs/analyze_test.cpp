@@ -1,5 +1,6 @@
 #include "prs/analyze.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -238,6 +239,16 @@ TEST(Analyze, WarnsOfPressuresBeyondTheStaticLimit) {
   EXPECT_TRUE(result.load_cases[0].warnings.empty());
   ASSERT_EQ(result.load_cases[3].warnings.size(), 1u);
   EXPECT_NE(result.load_cases[3].warnings[0].find("4.04 GPa"), std::string::npos);
+}
+
+/// 1e-5 mm of interference is more than rounding and reads as a number: with flanks of 45 deg in
+/// the normal plane the play falls by 2/cos(beta) times the centre distance, beta 4.33 deg.
+TEST(Contacts, ASmallInterferenceIsToldInItsOwnDigits) {
+  Case c = lesson("01_config_1_to_3.yaml");
+  c.mechanism.centre_distance = *c.mechanism.centre_distance - 0.5e-8;
+  const auto contacts = find_contacts(c.mechanism, c.materials);
+  EXPECT_THAT(contacts.warnings,
+              ::testing::Contains(::testing::HasSubstr("backlash -1.003e-05 mm")));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "tests/prs/output/temporary_directory.h"
 #include "validation/jung_2017/contribution.h"
 #include "validation/sandu_2018/contribution.h"
+#include "validation/standard_screws/contribution.h"
 #include "validation/yao_2023/contribution.h"
 
 namespace prs {
@@ -23,8 +24,8 @@ const std::filesystem::path kSources = PRS_SOURCE_DIR "/validation";
 
 /// All sources; Abevi's statements, which take a while, have a test of their own.
 std::vector<SourceReport> all_reports() {
-  return validate(
-      kSources, {jung_2017::contribution(), sandu_2018::contribution(), yao_2023::contribution()});
+  return validate(kSources, {jung_2017::contribution(), sandu_2018::contribution(),
+                             standard_screws::contribution(), yao_2023::contribution()});
 }
 
 /// Results of the printed values of a source, by verdict.

@@ -12,6 +12,7 @@
 #include "prs/case_error.h"
 #include "prs/document/life_json.h"
 #include "prs/input/reader.h"
+#include "prs/load_case_result.h"
 #include "prs/output/life_figures.h"
 #include "prs/output/life_files.h"
 #include "prs/output/life_table.h"
@@ -383,6 +384,33 @@ TEST(LifeOutput, SaysTheSameInEveryForm) {
     begin = end + 1;
   }
   EXPECT_EQ(life_figures(r).size(), 4u);
+}
+
+TEST(AnalyzeLife, StaticSafetyNamesItsLimit) {
+  const LifeResult r = analyze_life(life_case(spectrum(kMixed)));
+  const auto json = life_json(r, {})["life"];
+  EXPECT_EQ(json["static_safety_limit"], name(*r.static_safety_limit()));
+  for (const Direction d : kDirections) {
+    const FlankLife& flank = *r.flanks[d];
+    EXPECT_EQ(flank.static_rating->force, std::min(*flank.static_capacity, *flank.flank_edge_load));
+    EXPECT_NEAR(json[name(d)]["static_safety"].get<double>(),
+                flank.static_rating->force / flank.largest_force, 1e-12);
+  }
+  // A stated capacity rules both directions as it rules the whole.
+  const LifeResult given = analyze_life(life_case(
+      spectrum("{force: 10 kN, direction: tension, share: 1}", ", static_capacity: 20 kN")));
+  EXPECT_EQ(life_json(given, {})["life"]["tension"]["static_safety"], 2.0);
+  EXPECT_EQ(given.static_safety_limit(), StaticLimit::given);
+}
+
+TEST(AnalyzeLife, PressuresInRunningAreThoseUnderLoadsThatTurn) {
+  LoadHistory h = history({8e3, 8e3, 8e3, 8e3, 40e3});
+  h.position = {0.0, 1e-3, 2e-3, 2e-3, 2e-3};
+  const LifeResult r = analyze_life(history_case(), h);
+  const FlankLife& flank = *r.flanks.tension;
+  EXPECT_LT(*flank.running_peak_pressure.screw, 0.7 * *flank.peak_pressure.screw);
+  EXPECT_GT(*flank.peak_pressure.screw, kRunningPressureLimit);
+  EXPECT_THAT(r.warnings, ::testing::Not(::testing::Contains(::testing::HasSubstr("run"))));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "prs/measures/measures.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,12 +13,18 @@
 #include "prs/document/measure_quantities.h"
 #include "prs/input/reader.h"
 #include "prs/life/analyze_life.h"
+#include "prs/load_case_result.h"
 #include "tests/prs/input/abevi.h"
 
 namespace prs {
 namespace {
 
 using std::numbers::pi;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
 
 constexpr double kForce = 45e3;
 constexpr int kContacts = 220;
@@ -42,6 +49,16 @@ Measures measures(const Case& c) {
 LoadMeasures load_measures(const Case& c, std::size_t load_case) {
   const Result r = analyze(c);
   return load_measures_of(c, r.contacts, measures_of(c, r.contacts), r.load_cases[load_case]);
+}
+
+/// What is unusual about equal thread loads.
+std::vector<std::string> load_warnings(const Case& c, double force) {
+  const Contacts contacts = find_contacts(c.mechanism, c.materials);
+  const Measures m = measures_of(c, contacts);
+  LoadCaseResult result;
+  result.load_case.axial_force = force;
+  result = equal_share_result(result.load_case, contacts);
+  return unusual_load_measures(c, m, load_measures_of(c, contacts, m, result), result);
 }
 
 std::size_t defined(const Measures& m) {
@@ -207,6 +224,109 @@ TEST(Measures, StatedCapacityComesBeforeTheLeastOfTheOthers) {
   EXPECT_NEAR(*stated.thread_static_safety, 2.0 / (20.0 * share), 1e-12);
 }
 
+/// The screw of lesson 18 with a pitch of 1 mm: ellipses of 0.37 mm on flanks of 0.23 mm.
+Case fine_pitch() {
+  return input::read_case_text(R"(mechanism:
+  type: standard
+  lead: 5 mm
+  starts: {screw: 5, roller: 1}
+  flank_angle: 45 deg
+  pitch_diameter: {screw: 30 mm, roller: 10 mm, nut: 50 mm}
+  centre_distance: 20 mm
+  profile: {screw: straight, roller: centred, nut: straight}
+  rollers: 10
+  contacts_per_roller: 40
+materials: {youngs_modulus: 210 GPa, poisson_ratio: 0.3}
+load_cases: [{name: pull, axial_force: 30 kN, share: equal}]
+)",
+                               "fine.yaml", {}, Command::contact);
+}
+
+/// Warnings of equal thread loads that an ellipse leaves a flank.
+std::size_t ellipses_beyond_flanks(const Case& c, double force) {
+  Case loaded = c;
+  loaded.load_cases[0].axial_force = force;
+  const Result r = analyze_contacts(loaded);
+  return static_cast<std::size_t>(std::ranges::count_if(
+      r.load_cases[0].warnings,
+      [](const std::string& w) { return w.find("ellipse reaches") != std::string::npos; }));
+}
+
+TEST(Measures, AtTheFlankEdgeLoadTheFirstEllipseReachesTheEndOfAFlank) {
+  for (Case c : {abevi(), fine_pitch()}) {
+    c.load_cases[0].share = LoadCase::Share::equal;
+    const double edge = *measures(c).flank_edge_load;
+    EXPECT_EQ(ellipses_beyond_flanks(c, edge * (1.0 - 1e-9)), 0U);
+    EXPECT_GT(ellipses_beyond_flanks(c, edge * (1.0 + 1e-9)), 0U);
+  }
+}
+
+TEST(Measures, StaticSafetyStandsOnTheFlankWhereItEndsBeforeThePressureLimit) {
+  const Case c = fine_pitch();
+  const Contacts contacts = find_contacts(c.mechanism, c.materials);
+  const Measures m = measures_of(c, contacts);
+  EXPECT_NEAR(*m.static_capacity, 261548.0, 1.0);  // The load at 4.0 GPa stays what it was.
+  EXPECT_LT(*m.flank_edge_load, *m.static_capacity);
+  const LoadCaseResult result = equal_share_result(c.load_cases[0], contacts);
+  const LoadMeasures pull = load_measures_of(c, contacts, m, result);
+  EXPECT_NEAR(*pull.static_safety, *m.flank_edge_load / 30e3, 1e-12 * *pull.static_safety);
+  EXPECT_EQ(pull.static_safety_limit, StaticLimit::flank_edge);
+  EXPECT_EQ(pull.thread_static_safety_limit, StaticLimit::flank_edge);
+  EXPECT_THAT(unusual_measures(c, contacts, m), Contains(HasSubstr("ellipse reaches the")));
+  EXPECT_THAT(load_warnings(c, 1.01 * *m.flank_edge_load),
+              Contains(HasSubstr("ellipse at the edge of a flank")));
+}
+
+TEST(Measures, StaticSafetyIsThatOfLifeWithEqualShares) {
+  for (Case c : {abevi(), fine_pitch()}) {
+    c.load_cases[0].share = LoadCase::Share::equal;
+    const LoadMeasures m = load_measures(c, 0);
+    c.life.emplace();
+    c.life->share = LoadCase::Share::equal;
+    SpectrumLoad load;
+    load.force = c.load_cases[0].axial_force;
+    load.revolutions = 1e3;
+    c.life->spectrum = {load};
+    const LifeResult life = analyze_life(c);
+    EXPECT_NEAR(*m.static_safety / *life.static_safety(), 1.0, 1e-9);
+    EXPECT_EQ(m.static_safety_limit, life.static_safety_limit());
+    EXPECT_NEAR(*measures(c).flank_edge_load / *life.equal_shares_flank_edge_load, 1.0, 1e-13);
+  }
+}
+
+TEST(Measures, OnlyAScrewThatTurnsIsToldOfItsPressure) {
+  Case c = abevi();
+  const Measures m = measures(c);
+  const double at_3_GPa =
+      std::min(*m.pressure_capacity.screw, *m.pressure_capacity.nut) * std::pow(0.75, 3.0);
+  EXPECT_THAT(load_warnings(c, at_3_GPa), Not(Contains(HasSubstr("flanks that run"))));
+  c.operation = Operation{};
+  c.operation->speed = -10.0;
+  EXPECT_THAT(load_warnings(c, at_3_GPa), Contains(HasSubstr("flanks that run")));
+  EXPECT_THAT(load_warnings(c, at_3_GPa * std::pow(2.4 / 3.0, 3.0)),
+              Not(Contains(HasSubstr("flanks that run"))));
+}
+
+/// Hertz contacts in series with bodies are softer than alone; only teeth on top can turn that.
+TEST(Measures, ThreadsAreStifferThanTheWholeScrewUnlessTeethCount) {
+  Case c = abevi();
+  const auto pull = [&] {
+    const Result r = analyze(c);
+    const Measures m = measures_of(c, r.contacts);
+    const LoadMeasures l = load_measures_of(c, r.contacts, m, r.load_cases[0]);
+    const auto notes = unusual_load_measures(c, m, l, r.load_cases[0]);
+    const bool softer = *l.thread_stiffness < *r.load_cases[0].axial_stiffness;
+    const bool told = std::ranges::any_of(
+        notes, [](const std::string& n) { return n.find("Yamamoto") != std::string::npos; });
+    EXPECT_EQ(softer, told);
+    return softer;
+  };
+  c.measures->loaded_width = 0.1e-3;
+  EXPECT_TRUE(pull());
+  c.measures->loaded_width.reset();
+  EXPECT_FALSE(pull());
+}
+
 TEST(Measures, SayWhatTheFormulasWereNotMadeFor) {
   Case c = abevi();
   const auto warnings = [](const Case& of) {
@@ -219,9 +339,9 @@ TEST(Measures, SayWhatTheFormulasWereNotMadeFor) {
   c = abevi();
   c.contact.normal_angle = {0.6, 0.6};
   EXPECT_EQ(warnings(c), 1U);
-  const Measures m = measures(abevi());
-  EXPECT_TRUE(unusual_load_measures(m, 0.49 * *m.dynamic_capacity).empty());
-  EXPECT_EQ(unusual_load_measures(m, -0.51 * *m.dynamic_capacity).size(), 1U);
+  const double capacity = *measures(abevi()).dynamic_capacity;
+  EXPECT_THAT(load_warnings(abevi(), 0.49 * capacity), IsEmpty());
+  EXPECT_THAT(load_warnings(abevi(), -0.51 * capacity), ElementsAre(HasSubstr("life formula")));
 }
 
 TEST(LoadMeasures, ThreadsAreSofterThanEitherInterface) {
@@ -338,19 +458,21 @@ TEST(LoadMeasures, ACaseThatDidNotConvergeKeepsItsMeanValues) {
 }
 
 TEST(MeasureQuantities, EveryMeasureHasOneKey) {
-  // Measures and the scalars of LoadMeasures are optional numbers and nothing else; one key is of
-  // two of them.
+  // Measures and the scalars of LoadMeasures are optional numbers, but for the static limits; one
+  // key is of two of them.
   using Number = std::optional<double>;
   static_assert(sizeof(Measures) == std::size(kDesignMeasures) * sizeof(Number));
   static_assert(sizeof(LoadMeasures) ==
                 (std::size(kLoadMeasures) - 1) * sizeof(Number) +
+                    std::size(kLimitMeasures) * sizeof(std::optional<StaticLimit>) +
                     std::size(kThreadMeasures) * sizeof(std::vector<double>));
   std::set<std::string_view> keys;
   for (const DesignMeasure& q : kDesignMeasures) keys.insert(q.key);
   for (const LoadMeasure& q : kLoadMeasures) keys.insert(q.key);
+  for (const LimitMeasure& q : kLimitMeasures) keys.insert(q.key);
   for (const ThreadMeasure& q : kThreadMeasures) keys.insert(q.key);
-  EXPECT_EQ(keys.size(),
-            std::size(kDesignMeasures) + std::size(kLoadMeasures) + std::size(kThreadMeasures));
+  EXPECT_EQ(keys.size(), std::size(kDesignMeasures) + std::size(kLoadMeasures) +
+                             std::size(kLimitMeasures) + std::size(kThreadMeasures));
 
   // No two keys show the same number.
   Measures m;

@@ -55,7 +55,17 @@ TEST(DerivativesFiles, TableHasTheStrongestFirst) {
   const std::string table = derivatives_table(sample_derivatives());
   EXPECT_LT(table.find("  diameter "), table.find("  bore "));
   EXPECT_THAT(table, HasSubstr("axial stiffness: 800 N/µm"));
-  EXPECT_THAT(table, HasSubstr("length: no derivative of some responses: two sections meet"));
+  EXPECT_THAT(table, HasSubstr("length: no derivative of axial stiffness: two sections meet"));
+}
+
+TEST(DerivativesFiles, TableNamesTheResponsesThatHaveNoDerivative) {
+  CaseDerivatives d = sample_derivatives();
+  d.study.responses.push_back("axial_displacement_um");
+  d.values.push_back(50.0);
+  for (FactorDerivatives& f : d.factors) f.responses.push_back(Derivative{1.0, 0.1, 1e-9});
+  EXPECT_THAT(derivatives_table(d), HasSubstr("length: no derivative of axial stiffness: two"));
+  d.factors[2].responses[1].reset();
+  EXPECT_THAT(derivatives_table(d), HasSubstr("length: no derivative of any response: two"));
 }
 
 TEST(DerivativesFiles, FigureHasABarAFactor) {

@@ -1,4 +1,4 @@
-#include "prs/measures/static_capacity.h"
+#include "prs/life/static_limits.h"
 
 #include <gtest/gtest.h>
 
@@ -46,6 +46,27 @@ TEST(PermanentDeformation, TheLimitIsThePressureOfIso76ForBallBearings) {
       EXPECT_NEAR(contact::at_load(hertz, load).peak_pressure, 4.2e9, 0.1 * 4.2e9)
           << gamma << ' ' << f;
     }
+}
+
+TEST(StaticRating, IsTheSmallestLimitAndSaysWhich) {
+  EXPECT_FALSE(static_rating({}, {}));
+  EXPECT_EQ(static_rating({3.0, 5.0, 4.0}, {})->limit, StaticLimit::pressure);
+  EXPECT_EQ(static_rating({5.0, 3.0, 4.0}, {})->limit, StaticLimit::deformation);
+  EXPECT_EQ(static_rating({5.0, 3.0, 2.0}, {})->limit, StaticLimit::flank_edge);
+  // A maker's capacity stands in place of the first two only.
+  EXPECT_EQ(static_rating({1.0, 1.0, 9.0}, 8.0)->limit, StaticLimit::given);
+  EXPECT_EQ(static_rating({1.0, 1.0, 7.0}, 8.0)->force, 7.0);
+  const auto screw = static_rating({3.0, {}, {}}, {}), nut = static_rating({2.0, {}, {}}, {});
+  EXPECT_EQ(smaller(screw, nut)->force, 2.0);
+  EXPECT_EQ(smaller(screw, std::nullopt)->force, 3.0);
+}
+
+TEST(StaticLimits, NotesSayWhatMakersDoNotBuild) {
+  EXPECT_FALSE(dynamic_above_static(98e3, 130e3));
+  EXPECT_TRUE(dynamic_above_static(131e3, 130e3));
+  EXPECT_FALSE(beyond_static_rating(130e3, {130e3, StaticLimit::pressure}));
+  EXPECT_NE(beyond_static_rating(131e3, {130e3, StaticLimit::pressure})->find("4.0 GPa"),
+            std::string::npos);
 }
 
 TEST(PermanentDeformation, OnlyAConvexFlankHasARollingElement) {

@@ -1,0 +1,132 @@
+#include "prs/life/static_limits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "prs/analyze.h"
+#include "prs/contact_failure.h"
+#include "prs/document/units.h"
+#include "prs/life/capacity.h"
+
+namespace prs {
+namespace {
+
+/// 1.3e-7 mm^4/N^2 in m^4/N^2.
+constexpr double kPalmgren = 1.3e-19;
+
+void keep_smaller(std::optional<StaticRating>& least, std::optional<double> force,
+                  StaticLimit limit) {
+  if (force && (!least || *force < least->force)) least = StaticRating{*force, limit};
+}
+
+}  // namespace
+
+double permanent_deformation(double load, double diameter, double kappa_1, double kappa_2) {
+  return kPalmgren * load * load / diameter * kappa_1 * kappa_2;
+}
+
+double load_at_permanent_deformation(double diameter, double kappa_1, double kappa_2,
+                                     double share) {
+  return diameter * std::sqrt(share / (kPalmgren * kappa_1 * kappa_2));
+}
+
+std::optional<double> flank_element_diameter(const contact::Thread& roller) {
+  if (!(roller.profile_curvature > 0.0)) return std::nullopt;
+  return 2.0 / roller.profile_curvature;
+}
+
+const char* name(StaticLimit limit) {
+  switch (limit) {
+    case StaticLimit::pressure:
+      return "pressure";
+    case StaticLimit::deformation:
+      return "deformation";
+    case StaticLimit::flank_edge:
+      return "flank_edge";
+    case StaticLimit::given:
+      return "given";
+  }
+  return "";
+}
+
+contact::FlankEdge nearest_flank_edge(const Contacts& contacts, Interface i) {
+  const InterfaceContact& c = contacts.interfaces[i];
+  return contact::nearest_flank_edge(pair_of(contacts.threads, i), c.geometry,
+                                     c.hertz.semi_major_per_cbrt_load,
+                                     c.hertz.semi_minor_per_cbrt_load);
+}
+
+StaticLimits static_limits(const Contacts& contacts, Interface i) {
+  StaticLimits limits;
+  const InterfaceContact& c = contacts.interfaces[i];
+  if (!c.has_hertz()) return limits;
+  limits.pressure = load_at_pressure(c.hertz, kStaticPressureLimit);
+  limits.flank_edge = std::pow(nearest_flank_edge(contacts, i).scale, 3.0);
+  if (const auto diameter = flank_element_diameter(contacts.threads.roller))
+    limits.deformation = load_at_permanent_deformation(*diameter, c.geometry.relative.first,
+                                                       c.geometry.relative.second);
+  return limits;
+}
+
+std::optional<StaticRating> static_rating(const StaticLimits& limits, std::optional<double> given) {
+  std::optional<StaticRating> least;
+  if (given) {
+    least = StaticRating{*given, StaticLimit::given};
+  } else {
+    keep_smaller(least, limits.pressure, StaticLimit::pressure);
+    keep_smaller(least, limits.deformation, StaticLimit::deformation);
+  }
+  keep_smaller(least, limits.flank_edge, StaticLimit::flank_edge);
+  return least;
+}
+
+std::optional<StaticRating> smaller(const std::optional<StaticRating>& a,
+                                    const std::optional<StaticRating>& b) {
+  if (!a || !b) return a ? a : b;
+  return b->force < a->force ? b : a;
+}
+
+std::optional<std::string> flank_edge_below_capacity(const Contacts& contacts, double edge_load,
+                                                     double static_capacity, Interface i) {
+  if (!(edge_load < static_capacity)) return std::nullopt;
+  const contact::FlankEdge edge = nearest_flank_edge(contacts, i);
+  return fmt::format(
+      "the {} ellipse reaches the {} of the {} at {:.4g} kN, below the static capacity of {:.4g} "
+      "kN; static safety takes the smaller; lower the profile radius or take a coarser pitch",
+      label(i), contact::name(edge.end), edge.of_roller ? "roller" : name(i),
+      edge_load * per_si::kilonewton, static_capacity * per_si::kilonewton);
+}
+
+std::optional<std::string> dynamic_above_static(double dynamic_capacity, double static_capacity) {
+  if (!(dynamic_capacity > static_capacity)) return std::nullopt;
+  return fmt::format(
+      "the dynamic capacity of {:.4g} kN is above the static one of {:.4g} kN; makers' static "
+      "capacities are 1.4 to 4 times the dynamic; check the profile radius, or state makers' "
+      "values",
+      dynamic_capacity * per_si::kilonewton, static_capacity * per_si::kilonewton);
+}
+
+std::optional<std::string> beyond_static_rating(double load, const StaticRating& rating) {
+  if (!(load > rating.force)) return std::nullopt;
+  return fmt::format("the load of {:.4g} kN is above the static limit of {:.4g} kN ({}); reduce it",
+                     load * per_si::kilonewton, rating.force * per_si::kilonewton,
+                     describe(rating.limit));
+}
+
+std::string describe(StaticLimit limit) {
+  switch (limit) {
+    case StaticLimit::pressure:
+      return fmt::format("contact pressure of {:.1f} GPa", kStaticPressureLimit * 1e-9);
+    case StaticLimit::deformation:
+      return "permanent deformation";
+    case StaticLimit::flank_edge:
+      return "ellipse at the edge of a flank";
+    case StaticLimit::given:
+      return "stated static capacity";
+  }
+  return "";
+}
+
+}  // namespace prs

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "contact/flank_edge.h"
+#include "prs/contacts.h"
+
+namespace prs {
+
+// What a mechanism may carry at rest.
+//
+// Static safety is the static rating F_0 over the force F, F_0 being the force at which the first
+// thread reaches a limit: the pressure of 4.0 GPa, Palmgren's permanent deformation (in place of
+// both, the static capacity of a catalogue where the case states it), or the end of its flank. That
+// is `static_safety` of `prs life`, which solves the thread loads at F_0. Two estimates of it stand
+// in `prs measures`: `static_safety` with equal thread loads (catalogues' C_0/F), the same as
+// life's with `share: equal`, and `thread_static_safety` with the shares solved under F, below
+// life's where the shares even out as the load grows.
+
+/// Total permanent deformation of rolling element and raceway over the diameter of the element that
+/// a bearing may have at its most loaded contact without harm to its running (ISO 76).
+inline constexpr double kPermanentDeformation = 1e-4;
+
+/// Total permanent deformation [m] of both bodies in the middle of a point contact, after Palmgren:
+///
+///     delta_p = 1.3e-7 N^2/D kappa_1 kappa_2     [mm, N]
+///
+/// `normal_load` N [N]; `element_diameter` D of the rolling element [m]; kappa_1, kappa_2 relative
+/// principal curvatures [1/m], their product being that of the sums of both bodies' curvatures in
+/// the two principal planes. A fit to tests with balls and raceways of bearing steel of 63.5 to
+/// 65.5 HRC, for small deformations; softer flanks deform more. Palmgren, Grundlagen der
+/// Waelzlagertechnik; Harris, Rolling Bearing Analysis, chapter on permanent deformation, where
+/// D kappa_1 kappa_2 is worked out for ball bearings to 5.25e-7 N^2/D^3 (1 +- gamma/(1 -+ gamma))
+/// (1 - 1/(2 f)).
+double permanent_deformation(double normal_load, double element_diameter, double kappa_1,
+                             double kappa_2);
+
+/// Normal load [N] under which that deformation is `share` of the element's diameter:
+///
+///     N = D sqrt(share/(1.3e-7 kappa_1 kappa_2))     [mm, N]
+double load_at_permanent_deformation(double element_diameter, double kappa_1, double kappa_2,
+                                     double share = kPermanentDeformation);
+
+/// Diameter of the rolling element that a roller's flank stands for [m]: twice the radius of its
+/// convex profile. Absent where the flank is straight or concave.
+std::optional<double> flank_element_diameter(const contact::Thread& roller);
+
+/// What limits a static load.
+enum class StaticLimit {
+  pressure,     ///< Peak pressure of `kStaticPressureLimit`.
+  deformation,  ///< Permanent deformation, see `load_at_permanent_deformation`.
+  flank_edge,   ///< The contact ellipse reaches a crest or root.
+  given,        ///< Static capacity that the case states.
+};
+
+const char* name(StaticLimit limit);      ///< As documents have it: `flank_edge`.
+std::string describe(StaticLimit limit);  ///< In words, for messages.
+
+/// Loads at which the limits are reached: normal loads of one contact, or forces on the mechanism
+/// [N]. Absent where the geometry gives no Hertz contact, or no rolling element.
+struct StaticLimits {
+  std::optional<double> pressure;
+  std::optional<double> deformation;
+  std::optional<double> flank_edge;
+};
+
+/// Normal loads of one contact of an interface [N]. At the flank's edge N = scale^3 for semi-axes
+/// under 1 N, see `contact::nearest_flank_edge`.
+StaticLimits static_limits(const Contacts& contacts, Interface i);
+
+/// The end of a flank that the ellipse of an interface reaches first; its Hertz contact must exist.
+contact::FlankEdge nearest_flank_edge(const Contacts& contacts, Interface i);
+
+/// Static rating: the load that a static limit allows, and which one.
+struct StaticRating {
+  double force = 0.0;  ///< [N]
+  StaticLimit limit = StaticLimit::pressure;
+};
+
+/// The smallest of the limits; a `given` static capacity [N] takes the place of pressure and
+/// deformation.
+std::optional<StaticRating> static_rating(const StaticLimits& limits, std::optional<double> given);
+
+std::optional<StaticRating> smaller(const std::optional<StaticRating>& a,
+                                    const std::optional<StaticRating>& b);
+
+/// A note where the ellipse of an interface reaches the end of a flank at a force [N] on the
+/// mechanism below its static capacity [N].
+std::optional<std::string> flank_edge_below_capacity(const Contacts& contacts, double edge_load,
+                                                     double static_capacity, Interface i);
+
+/// A note where the dynamic capacity [N] exceeds the static one [N], which no maker's does.
+std::optional<std::string> dynamic_above_static(double dynamic_capacity, double static_capacity);
+
+/// A note where a force [N] exceeds its static rating.
+std::optional<std::string> beyond_static_rating(double load, const StaticRating& rating);
+
+}  // namespace prs

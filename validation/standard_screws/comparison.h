@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "prs/configurations/standard_screw.h"
+#include "prs/life/capacity.h"
+#include "prs/measures/measures.h"
+
+namespace prs::standard_screws {
+
+/// A row of the catalogue. SI units.
+struct CatalogueScrew {
+  std::string name;  ///< Diameter x lead, mm.
+  StandardScrew screw;
+  double dynamic_capacity = 0.0;  ///< C_a [N]
+  double static_capacity = 0.0;   ///< C_0 [N]
+  double weight = 0.0;            ///< Of nut and rollers [kg].
+  double weight_digit = 0.0;      ///< Half a unit of its last digit [kg].
+  double nut_inertia = 0.0;       ///< [kg m^2]
+  double roller_inertia = 0.0;    ///< As the screw sees it [kg m^2].
+};
+
+std::vector<CatalogueScrew> read_catalogue(const std::filesystem::path& file);
+
+/// Computed over printed.
+struct Ratios {
+  CatalogueScrew printed;
+  int rollers = 0, contacts_per_roller = 0;
+  Measures measures;
+  double dynamic_capacity = 0.0;
+  double static_capacity = 0.0;  ///< By 4.0 GPa.
+  double flank_edge = 0.0;       ///< Load at a flank's edge over the static capacity.
+  double weight = 0.0;
+  double nut_inertia = 0.0;
+  double roller_inertia = 0.0;
+};
+
+/// How many rollers the screws have: as many as fit, or for all leads of otherwise equal screws as
+/// many as fit at the coarsest.
+enum class Rollers { as_fit, as_at_coarsest_lead };
+
+/// Of all screws. The rollers' flanks have arcs of so many pitches, or about the roller's axis
+/// where `radius_in_pitches` is 0.
+std::vector<Ratios> compare(const std::vector<CatalogueScrew>& catalogue, double radius_in_pitches,
+                            Rollers rollers = Rollers::as_fit);
+
+/// Smallest and largest of a ratio over those screws that `counts` lets through.
+Interval range(
+    const std::vector<Ratios>& rows, double Ratios::*ratio,
+    bool (*counts)(const Ratios&) = [](const Ratios&) { return true; });
+
+/// Exponent x of a capacity that goes with lead^x: least squares of logarithms over screws that
+/// differ in nothing that is printed but the lead, one constant for each such group.
+double lead_exponent(const std::vector<Ratios>& rows, double (*capacity)(const Ratios&));
+
+}  // namespace prs::standard_screws

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "prs/validation/validate.h"
+
+namespace prs::standard_screws {
+
+/// 24 screws of a maker's catalogue, each completed by the rules of `standard_screw_case`: ratios
+/// of the computed to the printed weights, inertias and capacities, and how capacities depend on
+/// the lead, with two profile radii of the rollers.
+Contribution contribution();
+
+}  // namespace prs::standard_screws
