@@ -186,8 +186,8 @@ int study(const Options& options) {
   } catch (const std::system_error& error) {
     if (!options.output || !is_full_disk(error.code())) throw;
     say(fmt::format(
-        "prs: error: {}\nprs: what was computed is kept; the same command continues from there once "
-        "there is space\n",
+        "prs: error: {}\nprs: what was computed is kept; the same command continues from there "
+        "once there is space\n",
         error.what()));
     return kFailed;
   }

@@ -93,8 +93,8 @@ bool is_whole(const fs::path& image) {
 std::string publish_images(const Figure& figure, const fs::path& from, const fs::path& to) {
   for (const char* type : kImageTypes)
     if (const std::string image = figure.name + type; !is_whole(from / image))
-      return fmt::format("cannot write '{}': gnuplot left it incomplete, as on a full disk; make space and "
-                         "run again",
+      return fmt::format("cannot write '{}': gnuplot left it incomplete, as on a full disk; make "
+                         "space and run again",
                          (to / image).string());
   for (const char* type : kImageTypes) {
     const std::string image = figure.name + type;

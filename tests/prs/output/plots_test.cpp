@@ -146,8 +146,8 @@ std::string escaped(const std::string& text) {
 TEST(Plots, NamesAreDrawnAsTheyStandAndNeverRun) {
   for (const std::string name :
        {"'; system('touch ../run'); '", "''", "\"; system('touch ../run'); \"", "`touch ../run`",
-        "\\140touch ../run\\140", "$(touch ../run) $panel_1 @x # {", "}", "!touch ../run", "\\", "%s %d",
-        "<b>&amp;</b>", "a_{b}^c"}) {
+        "\\140touch ../run\\140", "$(touch ../run) $panel_1 @x # {", "}", "!touch ../run", "\\",
+        "%s %d", "<b>&amp;</b>", "a_{b}^c"}) {
     const TemporaryDirectory temporary;
     ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_plots(single_case(name), temporary.path())));
     if (IsSkipped()) return;
