@@ -18,6 +18,12 @@ void set_common(cholmod_common& common) {
   common.quick_return_if_not_posdef = 1;
 }
 
+/// Throws std::bad_alloc where CHOLMOD had too little memory, or would need more than it can count.
+void require_memory(const cholmod_common& common) {
+  if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
+    throw std::bad_alloc();
+}
+
 /// CHOLMOD's view of our arrays; it never writes to them.
 cholmod_sparse view(const SparseSymmetric& m) {
   cholmod_sparse a{};
@@ -88,7 +94,7 @@ FactorizationStatus Cholesky::factorize(const SparseSymmetric& matrix) {
   cholmod_factor* factor = impl_->factor;
   cholmod_sparse a = view(matrix);
   cholmod_factorize(&a, factor, &common);
-  if (common.status == CHOLMOD_OUT_OF_MEMORY) return FactorizationStatus::out_of_memory;
+  require_memory(common);
   if (common.status == CHOLMOD_NOT_POSDEF || factor->minor < factor->n)
     return FactorizationStatus::not_positive_definite;
   // LDL' goes on past a negative pivot: the pivots have the last word.
@@ -108,6 +114,7 @@ void Cholesky::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) {
   [[maybe_unused]] const int ok =
       cholmod_solve2(CHOLMOD_A, impl_->factor, &rhs, nullptr, &impl_->solution, nullptr,
                      &impl_->workspace_y, &impl_->workspace_e, &impl_->common);
+  require_memory(impl_->common);
   assert(ok);
   x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(impl_->solution->x), b.size());
 }
@@ -119,6 +126,7 @@ void Cholesky::solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) {
   [[maybe_unused]] const int ok =
       cholmod_solve2(CHOLMOD_A, impl_->factor, &rhs, nullptr, &impl_->solution, nullptr,
                      &impl_->workspace_y, &impl_->workspace_e, &impl_->common);
+  require_memory(impl_->common);
   assert(ok);
   x = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(impl_->solution->x), b.rows(),
                                         b.cols());

@@ -8,13 +8,13 @@
 
 namespace fe {
 
-enum class FactorizationStatus { ok, not_positive_definite, out_of_memory };
+enum class FactorizationStatus { ok, not_positive_definite };
 enum class FactorizationKind { simplicial, supernodal };
 
 /// Sparse Cholesky by CHOLMOD for a fixed pattern: the symbolic analysis happens once, at birth;
 /// `factorize` takes new values for the same pattern. The matrix is factorized in the order given:
 /// number the equations by `fill_reducing_order` first. Supernodal pays for patterns much larger
-/// than one sector.
+/// than one sector. All of it throws std::bad_alloc where memory does not suffice.
 class Cholesky {
  public:
   explicit Cholesky(const SparseSymmetric& pattern,

@@ -18,8 +18,6 @@ std::string_view name(NewtonStatus status) {
       return "line_search_failed";
     case NewtonStatus::not_positive_definite:
       return "not_positive_definite";
-    case NewtonStatus::out_of_memory:
-      return "out_of_memory";
   }
   return "unknown";
 }
@@ -101,14 +99,8 @@ NewtonSummary NewtonSolver::solve(const Eigen::VectorXd& f, const NewtonOptions&
   while (summary.iterations() < options.max_iterations) {
     NewtonIteration iteration;
     fresh = !(fresh && summary.relative_residual <= options.reuse_factorization_below);
-    if (fresh) switch (factorize_tangent(q, options, iteration.shift)) {
-        case FactorizationStatus::ok:
-          break;
-        case FactorizationStatus::not_positive_definite:
-          return stop(NewtonStatus::not_positive_definite);
-        case FactorizationStatus::out_of_memory:
-          return stop(NewtonStatus::out_of_memory);
-      }
+    if (fresh && factorize_tangent(q, options, iteration.shift) != FactorizationStatus::ok)
+      return stop(NewtonStatus::not_positive_definite);
     cholesky_.solve(residual_, step_);
     const double slope = -residual_.dot(step_);
     const bool descended = search_along_step(f, options, q, slope, summary.energy, iteration);

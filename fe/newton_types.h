@@ -36,7 +36,6 @@ enum class NewtonStatus {
   iteration_limit,
   line_search_failed,
   not_positive_definite,
-  out_of_memory,
 };
 
 std::string_view name(NewtonStatus status);

@@ -33,15 +33,19 @@ class FileDescriptor {
 };
 
 /// Writes all of it; 0, or why that did not work.
-inline int write_all(const FileDescriptor& file, std::string_view bytes) {
+inline int write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
     if (written >= 0)
       bytes.remove_prefix(static_cast<std::size_t>(written));
     else if (errno != EINTR)
       return errno;
   }
   return 0;
+}
+
+inline int write_all(const FileDescriptor& file, std::string_view bytes) {
+  return write_all(file.get(), bytes);
 }
 
 }  // namespace prs

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "prs/cli/printing.h"
@@ -85,15 +84,18 @@ bool all_converged(const Result& result) {
   return std::ranges::all_of(result.load_cases, &LoadCaseResult::converged);
 }
 
-/// The document, and below the name of each source what its code wrote and drew.
-void write_validation(const std::vector<SourceReport>& reports, const std::string& document,
+/// The document, and below the name of each source what its code wrote and drew; false where a
+/// picture is missing.
+bool write_validation(const std::vector<SourceReport>& reports, const std::string& document,
                       const Options& options) {
+  bool written = true;
   write_files(*options.output, {{"validation.json", document}});
   for (const SourceReport& report : reports) {
     const std::filesystem::path folder = *options.output / report.name;
     if (!report.files.empty()) write_files(folder, report.files);
-    for (const std::string& text : draw_figures(report.figures, folder)) note(options, text);
+    written &= cli::report(draw_figures(report.figures, folder), options);
   }
+  return written;
 }
 
 }  // namespace
@@ -118,12 +120,13 @@ int contact(const Options& options) {
   const input::CaseInput in = input::read_case_input(source, Command::contact);
   const Result result = run_contact(source, in.values);
   const std::string document = document_of(result, source, options);
+  bool written = true;
   if (options.output) {
     write_files(*options.output, {{"contact.json", document}});
-    for (const std::string& text : draw_contact_plots(result, *options.output)) note(options, text);
+    written = report(draw_contact_plots(result, *options.output), options);
   }
   print_result(result, options, document, [&] { return contact_table(result); });
-  return kDone;
+  return exit_status(written, true);
 }
 
 int solve(const Options& options) {
@@ -131,11 +134,12 @@ int solve(const Options& options) {
   const input::CaseInput in = input::read_case_input(source, Command::solve);
   const Result result = run_solve(source, in.values);
   const std::string document = document_of(result, source, options);
+  bool written = true;
   if (options.output) {
     write_files(*options.output, {{"result.json", document},
                                   {"load_cases.csv", load_cases_csv(result)},
                                   {"load_distribution.csv", load_distribution_csv(result)}});
-    for (const std::string& text : draw_plots(result, *options.output)) note(options, text);
+    written = report(draw_plots(result, *options.output), options);
   }
   print_result(result, options, document, [&] {
     std::string text = load_case_table(result);
@@ -144,7 +148,7 @@ int solve(const Options& options) {
         text.append("\n").append(load_distribution_chart(r));
     return text;
   });
-  return all_converged(result) ? kDone : kNotConverged;
+  return exit_status(written, all_converged(result));
 }
 
 int slip(const Options& options) {
@@ -152,15 +156,15 @@ int slip(const Options& options) {
   const input::CaseInput in = input::read_case_input(source, Command::slip);
   const Result result = run_slip(source, in.values);
   const std::string document = document_of(result, source, options);
+  bool written = true;
   if (options.output) {
     write_files(*options.output, {{"slip.json", document},
                                   {"load_cases.csv", load_cases_csv(result)},
                                   {"load_distribution.csv", load_distribution_csv(result)},
                                   {"slip.csv", slip_csv(result)},
                                   {"slip_threads.csv", slip_threads_csv(result)}});
-    for (const std::string& text :
-         draw_slip_plots(result, pictures_of(in.values, result), *options.output))
-      note(options, text);
+    written = report(draw_slip_plots(result, pictures_of(in.values, result), *options.output),
+                     options);
   }
   print_result(result, options, document, [&] {
     std::string text = slip_table(result);
@@ -172,7 +176,7 @@ int slip(const Options& options) {
   const bool converged = std::ranges::all_of(result.load_cases, [](const LoadCaseResult& r) {
     return r.converged() && r.slip && r.slip->converged();
   });
-  return converged ? kDone : kNotConverged;
+  return exit_status(written, converged);
 }
 
 int preload(const Options& options) {
@@ -182,11 +186,11 @@ int preload(const Options& options) {
   std::string document;
   if (options.json || options.output)
     document = json_text(preload_json(result, document_info(source)));
+  bool written = true;
   if (options.output) {
     write_files(*options.output,
                 {{"preload.json", document}, {"preload.csv", preload_csv(result)}});
-    for (const std::string& text : draw_figures(preload_figures(result), *options.output))
-      note(options, text);
+    written = report(draw_figures(preload_figures(result), *options.output), options);
   }
   if (options.json) {
     print(document);
@@ -195,7 +199,7 @@ int preload(const Options& options) {
     print(preload_table(result));
     if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
   }
-  return result.converged() ? kDone : kNotConverged;
+  return exit_status(written, result.converged());
 }
 
 int life(const Options& options) {
@@ -205,6 +209,7 @@ int life(const Options& options) {
   std::string document;
   if (options.json || options.output)
     document = json_text(life_json(result, document_info(source)));
+  bool written = true;
   if (options.output) {
     std::vector<OutputFile> files = {{"life.json", document},
                                      {"life_threads.csv", life_threads_csv(result)}};
@@ -213,8 +218,7 @@ int life(const Options& options) {
       files.push_back({"cycle_matrix.csv", cycle_matrix_csv(result.cycles->matrix)});
     }
     write_files(*options.output, files);
-    for (const std::string& text : draw_figures(life_figures(result), *options.output))
-      note(options, text);
+    written = report(draw_figures(life_figures(result), *options.output), options);
   }
   if (options.json) {
     print(document);
@@ -223,7 +227,7 @@ int life(const Options& options) {
     print(life_table(result));
     if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
   }
-  return result.converged() ? kDone : kNotConverged;
+  return exit_status(written, result.converged());
 }
 
 int measures(const Options& options) {
@@ -237,15 +241,15 @@ int measures(const Options& options) {
   std::string document;
   if (options.json || options.output)
     document = json_text(measures_json(result, document_info(source)));
+  bool written = true;
   if (options.output) {
     write_files(*options.output, {{"measures.json", document},
                                   {"measures.csv", measures_csv(result)},
                                   {"yang.csv", yang_csv(result)}});
-    for (const std::string& text : draw_figures(measures_figures(result), *options.output))
-      note(options, text);
+    written = report(draw_figures(measures_figures(result), *options.output), options);
   }
   print_result(result.analysis, options, document, [&] { return measures_table(result); });
-  return all_converged(result.analysis) ? kDone : kNotConverged;
+  return exit_status(written, all_converged(result.analysis));
 }
 
 int schema(const Options& options) {
@@ -262,7 +266,7 @@ int new_case(const Options& options) {
     return kDone;
   }
   if (std::filesystem::exists(options.file)) {
-    fmt::print(stderr, "{}: error: the file exists already; give another name\n", options.file);
+    say(fmt::format("{}: error: the file exists already; give another name\n", options.file));
     return kWrongInput;
   }
   const std::filesystem::path file = std::filesystem::absolute(options.file);
@@ -274,8 +278,8 @@ int new_case(const Options& options) {
 
 int validate(const Options& options) {
   if (!std::filesystem::is_directory(options.file)) {
-    fmt::print(stderr, "{}: error: no such folder; give the folder of the sources as DIR\n",
-               options.file);
+    say(fmt::format("{}: error: no such folder; give the folder of the sources as DIR\n",
+                    options.file));
     return kWrongInput;
   }
   const std::vector<SourceReport> reports =
@@ -286,12 +290,12 @@ int validate(const Options& options) {
                                    standard_screws::contribution(),
                                    yao_2023::contribution()});
   if (reports.empty()) {
-    fmt::print(stderr, "{}: error: no folder with a reference.yaml\n", options.file);
+    say(fmt::format("{}: error: no folder with a reference.yaml\n", options.file));
     return kWrongInput;
   }
   const std::string document =
       json_text(validation_json(reports, {kVersion, kSchemaVersion, "", {}}));
-  if (options.output) write_validation(reports, document, options);
+  const bool written = !options.output || write_validation(reports, document, options);
   if (options.json) {
     print(document);
   } else if (!options.quiet) {
@@ -301,7 +305,7 @@ int validate(const Options& options) {
   for (const SourceReport& report : reports)
     for (const Comparison& comparison : report.comparisons)
       if (comparison.unexpected()) return kFailed;
-  return kDone;
+  return exit_status(written, true);
 }
 
 int recipe(const Options& options) {
@@ -309,8 +313,8 @@ int recipe(const Options& options) {
   if (recipe == nullptr) {
     std::vector<std::string_view> names;
     for (const jung_2017::Recipe& known : jung_2017::recipes()) names.push_back(known.name);
-    fmt::print(stderr, "prs validate: error: --recipe: got {}; expected one of {}\n",
-               input::shown(options.recipe.value_or("")), fmt::join(names, ", "));
+    say(fmt::format("prs validate: error: --recipe: got {}; expected one of {}\n",
+                    input::shown(options.recipe.value_or("")), fmt::join(names, ", ")));
     return kWrongInput;
   }
   const std::vector<jung_2017::Diameters> rows =

@@ -30,6 +30,8 @@ Interruption::~Interruption() {
 
 bool Interruption::asked() { return asked_to_stop != 0; }
 
-void let_large_files_fail() { std::signal(SIGXFSZ, SIG_IGN); }
+void let_writes_fail() {
+  for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
+}
 
 }  // namespace prs::cli

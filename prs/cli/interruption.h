@@ -18,7 +18,8 @@ class Interruption {
   std::unique_ptr<Before> before_;
 };
 
-/// A file that may not grow further becomes an error like a full disk, not the end of the program.
-void let_large_files_fail();
+/// A file that may not grow further (SIGXFSZ) and a reader that is gone (SIGPIPE) become errors of
+/// whoever writes, as a full disk is, not the end of the program.
+void let_writes_fail();
 
 }  // namespace prs::cli

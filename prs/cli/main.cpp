@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <cstdlib>
 #include <exception>
-#include <filesystem>
+#include <new>
+#include <sstream>
+#include <string_view>
 
 #include "prs/cli/commands.h"
+#include "prs/cli/interruption.h"
+#include "prs/cli/printing.h"
 #include "prs/influence/matrix_cache.h"
 #include "prs/input/source.h"
 #include "prs/study/journal.h"
@@ -127,9 +129,7 @@ void add_validate_options(CLI::App& command, Options& options) {
   add_output_options(command, options);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_command(int argc, char** argv) {
   CLI::App app{"prs: load distribution, stiffness and life of planetary roller screws"};
   app.set_version_flag("--version", prs::kVersion);
   app.require_subcommand(1);
@@ -199,7 +199,10 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int status = app.exit(error);
+    std::ostringstream out, err;
+    const int status = app.exit(error, out, err);
+    prs::cli::print(out.str());
+    prs::cli::say(err.str());
     return status == 0 ? prs::cli::kDone : prs::cli::kWrongInput;
   }
   if (validate->parsed()) {
@@ -210,31 +213,56 @@ int main(int argc, char** argv) {
   }
   if (merge->parsed()) {
     if (!options.file.empty()) {
-      fmt::print(stderr,
-                 "prs: error: got FILE {} before `merge`; expected `prs study merge DIR..`: the "
-                 "journals hold the file\n",
-                 options.file);
+      prs::cli::say(fmt::format(
+          "prs: error: got FILE {} before `merge`; expected `prs study merge DIR..`: the journals "
+          "hold the file\n",
+          options.file));
       return prs::cli::kWrongInput;
     }
     run = prs::cli::merge_study;
   } else if (options.file.empty() &&
              (study->parsed() || (measures->parsed() && !options.explain))) {
-    fmt::print(stderr, "file is required\nRun with --help for more information.\n");
+    prs::cli::say("file is required\nRun with --help for more information.\n");
     return prs::cli::kWrongInput;
   }
   options.standard = type == "standard";
 
   prs::shared_matrix_cache().keep_in(prs::cache_directory());
+  return run(options);
+}
+
+/// One line of an error, without asking for memory.
+int failed(std::string_view before, std::string_view what, int status) noexcept {
+  prs::cli::say(before);
+  prs::cli::say(what);
+  prs::cli::say("\n");
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace prs::cli;
+  if (!reserve_standard_streams()) return kFailed;
+  let_writes_fail();
   try {
-    return run(options);
+    const int status = run_command(argc, argv);
+    close_output();
+    return status;
   } catch (const prs::input::InputError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return prs::cli::kWrongInput;
+    return failed("", error.what(), kWrongInput);
   } catch (const prs::StudyFolderError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return prs::cli::kWrongInput;
+    return failed("", error.what(), kWrongInput);
+  } catch (const ReaderGone&) {
+    return kFailed;
+  } catch (const std::bad_alloc&) {
+    return failed("prs: error: ",
+                  "out of memory; give the program more, or it less to do at once: a smaller case, "
+                  "fewer --threads",
+                  kFailed);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "prs: error: {}\n", error.what());
-    return prs::cli::kFailed;
+    return failed("prs: error: ", error.what(), kFailed);
+  } catch (...) {
+    return failed("prs: error: ", "of an unknown kind", kFailed);
   }
 }

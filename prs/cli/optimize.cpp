@@ -39,9 +39,9 @@ int deliver(const OptimizationResult& result, const input::Source& source, const
   std::string document;
   if (options.json || options.output)
     document = json_text(optimize_json(result, document_info(source)));
+  bool written = true;
   if (options.output) {
-    for (const std::string& text : draw_figures(optimize_figures(result), *options.output))
-      note(options, text);
+    written = report(draw_figures(optimize_figures(result), *options.output), options);
     std::vector<OutputFile> files{{"front.csv", front_csv(result)},
                                   {"history.csv", history_csv(result)},
                                   {"optimize.json", document}};
@@ -55,21 +55,20 @@ int deliver(const OptimizationResult& result, const input::Source& source, const
     print(optimize_table(result));
     if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
   }
-  return result.compromise ? kDone : kNotConverged;
+  return exit_status(written, result.compromise.has_value());
 }
 
 /// What a run that was stopped leaves behind.
 int report_interruption(const Options& options) {
-  fmt::print(stderr, "prs: interrupted; {}\n",
-             options.output ? "the same command continues from there"
-                            : "with --output DIR an optimization can be continued");
+  say(fmt::format("prs: interrupted; {}\n",
+                  options.output ? "the same command continues from there"
+                                 : "with --output DIR an optimization can be continued"));
   return kFailed;
 }
 
 }  // namespace
 
 int optimize(const Options& options) {
-  let_large_files_fail();
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::OptimizeInput in = input::read_optimize_input(source);
   const std::size_t threads = options.threads > 0 ? options.threads : available_processors();
@@ -92,7 +91,7 @@ int optimize(const Options& options) {
   }
   if (!result) return report_interruption(options);
   const int status = deliver(*result, source, options);
-  if (folder) std::filesystem::remove(journal_file);
+  if (folder && status != kFailed) std::filesystem::remove(journal_file);
   return status;
 }
 

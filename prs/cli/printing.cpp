@@ -1,20 +1,58 @@
 #include "prs/cli/printing.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <system_error>
 
-namespace prs::cli {
+#include "prs/file_descriptor.h"
 
-void print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw std::system_error(errno, std::generic_category(), "standard output");
+namespace prs::cli {
+namespace {
+
+[[noreturn]] void fail_to_print(int error) {
+  if (error == EPIPE) throw ReaderGone();
+  throw std::system_error(error, std::generic_category(), "cannot write to standard output");
 }
 
+}  // namespace
+
+bool reserve_standard_streams() {
+  // In the order of their numbers: a file gets the least that is free.
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) != -1) continue;
+    // One that cannot be written tells that a table gets lost.
+    const int access = stream == STDERR_FILENO ? O_WRONLY : O_RDONLY;
+    if (::open("/dev/null", access) != stream) return false;
+  }
+  return true;
+}
+
+void print(std::string_view text) {
+  if (const int error = write_all(STDOUT_FILENO, text); error != 0) fail_to_print(error);
+}
+
+void close_output() {
+  if (::close(STDOUT_FILENO) != 0 && errno != EINTR) fail_to_print(errno);
+}
+
+void say(std::string_view text) noexcept { write_all(STDERR_FILENO, text); }
+
 void note(const Options& options, const std::string& text) {
-  if (!options.quiet) fmt::print(stderr, "{}\n", text);
+  if (!options.quiet) say(text + '\n');
+}
+
+bool report(const Undrawn& undrawn, const Options& options) {
+  for (const std::string& text : undrawn.notes) note(options, text);
+  for (const std::string& text : undrawn.errors) say(fmt::format("prs: error: {}\n", text));
+  return undrawn.errors.empty();
+}
+
+int exit_status(bool written, bool converged) {
+  if (!written) return kFailed;
+  return converged ? kDone : kNotConverged;
 }
 
 }  // namespace prs::cli

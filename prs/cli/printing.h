@@ -1,15 +1,42 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "prs/cli/commands.h"
+#include "prs/output/plots.h"
 
 namespace prs::cli {
 
-/// On standard output. Throws where the text does not arrive, as on a full disk.
-void print(const std::string& text);
+/// Opens the standard streams that the program was started without, so that no other file gets
+/// their numbers. What is written to such a stream fails. False where that does not work.
+bool reserve_standard_streams();
+
+/// Whoever read standard output, as `head`, has read enough.
+class ReaderGone : public std::runtime_error {
+ public:
+  ReaderGone() : std::runtime_error("standard output is read no further") {}
+};
+
+/// On standard output. Throws where the text does not arrive: ReaderGone or, as on a full disk,
+/// std::system_error.
+void print(std::string_view text);
+
+/// Closes standard output. Throws what a file system held back until then, as `print` does.
+void close_output();
+
+/// On standard error, as it stands. Nothing happens where that cannot be written to: the program's
+/// results and its status do not depend on it.
+void say(std::string_view text) noexcept;
 
 /// A line on standard error, unless quiet.
 void note(const Options& options, const std::string& text);
+
+/// Says which pictures are missing; false where one of them could not be written.
+[[nodiscard]] bool report(const Undrawn& undrawn, const Options& options);
+
+/// Of a command that delivered what it could.
+int exit_status(bool written, bool converged);
 
 }  // namespace prs::cli

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "prs/cli/printing.h"
 #include "prs/output/study_table.h"
 
 namespace prs::cli {
@@ -25,11 +26,11 @@ void ProgressLine::show(const StudyProgress& progress) {
   std::string text =
       progress_line(progress.done - progress.found, progress.total - progress.found, seconds);
   if (progress.found > 0) text += fmt::format("; {} were there before", progress.found);
-  fmt::print(stderr, "\r\x1b[K{}", text);
+  say("\r\x1b[K" + text);
 }
 
 void ProgressLine::clear() {
-  if (shown_) fmt::print(stderr, "\r\x1b[K");
+  if (shown_) say("\r\x1b[K");
 }
 
 }  // namespace prs::cli

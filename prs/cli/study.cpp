@@ -70,9 +70,9 @@ int deliver(const StoredRows& rows, const Study& study, const DocumentInfo& info
   result.summary = analysis.summary();
   std::string document;
   if (options.json || options.output) document = json_text(study_json(result, info));
+  bool written = true;
   if (options.output) {
-    for (const std::string& text : draw_figures(study_figures(result), *options.output))
-      note(options, text);
+    written = report(draw_figures(study_figures(result), *options.output), options);
     StagedFile file(*options.output / "study.json");
     file.append(document);
     file.sync();
@@ -84,7 +84,7 @@ int deliver(const StoredRows& rows, const Study& study, const DocumentInfo& info
     print(study_table(result));
     if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
   }
-  return result.failed == 0 ? kDone : kNotConverged;
+  return exit_status(written, result.failed == 0);
 }
 
 /// The plan that is one case with its derivatives.
@@ -93,11 +93,11 @@ int derivatives(const input::StudyInput& in, const Options& options) {
   std::string document;
   if (options.json || options.output)
     document = json_text(derivatives_json(result, document_info(in.source)));
+  bool written = true;
   if (options.output) {
     write_files(*options.output,
                 {{"derivatives.json", document}, {"derivatives.csv", derivatives_csv(result)}});
-    for (const std::string& text : draw_figures(derivatives_figures(result), *options.output))
-      note(options, text);
+    written = report(draw_figures(derivatives_figures(result), *options.output), options);
   }
   if (options.json) {
     print(document);
@@ -105,14 +105,14 @@ int derivatives(const input::StudyInput& in, const Options& options) {
     print(derivatives_table(result));
     if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
   }
-  return kDone;
+  return exit_status(written, true);
 }
 
 /// What a run that was stopped leaves behind.
 int report_interruption(std::size_t absent, std::size_t designs, const Options& options) {
-  fmt::print(stderr, "prs: interrupted, {} of {} designs are done; {}\n", designs - absent, designs,
-             options.output ? "the same command continues from there"
-                            : "they are lost; with --output DIR a study can be continued");
+  say(fmt::format("prs: interrupted, {} of {} designs are done; {}\n", designs - absent, designs,
+                  options.output ? "the same command continues from there"
+                                 : "they are lost; with --output DIR a study can be continued"));
   return kFailed;
 }
 
@@ -156,7 +156,8 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
     return kDone;
   }
   const int status = deliver(rows, study, document_info(source), threads, options);
-  if (folder) folder->remove_journals();
+  // Without a picture, the same command is to write it and need not compute again.
+  if (folder && status != kFailed) folder->remove_journals();
   return status;
 }
 
@@ -164,16 +165,14 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
 
 int study(const Options& options) {
   if (options.shard && !options.output) {
-    fmt::print(stderr, "prs: error: --shard needs --output DIR, where its part is kept\n");
+    say("prs: error: --shard needs --output DIR, where its part is kept\n");
     return kWrongInput;
   }
-  let_large_files_fail();
   Ranks ranks(!options.shard);
   if (!ranks.agree(arguments(options))) {
     if (ranks.is_first())
-      fmt::print(stderr,
-                 "prs: error: the ranks of one MPI job were started with different arguments; give "
-                 "all of them the same, or use --shard i/n\n");
+      say("prs: error: the ranks of one MPI job were started with different arguments; give all of "
+          "them the same, or use --shard i/n\n");
     return ranks.is_first() ? kWrongInput : kDone;
   }
   const std::size_t threads = options.threads > 0 ? options.threads : ranks.threads();
@@ -186,16 +185,15 @@ int study(const Options& options) {
     return compute(ranks, source, threads, options);
   } catch (const std::system_error& error) {
     if (!options.output || !is_full_disk(error.code())) throw;
-    fmt::print(stderr,
-               "prs: error: {}\nprs: what was computed is kept; the same command continues from "
-               "there once there is space\n",
-               error.what());
+    say(fmt::format(
+        "prs: error: {}\nprs: what was computed is kept; the same command continues from there "
+        "once there is space\n",
+        error.what()));
     return kFailed;
   }
 }
 
 int merge_study(const Options& options) {
-  let_large_files_fail();
   const StoredRows rows = gather_rows(options.folders);
   const JournalHeader& header = rows.journals().front().header();
   const input::StudyInput in = input::read_study_input(header.source);

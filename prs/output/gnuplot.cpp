@@ -26,9 +26,10 @@ class SpawnActions {
   SpawnActions(const std::filesystem::path& directory, int standard_error) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addchdir_np(&actions_, directory.c_str());
+    // First: it may have the number of a stream that is closed here.
+    posix_spawn_file_actions_adddup2(&actions_, standard_error, STDERR_FILENO);
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions_, standard_error, STDERR_FILENO);
   }
   SpawnActions(const SpawnActions&) = delete;
   SpawnActions& operator=(const SpawnActions&) = delete;
@@ -61,17 +62,25 @@ GnuplotProcess::GnuplotProcess(GnuplotProcess&& other) noexcept
     : child_(std::exchange(other.child_, -1)), messages_(std::exchange(other.messages_, -1)) {}
 
 GnuplotProcess::~GnuplotProcess() {
-  if (child_ != -1) wait();
+  if (messages_ != -1) ::close(messages_);
+  if (child_ != -1) status();
 }
 
-std::string GnuplotProcess::wait() {
-  std::string messages = read_messages();
+int GnuplotProcess::status() noexcept {
   int status = 0;
   const pid_t child = std::exchange(child_, -1);
   while (::waitpid(child, &status, 0) == -1 && errno == EINTR) {
   }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
-  return messages.empty() ? fmt::format("gnuplot ended with status {}", status) : messages;
+  return status;
+}
+
+std::string GnuplotProcess::wait() {
+  const std::string messages = read_messages();
+  const int ended = status();
+  if (WIFEXITED(ended) && WEXITSTATUS(ended) == 0) return {};
+  if (!messages.empty()) return messages;
+  return WIFSIGNALED(ended) ? fmt::format("gnuplot was ended by signal {}", WTERMSIG(ended))
+                            : fmt::format("gnuplot ended with status {}", WEXITSTATUS(ended));
 }
 
 std::string GnuplotProcess::read_messages() {

@@ -1,8 +1,14 @@
 #include "prs/output/plots.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <fstream>
+#include <iterator>
 #include <span>
+#include <string_view>
 #include <system_error>
 
 #include "prs/output/contact_figures.h"
@@ -30,12 +36,13 @@ std::vector<Figure> figures(std::span<const FigureOf> makers, const Result& resu
   return all;
 }
 
+constexpr const char* kImageTypes[] = {".svg", ".png"};
+
 std::string script_name(const Figure& figure) { return figure.name + ".gp"; }
 
 void remove_images(const Figure& figure, const fs::path& directory) {
   std::error_code ignored;
-  for (const char* extension : {".svg", ".png"})
-    fs::remove(directory / (figure.name + extension), ignored);
+  for (const char* type : kImageTypes) fs::remove(directory / (figure.name + type), ignored);
 }
 
 void write_scripts(const std::vector<Figure>& figures, const fs::path& directory) {
@@ -45,58 +52,118 @@ void write_scripts(const std::vector<Figure>& figures, const fs::path& directory
   write_files(directory, scripts);
 }
 
-/// All figures at the same time.
-std::vector<std::string> draw(const std::vector<Figure>& figures, const fs::path& directory) {
-  std::vector<GnuplotProcess> processes;
-  for (const Figure& figure : figures) processes.emplace_back(directory, script_name(figure));
-  std::vector<std::string> notes;
-  for (std::size_t k = 0; k < figures.size(); ++k) {
-    const std::string complaint = processes[k].wait();
-    if (complaint.empty()) continue;
-    remove_images(figures[k], directory);
-    notes.push_back(fmt::format("{} was not drawn: {}", figures[k].name, complaint));
+/// A folder inside another that is gone with the object, and what is in it.
+class StagingFolder {
+ public:
+  explicit StagingFolder(const fs::path& parent) {
+    for (int attempt = 0; path_.empty(); ++attempt) {
+      const fs::path path = parent / fmt::format("pictures.{}-{}.tmp", ::getpid(), attempt);
+      if (::mkdir(path.c_str(), 0777) == 0)
+        path_ = path;
+      else if (errno != EEXIST)
+        throw std::system_error(errno, std::generic_category(),
+                                fmt::format("cannot write '{}'", path.string()));
+    }
   }
-  return notes;
+  StagingFolder(const StagingFolder&) = delete;
+  StagingFolder& operator=(const StagingFolder&) = delete;
+  ~StagingFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// Whether a picture ends as its format does; gnuplot does not say that a disk was full.
+bool is_whole(const fs::path& image) {
+  constexpr std::string_view kSvgEnd = "</svg>";
+  constexpr std::string_view kPngEnd("\0\0\0\0IEND\xAE\x42\x60\x82", 12);
+  std::ifstream file(image, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (image.extension() == ".png") return bytes.ends_with(kPngEnd);
+  bytes.resize(bytes.find_last_not_of(" \r\n") + 1);
+  return bytes.ends_with(kSvgEnd);
+}
+
+/// Moves the images of a figure between folders; why that does not work, else empty.
+std::string publish_images(const Figure& figure, const fs::path& from, const fs::path& to) {
+  for (const char* type : kImageTypes)
+    if (const std::string image = figure.name + type; !is_whole(from / image))
+      return fmt::format("cannot write '{}': gnuplot left it incomplete, as on a full disk; make "
+                         "space and run again",
+                         (to / image).string());
+  for (const char* type : kImageTypes) {
+    const std::string image = figure.name + type;
+    std::error_code error;
+    fs::rename(from / image, to / image, error);
+    if (error) return fmt::format("cannot write '{}': {}", (to / image).string(), error.message());
+  }
+  return {};
+}
+
+/// All figures at the same time, aside, so that nobody meets half a picture.
+std::vector<std::string> draw(const std::vector<Figure>& figures, const fs::path& directory) {
+  const StagingFolder staging(directory);
+  std::vector<GnuplotProcess> processes;
+  for (const Figure& figure : figures)
+    processes.emplace_back(staging.path(), "../" + script_name(figure));
+  std::vector<std::string> errors;
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    std::string error = processes[k].wait();
+    if (!error.empty())
+      error = fmt::format("{} was not drawn: {}", figures[k].name, error);
+    else
+      error = publish_images(figures[k], staging.path(), directory);
+    if (error.empty()) continue;
+    remove_images(figures[k], directory);
+    errors.push_back(std::move(error));
+  }
+  return errors;
 }
 
 /// Writes the scripts of the figures and has them drawn.
-std::vector<std::string> draw_below(const fs::path& directory, const std::vector<Figure>& all) {
+Undrawn draw_below(const fs::path& directory, const std::vector<Figure>& all) {
   if (all.empty()) return {};
   const fs::path plots = directory / "plots";
   write_scripts(all, plots);
   for (const Figure& figure : all) remove_images(figure, plots);
   try {
-    return draw(all, plots);
+    return {{}, draw(all, plots)};
   } catch (const std::system_error& error) {
-    return {fmt::format("plots were not drawn: {}; their scripts stand in {}", error.what(),
-                        plots.string())};
+    const std::string text = fmt::format("plots were not drawn: {}; their scripts stand in {}",
+                                         error.what(), plots.string());
+    if (error.code() == std::errc::no_such_file_or_directory) return {{text}, {}};
+    return {{}, {text}};
   }
 }
 
 }  // namespace
 
-std::vector<std::string> draw_plots(const Result& result, const fs::path& directory) {
+Undrawn draw_plots(const Result& result, const fs::path& directory) {
   return draw_below(directory, figures(kLoadFigures, result));
 }
 
-std::vector<std::string> draw_contact_plots(const Result& result, const fs::path& directory) {
-  std::vector<std::string> notes = draw_below(directory, figures(kContactFigures, result));
+Undrawn draw_contact_plots(const Result& result, const fs::path& directory) {
+  Undrawn undrawn = draw_below(directory, figures(kContactFigures, result));
   for (const Interface i : kInterfaces)
     if (!result.contacts.interfaces[i].geometry.ok())
-      notes.push_back(fmt::format(
+      undrawn.notes.push_back(fmt::format(
           "pictures of the contacts were not drawn: the {} threads have no contact point ({})",
           label(i), failure(result.contacts, i).reason));
-  return notes;
+  return undrawn;
 }
 
-std::vector<std::string> draw_figures(const std::vector<Figure>& figures,
-                                      const fs::path& directory) {
+Undrawn draw_figures(const std::vector<Figure>& figures, const fs::path& directory) {
   return draw_below(directory, figures);
 }
 
-std::vector<std::string> draw_slip_plots(
-    const Result& result, const std::vector<std::pair<std::size_t, SlipPictures>>& pictures,
-    const fs::path& directory) {
+Undrawn draw_slip_plots(const Result& result,
+                        const std::vector<std::pair<std::size_t, SlipPictures>>& pictures,
+                        const fs::path& directory) {
   std::vector<Figure> all = power_over_load_figures(result);
   if (std::optional<Figure> figure = thread_power_figure(result)) all.push_back(*figure);
   for (std::size_t k = 0; k < pictures.size(); ++k) {

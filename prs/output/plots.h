@@ -12,24 +12,27 @@
 
 namespace prs {
 
+/// The pictures that are missing after a drawing, a line each.
+struct Undrawn {
+  std::vector<std::string> notes;   ///< There was no gnuplot, or nothing to draw.
+  std::vector<std::string> errors;  ///< Gnuplot failed, or could not write the whole picture.
+};
+
 /// Writes `plots/NAME.gp` below `directory` for every figure of the result (see result_figures.h)
-/// and has gnuplot draw `NAME.svg` and `NAME.png` beside it. Returns notes on what could not be
-/// drawn, as where gnuplot is missing. Throws std::system_error where the scripts cannot be
-/// written.
-std::vector<std::string> draw_plots(const Result& result, const std::filesystem::path& directory);
+/// and has gnuplot draw `NAME.svg` and `NAME.png` beside it: both, or none of them. Throws
+/// std::system_error where the scripts cannot be written.
+Undrawn draw_plots(const Result& result, const std::filesystem::path& directory);
 
 /// The same for the pictures of the contacts (see contact_figures.h).
-std::vector<std::string> draw_contact_plots(const Result& result,
-                                            const std::filesystem::path& directory);
+Undrawn draw_contact_plots(const Result& result, const std::filesystem::path& directory);
 
 /// The same for slip (see slip_figures.h). Patches and residue are drawn for the load cases, given
 /// by their indices, whose pictures are there; of several their files end in `_1`, `_2`, ...
-std::vector<std::string> draw_slip_plots(
-    const Result& result, const std::vector<std::pair<std::size_t, SlipPictures>>& pictures,
-    const std::filesystem::path& directory);
+Undrawn draw_slip_plots(const Result& result,
+                        const std::vector<std::pair<std::size_t, SlipPictures>>& pictures,
+                        const std::filesystem::path& directory);
 
 /// The same for figures at hand.
-std::vector<std::string> draw_figures(const std::vector<Figure>& figures,
-                                      const std::filesystem::path& directory);
+Undrawn draw_figures(const std::vector<Figure>& figures, const std::filesystem::path& directory);
 
 }  // namespace prs

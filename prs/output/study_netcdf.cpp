@@ -33,7 +33,7 @@ std::vector<std::string> known_statuses() {
   };
   for (const fe::NewtonStatus status :
        {fe::NewtonStatus::iteration_limit, fe::NewtonStatus::line_search_failed,
-        fe::NewtonStatus::not_positive_definite, fe::NewtonStatus::out_of_memory})
+        fe::NewtonStatus::not_positive_definite})
     add(fe::name(status));
   for (const SlipStatus status :
        {SlipStatus::not_computed, SlipStatus::no_equilibrium, SlipStatus::jammed})

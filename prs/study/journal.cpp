@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "prs/sha256.h"
+#include "prs/study/file_lock.h"
 
 namespace prs {
 namespace {
@@ -194,7 +195,7 @@ Journal Journal::append_to(const fs::path& path, const JournalHeader& header, bo
   journal.file_ =
       FileDescriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
   if (!journal.file_.is_open()) journal.fail(errno);
-  if (::flock(journal.file_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  if (!lock_file(journal.file_, LOCK_EX, path))
     throw StudyFolderError(fmt::format(
         "{}: error: another process is writing this journal; wait for it, or give another folder "
         "with --output",

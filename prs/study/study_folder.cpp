@@ -9,12 +9,12 @@
 #include <regex>
 #include <system_error>
 
+#include "prs/study/file_lock.h"
+
 namespace prs {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path lock_path(const fs::path& folder) { return folder / "study.lock"; }
 
 /// Whether the open file is still the one of that name.
 bool is_in_place(const FileDescriptor& file, const fs::path& path) {
@@ -24,32 +24,30 @@ bool is_in_place(const FileDescriptor& file, const fs::path& path) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-FileDescriptor locked(const fs::path& folder, int kind) {
-  const fs::path path = lock_path(folder);
+FileDescriptor locked(const fs::path& folder, const fs::path& path, int kind) {
   for (;;) {
     FileDescriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
     if (!file.is_open())
       throw std::system_error(errno, std::generic_category(),
                               fmt::format("cannot write '{}'", path.string()));
-    if (::flock(file.get(), kind | LOCK_NB) != 0) {
-      // File systems without locks are trusted.
-      if (errno != EWOULDBLOCK) return file;
+    if (!lock_file(file, kind, path))
       throw StudyFolderError(fmt::format(
           "{}: error: another process runs a study in this folder; wait for it, or give "
           "another folder with --output",
           folder.string()));
-    }
     if (is_in_place(file, path)) return file;
   }
 }
 
-/// Removes the study's files under temporary names, which processes left that died writing them.
+/// Removes the study's files under temporary names, which processes left that died writing them,
+/// and folders of pictures that gnuplot was at.
 void remove_unfinished(const fs::path& folder) {
-  const std::regex unfinished(R"((study\..*|.*\.gp)\.\d+-\d+\.tmp)");
+  const std::regex unfinished(R"((study\..*|.*\.gp|pictures)\.\d+-\d+\.tmp)");
   for (const fs::path& directory : {folder, folder / "plots"}) {
     std::error_code absent;
     for (const fs::directory_entry& entry : fs::directory_iterator(directory, absent))
-      if (std::regex_match(entry.path().filename().string(), unfinished)) fs::remove(entry.path());
+      if (std::regex_match(entry.path().filename().string(), unfinished))
+        fs::remove_all(entry.path());
   }
 }
 
@@ -69,18 +67,19 @@ std::vector<fs::path> journal_paths(const fs::path& folder) {
   return paths;
 }
 
-StudyFolder::StudyFolder(fs::path path, Use use) : path_(std::move(path)), use_(use) {
+StudyFolder::StudyFolder(fs::path path, Use use)
+    : path_(std::move(path)), lock_path_(path_ / "study.lock"), use_(use) {
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) throw std::system_error(error, fmt::format("cannot write '{}'", path_.string()));
-  lock_ = locked(path_, use == Use::alone ? LOCK_EX : LOCK_SH);
+  lock_ = locked(path_, lock_path_, use == Use::alone ? LOCK_EX : LOCK_SH);
   if (use == Use::alone) remove_unfinished(path_);
 }
 
 StudyFolder::~StudyFolder() {
   // The last one clears up; who opened the file meanwhile finds it out of place.
   if (lock_.is_open() && ::flock(lock_.get(), LOCK_EX | LOCK_NB) == 0)
-    ::unlink(lock_path(path_).c_str());
+    ::unlink(lock_path_.c_str());
 }
 
 void StudyFolder::remove_journals() const {

@@ -36,7 +36,7 @@ class StudyFolder {
   void remove_journals() const;
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path path_, lock_path_;
   Use use_;
   FileDescriptor lock_;
 };

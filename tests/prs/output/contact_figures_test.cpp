@@ -22,7 +22,7 @@ using test::abevi_contacts;
 using test::contact_lesson;
 using test::content_of;
 using test::equal_share;
-using test::expect_no_notes;
+using test::expect_drawn;
 using test::TemporaryDirectory;
 
 constexpr double mm = 1e-3;
@@ -239,7 +239,7 @@ TEST(ContactFigures, NeedBothContactPoints) {
   result.contacts.interfaces.nut.geometry.point.status = contact::ContactPointStatus::outside_flank;
   EXPECT_TRUE(all_figures(result).empty());
   const TemporaryDirectory temporary;
-  const auto notes = draw_contact_plots(result, temporary.path());
+  const auto notes = draw_contact_plots(result, temporary.path()).notes;
   ASSERT_EQ(notes.size(), 1);
   EXPECT_NE(notes[0].find("roller-nut"), std::string::npos) << notes[0];
 }
@@ -272,7 +272,7 @@ TEST(ContactFigures, DrawingsAreToScale) {
 TEST(ContactPlots, EveryFigureIsDrawnBesideItsScript) {
   const TemporaryDirectory temporary;
   ASSERT_NO_FATAL_FAILURE(
-      expect_no_notes(draw_contact_plots(analyze_contacts(truncated()), temporary.path())));
+      expect_drawn(draw_contact_plots(analyze_contacts(truncated()), temporary.path())));
   if (IsSkipped()) return;
   for (const char* name : {"contact_axial_section", "contact_xy", "contact_ellipses"}) {
     const fs::path base = temporary.path() / "plots" / name;
@@ -286,7 +286,7 @@ TEST(ContactPlots, NamesAreDrawnAsTheyStandAndNeverRun) {
   for (const std::string name : {"'; system('touch run'); '", "\"; system('touch run'); \"",
                                  "`touch run`", "}\n!touch run\n", "\xff\x01", ""}) {
     const TemporaryDirectory temporary;
-    ASSERT_NO_FATAL_FAILURE(expect_no_notes(draw_contact_plots(
+    ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_contact_plots(
         analyze_contacts(abevi_contacts({equal_share(name, 45e3)})), temporary.path())));
     if (IsSkipped()) return;
     EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "contact_ellipses.png")) << name;

@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <vector>
+
+#include "prs/output/plots.h"
 
 namespace test {
 
-/// Fails for each note of a drawing; skips the test where there is no gnuplot.
-inline void expect_no_notes(const std::vector<std::string>& notes) {
+/// Fails for each picture that is missing; skips the test where there is no gnuplot.
+inline void expect_drawn(const prs::Undrawn& undrawn) {
+  for (const std::string& error : undrawn.errors) ADD_FAILURE() << error;
+  const auto& notes = undrawn.notes;
   if (!notes.empty() && notes[0].find("No such file") != std::string::npos)
     GTEST_SKIP() << notes[0];
   for (const std::string& note : notes) ADD_FAILURE() << note;

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using test::add_sweep;
 using test::content_of;
 using test::equal_share_case;
-using test::expect_no_notes;
+using test::expect_drawn;
 using test::failed_case;
 using test::solved_case;
 using test::TemporaryDirectory;
@@ -112,7 +112,7 @@ TEST(Figures, MoreConfigurationsThanStylesAreLimited) {
 
 TEST(Plots, EveryFigureIsDrawnBesideItsScript) {
   const TemporaryDirectory temporary;
-  ASSERT_NO_FATAL_FAILURE(expect_no_notes(draw_plots(sweeps(), temporary.path())));
+  ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_plots(sweeps(), temporary.path())));
   if (IsSkipped()) return;
   for (const char* name : {"load_distribution", "peak_pressure", "stiffness", "butterfly"}) {
     const fs::path base = temporary.path() / "plots" / name;
@@ -133,7 +133,7 @@ TEST(Plots, FewThreadsAndAbsentTangentsAreDrawn) {
     }
   }
   const TemporaryDirectory temporary;
-  expect_no_notes(draw_plots(result, temporary.path()));
+  expect_drawn(draw_plots(result, temporary.path()));
 }
 
 /// The text as gnuplot's SVG holds it.
@@ -145,11 +145,11 @@ std::string escaped(const std::string& text) {
 
 TEST(Plots, NamesAreDrawnAsTheyStandAndNeverRun) {
   for (const std::string name :
-       {"'; system('touch run'); '", "''", "\"; system('touch run'); \"", "`touch run`",
-        "\\140touch run\\140", "$(touch run) $panel_1 @x # {", "}", "!touch run", "\\", "%s %d",
-        "<b>&amp;</b>", "a_{b}^c"}) {
+       {"'; system('touch ../run'); '", "''", "\"; system('touch ../run'); \"", "`touch ../run`",
+        "\\140touch ../run\\140", "$(touch ../run) $panel_1 @x # {", "}", "!touch ../run", "\\",
+        "%s %d", "<b>&amp;</b>", "a_{b}^c"}) {
     const TemporaryDirectory temporary;
-    ASSERT_NO_FATAL_FAILURE(expect_no_notes(draw_plots(single_case(name), temporary.path())));
+    ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_plots(single_case(name), temporary.path())));
     if (IsSkipped()) return;
     const fs::path plots = temporary.path() / "plots";
     EXPECT_FALSE(fs::exists(plots / "run")) << name;
@@ -159,9 +159,9 @@ TEST(Plots, NamesAreDrawnAsTheyStandAndNeverRun) {
 }
 
 TEST(Plots, MalformedNamesAreDrawn) {
-  for (const std::string name : {"\xff\x01 \xEF\xBF\xBF", "}\n!touch run\n", ""}) {
+  for (const std::string name : {"\xff\x01 \xEF\xBF\xBF", "}\n!touch ../run\n", ""}) {
     const TemporaryDirectory temporary;
-    ASSERT_NO_FATAL_FAILURE(expect_no_notes(draw_plots(single_case(name), temporary.path())));
+    ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_plots(single_case(name), temporary.path())));
     if (IsSkipped()) return;
     EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "load_distribution.png"));
     EXPECT_FALSE(fs::exists(temporary.path() / "plots" / "run"));
@@ -171,30 +171,69 @@ TEST(Plots, MalformedNamesAreDrawn) {
 TEST(Plots, MissingGnuplotLeavesScriptsAndANote) {
   const TemporaryDirectory temporary;
   const Path nowhere((temporary.path() / "nowhere").string());
-  const auto notes = draw_plots(single_case("a"), temporary.path());
-  ASSERT_EQ(notes.size(), 1);
-  EXPECT_NE(notes[0].find("gnuplot: No such file or directory"), std::string::npos) << notes[0];
+  const Undrawn undrawn = draw_plots(single_case("a"), temporary.path());
+  ASSERT_EQ(undrawn.notes.size(), 1);
+  EXPECT_NE(undrawn.notes[0].find("gnuplot: No such file or directory"), std::string::npos)
+      << undrawn.notes[0];
+  EXPECT_TRUE(undrawn.errors.empty());
   EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "load_distribution.gp"));
 }
 
-TEST(Plots, FailingGnuplotIsReportedAndLeavesNoImage) {
-  const TemporaryDirectory temporary;
-  write_files(temporary.path(), {{"gnuplot",
-                                  "#!/bin/sh\n: > \"${2%.gp}.png\"\n"
-                                  "echo out of order >&2\nexit 3\n"}});
+/// Draws with a shell script for gnuplot; `$name` is that of the figure.
+Undrawn drawn_by(const std::string& script, const TemporaryDirectory& temporary) {
+  write_files(temporary.path(),
+              {{"gnuplot", "#!/bin/sh\nname=${2##*/}; name=${name%.gp}\n" + script}});
   fs::permissions(temporary.path() / "gnuplot", fs::perms::owner_all);
-  const Path broken(temporary.path().string());
-  const auto notes = draw_plots(single_case("a"), temporary.path());
-  ASSERT_EQ(notes.size(), 2);
-  EXPECT_NE(notes[0].find("out of order"), std::string::npos) << notes[0];
-  EXPECT_FALSE(fs::exists(temporary.path() / "plots" / "load_distribution.png"));
+  const Path fake(temporary.path().string());
+  return draw_plots(single_case("a"), temporary.path());
+}
+
+void expect_scripts_only(const fs::path& plots) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(plots))
+    EXPECT_EQ(entry.path().extension(), ".gp") << entry.path();
+}
+
+TEST(Plots, FailingGnuplotIsAnErrorAndLeavesNoImage) {
+  const TemporaryDirectory temporary;
+  const Undrawn undrawn =
+      drawn_by(": > \"$name.png\"\necho out of order >&2\nexit 3\n", temporary);
+  ASSERT_EQ(undrawn.errors.size(), 2);
+  EXPECT_NE(undrawn.errors[0].find("out of order"), std::string::npos) << undrawn.errors[0];
+  EXPECT_TRUE(undrawn.notes.empty());
+  expect_scripts_only(temporary.path() / "plots");
+}
+
+TEST(Plots, GnuplotThatIsKilledIsAnError) {
+  const TemporaryDirectory temporary;
+  const Undrawn undrawn = drawn_by("kill -9 $$\n", temporary);
+  ASSERT_EQ(undrawn.errors.size(), 2);
+  EXPECT_NE(undrawn.errors[0].find("signal 9"), std::string::npos) << undrawn.errors[0];
+}
+
+TEST(Plots, HalfAPictureIsAnErrorAlthoughGnuplotSaysNothing) {
+  const std::string svg = "echo '<svg></svg>' > $name.svg\n";
+  const std::string png = "printf '\\0\\0\\0\\0IEND\\256B`\\202' > $name.png\n";
+  for (const std::string& script :
+       {svg, png, png + "echo '<svg>' > $name.svg\n", png + ": > $name.svg\n",
+        svg + "printf '\\0\\0\\0\\0IEND\\256B`' > $name.png\n"}) {
+    const TemporaryDirectory temporary;
+    const Undrawn undrawn = drawn_by(script, temporary);
+    ASSERT_EQ(undrawn.errors.size(), 2) << script;
+    EXPECT_NE(undrawn.errors[0].find("/plots/load_distribution."), std::string::npos)
+        << undrawn.errors[0];
+    expect_scripts_only(temporary.path() / "plots");
+  }
+  const TemporaryDirectory temporary;
+  expect_drawn(drawn_by(svg + png, temporary));
+  EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "load_distribution.png"));
 }
 
 TEST(Plots, ResultWithoutAnswersDrawsNothing) {
   const TemporaryDirectory temporary;
   Result result;
   result.load_cases = {failed_case("hopeless")};
-  EXPECT_TRUE(draw_plots(result, temporary.path()).empty());
+  const Undrawn undrawn = draw_plots(result, temporary.path());
+  EXPECT_TRUE(undrawn.notes.empty() && undrawn.errors.empty());
   EXPECT_FALSE(fs::exists(temporary.path() / "plots"));
 }
 

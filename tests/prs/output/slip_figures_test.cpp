@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using test::add_sweep;
 using test::content_of;
 using test::equal_share_case;
-using test::expect_no_notes;
+using test::expect_drawn;
 using test::failed_case;
 using test::sample_pictures;
 using test::solved_case;
@@ -168,7 +168,7 @@ TEST(SlipFigures, ReferencesStandInBothPanels) {
 TEST(SlipPlots, EveryFigureIsDrawnBesideItsScript) {
   const TemporaryDirectory temporary;
   ASSERT_NO_FATAL_FAILURE(
-      expect_no_notes(draw_slip_plots(sweeps(), {{8, sample_pictures()}}, temporary.path())));
+      expect_drawn(draw_slip_plots(sweeps(), {{8, sample_pictures()}}, temporary.path())));
   if (IsSkipped()) return;
   for (const char* name :
        {"thread_power", "slip_patches", "slip_residue", "power_by_source", "power_by_source_2"}) {
@@ -181,7 +181,7 @@ TEST(SlipPlots, EveryFigureIsDrawnBesideItsScript) {
 
 TEST(SlipPlots, PicturesOfSeveralCasesAreNumbered) {
   const TemporaryDirectory temporary;
-  ASSERT_NO_FATAL_FAILURE(expect_no_notes(draw_slip_plots(
+  ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_slip_plots(
       sweeps(), {{0, sample_pictures()}, {8, sample_pictures()}}, temporary.path())));
   if (IsSkipped()) return;
   EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "slip_patches_1.png"));
@@ -200,14 +200,14 @@ TEST(SlipPlots, DegenerateValuesAreDrawn) {
   }
   pictures.residue_near_root = {{0.373, 0.373}, {{}, {}}};
   const TemporaryDirectory temporary;
-  expect_no_notes(draw_slip_plots(result, {{0, pictures}}, temporary.path()));
+  expect_drawn(draw_slip_plots(result, {{0, pictures}}, temporary.path()));
 }
 
 TEST(SlipPlots, NamesAreDrawnAsTheyStandAndNeverRun) {
   Result result;
   result.load_cases = {with_slip(equal_share_case("\"; system('touch run'); \""))};
   const TemporaryDirectory temporary;
-  expect_no_notes(draw_slip_plots(result, {{0, sample_pictures()}}, temporary.path()));
+  expect_drawn(draw_slip_plots(result, {{0, sample_pictures()}}, temporary.path()));
   EXPECT_FALSE(fs::exists(temporary.path() / "plots" / "run"));
 }
 

@@ -1,8 +1,12 @@
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/inotify.h>
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
@@ -174,6 +178,37 @@ TEST_F(StudyCommand, FullDiskIsToldAndNothingIsLost) {
   const Outcome later = prs(into(folder), "ulimit -f 400;");
   EXPECT_EQ(later.status, 1);
   EXPECT_THAT(later.err, HasSubstr("study."));
+  ASSERT_EQ(prs(into(folder)).status, 0);
+  ASSERT_EQ(prs(into(alone)).status, 0);
+  EXPECT_TRUE(files_in(folder) == files_in(alone));
+}
+
+TEST_F(StudyCommand, WaitsForAProcessThatIsAboutToEnd) {
+  test::write_study_file(file, 10);
+  fs::create_directory(folder);
+  const fs::path lock = folder / "study.lock";
+  FileDescriptor holder(::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  ASSERT_EQ(::flock(holder.get(), LOCK_EX | LOCK_NB), 0);
+  // The lock is given back when the study has come as far as asking for it.
+  const FileDescriptor opened(::inotify_init1(IN_CLOEXEC));
+  ASSERT_GE(::inotify_add_watch(opened.get(), lock.c_str(), IN_OPEN), 0);
+  test::Process study({test::program(), "study", file.string(), "--output", folder.string()});
+  std::array<char, 4096> event;
+  ASSERT_GT(::read(opened.get(), event.data(), event.size()), 0);
+  holder.close();
+  EXPECT_EQ(study.wait(), 0);
+  EXPECT_TRUE(fs::exists(folder / "study.json"));
+}
+
+TEST_F(StudyCommand, ThatCannotBeDrawnWholeGoesOnWithItsPictures) {
+  test::write_study_file(file, 200);
+  std::ofstream(temporary.path() / "gnuplot") << "#!/bin/sh\necho '<svg>' > study.svg\n";
+  fs::permissions(temporary.path() / "gnuplot", fs::perms::owner_all);
+  const Outcome half = prs(into(folder), "PATH='" + temporary.path().string() + "'");
+  EXPECT_EQ(half.status, 1);
+  EXPECT_THAT(half.err, HasSubstr("prs: error: cannot write '" + (folder / "plots").string()));
+  EXPECT_TRUE(fs::exists(journal_path(folder, {})));
+  EXPECT_TRUE(fs::exists(folder / "study.json"));
   ASSERT_EQ(prs(into(folder)).status, 0);
   ASSERT_EQ(prs(into(alone)).status, 0);
   EXPECT_TRUE(files_in(folder) == files_in(alone));

@@ -181,9 +181,9 @@ TEST(StudyFolder, IsOfOneStudyOrOfShards) {
 
 TEST(StudyFolder, RemovesWhatDeadProcessesLeft) {
   const test::TemporaryDirectory temporary;
-  fs::create_directory(temporary.path() / "plots");
+  fs::create_directories(temporary.path() / "plots" / "pictures.9-0.tmp");
   const std::vector<fs::path> left{"study.csv.123-0.tmp", "study.nc.77-1.tmp",
-                                   "plots/01_screw.gp.9-12.tmp"};
+                                   "plots/01_screw.gp.9-12.tmp", "plots/pictures.9-0.tmp/a.svg"};
   const std::vector<fs::path> others{"study.csv", "my-1.tmp", "my.csv.1-0.tmp", "plots/01.gp"};
   for (const auto& names : {left, others})
     for (const fs::path& name : names) std::ofstream(temporary.path() / name) << "x";
