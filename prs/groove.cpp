@@ -30,7 +30,6 @@ double default_root_depth(double pitch, double flank_angle) {
 
 Groove default_groove(bool internal, double pitch, double pitch_radius, double backward_angle,
                       double forward_angle) {
-  constexpr double kMeshedRootDepth = 0.23;  // pitches
   const double highest = 0.95 * sharp_height(pitch, std::max(backward_angle, forward_angle));
   Groove g;
   g.internal = internal;

@@ -40,6 +40,8 @@ struct Groove {
 /// flanks of a groove meet at its root.
 inline constexpr double kCrestHeight = 0.15;
 inline constexpr double kRootDepth = 0.25;
+/// Of roots in meshes and in stated heights, which leave grooves a bottom, in pitches.
+inline constexpr double kMeshedRootDepth = 0.23;
 
 /// Radial distance from the pitch line at which the flanks of ridges half a pitch wide meet [m].
 double sharp_height(double pitch, double flank_angle);
@@ -49,7 +51,7 @@ double sharp_height(double pitch, double flank_angle);
 double default_root_depth(double pitch, double flank_angle);
 
 /// Groove for bodies with teeth where the mechanism gives no heights: a maker's crest and, since a
-/// mesh needs a flat between the flanks, a root of 0.23 p only; both at most 95 % of what meeting
+/// mesh needs a flat between the flanks, `kMeshedRootDepth` only; both at most 95 % of what meeting
 /// flanks allow.
 Groove default_groove(bool internal, double pitch, double pitch_radius, double backward_angle,
                       double forward_angle);

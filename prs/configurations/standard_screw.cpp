@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "prs/configurations/roller_spacing.h"
+#include "prs/groove.h"
 
 namespace prs {
 namespace {
@@ -16,7 +17,7 @@ Mechanism standard_mechanism(const StandardScrew& s) {
   const double roller_diameter = s.screw_diameter / (s.starts - 2);
   const double centre_distance = 0.5 * (s.screw_diameter + roller_diameter);
   const double flank_angle = 0.25 * std::numbers::pi;
-  const ThreadHeight height{kCrestHeight * pitch, kRootDepth * pitch};
+  const ThreadHeight height{kCrestHeight * pitch, kMeshedRootDepth * pitch};
 
   Mechanism m;
   m.type = Mechanism::Type::standard;

@@ -18,10 +18,8 @@ struct StandardScrew {
   std::optional<double> roller_profile_radius = std::nullopt;
 };
 
-/// Part of the nut's length that carries threads, and the heights of crests and roots in pitches:
-/// those of makers whose catalogues print the screw's outer and root diameters; roots of 0.25, the
-/// whole V, are left at 0.23 so that grooves keep a bottom.
-inline constexpr double kThreadedShare = 0.68, kCrestHeight = 0.15, kRootDepth = 0.23;
+/// Part of the nut's length that carries threads.
+inline constexpr double kThreadedShare = 0.68;
 
 /// A complete mechanism of those numbers, with what catalogues keep to themselves by rule:
 ///
@@ -29,8 +27,9 @@ inline constexpr double kThreadedShare = 0.68, kCrestHeight = 0.15, kRootDepth =
 ///     p = l/n,  0.68 L/p contacts of a roller, in the middle of the nut
 ///     as many rollers as fit with half a pitch between their crests
 ///     flanks of 45 deg, screw and nut straight, rollers convex; crests 0.15 p, roots 0.23 p
-///     screw without bore; rollers whose ends, of 0.7 d_R, reach half way to the ends of the nut
-///     steel of 210 GPa, 0.3, 7800 kg/m^3 (that of the catalogue in validation/standard_screws)
+///     (groove.h) screw without bore; rollers whose ends, of 0.7 d_R, reach half way to the ends of
+///     the nut steel of 210 GPa, 0.3, 7800 kg/m^3 (that of the catalogue in
+///     validation/standard_screws)
 ///
 /// The nut is held at its near end in tension, at its far one in compression. No load cases.
 Case standard_screw_case(const StandardScrew& screw);
