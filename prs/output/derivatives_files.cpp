@@ -14,6 +14,7 @@
 #include "prs/output/study_figure_parts.h"
 #include "prs/output/study_text.h"
 #include "prs/output/text.h"
+#include "prs/output/warnings.h"
 
 namespace prs {
 namespace {
@@ -95,7 +96,7 @@ Figure elasticity_figure(const CaseDerivatives& result, std::size_t response,
 }  // namespace
 
 Json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info) {
-  Json document = document_head(info, {});
+  Json document = document_head(info, result.warnings);
   document["derivatives"] = Json::array();
   for (std::size_t k = 0; k < result.values.size(); ++k) {
     Json json;
@@ -158,7 +159,7 @@ std::string derivatives_table(const CaseDerivatives& result) {
                                          printable(result.study.factors[f].label),
                                          printable(result.factors[f].reason)),
                              "  ", kTableWidth);
-  return text;
+  return text + warning_section(result.warnings);
 }
 
 std::vector<Figure> derivatives_figures(const CaseDerivatives& result) {
