@@ -69,10 +69,10 @@ std::vector<std::string> void_input_notes(const Case& c) {
     for (const VoidInput& input : inputs)
       if (input.overrides == overrides) paths += (paths.empty() ? "" : ", ") + input.path;
     if (!paths.empty())
-      notes.push_back(
-          fmt::format("overridden by {}: no load or stiffness follows {}, only ellipses, pressures, "
-                      "capacities and slip do; delete the overrides to compute all from the geometry",
-                      overrides, paths));
+      notes.push_back(fmt::format(
+          "overridden by {}: no load or stiffness follows {}, only ellipses, pressures, "
+          "capacities and slip do; delete the overrides to compute all from the geometry",
+          overrides, paths));
   }
   return notes;
 }

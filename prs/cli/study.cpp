@@ -166,8 +166,8 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
                      options.output->string()));
     return kDone;
   }
-  const int status = deliver(rows, in, study, [&]() -> const DesignEngine& { return engine; },
-                             threads, options);
+  const int status = deliver(
+      rows, in, study, [&]() -> const DesignEngine& { return engine; }, threads, options);
   if (folder) folder->remove_journals();
   return status;
 }

@@ -132,8 +132,9 @@ struct CsvReader::Parts {
     while (parser.rows() == 0) {
       if (next == text.size()) {
         if (parser.finish()) return;
-        throw CsvError(row, "got a quote that never closes; expected `\"` at the end of the field; "
-                            "add it, or delete the one at its begin");
+        throw CsvError(row,
+                       "got a quote that never closes; expected `\"` at the end of the field; "
+                       "add it, or delete the one at its begin");
       }
       const std::string_view bytes = line();
       if (next + bytes.size() - row > kLongestRow)
@@ -141,13 +142,15 @@ struct CsvReader::Parts {
                                         "check that each quote is closed",
                                         kLongestRow >> 10U));
       if (const std::size_t taken = parser.take(bytes); taken < bytes.size())
-        throw CsvError(next + taken, "got a quote within a field; expected quotes around whole "
-                                     "fields; double each quote that belongs to the text");
+        throw CsvError(next + taken,
+                       "got a quote within a field; expected quotes around whole "
+                       "fields; double each quote that belongs to the text");
       next += bytes.size();
     }
     if (parser.rows() > 1)
-      throw CsvError(row, "got a carriage return within a line; expected lines that end with LF or "
-                          "CR LF; save the file with such line ends");
+      throw CsvError(row,
+                     "got a carriage return within a line; expected lines that end with LF or "
+                     "CR LF; save the file with such line ends");
   }
 
   std::string_view text;

@@ -135,14 +135,12 @@ class HistoryParser {
 
   [[noreturn]] void refuse(std::size_t field, std::string_view column, std::string_view got,
                            std::string_view expected, std::string_view fix) const {
-    refuse_at(
-        reader_.field_offset(reader_.row_offset(), field),
-        fmt::format("{}: got {}; expected {}; {}", shown(column), got, expected, fix));
+    refuse_at(reader_.field_offset(reader_.row_offset(), field),
+              fmt::format("{}: got {}; expected {}; {}", shown(column), got, expected, fix));
   }
 
   [[noreturn]] void refuse_at(std::size_t offset, std::string_view message) const {
-    throw InputError(
-        fmt::format("{}: error: {}", place_in(name_, text_, offset), message));
+    throw InputError(fmt::format("{}: error: {}", place_in(name_, text_, offset), message));
   }
 
   std::string_view text_;

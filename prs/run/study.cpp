@@ -56,11 +56,11 @@ auto with_responses_of(const input::StudyInput& in, Compute compute) {
 bool is_of_load_distribution(std::string_view response) {
   if (response.starts_with("load_cases["))
     response.remove_prefix(std::min(response.find('.') + 1, response.size()));
-  static constexpr std::string_view kOfCase[] = {"axial_displacement_um", "axial_stiffness_N_per_um",
-                                                 "tangent_stiffness_N_per_um"};
+  static constexpr std::string_view kOfCase[] = {
+      "axial_displacement_um", "axial_stiffness_N_per_um", "tangent_stiffness_N_per_um"};
   if (std::ranges::find(kOfCase, response) != std::end(kOfCase)) return true;
   static constexpr std::string_view kOfThreads[] = {
-      "axial_load_N", "normal_load_N",  "load_rate_percent",
+      "axial_load_N", "normal_load_N",    "load_rate_percent",
       "approach_um",  "normal_angle_deg", "hertz_constant_N_per_mm1_5"};
   for (const std::string_view interface : {"screw.", "nut."})
     if (response.starts_with(interface)) {
@@ -82,9 +82,10 @@ std::string void_warning(const std::string& path, const std::vector<std::string>
   if (!still.empty())
     named = still.size() == 1 ? fmt::format(" ({})", still[0])
                               : fmt::format(" ({} and {} more)", still[0], still.size() - 1);
-  return fmt::format("{} moves no load or stiffness{}: overridden by {}; delete the overrides to "
-                     "compute all from the geometry",
-                     path, named, overrides);
+  return fmt::format(
+      "{} moves no load or stiffness{}: overridden by {}; delete the overrides to "
+      "compute all from the geometry",
+      path, named, overrides);
 }
 
 /// What changes with a factor is void too.

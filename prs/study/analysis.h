@@ -51,7 +51,7 @@ struct StudySummary {
   std::vector<ResponseIndices> indices = {};      ///< One a response; of plan sobol_indices.
   /// Factors that no response follows, as far as designs that differ in one factor alone tell.
   std::vector<std::size_t> idle_factors = {};
-  std::optional<GridMaps> maps = {};              ///< Of a study with an envelope.
+  std::optional<GridMaps> maps = {};  ///< Of a study with an envelope.
   std::optional<EnvelopeResult> envelope = {};
 };
 

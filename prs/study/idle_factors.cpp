@@ -12,7 +12,7 @@
 namespace prs {
 namespace {
 
-constexpr double kClearlyFollowed = 10.0;     // Percent of the effects on a response.
+constexpr double kClearlyFollowed = 10.0;  // Percent of the effects on a response.
 constexpr std::size_t kMostDrawsSeen = 64;
 
 bool has_numbers(std::span<const double> row) {
@@ -20,9 +20,8 @@ bool has_numbers(std::span<const double> row) {
 }
 
 bool same_numbers(std::span<const double> one, std::span<const double> other) {
-  return std::ranges::equal(one, other, [](double a, double b) {
-    return a == b || (std::isnan(a) && std::isnan(b));
-  });
+  return std::ranges::equal(
+      one, other, [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
 }
 
 std::uint64_t hash_of(std::span<const double> row) {

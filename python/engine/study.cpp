@@ -108,9 +108,8 @@ class StudyRows {
       analysis.add(block);
     });
     result->summary = analysis.summary();
-    result->warnings =
-        study_warnings(source_->input(), *result,
-                       [this]() -> const DesignEngine& { return source_->engine(); });
+    result->warnings = study_warnings(
+        source_->input(), *result, [this]() -> const DesignEngine& { return source_->engine(); });
     return std::make_shared<Document>(
         [result, source = source_] { return study_json(*result, source->info()); });
   }

@@ -170,10 +170,8 @@ TEST(InterfaceGeometry, AbeviHertzConstants) {
   const auto hertz = [&](const InterfaceGeometry& g) {
     return hertz_constants(g.relative.first, g.relative.second, modulus).hertz_constant;
   };
-  EXPECT_NEAR(hertz(c.screw) / static_cast<double>(plain::abevi_hertz_constant(true)), 1.0,
-              1e-12);
-  EXPECT_NEAR(hertz(c.nut) / static_cast<double>(plain::abevi_hertz_constant(false)), 1.0,
-              1e-12);
+  EXPECT_NEAR(hertz(c.screw) / static_cast<double>(plain::abevi_hertz_constant(true)), 1.0, 1e-12);
+  EXPECT_NEAR(hertz(c.nut) / static_cast<double>(plain::abevi_hertz_constant(false)), 1.0, 1e-12);
   const PitchContact estimate =
       contact_at_pitch_radius(screw_pair(test::abevi()).body, screw_pair(test::abevi()).roller);
   EXPECT_NEAR(c.screw.relative.first, estimate.kappa_1, 1e-9 * per_mm);

@@ -196,15 +196,19 @@ TEST(PitchContact, AbeviScrewIsExactAndItsNutIsClose) {
 
   const PitchContact at_screw = contact_at_pitch_radius(screw, roller);
   const HertzConstants k = hertz_constants(at_screw.kappa_1, at_screw.kappa_2, modulus);
-  EXPECT_NEAR(k.hertz_constant / static_cast<double>(plain::abevi_hertz_constant(true)), 1.0, 1e-12);
-  EXPECT_NEAR(at_screw.normal_angle, static_cast<double>(plain::abevi_touch(true).normal_angle), 1e-13);
+  EXPECT_NEAR(k.hertz_constant / static_cast<double>(plain::abevi_hertz_constant(true)), 1.0,
+              1e-12);
+  EXPECT_NEAR(at_screw.normal_angle, static_cast<double>(plain::abevi_touch(true).normal_angle),
+              1e-13);
   EXPECT_NEAR(std::cos(at_screw.normal_angle), std::cos(45 * deg) * std::cos(screw.helix_angle()),
               1e-15);
 
   const PitchContact at_nut = contact_at_pitch_radius(internal, roller);
   const HertzConstants g = hertz_constants(at_nut.kappa_1, at_nut.kappa_2, modulus);
-  EXPECT_NEAR(g.hertz_constant / static_cast<double>(plain::abevi_hertz_constant(false)), 1.0, 1e-3);
-  EXPECT_NEAR(at_nut.normal_angle, static_cast<double>(plain::abevi_touch(false).normal_angle), 2e-4 * deg);
+  EXPECT_NEAR(g.hertz_constant / static_cast<double>(plain::abevi_hertz_constant(false)), 1.0,
+              1e-3);
+  EXPECT_NEAR(at_nut.normal_angle, static_cast<double>(plain::abevi_touch(false).normal_angle),
+              2e-4 * deg);
 }
 
 TEST(PitchContact, MirroredMechanismGivesTheSameContact) {

@@ -20,7 +20,8 @@ const std::string kHertzGiven =
 const std::string kAnglesGiven = "contact.normal_angle={screw: 45.0288 deg, nut: 45.0803 deg}";
 
 Case abevi_case(Texts overrides) {
-  overrides.push_back("load_cases=[{name: a, axial_force: 45 kN, direction: tension, position: 4 mm}]");
+  overrides.push_back(
+      "load_cases=[{name: a, axial_force: 45 kN, direction: tension, position: 4 mm}]");
   return input::read_case_text(input::kAbevi, "test.yaml", overrides, Command::solve);
 }
 
@@ -42,14 +43,15 @@ std::vector<double> distribution(const Texts& overrides) {
 
 /// Another value of an input that is void for some overrides.
 Texts with_another(Texts overrides, const std::string& path) {
-  const std::string value = path.starts_with("mechanism.flank_angle")     ? "44 deg"
-                            : path.starts_with("mechanism.profile_plane") ? "axial"
-                            : path == "mechanism.profile"
-                                ? "{screw: {convex: 60 mm}, roller: {convex: 4.5 mm}, nut: straight}"
-                            : path == "mechanism.profile.roller"  ? "{convex: 4.5 mm}"
-                            : path.starts_with("mechanism.profile") ? "{convex: 60 mm}"
-                            : path == "mechanism.centre_distance" ? "14.005 mm"
-                                                                  : "0.2";
+  const std::string value =
+      path.starts_with("mechanism.flank_angle")     ? "44 deg"
+      : path.starts_with("mechanism.profile_plane") ? "axial"
+      : path == "mechanism.profile"
+          ? "{screw: {convex: 60 mm}, roller: {convex: 4.5 mm}, nut: straight}"
+      : path == "mechanism.profile.roller"    ? "{convex: 4.5 mm}"
+      : path.starts_with("mechanism.profile") ? "{convex: 60 mm}"
+      : path == "mechanism.centre_distance"   ? "14.005 mm"
+                                              : "0.2";
   overrides.push_back(path + "=" + value);
   return overrides;
 }
@@ -60,19 +62,19 @@ TEST(VoidInputs, AreNoneWithoutOverrides) {
 }
 
 TEST(VoidInputs, OfBothConstantsAreWhatActsThroughTheContactAlone) {
-  EXPECT_THAT(void_paths({kHertzGiven, kAnglesGiven}),
-              UnorderedElementsAre("mechanism.flank_angle", "mechanism.profile",
-                                   "mechanism.profile_plane", "mechanism.centre_distance",
-                                   "materials.poisson_ratio"));
+  EXPECT_THAT(
+      void_paths({kHertzGiven, kAnglesGiven}),
+      UnorderedElementsAre("mechanism.flank_angle", "mechanism.profile", "mechanism.profile_plane",
+                           "mechanism.centre_distance", "materials.poisson_ratio"));
   EXPECT_THAT(void_paths({kHertzGiven}), ElementsAre("materials.poisson_ratio"));
   EXPECT_THAT(void_paths({kHertzGiven, "model.roller_shear=true"}), IsEmpty());
 }
 
 TEST(VoidInputs, OfOneInterfaceAreThoseOfItsBody) {
-  EXPECT_THAT(void_paths({"contact.hertz_constant.nut=4.2e5 N/mm^1.5",
-                          "contact.normal_angle.nut=45 deg"}),
-              UnorderedElementsAre("mechanism.flank_angle.nut", "mechanism.profile.nut",
-                                   "materials.nut.poisson_ratio"));
+  EXPECT_THAT(
+      void_paths({"contact.hertz_constant.nut=4.2e5 N/mm^1.5", "contact.normal_angle.nut=45 deg"}),
+      UnorderedElementsAre("mechanism.flank_angle.nut", "mechanism.profile.nut",
+                           "materials.nut.poisson_ratio"));
 }
 
 /// To the last bit: the same model of numbers is solved.
@@ -99,8 +101,9 @@ TEST(VoidInputs, AreOnlyThose) {
   const Texts refined{kHertzGiven, kAnglesGiven, "model.bodies=refined"};
   EXPECT_NE(distribution(with_another(refined, "materials.poisson_ratio")), distribution(refined));
   const Texts teeth{kHertzGiven, kAnglesGiven, "model.tooth_compliance={yamamoto: 2 mm}"};
-  EXPECT_THAT(void_paths(teeth), UnorderedElementsAre("mechanism.profile", "mechanism.profile_plane",
-                                                      "mechanism.centre_distance"));
+  EXPECT_THAT(void_paths(teeth),
+              UnorderedElementsAre("mechanism.profile", "mechanism.profile_plane",
+                                   "mechanism.centre_distance"));
   EXPECT_NE(distribution(with_another(teeth, "mechanism.flank_angle")), distribution(teeth));
 }
 

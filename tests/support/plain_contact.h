@@ -36,7 +36,7 @@ inline Slopes slopes(const Flank& f, Number hand, Number x, Number y) {
   const Number bend = f.profile_radius > 0 ? 1 / f.profile_radius : 0;
   const Number sine = std::sin(f.flank_angle) + (r - f.pitch_radius) * bend;
   const Number cosine = std::sqrt(1 - sine * sine);
-  const Number first = stretch * sine / cosine;                     // df/dr
+  const Number first = stretch * sine / cosine;                       // df/dr
   const Number second = stretch * bend / (cosine * cosine * cosine);  // d2f/dr2
   const Number helix = hand * turn;
   Slopes z;

@@ -43,7 +43,8 @@ TEST(CsvReader, TakesTheFirstSeparatorOutsideQuotes) {
 }
 
 TEST(CsvReader, SkipsBlanksEmptyLinesCommentsAndTheByteOrderMark) {
-  EXPECT_EQ(rows_of("\xEF\xBB\xBF# \"odd\n\n a , \"b\" \n  \n#,\n,\n"), (Rows{{"a", "b"}, {"", ""}}));
+  EXPECT_EQ(rows_of("\xEF\xBB\xBF# \"odd\n\n a , \"b\" \n  \n#,\n,\n"),
+            (Rows{{"a", "b"}, {"", ""}}));
   EXPECT_EQ(rows_of("a,\"x\n# kept\n\ny\"\n"), (Rows{{"a", "x\n# kept\n\ny"}}));
   EXPECT_TRUE(rows_of("").empty());
   EXPECT_TRUE(rows_of("# nothing").empty());

@@ -78,8 +78,8 @@ TEST(ForceHistory, NamesFileLineAndValueOfWhatIsNoNumber) {
 }
 
 TEST(ForceHistory, SeparatorsInQuotesSeparateNothing) {
-  const LoadHistory h = parse(
-      "\"place, date\",load,t,n\n\"1, 2\",10,0,60\n\"a \"\"b\"\",\n4, 5\",20,1,60\n");
+  const LoadHistory h =
+      parse("\"place, date\",load,t,n\n\"1, 2\",10,0,60\n\"a \"\"b\"\",\n4, 5\",20,1,60\n");
   EXPECT_THAT(h.force, ElementsAre(10e3, 20e3));
   EXPECT_THAT(h.time, ElementsAre(0.0, 1e-3));
   EXPECT_THAT(parse("\"x;y\",load,t,n\n0,10,0,60\n0,20,1,60\n").force, ElementsAre(10e3, 20e3));

@@ -70,7 +70,10 @@ TEST(IdleFactors, OneDesignOfAGridIsEnoughToFollow) {
       followed.add(std::vector{1.0, k == odd ? 1.0 + 1e-16 * 4 : 1.0}, k);
     EXPECT_THAT(followed.idle(), IsEmpty()) << odd;
   }
-  EXPECT_THAT(idle_of(study, [](const auto&) { return std::vector{1.0, kNoResponse}; }),
+  EXPECT_THAT(idle_of(study,
+                      [](const auto&) {
+                        return std::vector{1.0, kNoResponse};
+                      }),
               ElementsAre(0, 1, 2));
 }
 
@@ -112,7 +115,7 @@ TEST(IdleFactors, OfDrawnPlansAreFoundByPairsOfDesigns) {
       return std::vector{x[0] * x[2], 1.0};
     };
     EXPECT_THAT(idle_drawn(study, product, &designs), ElementsAre(1));
-    EXPECT_EQ(designs, 12u);  // Four of each factor that varies.
+    EXPECT_EQ(designs, 12u);                          // Four of each factor that varies.
     EXPECT_THAT(idle_of(study, product), IsEmpty());  // Its own designs do not tell.
   }
 }

@@ -136,10 +136,11 @@ TEST_F(StudyCommand, SaysWhichFactorsOverridesMakeVoidAndWhichMovedNothing) {
       "contact.hertz_constant and contact.normal_angle; delete the overrides to compute all from "
       "the geometry";
   const std::string is_idle =
-      "mechanism.flank_angle moved no response: all stay the same to the last digit; add a response "
+      "mechanism.flank_angle moved no response: all stay the same to the last digit; add a "
+      "response "
       "that follows it, or delete the factor";
-  for (const char* plan : {"one_at_a_time", "grid", "latin_hypercube, samples: 20",
-                           "sobol_indices, samples: 8"}) {
+  for (const char* plan :
+       {"one_at_a_time", "grid", "latin_hypercube, samples: 20", "sobol_indices, samples: 8"}) {
     const std::string study = "--set 'study={command: solve, plan: " + std::string(plan) + ", " +
                               factors + "responses: [axial_stiffness_N_per_um]}' ";
     const Outcome run = prs(lesson + study + "--json");
@@ -152,9 +153,8 @@ TEST_F(StudyCommand, SaysWhichFactorsOverridesMakeVoidAndWhichMovedNothing) {
     EXPECT_THAT(prs(lesson + study).out, HasSubstr("moved no response")) << plan;
   }
   // Pressures follow, on loads that do not.
-  const Outcome pressures =
-      prs(lesson + "--json --set 'study={command: solve, plan: grid, " + factors +
-          "responses: [screw.peak_pressure_MPa.max]}'");
+  const Outcome pressures = prs(lesson + "--json --set 'study={command: solve, plan: grid, " +
+                                factors + "responses: [screw.peak_pressure_MPa.max]}'");
   EXPECT_THAT(nlohmann::json::parse(pressures.out)["warnings"].get<std::vector<std::string>>(),
               testing::ElementsAre(testing::HasSubstr("flank_angle moves no load or stiffness:")));
   // Without overrides all of it follows.
