@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 /// A study whose factors have so many levels, or are drawn between 1 and 3 where it is 0.
-Study study_of(Plan plan, const std::vector<std::size_t>& levels, std::size_t samples = 0) {
+Study factor_study(Plan plan, const std::vector<std::size_t>& levels, std::size_t samples = 0) {
   Study study;
   study.plan = plan;
   study.samples = samples;
@@ -55,15 +55,16 @@ const Respond kFirstAndLast = [](const std::vector<double>& x) {
 TEST(IdleFactors, OfListedPlansAreThoseThatNoResponseFollows) {
   // One at a time from 0, a product of two factors does not move.
   const Respond sum = [](const std::vector<double>& x) { return std::vector{x[0] - x[2], 7.0}; };
-  EXPECT_THAT(idle_of(study_of(Plan::one_at_a_time, {2, 3, 4}), sum), ElementsAre(1));
-  EXPECT_THAT(idle_of(study_of(Plan::one_at_a_time, {2, 3, 4}), kFirstAndLast),
+  EXPECT_THAT(idle_of(factor_study(Plan::one_at_a_time, {2, 3, 4}), sum), ElementsAre(1));
+  EXPECT_THAT(idle_of(factor_study(Plan::one_at_a_time, {2, 3, 4}), kFirstAndLast),
               ElementsAre(0, 1, 2));
-  EXPECT_THAT(idle_of(study_of(Plan::grid, {2, 3, 4}), kFirstAndLast), ElementsAre(1));
-  EXPECT_THAT(idle_of(study_of(Plan::sobol_indices, {0, 0, 0}, 8), kFirstAndLast), ElementsAre(1));
+  EXPECT_THAT(idle_of(factor_study(Plan::grid, {2, 3, 4}), kFirstAndLast), ElementsAre(1));
+  EXPECT_THAT(idle_of(factor_study(Plan::sobol_indices, {0, 0, 0}, 8), kFirstAndLast),
+              ElementsAre(1));
 }
 
 TEST(IdleFactors, OneDesignOfAGridIsEnoughToFollow) {
-  const Study study = study_of(Plan::grid, {5, 6, 7});
+  const Study study = factor_study(Plan::grid, {5, 6, 7});
   for (const std::size_t odd : {std::size_t{1}, std::size_t{100}, design_count(study) - 1}) {
     FollowedFactors followed(study);
     for (std::size_t k = 0; k < design_count(study); ++k)
@@ -78,7 +79,7 @@ TEST(IdleFactors, OneDesignOfAGridIsEnoughToFollow) {
 }
 
 TEST(IdleFactors, AFactorThatDoesNotVaryIsNone) {
-  Study study = study_of(Plan::one_at_a_time, {1, 2});
+  Study study = factor_study(Plan::one_at_a_time, {1, 2});
   study.factors[0].base = study.factors[0].levels[0];
   EXPECT_THAT(idle_of(study, [](const auto&) { return std::vector{1.0, 2.0}; }), ElementsAre(1));
   study.plan = Plan::grid;
@@ -86,7 +87,7 @@ TEST(IdleFactors, AFactorThatDoesNotVaryIsNone) {
 }
 
 TEST(IdleFactors, DesignsWithoutNumbersTellNothingAndOneOfThemFollows) {
-  const Study study = study_of(Plan::one_at_a_time, {3, 2});
+  const Study study = factor_study(Plan::one_at_a_time, {3, 2});
   const std::vector<double> none(2, kNoResponse);
   EXPECT_THAT(idle_of(study, [&](const auto&) { return none; }), IsEmpty());
   const Respond fails = [&](const std::vector<double>& x) {
@@ -108,7 +109,7 @@ std::vector<std::size_t> idle_drawn(const Study& study, const Respond& respond,
 
 TEST(IdleFactors, OfDrawnPlansAreFoundByPairsOfDesigns) {
   for (const Plan plan : {Plan::latin_hypercube, Plan::sobol, Plan::monte_carlo}) {
-    const Study study = study_of(plan, {0, 2, 0, 1}, 50);
+    const Study study = factor_study(plan, {0, 2, 0, 1}, 50);
     std::size_t designs = 0;
     // Where all others are as in the file, at 0, the product would not follow.
     const Respond product = [](const std::vector<double>& x) {
