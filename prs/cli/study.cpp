@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
@@ -21,6 +22,7 @@
 #include "prs/output/study_files.h"
 #include "prs/output/study_json.h"
 #include "prs/output/study_table.h"
+#include "prs/output/text.h"
 #include "prs/run/analyses.h"
 #include "prs/run/study.h"
 #include "prs/study/analysis.h"
@@ -57,9 +59,15 @@ bool is_full_disk(const std::error_code& code) {
          (code.category() == std::generic_category() && code.value() == EDQUOT);
 }
 
+void warn(const std::vector<std::string>& warnings, const Options& options) {
+  for (const std::string& warning : warnings) note(options, "warning: " + printable(warning));
+}
+
 /// Tables, figures and files of a study whose rows are complete.
-int deliver(const StoredRows& rows, const Study& study, const DocumentInfo& info,
-            std::size_t threads, const Options& options) {
+int deliver(const StoredRows& rows, const input::StudyInput& in, const Study& study,
+            const std::function<const DesignEngine&()>& engine, std::size_t threads,
+            const Options& options) {
+  const DocumentInfo info = document_info(in.source);
   StudyResult result{study, {}, 0, 0, 0, {}};
   StudyAnalysis analysis(study);
   write_rows(rows, study, info, options.output ? &*options.output : nullptr, threads,
@@ -68,6 +76,7 @@ int deliver(const StoredRows& rows, const Study& study, const DocumentInfo& info
                analysis.add(block);
              });
   result.summary = analysis.summary();
+  result.warnings = study_warnings(in, result, engine);
   std::string document;
   if (options.json || options.output) document = json_text(study_json(result, info));
   bool written = true;
@@ -90,6 +99,7 @@ int deliver(const StoredRows& rows, const Study& study, const DocumentInfo& info
 /// The plan that is one case with its derivatives.
 int derivatives(const input::StudyInput& in, const Options& options) {
   const CaseDerivatives result = run_derivatives(in);
+  if (options.json) warn(result.warnings, options);
   std::string document;
   if (options.json || options.output)
     document = json_text(derivatives_json(result, document_info(in.source)));
@@ -122,6 +132,7 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
   if (in.study.plan == Plan::derivatives) return derivatives(in, options);
   const DesignEngine engine = study_engine(in);
   const Study& study = engine.study();
+  warn(void_factor_warnings(in, study.responses), options);
   std::optional<StudyFolder> folder;
   if (options.output)
     folder.emplace(*options.output,
@@ -155,7 +166,8 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
                      options.output->string()));
     return kDone;
   }
-  const int status = deliver(rows, study, document_info(source), threads, options);
+  const int status = deliver(
+      rows, in, study, [&]() -> const DesignEngine& { return engine; }, threads, options);
   // Without a picture, the same command is to write it and need not compute again.
   if (folder && status != kFailed) folder->remove_journals();
   return status;
@@ -207,7 +219,12 @@ int merge_study(const Options& options) {
   std::optional<StudyFolder> folder;
   if (options.output) folder.emplace(*options.output, StudyFolder::Use::alone);
   const std::size_t threads = options.threads > 0 ? options.threads : available_processors();
-  return deliver(rows, study, document_info(header.source), threads, options);
+  std::optional<DesignEngine> engine;
+  const auto engine_of_study = [&]() -> const DesignEngine& {
+    if (!engine) engine.emplace(in);
+    return *engine;
+  };
+  return deliver(rows, in, study, engine_of_study, threads, options);
 }
 
 }  // namespace prs::cli

@@ -6,10 +6,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <optional>
 
+#include "prs/input/csv_reader.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/fail_at.h"
 #include "prs/input/field.h"
@@ -21,18 +21,12 @@ namespace {
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
 constexpr double kLargest = 1e30;
 
+/// A quoted field keeps the blanks around its number.
 std::string_view trimmed(std::string_view text) {
-  const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
   return text;
-}
-
-std::string_view unquoted(std::string_view text) {
-  text = trimmed(text);
-  return text.size() >= 2 && text.front() == '"' && text.back() == '"'
-             ? text.substr(1, text.size() - 2)
-             : text;
 }
 
 /// A column that is read: where it stands, and what turns its numbers into SI.
@@ -45,38 +39,6 @@ struct WantedColumn {
   std::size_t field = 0;
 };
 
-/// Cuts a text into lines and counts them.
-class Lines {
- public:
-  explicit Lines(std::string_view text) : rest_(text) {
-    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
-  }
-
-  /// The next line that is neither empty nor a comment.
-  bool next(std::string_view& line) {
-    while (!rest_.empty()) {
-      const char* end = static_cast<const char*>(std::memchr(rest_.data(), '\n', rest_.size()));
-      const std::size_t length = end ? static_cast<std::size_t>(end - rest_.data()) : rest_.size();
-      line = rest_.substr(0, length);
-      rest_.remove_prefix(std::min(length + 1, rest_.size()));
-      ++number_;
-      if (line.ends_with('\r')) line.remove_suffix(1);
-      if (!line.empty() && line.front() != '#' && !trimmed(line).empty()) return true;
-    }
-    return false;
-  }
-  std::size_t number() const { return number_; }
-
- private:
-  std::string_view rest_;
-  std::size_t number_ = 0;
-};
-
-char separator_of(std::string_view heading) {
-  const std::size_t at = heading.find_first_of(",;\t");
-  return at == std::string_view::npos ? ',' : heading[at];
-}
-
 std::string nearest(std::string_view column, std::vector<std::string_view> names) {
   std::erase_if(names, [](std::string_view name) { return name.size() > kLongestText; });
   const std::string hint = did_you_mean(column, names);
@@ -86,33 +48,34 @@ std::string nearest(std::string_view column, std::vector<std::string_view> names
 class HistoryParser {
  public:
   HistoryParser(std::string_view text, const std::string& name, const Source& source)
-      : lines_(text), name_(name), source_(source) {}
+      : text_(text), reader_(text), name_(name), source_(source) {}
 
   void parse(std::vector<WantedColumn>& columns) {
     read_heading(columns);
-    std::ranges::sort(columns, {}, &WantedColumn::field);
-    for (std::string_view line; lines_.next(line);) read_row(line, columns);
-    if (columns.front().values->size() < 2)
+    while (next_row()) read_row(columns);
+    const std::size_t rows = columns.front().values->size();
+    if (rows < 2)
       fail_at(source_, "life.history.file",
-              fmt::format("got {} rows in {}; expected at least 2 samples; check the file",
-                          columns.front().values->size(), name_));
+              fmt::format("got {} row{} of numbers in {}; expected at least 2; check the file",
+                          rows, rows == 1 ? "" : "s", name_));
   }
 
  private:
+  bool next_row() {
+    try {
+      return reader_.next();
+    } catch (const CsvError& error) {
+      refuse_at(error.offset(), error.what());
+    }
+  }
+
   void read_heading(std::vector<WantedColumn>& columns) {
-    std::string_view heading;
-    if (!lines_.next(heading))
+    if (!next_row())
       fail_at(source_, "life.history.file",
               fmt::format("got {}, which has no heading; expected a line with the names of the "
-                          "columns, then a row a sample",
+                          "columns, then one row per sample; check the file",
                           name_));
-    separator_ = separator_of(heading);
-    std::vector<std::string_view> names;
-    for (std::size_t begin = 0; begin <= heading.size();) {
-      const std::size_t end = std::min(heading.find(separator_, begin), heading.size());
-      names.push_back(unquoted(heading.substr(begin, end - begin)));
-      begin = end + 1;
-    }
+    const std::vector<std::string_view>& names = reader_.fields();
     width_ = names.size();
     for (WantedColumn& c : columns) {
       if (std::ranges::count(names, c.name->column) > 1)
@@ -130,81 +93,60 @@ class HistoryParser {
     }
   }
 
-  void read_row(std::string_view line, std::vector<WantedColumn>& columns) {
-    const char* at = line.data();
-    const char* const end = at + line.size();
-    std::size_t field = 0;
+  void read_row(std::vector<WantedColumn>& columns) {
+    const std::size_t width = reader_.fields().size();
+    // A decimal comma between commas would move all fields behind it.
+    if (width > width_)
+      refuse(0, "row", fmt::format("{} fields", width),
+             fmt::format("at most {} as in the heading", width_),
+             "write decimal marks as points, or quote texts that hold the separator");
     for (WantedColumn& c : columns) {
-      for (; field < c.field; ++field) {
-        at = at == nullptr ? nullptr
-                           : static_cast<const char*>(
-                                 std::memchr(at, separator_, static_cast<std::size_t>(end - at)));
-        if (at == nullptr)
-          refuse(line, line.size(), c.name->column, "nothing",
-                 fmt::format("a number in field {}", c.field + 1), "complete the row");
-        ++at;
-      }
-      c.values->push_back(c.factor * number(line, at, end, c.name->column));
-      if (c.key == "time") check_time(line, at, c);
+      if (c.field >= width)
+        refuse(width, c.name->column, "nothing", fmt::format("a number in field {}", c.field + 1),
+               "complete the row");
+      c.values->push_back(c.factor * number(c));
+      if (c.key == "time") check_time(c);
     }
-    check_width(line, at, field);
   }
 
-  /// A decimal comma between commas would move all fields behind it.
-  void check_width(std::string_view line, const char* last, std::size_t field) const {
-    const auto behind = std::count(last, line.data() + line.size(), separator_);
-    const std::size_t width = field + 1 + static_cast<std::size_t>(behind);
-    if (width <= width_) return;
-    refuse(line, 0, "row", fmt::format("{} fields", width),
-           fmt::format("at most {} as in the heading", width_),
-           "write decimal marks as points, or quote texts that hold the separator");
-  }
-
-  double number(std::string_view line, const char* at, const char* end, std::string_view column) {
-    const char* begin = at;
-    while (begin != end && (*begin == ' ' || *begin == '"')) ++begin;
-    const char* digits = begin != end && *begin == '+' ? begin + 1 : begin;
+  double number(const WantedColumn& c) const {
+    const std::string_view field = trimmed(reader_.fields()[c.field]);
+    const char* const end = field.data() + field.size();
     double value = 0.0;
-    const auto [stop, error] = std::from_chars(digits, end, value);
-    const char* rest = stop;
-    while (rest != end && (*rest == ' ' || *rest == '"' || *rest == '\t') && *rest != separator_)
-      ++rest;
-    if (error == std::errc{} && (rest == end || *rest == separator_) &&
-        std::abs(value) <= kLargest)  // Also keeps out NaN.
+    const auto [stop, error] =
+        std::from_chars(field.data() + (field.starts_with('+') ? 1 : 0), end, value);
+    if (error == std::errc{} && stop == end && std::abs(value) <= kLargest)  // NaN is not.
       return value;
-    const char* field_end = std::find(at, end, separator_);
-    const std::string_view field = trimmed({at, static_cast<std::size_t>(field_end - at)});
-    refuse(line, static_cast<std::size_t>(at - line.data()), column,
-           field.empty() ? "nothing" : shown(field), "a finite number, without unit",
+    refuse(c.field, c.name->column, field.empty() ? "nothing" : shown(field),
+           "a finite number, without unit",
            field.find(',') != std::string_view::npos ? "write the decimal mark as a point"
-                                                     : "mend or delete the row");
+                                                     : "fix or delete the row");
   }
 
-  void check_time(std::string_view line, const char* at, const WantedColumn& c) {
+  void check_time(const WantedColumn& c) const {
     const std::size_t n = c.values->size();
     if (n < 2 || (*c.values)[n - 1] >= (*c.values)[n - 2]) return;
-    refuse(line, static_cast<std::size_t>(at - line.data()), c.name->column,
+    refuse(c.field, c.name->column,
            fmt::format("{:.10g} {}", (*c.values)[n - 1] / c.factor, c.name->unit),
            fmt::format("a time not before that of the sample above, {:.10g} {}",
                        (*c.values)[n - 2] / c.factor, c.name->unit),
            "sort the rows");
   }
 
-  [[noreturn]] void refuse(std::string_view line, std::size_t offset, std::string_view column,
-                           std::string_view got, std::string_view expected,
-                           std::string_view mend) const {
-    const auto before = line.substr(0, offset);
-    const auto characters = std::ranges::count_if(
-        before, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
-    throw InputError(fmt::format("{}:{}:{}: error: {}: got {}; expected {}; {}", name_,
-                                 lines_.number(), characters + 1, shown(column), got, expected,
-                                 mend));
+  [[noreturn]] void refuse(std::size_t field, std::string_view column, std::string_view got,
+                           std::string_view expected, std::string_view fix) const {
+    refuse_at(reader_.field_offset(reader_.row_offset(), field),
+              fmt::format("{}: got {}; expected {}; {}", shown(column), got, expected, fix));
   }
 
-  Lines lines_;
+  [[noreturn]] void refuse_at(std::size_t offset, std::string_view message) const {
+    throw InputError(fmt::format("{}: error: {}", place_in(name_, text_, offset), message));
+  }
+
+  std::string_view text_;
+  CsvReader reader_;
   const std::string& name_;
   const Source& source_;
-  char separator_ = ',';
   std::size_t width_ = 0;  ///< Fields of the heading.
 };
 

@@ -59,13 +59,7 @@ Source source_of_text(std::string name, std::string text, std::vector<std::strin
 }
 
 std::string ErrorList::where(Place place) const {
-  const std::string_view before = std::string_view(source_.text).substr(0, place.offset);
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const std::string_view head = before.substr(before.rfind('\n') + 1);
-  const auto column = 1 + std::count_if(head.begin(), head.end(), [](char c) {
-                        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-                      });
-  return fmt::format("{}:{}:{}", source_.name, line, column);
+  return place_in(source_.name, source_.text, place.offset);
 }
 
 void ErrorList::add(Place place, std::string_view key, std::string_view message) {
@@ -116,6 +110,16 @@ void ErrorList::throw_if_any() const {
                            shown(source_.overrides[static_cast<std::size_t>(e->place.argument)]));
   }
   throw InputError(lines);
+}
+
+std::string place_in(std::string_view name, std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::string_view head = before.substr(before.rfind('\n') + 1);
+  const auto column = 1 + std::count_if(head.begin(), head.end(), [](char c) {
+                        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+                      });
+  return fmt::format("{}:{}:{}", name, line, column);
 }
 
 std::string shown(std::string_view text) {

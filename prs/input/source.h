@@ -84,6 +84,9 @@ class ErrorList {
   std::vector<Error> consequences_;
 };
 
+/// `NAME:LINE:COLUMN` of an offset into a text, counted from 1, the column in characters.
+std::string place_in(std::string_view name, std::string_view text, std::size_t offset);
+
 /// A text from the input, shortened and without control characters, as messages show it.
 std::string shown(std::string_view text);
 

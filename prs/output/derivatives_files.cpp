@@ -15,6 +15,7 @@
 #include "prs/output/study_figure_parts.h"
 #include "prs/output/study_text.h"
 #include "prs/output/text.h"
+#include "prs/output/warnings.h"
 
 namespace prs {
 namespace {
@@ -106,7 +107,7 @@ std::string without_derivative(const CaseDerivatives& result, std::size_t factor
 }  // namespace
 
 Json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info) {
-  Json document = document_head(info, {});
+  Json document = document_head(info, result.warnings);
   document["derivatives"] = Json::array();
   for (std::size_t k = 0; k < result.values.size(); ++k) {
     Json json;
@@ -170,7 +171,7 @@ std::string derivatives_table(const CaseDerivatives& result) {
                                          without_derivative(result, f),
                                          printable(result.factors[f].reason)),
                              "  ", kTableWidth);
-  return text;
+  return text + warning_section(result.warnings);
 }
 
 std::vector<Figure> derivatives_figures(const CaseDerivatives& result) {

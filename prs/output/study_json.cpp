@@ -278,7 +278,7 @@ std::string_view name(Plan plan) {
 }
 
 Json study_json(const StudyResult& result, const DocumentInfo& info) {
-  Json document = document_head(info, {});
+  Json document = document_head(info, result.warnings);
   document["study"] = study_head(result.study);
   document["summary"] = summary_json(result);
   if (result.summary.envelope) document["envelope"] = envelope_json(result);

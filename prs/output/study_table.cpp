@@ -13,6 +13,7 @@
 #include "prs/output/study_json.h"
 #include "prs/output/study_text.h"
 #include "prs/output/text.h"
+#include "prs/output/warnings.h"
 
 namespace prs {
 namespace {
@@ -406,11 +407,11 @@ std::string head(const StudyResult& result) {
 
 std::string study_table(const StudyResult& result) {
   const Study& study = result.study;
+  const std::string end = failures(result) + warning_section(result.warnings);
   if (study.plan == Plan::one_at_a_time || (study.plan == Plan::grid && study.factors.size() == 1))
-    return factor_tables(result) + failures(result);
+    return factor_tables(result) + end;
   return head(result) + rankings(result) + statistics(result) +
-         (study.plan == Plan::grid ? extremes(result) : "") + envelope_text(result) +
-         failures(result);
+         (study.plan == Plan::grid ? extremes(result) : "") + envelope_text(result) + end;
 }
 
 std::string progress_line(std::size_t done, std::size_t total, double seconds) {

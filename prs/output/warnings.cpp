@@ -56,4 +56,10 @@ std::string warning_summary(const Result& result) {
   return summary.empty() ? summary : "Warnings\n" + summary;
 }
 
+std::string warning_section(const std::vector<std::string>& warnings) {
+  std::string text;
+  for (const std::string& warning : warnings) text += wrapped(printable(warning), "  ", kWidth);
+  return text.empty() ? text : "\nWarnings\n" + text;
+}
+
 }  // namespace prs

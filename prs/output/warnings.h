@@ -10,4 +10,7 @@ namespace prs {
 /// differ in their numbers only, as those of a range do, count as one. Empty where there is none.
 std::string warning_summary(const Result& result);
 
+/// Warnings that belong to no load case, below an empty line; empty where there are none.
+std::string warning_section(const std::vector<std::string>& warnings);
+
 }  // namespace prs

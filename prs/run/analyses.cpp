@@ -12,6 +12,7 @@
 #include "prs/slip.h"
 #include "prs/unusual.h"
 #include "prs/version.h"
+#include "prs/void_inputs.h"
 
 namespace prs {
 namespace {
@@ -36,6 +37,7 @@ CheckResult run_check(const input::Source& source, const input::CaseInput& in) {
   result.unusual = result.contacts.warnings;
   for (std::string& note : unusual_geometry(in.values, result.contacts))
     result.unusual.push_back(std::move(note));
+  for (std::string& note : void_input_notes(in.values)) result.unusual.push_back(std::move(note));
   return result;
 }
 

@@ -4,14 +4,19 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "prs/input/compute_from.h"
 #include "prs/input/fail_at.h"
 #include "prs/input/force_history.h"
+#include "prs/study/idle_factors.h"
 #include "prs/study/journal.h"
 #include "prs/version.h"
+#include "prs/void_inputs.h"
 
 namespace prs {
 namespace {
@@ -47,6 +52,67 @@ auto with_responses_of(const input::StudyInput& in, Compute compute) {
   }
 }
 
+/// Numbers that the load distribution alone decides, and nothing of the geometry besides.
+bool is_of_load_distribution(std::string_view response) {
+  if (response.starts_with("load_cases["))
+    response.remove_prefix(std::min(response.find('.') + 1, response.size()));
+  static constexpr std::string_view kOfCase[] = {
+      "axial_displacement_um", "axial_stiffness_N_per_um", "tangent_stiffness_N_per_um"};
+  if (std::ranges::find(kOfCase, response) != std::end(kOfCase)) return true;
+  static constexpr std::string_view kOfThreads[] = {
+      "axial_load_N", "normal_load_N",    "load_rate_percent",
+      "approach_um",  "normal_angle_deg", "hertz_constant_N_per_mm1_5"};
+  for (const std::string_view interface : {"screw.", "nut."})
+    if (response.starts_with(interface)) {
+      response.remove_prefix(interface.size());
+      return std::ranges::find(kOfThreads, response.substr(0, response.find_first_of(".["))) !=
+             std::end(kOfThreads);
+    }
+  return false;
+}
+
+bool is_of_geometry(std::string_view response) {
+  return response.starts_with("contact.") || response.starts_with("threads.");
+}
+
+/// `still`: the responses that do not follow the factor.
+std::string void_warning(const std::string& path, const std::vector<std::string>& still,
+                         std::string_view overrides) {
+  std::string named;
+  if (!still.empty())
+    named = still.size() == 1 ? fmt::format(" ({})", still[0])
+                              : fmt::format(" ({} and {} more)", still[0], still.size() - 1);
+  return fmt::format(
+      "{} moves no load or stiffness{}: overridden by {}; delete the overrides to "
+      "compute all from the geometry",
+      path, named, overrides);
+}
+
+/// What changes with a factor is void too.
+const VoidInput* void_factor(const std::vector<VoidInput>& inputs, const Factor& factor) {
+  const auto is_void = [&](const Factor& companion) { return find_void(inputs, companion.path); };
+  return std::ranges::all_of(factor.companions, is_void) ? find_void(inputs, factor.path) : nullptr;
+}
+
+std::string idle_warning(const Factor& factor) {
+  return fmt::format(
+      "{} moved no response: all stay the same to the last digit; add a response that follows it, "
+      "or delete the factor",
+      factor.path);
+}
+
+/// Factors by which no response has a derivative other than 0.
+std::vector<std::string> idle_warnings(const CaseDerivatives& result) {
+  std::vector<std::string> warnings;
+  for (std::size_t f = 0; f < result.factors.size(); ++f) {
+    const auto is_zero = [](const std::optional<Derivative>& d) { return d && d->value == 0.0; };
+    const auto& responses = result.factors[f].responses;
+    if (!responses.empty() && std::ranges::all_of(responses, is_zero))
+      warnings.push_back(idle_warning(result.study.factors[f]));
+  }
+  return warnings;
+}
+
 }  // namespace
 
 DesignEngine study_engine(const input::StudyInput& in) {
@@ -54,7 +120,44 @@ DesignEngine study_engine(const input::StudyInput& in) {
 }
 
 CaseDerivatives run_derivatives(const input::StudyInput& in) {
-  return input::compute_from(in.source, [&] { return with_responses_of(in, case_derivatives); });
+  CaseDerivatives result =
+      input::compute_from(in.source, [&] { return with_responses_of(in, case_derivatives); });
+  result.warnings = void_factor_warnings(in, result.study.responses);
+  for (std::string& warning : idle_warnings(result)) result.warnings.push_back(std::move(warning));
+  return result;
+}
+
+std::vector<std::string> void_factor_warnings(const input::StudyInput& in,
+                                              const std::vector<std::string>& responses) {
+  std::vector<std::string> warnings;
+  if (in.study.command == Command::contact || std::ranges::all_of(responses, is_of_geometry))
+    return warnings;
+  // Of other bodies other inputs are void.
+  const auto changes_model = [](const DrawnInput& drawn) {
+    return drawn.input->path.starts_with("model");
+  };
+  if (std::ranges::any_of(drawn_inputs(in.study), changes_model)) return warnings;
+  const std::vector<VoidInput> inputs = void_inputs(input::read_design(in, {}));
+  if (inputs.empty()) return warnings;
+  std::vector<std::string> still;
+  std::ranges::copy_if(responses, std::back_inserter(still), is_of_load_distribution);
+  for (const Factor& factor : in.study.factors)
+    if (const VoidInput* input = void_factor(inputs, factor))
+      warnings.push_back(void_warning(factor.path, still, input->overrides));
+  return warnings;
+}
+
+std::vector<std::string> study_warnings(const input::StudyInput& in, const StudyResult& result,
+                                        const std::function<const DesignEngine&()>& engine) {
+  const Study& study = result.study;
+  std::vector<std::string> warnings = void_factor_warnings(in, study.responses);
+  std::vector<std::size_t> idle = result.summary.idle_factors;
+  if (is_sampled(study.plan) && study.plan != Plan::sobol_indices)
+    idle = idle_drawn_factors(
+        study, result.summary.surfaces ? &*result.summary.surfaces : nullptr,
+        [&](const std::vector<std::vector<Draw>>& designs) { return engine().evaluate(designs); });
+  for (const std::size_t f : idle) warnings.push_back(idle_warning(study.factors[f]));
+  return warnings;
 }
 
 Evaluate evaluate_with(const DesignEngine& engine) {

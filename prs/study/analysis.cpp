@@ -8,6 +8,9 @@
 #include <cstdint>
 #include <span>
 
+#include "prs/study/idle_factors.h"
+#include "prs/study/mixed_bits.h"
+
 namespace prs {
 namespace {
 
@@ -46,21 +49,13 @@ class Moments {
   std::size_t max_design_ = 0;
 };
 
-/// A one-to-one mixing of 64 bits (Steele et al. 2014, splitmix64).
-std::uint64_t mixed(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-  return x ^ (x >> 31);
-}
-
 /// The rows of up to `kMostValuesKept` designs, those whose numbers have the smallest hashes.
 class KeptRows {
  public:
   explicit KeptRows(std::size_t responses) : responses_(responses) {}
 
   void add(std::span<const double> row, std::size_t design) {
-    const std::uint64_t hash = mixed(design);
+    const std::uint64_t hash = mixed_bits(design + kGoldenStep);
     if (heap_.size() < kMostValuesKept) {
       heap_.push_back({hash, heap_.size()});
       values_.insert(values_.end(), row.begin(), row.end());
@@ -134,6 +129,7 @@ bool any_finite(std::span<const double> values) { return std::ranges::any_of(val
 struct StudyAnalysis::Parts {
   explicit Parts(const Study& s)
       : study(s),
+        followed(s),
         factors(normalised_factors(s)),
         moments(s.responses.size()),
         kept(s.responses.size()),
@@ -152,6 +148,7 @@ struct StudyAnalysis::Parts {
   }
 
   void add(std::span<const double> row, std::size_t design) {
+    followed.add(row, design);
     if (design == 0) return;
     if (!indices.empty() && !add_to_sample(row, design)) return;
     if (!any_finite(row)) return;
@@ -181,6 +178,7 @@ struct StudyAnalysis::Parts {
   }
 
   Study study;
+  FollowedFactors followed;
   std::vector<NormalisedFactor> factors;
   std::size_t next = 0;  ///< Design.
   std::vector<Moments> moments;
@@ -231,6 +229,7 @@ StudySummary StudyAnalysis::summary() const {
   if (!parts_->reason.empty()) summary.surfaces = ResponseSurfaces{0, parts_->reason};
   for (const VarianceIndices& indices : parts_->indices)
     summary.indices.push_back(indices.result());
+  summary.idle_factors = parts_->followed.idle();
   if (parts_->maps && parts_->maps->maps()) {
     summary.maps = parts_->maps->maps();
     summary.envelope = evaluate_envelope(parts_->study, *summary.maps);

@@ -49,7 +49,9 @@ struct StudySummary {
   std::vector<ResponseStatistics> statistics;     ///< One a response.
   std::optional<ResponseSurfaces> surfaces = {};  ///< Of sampled plans with numeric factors.
   std::vector<ResponseIndices> indices = {};      ///< One a response; of plan sobol_indices.
-  std::optional<GridMaps> maps = {};              ///< Of a study with an envelope.
+  /// Factors that no response follows, as far as designs that differ in one factor alone tell.
+  std::vector<std::size_t> idle_factors = {};
+  std::optional<GridMaps> maps = {};  ///< Of a study with an envelope.
   std::optional<EnvelopeResult> envelope = {};
 };
 

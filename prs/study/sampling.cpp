@@ -7,30 +7,23 @@
 #include <numbers>
 #include <vector>
 
+#include "prs/study/mixed_bits.h"
+
 namespace prs {
 namespace {
 
 constexpr unsigned kBits = 32;  // Of the index of a Sobol point.
-
-/// SplitMix64's finaliser: a permutation of the 64-bit numbers whose output looks random.
-constexpr std::uint64_t mixed(std::uint64_t x) {
-  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
-  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
-  return x ^ (x >> 31U);
-}
-
-constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15U;
 
 /// What numbers are drawn for: each purpose has streams of its own.
 enum class Purpose : std::uint64_t { monte_carlo, strata, within_stratum, shift };
 
 constexpr std::uint64_t key_of(std::uint64_t seed, std::size_t dimension, Purpose purpose) {
   const std::uint64_t stream = 4 * dimension + static_cast<std::uint64_t>(purpose);
-  return mixed(seed + (stream + 1) * kGolden);
+  return mixed_bits(seed + (stream + 1) * kGoldenStep);
 }
 
 constexpr std::uint64_t random_bits(std::uint64_t key, std::uint64_t k) {
-  return mixed(key + (k + 1) * kGolden);
+  return mixed_bits(key + (k + 1) * kGoldenStep);
 }
 
 /// The middle of the cell of width 2^-52 that the highest bits name: never 0, never 1.
@@ -70,8 +63,8 @@ std::uint64_t permuted(std::uint64_t key, std::uint64_t k, std::uint64_t n) {
   do {
     std::uint64_t low = k & low_mask, high = k >> low_bits;
     for (std::uint64_t round = 0; round < rounds; round += 2) {
-      low ^= mixed(key + ((high << 5U) | round) * kGolden) & low_mask;
-      high ^= mixed(key + ((low << 5U) | (round + 1)) * kGolden) & high_mask;
+      low ^= mixed_bits(key + ((high << 5U) | round) * kGoldenStep) & low_mask;
+      high ^= mixed_bits(key + ((low << 5U) | (round + 1)) * kGoldenStep) & high_mask;
     }
     k = (high << low_bits) | low;
   } while (k >= n);

@@ -29,6 +29,7 @@ struct StudyResult {
   std::size_t refused = 0;
   std::size_t failed = 0;  ///< Not converged, or failed.
   StudySummary summary;
+  std::vector<std::string> warnings = {};
 
   const StudyRow& base() const { return rows.front(); }
 };

@@ -2,20 +2,24 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "prs/input/csv_reader.h"
 #include "prs/input/source.h"
 
 namespace prs {
 
-/// Comma-separated values below one line of column names, as a source's scripts write them. Fields
-/// are bare: quotes and empty fields are refused, as are rows of another length than the first. All
-/// members throw input::InputError, which names file, line and column.
+/// Comma-separated values below one line of column names, see `input::CsvReader`. Empty fields are
+/// refused, as are rows of another length than the first. All members throw input::InputError,
+/// which names file, line and column.
 class CsvTable {
  public:
   explicit CsvTable(const std::filesystem::path& file);
+  CsvTable(const CsvTable&) = delete;
+  CsvTable& operator=(const CsvTable&) = delete;
 
   std::size_t rows() const { return rows_.size(); }
   /// Index of the column; an error where there is none.
@@ -32,18 +36,19 @@ class CsvTable {
   [[noreturn]] void fail(std::size_t row, std::size_t column, std::string_view message) const;
 
  private:
-  struct Field {
-    std::string text;
-    input::Place place;
+  struct Row {
+    std::size_t offset = 0;  ///< Where it begins in the file.
+    std::vector<std::string> fields;
   };
-  using Row = std::vector<Field>;
 
-  Row read_row(std::size_t from, std::size_t to) const;
-  [[noreturn]] void fail_at(input::Place place, std::string_view key,
+  /// The next row; none at the end of the file.
+  std::optional<Row> next_row();
+  [[noreturn]] void fail_at(std::size_t offset, std::string_view key,
                             std::string_view message) const;
 
   input::Source source_;
-  Row header_;
+  input::CsvReader reader_;  ///< Of the source's text.
+  std::vector<std::string> header_;
   std::vector<Row> rows_;
 };
 

@@ -60,6 +60,12 @@ class StudySource : public std::enable_shared_from_this<StudySource> {
   const Study& study() const { return engine().study(); }
   const DocumentInfo& info() const { return info_; }
   std::size_t designs() const { return design_count(study()); }
+  const input::StudyInput& input() const { return in_; }
+
+  /// Of factors that overrides make void.
+  std::vector<std::string> warnings() const {
+    return void_factor_warnings(in_, engine_ ? study().responses : in_.study.responses);
+  }
 
   std::shared_ptr<Document> derivatives() const {
     auto result = std::make_shared<const CaseDerivatives>(run_derivatives(in_));
@@ -102,6 +108,8 @@ class StudyRows {
       analysis.add(block);
     });
     result->summary = analysis.summary();
+    result->warnings = study_warnings(
+        source_->input(), *result, [this]() -> const DesignEngine& { return source_->engine(); });
     return std::make_shared<Document>(
         [result, source = source_] { return study_json(*result, source->info()); });
   }
@@ -249,6 +257,8 @@ void bind_study(nb::module_& module) {
       .def_prop_ro("has_designs", &StudySource::has_designs)
       .def_prop_ro("count", &StudySource::designs)
       .def_prop_ro("chunk", [](const StudySource& s) { return s.engine().chunk(); })
+      .def_prop_ro("warnings", &StudySource::warnings,
+                   "Which factors overrides of the file make void.")
       .def("derivatives", &StudySource::derivatives, nb::call_guard<WithoutInterpreter>())
       .def("factor_names",
            [](const StudySource& s) {

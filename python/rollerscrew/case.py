@@ -183,6 +183,7 @@ class Case:
         leave `load_cases[0].` out, arrays take `[k]`, `.max`, `.min` and `.mean`. Without them
         those that a study records are.
 
+        Warns of inputs that move no load and no stiffness, as the case overrides what they give.
         Raises InputError where a value cannot stand at its path, and ValueError for numbers that
         are not finite or lengths that differ.
         """

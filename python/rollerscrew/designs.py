@@ -5,6 +5,7 @@ from __future__ import annotations
 import operator
 import os
 import reprlib
+import warnings
 from collections.abc import Mapping, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, as_completed
 from dataclasses import dataclass
@@ -156,6 +157,8 @@ def evaluate(
             source.folder,
         )
     )
+    for text in study.warnings:
+        warnings.warn(text, stacklevel=3)
     numbers = np.column_stack([column.numbers for column in columns.values()])
     answers = study.evaluate(numbers, thread_count(threads), progress_callback(progress))
     frame = pd.DataFrame(

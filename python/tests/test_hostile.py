@@ -499,14 +499,14 @@ WORST = {
         [thread.join() for thread in threads]
         """,
     "threads at exit": """
-        import threading, time
+        import threading
         sweep = {'from': '1 kN', 'to': '45 kN', 'steps': 40_000}
         case = case.with_(**{'load_cases[0].axial_force': sweep})
         threading.Thread(target=case.solve, daemon=True).start()
-        time.sleep(0.3)
+        work_goes_on()
         """,
     "loops at exit": """
-        import threading, time
+        import threading
         def again(call):
             while True:
                 call()
@@ -515,7 +515,7 @@ WORST = {
                  lambda: case.solve().to_json(), lambda: case.evaluate(forces)]
         for call in calls:
             threading.Thread(target=again, args=(call,), daemon=True).start()
-        time.sleep(0.5)
+        work_goes_on()
         """,
     "results at exit": """
         import builtins
@@ -546,13 +546,18 @@ WORST = {
 }
 
 _HEAD = """
-import faulthandler, gc, sys
+import faulthandler, gc, signal, sys
 faulthandler.enable()
+signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGPROF])  # In all threads; see below.
 import rollerscrew as rs
 configs = sys.argv[1]
 case = rs.Case.from_yaml(configs + '/01_config_1_to_3.yaml')
 def nested(levels):
     return {'a': nested(levels - 1)} if levels else 1
+def work_goes_on():
+    # Waits until the processors have worked for this process, on whatever thread.
+    signal.setitimer(signal.ITIMER_PROF, 0.2)
+    signal.sigwait([signal.SIGPROF])
 def raises(call):
     try:
         call()
@@ -564,11 +569,11 @@ def raises(call):
 
 #: Killed by std::terminate: the lock of the interpreter is asked for while that ends.
 STUDY_AT_EXIT = """
-        import threading, time
+        import threading
         study = {'command': 'solve', 'plan': 'monte_carlo', 'samples': 500_000,
                  'factors': [{'path': 'load_cases[0].axial_force', 'within': '3 %'}]}
         threading.Thread(target=case.with_(study=study).study, daemon=True).start()
-        time.sleep(0.3)
+        work_goes_on()
         """
 
 

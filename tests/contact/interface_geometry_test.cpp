@@ -11,6 +11,7 @@
 #include "contact/hertz.h"
 #include "contact/mechanism_geometry.h"
 #include "support/count.h"
+#include "support/plain_contact.h"
 #include "tests/contact/mechanisms.h"
 #include "tests/contact/units.h"
 
@@ -165,16 +166,14 @@ TEST(InterfaceGeometry, OtherFacesHaveTheSameCurvatures) {
 }
 
 TEST(InterfaceGeometry, AbeviHertzConstants) {
-  // Errata to Abevi 2015, table 2: 318,655 and 361,611 N/mm^1.5.
   const MechanismContact c = mechanism_contact(test::abevi(), Configuration::i1_j2);
   ASSERT_TRUE(c.ok());
   const double modulus = contact_modulus({209 * GPa, 0.3}, {209 * GPa, 0.3});
   const auto hertz = [&](const InterfaceGeometry& g) {
-    return hertz_constants(g.relative.first, g.relative.second, modulus).hertz_constant /
-           N_per_mm1_5;
+    return hertz_constants(g.relative.first, g.relative.second, modulus).hertz_constant;
   };
-  EXPECT_NEAR(hertz(c.screw), 318655, 0.6);
-  EXPECT_NEAR(hertz(c.nut), 361611, 0.6);
+  EXPECT_NEAR(hertz(c.screw) / static_cast<double>(plain::abevi_hertz_constant(true)), 1.0, 1e-12);
+  EXPECT_NEAR(hertz(c.nut) / static_cast<double>(plain::abevi_hertz_constant(false)), 1.0, 1e-12);
   const PitchContact estimate =
       contact_at_pitch_radius(screw_pair(test::abevi()).body, screw_pair(test::abevi()).roller);
   EXPECT_NEAR(c.screw.relative.first, estimate.kappa_1, 1e-9 * per_mm);

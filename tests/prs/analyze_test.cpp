@@ -5,9 +5,11 @@
 
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "prs/case_error.h"
 #include "prs/input/reader.h"
+#include "support/plain_contact.h"
 #include "support/sum.h"
 
 namespace prs {
@@ -205,14 +207,20 @@ TEST(Analyze, EllipsesThatPassTheFlankAreWarnedOf) {
 }
 
 TEST(Analyze, AbeviContactsAreThoseOfASecondComputation) {
-  // Exact Hertz contacts with nu = 0.3, computed independently: N/mm^1.5 and degrees.
   const PerInterface<InterfaceContact> contacts =
       analyze(lesson("04_contacts_from_geometry.yaml")).contacts.interfaces;
   const double per_m = std::pow(1e3, 1.5), degree = M_PI / 180;
-  EXPECT_NEAR(contacts.screw.hertz.hertz_constant / per_m, 318655, 0.5);
-  EXPECT_NEAR(contacts.nut.hertz.hertz_constant / per_m, 361611, 0.5);
-  EXPECT_NEAR(contacts.screw.normal_angle() / degree, 45.1636, 5e-5);
-  EXPECT_NEAR(contacts.nut.normal_angle() / degree, 45.0592, 5e-5);
+  const PerInterface<std::pair<double, double>> printed = {{318655, 45.1636}, {361611, 45.0592}};
+  for (const Interface i : kInterfaces) {
+    const bool screw = i == Interface::screw;
+    const auto k = static_cast<double>(plain::abevi_hertz_constant(screw));
+    const auto angle = static_cast<double>(plain::abevi_touch(screw).normal_angle);
+    EXPECT_NEAR(contacts[i].hertz.hertz_constant / k, 1.0, 1e-12);
+    EXPECT_NEAR(contacts[i].normal_angle() / angle, 1.0, 1e-13);
+    // The numbers that validation, lesson 4 and the documents quote.
+    EXPECT_EQ(std::round(k / per_m), printed[i].first);
+    EXPECT_NEAR(angle / degree, printed[i].second, 5e-5);
+  }
   EXPECT_NEAR(contacts.nut.geometry.point.backlash, -0.064e-3, 5e-7);
 }
 

@@ -2,10 +2,10 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -14,7 +14,6 @@
 #include <map>
 #include <string>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 namespace test {
@@ -46,6 +45,9 @@ class Process {
     ::kill(id_, SIGKILL);  // Before it has its own group.
   }
 
+  /// A file that can be read once the program has ended; the caller closes it.
+  int end() const { return static_cast<int>(::syscall(SYS_pidfd_open, id_, 0)); }
+
   void signal(int number) const { ::kill(id_, number); }
 
   /// Exit status; below 0 the signal that killed it.
@@ -59,17 +61,6 @@ class Process {
  private:
   pid_t id_ = -1;
 };
-
-/// Waits until a file has so many bytes; false where that takes more than a minute.
-inline bool wait_for_size(const std::filesystem::path& file, std::uintmax_t bytes) {
-  for (int k = 0; k < 60'000; ++k) {
-    std::error_code none;
-    const std::uintmax_t size = std::filesystem::file_size(file, none);
-    if (!none && size >= bytes) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return false;
-}
 
 /// Contents of all files below a folder by their paths in it.
 inline std::map<std::string, std::string> files_in(const std::filesystem::path& folder) {

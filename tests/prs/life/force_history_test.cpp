@@ -77,6 +77,23 @@ TEST(ForceHistory, NamesFileLineAndValueOfWhatIsNoNumber) {
               AllOf(HasSubstr("flight.csv:2:3: error: load: got 1,5"), HasSubstr("as a point")));
 }
 
+TEST(ForceHistory, SeparatorsInQuotesSeparateNothing) {
+  const LoadHistory h =
+      parse("\"place, date\",load,t,n\n\"1, 2\",10,0,60\n\"a \"\"b\"\",\n4, 5\",20,1,60\n");
+  EXPECT_THAT(h.force, ElementsAre(10e3, 20e3));
+  EXPECT_THAT(h.time, ElementsAre(0.0, 1e-3));
+  EXPECT_THAT(parse("\"x;y\",load,t,n\n0,10,0,60\n0,20,1,60\n").force, ElementsAre(10e3, 20e3));
+  EXPECT_THAT(error_of("t,load,n\n0,\"1,5\",2\n"),
+              AllOf(HasSubstr("flight.csv:2:3: error: load: got 1,5"), HasSubstr("as a point")));
+}
+
+TEST(ForceHistory, NamesTheLineOfWrongQuotes) {
+  EXPECT_THAT(error_of("t,load,n,x\n0,1,2,\"a\n\"\n1,3\"5,2,x\n"),
+              StartsWith("dir/flight.csv:4:4: error: got a quote within a field;"));
+  EXPECT_THAT(error_of("t,load,n,x\n0,1,2,\"a\n1,2,2,b\n"),
+              StartsWith("dir/flight.csv:2:1: error: got a quote that never closes;"));
+}
+
 TEST(ForceHistory, RefusesRowsWiderThanTheHeading) {
   EXPECT_THAT(error_of("t,load,n\n0,1,2\n1,5,2,0\n"),
               AllOf(StartsWith("dir/flight.csv:3:1: error: row: got 4 fields; expected at most 3"),
@@ -100,7 +117,8 @@ TEST(ForceHistory, NamesTheInputWhereAColumnIsMissing) {
               AllOf(StartsWith("dir/case.yaml:4:21: error: life.history.force.column: got load;"),
                     HasSubstr("t, laod, n"), HasSubstr("did you mean `laod`?")));
   EXPECT_THAT(error_of(""), StartsWith("dir/case.yaml:3:11: error: life.history.file:"));
-  EXPECT_THAT(error_of("load,t,n\n1,2,3\n"), HasSubstr("got 1 rows"));
+  EXPECT_THAT(error_of("load,t,n\n1,2,3\n"), HasSubstr("got 1 row of numbers in dir/flight.csv"));
+  EXPECT_THAT(error_of("load,t,n\n"), HasSubstr("got 0 rows of numbers"));
 }
 
 TEST(ForceHistory, NamesTheInputWhereAUnitDoesNotFit) {

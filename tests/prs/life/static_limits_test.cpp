@@ -34,18 +34,21 @@ TEST(PermanentDeformation, IsHarrisFormOfABallOnItsInnerRaceway) {
               1.0, 0.01);
 }
 
-TEST(PermanentDeformation, TheLimitIsThePressureOfIso76ForBallBearings) {
-  // ISO 76 puts the same limit at about 4200 MPa for ball bearings; over all of them Palmgren's
-  // formula gives 3.8 to 4.3 GPa.
+TEST(PermanentDeformation, TheLimitIsAroundThePressureOfIso76ForBallBearings) {
+  // ISO 76 gives one rounded figure for all ball bearings, 4200 MPa. Palmgren's formula is a fit
+  // and depends on the groove: from the tightest groove of the largest bearing to the widest one of
+  // the smallest it gives 3821 to 4298 MPa (Johnson's formulas, see `plain::hertz_constant`), with
+  // 4200 MPa between.
   const double modulus = contact::contact_modulus({207e9, 0.3}, {207e9, 0.3});
-  for (const double gamma : {0.05, 0.1, 0.2, 0.3})
-    for (const double f : {0.515, 0.52, 0.53}) {
-      const Raceway r = inner_raceway(10e-3, gamma, f);
-      const double load = load_at_permanent_deformation(10e-3, r.kappa_1, r.kappa_2);
-      const auto hertz = contact::hertz_constants(r.kappa_1, r.kappa_2, modulus);
-      EXPECT_NEAR(contact::at_load(hertz, load).peak_pressure, 4.2e9, 0.1 * 4.2e9)
-          << gamma << ' ' << f;
-    }
+  const auto pressure = [&](double gamma, double f) {
+    const Raceway r = inner_raceway(10e-3, gamma, f);
+    const double load = load_at_permanent_deformation(10e-3, r.kappa_1, r.kappa_2);
+    const auto hertz = contact::hertz_constants(r.kappa_1, r.kappa_2, modulus);
+    return contact::at_load(hertz, load).peak_pressure;
+  };
+  EXPECT_NEAR(pressure(0.05, 0.515), 3.8213e9, 0.5e5);
+  EXPECT_NEAR(pressure(0.2, 0.52), 4.0648e9, 0.5e5);
+  EXPECT_NEAR(pressure(0.3, 0.53), 4.2981e9, 0.5e5);
 }
 
 TEST(StaticRating, IsTheSmallestLimitAndSaysWhich) {

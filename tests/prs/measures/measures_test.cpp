@@ -14,6 +14,7 @@
 #include "prs/input/reader.h"
 #include "prs/life/analyze_life.h"
 #include "prs/load_case_result.h"
+#include "support/plain_contact.h"
 #include "tests/prs/input/abevi.h"
 
 namespace prs {
@@ -147,19 +148,19 @@ TEST(Measures, PeakPressureAtThePressureCapacityIsTheLimit) {
   }
 }
 
-TEST(Measures, StaticCapacityOfAFlankIsNearlyThatOfABallOnAPlane) {
-  // The roller's flank is a ball of its profile's radius and the other flank is nearly plane: on a
-  // plane N = D^2/2 sqrt(1e-4/1.3e-7) [mm, N].
+TEST(Measures, DeformationCapacityIsPalmgrensForTheFlankAsABall) {
+  // N = D sqrt(1e-4/(1.3e-7 kappa_1 kappa_2)) [mm, N], D twice the radius of the roller's profile.
   const Measures m = measures(abevi());
-  const double diameter = 2 * 4.949747468;
-  const double plane = 0.5 * diameter * diameter * std::sqrt(1e-4 / 1.3e-7);
-  const double axial = kContacts * plane * std::sqrt(0.5);
-  EXPECT_NEAR(*m.deformation_capacity.screw / axial, 1.0, 0.15);
-  EXPECT_NEAR(*m.deformation_capacity.nut / axial, 1.0, 0.15);
-  // The convex screw is the weaker one, and pressure rules.
+  for (const Interface i : kInterfaces) {
+    const plain::Touch touch = plain::abevi_touch(i == Interface::screw);
+    const auto product = static_cast<double>(touch.smaller * touch.larger) * 1e-6;
+    const double normal = 2 * 4.949747468 * std::sqrt(1e-4 / (1.3e-7 * product));
+    const double axial = kContacts * normal * std::cos(static_cast<double>(touch.normal_angle));
+    EXPECT_NEAR(*m.deformation_capacity[i] / axial, 1.0, 1e-12);
+    EXPECT_LT(*m.pressure_capacity[i], *m.deformation_capacity[i]);  // Pressure rules.
+  }
+  // The convex screw is the weaker one.
   EXPECT_LT(*m.deformation_capacity.screw, *m.deformation_capacity.nut);
-  for (const Interface i : kInterfaces)
-    EXPECT_LT(*m.pressure_capacity[i], *m.deformation_capacity[i]);
 }
 
 TEST(Measures, WeightAddsUpAndForceDensityIsItsRatio) {

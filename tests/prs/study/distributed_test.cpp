@@ -8,6 +8,7 @@
 #include "prs/study/study_folder.h"
 #include "study_file.h"
 #include "support/count.h"
+#include "support/folder_watch.h"
 #include "support/processes.h"
 #include "support/program.h"
 

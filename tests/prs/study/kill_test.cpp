@@ -1,18 +1,22 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <random>
-#include <thread>
 
 #include "../output/temporary_directory.h"
 #include "prs/output/study_files.h"
 #include "prs/study/study_run.h"
 #include "study_file.h"
 #include "support/count.h"
+#include "support/folder_watch.h"
 #include "support/processes.h"
 #include "support/program.h"
 #include "synthetic_study.h"
@@ -21,7 +25,6 @@ namespace prs {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 using Words = std::vector<std::string>;
 
 constexpr std::size_t kKilledDesigns = 100'000;
@@ -46,31 +49,67 @@ TEST(KilledStudy, DISABLED_Process) {
   run_whole_study(folder);
 }
 
-/// Runs a program into fresh folders and kills it at random moments until `kills` of them hit, one
-/// of them at least what has begun its journal, starting it again and again until it ends by
-/// itself; its files are then those of a run that nothing disturbed. Later in each folder the
-/// moments come later, so that a slow machine ends too.
+/// Whether a program has ended, by what `Process::end` gave.
+bool has_ended(int end) {
+  pollfd file{end, POLLIN, 0};
+  return ::poll(&file, 1, 0) > 0;
+}
+
+/// Most bytes that a folder holds while a program writes into it, to its end.
+std::uintmax_t most_bytes(const test::Process& process, const fs::path& folder) {
+  const test::FolderWatch watch;
+  watch.add(folder);
+  const int end = process.end();
+  std::uintmax_t most = 0;
+  do most = std::max(most, test::bytes_in(folder));
+  while (!has_ended(end) && watch.wait(end));
+  ::close(end);
+  return most;
+}
+
+/// Waits until a folder holds so many bytes, or until the program has ended.
+void wait_for_bytes(const test::Process& process, const fs::path& folder, std::uintmax_t bytes) {
+  const test::FolderWatch watch;
+  watch.add(folder);
+  const int end = process.end();
+  while (test::bytes_in(folder) < bytes && !has_ended(end) && watch.wait(end)) {
+  }
+  ::close(end);
+}
+
+/// Runs a program into fresh folders and kills it when it has written a random number of bytes,
+/// until `kills` of them hit, one of them at least what has begun its journal, starting it again
+/// and again until it ends by itself; its files are then those of a run that nothing disturbed.
 void expect_kills_do_no_harm(const std::function<Words(const fs::path&)>& command, int kills) {
   const test::TemporaryDirectory undisturbed;
-  const Clock::time_point begin = Clock::now();
-  ASSERT_EQ(test::Process(command(undisturbed.path())).wait(), 0);
-  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  std::uintmax_t all_bytes = 0;
+  {
+    test::Process process(command(undisturbed.path()));
+    all_bytes = most_bytes(process, undisturbed.path());
+    ASSERT_EQ(process.wait(), 0);
+  }
   const auto expected = test::files_in(undisturbed.path());
   ASSERT_TRUE(expected.contains("study.csv"));
 
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> moment(0.0, seconds);
+  // Of the bytes that are still to come; below 0 at once, above 1 never.
+  std::uniform_real_distribution<double> share(-0.1, 1.1);
   int hits = 0;
   int with_journal = 0;
   int studies = 0;
   const auto enough = [&] { return hits >= kills && with_journal > 0; };
   for (; !enough() && studies < 100 + kills; ++studies) {
     const test::TemporaryDirectory folder;
-    double stretch = 1.0;
-    for (bool complete = false; !complete; stretch *= 1.1) {
+    for (bool complete = false; !complete;) {
+      const std::uintmax_t done = test::bytes_in(folder.path());  // Of earlier runs.
+      const double rest = static_cast<double>(all_bytes - std::min(done, all_bytes));
+      const double moment = enough() ? 2.0 : share(random);
       test::Process process(command(folder.path()));
-      std::this_thread::sleep_for(std::chrono::duration<double>(stretch * moment(random)));
-      if (!enough()) process.kill();
+      if (moment <= 1.0) {
+        if (moment > 0.0)
+          wait_for_bytes(process, folder.path(), done + static_cast<std::uintmax_t>(moment * rest));
+        process.kill();
+      }
       const int status = process.wait();
       complete = status == 0;
       ASSERT_TRUE(complete || status == -SIGKILL) << status;
@@ -79,8 +118,8 @@ void expect_kills_do_no_harm(const std::function<Words(const fs::path&)>& comman
     }
     ASSERT_TRUE(test::files_in(folder.path()) == expected) << "after " << hits << " kills";
   }
-  std::printf("%d kills hit, %d of them with a journal, in %d studies of %.2f s\n", hits,
-              with_journal, studies, seconds);
+  std::printf("%d kills hit, %d of them with a journal, in %d studies of %ju bytes\n", hits,
+              with_journal, studies, all_bytes);
   EXPECT_GT(with_journal, 0);
 }
 

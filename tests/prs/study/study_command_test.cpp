@@ -20,6 +20,7 @@
 #include "../output/temporary_directory.h"
 #include "prs/study/study_folder.h"
 #include "study_file.h"
+#include "support/folder_watch.h"
 #include "support/processes.h"
 #include "tests/support/program.h"
 
@@ -127,6 +128,46 @@ TEST_F(StudyCommand, WritesTheSameFilesOnAnyNumberOfThreadsAndInShards) {
   fs::remove(file);  // Journals are enough.
   ASSERT_EQ(prs(merge + (temporary.path() / "m").string()).status, 0);
   EXPECT_TRUE(files_in(temporary.path() / "m") == expected);
+}
+
+TEST_F(StudyCommand, SaysWhichFactorsOverridesMakeVoidAndWhichMovedNothing) {
+  const std::string lesson = "study '" PRS_SOURCE_DIR "/configs/01_config_1_to_3.yaml' ";
+  const std::string factors =
+      "factors: [{path: mechanism.flank_angle, values: [44 deg, 46 deg]}, {path: materials."
+      "youngs_modulus, values: [205 GPa, 210 GPa]}], ";
+  const std::string is_void =
+      "mechanism.flank_angle moves no load or stiffness (axial_stiffness_N_per_um): overridden by "
+      "contact.hertz_constant and contact.normal_angle; delete the overrides to compute all from "
+      "the geometry";
+  const std::string is_idle =
+      "mechanism.flank_angle moved no response: all stay the same to the last digit; add a "
+      "response "
+      "that follows it, or delete the factor";
+  for (const char* plan :
+       {"one_at_a_time", "grid", "latin_hypercube, samples: 20", "sobol_indices, samples: 8"}) {
+    const std::string study = "--set 'study={command: solve, plan: " + std::string(plan) + ", " +
+                              factors + "responses: [axial_stiffness_N_per_um]}' ";
+    const Outcome run = prs(lesson + study + "--json");
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("warning: " + is_void)) << plan;
+    const auto document = nlohmann::json::parse(run.out);
+    EXPECT_THAT(document["warnings"].get<std::vector<std::string>>(),
+                testing::ElementsAre(is_void, is_idle))
+        << plan;
+    EXPECT_THAT(prs(lesson + study).out, HasSubstr("moved no response")) << plan;
+  }
+  // Pressures follow, on loads that do not.
+  const Outcome pressures = prs(lesson + "--json --set 'study={command: solve, plan: grid, " +
+                                factors + "responses: [screw.peak_pressure_MPa.max]}'");
+  EXPECT_THAT(nlohmann::json::parse(pressures.out)["warnings"].get<std::vector<std::string>>(),
+              testing::ElementsAre(testing::HasSubstr("flank_angle moves no load or stiffness:")));
+  // Without overrides all of it follows.
+  const Outcome free = prs("study '" PRS_SOURCE_DIR
+                           "/configs/04_contacts_from_geometry.yaml' --json --set "
+                           "'study={command: solve, plan: grid, " +
+                           factors + "responses: [axial_stiffness_N_per_um]}'");
+  ASSERT_EQ(free.status, 0) << free.err;
+  EXPECT_TRUE(nlohmann::json::parse(free.out)["warnings"].empty());
 }
 
 TEST_F(StudyCommand, ShardsWithoutSenseAreStatus2) {

@@ -1,0 +1,191 @@
+#include "prs/input/csv_reader.h"
+
+#include <csv.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <new>
+
+namespace prs::input {
+namespace {
+
+constexpr std::size_t kLongestRow = std::size_t{1} << 20;
+
+/// Length of a line with its end.
+std::size_t line_length(std::string_view text) {
+  const void* end = text.empty() ? nullptr : std::memchr(text.data(), '\n', text.size());
+  if (end == nullptr) return text.size();
+  return static_cast<std::size_t>(static_cast<const char*>(end) - text.data()) + 1;
+}
+
+bool is_blank(std::string_view line) {
+  return line.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
+/// The first separator of a line outside quotes.
+char separator_of(std::string_view line) {
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (!quoted && (c == ',' || c == ';' || c == '\t')) return c;
+  }
+  return ',';
+}
+
+/// libcsv's parser, which is told bytes and tells fields and ends of rows.
+class FieldParser {
+ public:
+  explicit FieldParser(char separator) {
+    if (csv_init(&parser_, CSV_STRICT | CSV_STRICT_FINI) != 0) throw std::bad_alloc();
+    csv_set_delim(&parser_, static_cast<unsigned char>(separator));
+    csv_set_blk_size(&parser_, 4096);
+  }
+  ~FieldParser() { csv_free(&parser_); }
+  FieldParser(const FieldParser&) = delete;
+  FieldParser& operator=(const FieldParser&) = delete;
+
+  void clear() {
+    text_.clear();
+    ends_.clear();
+    rows_ = 0;
+  }
+
+  /// Takes bytes; the number of those before what is malformed.
+  std::size_t take(std::string_view bytes) {
+    const std::size_t taken =
+        csv_parse(&parser_, bytes.data(), bytes.size(), on_field, on_row, this);
+    check();
+    return taken;
+  }
+
+  /// The text ends here; false within quotes.
+  bool finish() {
+    const bool complete = csv_fini(&parser_, on_field, on_row, this) == 0;
+    check();
+    return complete;
+  }
+
+  std::size_t rows() const { return rows_; }
+  std::size_t field_count() const { return ends_.size(); }
+
+  void get_fields(std::vector<std::string_view>& fields) const {
+    fields.clear();
+    std::size_t begin = 0;
+    for (const std::size_t end : ends_) {
+      fields.push_back(std::string_view(text_).substr(begin, end - begin));
+      begin = end;
+    }
+  }
+
+ private:
+  // Exceptions do not pass through the library.
+  static void on_field(void* bytes, std::size_t size, void* self) {
+    auto& parser = *static_cast<FieldParser*>(self);
+    try {
+      parser.text_.append(static_cast<const char*>(bytes), size);
+      parser.ends_.push_back(parser.text_.size());
+    } catch (const std::bad_alloc&) {
+      parser.out_of_memory_ = true;
+    }
+  }
+  static void on_row(int, void* self) { ++static_cast<FieldParser*>(self)->rows_; }
+
+  void check() {
+    if (out_of_memory_ || csv_error(&parser_) == CSV_ENOMEM) throw std::bad_alloc();
+  }
+
+  csv_parser parser_{};
+  std::string text_;  ///< Of all fields of a row.
+  std::vector<std::size_t> ends_;
+  std::size_t rows_ = 0;
+  bool out_of_memory_ = false;
+};
+
+}  // namespace
+
+struct CsvReader::Parts {
+  explicit Parts(std::string_view given)
+      : text(given),
+        next(text.starts_with("\xEF\xBB\xBF") ? 3 : 0),
+        separator(separator_of_first_row()),
+        parser(separator) {}
+
+  std::string_view line() const {
+    const std::string_view rest = text.substr(next);
+    return rest.substr(0, line_length(rest));
+  }
+
+  char separator_of_first_row() {
+    skip_to_row();
+    return separator_of(line());
+  }
+
+  /// Passes empty lines and comments.
+  void skip_to_row() {
+    while (next < text.size() && (text[next] == '#' || is_blank(line()))) next += line().size();
+  }
+
+  void read_row() {
+    parser.clear();
+    while (parser.rows() == 0) {
+      if (next == text.size()) {
+        if (parser.finish()) return;
+        throw CsvError(row,
+                       "got a quote that never closes; expected `\"` at the end of the field; "
+                       "add it, or delete the one at its begin");
+      }
+      const std::string_view bytes = line();
+      if (next + bytes.size() - row > kLongestRow)
+        throw CsvError(row, fmt::format("got a row of more than {} KiB; expected a shorter one; "
+                                        "check that each quote is closed",
+                                        kLongestRow >> 10U));
+      if (const std::size_t taken = parser.take(bytes); taken < bytes.size())
+        throw CsvError(next + taken,
+                       "got a quote within a field; expected quotes around whole "
+                       "fields; double each quote that belongs to the text");
+      next += bytes.size();
+    }
+    if (parser.rows() > 1)
+      throw CsvError(row,
+                     "got a carriage return within a line; expected lines that end with LF or "
+                     "CR LF; save the file with such line ends");
+  }
+
+  std::string_view text;
+  std::size_t next;     ///< Offset of the line that comes next.
+  std::size_t row = 0;  ///< Where the row begins.
+  char separator;
+  FieldParser parser;
+  std::vector<std::string_view> fields;
+};
+
+CsvReader::CsvReader(std::string_view text) : parts_(std::make_unique<Parts>(text)) {}
+CsvReader::~CsvReader() = default;
+
+bool CsvReader::next() {
+  parts_->skip_to_row();
+  parts_->row = parts_->next;
+  if (parts_->next == parts_->text.size()) return false;
+  parts_->read_row();
+  parts_->parser.get_fields(parts_->fields);
+  return true;
+}
+
+const std::vector<std::string_view>& CsvReader::fields() const { return parts_->fields; }
+
+std::size_t CsvReader::row_offset() const { return parts_->row; }
+
+std::size_t CsvReader::field_offset(std::size_t row, std::size_t field) const {
+  FieldParser parser(parts_->separator);
+  const std::string_view text = parts_->text;
+  std::size_t at = row;
+  while (parser.field_count() < field && at < text.size() && parser.rows() == 0)
+    parser.take(text.substr(at++, 1));
+  // The end of the row is not part of it.
+  if (parser.rows() > 0) --at;
+  return at;
+}
+
+}  // namespace prs::input

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace prs::input {
+
+/// A text is no table of comma-separated values. `what()`: `got VALUE; expected WHAT; how to fix
+/// it`.
+class CsvError : public std::runtime_error {
+ public:
+  CsvError(std::size_t offset, const std::string& message)
+      : std::runtime_error(message), offset_(offset) {}
+  std::size_t offset() const { return offset_; }  ///< Of the culprit in the text.
+
+ private:
+  std::size_t offset_;
+};
+
+/// Rows of a text of comma-separated values after RFC 4180: fields in double quotes may hold
+/// separators, line ends and doubled quotes, lines end with LF or CR LF. Fields are separated by
+/// commas, semicolons or tabs, whichever the first row has first outside quotes. Blanks around
+/// fields, empty lines, lines that start with `#` and a byte order mark are skipped. Rows are read
+/// one at a time; none is longer than 1 MiB.
+class CsvReader {
+ public:
+  /// The text must outlive the reader.
+  explicit CsvReader(std::string_view text);
+  ~CsvReader();
+  CsvReader(const CsvReader&) = delete;
+  CsvReader& operator=(const CsvReader&) = delete;
+
+  /// Reads the next row; false where there is none. Throws CsvError.
+  bool next();
+
+  /// Of the row; they hold until the next one is read.
+  const std::vector<std::string_view>& fields() const;
+
+  /// Where the row begins in the text.
+  std::size_t row_offset() const;
+
+  /// Where a field of a row that begins at `row` begins; behind the last field, where the row ends.
+  std::size_t field_offset(std::size_t row, std::size_t field) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace prs::input

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "prs/study/response_surface.h"
+#include "prs/study/row_block.h"
+#include "prs/study/study.h"
+
+namespace prs {
+
+/// Tells which factors no response follows, from designs that differ in one factor alone: each
+/// value against the file's (`one_at_a_time`), the values of a line of a `grid`, and the pairs of
+/// `sobol_indices`. Other plans have no such designs, and no factor is told of.
+///
+/// A grid is not kept: of each factor a sum over all designs is, of the row's hash times a random
+/// number that belongs to the values of the other factors, times weights of its own values that
+/// add up to 0. It is 0 where the rows of each line are equal, and else by chance once in 2^64.
+class FollowedFactors {
+ public:
+  explicit FollowedFactors(const Study& study);
+
+  /// The responses of the next design, NaN where there is none.
+  void add(std::span<const double> row, std::size_t design);
+
+  /// Indices of the factors over whose values every response stayed the same to the last bit.
+  std::vector<std::size_t> idle() const;
+
+ private:
+  /// Of one factor.
+  struct Seen {
+    bool varies = false;
+    bool compared = false;  ///< A design that has numbers.
+    bool followed = false;
+    std::uint64_t sum = 0;  ///< Of a grid.
+    std::uint64_t last_weight = 0;
+  };
+  /// With the reference.
+  void compare(Seen& seen, std::span<const double> row) const;
+  void add_to_grid(std::span<const double> row, std::size_t design);
+
+  Study study_;
+  std::vector<Seen> seen_;
+  std::vector<double> reference_;  ///< The row that others differ from in one factor.
+};
+
+/// The same for plans that draw all factors at once: designs with the least and the largest value
+/// that was drawn of a factor, all others as in the file, then as in design 1. Factors with a
+/// tenth of the effects on a response, by `surfaces`, are not tried.
+std::vector<std::size_t> idle_drawn_factors(
+    const Study& study, const ResponseSurfaces* surfaces,
+    const std::function<RowBlock(const std::vector<std::vector<Draw>>&)>& evaluate);
+
+}  // namespace prs

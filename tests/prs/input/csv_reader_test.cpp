@@ -1,0 +1,82 @@
+#include "prs/input/csv_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace prs::input {
+namespace {
+
+using testing::ElementsAre;
+using testing::StartsWith;
+using Rows = std::vector<std::vector<std::string>>;
+
+Rows rows_of(std::string_view text) {
+  CsvReader reader(text);
+  Rows rows;
+  while (reader.next()) rows.emplace_back(reader.fields().begin(), reader.fields().end());
+  return rows;
+}
+
+/// What is wrong with a text, after the offset of the culprit.
+std::string error_of(std::string_view text) {
+  try {
+    rows_of(text);
+  } catch (const CsvError& error) {
+    return std::to_string(error.offset()) + ": " + error.what();
+  }
+  return "no error";
+}
+
+TEST(CsvReader, ReadsTheExamplesOfRfc4180) {
+  EXPECT_EQ(rows_of("aaa,bbb,ccc\r\nzzz,yyy,xxx\r\n"),
+            (Rows{{"aaa", "bbb", "ccc"}, {"zzz", "yyy", "xxx"}}));
+  EXPECT_EQ(rows_of("aaa,bbb\r\nzzz,yyy"), (Rows{{"aaa", "bbb"}, {"zzz", "yyy"}}));
+  EXPECT_EQ(rows_of("\"aaa\",\"b \r\nbb\",\"ccc\" \r\nzzz,yyy,xxx"),
+            (Rows{{"aaa", "b \r\nbb", "ccc"}, {"zzz", "yyy", "xxx"}}));
+  EXPECT_EQ(rows_of("\"aaa\",\"b\"\"bb\",\"c,cc\"\r\n"), (Rows{{"aaa", "b\"bb", "c,cc"}}));
+}
+
+TEST(CsvReader, TakesTheFirstSeparatorOutsideQuotes) {
+  EXPECT_EQ(rows_of("\"a,b\";c,d\n"), (Rows{{"a,b", "c,d"}}));
+  EXPECT_EQ(rows_of("a b\tc;d\n"), (Rows{{"a b", "c;d"}}));
+  EXPECT_EQ(rows_of("alone\n"), (Rows{{"alone"}}));
+}
+
+TEST(CsvReader, SkipsBlanksEmptyLinesCommentsAndTheByteOrderMark) {
+  EXPECT_EQ(rows_of("\xEF\xBB\xBF# \"odd\n\n a , \"b\" \n  \n#,\n,\n"),
+            (Rows{{"a", "b"}, {"", ""}}));
+  EXPECT_EQ(rows_of("a,\"x\n# kept\n\ny\"\n"), (Rows{{"a", "x\n# kept\n\ny"}}));
+  EXPECT_TRUE(rows_of("").empty());
+  EXPECT_TRUE(rows_of("# nothing").empty());
+}
+
+TEST(CsvReader, FieldsStandWhereTheyWereWritten) {
+  const std::string text = "# x\na,\"b\nb\", c\n1,2,3";
+  CsvReader reader(text);
+  ASSERT_TRUE(reader.next());
+  const std::size_t first = reader.row_offset();
+  ASSERT_TRUE(reader.next());
+  EXPECT_EQ(first, 4u);
+  EXPECT_EQ(reader.field_offset(first, 1), text.find("\"b\n"));
+  EXPECT_EQ(reader.field_offset(first, 2), text.find(" c"));
+  EXPECT_EQ(reader.field_offset(first, 3), text.find("\n1"));
+  EXPECT_EQ(reader.field_offset(reader.row_offset(), 2), text.size() - 1);
+  EXPECT_EQ(reader.field_offset(reader.row_offset(), 3), text.size());
+}
+
+TEST(CsvReader, RefusesWhatCannotBeReadInOneWay) {
+  EXPECT_THAT(error_of("a,5\" disc\n"), StartsWith("3: got a quote within a field; expected "));
+  EXPECT_THAT(error_of("a\n\"b\"c\n"), StartsWith("5: got a quote within a field; expected "));
+  EXPECT_THAT(error_of("a\n\"b\nc\n"), StartsWith("2: got a quote that never closes; expected "));
+  EXPECT_THAT(error_of("a\n1\r2\r3\n"), StartsWith("2: got a carriage return within a line"));
+}
+
+/// One quote too many keeps no more than a row in memory.
+TEST(CsvReader, RowsAreBounded) {
+  std::string text = "a\n\"";
+  while (text.size() < (std::size_t{3} << 20U)) text += "1,2,3\n";
+  EXPECT_THAT(error_of(text), StartsWith("2: got a row of more than 1024 KiB; expected a shorter"));
+}
+
+}  // namespace
+}  // namespace prs::input
