@@ -163,8 +163,8 @@ int slip(const Options& options) {
                                   {"load_distribution.csv", load_distribution_csv(result)},
                                   {"slip.csv", slip_csv(result)},
                                   {"slip_threads.csv", slip_threads_csv(result)}});
-    written = report(draw_slip_plots(result, pictures_of(in.values, result), *options.output),
-                     options);
+    written =
+        report(draw_slip_plots(result, pictures_of(in.values, result), *options.output), options);
   }
   print_result(result, options, document, [&] {
     std::string text = slip_table(result);
@@ -269,8 +269,7 @@ int new_case(const Options& options) {
     say(fmt::format("{}: error: the file exists already; give another name\n", options.file));
     return kWrongInput;
   }
-  const std::filesystem::path file = std::filesystem::absolute(options.file);
-  write_files(file.parent_path(), {{file.filename().string(), text}});
+  write_case(options.file, text);
   note(options,
        fmt::format("{}: written; `prs check {}` is the next step", options.file, options.file));
   return kDone;

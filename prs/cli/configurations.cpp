@@ -105,10 +105,7 @@ int configurations(const Options& options) {
     write_files(*options.output, {{"configurations.json", document},
                                   {"configurations.csv", configurations_csv(all)},
                                   {"gear_pairs.csv", gear_pairs_csv(all)}});
-  if (written) {
-    const std::filesystem::path file = std::filesystem::absolute(asked.write[1]);
-    write_files(file.parent_path(), {{file.filename().string(), *written}});
-  }
+  if (written) write_case(asked.write[1], *written);
   if (options.json) {
     print(document);
   } else if (!options.quiet) {

@@ -3,7 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <new>
+#include <optional>
 #include <sstream>
+#include <string>
 #include <string_view>
 
 #include "prs/cli/commands.h"
@@ -11,6 +13,7 @@
 #include "prs/cli/printing.h"
 #include "prs/influence/matrix_cache.h"
 #include "prs/input/source.h"
+#include "prs/output/run_files.h"
 #include "prs/study/journal.h"
 #include "prs/version.h"
 
@@ -129,6 +132,20 @@ void add_validate_options(CLI::App& command, Options& options) {
   add_output_options(command, options);
 }
 
+/// Runs a command, tells what it found in its folders, and lists what it wrote.
+int run_recorded(int (*run)(const Options&), const Options& options, const std::string& command,
+                 const std::string& case_file) {
+  prs::shared_matrix_cache().keep_in(prs::cache_directory());
+  std::optional<prs::RunFiles> files;
+  if (options.output) files.emplace(*options.output, command, case_file);
+  const int status = run(options);
+  if (files)
+    for (const std::string& text : files->finish()) prs::cli::note(options, "prs: " + text);
+  if (const std::string text = prs::shared_matrix_cache().refusal(); !text.empty())
+    prs::cli::note(options, "prs: " + text);
+  return status;
+}
+
 int run_command(int argc, char** argv) {
   CLI::App app{"prs: load distribution, stiffness and life of planetary roller screws"};
   app.set_version_flag("--version", prs::kVersion);
@@ -227,8 +244,8 @@ int run_command(int argc, char** argv) {
   }
   options.standard = type == "standard";
 
-  prs::shared_matrix_cache().keep_in(prs::cache_directory());
-  return run(options);
+  return run_recorded(run, options, app.get_subcommands().front()->get_name(),
+                      validate->parsed() ? "" : options.file);
 }
 
 /// One line of an error, without asking for memory.

@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <new>
 #include <system_error>
 
+#include "prs/document/printable.h"
 #include "prs/file_descriptor.h"
 
 namespace prs::cli {
@@ -31,14 +33,24 @@ bool reserve_standard_streams() {
 }
 
 void print(std::string_view text) {
-  if (const int error = write_all(STDOUT_FILENO, text); error != 0) fail_to_print(error);
+  if (const int error = write_all(STDOUT_FILENO, printable_lines(text)); error != 0)
+    fail_to_print(error);
 }
 
 void close_output() {
   if (::close(STDOUT_FILENO) != 0 && errno != EINTR) fail_to_print(errno);
 }
 
-void say(std::string_view text) noexcept { write_all(STDERR_FILENO, text); }
+void say(std::string_view text) noexcept try {
+  if (is_plain_lines(text))
+    write_all(STDERR_FILENO, text);
+  else
+    write_all(STDERR_FILENO, printable_lines(text));
+} catch (const std::bad_alloc&) {
+  write_all(STDERR_FILENO, "(out of memory for a message)");
+}
+
+void control_terminal(std::string_view sequence) noexcept { write_all(STDERR_FILENO, sequence); }
 
 void note(const Options& options, const std::string& text) {
   if (!options.quiet) say(text + '\n');

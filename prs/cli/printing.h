@@ -19,16 +19,20 @@ class ReaderGone : public std::runtime_error {
   ReaderGone() : std::runtime_error("standard output is read no further") {}
 };
 
-/// On standard output. Throws where the text does not arrive: ReaderGone or, as on a full disk,
-/// std::system_error.
+/// On standard output, as `printable_lines` shows it. Throws where the text does not arrive:
+/// ReaderGone or, as on a full disk, std::system_error.
 void print(std::string_view text);
 
 /// Closes standard output. Throws what a file system held back until then, as `print` does.
 void close_output();
 
-/// On standard error, as it stands. Nothing happens where that cannot be written to: the program's
+/// On standard error, as `printable_lines` shows it; lines of visible ASCII ask for no memory.
+/// Nothing happens where that cannot be written to: the program's
 /// results and its status do not depend on it.
 void say(std::string_view text) noexcept;
+
+/// On standard error, as it stands: what moves the cursor of a terminal, and no text of the input.
+void control_terminal(std::string_view sequence) noexcept;
 
 /// A line on standard error, unless quiet.
 void note(const Options& options, const std::string& text);

@@ -26,11 +26,11 @@ void ProgressLine::show(const StudyProgress& progress) {
   std::string text =
       progress_line(progress.done - progress.found, progress.total - progress.found, seconds);
   if (progress.found > 0) text += fmt::format("; {} were there before", progress.found);
-  say("\r\x1b[K" + text);
+  control_terminal("\r\x1b[K" + text);
 }
 
 void ProgressLine::clear() {
-  if (shown_) say("\r\x1b[K");
+  if (shown_) control_terminal("\r\x1b[K");
 }
 
 }  // namespace prs::cli

@@ -17,6 +17,7 @@
 #include "prs/output/derivatives_files.h"
 #include "prs/output/files.h"
 #include "prs/output/plots.h"
+#include "prs/output/run_files.h"
 #include "prs/output/staged_file.h"
 #include "prs/output/study_figures.h"
 #include "prs/output/study_files.h"
@@ -29,6 +30,7 @@
 #include "prs/study/derivatives.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/distributed.h"
+#include "prs/study/response.h"
 #include "prs/study/study_run.h"
 #include "prs/version.h"
 
@@ -86,6 +88,7 @@ int deliver(const StoredRows& rows, const input::StudyInput& in, const Study& st
     file.append(document);
     file.sync();
     file.publish();
+    record_written(*options.output / "study.json");
   }
   if (options.json) {
     print(document);
@@ -173,6 +176,17 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
   return status;
 }
 
+/// Whether a journal of this study can have that header.
+bool agree(const JournalHeader& header, const Study& study) {
+  const auto& asked = study.responses;
+  if (header.designs != design_count(study)) return false;
+  if (!asked.empty()) return header.responses == asked;
+  const std::vector<std::string> known = default_responses(study.command);
+  return std::ranges::all_of(header.responses, [&](const std::string& path) {
+    return std::ranges::find(known, path) != known.end();
+  });
+}
+
 }  // namespace
 
 int study(const Options& options) {
@@ -208,7 +222,13 @@ int study(const Options& options) {
 int merge_study(const Options& options) {
   const StoredRows rows = gather_rows(options.folders);
   const JournalHeader& header = rows.journals().front().header();
-  const input::StudyInput in = input::read_study_input(header.source);
+  const input::StudyInput in = input::read_study_input(input::source_of_text(
+      header.source.name, header.source.text, header.source.overrides, header.source.folder));
+  if (!agree(header, in.study))
+    throw StudyFolderError(fmt::format(
+        "{}: error: its designs or responses are not those of the study in it; remove it, compute "
+        "its part again, and merge",
+        rows.journals().front().path().string()));
   if (header.key != key_of(in, in.study.command))
     throw StudyFolderError(
         fmt::format("{}: error: computed by another version of prs, or from another force history; "
@@ -216,6 +236,7 @@ int merge_study(const Options& options) {
                     rows.journals().front().path().string()));
   Study study = in.study;
   study.responses = header.responses;
+  record_case(document_info(header.source).input_sha256);
   std::optional<StudyFolder> folder;
   if (options.output) folder.emplace(*options.output, StudyFolder::Use::alone);
   const std::size_t threads = options.threads > 0 ? options.threads : available_processors();

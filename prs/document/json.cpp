@@ -6,6 +6,7 @@
 #include "prs/document/contact_quantities.h"
 #include "prs/document/json_values.h"
 #include "prs/document/model_summary.h"
+#include "prs/document/printable.h"
 #include "prs/document/quantities.h"
 #include "prs/document/slip_json.h"
 
@@ -166,7 +167,7 @@ nlohmann::ordered_json to_json(const Result& result, const DocumentInfo& info) {
 }
 
 std::string json_text(const nlohmann::ordered_json& document) {
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
 
 }  // namespace prs

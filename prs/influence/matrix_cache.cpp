@@ -1,13 +1,8 @@
 #include "prs/influence/matrix_cache.h"
 
-#include <unistd.h>
-
-#include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "prs/sha256.h"
@@ -91,58 +86,31 @@ std::optional<MatrixCache::Matrices> decoded(std::string_view bytes, const std::
   return matrices;
 }
 
-std::optional<MatrixCache::Matrices> read(const fs::path& file, const std::string& key) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::nullopt;
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  return decoded(bytes, key);
-}
-
-/// Complete or not at all, whoever else writes the same file.
-void write(const fs::path& file, const std::string& bytes) {
-  static std::atomic<unsigned> serial = 0;
-  std::error_code failed;
-  fs::create_directories(file.parent_path(), failed);
-  fs::path draft = file;
-  draft += "." + std::to_string(getpid()) + "." + std::to_string(serial++);
-  {
-    std::ofstream out(draft, std::ios::binary);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    if (!out) {
-      fs::remove(draft, failed);
-      return;
-    }
-  }
-  fs::rename(draft, file, failed);
-  if (failed) fs::remove(draft, failed);
-}
-
 }  // namespace
 
 void MatrixCache::keep_in(fs::path directory) {
   const std::lock_guard lock(mutex_);
-  directory_ = std::move(directory);
-}
-
-fs::path MatrixCache::file(const std::string& key) const {
-  const std::lock_guard lock(mutex_);
-  return directory_.empty() ? fs::path() : directory_ / (sha256(key) + ".matrices");
+  folder_.reset();
+  if (!directory.empty()) folder_.emplace(std::move(directory));
 }
 
 std::shared_ptr<const MatrixCache::Matrices> MatrixCache::get(
     const std::string& key, const std::function<Matrices()>& compute) {
+  std::optional<CacheFolder> folder;
   {
     const std::lock_guard lock(mutex_);
     if (const auto found = kept_.find(key); found != kept_.end()) return found->second;
+    folder = folder_;
   }
-  const fs::path kept_file = file(key);
+  const std::string digest = folder ? sha256(key) : std::string();
   std::optional<Matrices> matrices;
-  if (!kept_file.empty()) matrices = read(kept_file, key);
+  if (folder)
+    if (const std::optional<std::string> bytes = folder->read(digest))
+      matrices = decoded(*bytes, key);
   const bool found = matrices.has_value();
   if (!found) {
     matrices = compute();
-    if (!kept_file.empty()) write(kept_file, encoded(key, *matrices));
+    if (folder) folder->write(digest, encoded(key, *matrices));
   }
 
   const std::lock_guard lock(mutex_);
@@ -161,6 +129,11 @@ std::shared_ptr<const MatrixCache::Matrices> MatrixCache::get(
 int MatrixCache::computed() const {
   const std::lock_guard lock(mutex_);
   return computed_;
+}
+
+std::string MatrixCache::refusal() const {
+  const std::lock_guard lock(mutex_);
+  return folder_ && !kept_.empty() ? folder_->refusal() : std::string();
 }
 
 std::filesystem::path cache_directory() {

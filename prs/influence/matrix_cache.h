@@ -6,15 +6,18 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "prs/influence/cache_folder.h"
 
 namespace prs {
 
 /// Matrices that are dear to compute, kept under the text of all that they depend on: in memory
-/// and, where a directory is given, in files there that later runs find by the text's SHA-256. A
-/// file that is damaged or belongs to another text counts as absent; one that cannot be written is
-/// left out. May be used from several threads.
+/// and, where a directory is given, in a CacheFolder there that later runs find by the text's
+/// SHA-256. A file that is damaged or belongs to another text counts as absent; one that cannot be
+/// written is left out. May be used from several threads.
 class MatrixCache {
  public:
   using Matrices = std::vector<Eigen::MatrixXd>;
@@ -31,15 +34,16 @@ class MatrixCache {
   /// Matrices computed so far, found neither in memory nor in a file.
   int computed() const;
 
+  /// Why what was asked for was not looked up in files, one line; empty where it was.
+  std::string refusal() const;
+
   /// No thread is within the cache while it is locked, so that the process may fork.
   void lock() { mutex_.lock(); }
   void unlock() { mutex_.unlock(); }
 
  private:
-  std::filesystem::path file(const std::string& key) const;
-
   mutable std::mutex mutex_;
-  std::filesystem::path directory_;
+  std::optional<CacheFolder> folder_;
   std::map<std::string, std::shared_ptr<const Matrices>> kept_;
   std::vector<std::string> oldest_first_;
   int computed_ = 0;

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "prs/document/printable.h"
+
 namespace prs::input {
 
 namespace {
@@ -124,14 +126,10 @@ std::string place_in(std::string_view name, std::string_view text, std::size_t o
 
 std::string shown(std::string_view text) {
   constexpr std::size_t kLongest = 80;
-  std::string result;
-  for (char c : text.substr(0, kLongest)) result += static_cast<unsigned char>(c) < 0x20U ? ' ' : c;
-  if (text.size() > kLongest) {
-    while (!result.empty() && (static_cast<unsigned char>(result.back()) & 0x80U) != 0U)
-      result.pop_back();
-    result += "...";
-  }
-  return result;
+  if (text.size() <= kLongest) return printable(text);
+  std::size_t end = kLongest;
+  while (end > kLongest - 3 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return printable(text.substr(0, end)) + "...";
 }
 
 }  // namespace prs::input

@@ -2,20 +2,47 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
 #include "prs/document/units.h"
 
 namespace prs {
+namespace {
+
+/// A number, alone or with its unit behind a blank: no formula however it starts.
+bool is_quantity(std::string_view text) {
+  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+  double number = 0.0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{}) return false;
+  text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+  return text.empty() || (text.starts_with(' ') && std::ranges::all_of(text, [](char c) {
+                            return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                                   std::string_view(" /^.%").find(c) != std::string_view::npos;
+                          }));
+}
+
+/// Whether a spreadsheet would compute the text in place of showing it.
+bool is_formula(std::string_view text) {
+  return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != text.npos &&
+         !is_quantity(text);
+}
+
+}  // namespace
 
 void CsvWriter::text(std::string_view value) {
   separate();
-  if (value.find_first_of(",\"\r\n") == std::string_view::npos) {
+  const bool formula = is_formula(value);
+  if (!formula && value.find_first_of(",\"\r\n") == std::string_view::npos) {
     csv_ += value;
     return;
   }
-  csv_ += '"';
+  csv_ += formula ? "\"'" : "\"";
   for (const char c : value) csv_ += c == '"' ? std::string("\"\"") : std::string(1, c);
   csv_ += '"';
 }

@@ -9,7 +9,9 @@
 
 namespace prs {
 
-/// Fields and rows of comma-separated values, quoted as in RFC 4180.
+/// Fields and rows of comma-separated values, quoted as in RFC 4180. A text that a spreadsheet
+/// would take for a formula (it begins with = + - @, a tab or the end of a line, and is no
+/// quantity) gets an apostrophe before it.
 class CsvWriter {
  public:
   void text(std::string_view value);

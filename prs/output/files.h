@@ -16,4 +16,7 @@ struct OutputFile {
 /// disk leaves earlier files as they were. Throws std::system_error that names the path.
 void write_files(const std::filesystem::path& directory, const std::vector<OutputFile>& files);
 
+/// Writes a case that the user goes on with: no later run takes it for an output of its own.
+void write_case(const std::filesystem::path& file, const std::string& text);
+
 }  // namespace prs

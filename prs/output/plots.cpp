@@ -15,6 +15,7 @@
 #include "prs/output/files.h"
 #include "prs/output/gnuplot.h"
 #include "prs/output/result_figures.h"
+#include "prs/output/run_files.h"
 #include "prs/output/slip_figures.h"
 
 namespace prs {
@@ -93,14 +94,16 @@ bool is_whole(const fs::path& image) {
 std::string publish_images(const Figure& figure, const fs::path& from, const fs::path& to) {
   for (const char* type : kImageTypes)
     if (const std::string image = figure.name + type; !is_whole(from / image))
-      return fmt::format("cannot write '{}': gnuplot left it incomplete, as on a full disk; make "
-                         "space and run again",
-                         (to / image).string());
+      return fmt::format(
+          "cannot write '{}': gnuplot left it incomplete, as on a full disk; make "
+          "space and run again",
+          (to / image).string());
   for (const char* type : kImageTypes) {
     const std::string image = figure.name + type;
     std::error_code error;
     fs::rename(from / image, to / image, error);
     if (error) return fmt::format("cannot write '{}': {}", (to / image).string(), error.message());
+    record_written(to / image);
   }
   return {};
 }

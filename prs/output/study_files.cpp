@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "prs/output/run_files.h"
 #include "prs/output/staged_file.h"
 #include "prs/output/study_csv.h"
 #include "prs/output/study_envelope_csv.h"
@@ -28,13 +29,16 @@ struct EnvelopeFile {
 
 /// The files of a study, published together.
 struct RowFiles {
+  std::filesystem::path folder;
   StagedFile csv;
   StudyNetcdf netcdf;
   std::optional<EnvelopeFile> envelope;
 
-  RowFiles(const std::filesystem::path& folder, const Study& study,
+  RowFiles(const std::filesystem::path& below, const Study& study,
            const std::vector<FactorColumn>& columns, const DocumentInfo& info)
-      : csv(folder / "study.csv"), netcdf(folder / "study.nc", study, columns, info) {
+      : folder(below),
+        csv(folder / "study.csv"),
+        netcdf(folder / "study.nc", study, columns, info) {
     if (study.envelope) envelope.emplace(folder, study);
   }
 
@@ -44,7 +48,10 @@ struct RowFiles {
     if (envelope) envelope->finish(study);
     csv.publish();
     netcdf.publish();
-    if (envelope) envelope->csv.publish();
+    for (const char* name : {"study.csv", "study.nc"}) record_written(folder / name);
+    if (!envelope) return;
+    envelope->csv.publish();
+    record_written(folder / "envelope.csv");
   }
 };
 

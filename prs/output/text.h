@@ -4,11 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace prs {
+#include "prs/document/printable.h"
 
-/// The text on one line and in well-formed UTF-8: control characters become spaces, malformed bytes
-/// U+FFFD. Makes names from files safe for terminals, scripts and SVG.
-std::string printable(std::string_view text);
+namespace prs {
 
 /// Number of code points of well-formed UTF-8.
 std::size_t width(std::string_view text);

@@ -18,9 +18,9 @@ bool lock_file(const FileDescriptor& file, int operation, const std::filesystem:
   for (int tries = 1; ::flock(file.get(), operation | LOCK_NB) != 0;) {
     if (errno == EINTR) continue;
     if (errno != EWOULDBLOCK)
-      throw std::runtime_error(fmt::format(
-          "cannot lock '{}': {}; give a folder on another file system with --output", path.string(),
-          std::generic_category().message(errno)));
+      throw std::runtime_error(
+          fmt::format("cannot lock '{}': {}; give a folder on another file system with --output",
+                      path.string(), std::generic_category().message(errno)));
     if (tries++ == kMostLockTries) return false;
     wait();
   }

@@ -11,6 +11,7 @@
 #include <optional>
 #include <system_error>
 
+#include "prs/regular_file.h"
 #include "prs/sha256.h"
 #include "prs/study/file_lock.h"
 
@@ -102,6 +103,7 @@ std::optional<RowBlock> decode(std::string_view bytes, const JournalHeader& head
   if (!cursor.good() || responses != header.responses.size() || block.rows == 0 ||
       block.first >= header.designs || block.rows > header.designs - block.first)
     return std::nullopt;
+  if (responses > 0 && block.rows > bytes.size() / sizeof(double) / responses) return std::nullopt;
   const std::string_view numbers = cursor.text(block.rows * responses * sizeof(double));
   if (!cursor.good()) return std::nullopt;
   block.responses.resize(block.rows * responses);
@@ -130,19 +132,70 @@ std::string encode(const JournalHeader& header) {
   return bytes + sealed({cbor.begin(), cbor.end()});
 }
 
-JournalHeader decode_header(std::string_view bytes) {
-  const nlohmann::json json = nlohmann::json::from_cbor(content(bytes));
-  return {json.at("key"),
-          {json.at("name"), json.at("text"), json.at("overrides")},
-          json.at("responses"),
-          json.at("designs"),
-          {json.at("shard").at(0), json.at("shard").at(1)}};
+/// Whether CBOR nests no deeper than a header does, in the few forms that a header has: the reader
+/// of nlohmann-json calls itself once a level.
+bool is_shallow(std::string_view cbor) {
+  constexpr std::size_t kDeepest = 3;
+  enum Type { bytes = 2, text = 3, array = 4, map = 5, tag = 6 };
+  std::vector<std::uint64_t> to_come{1};  // Items of each level.
+  while (!to_come.empty()) {
+    if (to_come.back() == 0) {
+      to_come.pop_back();
+      continue;
+    }
+    --to_come.back();
+    if (cbor.empty()) return false;
+    const auto head = static_cast<unsigned char>(cbor.front());
+    cbor.remove_prefix(1);
+    const unsigned type = head >> 5u;
+    std::uint64_t argument = head & 31u;
+    if (argument > 27 || type == tag) return false;  // Of no stated length, or tagged.
+    if (argument >= 24) {
+      const std::size_t length = std::size_t{1} << (argument - 24);
+      if (length > cbor.size()) return false;
+      argument = 0;
+      for (const char c : cbor.substr(0, length))
+        argument = argument << 8u | static_cast<unsigned char>(c);
+      cbor.remove_prefix(length);
+    }
+    if (type < bytes || type > map) continue;
+    if (argument > cbor.size()) return false;
+    if (type == bytes || type == text)
+      cbor.remove_prefix(argument);
+    else if (to_come.size() == kDeepest)
+      return false;
+    else
+      to_come.push_back(type == map ? 2 * argument : argument);
+  }
+  return cbor.empty();
+}
+
+/// Absent where the bytes are not what `encode` gives for a header.
+std::optional<JournalHeader> decode_header(std::string_view bytes) try {
+  const std::string_view cbor = content(bytes);
+  if (!is_shallow(cbor)) return std::nullopt;
+  const nlohmann::json json = nlohmann::json::from_cbor(cbor);
+  const auto count = [](const nlohmann::json& number) {
+    return number.get_ref<const nlohmann::json::number_unsigned_t&>();
+  };
+  const nlohmann::json& shard = json.at("shard");
+  JournalHeader header{json.at("key"),
+                       {json.at("name"), json.at("text"), json.at("overrides")},
+                       json.at("responses"),
+                       count(json.at("designs")),
+                       {count(shard.at(0)), count(shard.at(1))}};
+  if (header.shard.index >= header.shard.count || header.shard.count > kMostShards ||
+      encode(header).substr(kWord) != bytes)
+    return std::nullopt;
+  return header;
+} catch (const nlohmann::json::exception&) {
+  return std::nullopt;
 }
 
 [[noreturn]] void refuse_foreign(const fs::path& path) {
   throw StudyFolderError(fmt::format(
       "{}: error: this is no journal of a study, or it is damaged or of another kind of machine; "
-      "give another folder with --output, or --restart to discard it",
+      "remove it, give another folder with --output, or --restart to discard it",
       path.string()));
 }
 
@@ -157,6 +210,20 @@ FileDescriptor open_temporary() {
 }
 
 }  // namespace
+
+FileDescriptor open_study_file(const fs::path& path, int flags) {
+  RegularFile opened = open_regular(path.c_str(), flags, 0666);
+  if (!opened.obstacle.empty())
+    throw StudyFolderError(fmt::format(
+        "{}: error: got {}; expected the file itself; remove it, or put the file in its place",
+        path.string(), opened.obstacle));
+  if (!opened.file.is_open())
+    throw std::system_error(
+        opened.error, std::generic_category(),
+        fmt::format("cannot {} '{}'", (flags & O_ACCMODE) == O_RDONLY ? "read" : "write",
+                    path.string()));
+  return std::move(opened.file);
+}
 
 std::string study_key(std::string_view version, const input::Source& source,
                       std::span<const std::string> referred) {
@@ -192,9 +259,7 @@ DesignRange designs_of(std::string_view record) {
 Journal Journal::append_to(const fs::path& path, const JournalHeader& header, bool afresh) {
   Journal journal;
   journal.path_ = path;
-  journal.file_ =
-      FileDescriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
-  if (!journal.file_.is_open()) journal.fail(errno);
+  journal.file_ = open_study_file(path, O_RDWR | O_CREAT | O_APPEND);
   if (!lock_file(journal.file_, LOCK_EX, path))
     throw StudyFolderError(fmt::format(
         "{}: error: another process is writing this journal; wait for it, or give another folder "
@@ -221,10 +286,7 @@ Journal Journal::temporary(const JournalHeader& header) {
 Journal Journal::read(const fs::path& path) {
   Journal journal;
   journal.path_ = path;
-  journal.file_ = FileDescriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!journal.file_.is_open())
-    throw std::system_error(errno, std::generic_category(),
-                            fmt::format("cannot read '{}'", path.string()));
+  journal.file_ = open_study_file(path, O_RDONLY);
   journal.load();
   return journal;
 }
@@ -283,7 +345,9 @@ bool Journal::load() {
   if (length > size - kWord) return false;
   const std::string head = bytes(kWord, length);
   if (!is_whole(head)) refuse_foreign(path_);
-  header_ = decode_header(head);
+  std::optional<JournalHeader> header = decode_header(head);
+  if (!header) refuse_foreign(path_);
+  header_ = *std::move(header);
 
   end_ = kWord + length;
   while (size - end_ >= kShortestRecord) {

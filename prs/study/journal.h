@@ -22,6 +22,10 @@ class StudyFolderError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Opens a file that a study keeps in its folder, as ::open does. Throws StudyFolderError where a
+/// symbolic link, a pipe or a folder stands in its place, and std::system_error.
+FileDescriptor open_study_file(const std::filesystem::path& path, int flags);
+
 /// What the rows of a study depend on, as one hash: program, file, overrides and the contents of
 /// what the file refers to.
 std::string study_key(std::string_view version, const input::Source& source,

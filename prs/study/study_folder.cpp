@@ -20,16 +20,13 @@ namespace fs = std::filesystem;
 bool is_in_place(const FileDescriptor& file, const fs::path& path) {
   struct stat opened {
   }, named{};
-  return ::fstat(file.get(), &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
+  return ::fstat(file.get(), &opened) == 0 && ::lstat(path.c_str(), &named) == 0 &&
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
 FileDescriptor locked(const fs::path& folder, const fs::path& path, int kind) {
   for (;;) {
-    FileDescriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-    if (!file.is_open())
-      throw std::system_error(errno, std::generic_category(),
-                              fmt::format("cannot write '{}'", path.string()));
+    FileDescriptor file = open_study_file(path, O_RDWR | O_CREAT);
     if (!lock_file(file, kind, path))
       throw StudyFolderError(fmt::format(
           "{}: error: another process runs a study in this folder; wait for it, or give "
@@ -78,8 +75,7 @@ StudyFolder::StudyFolder(fs::path path, Use use)
 
 StudyFolder::~StudyFolder() {
   // The last one clears up; who opened the file meanwhile finds it out of place.
-  if (lock_.is_open() && ::flock(lock_.get(), LOCK_EX | LOCK_NB) == 0)
-    ::unlink(lock_path_.c_str());
+  if (lock_.is_open() && ::flock(lock_.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(lock_path_.c_str());
 }
 
 void StudyFolder::remove_journals() const {

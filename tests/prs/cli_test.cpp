@@ -7,12 +7,16 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <vector>
 
+#include "prs/document/printable.h"
 #include "tests/support/program.h"
 
 namespace {
 
+using prs::printable;
 using test::Outcome;
 
 namespace fs = std::filesystem;
@@ -312,6 +316,66 @@ TEST_F(CommandLine, SolveSaysThatItLeavesThePreloadOut) {
   const Outcome run = prs("solve configs/12_preload.yaml --json");
   EXPECT_EQ(run.status, 0);
   EXPECT_NE(run.err.find("without preload"), std::string::npos) << run.err;
+}
+
+/// Files below a folder but for hidden ones, with their contents.
+std::map<std::string, std::string> results_in(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && !entry.path().filename().string().starts_with('.'))
+      files[entry.path().lexically_relative(folder).string()] = test::content_of(entry.path());
+  return files;
+}
+
+TEST_F(CommandLine, AFolderHoldsTheResultsOfOneCase) {
+  const std::string used = "'" + (folder / "used").string() + "'";
+  const std::string fresh = "'" + (folder / "fresh").string() + "'";
+  const std::string lesson = " configs/04_contacts_from_geometry.yaml --output ";
+  ASSERT_EQ(prs("solve configs/03_load_sweep.yaml --output " + used).status, 0);
+  ASSERT_EQ(prs("contact configs/03_load_sweep.yaml --output " + used).status, 0);
+  ASSERT_TRUE(fs::exists(folder / "used/plots/butterfly.gp"));
+  std::ofstream(folder / "used/notes.txt") << "mine";
+  const Outcome run = prs("solve" + lesson + used);
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.err.find("files of earlier runs removed"), std::string::npos) << run.err;
+  ASSERT_EQ(prs("solve" + lesson + fresh).status, 0);
+  std::map<std::string, std::string> expected = results_in(folder / "fresh");
+  EXPECT_TRUE(expected.contains("result.json"));
+  expected["notes.txt"] = "mine";
+  EXPECT_TRUE(results_in(folder / "used") == expected);
+
+  // Commands on one case add to each other.
+  for (const char* command : {"check", "contact"}) ASSERT_EQ(prs(command + lesson + used).err, "");
+  for (const auto& [name, content] : expected)
+    EXPECT_TRUE(fs::exists(folder / "used" / name)) << name;
+}
+
+TEST_F(CommandLine, NamesReachTheTerminalWithoutControls) {
+  const std::string nasty = "a\x1b[2J\x7f\u0085\u009b31m\u202e\u2066\u200b\u2028\ufeff\xff=b";
+  const std::vector<std::string> forbidden = {"\x1b",   "\x7f",   "\u0085", "\u009b", "\u202e",
+                                              "\u2066", "\u200b", "\u2028", "\ufeff", "\xff"};
+  const std::string file = " configs/09_slip_and_dissipation.yaml ";
+  // Without what is no UTF-8, which YAML refuses.
+  const std::string name =
+      file + " --set 'load_cases[0].name=\"" + nasty.substr(0, nasty.find('\xff')) + "b\"'";
+  std::vector<std::string> commands = {"solve " + file + "--set 'mechanism." + nasty + "=1'",
+                                       "solve '" + nasty + "'",
+                                       "solve " + file + "--set 'mechanism.lead=" + nasty + "'",
+                                       "'" + nasty + "'",
+                                       "study merge '" + nasty + "'",
+                                       "solve " + file + "--output '/proc/" + nasty + "'"};
+  for (const char* command : {"solve", "slip", "check", "contact", "measures"})
+    for (const char* more : {"", " --json"}) commands.push_back(command + name + more);
+  for (const std::string& command : commands) {
+    const Outcome run = prs(command);
+    for (const std::string& text : forbidden) {
+      EXPECT_EQ(run.out.find(text), std::string::npos)
+          << printable(command) << ": " << printable(text);
+      EXPECT_EQ(run.err.find(text), std::string::npos)
+          << printable(command) << ": " << printable(run.err);
+    }
+    EXPECT_FALSE(run.out.empty() && run.err.empty());
+  }
 }
 
 }  // namespace

@@ -55,6 +55,20 @@ TEST(Csv, NumbersKeepAllDigits) {
     EXPECT_EQ(std::stod(rows[k].at("nut_axial_load_N")), load_case.threads->nut.axial_load[k]);
 }
 
+TEST(Csv, NamesThatSpreadsheetsWouldComputeGetAnApostrophe) {
+  for (const char* name : {"=1+1", "+cmd|' /C calc'!A0", "-2+3", "@SUM(A1)", "\t=1", "\r=1", "\n=1",
+                           "-", "=\"x\"", "-1 mm!A1", "- 5 mm"}) {
+    const std::string csv = load_cases_csv(result_of({failed_case(name)}));
+    EXPECT_NE(csv.find("\n\"'"), std::string::npos) << csv;
+    EXPECT_EQ(parse(csv)[0].at("case"), std::string("'") + name);
+  }
+  for (const char* name : {"a=b", "-5", "+5.5e-3", "-0.02 mm", "-3 N/mm^1.5", "'=1", " =1"})
+    EXPECT_EQ(parse(load_cases_csv(result_of({failed_case(name)})))[0].at("case"), name);
+  const auto row =
+      parse(load_cases_csv(result_of({solved_case("a", -45e3, Direction::tension)})))[0];
+  EXPECT_EQ(row.at("axial_force_N"), "-45000");
+}
+
 TEST(Csv, NamesWithSeparatorsAreQuoted) {
   const std::string name = "45 kN, \"hot\"\nsecond line";
   const auto rows = parse(load_cases_csv(result_of({failed_case(name)})));

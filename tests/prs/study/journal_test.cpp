@@ -2,10 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <bit>
+#include <boost/crc.hpp>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "../output/temporary_directory.h"
@@ -170,6 +173,111 @@ TEST(Journal, WhatIsNoJournalIsRefused) {
   EXPECT_EQ(content_of(path), "design,status\n0,converged\n");
   Journal::append_to(path, synthetic_header(kJournalDesigns), true);
   EXPECT_EQ(Journal::read(path).header().designs, kJournalDesigns);
+}
+
+/// A whole journal that begins with these bytes in place of a header.
+std::string journal_of(const std::string& header) {
+  const auto word = [](std::uint64_t number) {
+    return std::string(reinterpret_cast<const char*>(&number), sizeof number);
+  };
+  const std::string sealed = word(header.size() + 16) + header;
+  boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true> crc;
+  crc.process_bytes(sealed.data(), sealed.size());
+  return "PRS-JNA1" + sealed + word(crc.checksum());
+}
+
+std::string cbor_of(const nlohmann::json& json) {
+  const std::vector<std::uint8_t> cbor = nlohmann::json::to_cbor(json);
+  return {cbor.begin(), cbor.end()};
+}
+
+TEST(Journal, HeadersThatNoStudyWritesAreRefused) {
+  const test::TemporaryDirectory temporary;
+  const fs::path path = temporary.path() / "study.journal";
+  const auto error_of = [&](const std::string& header) {
+    write(path, journal_of(header));
+    return folder_error_of([&] { Journal::read(path); });
+  };
+  const nlohmann::json good{{"key", "k"},         {"name", "case.yaml"}, {"text", ""},
+                            {"overrides", {"a"}}, {"responses", {"r"}},  {"designs", 5},
+                            {"shard", {1, 8}}};
+  write(path, journal_of(cbor_of(good)));
+  EXPECT_EQ(Journal::read(path).header().shard, (Shard{1, 8}));
+
+  constexpr auto kHuge = std::uint64_t{1} << 40;
+  const std::vector<std::pair<std::string, nlohmann::json>> changes{{"shard", {kHuge, 2 * kHuge}},
+                                                                    {"shard", {8, 8}},
+                                                                    {"shard", {0, 0}},
+                                                                    {"shard", {0}},
+                                                                    {"shard", {0, 1, 2}},
+                                                                    {"shard", {-1, 8}},
+                                                                    {"shard", {0.5, 8}},
+                                                                    {"shard", nullptr},
+                                                                    {"designs", "5"},
+                                                                    {"designs", -5},
+                                                                    {"designs", 1e300},
+                                                                    {"designs", true},
+                                                                    {"key", 5},
+                                                                    {"text", {1}},
+                                                                    {"overrides", "a"},
+                                                                    {"overrides", {{"a", 1}}},
+                                                                    {"responses", {1}},
+                                                                    {"responses", {{{"deep"}}}},
+                                                                    {"more", 1}};
+  for (const auto& [key, value] : changes) {
+    nlohmann::json json = good;
+    json[key] = value;
+    EXPECT_THAT(error_of(cbor_of(json)), HasSubstr("no journal of a study")) << json;
+  }
+  for (const auto& [key, value] : good.items()) {
+    nlohmann::json json = good;
+    json.erase(key);
+    EXPECT_THAT(error_of(cbor_of(json)), HasSubstr("no journal of a study")) << json;
+  }
+  // Arrays, maps, texts and tags within each other, deeper than a stack.
+  for (const char level : {'\x81', '\xa1', '\x7f', '\x9f', '\xbf', '\xc1', '\x5f'})
+    EXPECT_THAT(error_of(std::string(1 << 22, level)), HasSubstr("no journal of a study"));
+  for (const std::string& text :
+       {std::string(), std::string("\x9b\xff\xff\xff\xff\xff\xff\xff\xff"),
+        std::string("\x7b\xff\xff\xff\xff\xff\xff\xff\xff"), cbor_of(good) + "x"})
+    EXPECT_THAT(error_of(text), HasSubstr("no journal of a study"));
+}
+
+TEST(Journal, RecordsThatClaimMoreThanTheyHoldAreDamage) {
+  const Journal journal = Journal::temporary(synthetic_header(std::uint64_t{1} << 62));
+  RowBlock block = synthetic_rows(0, 4);
+  EXPECT_TRUE(journal.takes(encode(block)));
+  // Rows times responses times eight is one turn of 64 bits more than what the record has.
+  RowBlock wrapped = synthetic_rows(0, 1);
+  wrapped.rows = (std::uint64_t{1} << 61) + 1;
+  wrapped.responses.resize(kRows);
+  EXPECT_FALSE(journal.takes(encode(wrapped)));
+}
+
+TEST(Journal, LinksPipesAndFoldersAreRefusedAndLeftAlone) {
+  const test::TemporaryDirectory temporary;
+  const fs::path other = temporary.path() / "other", path = temporary.path() / "study.journal";
+  const auto refused = [&](const char* what) {
+    for (const std::string& error :
+         {folder_error_of([&] { Journal::read(path); }),
+          folder_error_of([&] { Journal::append_to(path, synthetic_header(kJournalDesigns)); }),
+          folder_error_of(
+              [&] { Journal::append_to(path, synthetic_header(kJournalDesigns), true); })})
+      EXPECT_THAT(error, HasSubstr(path.string() + ": error: got " + what));
+    fs::remove(path);
+  };
+  write_journal(other);
+  const std::string before = content_of(other);
+  fs::create_symlink(other, path);
+  refused("a symbolic link");
+  EXPECT_EQ(content_of(other), before);
+  fs::create_symlink(temporary.path() / "new", path);
+  refused("a symbolic link");
+  EXPECT_FALSE(fs::exists(temporary.path() / "new"));
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  refused("a pipe");
+  fs::create_directory(path);
+  refused("a folder");
 }
 
 TEST(Journal, OfAnotherStudyIsRefused) {

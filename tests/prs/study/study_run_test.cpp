@@ -59,6 +59,20 @@ void expect_all_rows(const StoredRows& rows, std::size_t designs = kDesigns) {
   EXPECT_EQ(next, designs);
 }
 
+TEST(StudyRun, MissingShardsAreNamedHoweverManyThereAre) {
+  const test::TemporaryDirectory temporary;
+  const Shard shard{kMostShards - 1, kMostShards};
+  Journal::append_to(journal_path(temporary.path(), shard), synthetic_header(kDesigns, shard))
+      .append(encode(synthetic_rows(1, 2)));
+  const std::string error = folder_error_of([&] { gather_rows({temporary.path()}); });
+  EXPECT_THAT(error, HasSubstr("4998 of 5000 designs are missing"));
+  EXPECT_THAT(error, HasSubstr("shard 1/1000000: 1 of 1 designs are missing"));
+  EXPECT_THAT(error, testing::Not(HasSubstr("shard 2/1000000:")));
+  EXPECT_THAT(error, testing::Not(HasSubstr("shard 3/1000000:")));
+  EXPECT_THAT(error, HasSubstr("shard 4/1000000:"));
+  EXPECT_THAT(error, HasSubstr("and 4978 more"));
+}
+
 TEST(StudyRun, GivesAllRowsOnAnyNumberOfThreads) {
   for (const std::size_t threads : {1, 2, 3, 8}) {
     Computer computer{threads};

@@ -1,0 +1,296 @@
+#include "prs/output/run_files.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "prs/input/source.h"
+#include "prs/output/staged_file.h"
+#include "prs/regular_file.h"
+#include "prs/sha256.h"
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Of the list that is read.
+constexpr std::size_t kLongestList = std::size_t{16} << 20;
+constexpr std::size_t kMostNamed = 3;
+
+/// What the process wrote since its run began.
+struct Record {
+  std::mutex mutex;
+  bool active = false;
+  std::vector<fs::path> files;
+  std::string input_sha256;
+};
+
+Record& record() {
+  static Record only;
+  return only;
+}
+
+/// Paths below the folder, and the digests of what the run wrote there.
+using Digests = std::map<std::string, std::string>;
+
+/// The files of one run.
+struct Listed {
+  std::string command;
+  std::string input_sha256;  ///< Empty where the command reads no case.
+  Digests files;
+};
+
+std::vector<std::string> parts_of(std::string_view path) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('/', begin), path.size());
+    parts.emplace_back(path.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+/// Whether a listed path names a result below the folder.
+bool is_result(std::string_view path) {
+  if (path == kFileList || path.ends_with(".journal") || path.ends_with(".lock") ||
+      path.find('\0') != path.npos)
+    return false;
+  return std::ranges::none_of(parts_of(path), [](const std::string& part) {
+    return part.empty() || part == "." || part == "..";
+  });
+}
+
+/// A file below an open folder, by its name in the last of the folders on the way to it.
+struct Place {
+  std::vector<FileDescriptor> folders;  ///< That of each part of the path but the last.
+  std::vector<std::string> parts;
+
+  int parent(const FileDescriptor& top) const {
+    return folders.empty() ? top.get() : folders.back().get();
+  }
+};
+
+/// Absent where a folder on the way is missing or a symbolic link.
+std::optional<Place> place_of(const FileDescriptor& top, const std::string& path) {
+  Place place{{}, parts_of(path)};
+  for (std::size_t k = 0; k + 1 < place.parts.size(); ++k) {
+    place.folders.emplace_back(::openat(place.parent(top), place.parts[k].c_str(),
+                                        O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    if (!place.folders.back().is_open()) return std::nullopt;
+  }
+  return place;
+}
+
+/// Of a regular file; empty where there is none.
+std::string digest_of(const FileDescriptor& top, const Place& place) {
+  const RegularFile opened =
+      open_regular(place.parts.back().c_str(), O_RDONLY, 0, place.parent(top));
+  return opened.file.is_open() ? sha256(opened.file).value_or("") : "";
+}
+
+enum class Removal { removed, changed, absent };
+
+/// Removes a file that is as it was listed, and the folders that are empty then.
+Removal remove_listed(const FileDescriptor& top, const std::string& path,
+                      const std::string& digest) {
+  const std::optional<Place> place = place_of(top, path);
+  struct stat status {};
+  if (!place ||
+      ::fstatat(place->parent(top), place->parts.back().c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
+    return Removal::absent;
+  if (digest_of(top, *place) != digest ||
+      ::unlinkat(place->parent(top), place->parts.back().c_str(), 0) != 0)
+    return Removal::changed;
+  for (std::size_t k = place->folders.size(); k > 0; --k) {
+    const int above = k > 1 ? place->folders[k - 2].get() : top.get();
+    if (::unlinkat(above, place->parts[k - 1].c_str(), AT_REMOVEDIR) != 0) break;
+  }
+  return Removal::removed;
+}
+
+/// What a text lists; absent where it is no list.
+std::optional<std::vector<Listed>> parsed_list(const std::string& text) try {
+  const Json list = Json::parse(text);
+  std::vector<Listed> runs;
+  for (const Json& run : list.at("runs")) {
+    Listed& listed = runs.emplace_back(Listed{run.at("command"), run.at("input_sha256"), {}});
+    for (const auto& [path, digest] : run.at("files").items())
+      if (is_result(path)) listed.files[path] = digest;
+  }
+  return runs;
+} catch (const Json::exception&) {
+  return std::nullopt;
+}
+
+std::string list_text(const std::vector<Listed>& runs) {
+  Json json{{"about",
+             "What prs wrote into this folder, with SHA-256. A later run removes those of these "
+             "files that are of another case, or that its command wrote before and does not write "
+             "again; what was changed since stays."},
+            {"runs", Json::array()}};
+  for (const Listed& run : runs)
+    json["runs"].push_back(
+        {{"command", run.command}, {"input_sha256", run.input_sha256}, {"files", run.files}});
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+/// Keeps other runs from the list for as long as the folder stays open, if they let go of it soon.
+void lock(const FileDescriptor& folder) {
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    if (::flock(folder.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
+/// Path of a file below a folder; empty where it stands elsewhere.
+std::string path_below(const fs::path& folder, const fs::path& file) {
+  std::error_code ignored;
+  const std::string path =
+      fs::weakly_canonical(file, ignored).lexically_relative(fs::weakly_canonical(folder, ignored));
+  return path.empty() || path == "." || path.starts_with("..") ? std::string() : path;
+}
+
+std::string sha256_of_case(const fs::path& file) {
+  if (file.empty()) return {};
+  try {
+    return sha256(input::load_source(file.string(), {}).text);
+  } catch (const input::InputError&) {
+    return {};  // The command reports it.
+  }
+}
+
+std::string files_text(std::size_t count) {
+  return count == 1 ? "1 file" : fmt::format("{} files", count);
+}
+
+}  // namespace
+
+void record_written(const fs::path& file) {
+  Record& r = record();
+  const std::lock_guard guard(r.mutex);
+  if (r.active) r.files.push_back(file);
+}
+
+void record_case(const std::string& input_sha256) {
+  Record& r = record();
+  const std::lock_guard guard(r.mutex);
+  r.input_sha256 = input_sha256;
+}
+
+RunFiles::RunFiles(fs::path folder, std::string command, fs::path case_file)
+    : folder_(std::move(folder)), command_(std::move(command)), case_file_(std::move(case_file)) {
+  Record& r = record();
+  const std::lock_guard guard(r.mutex);
+  r.active = true;
+  r.files.clear();
+  r.input_sha256 = sha256_of_case(case_file_);
+}
+
+RunFiles::~RunFiles() {
+  if (finished_) return;
+  try {
+    update(false);
+  } catch (const std::exception&) {
+    // What ended the run is reported; files that are not listed stay.
+  }
+}
+
+std::vector<std::string> RunFiles::finish() {
+  finished_ = true;
+  return update(true);
+}
+
+std::vector<std::string> RunFiles::update(bool complete) {
+  Listed own{command_, {}, {}};
+  std::vector<fs::path> written;
+  {
+    Record& r = record();
+    const std::lock_guard guard(r.mutex);
+    r.active = false;
+    own.input_sha256 = r.input_sha256;
+    written.swap(r.files);
+  }
+  const FileDescriptor folder(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder.is_open()) return {};
+  for (const fs::path& file : written) {
+    const std::string path = path_below(folder_, file);
+    if (path.empty() || !is_result(path)) continue;
+    const std::optional<Place> place = place_of(folder, path);
+    const std::string digest = place ? digest_of(folder, *place) : std::string();
+    if (!digest.empty()) own.files[path] = digest;
+  }
+  if (own.files.empty()) return {};
+
+  lock(folder);
+  std::vector<std::string> notes;
+  std::vector<Listed> former;
+  const RegularFile list = open_regular(std::string(kFileList).c_str(), O_RDONLY, 0, folder.get());
+  if (list.file.is_open()) {
+    const std::optional<std::string> text = content_of(list.file, kLongestList);
+    std::optional<std::vector<Listed>> runs = text ? parsed_list(*text) : std::nullopt;
+    if (runs)
+      former = *std::move(runs);
+    else
+      notes.push_back(
+          fmt::format("{}: no list of what prs wrote, or damaged; files of earlier "
+                      "runs stay, remove those that you do not need",
+                      (folder_ / kFileList).string()));
+  }
+
+  const std::string case_path = case_file_.empty() ? "" : path_below(folder_, case_file_);
+  std::vector<Listed> runs;
+  std::size_t removed = 0;
+  std::vector<std::string> changed;
+  for (Listed& run : former) {
+    for (const auto& [path, digest] : own.files) run.files.erase(path);
+    const bool of_other_case = !own.input_sha256.empty() && !run.input_sha256.empty() &&
+                               run.input_sha256 != own.input_sha256;
+    const bool out_of_date = run.command == command_ || of_other_case;
+    if (complete && out_of_date && !run.files.contains(case_path)) {
+      for (const auto& [path, digest] : run.files) switch (remove_listed(folder, path, digest)) {
+          case Removal::removed:
+            ++removed;
+            break;
+          case Removal::changed:
+            changed.push_back((folder_ / path).string());
+            break;
+          case Removal::absent:
+            break;
+        }
+    } else if (!run.files.empty()) {
+      runs.push_back(std::move(run));
+    }
+  }
+  runs.push_back(std::move(own));
+  StagedFile file(folder_ / kFileList);
+  file.append(list_text(runs));
+  file.publish();
+
+  if (removed > 0)
+    notes.push_back(fmt::format("{} of earlier runs removed from {}, which this run does not write",
+                                files_text(removed), folder_.string()));
+  if (!changed.empty())
+    notes.push_back(fmt::format(
+        "{} of earlier runs changed since and stayed; remove what you do not need: {}{}",
+        files_text(changed.size()),
+        fmt::join(
+            changed.begin(),
+            changed.begin() + static_cast<std::ptrdiff_t>(std::min(changed.size(), kMostNamed)),
+            ", "),
+        changed.size() > kMostNamed ? ", .." : ""));
+  return notes;
+}
+
+}  // namespace prs

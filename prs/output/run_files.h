@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace prs {
+
+/// The list of files that runs keep in their output folder.
+inline constexpr std::string_view kFileList = ".prs-files.json";
+
+/// Says that the process wrote this file for its user; whoever gives an output file its name calls
+/// it. From any thread.
+void record_written(const std::filesystem::path& file);
+
+/// Says which case the run in progress is of, where its command line does not name the file.
+void record_case(const std::string& input_sha256);
+
+/// What one run of the program writes below its output folder: listed there with its digests, so
+/// that a later run removes what is out of date. One object at a time.
+///
+/// A run removes the files that its command listed before and that it did not write again; where
+/// the folder's files are of another case file, those of all commands. It leaves alone what no run
+/// listed, what is not as it was listed, journals, the case itself and the files of the run that
+/// the case is from (`best.yaml` of an optimization), and follows no symbolic link.
+class RunFiles {
+ public:
+  /// Records from now on what is written below `folder`. `case_file` is empty where the command
+  /// reads no case.
+  RunFiles(std::filesystem::path folder, std::string command, std::filesystem::path case_file);
+  RunFiles(const RunFiles&) = delete;
+  RunFiles& operator=(const RunFiles&) = delete;
+  /// Lists what was written by a run that did not come to its end, and removes nothing.
+  ~RunFiles();
+
+  /// Removes what is out of date, brings the list up to date where anything was written, and says
+  /// what a user should know, a line each. Throws std::system_error where the list cannot be
+  /// written.
+  std::vector<std::string> finish();
+
+ private:
+  std::vector<std::string> update(bool complete);
+
+  std::filesystem::path folder_;
+  std::string command_;
+  std::filesystem::path case_file_;
+  bool finished_ = false;
+};
+
+}  // namespace prs
