@@ -27,10 +27,10 @@ MoesNumbers moes_numbers(const Lubricant& lubricant, const FilmContact& contact,
                          double rolling_speed) {
   const double e = modulus(contact);
   const double u = lubricant.viscosity * rolling_speed * contact.curvature / e;
-  return {.speed = u,
-          .load = contact.normal_load * contact.curvature * contact.curvature /
-                  (e * std::pow(u, 0.75)),
-          .lubricant = lubricant.pressure_viscosity * e * std::pow(u, 0.25)};
+  return {
+      .speed = u,
+      .load = contact.normal_load * contact.curvature * contact.curvature / (e * std::pow(u, 0.75)),
+      .lubricant = lubricant.pressure_viscosity * e * std::pow(u, 0.25)};
 }
 
 Film sandu_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed) {
@@ -43,15 +43,14 @@ FilmRegimes film_regimes(const MoesNumbers& numbers, double curvature_ratio) {
   using std::pow;
   const double m = numbers.load, l = numbers.lubricant, ratio = curvature_ratio;
   const double k = 1.0 + 0.006 * std::log(ratio) + 0.63 * pow(ratio, 4.0 / 7.0);
-  return {
-      .rigid_isoviscous =
-          145.0 * pow(1.0 + 0.796 * pow(ratio, 14.0 / 15.0), -15.0 / 7.0) / ratio * pow(m, -2.0),
-      .elastic_isoviscous =
-          3.18 * pow(k, -14.0 / 25.0) * pow(ratio, -1.0 / 15.0) * pow(m, -2.0 / 15.0),
-      .rigid_piezoviscous = 1.29 * pow(1.0 + 0.691 * ratio, -2.0 / 3.0) * pow(l, 2.0 / 3.0),
-      .elastic_piezoviscous =
-          1.48 * pow(k, -7.0 / 20.0) * pow(ratio, -1.0 / 24.0) * pow(m, -1.0 / 12.0) * pow(l, 0.75),
-      .small_load = 1.80 * pow(ratio, -5.0 / 7.0)};
+  return {.rigid_isoviscous = 145.0 * pow(1.0 + 0.796 * pow(ratio, 14.0 / 15.0), -15.0 / 7.0) /
+                              ratio * pow(m, -2.0),
+          .elastic_isoviscous =
+              3.18 * pow(k, -14.0 / 25.0) * pow(ratio, -1.0 / 15.0) * pow(m, -2.0 / 15.0),
+          .rigid_piezoviscous = 1.29 * pow(1.0 + 0.691 * ratio, -2.0 / 3.0) * pow(l, 2.0 / 3.0),
+          .elastic_piezoviscous = 1.48 * pow(k, -7.0 / 20.0) * pow(ratio, -1.0 / 24.0) *
+                                  pow(m, -1.0 / 12.0) * pow(l, 0.75),
+          .small_load = 1.80 * pow(ratio, -5.0 / 7.0)};
 }
 
 double film_parameter(const FilmRegimes& h) {

@@ -45,7 +45,8 @@ void warn_of_interference(const Contacts& c, std::vector<std::string>& warnings)
   for (const Interface i : kInterfaces) {
     const contact::ContactPoint& point = c.interfaces[i].geometry.point;
     const contact::Thread& body = i == Interface::screw ? c.threads.screw : c.threads.nut;
-    if (point.ok() && contact::same_pitch(body, c.threads.roller) && point.backlash < -kInterference)
+    if (point.ok() && contact::same_pitch(body, c.threads.roller) &&
+        point.backlash < -kInterference)
       warnings.push_back(fmt::format("the {} threads interfere: backlash {:.4f} mm", label(i),
                                      point.backlash * per_si::millimetre));
   }

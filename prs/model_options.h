@@ -47,7 +47,7 @@ struct ModelOptions {
   ToothCompliance tooth_compliance;
   RefinedEffects refined;
   Accuracy accuracy = Accuracy::working;
-  int patch_points = 21;  ///< Points along each axis of a contact patch, kFewestPatchPoints or more.
+  int patch_points = 21;  ///< Along each axis of a contact patch, kFewestPatchPoints or more.
 };
 
 /// The stated arrangement, else that of a helical roller.

@@ -141,8 +141,7 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   for (const Interface i : kInterfaces) {
     std::optional<double> roughness;
     if (c.roughness) roughness = composite_roughness(*c.roughness, i);
-    slip.threads[i] =
-        interface_slip(model.threads[i], b.interfaces[i], model.lubricant, roughness);
+    slip.threads[i] = interface_slip(model.threads[i], b.interfaces[i], model.lubricant, roughness);
   }
   slip.power = lost_power(model, b);
   const DriveTorques torques = drive_torques(model, b);
@@ -300,8 +299,7 @@ Result analyze_slip(const Case& c, Detail detail) {
       const SlipResult equal = slip_result(models, models.equal_shares(loaded.load_case));
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
     }
-    if (detail == Detail::complete)
-      warn(*loaded.slip, model, c.friction->model, loaded.warnings);
+    if (detail == Detail::complete) warn(*loaded.slip, model, c.friction->model, loaded.warnings);
   }
   return result;
 }

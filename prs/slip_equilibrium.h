@@ -23,8 +23,8 @@ struct LoadedThreads {
   Eigen::Vector3d minor_axis = Eigen::Vector3d::Zero();  ///< t_2 = n x t_1
   std::vector<contact::Patch> patches;
   std::vector<contact::FilmContact> films;  ///< What a film knows of each patch.
-  std::vector<double> axial_load;  ///< F_i of each patch, > 0 [N]
-  int alike = 1;                   ///< Threads that each patch stands for.
+  std::vector<double> axial_load;           ///< F_i of each patch, > 0 [N]
+  int alike = 1;                            ///< Threads that each patch stands for.
   /// Patch of each thread; absent where the thread is open.
   std::vector<std::optional<std::size_t>> patch_of_thread;
 };

@@ -16,8 +16,7 @@ contact::MechanismType type_of(const Mechanism& m) {
 }
 
 double lead_of(const Mechanism& m, Part part, double pitch) {
-  if (part == Part::roller)
-    return contact::roller_lead(type_of(m), m.lead, pitch, m.starts.roller);
+  if (part == Part::roller) return contact::roller_lead(type_of(m), m.lead, pitch, m.starts.roller);
   return std::copysign(pitch * m.starts.screw, m.lead);
 }
 

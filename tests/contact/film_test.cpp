@@ -88,8 +88,7 @@ TEST(NijenbanningFilm, TendsToTheFilmOfEachRegime) {
     };
     const double rigid_isoviscous =
         145.0 / std::pow(1.0 + 0.796 * std::pow(ratio, 14.0 / 15.0), 15.0 / 7.0) / ratio;
-    const double elastic_isoviscous =
-        3.18 / (std::pow(k, 0.56) * std::pow(ratio, 1.0 / 15.0));
+    const double elastic_isoviscous = 3.18 / (std::pow(k, 0.56) * std::pow(ratio, 1.0 / 15.0));
     const double rigid_piezoviscous = 1.29 / std::cbrt(std::pow(1.0 + 0.691 * ratio, 2.0));
     const double elastic_piezoviscous = 1.48 / (std::pow(k, 0.35) * std::pow(ratio, 1.0 / 24.0));
     EXPECT_NEAR(film(1e-9, 1e-9) / (rigid_isoviscous * 1e18), 1.0, 1e-12);

@@ -36,7 +36,8 @@ TEST(SlipTable, BlockHoldsWhatADesignerAsksFirst) {
   for (const char* part :
        {"config1: 45.000 kN, tension, 400 rpm", "0.372956", "0.373134", "optimality 99.500 %",
         "0.374200", "80.00", "Sandu's fit 79.00 %", "12.50", "-12.25", "roller-screw",
-        "carrier-screw", "film by Sandu, nm", "310", "central film, nm", "260", "hottest thread", "screw 1", "thread loads", "+2.04 %"})
+        "carrier-screw", "film by Sandu, nm", "310", "central film, nm", "260", "hottest thread",
+        "screw 1", "thread loads", "+2.04 %"})
     EXPECT_TRUE(contains(table, part)) << part << " in\n" << table;
   EXPECT_FALSE(contains(table, "carrier-nut"));
   EXPECT_LE(widest_line(table), 110);
