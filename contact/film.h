@@ -9,30 +9,73 @@ struct FilmContact {
   double normal_load = 0.0;      ///< N, static [N]
   double curvature = 0.0;        ///< rho_x, the larger relative curvature [1/m]
   double contact_modulus = 0.0;  ///< E* [Pa]; the E' of the formulas is 2 E* (Sandu's 2/Sigma).
+  double curvature_ratio = 1.0;  ///< lambda, smaller over larger relative curvature, above 0 to 1.
 };
+
+/// Dimensionless speed, load and lubricant of Moes, with `rolling_speed` |u| [m/s] the *sum* of the
+/// two surface velocities (Sandu 2018, (2.38)):
+///
+///     U = eta_0 |u| rho_x/E',   M = N rho_x^2/(E' U^(3/4)),   L = alpha E' U^(1/4)
+///
+/// They define a film where |u| > 0.
+struct MoesNumbers {
+  double speed = 0.0;      ///< U
+  double load = 0.0;       ///< M
+  double lubricant = 0.0;  ///< L
+};
+MoesNumbers moes_numbers(const Lubricant& lubricant, const FilmContact& contact,
+                         double rolling_speed);
 
 /// Central film of an elastohydrodynamic point contact.
 struct Film {
-  double speed_number = 0.0;  ///< U = eta_0 |u| rho_x/E'
-  double parameter = 0.0;     ///< H_c
-  double thickness = 0.0;     ///< h_c [m]
+  double parameter = 0.0;  ///< H
+  double thickness = 0.0;  ///< h = H sqrt(U)/rho_x [m]
 };
 
-/// Simplified Moes-Venner formula for a circular contact (Sandu 2018, (2.37) to (2.39)):
+/// Moes and Venner's formula for a circular contact as Sandu simplifies it (2018, (2.37), (2.39)):
 ///
-///     H_c = 1.7 M^(-1/9) L^(3/4),  h_c = H_c sqrt(U)/rho_x,
-///     M = N rho_x^2/(E' U^(3/4)),  L = alpha E' U^(1/4),  U = eta_0 |u| rho_x/E',
+///     H = 1.7 M^(-1/9) L^(3/4)
 ///
-/// with `rolling_speed` |u| [m/s] the *sum* of the two surface velocities. Smooth surfaces, fully
-/// flooded, isothermal, piezoviscous-elastic regime. All zero without rolling.
-Film central_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed);
+/// Smooth surfaces, fully flooded, isothermal, piezoviscous-elastic regime. It lies 15 to 18 %
+/// above the full fit at Sandu's reference example. All zero without rolling.
+Film sandu_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed);
+
+/// Film parameters H where one regime rules (Nijenbanning, Venner, Moes, Wear 176 (1994) 217), with
+/// lambda the ratio of the relative curvatures, k = 1 + 0.006 ln lambda + 0.63 lambda^(4/7):
+///
+///     H_RI = 145 (1 + 0.796 lambda^(14/15))^(-15/7) lambda^-1 M^-2     rigid, isoviscous
+///     H_EI = 3.18 k^(-14/25) lambda^(-1/15) M^(-2/15)                  elastic, isoviscous
+///     H_RP = 1.29 (1 + 0.691 lambda)^(-2/3) L^(2/3)                    rigid, piezoviscous
+///     H_EP = 1.48 k^(-7/20) lambda^(-1/24) M^(-1/12) L^(3/4)           elastic, piezoviscous
+///     H_00 = 1.80 lambda^(-5/7)            what bounds the elastic, isoviscous film at small loads
+struct FilmRegimes {
+  double rigid_isoviscous = 0.0;
+  double elastic_isoviscous = 0.0;
+  double rigid_piezoviscous = 0.0;
+  double elastic_piezoviscous = 0.0;
+  double small_load = 0.0;
+};
+FilmRegimes film_regimes(const MoesNumbers& numbers, double curvature_ratio);
+
+/// H of the full fit through all regimes (Nijenbanning, Venner, Moes 1994),
+///
+///     H = [(H_RI^(3/2) + (H_EI^-4 + H_00^-4)^(-3/8))^(2s/3) + (H_RP^-8 + H_EP^-8)^(-s/8)]^(1/s),
+///     s = 1.5 (1 + exp(-1.2 H_EI/H_EP))
+double film_parameter(const FilmRegimes& regimes);
+
+/// Central film by the full fit, for elliptical contacts that roll along the minor axis: lambda is
+/// 1 for a circle, the film of a wide ellipse is thicker. Smooth surfaces, fully flooded,
+/// isothermal, Newtonian, viscosity exponential in pressure. Dimensionless numbers as above. All
+/// zero without rolling.
+Film nijenbanning_film(const Lubricant& lubricant, const FilmContact& contact,
+                       double rolling_speed);
 
 /// Factor K [s/m] of the sliding speed in Jacod's friction coefficient (Sandu 2018, (2.27),
 /// (2.30)),
 ///
-///     mu_D = tau_0/p_D asinh(eta_bar(p_D) K |v_D|),  K = 2/(5 H_c tau_0) sqrt(eta_0 E' rho_x/|u|).
+///     mu_D = tau_0/p_D asinh(eta_bar(p_D) K |v_D|),  K = 2/(5 H_c tau_0) sqrt(eta_0 E' rho_x/|u|),
 ///
-/// Zero without rolling, where the no-slip contact does not slide either.
+/// with Sandu's film. Zero without rolling, where the no-slip contact does not slide either.
 double sliding_factor(const Lubricant& lubricant, const FilmContact& contact, const Film& film,
                       double rolling_speed);
 

@@ -133,7 +133,7 @@ DesignResult design_by_backlash(const MechanismGeometry& draft, int screw_starts
   DesignResult result;
   result.mechanism = draft;
   MechanismGeometry& m = result.mechanism;
-  if (m.screw.pitch != m.roller.pitch || m.nut.pitch != m.roller.pitch) {
+  if (!same_pitch(m.screw, m.roller) || !same_pitch(m.nut, m.roller)) {
     result.status = DesignStatus::pitches_differ;
     return result;
   }

@@ -59,13 +59,10 @@ Patch::Patch(const PatchGrid& grid, const HertzContact& ellipse, const Lubricant
   viscosity_ratio_.tail(viscosity_ratio_.size() - grid.inside()).setZero();  // no friction there
 }
 
-std::optional<Film> Patch::film(const PatchMotion& motion) const {
-  if (!lubricant_) return std::nullopt;
-  return central_film(*lubricant_, film_contact_, motion.rolling_speed);
-}
-
 double Patch::sliding_factor(const PatchMotion& motion) const {
-  return contact::sliding_factor(*lubricant_, film_contact_, *film(motion), motion.rolling_speed);
+  const double speed = motion.rolling_speed;
+  return contact::sliding_factor(*lubricant_, film_contact_,
+                                 sandu_film(*lubricant_, film_contact_, speed), speed);
 }
 
 PatchFriction Patch::friction(const PatchMotion& motion) const {

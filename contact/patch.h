@@ -56,13 +56,11 @@ class Patch {
   /// Coulomb friction.
   Patch(const PatchGrid& grid, const HertzContact& ellipse, double coefficient);
   /// Jacod's law, point by point: Eyring fluid, Roelands viscosity at the Hertz pressure of the
-  /// *static* load in `ellipse`, central film of the whole contact.
+  /// *static* load in `ellipse`, Sandu's film of the whole contact.
   Patch(const PatchGrid& grid, const HertzContact& ellipse, const Lubricant& lubricant,
         const FilmContact& film_contact);
 
   const HertzContact& ellipse() const { return ellipse_; }
-  /// Absent with Coulomb.
-  std::optional<Film> film(const PatchMotion& motion) const;
 
   /// Resultants of the friction (3.8), (3.10), (3.51). Points slower than kNoDirection are left out
   /// of tractions, moment and power, not of the mean coefficient. No allocation.

@@ -39,6 +39,12 @@ double radius_at_rise(const Thread& t, double rise) {
 
 }  // namespace
 
+bool same_pitch(double a, double b) {
+  return std::abs(a - b) <= kSamePitch * std::max(std::abs(a), std::abs(b));
+}
+
+bool same_pitch(const Thread& a, const Thread& b) { return same_pitch(a.pitch, b.pitch); }
+
 RadiusLimits sharp_limits(const Thread& thread) {
   const double stretch = axial_stretch(thread);
   const double half_groove = half_groove_of(thread);

@@ -30,6 +30,12 @@ struct Thread {
   std::optional<double> thickness = std::nullopt;
 };
 
+/// Pitches and leads that differ by a smaller share are one number, rounded in two ways.
+inline constexpr double kSamePitch = 1e-9;
+bool same_pitch(double a, double b);
+/// Whether two threads stay together along the axis: only then do they have a backlash.
+bool same_pitch(const Thread& a, const Thread& b);
+
 /// Axial thread profile at one radius: the flank of a bottom face at angle 0 lies at the height
 /// z = f(r) above the middle of the groove.
 struct ProfilePoint {

@@ -30,8 +30,6 @@ void add_hertz(InterfaceContact& c, const Material& body, const Material& roller
                                                 std::min(body.poisson_ratio, roller.poisson_ratio));
 }
 
-bool same_pitch(const contact::Thread& a, const contact::Thread& b) { return a.pitch == b.pitch; }
-
 void warn_of_missing_contacts(const Contacts& c, std::vector<std::string>& warnings) {
   for (const Interface i : kInterfaces) {
     const InterfaceContact& contact = c.interfaces[i];
@@ -47,7 +45,8 @@ void warn_of_interference(const Contacts& c, std::vector<std::string>& warnings)
   for (const Interface i : kInterfaces) {
     const contact::ContactPoint& point = c.interfaces[i].geometry.point;
     const contact::Thread& body = i == Interface::screw ? c.threads.screw : c.threads.nut;
-    if (point.ok() && same_pitch(body, c.threads.roller) && point.backlash < -kInterference)
+    if (point.ok() && contact::same_pitch(body, c.threads.roller) &&
+        point.backlash < -kInterference)
       warnings.push_back(fmt::format("the {} threads interfere: backlash {:.4g} mm", label(i),
                                      point.backlash * per_si::millimetre));
   }
@@ -66,7 +65,7 @@ void warn_of_conformity(const Contacts& c, std::vector<std::string>& warnings) {
 
 void warn_of_kinematics(const Contacts& c, std::vector<std::string>& warnings) {
   const contact::KinematicConsistency k = contact::kinematic_consistency(c.threads);
-  if (std::abs(k.lead_difference) > 1e-9 * std::abs(c.threads.screw.lead))
+  if (std::abs(k.lead_difference) > contact::kSamePitch * std::abs(c.threads.screw.lead))
     warnings.push_back(fmt::format("the leads of nut and screw differ by {:.4g} mm",
                                    k.lead_difference * per_si::millimetre));
   if (std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) > kGearRatioTolerance)

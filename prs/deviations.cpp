@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "prs/threads.h"
+
 namespace prs {
 namespace {
 
@@ -38,7 +40,7 @@ Offsets offsets(const Mechanism& m, const Deviations& d, const Materials& materi
   const double nominal = axial_pitch(m);
   const double rise = d.temperature ? (*d.temperature)[part] - d.reference_temperature : 0.0;
   const double strain = materials[part].thermal_expansion.value_or(0.0) * rise;
-  const double lag = m.pitch[part].value_or(nominal) - nominal + strain * nominal;
+  const double lag = axial_pitches(m)[part] - nominal + strain * nominal;
   const double radius = 0.5 * m.pitch_diameter[part].value();
   Offsets o;
   for (int k = 0; k < contacts; ++k) {

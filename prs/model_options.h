@@ -15,6 +15,11 @@ struct RefinedEffects {
   bool concentration = true;  ///< Contacts are rows of points, not rings.
 };
 
+/// Points along each axis of a contact patch from which on the load that its n x n points carry is
+/// right within 1.6 % (Sandu's weights are not normalised): 8 points miss it by 2.6 %, 5 by 6.5 %,
+/// one by 91 %, and the power lost with it. Even and odd numbers do as well.
+inline constexpr int kFewestPatchPoints = 9;
+
 /// Choices of the model.
 struct ModelOptions {
   /// How screw, roller and nut deform. `bars` is the model of Abevi 2015; `refined` keeps one
@@ -42,7 +47,7 @@ struct ModelOptions {
   ToothCompliance tooth_compliance;
   RefinedEffects refined;
   Accuracy accuracy = Accuracy::working;
-  int patch_points = 21;  ///< Points along each axis of a contact patch.
+  int patch_points = 21;  ///< Along each axis of a contact patch, kFewestPatchPoints or more.
 };
 
 /// The stated arrangement, else that of a helical roller.

@@ -24,7 +24,7 @@ constexpr double kMixedLubrication = 3.0, kBoundaryLubrication = 1.0;
 /// the rollers as their leads ask.
 void require_kinematics(const contact::MechanismGeometry& threads) {
   const contact::KinematicConsistency k = contact::kinematic_consistency(threads);
-  if (std::abs(k.lead_difference) > 1e-9 * std::abs(threads.screw.lead))
+  if (std::abs(k.lead_difference) > contact::kSamePitch * std::abs(threads.screw.lead))
     throw CaseError("mechanism.pitch",
                     fmt::format("the leads of nut and screw differ by {:.4g} mm; expected equal "
                                 "leads for `slip`, or the contacts part as the screw turns (Sandu "
@@ -45,6 +45,7 @@ double composite_roughness(const PerPart<double>& roughness, Interface i) {
 
 /// Results of each patch, handed out to the threads that it stands for.
 InterfaceSlip interface_slip(const LoadedThreads& threads, const InterfaceBalance& b,
+                             const std::optional<contact::Lubricant>& lubricant,
                              const std::optional<double>& roughness) {
   InterfaceSlip slip;
   const auto add = [&](std::vector<double>& values, auto value_of_patch) {
@@ -66,10 +67,16 @@ InterfaceSlip interface_slip(const LoadedThreads& threads, const InterfaceBalanc
       [&](std::size_t) { return std::hypot(b.motion.sliding_major, b.motion.sliding_minor); });
   add(slip.max_sliding_speed, [&](std::size_t k) { return b.friction[k].max_sliding_speed; });
   add(slip.dynamic_normal_load, [&](std::size_t k) { return b.normal_load[k]; });
-  if (!threads.patches.front().film(b.motion)) return slip;
-  const auto film = [&](std::size_t k) { return threads.patches[k].film(b.motion)->thickness; };
-  add(slip.film_thickness, film);
-  if (roughness) add(slip.film_ratio, [&](std::size_t k) { return film(k) / *roughness; });
+  if (!lubricant) return slip;
+  const double rolling = b.motion.rolling_speed;
+  const auto central_film = [&](std::size_t k) {
+    return contact::nijenbanning_film(*lubricant, threads.films[k], rolling).thickness;
+  };
+  add(slip.film_thickness, [&](std::size_t k) {
+    return contact::sandu_film(*lubricant, threads.films[k], rolling).thickness;
+  });
+  add(slip.central_film, central_film);
+  if (roughness) add(slip.film_ratio, [&](std::size_t k) { return central_film(k) / *roughness; });
   return slip;
 }
 
@@ -135,7 +142,7 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   for (const Interface i : kInterfaces) {
     std::optional<double> roughness;
     if (c.roughness) roughness = composite_roughness(*c.roughness, i);
-    slip.threads[i] = interface_slip(model.threads[i], b.interfaces[i], roughness);
+    slip.threads[i] = interface_slip(model.threads[i], b.interfaces[i], model.lubricant, roughness);
   }
   slip.power = lost_power(model, b);
   const DriveTorques torques = drive_torques(model, b);
@@ -146,8 +153,8 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   slip.efficiency = flow.efficiency();
   const bool jacod = c.friction->model == Friction::Model::jacod;
   if (jacod && slip.status == SlipStatus::converged && !load_drives(model))
-    slip.efficiency_fit = sandu_efficiency_fit(*models.lubricant());
-  if (jacod || model.bearing) slip.viscosity = models.lubricant()->viscosity;
+    slip.efficiency_fit = sandu_efficiency_fit(*model.lubricant);
+  if (model.lubricant) slip.viscosity = model.lubricant->viscosity;
   slip.forces = b.forces;
   if (model.bearing) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
   double hottest = -1.0;
@@ -157,16 +164,19 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   return slip;
 }
 
-void warn_of_lubrication(const SlipResult& slip, std::vector<std::string>& warnings) {
+void warn_of_lubrication(const SlipResult& slip, Friction::Model friction,
+                         std::vector<std::string>& warnings) {
   for (const Interface i : kInterfaces) {
     double least = std::numeric_limits<double>::infinity();
     for (const double ratio : slip.threads[i].film_ratio)
       if (ratio > 0.0) least = std::min(least, ratio);
     if (least < kMixedLubrication)
       warnings.push_back(fmt::format(
-          "{} lubrication at the {} contacts: film over roughness is {:.2f} at the least; real "
-          "friction is higher than that of the full film computed here",
-          least < kBoundaryLubrication ? "boundary" : "mixed", label(i), least));
+          "{} lubrication at the {} contacts: film over roughness is {:.2f} at the least; {}",
+          least < kBoundaryLubrication ? "boundary" : "mixed", label(i), least,
+          friction == Friction::Model::jacod
+              ? "real friction is higher than that of the full film computed here"
+              : "take a friction coefficient of surfaces that touch"));
   }
 }
 
@@ -179,7 +189,8 @@ void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads,
         warnings.push_back(*note);
 }
 
-void warn(const SlipResult& slip, const SlipModel& model, std::vector<std::string>& warnings) {
+void warn(const SlipResult& slip, const SlipModel& model, Friction::Model friction,
+          std::vector<std::string>& warnings) {
   if (slip.status == SlipStatus::jammed)
     warnings.push_back(
         "slip: a contact jams: its friction takes more of the axial load than its normal load "
@@ -207,7 +218,7 @@ void warn(const SlipResult& slip, const SlipModel& model, std::vector<std::strin
     warnings.push_back(
         "nothing slides faster than 1e-11 m/s, where friction has no direction any "
         "more: the power lost is not that of a moving screw");
-  warn_of_lubrication(slip, warnings);
+  warn_of_lubrication(slip, friction, warnings);
 }
 
 void require_admissible(const SlipModel& model, const std::optional<Operation>& operation) {
@@ -299,7 +310,7 @@ Result analyze_slip(const Case& c, Detail detail) {
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
     }
     if (detail != Detail::complete) continue;
-    warn(*loaded.slip, model, loaded.warnings);
+    warn(*loaded.slip, model, c.friction->model, loaded.warnings);
     warn_of_running_pressure(*loaded.threads, loaded.warnings);
   }
   return result;

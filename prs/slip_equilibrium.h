@@ -4,7 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "contact/film.h"
 #include "contact/journal_bearing.h"
+#include "contact/lubricant.h"
 #include "contact/patch.h"
 #include "prs/kinematics.h"
 #include "prs/operation.h"
@@ -20,8 +22,9 @@ struct LoadedThreads {
   Eigen::Vector3d major_axis = Eigen::Vector3d::Zero();  ///< t_1
   Eigen::Vector3d minor_axis = Eigen::Vector3d::Zero();  ///< t_2 = n x t_1
   std::vector<contact::Patch> patches;
-  std::vector<double> axial_load;  ///< F_i of each patch, > 0 [N]
-  int alike = 1;                   ///< Threads that each patch stands for.
+  std::vector<contact::FilmContact> films;  ///< What a film knows of each patch.
+  std::vector<double> axial_load;           ///< F_i of each patch, > 0 [N]
+  int alike = 1;                            ///< Threads that each patch stands for.
   /// Patch of each thread; absent where the thread is open.
   std::vector<std::optional<std::size_t>> patch_of_thread;
 };
@@ -34,13 +37,13 @@ struct SlipModel {
   double axial_force = 0.0;    ///< F_N, signed, of the whole mechanism [N]
   int rollers = 1;
   PerInterface<LoadedThreads> threads;
+  std::optional<contact::Lubricant> lubricant;  ///< In operation; of films and bearing.
 
   // Torques of the carrier, magnitudes [N m].
   double screw_torque = 0.0;
   double nut_torque = 0.0;
   double roller_torque = 0.0;
   std::optional<contact::JournalBearing> bearing;  ///< In place of roller_torque.
-  double bearing_viscosity = 0.0;                  ///< [Pa s]
   double gear_pressure_angle = 0.0;                ///< [rad]
   double roller_mass = 0.0;                        ///< [kg]
 };

@@ -86,22 +86,27 @@ SlipModel SlipModels::unloaded(const LoadCase& load_case) const {
   m.nut_torque = case_.carrier.nut_torque;
   m.roller_torque = case_.carrier.roller_torque;
   m.bearing = case_.carrier.bearing;
-  if (lubricant_) m.bearing_viscosity = lubricant_->viscosity;
+  m.lubricant = lubricant_;
   m.gear_pressure_angle = case_.carrier.gear_pressure_angle;
   m.roller_mass = roller_mass(case_);
   return m;
 }
+
 void SlipModels::add_patch(SlipModel& model, Interface i, double axial_load) const {
   const InterfaceContact& contact = contacts_.interfaces[i];
   LoadedThreads& threads = model.threads[i];
   const double static_load = axial_load / std::abs(threads.normal.z());
   const contact::HertzContact ellipse = contact::at_load(contact.hertz, static_load);
+  const contact::PrincipalValues& relative = contact.geometry.relative;
   threads.axial_load.push_back(axial_load);
+  threads.films.push_back({.normal_load = static_load,
+                           .curvature = relative.second,
+                           .contact_modulus = contact.contact_modulus,
+                           .curvature_ratio = relative.first / relative.second});
   if (case_.friction->model == Friction::Model::coulomb)
     threads.patches.emplace_back(grid_, ellipse, case_.friction->coefficient);
   else
-    threads.patches.emplace_back(grid_, ellipse, *lubricant_,
-                                 contact::FilmContact{static_load, contact.geometry.relative.second,
-                                                      contact.contact_modulus});
+    threads.patches.emplace_back(grid_, ellipse, *lubricant_, threads.films.back());
 }
+
 }  // namespace prs

@@ -17,8 +17,9 @@ struct InterfaceSlip {
   std::vector<double> spin_torque;           ///< C_M about the roller's outward normal [N m] (3.10)
   std::vector<double> sliding_speed;         ///< At the centre [m/s]
   std::vector<double> max_sliding_speed;     ///< Over the points [m/s]
-  std::vector<double> film_thickness;        ///< h_c [m] (2.39); empty with Coulomb.
-  std::vector<double> film_ratio;            ///< lambda, film over roughness; empty without.
+  std::vector<double> film_thickness;        ///< Sandu's h_c [m] (2.39); empty without lubricant.
+  std::vector<double> central_film;          ///< By Nijenbanning, Venner and Moes [m]; the same.
+  std::vector<double> film_ratio;            ///< Lambda, central film over roughness, if given.
   std::vector<double> dynamic_normal_load;   ///< N_M [N] (3.11), (3.12)
 };
 
@@ -109,7 +110,7 @@ struct SlipResult {
   RollerMoments moments;
   RollerForces forces;
   std::optional<double> bearing_eccentricity;  ///< e/c of the roller heads.
-  std::optional<double> viscosity;             ///< eta_0 in operation [Pa s].
+  std::optional<double> viscosity;             ///< eta_0 in operation [Pa s]; none without oil.
 
   ThreadOf hottest;                            ///< Of the largest power density.
   std::optional<EqualShareSlip> equal_shares;  ///< Of solved cases.

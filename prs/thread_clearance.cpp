@@ -48,7 +48,8 @@ std::optional<ThreadClearance> thread_clearance(const contact::MechanismGeometry
                                                 const contact::ContactPoint& point) {
   const contact::Thread& body = interface == Interface::screw ? threads.screw : threads.nut;
   const contact::Thread& roller = threads.roller;
-  if (!point.ok() || !has_heights(body) || !has_heights(roller) || body.pitch != roller.pitch)
+  if (!point.ok() || !has_heights(body) || !has_heights(roller) ||
+      !contact::same_pitch(body, roller))
     return std::nullopt;
   // The roller stands outside the screw and inside the nut.
   const double towards_body = interface == Interface::screw ? -1.0 : 1.0;

@@ -15,18 +15,9 @@ contact::MechanismType type_of(const Mechanism& m) {
                                              : contact::MechanismType::inverted;
 }
 
-/// Measured pitches that differ from lead/starts by less are the same number, rounded otherwise.
-constexpr double kSamePitch = 1e-9;
-
-double pitch_of(const Mechanism& m, Part part) {
-  const double nominal = axial_pitch(m), given = m.pitch[part].value_or(nominal);
-  return std::abs(given - nominal) <= kSamePitch * nominal ? nominal : given;
-}
-
-double lead_of(const Mechanism& m, Part part) {
-  if (part == Part::roller)
-    return contact::roller_lead(type_of(m), m.lead, pitch_of(m, part), m.starts.roller);
-  return std::copysign(pitch_of(m, part) * m.starts.screw, m.lead);
+double lead_of(const Mechanism& m, Part part, double pitch) {
+  if (part == Part::roller) return contact::roller_lead(type_of(m), m.lead, pitch, m.starts.roller);
+  return std::copysign(pitch * m.starts.screw, m.lead);
 }
 
 double curvature_of(const Profile& profile, double pitch_radius, double flank_angle) {
@@ -43,12 +34,12 @@ double curvature_of(const Profile& profile, double pitch_radius, double flank_an
   return 0.0;
 }
 
-contact::Thread thread_of(const Mechanism& m, Part part) {
+contact::Thread thread_of(const Mechanism& m, Part part, double pitch) {
   contact::Thread thread;
   thread.internal = part == Part::nut;
   thread.pitch_radius = 0.5 * m.pitch_diameter[part].value_or(0.0);
-  thread.lead = lead_of(m, part);
-  thread.pitch = pitch_of(m, part);
+  thread.lead = lead_of(m, part, pitch);
+  thread.pitch = pitch;
   thread.flank_angle = m.flank_angle[part];
   thread.profile_curvature = curvature_of(m.profile[part], thread.pitch_radius, thread.flank_angle);
   thread.plane = m.profile_plane == Mechanism::ProfilePlane::normal ? contact::ProfilePlane::normal
@@ -95,9 +86,26 @@ contact::Thread thread_of(const Mechanism& m, Part part) {
 
 }  // namespace
 
+PerPart<double> axial_pitches(const Mechanism& m) {
+  const double nominal = axial_pitch(m);
+  PerPart<double> pitches{nominal, nominal, nominal};
+  for (const Part part : kParts) {
+    if (!m.pitch[part]) continue;
+    pitches[part] = *m.pitch[part];
+    for (const double known : {nominal, pitches.screw, pitches.roller})
+      if (contact::same_pitch(*m.pitch[part], known)) {
+        pitches[part] = known;
+        break;
+      }
+  }
+  return pitches;
+}
+
 contact::MechanismGeometry threads_of(const Mechanism& m) {
-  return {type_of(m), thread_of(m, Part::screw), thread_of(m, Part::roller),
-          thread_of(m, Part::nut), m.centre_distance.value_or(0.0)};
+  const PerPart<double> pitches = axial_pitches(m);
+  return {type_of(m), thread_of(m, Part::screw, pitches.screw),
+          thread_of(m, Part::roller, pitches.roller), thread_of(m, Part::nut, pitches.nut),
+          m.centre_distance.value_or(0.0)};
 }
 
 Mechanism resolved(const Mechanism& m) {

@@ -2,8 +2,13 @@
 
 #include "contact/mechanism_geometry.h"
 #include "prs/mechanism.h"
+#include "prs/part.h"
 
 namespace prs {
+
+/// Axial pitch of each part [m]: the measured one, else lead/starts. Pitches that rounding alone
+/// tells apart (`contact::kSamePitch`) come out as one number.
+PerPart<double> axial_pitches(const Mechanism& mechanism);
 
 /// The threads of a mechanism as the contact room draws them; what a design has yet to find is 0.
 contact::MechanismGeometry threads_of(const Mechanism& mechanism);

@@ -130,7 +130,8 @@ nlohmann::ordered_json contacts_json(const Contacts& contacts) {
   for (const Interface i : kInterfaces) {
     const contact::Thread& body = i == Interface::screw ? threads.screw : threads.nut;
     if (contacts.interfaces[i].geometry.ok())
-      json[name(i)] = interface_json(contacts.interfaces[i], body.pitch == threads.roller.pitch);
+      json[name(i)] =
+          interface_json(contacts.interfaces[i], contact::same_pitch(body, threads.roller));
   }
   return json;
 }

@@ -26,6 +26,7 @@ inline constexpr SlipThreadQuantity kSlipThreadQuantities[] = {
     {"sliding_speed_mm_per_s", &InterfaceSlip::sliding_speed, per_si::millimetre},
     {"max_sliding_speed_mm_per_s", &InterfaceSlip::max_sliding_speed, per_si::millimetre},
     {"film_thickness_nm", &InterfaceSlip::film_thickness, per_si::nanometre},
+    {"central_film_nm", &InterfaceSlip::central_film, per_si::nanometre},
     {"film_ratio", &InterfaceSlip::film_ratio, 1.0},
     {"dynamic_normal_load_N", &InterfaceSlip::dynamic_normal_load, 1.0},
 };

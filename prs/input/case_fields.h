@@ -458,8 +458,10 @@ void fields(Io& io, ModelOptions& m) {
            "Tooth deflection on top of Hertz, which counts it twice");
   io.field("roller", m.roller, Choice{}, optional, "Whether the roller bends");
   io.field("roller_shear", m.roller_shear, Flag{}, optional, "Shear flexibility of the roller");
-  io.field("patch_points", m.patch_points, Whole{1, 1001}, optional,
-           "Points along each axis of a contact patch");
+  io.field("patch_points", m.patch_points,
+           Whole{kFewestPatchPoints, 1001,
+                 "as fewer points carry up to 91 % more than the load, and friction with it"},
+           optional, "Points along each axis of a contact patch; fewer than 9 miss its load");
 }
 
 template <class Io>

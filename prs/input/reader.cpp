@@ -81,7 +81,8 @@ Wanted wanted(T&, const Number& n) {
 }
 template <class T>
 Wanted wanted(T&, const Whole& w) {
-  return {fmt::format("a whole number from {} to {}", w.least, w.greatest),
+  return {fmt::format("a whole number from {} to {}{}{}", w.least, w.greatest,
+                      w.reason.empty() ? "" : ", ", w.reason),
           fmt::format("{}", std::clamp<std::int64_t>(3, w.least, w.greatest))};
 }
 template <class T>

@@ -109,7 +109,8 @@ Polyline filled_to(const Polyline& outline, double x) {
 /// Contact points along the axis; parts of different pitch touch at one thread.
 Polyline contact_points(const InterfaceCut& cut, double half_length) {
   const double pitch = cut.roller.thread.pitch;
-  const int each_side = cut.body.thread.pitch == pitch ? static_cast<int>(half_length / pitch) : 0;
+  const bool same = contact::same_pitch(cut.body.thread.pitch, pitch);
+  const int each_side = same ? static_cast<int>(half_length / pitch) : 0;
   Polyline points;
   for (int k = -each_side; k <= each_side; ++k)
     points.push_back(point_mm(cut.contact_z + k * pitch, cut.contact_x));
@@ -176,7 +177,7 @@ Axis axis_about(std::string label, double middle, double half) {
 /// gap in this section is then not the backlash.
 void add_backlash(Panel& panel, const InterfaceCut& cut, double backlash) {
   constexpr double kVisible = 1e-6;  // [m]
-  if (cut.body.thread.pitch != cut.roller.thread.pitch) return;
+  if (!contact::same_pitch(cut.body.thread.pitch, cut.roller.thread.pitch)) return;
   panel.labels.push_back(
       {fmt::format("backlash {} mm", number(backlash * per_si::millimetre, 3)), 0.03, 0.93, true});
   if (std::abs(cut.body.plane) > kVisible)

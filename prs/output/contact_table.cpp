@@ -132,7 +132,7 @@ std::optional<double> backlash(const Contacts& contacts, Interface i) {
   const contact::MechanismGeometry& threads = contacts.threads;
   const Thread& body = i == Interface::screw ? threads.screw : threads.nut;
   const contact::ContactPoint& point = contacts.interfaces[i].geometry.point;
-  const bool has_meaning = point.ok() && body.pitch == threads.roller.pitch;
+  const bool has_meaning = point.ok() && contact::same_pitch(body, threads.roller);
   return has_meaning ? std::optional<double>(point.backlash) : std::nullopt;
 }
 

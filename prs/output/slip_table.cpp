@@ -109,7 +109,8 @@ struct RangeLine {
 constexpr RangeLine kRangeLines[] = {
     {"friction coefficient", &InterfaceSlip::friction_coefficient, 1.0, 4},
     {"sliding, largest, mm/s", &InterfaceSlip::max_sliding_speed, per_si::millimetre, 2},
-    {"film, nm", &InterfaceSlip::film_thickness, per_si::nanometre, 0},
+    {"film by Sandu, nm", &InterfaceSlip::film_thickness, per_si::nanometre, 0},
+    {"central film, nm", &InterfaceSlip::central_film, per_si::nanometre, 0},
     {"film over roughness", &InterfaceSlip::film_ratio, 1.0, 2},
 };
 
@@ -118,7 +119,7 @@ std::string range(const InterfaceSlip& slip, const RangeLine& line) {
   double least = HUGE_VAL, largest = -HUGE_VAL;
   const std::vector<double>& values = slip.*line.values;
   for (std::size_t k = 0; k < values.size(); ++k)
-    if (entry(slip.friction_coefficient, k).value_or(0.0) > 0.0) {
+    if (entry(slip.dynamic_normal_load, k).value_or(0.0) > 0.0) {
       least = std::min(least, values[k]);
       largest = std::max(largest, values[k]);
     }

@@ -100,6 +100,7 @@ class InterfaceSlip(Record):
     sliding_speed_mm_per_s: Array
     max_sliding_speed_mm_per_s: Array
     film_thickness_nm: Array
+    central_film_nm: Array
     film_ratio: Array
     dynamic_normal_load_N: Array
 

@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "contact/lubricant.h"
+#include "tests/support/plain_slip.h"
 
 namespace contact {
 namespace {
@@ -24,39 +25,96 @@ TEST(Lubricant, ViscosityGrowsByRoelands) {
   EXPECT_NEAR(roelands_viscosity_ratio(0.1665, doubled) / (0.1665 * std::exp(9.67)), 1.0, 1e-13);
 }
 
-TEST(Film, FollowsThePowersOfItsFormula) {
-  const double h = central_film(kGrease, kContact, 0.5).thickness;
+TEST(SanduFilm, FollowsThePowersOfItsFormula) {
+  const double h = sandu_film(kGrease, kContact, 0.5).thickness;
   // h_c = 1.7 alpha^(3/4) (eta_0 |u|)^(37/48) (N rho^2/E')^(-1/9) ...: exponents from (2.37) to
   // (2.39).
   for (const double t : {0.01, 3.0, 100.0}) {
-    EXPECT_NEAR(central_film(kGrease, kContact, 0.5 * t).thickness / h,
+    EXPECT_NEAR(sandu_film(kGrease, kContact, 0.5 * t).thickness / h,
                 std::pow(t, 1.0 / 12.0 + 3.0 / 16.0 + 0.5), 1e-12 * std::pow(t, 0.78));
     FilmContact heavier = kContact;
     heavier.normal_load *= t;
-    EXPECT_NEAR(central_film(kGrease, heavier, 0.5).thickness / h, std::pow(t, -1.0 / 9.0), 1e-12);
+    EXPECT_NEAR(sandu_film(kGrease, heavier, 0.5).thickness / h, std::pow(t, -1.0 / 9.0), 1e-12);
     Lubricant stiffer = kGrease;
     stiffer.pressure_viscosity *= t;
-    EXPECT_NEAR(central_film(stiffer, kContact, 0.5).thickness / h, std::pow(t, 0.75),
+    EXPECT_NEAR(sandu_film(stiffer, kContact, 0.5).thickness / h, std::pow(t, 0.75),
                 1e-12 * std::pow(t, 0.75));
   }
 }
 
-TEST(Film, ScalesWithTheGeometry) {
-  // Lengths t times as long at equal pressure: N t^2, rho/t, |u| t leave U, M, L as they are.
-  const Film film = central_film(kGrease, kContact, 0.5);
-  const double t = 3.7;
-  const FilmContact large{kContact.normal_load * t * t, kContact.curvature / t,
-                          kContact.contact_modulus};
-  const Film scaled = central_film(kGrease, large, 0.5 * t);
-  EXPECT_NEAR(scaled.speed_number / film.speed_number, 1.0, 1e-14);
-  EXPECT_NEAR(scaled.parameter / film.parameter, 1.0, 1e-14);
-  EXPECT_NEAR(scaled.thickness / film.thickness, t, 1e-13);
+/// Units of length, force and time that differ by a, b and c change the film by a and nothing else:
+/// it depends on U, M, L and lambda alone, and on viscosity and speed by their product.
+TEST(Film, DoesNotDependOnUnits) {
+  const FilmContact contact{197.5, 350.0, 115.385e9, 0.7};
+  const double a = 3.7, b = 0.2, c = 11.0;
+  const Lubricant oil{kGrease.viscosity * b * c / (a * a), kGrease.pressure_viscosity * a * a / b,
+                      kGrease.eyring_stress * b / (a * a)};
+  const FilmContact same{contact.normal_load * b, contact.curvature / a,
+                         contact.contact_modulus * b / (a * a), contact.curvature_ratio};
+  const MoesNumbers numbers = moes_numbers(kGrease, contact, 0.5);
+  const MoesNumbers scaled = moes_numbers(oil, same, 0.5 * a / c);
+  EXPECT_NEAR(scaled.speed / numbers.speed, 1.0, 1e-14);
+  EXPECT_NEAR(scaled.load / numbers.load, 1.0, 1e-14);
+  EXPECT_NEAR(scaled.lubricant / numbers.lubricant, 1.0, 1e-14);
+  for (const auto film : {sandu_film, nijenbanning_film})
+    EXPECT_NEAR(film(oil, same, 0.5 * a / c).thickness / film(kGrease, contact, 0.5).thickness, a,
+                1e-13);
+}
+
+/// Sandu's reference example, computed apart from this program to four digits.
+TEST(NijenbanningFilm, OfTheReferenceExample) {
+  struct Example {
+    double load, lubricant, ratio, curvature, thickness;
+  };
+  for (const Example& e : {Example{969.4, 22.53, 0.800, 197.60, 372.2e-9},
+                           Example{798.9, 21.64, 0.655, 169.17, 406.2e-9}}) {
+    // L = alpha E' U^(1/4), and from U the speed; from M the load.
+    const double modulus = 2.0 * kContact.contact_modulus;
+    const double u = std::pow(e.lubricant / (kGrease.pressure_viscosity * modulus), 4.0);
+    const double load = e.load * modulus * std::pow(u, 0.75) / (e.curvature * e.curvature);
+    const double speed = u * modulus / (kGrease.viscosity * e.curvature);
+    const FilmContact contact{load, e.curvature, kContact.contact_modulus, e.ratio};
+    // Half a unit in the last digit of L is 5e-4 of the film.
+    EXPECT_NEAR(nijenbanning_film(kGrease, contact, speed).thickness, e.thickness, 0.2e-9);
+  }
+}
+
+/// Far into a regime its own power law remains, for a circle and for a wide ellipse.
+TEST(NijenbanningFilm, TendsToTheFilmOfEachRegime) {
+  for (const double ratio : {1.0, 0.1}) {
+    const double k = 1.0 + 0.006 * std::log(ratio) + 0.63 * std::pow(ratio, 4.0 / 7.0);
+    const auto film = [&](double m, double l) {
+      return film_parameter(film_regimes({.speed = 1e-11, .load = m, .lubricant = l}, ratio));
+    };
+    const double rigid_isoviscous =
+        145.0 / std::pow(1.0 + 0.796 * std::pow(ratio, 14.0 / 15.0), 15.0 / 7.0) / ratio;
+    const double elastic_isoviscous = 3.18 / (std::pow(k, 0.56) * std::pow(ratio, 1.0 / 15.0));
+    const double rigid_piezoviscous = 1.29 / std::cbrt(std::pow(1.0 + 0.691 * ratio, 2.0));
+    const double elastic_piezoviscous = 1.48 / (std::pow(k, 0.35) * std::pow(ratio, 1.0 / 24.0));
+    EXPECT_NEAR(film(1e-9, 1e-9) / (rigid_isoviscous * 1e18), 1.0, 1e-12);
+    EXPECT_NEAR(film(1e60, 1e-60) / (elastic_isoviscous * 1e-8), 1.0, 1e-12);
+    EXPECT_NEAR(film(1e12, 1e60) / (rigid_piezoviscous * 1e40), 1.0, 1e-12);
+    EXPECT_NEAR(film(1e48, 1e24) / (elastic_piezoviscous * 1e14), 1.0, 1e-12);
+  }
+}
+
+/// Eighth powers of films of 1e+-60 are beyond double: against the formula as printed, in long
+/// double.
+TEST(NijenbanningFilm, IsTheFormulaAtAnyLoadAndLubricant) {
+  for (const double ratio : {1e-6, 0.05, 0.3, 0.8, 1.0})
+    for (int log_m = -60; log_m <= 60; log_m += 3)
+      for (int log_l = -60; log_l <= 60; log_l += 3) {
+        const double m = std::pow(10.0, log_m), l = std::pow(10.0, log_l);
+        const auto printed = static_cast<double>(plain::full_film_number(m, l, ratio));
+        const double h = film_parameter(film_regimes({1e-11, m, l}, ratio));
+        EXPECT_NEAR(h / printed, 1.0, 1e-13) << ratio << ' ' << m << ' ' << l;
+      }
 }
 
 TEST(Film, IsGoneWithoutRolling) {
-  const Film film = central_film(kGrease, kContact, 0.0);
-  EXPECT_EQ(film.thickness, 0.0);
-  EXPECT_EQ(sliding_factor(kGrease, kContact, film, 0.0), 0.0);
+  for (const auto film : {sandu_film, nijenbanning_film})
+    EXPECT_EQ(film(kGrease, kContact, 0.0).thickness, 0.0);
+  EXPECT_EQ(sliding_factor(kGrease, kContact, sandu_film(kGrease, kContact, 0.0), 0.0), 0.0);
 }
 
 }  // namespace

@@ -101,6 +101,16 @@ TEST(MechanismDesign, BacklashIsMetToATrillionthOfAMetre) {
   EXPECT_LT(failed, wanted / 5);
 }
 
+TEST(MechanismDesign, PitchesThatRoundingTellsApartAreOne) {
+  MechanismGeometry m = draft(MechanismType::inverted, 15, 2, 3, 1, std::sin(45 * deg) / 5);
+  m.nut.pitch = std::nextafter(m.roller.pitch, 1.0);
+  m.screw.pitch = std::nextafter(m.roller.pitch, 0.0);
+  EXPECT_TRUE(same_pitch(m.screw, m.nut));
+  EXPECT_NE(design_by_backlash(m, 3, 1, {}).status, DesignStatus::pitches_differ);
+  m.nut.pitch = m.roller.pitch * (1.0 + 2.0 * kSamePitch);
+  EXPECT_FALSE(same_pitch(m.nut, m.roller));
+}
+
 TEST(MechanismDesign, ImpossibleDraftsAreNamed) {
   const Backlash none;
   EXPECT_EQ(design_by_backlash(draft(MechanismType::standard, 15, 2, 2, 1, 0.1), 2, 1, none).status,

@@ -63,7 +63,6 @@ TEST(Patch, UniformCoulombSlidingTransmitsTheCoefficient) {
   EXPECT_NEAR(f.power_per_load, 0.11 * 0.05 * whole, 1e-16);
   EXPECT_DOUBLE_EQ(f.mean_friction, 0.11);
   EXPECT_DOUBLE_EQ(f.max_sliding_speed, 0.05);
-  EXPECT_FALSE(patch.film({0.03, -0.04, 0.0, 1.0}));
 }
 
 TEST(Patch, CoulombSpinOfACircleHasTheClosedForm) {

@@ -26,6 +26,19 @@ TEST(Deviations, NominalPartsHaveNoGaps) {
     for (const double gap : gaps[i]) EXPECT_EQ(gap, 0.0);
 }
 
+TEST(Deviations, PitchesThatRoundingTellsApartHaveNoGaps) {
+  test::SectorCase c = test::abevi();
+  const double pitch = axial_pitch(c.mechanism), measured = 1.6e-3;
+  for (const PerPart<double>& p :
+       {PerPart<double>{pitch, std::nextafter(pitch, 1.0), std::nextafter(pitch, 0.0)},
+        PerPart<double>{measured, std::nextafter(measured, 1.0), std::nextafter(measured, 0.0)}}) {
+    c.mechanism.pitch = {p.screw, p.roller, p.nut};
+    const auto gaps = gaps_of(c);
+    for (const Interface i : kInterfaces)
+      for (const double gap : gaps[i]) EXPECT_EQ(gap, 0.0);
+  }
+}
+
 /// In tension (s = -1) the screw's faces that lie further away from its loaded end lead.
 TEST(Deviations, AxialErrorsOpenByTheCosine) {
   test::SectorCase c = test::abevi();

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <random>
 
+#include "contact/film.h"
+#include "contact/patch.h"
 #include "prs/case_error.h"
 #include "prs/kinematics.h"
 #include "tests/support/count.h"
@@ -78,8 +80,10 @@ void expect_as_plain(const Case& c, const Result& result, double tolerance) {
       EXPECT_NEAR(computed.sliding_speed[k], static_cast<double>(sliding), 1e-12 * speed_scale);
       EXPECT_NEAR(computed.max_sliding_speed[k], static_cast<double>(threads[k].max_sliding_speed),
                   tolerance * speed_scale);
-      if (!computed.film_thickness.empty())
-        expect_relative(computed.film_thickness[k], threads[k].film_thickness, tolerance, "h_c");
+      EXPECT_EQ(computed.film_thickness.empty(), !c.lubricant);
+      if (!c.lubricant) continue;
+      expect_relative(computed.film_thickness[k], threads[k].film_thickness, tolerance, "h_c");
+      expect_relative(computed.central_film[k], threads[k].central_film, tolerance, "full fit");
     }
   }
 }
@@ -96,6 +100,9 @@ TEST(Slip, ReferenceExampleOfSandu) {
   EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-12);
   EXPECT_GT(s.torque_screw, 35e3 * 10e-3 / (2 * std::numbers::pi));  // above the static one (3.18)
   EXPECT_NEAR(*s.efficiency_fit, *s.efficiency, 0.005);              // (3.55)
+  // The full fit, computed apart from this program.
+  EXPECT_NEAR(s.threads.screw.central_film[0], 372.2e-9, 0.05e-9);
+  EXPECT_NEAR(s.threads.nut.central_film[0], 406.2e-9, 0.05e-9);
 }
 
 TEST(Slip, FrictionOfFigures28And29) {
@@ -275,6 +282,30 @@ TEST(Slip, PowerConvergesWithThePatchPoints) {
   EXPECT_LT(std::abs(power(21) / fine - 1.0), 0.005);
 }
 
+/// Weights are not renormalised: a coarse grid carries more than the load, and the power with it.
+TEST(Slip, FewestPatchPointsMissLoadAndPowerByLessThanTwoPercent) {
+  const auto excess = [](int points) {
+    const contact::PatchGrid grid(points);
+    return grid.cell_load() * grid.dome().sum() - 1.0;
+  };
+  EXPECT_NEAR(excess(1), 0.91, 0.001);
+  EXPECT_GT(excess(kFewestPatchPoints - 1), 0.025);
+  for (int points = kFewestPatchPoints; points <= 100; ++points)
+    EXPECT_LT(std::abs(excess(points)), 0.016) << points;
+
+  for (const Case& lubricated : {test::sandu_reference(), test::inverted(test::sandu_reference())})
+    for (Case c : {lubricated, test::with_coulomb(lubricated, 0.1)}) {
+      const auto power = [&](int points) {
+        c.model.patch_points = points;
+        return slip_of(c).power.total();
+      };
+      const double fine = power(201);
+      EXPECT_GT(power(kFewestPatchPoints - 1) / fine, 1.025);
+      for (int points = kFewestPatchPoints; points <= 21; ++points)
+        EXPECT_NEAR(power(points) / fine, 1.0, 0.02) << points;
+    }
+}
+
 /// Friction so strong that it would hold a contact open.
 TEST(Slip, AContactCanJam) {
   const Result result = analyze_slip(test::with_coulomb(test::sandu_reference(), 20.0));
@@ -365,12 +396,69 @@ TEST(Slip, MixedLubricationIsWarnedOf) {
   c.roughness = PerPart<double>{0.3e-6, 0.4e-6, 0.3e-6};
   const Result result = analyze_slip(c);
   const SlipResult& s = *result.load_cases[0].slip;
-  EXPECT_NEAR(s.threads.screw.film_ratio[0], s.threads.screw.film_thickness[0] / 0.5e-6, 1e-12);
+  EXPECT_NEAR(s.threads.screw.film_ratio[0], s.threads.screw.central_film[0] / 0.5e-6, 1e-12);
   EXPECT_THAT(result.load_cases[0].warnings,
               ::testing::Contains(HasSubstr("boundary lubrication at the roller-screw")));
   c.roughness = PerPart<double>{0.03e-6, 0.04e-6, 0.03e-6};
   EXPECT_THAT(analyze_slip(c).load_cases[0].warnings,
               ::testing::Not(::testing::Contains(HasSubstr("lubrication"))));
+}
+
+/// A film depends on motion and static load, not on the law of friction.
+TEST(Slip, CoulombFrictionHasTheFilmOfItsLubricant) {
+  Case c = test::sandu_reference();
+  c.operation->slip_ratio = 0.3730;
+  c.roughness = PerPart<double>{0.3e-6, 0.4e-6, 0.3e-6};
+  const SlipResult jacod = slip_of(c);
+  c = test::with_coulomb(c, 0.1);
+  const Result result = analyze_slip(c);
+  const SlipResult& coulomb = *result.load_cases[0].slip;
+  EXPECT_EQ(coulomb.viscosity, jacod.viscosity);
+  for (const Interface i : kInterfaces) {
+    ASSERT_EQ(coulomb.threads[i].central_film.size(), jacod.threads[i].central_film.size());
+    EXPECT_EQ(coulomb.threads[i].film_thickness, jacod.threads[i].film_thickness);
+    EXPECT_EQ(coulomb.threads[i].central_film, jacod.threads[i].central_film);
+    EXPECT_EQ(coulomb.threads[i].film_ratio, jacod.threads[i].film_ratio);
+  }
+  EXPECT_THAT(result.load_cases[0].warnings,
+              ::testing::Contains(HasSubstr("take a friction coefficient of surfaces that touch")));
+  c.lubricant.reset();
+  const SlipResult dry = slip_of(c);
+  EXPECT_TRUE(dry.threads.screw.central_film.empty());
+  EXPECT_TRUE(dry.threads.screw.film_ratio.empty());
+  EXPECT_FALSE(dry.viscosity);
+}
+
+/// Published fits side by side on one example: Hamrock and Dowson (1977) with the mean speed and
+/// k = 1.03 lambda^-0.64, and Sandu's short form of Moes and Venner's.
+TEST(Slip, FullFitLiesBetweenHamrockDowsonAndSandu) {
+  const Result result = analyze_slip(test::sandu_reference());
+  const SlipResult& s = *result.load_cases[0].slip;
+  const contact::Lubricant oil{0.1665, 30e-9, 12e6};
+  const auto hamrock_dowson = [&](Interface i) {
+    const InterfaceContact& contact = result.contacts.interfaces[i];
+    const contact::PrincipalValues rho = contact.geometry.relative;
+    const double modulus = 2.0 * contact.contact_modulus;
+    // From Sandu's film back to the speed, which the result does not state.
+    const double load = result.load_cases[0].threads.value()[i].normal_load[0];
+    const auto film = [&](double speed) {
+      return contact::sandu_film(oil, {load, rho.second, contact.contact_modulus}, speed).thickness;
+    };
+    const double speed = std::pow(s.threads[i].film_thickness[0] / film(1.0), 48.0 / 37.0);
+    const double u = oil.viscosity * 0.5 * speed * rho.second / modulus;
+    const double g = oil.pressure_viscosity * modulus;
+    const double w = load * rho.second * rho.second / modulus;
+    const double k = 1.03 * std::pow(rho.second / rho.first, 0.64);
+    return 2.69 * std::pow(u, 0.67) * std::pow(g, 0.53) * std::pow(w, -0.067) *
+           (1.0 - 0.61 * std::exp(-0.73 * k)) / rho.second;
+  };
+  EXPECT_NEAR(hamrock_dowson(Interface::screw), 297e-9, 1e-9);
+  EXPECT_NEAR(hamrock_dowson(Interface::nut), 330e-9, 1e-9);
+  for (const Interface i : kInterfaces) {
+    EXPECT_GT(s.threads[i].central_film[0], 1.2 * hamrock_dowson(i));
+    EXPECT_LT(s.threads[i].central_film[0], s.threads[i].film_thickness[0] / 1.15);
+    EXPECT_GT(s.threads[i].central_film[0], s.threads[i].film_thickness[0] / 1.18);
+  }
 }
 
 /// A bearing on the roller heads takes part in the balance: both powers still agree.

@@ -45,6 +45,7 @@ struct Interface {
   Vec normal{};                   ///< n, unit, external to the roller.
   Vec major{};                    ///< t1, unit; the minor axis is n x t1.
   Real larger_curvature = 0;      ///< rho_x of (2.31), relative [1/m].
+  Real curvature_ratio = 1;       ///< lambda, smaller over larger relative curvature.
   Real relative_modulus = 0;      ///< E' = 2 E* [Pa].
   std::vector<Thread> threads{};  ///< Of one roller.
 };
@@ -136,7 +137,29 @@ inline Real penetration_speed(const Case& c, bool screw, Real slip) {
 struct Film {
   Real number = 0;     ///< H_c (2.37).
   Real thickness = 0;  ///< h_c (2.39) [m].
+  Real central = 0;    ///< By the full fit [m].
 };
+
+/// H of Nijenbanning, Venner and Moes (Wear 176, 1994), as they print it; long double has the range
+/// for its powers.
+inline Real full_film_number(Real m, Real l, Real lambda) {
+  const Real k = 1 + Real(0.006L) * std::log(lambda) + Real(0.63L) * std::pow(lambda, Real(4) / 7);
+  const Real ri = 145 *
+                  std::pow(1 + Real(0.796L) * std::pow(lambda, Real(14) / 15), -Real(15) / 7) /
+                  lambda / (m * m);
+  const Real ei = Real(3.18L) * std::pow(k, -Real(14) / 25) * std::pow(lambda, -Real(1) / 15) *
+                  std::pow(m, -Real(2) / 15);
+  const Real rp =
+      Real(1.29L) * std::pow(1 + Real(0.691L) * lambda, -Real(2) / 3) * std::pow(l, Real(2) / 3);
+  const Real ep = Real(1.48L) * std::pow(k, -Real(7) / 20) * std::pow(lambda, -Real(1) / 24) *
+                  std::pow(m, -Real(1) / 12) * std::pow(l, Real(3) / 4);
+  const Real h00 = Real(1.80L) * std::pow(lambda, -Real(5) / 7);
+  const Real s = Real(1.5L) * (1 + std::exp(-Real(1.2L) * ei / ep));
+  const Real isoviscous = std::pow(ri, Real(1.5L)) +
+                          std::pow(std::pow(ei, Real(-4)) + std::pow(h00, Real(-4)), -Real(3) / 8);
+  const Real piezoviscous = std::pow(rp, Real(-8)) + std::pow(ep, Real(-8));
+  return std::pow(std::pow(isoviscous, 2 * s / 3) + std::pow(piezoviscous, -s / 8), 1 / s);
+}
 
 /// (2.36) as corrected: the part of the sum velocity in the contact plane.
 inline Real rolling_speed(const Motion& v, const Vec& n) {
@@ -151,7 +174,8 @@ inline Film film(const Interface& m, const Lubricant& l, Real rolling, Real norm
   const Real moes_m = normal_load * rho * rho / (e * std::pow(u, Real(3) / 4));
   const Real moes_l = l.pressure_viscosity * e * std::pow(u, Real(1) / 4);
   const Real h = Real(1.7L) * std::pow(moes_m, -Real(1) / 9) * std::pow(moes_l, Real(3) / 4);
-  return {h, h * std::sqrt(u) / rho};
+  return {h, h * std::sqrt(u) / rho,
+          full_film_number(moes_m, moes_l, m.curvature_ratio) * std::sqrt(u) / rho};
 }
 
 /// (2.27), (2.29), (2.30) at one point.
@@ -172,7 +196,8 @@ struct ThreadFriction {
   Real power = 0;                 ///< Loss, -W_M of (3.51) [W].
   Real friction_coefficient = 0;  ///< mu_a (2.40).
   Real max_sliding_speed = 0;     ///< Over the points inside [m/s].
-  Real film_thickness = 0;        ///< h_c [m], Jacod's law only.
+  Real film_thickness = 0;        ///< h_c [m], with a lubricant.
+  Real central_film = 0;          ///< By the full fit [m].
   int points = 0;                 ///< Inside the ellipse.
 };
 
@@ -189,9 +214,10 @@ inline ThreadFriction friction(const Case& c, bool screw, Motion v, const Thread
   const Real rolling = rolling_speed(v, m.normal);
   const Real normal_spin = v.spin * m.normal[2];
   Film central;
-  if (!c.coulomb) {
+  if (c.lubricant.viscosity > 0) {
     central = film(m, c.lubricant, rolling, t.axial_load / std::abs(m.normal[2]));
     out.film_thickness = central.thickness;
+    out.central_film = central.central;
   }
 
   const int n = c.patch_points;

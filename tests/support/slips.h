@@ -133,6 +133,7 @@ inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std
     side.normal = vec(g.point.normal);
     side.major = vec(g.major_axis);
     side.larger_curvature = g.relative.second;
+    side.curvature_ratio = g.relative.first / side.larger_curvature;
     side.relative_modulus = 2 * contact.contact_modulus;
     for (const double load : (*loaded.threads)[i].axial_load) {
       const contact::HertzContact e =

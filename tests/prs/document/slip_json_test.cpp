@@ -63,6 +63,7 @@ TEST(SlipJson, ThreadsHaveTheUnitOfTheirKey) {
   EXPECT_DOUBLE_EQ(nut.at("sliding_speed_mm_per_s")[1], threads.sliding_speed[1] * 1e3);
   EXPECT_DOUBLE_EQ(nut.at("max_sliding_speed_mm_per_s")[1], threads.max_sliding_speed[1] * 1e3);
   EXPECT_DOUBLE_EQ(nut.at("film_thickness_nm")[1], 310.0);
+  EXPECT_DOUBLE_EQ(nut.at("central_film_nm")[1], 260.0);
   EXPECT_EQ(nut.at("film_ratio")[1], 0.62);
   EXPECT_EQ(nut.at("dynamic_normal_load_N")[1], threads.dynamic_normal_load[1]);
 }

@@ -1,5 +1,6 @@
 #include "prs/input/reader.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -63,6 +64,16 @@ TEST(ReadCase, WhatIsAbsentHasItsDefault) {
   EXPECT_FALSE(c.model.roller_shear);
   EXPECT_EQ(c.model.patch_points, 21);
   EXPECT_EQ(c.carrier.nut_torque, 0.0);
+}
+
+TEST(ReadCase, TooFewPatchPointsAreRefusedWithTheReason) {
+  EXPECT_EQ(error_of(kAbevi, {"model={patch_points: 9}"}), "");
+  for (const char* points : {"8", "1"}) {
+    const std::string message =
+        error_of(kAbevi, {fmt::format("model={{patch_points: {}}}", points)});
+    EXPECT_THAT(message, HasSubstr(fmt::format("model.patch_points: got {}; expected", points)));
+    EXPECT_THAT(message, HasSubstr("from 9 to 1001, as fewer points carry"));
+  }
 }
 
 TEST(ReadCase, ARangeMakesOneCaseAPoint) {

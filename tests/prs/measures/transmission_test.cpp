@@ -2,8 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
+#include <utility>
+
+#include "prs/document/measure_quantities.h"
+#include "prs/slip.h"
+#include "tests/support/slips.h"
 
 namespace prs {
 namespace {
@@ -65,6 +72,48 @@ TEST(Efficiency, IsThatOfAThreadWithSmallFriction) {
 TEST(Efficiency, BackDrivingIsTwoLessTheReciprocal) {
   const double eta = efficiency(-5e-3, 21e-3, 0.01);
   EXPECT_NEAR(*back_driving_efficiency(-5e-3, 21e-3, 0.01), 2.0 - 1.0 / eta, 1e-15);
+}
+
+double friction_of(double efficiency, double lead, double diameter) {
+  return (1.0 / efficiency - 1.0) * lead / (pi * diameter);
+}
+
+/// A maker's standard screws (series SRS-C, 24 sizes): the pairs of efficiencies in its catalogue.
+TEST(Efficiency, BackDrivingEstimateMissesAMakersValuesByUpToSevenHundredths) {
+  double lowest = 0.0, highest = 0.0;
+  for (const auto& [forward, backward] :
+       {std::pair{0.89, 0.87}, {0.83, 0.82}, {0.80, 0.79}, {0.79, 0.79}, {0.77, 0.77}}) {
+    const double lead = 10e-3, diameter = 30e-3;
+    const double miss =
+        *back_driving_efficiency(lead, diameter, friction_of(forward, lead, diameter)) - backward;
+    lowest = std::min(lowest, miss);
+    highest = std::max(highest, miss);
+  }
+  EXPECT_NEAR(lowest, -0.07, 0.005);
+  EXPECT_NEAR(highest, 0.01, 0.005);
+}
+
+/// The left-handed screw under the same force and speed is driven by its load.
+TEST(Efficiency, BackDrivingEstimateLiesBelowThatOfContacts) {
+  Case c = test::sandu_reference();
+  const double lead = c.mechanism.lead, diameter = *c.mechanism.pitch_diameter.screw;
+  const double forward = *analyze_slip(c).load_cases[0].slip->efficiency;
+  const double backward = *analyze_slip(test::left_handed(c)).load_cases[0].slip->efficiency;
+  const double miss =
+      *back_driving_efficiency(lead, diameter, friction_of(forward, lead, diameter)) - backward;
+  EXPECT_LT(miss, -0.03);
+  EXPECT_GT(miss, -0.07);
+}
+
+/// Beside the number, in tables and in `--explain`.
+TEST(Efficiency, BackDrivingSaysHowFarItIsOff) {
+  for (const DesignMeasure& q : kDesignMeasures) {
+    if (q.key != "back_driving_efficiency") continue;
+    EXPECT_NE(q.title.find("0.07"), std::string_view::npos);
+    EXPECT_NE(q.validity.find("0.07"), std::string_view::npos);
+    return;
+  }
+  FAIL();
 }
 
 TEST(Efficiency, IsHalfWhereTheScrewStartsToLock) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "contact_cases.h"
@@ -59,6 +60,15 @@ TEST(ContactTable, DifferentPitchesHaveNoBacklash) {
   EXPECT_EQ(row(table(c), "backlash"), "");
   c.mechanism.pitch.nut.reset();
   EXPECT_TRUE(row(table(c), "backlash, mm –").starts_with("backlash, mm – -0.06"));
+}
+
+TEST(ContactTable, PitchesThatRoundingTellsApartHaveABacklash) {
+  Case c = abevi_contacts();
+  c.mechanism.pitch = {1.67e-3, 1.67e-3, 1.67e-3};
+  const std::string same = row(table(c), "backlash");
+  EXPECT_NE(same, "");
+  c.mechanism.pitch = {1.67e-3, std::nextafter(1.67e-3, 1.0), std::nextafter(1.67e-3, 0.0)};
+  EXPECT_EQ(row(table(c), "backlash"), same);
 }
 
 TEST(ContactTable, LoadCasesShowWhatOneThreadBears) {

@@ -25,6 +25,7 @@ inline InterfaceSlip sample_threads(const InterfaceLoads& loads, double friction
     slip.sliding_speed.push_back(speed);
     slip.max_sliding_speed.push_back(1.1 * speed);
     slip.film_thickness.push_back(310e-9);
+    slip.central_film.push_back(260e-9);
     slip.film_ratio.push_back(0.62);
     slip.dynamic_normal_load.push_back(1.01 * load);
   }

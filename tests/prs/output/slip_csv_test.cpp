@@ -72,6 +72,7 @@ TEST(SlipCsv, OneRowAThreadAndInterface) {
   EXPECT_EQ(std::stod(rows[21].at("power_W")), first.slip->threads.nut.power[1]);
   EXPECT_EQ(std::stod(rows[21].at("axial_load_N")), first.threads->nut.axial_load[1]);
   EXPECT_DOUBLE_EQ(std::stod(rows[21].at("film_thickness_nm")), 310.0);
+  EXPECT_DOUBLE_EQ(std::stod(rows[21].at("central_film_nm")), 260.0);
 }
 
 TEST(SlipCsv, AbsentFilmIsAnEmptyField) {
