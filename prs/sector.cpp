@@ -13,11 +13,11 @@ namespace {
 using fe::Dof;
 
 /// Bars from the loaded section through the contacts.
-void add_screw(Sector& s, const Mechanism& m, const Structure::Screw& screw, double diameter,
+void add_screw(Sector& s, const Mechanism& m, double bore, double free_length, double diameter,
                double modulus) {
-  const double rigidity = modulus * ring_area(diameter, screw.bore) / m.rollers;
+  const double rigidity = modulus * ring_area(diameter, bore) / m.rollers;
   s.loaded_node = s.model.add_node();
-  const bool at_first_contact = screw.free_length == 0.0;
+  const bool at_first_contact = free_length == 0.0;
   int previous = s.loaded_node;
   for (int k = 0; k < m.contacts_per_roller; ++k) {
     if (k == 0 && at_first_contact) {
@@ -25,7 +25,7 @@ void add_screw(Sector& s, const Mechanism& m, const Structure::Screw& screw, dou
       continue;
     }
     const int node = s.model.add_node();
-    const double length = k == 0 ? screw.free_length : axial_pitch(m);
+    const double length = k == 0 ? free_length : axial_pitch(m);
     s.model.bars.push_back({previous, node, {rigidity, length}});
     s.screw_nodes.push_back(node);
     previous = node;
@@ -48,7 +48,7 @@ NutLine nut_line(const Mechanism& m, const Structure::Nut& nut, Direction direct
   const auto contact = [&](int k) { return position + k * axial_pitch(m); };
   for (int k = 0; k < m.contacts_per_roller; ++k) sections.push_back(contact(k));
   std::sort(sections.begin(), sections.end());
-  const double same = 1e-9 * nut.length;
+  const double same = kSamePlace * nut.length;
   const auto end = std::unique(sections.begin(), sections.end(),
                                [&](double a, double b) { return b - a < same; });
   sections.erase(end, sections.end());
@@ -200,7 +200,8 @@ Sector build_sector(const Mechanism& m, const Structure& structure, const Materi
   const PerPart<double>& core = refined.core_diameter;
   s.offset_compliance = refined.offset_compliance;
 
-  add_screw(s, m, structure.screw, core.screw, materials.screw.youngs_modulus);
+  add_screw(s, m, structure.screw.bore, free_length(structure), core.screw,
+            materials.screw.youngs_modulus);
   add_roller(s, m, structure.roller, core.roller, refined.roller_half_distance, materials.roller,
              refined.roller_shear);
   if (refined.nut)
