@@ -13,62 +13,69 @@ struct Beam {
   double length = 0.0;            ///< L [m], > 0.
 };
 
-using BeamVector = Eigen::Matrix<double, 6, 1>;
-using BeamMatrix = Eigen::Matrix<double, 6, 6>;
+template <class Real>
+using BeamVector = Eigen::Matrix<Real, 6, 1>;
+template <class Real>
+using BeamMatrix = Eigen::Matrix<Real, 6, 6>;
 
 /// Phi = 12 E I / (kappa G A L^2), the share of shear in the transverse flexibility of Timoshenko's
 /// beam (Przemieniecki, Theory of Matrix Structural Analysis, 1968, section 5.6).
-inline double shear_ratio(const Beam& b) {
-  return b.shear_rigidity > 0.0
-             ? 12.0 * b.bending_rigidity / (b.shear_rigidity * b.length * b.length)
-             : 0.0;
+template <class Real = double>
+Real shear_ratio(const Beam& b) {
+  const Real l = b.length, shear = b.shear_rigidity;
+  if (!(b.shear_rigidity > 0.0)) return Real(0.0);
+  return 12.0 * b.bending_rigidity / (shear * l * l);
 }
 
 /// 6 x 6 stiffness over (u_1, v_1, theta_1, u_2, v_2, theta_2), in N/m, N and N m (Abevi 2015,
 /// (A4), for Phi = 0).
-inline BeamMatrix stiffness_matrix(const Beam& beam) {
-  const double l = beam.length;
-  const double a = beam.axial_rigidity / l;
-  const double phi = shear_ratio(beam);
-  const double b = beam.bending_rigidity / (l * l * l * (1.0 + phi));
-  const double t = 12.0 * b, c = 6.0 * b * l;
-  const double near = (4.0 + phi) * b * l * l, far = (2.0 - phi) * b * l * l;
-  BeamMatrix k;
+template <class Real = double>
+BeamMatrix<Real> stiffness_matrix(const Beam& beam) {
+  const Real l = beam.length;
+  const Real a = beam.axial_rigidity / l;
+  const Real phi = shear_ratio<Real>(beam);
+  const Real b = beam.bending_rigidity / (l * l * l * (1.0 + phi));
+  const Real t = 12.0 * b, c = 6.0 * b * l;
+  const Real near = (4.0 + phi) * b * l * l, far = (2.0 - phi) * b * l * l;
+  const Real o(0.0);
+  BeamMatrix<Real> k;
   // clang-format off
-  k <<  a,  0,    0, -a,  0,    0,
-        0,  t,    c,  0, -t,    c,
-        0,  c, near,  0, -c,  far,
-       -a,  0,    0,  a,  0,    0,
-        0, -t,   -c,  0,  t,   -c,
-        0,  c,  far,  0, -c, near;
+  k <<  a,  o,    o, -a,  o,    o,
+        o,  t,    c,  o, -t,    c,
+        o,  c, near,  o, -c,  far,
+       -a,  o,    o,  a,  o,    o,
+        o, -t,   -c,  o,  t,   -c,
+        o,  c,  far,  o, -c, near;
   // clang-format on
   return k;
 }
 
 /// What deforms a beam, and what it only carries along: rigid translation does not appear.
+template <class Real>
 struct BeamMotion {
-  double elongation = 0.0;       ///< u_2 - u_1 [m]
-  double deflection = 0.0;       ///< v_2 - v_1 [m]
-  double first_rotation = 0.0;   ///< theta_1 [rad]
-  double second_rotation = 0.0;  ///< theta_2 [rad]
-  double first_rest = 0.0;       ///< What rounding took from theta_1 and
-  double second_rest = 0.0;      ///< theta_2 [rad].
+  Real elongation;       ///< u_2 - u_1 [m]
+  Real deflection;       ///< v_2 - v_1 [m]
+  Real first_rotation;   ///< theta_1 [rad]
+  Real second_rotation;  ///< theta_2 [rad]
+  Real first_rest{};     ///< What rounding took from theta_1 and
+  Real second_rest{};    ///< theta_2 [rad].
 };
 
 /// End forces on the beam, K q over (u_1, v_1, theta_1, u_2, v_2, theta_2), from elongation and the
 /// end rotations against the chord. Rigid motions drop out before they meet the stiffness, so the
 /// forces balance to rounding however large the motion is.
-inline BeamVector end_forces(const Beam& beam, const BeamMotion& motion) {
-  const double l = beam.length;
-  const double phi = shear_ratio(beam);
-  const double b = beam.bending_rigidity / (l * (1.0 + phi));
-  const double chord = motion.deflection / l;
-  const double first = (motion.first_rotation - chord) + motion.first_rest;
-  const double second = (motion.second_rotation - chord) + motion.second_rest;
-  const double tension = beam.axial_rigidity / l * motion.elongation;
-  const double m1 = b * ((4.0 + phi) * first + (2.0 - phi) * second);
-  const double m2 = b * ((2.0 - phi) * first + (4.0 + phi) * second);
-  const double shear = (m1 + m2) / l;
+template <class Real = double>
+BeamVector<Real> end_forces(const Beam& beam, const BeamMotion<Real>& motion) {
+  const Real l = beam.length;
+  const Real phi = shear_ratio<Real>(beam);
+  const Real b = beam.bending_rigidity / (l * (1.0 + phi));
+  const Real chord = motion.deflection / l;
+  const Real first = (motion.first_rotation - chord) + motion.first_rest;
+  const Real second = (motion.second_rotation - chord) + motion.second_rest;
+  const Real tension = beam.axial_rigidity / l * motion.elongation;
+  const Real m1 = b * ((4.0 + phi) * first + (2.0 - phi) * second);
+  const Real m2 = b * ((2.0 - phi) * first + (4.0 + phi) * second);
+  const Real shear = (m1 + m2) / l;
   return {-tension, shear, m1, tension, -shear, m2};
 }
 

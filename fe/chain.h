@@ -203,20 +203,42 @@ class Chain {
     return iterate(options);
   }
 
-  /// Displacement of the loaded freedom per load, at the state reached; NaN where singular.
+  /// Displacement of the loaded freedom per load, at the state reached, which it replaces; NaN where
+  /// the tangent is singular or its factors have too few digits.
+  ///
+  /// With x the solution so far, K x = f - r, it is x'f + x'r but for the square of the error of x:
+  /// x is refined until the second part is small.
   Real flexibility() {
-    for (int k = 0; k < stations_; ++k)
-      for (auto& c : records_[k].contact) c.remainder = Real(0.0);
     pending_load_ = Real(-1.0);
     if constexpr (kFolded<Station>)
       pending_load_ = select(abs(load_) > 0.0, pending_load_, Real(0.0));
     load_pending_ = true;
     has_correction_ = move_pending_ = false;
-    const Mask singular = factorize<false>(Real(0.0));
-    Real next[M];
-    unroll<M>([&](auto i) __attribute__((always_inline)) { next[i] = Real(0.0); });
-    for (int k = stations_ - 1; k >= 0; --k) substitute_back(k, next);
-    return select(singular, Real(__builtin_nan("")), next[0]);
+    for (int k = 0; k < stations_; ++k)
+      for (auto& c : records_[k].contact) c.remainder = Real(0.0);
+    Mask searching = solve_for_right_hand_side() & summary_.converged;
+    for (int k = 0; k < stations_; ++k)
+      unroll<M>([&](auto i) __attribute__((always_inline)) {
+        records_[k].state.head[i] = records_[k].step[i];
+        records_[k].state.tail[i] = Real(0.0);
+      });
+    load_pending_ = false;
+    has_correction_ = true;
+    Real flexibility(__builtin_nan(""));
+    for (int refinement = 0; any(searching); ++refinement) {
+      const Real left = tangent_residual();
+      const Real found = total(-pending_load_ * records_[0].state.head[0]);
+      const Mask known = searching & (abs(left) <= kTangentTolerance * found);
+      flexibility = select(known, found + left, flexibility);
+      searching = searching & !known;
+      if (!any(searching) || refinement == kMostRefinements) break;
+      searching = searching & solve_for_right_hand_side();
+      for (int k = 0; k < stations_; ++k)
+        unroll<M>([&](auto i) __attribute__((always_inline)) {
+          records_[k].state.move_back(i, -records_[k].step[i], searching);
+        });
+    }
+    return flexibility;
   }
 
   /// Approach b'd of contact C, b its form.
@@ -234,6 +256,66 @@ class Chain {
   }
 
  private:
+  static constexpr double kTangentTolerance = 1e-11;
+  static constexpr int kMostRefinements = 10;
+
+  /// Steps become K^-1 of the right-hand side. False where K is singular.
+  Mask solve_for_right_hand_side() {
+    const Mask regular = !factorize<false>(Real(0.0));
+    Real next[M];
+    unroll<M>([&](auto i) __attribute__((always_inline)) { next[i] = Real(0.0); });
+    for (int k = stations_ - 1; k >= 0; --k) substitute_back(k, next);
+    return regular;
+  }
+
+  /// Forces of the linear elements at station k, those of the interval to it being `carried`, which
+  /// become those of the interval to the next one.
+  [[gnu::always_inline]] void linear_forces(int k, Real* force, Real* carried) {
+    const Record& record = records_[k];
+    Real next[M];
+    unroll<M>([&](auto i) __attribute__((always_inline)) {
+      force[i] = carried[i];
+      next[i] = Real(0.0);
+    });
+    station_.add_forces(k, record.state, force);
+    if (k + 1 < stations_) {
+      if (move_pending_) move(records_[k + 1]);
+      station_.add_forces(k, record.state, records_[k + 1].state, force, next);
+    }
+    if constexpr (kFolded<Station>)
+      if (k + 1 == stations_) {
+        ChainState<Real, M> beyond;
+        unroll<M>([&](auto i) __attribute__((always_inline)) {
+          beyond.head[i] = mirrored(record.state.head[i]);
+          beyond.tail[i] = mirrored(record.state.tail[i]);
+        });
+        station_.add_forces(k, record.state, beyond, force, next);
+      }
+    unroll<M>([&](auto i) __attribute__((always_inline)) { carried[i] = next[i]; });
+  }
+
+  /// Corrections become f - K x, x being the state; x'(f - K x).
+  Real tangent_residual() {
+    Real work(0.0);
+    Real carried[M];
+    unroll<M>([&](auto i) __attribute__((always_inline)) { carried[i] = Real(0.0); });
+    for (int k = 0; k < stations_; ++k) {
+      Record& record = records_[k];
+      Real force[M];
+      linear_forces(k, force, carried);
+      if (k == 0) force[0] += pending_load_;
+      unroll<2>([&](auto i) __attribute__((always_inline)) {
+        const Real approach = along<i>(record.state.head) + along<i>(record.state.tail);
+        add_along<i>(force, record.contact[i].tangent * approach);
+      });
+      unroll<M>([&](auto i) __attribute__((always_inline)) {
+        record.correction[i] = select(station_.held(k, i), Real(0.0), -force[i]);
+        work += record.state.head[i] * record.correction[i];
+      });
+    }
+    return total(work);
+  }
+
   /// Sum over the chain of what each lane has summed.
   [[gnu::always_inline]] static Real total(const Real& sum) {
     if constexpr (kFolded<Station>)
@@ -298,8 +380,12 @@ class Chain {
     move_pending_ = false;
   }
 
+  /// In both halves of a folded chain.
+  int contacts() const { return (kFolded<Station> ? 4 : 2) * stations_; }
+
   ChainSummary<Real> iterate(const NewtonOptions& options) {
-    for (int iteration = 0; iteration < options.max_iterations && any(active_); ++iteration) {
+    const int limit = options.iteration_limit(contacts());
+    for (int iteration = 0; iteration < limit && any(active_); ++iteration) {
       Real shift(0.0);
       Mask singular = factorize<false>(shift) & active_;
       while (any(singular)) {
@@ -580,10 +666,17 @@ class Chain {
     if (!any(check)) return;
     const Real whole = whole_residual(check);
     summary_.relative_residual = select(check, whole, summary_.relative_residual);
-    const Mask done = candidate & (whole <= options.residual_tolerance);
+    // What the last step changed in a contact's force, relative to the largest: of one contact
+    // alone the work of the change is 5/3 of its square times the energy.
+    const Real change =
+        sqrt(1.2 * static_cast<double>(contacts()) * length_ * length_ * stiffness /
+             contact_energy_);
+    const Mask exact = change * whole <= options.force_tolerance * before;
+    const Mask done = candidate & exact & (whole <= options.residual_tolerance);
     // A whole residual that its own step does not lessen is that of rounding.
     const Mask stalled = candidate & checked_before & !done & (whole > 0.1 * before);
-    const Mask rounded = stalled & (whole <= options.rounding_tolerance);
+    const Mask rounded = stalled & (whole <= options.rounding_tolerance) &
+                         (change <= options.force_tolerance);
     summary_.converged = summary_.converged | done | rounded;
     summary_.at_rounding = summary_.at_rounding | rounded;
     summary_.search_failed = summary_.search_failed | (stalled & !rounded);
@@ -617,27 +710,9 @@ class Chain {
     if (move_pending_) move(records_[0]);
     for (int k = 0; k < stations_; ++k) {
       Record& record = records_[k];
-      Real force[M], next[M];
+      Real force[M];
+      linear_forces(k, force, carried);
       unroll<M>([&](auto i) __attribute__((always_inline)) {
-        force[i] = carried[i];
-        next[i] = Real(0.0);
-      });
-      station_.add_forces(k, record.state, force);
-      if (k + 1 < stations_) {
-        if (move_pending_) move(records_[k + 1]);
-        station_.add_forces(k, record.state, records_[k + 1].state, force, next);
-      }
-      if constexpr (kFolded<Station>)
-        if (k + 1 == stations_) {
-          ChainState<Real, M> beyond;
-          unroll<M>([&](auto i) __attribute__((always_inline)) {
-            beyond.head[i] = mirrored(record.state.head[i]);
-            beyond.tail[i] = mirrored(record.state.tail[i]);
-          });
-          station_.add_forces(k, record.state, beyond, force, next);
-        }
-      unroll<M>([&](auto i) __attribute__((always_inline)) {
-        carried[i] = next[i];
         energy += 0.5 * record.state.head[i] * force[i];
       });
       if (k == 0) {

@@ -70,10 +70,6 @@ SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, i
   return compress(std::move(columns));
 }
 
-void add_to(Eigen::VectorXd& r, int equation, double value) {
-  if (equation >= 0) r[equation] += value;
-}
-
 }  // namespace
 
 Equations::Equations(const Model& model) {
@@ -116,41 +112,17 @@ void Equations::number_freedoms(const Model& model) {
 }
 
 void Equations::add_linear_elements(const Model& model) {
-  const auto numbered = [&](int freedom) { return at(number_, freedom); };
-  const auto add = [&](int i, int j, double value) {
-    if (i >= 0 && j >= 0) at(linear_.value, slot(i, j)) += value;
+  const auto numbered = [&](std::array<int, 6> freedoms) {
+    for (int& freedom : freedoms) freedom = at(number_, freedom);
+    return freedoms;
   };
-  for (const BarElement& e : model.bars) {
-    const int i = number(e.first, Dof::u), j = number(e.second, Dof::u);
-    const double k = e.bar.stiffness();
-    bars_.push_back({{i, j}, k});
-    add(i, i, k);
-    add(j, j, k);
-    add(i, j, -k);
-  }
-  const auto add_all = [&](const std::array<int, 6>& equation, const BeamMatrix& k) {
-    for (std::size_t i = 0; i < 6; ++i)
-      for (std::size_t j = i; j < 6; ++j)
-        add(equation[i], equation[j],
-            k(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-  };
-  for (const BeamElement& e : model.beams) {
-    NumberedBeam beam{globals(e), e.beam};
-    for (int& freedom : beam.equation) freedom = numbered(freedom);
-    add_all(beam.equation, stiffness_matrix(e.beam));
-    beams_.push_back(beam);
-  }
-  for (const ShellElement& e : model.shells) {
-    NumberedShell shell{globals(e), e.stiffness};
-    for (int& freedom : shell.equation) freedom = numbered(freedom);
-    add_all(shell.equation, nodal_stiffness(e.stiffness));
-    shells_.push_back(shell);
-  }
-  for (const ElasticSupport& s : model.elastic_supports) {
-    const int i = number(s.node, s.dof);
-    supports_.push_back({i, s.stiffness});
-    add(i, i, s.stiffness);
-  }
+  for (const BarElement& e : model.bars)
+    bars_.push_back({{number(e.first, Dof::u), number(e.second, Dof::u)}, e.bar.stiffness()});
+  for (const BeamElement& e : model.beams) beams_.push_back({numbered(globals(e)), e.beam});
+  for (const ShellElement& e : model.shells) shells_.push_back({numbered(globals(e)), e.stiffness});
+  for (const ElasticSupport& s : model.elastic_supports)
+    supports_.push_back({number(s.node, s.dof), s.stiffness});
+  linear_.value = linear_values<double>();
 }
 
 void Equations::add_springs(const Model& model) {
@@ -197,37 +169,36 @@ double Equations::Spring::approach(const State& q) const {
   return w;
 }
 
+double Equations::Spring::closure(const State& q) const {
+  double sum = -law.gap, lost = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double product = coefficient[i] * q.head[equation[i]];
+    lost += std::fma(coefficient[i], q.head[equation[i]], -product);
+    const double next = sum + product, rounded = next - sum;
+    lost += (sum - (next - rounded)) + (product - rounded);
+    lost += coefficient[i] * q.tail[equation[i]];
+    sum = next;
+  }
+  return sum + lost;
+}
+
 double Equations::approach(const State& q, int k) const { return at(springs_, k).approach(q); }
+
+double Equations::closure(const State& q, int k) const { return at(springs_, k).closure(q); }
+
+SpringResponse Equations::response(const State& q, int k) const {
+  const Spring& s = at(springs_, k);
+  return evaluate(without_gap(s.law), s.closure(q));
+}
+
+double Equations::deflection(const State& q, int k) const {
+  const Spring& s = at(springs_, k);
+  return fe::deflection(without_gap(s.law), s.closure(q));
+}
 
 double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f,
                                       Eigen::VectorXd& residual) const {
-  residual.setZero();
-  for (const NumberedBar& bar : bars_) {
-    const auto [i, j] = bar.equation;
-    const double tension = bar.stiffness * q.difference(i, j);
-    add_to(residual, i, -tension);
-    add_to(residual, j, tension);
-  }
-  for (const NumberedBeam& b : beams_) {
-    const auto& [u1, v1, t1, u2, v2, t2] = b.equation;
-    const BeamVector forces = end_forces(
-        b.beam, {q.difference(u1, u2), q.difference(v1, v2), q[t1], q[t2], q.rest(t1), q.rest(t2)});
-    for (std::size_t i = 0; i < 6; ++i)
-      add_to(residual, b.equation[i], forces[static_cast<Eigen::Index>(i)]);
-  }
-  for (const NumberedShell& s : shells_) {
-    const auto& [u1, v1, t1, u2, v2, t2] = s.equation;
-    const auto mean = [&](int i, int j) {
-      return 0.5 * (q[i] + q[j]) + 0.5 * (q.rest(i) + q.rest(j));
-    };
-    const BeamVector forces =
-        end_forces(s.stiffness, {q.difference(u1, u2), q.difference(v1, v2), q.difference(t1, t2),
-                                 mean(v1, v2), mean(t1, t2)});
-    for (std::size_t i = 0; i < 6; ++i)
-      add_to(residual, s.equation[i], forces[static_cast<Eigen::Index>(i)]);
-  }
-  for (const NumberedSupport& s : supports_)
-    add_to(residual, s.equation, s.stiffness * q[s.equation]);
+  linear_forces(q, residual);
   double energy = q.head.dot(0.5 * residual - f);
   residual -= f;
   for (const Spring& s : springs_) {
@@ -236,6 +207,28 @@ double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f,
     for (std::size_t i = 0; i < s.count; ++i) residual[s.equation[i]] += r.force * s.coefficient[i];
   }
   return energy;
+}
+
+void Equations::tangent_residual(const State& q, const State& x, const Eigen::VectorXd& f,
+                                 Eigen::VectorXd& residual) const {
+  linear_forces(x, residual);
+  residual = f - residual;
+  for (const Spring& s : springs_) {
+    const double force = evaluate(s.law, s.approach(q)).tangent * s.approach(x);
+    for (std::size_t i = 0; i < s.count; ++i) residual[s.equation[i]] -= force * s.coefficient[i];
+  }
+}
+
+double Equations::force_change(const State& q, const Eigen::VectorXd& x) const {
+  double change = 0.0, largest = 0.0;
+  for (const Spring& s : springs_) {
+    double w = 0.0;
+    for (std::size_t i = 0; i < s.count; ++i) w += s.coefficient[i] * x[s.equation[i]];
+    const SpringResponse r = evaluate(s.law, s.approach(q));
+    change = std::max(change, std::abs(r.tangent * w));
+    largest = std::max(largest, r.force);
+  }
+  return change / largest;
 }
 
 Eigen::VectorXd Equations::rounding_residual(const State& q) const {
@@ -261,12 +254,8 @@ void Equations::tangent_stiffness(const State& q, SparseSymmetric& tangent) cons
   std::copy(linear_.value.begin(), linear_.value.end(), tangent.value.begin());
   for (const Spring& s : springs_) {
     const double k = evaluate(s.law, s.approach(q)).tangent;
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < s.count; ++i) {
-      const double row = k * s.coefficient[i];
-      for (std::size_t j = i; j < s.count; ++j)
-        at(tangent.value, s.slot[next++]) += row * s.coefficient[j];
-    }
+    s.for_each_tangent(
+        k, [&](int slot, double value) { at(tangent.value, slot) += value; });
   }
 }
 

@@ -4,9 +4,81 @@
 #include <cmath>
 #include <limits>
 
+#include "fe/cholesky.h"
 #include "fe/index.h"
+#include "fe/newton_method.h"
+#include "fe/wide_newton.h"
 
 namespace fe {
+namespace {
+
+/// Steps of which doubles may shift the tangent, before wider numbers tell whether it is singular
+/// or only seems so.
+constexpr int kMostShifted = 8;
+
+/// Relative residual of a state worth going on from; what wrong digits led to may be far away.
+constexpr double kNear = 1e-6;
+
+constexpr double kTangentTolerance = 1e-11;
+constexpr int kMostRefinements = 10;
+
+class DoubleNumbers {
+ public:
+  static constexpr int kMostStalls = 3;
+  using Energy = double;
+  using State = fe::State;
+  using Vector = Eigen::VectorXd;
+
+  explicit DoubleNumbers(const Equations& equations)
+      : equations_(&equations), tangent_(equations.linear_stiffness()), cholesky_(tangent_) {}
+
+  State zero_state() const { return Vector(Vector::Zero(equations_->size())); }
+
+  double energy_and_residual(const State& q, const Vector& f, Vector& residual) const {
+    return equations_->energy_and_residual(q, f, residual);
+  }
+  void tangent(const State& q) { equations_->tangent_stiffness(q, tangent_); }
+  void shift_by(double change) {
+    const SparseSymmetric& linear = equations_->linear_stiffness();
+    for (int j = 0; j < tangent_.size(); ++j) {
+      const int diagonal = at(tangent_.column_start, j + 1) - 1;
+      at(tangent_.value, diagonal) += change * at(linear.value, diagonal);
+    }
+  }
+  FactorizationStatus factorize() { return cholesky_.factorize(tangent_); }
+  void solve(const Vector& b, Vector& x) { cholesky_.solve(b, x); }
+  bool solved(const Vector& b, const Vector& x) const {
+    Vector left = b;
+    for (int j = 0; j < tangent_.size(); ++j)
+      for (int k = at(tangent_.column_start, j); k < at(tangent_.column_start, j + 1); ++k) {
+        const int i = at(tangent_.row, k);
+        left[i] -= at(tangent_.value, k) * x[j];
+        if (i != j) left[j] -= at(tangent_.value, k) * x[i];
+      }
+    return left.cwiseAbs().maxCoeff() <= 0.1 * b.cwiseAbs().maxCoeff();
+  }
+  double force_change(const State& q, const Vector& x) const {
+    return equations_->force_change(q, x);
+  }
+  bool residual_is_rounding(const State& q, const Vector& residual) const {
+    return (residual.array().abs() <= equations_->rounding_residual(q).array()).all();
+  }
+  /// A difference of large works.
+  static double energy_rounding(const State& q, const Vector& f, double energy) {
+    return 64.0 * std::numeric_limits<double>::epsilon() *
+           (std::abs(energy) + std::abs(f.dot(q.head)));
+  }
+  static void set_to_step(State& to, const State& from, double length, const Vector& step) {
+    to.set_to_step(from, length, step);
+  }
+
+ private:
+  const Equations* equations_;
+  SparseSymmetric tangent_;
+  Cholesky cholesky_;
+};
+
+}  // namespace
 
 std::string_view name(NewtonStatus status) {
   switch (status) {
@@ -22,114 +94,59 @@ std::string_view name(NewtonStatus status) {
   return "unknown";
 }
 
+struct NewtonSolver::Doubles {
+  explicit Doubles(const Equations& equations)
+      : method(equations), residual(equations.size()), correction(equations.size()) {}
+
+  NewtonMethod<DoubleNumbers> method;
+  Eigen::VectorXd residual, correction;
+};
+
 NewtonSolver::NewtonSolver(const Equations& equations)
-    : equations_(&equations),
-      tangent_(equations.linear_stiffness()),
-      cholesky_(tangent_),
-      residual_(equations.size()),
-      step_(equations.size()),
-      trial_(Eigen::VectorXd::Zero(equations.size())) {}
+    : equations_(&equations), doubles_(std::make_unique<Doubles>(equations)) {}
+NewtonSolver::~NewtonSolver() = default;
+NewtonSolver::NewtonSolver(NewtonSolver&&) noexcept = default;
+NewtonSolver& NewtonSolver::operator=(NewtonSolver&&) noexcept = default;
 
-double NewtonSolver::relative_residual(const NewtonOptions& options) const {
-  double force = 0.0, moment = 0.0;
-  for (int i = 0; i < equations_->size(); ++i) {
-    double& largest = equations_->kind(i) == Dof::theta ? moment : force;
-    const double r = std::abs(residual_[i]);
-    if (!(r <= largest)) largest = r;  // keeps a NaN
-  }
-  moment /= options.length_scale;
-  return (moment > force || std::isnan(moment) ? moment : force) / options.force_scale;
-}
-
-bool NewtonSolver::residual_is_rounding(const State& q) const {
-  return (residual_.array().abs() <= equations_->rounding_residual(q).array()).all();
-}
-
-FactorizationStatus NewtonSolver::factorize_shifted(const NewtonOptions& options, double& shift) {
-  shift = 0.0;
-  FactorizationStatus status = cholesky_.factorize(tangent_);
-  const SparseSymmetric& linear = equations_->linear_stiffness();
-  while (status == FactorizationStatus::not_positive_definite && shift < options.last_shift) {
-    const double next = shift == 0.0 ? options.first_shift : 100.0 * shift;
-    for (int j = 0; j < tangent_.size(); ++j) {
-      const int diagonal = at(tangent_.column_start, j + 1) - 1;
-      at(tangent_.value, diagonal) += (next - shift) * at(linear.value, diagonal);
-    }
-    shift = next;
-    status = cholesky_.factorize(tangent_);
-  }
-  return status;
-}
-
-FactorizationStatus NewtonSolver::factorize_tangent(const State& q, const NewtonOptions& options,
-                                                    double& shift) {
-  equations_->tangent_stiffness(q, tangent_);
-  return factorize_shifted(options, shift);
-}
-
-bool NewtonSolver::search_along_step(const Eigen::VectorXd& f, const NewtonOptions& options,
-                                     const State& q, double slope, double energy,
-                                     NewtonIteration& iteration) {
-  // Near the solution the gain drowns in the rounding of the energy, a difference of large works.
-  const double rounding =
-      64.0 * std::numeric_limits<double>::epsilon() * (std::abs(energy) + std::abs(f.dot(q.head)));
-  double length = 1.0;
-  for (int halvings = 0; halvings <= options.max_halvings; ++halvings, length *= 0.5) {
-    trial_.set_to_step(q, length, step_);
-    iteration.energy = equations_->energy_and_residual(trial_, f, residual_);
-    iteration.step_length = length;
-    if (iteration.energy <= energy + options.sufficient_decrease * length * slope + rounding)
-      return true;
-  }
-  return false;
+WideNewton& NewtonSolver::wide() {
+  if (!wide_) wide_ = std::make_unique<WideNewton>(*equations_);
+  return *wide_;
 }
 
 NewtonSummary NewtonSolver::solve(const Eigen::VectorXd& f, const NewtonOptions& options,
                                   State& q) {
-  NewtonSummary summary;
-  summary.history.reserve(8);
-  summary.energy = equations_->energy_and_residual(q, f, residual_);
-  summary.initial_relative_residual = summary.relative_residual = relative_residual(options);
-  const auto stop = [&](NewtonStatus status) {
-    summary.status = status;
-    return summary;
-  };
-
-  bool fresh = false;  // whether the factorization is that of the last step's start
-  while (summary.iterations() < options.max_iterations) {
-    NewtonIteration iteration;
-    fresh = !(fresh && summary.relative_residual <= options.reuse_factorization_below);
-    if (fresh && factorize_tangent(q, options, iteration.shift) != FactorizationStatus::ok)
-      return stop(NewtonStatus::not_positive_definite);
-    cholesky_.solve(residual_, step_);
-    const double slope = -residual_.dot(step_);
-    const bool descended = search_along_step(f, options, q, slope, summary.energy, iteration);
-    iteration.relative_residual = relative_residual(options);
-    summary.history.push_back(iteration);
-    if (!descended) return stop(NewtonStatus::line_search_failed);
-
-    std::swap(q, trial_);
-    const bool stalled = iteration.relative_residual > 0.1 * summary.relative_residual;
-    summary.energy = iteration.energy;
-    summary.relative_residual = iteration.relative_residual;
-    if (-slope > options.energy_tolerance * std::abs(summary.energy)) continue;
-    if (summary.relative_residual <= options.residual_tolerance)
-      return stop(NewtonStatus::converged);
-    if (stalled && residual_is_rounding(q)) {
-      summary.at_rounding = true;
-      return stop(summary.relative_residual <= options.rounding_tolerance
-                      ? NewtonStatus::converged
-                      : NewtonStatus::line_search_failed);
-    }
-  }
-  return summary;
+  const int limit = options.iteration_limit(static_cast<int>(equations_->springs().size()));
+  const State start = q;
+  NewtonSummary summary = doubles_->method.solve(f, options, limit, kMostShifted, q);
+  const bool digits_may_help = summary.status == NewtonStatus::line_search_failed ||
+                               summary.status == NewtonStatus::not_positive_definite;
+  if (!digits_may_help || !std::isfinite(summary.relative_residual)) return summary;
+  if (!(summary.relative_residual <= kNear)) q = start;
+  NewtonSummary further = wide().solve(f, options, limit - summary.iterations(), q);
+  further.wide = true;
+  further.initial_relative_residual = summary.initial_relative_residual;
+  further.history.insert(further.history.begin(), summary.history.begin(), summary.history.end());
+  return further;
 }
 
 bool NewtonSolver::solve_tangent(const State& q, const Eigen::VectorXd& rate, Eigen::VectorXd& x) {
-  equations_->tangent_stiffness(q, tangent_);
-  if (cholesky_.factorize(tangent_) != FactorizationStatus::ok) return false;
-  cholesky_.solve(rate, x);
-  return true;
+  DoubleNumbers& numbers = doubles_->method.numbers();
+  numbers.tangent(q);
+  if (numbers.factorize() != FactorizationStatus::ok) return wide().solve_tangent(q, rate, x);
+  Eigen::VectorXd& residual = doubles_->residual;
+  Eigen::VectorXd& correction = doubles_->correction;
+  numbers.solve(rate, x);
+  State refined(x);
+  for (int k = 0; k <= kMostRefinements; ++k) {
+    equations_->tangent_residual(q, refined, rate, residual);
+    if (std::abs(refined.head.dot(residual)) <= kTangentTolerance * refined.head.dot(rate)) {
+      x = refined.head;
+      return true;
+    }
+    numbers.solve(residual, correction);
+    refined.set_to_step(State(refined), -1.0, correction);
+  }
+  return wide().solve_tangent(q, rate, x);
 }
 
 }  // namespace fe

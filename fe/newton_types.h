@@ -11,13 +11,17 @@ struct NewtonOptions {
   double residual_tolerance = 1e-12;
   /// Where stiffnesses are so far apart that rounding of the state alone leaves more, a state that
   /// does not improve any further is equilibrium too if its residual is no larger than this.
-  double rounding_tolerance = 1e-10;
+  double rounding_tolerance = 1e-11;
   /// Largest energy that the last step may have gained, relative to the energy of the state.
   double energy_tolerance = 1e-8;
   /// A state this close to equilibrium takes one step with the last factorization, at a third of
   /// the cost: its error shrinks as much as the last step changed the tangent, about 1e-3.
   double reuse_factorization_below = 1e-8;
-  int max_iterations = 100;
+  /// Largest change, relative to the largest force of a spring, that one more step may still bring to
+  /// a spring's force. It is estimated: what the last step changed, times what it left of the
+  /// residual.
+  double force_tolerance = 1e-10;
+  int max_iterations = 500;
   /// A step is halved at most this often before the search is given up.
   int max_halvings = 100;
   /// Armijo's share of the energy gain that the slope promises.
@@ -29,6 +33,12 @@ struct NewtonOptions {
   double last_shift = 1.0;
   double force_scale = 1.0;   ///< [N]
   double length_scale = 1.0;  ///< [m]
+
+  /// Linear solves allowed for a model of so many springs. Along a thread of thousands of contacts
+  /// those that open do so one after the other, a few in a step: one more for every 20 beyond 200.
+  int iteration_limit(int springs) const {
+    return max_iterations + (springs > 200 ? (springs - 200) / 20 : 0);
+  }
 };
 
 enum class NewtonStatus {
@@ -55,6 +65,7 @@ struct NewtonSummary {
   double relative_residual = 0.0;
   double energy = 0.0;
   bool at_rounding = false;  ///< Stopped by the rounding of the state, above `residual_tolerance`.
+  bool wide = false;         ///< Doubles did not do: the last steps were taken in wider numbers.
   std::vector<NewtonIteration> history;
 
   bool converged() const { return status == NewtonStatus::converged; }

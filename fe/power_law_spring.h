@@ -99,6 +99,12 @@ inline SpringResponse evaluate(const PowerLawSpring& s, double w) {
   return response_in_series(s, deflection_in_series(s, total));
 }
 
+/// The same spring as a function of its closure w - gap.
+inline PowerLawSpring without_gap(PowerLawSpring s) {
+  s.gap = 0.0;
+  return s;
+}
+
 /// Deflection of the power law alone at the approach `w` [m].
 inline double deflection(const PowerLawSpring& s, double w) {
   const double total = w - s.gap;

@@ -84,17 +84,6 @@ ShellMatrix piece(const ShellRigidity& shell, double length) {
   return k.topLeftCorner<kOuter, kOuter>() - coupling.transpose() * inner.llt().solve(coupling);
 }
 
-/// Deformation of `ShellMatrix` from (u_1, v_1, theta_1, u_2, v_2, theta_2).
-Eigen::Matrix<double, kOuter, 6> deformation() {
-  Eigen::Matrix<double, kOuter, 6> b = Eigen::Matrix<double, kOuter, 6>::Zero();
-  for (int i = 0; i < 3; ++i) {
-    b(i, i) = -1.0;
-    b(i, i + 3) = 1.0;
-  }
-  for (int i = 1; i < 3; ++i) b(i + 2, i) = b(i + 2, i + 3) = 0.5;
-  return b;
-}
-
 /// (u_1, v_1, theta_1, u_2, v_2, theta_2) from the deformation, without axial translation.
 Eigen::Matrix<double, 6, kOuter> displacements() {
   Eigen::Matrix<double, 6, kOuter> t = Eigen::Matrix<double, 6, kOuter>::Zero();
@@ -171,11 +160,6 @@ ShellMatrix about(const ShellMatrix& stiffness, double shift) {
   ShellMatrix t = ShellMatrix::Identity();
   t(0, 2) = shift;  // u at r_0 is u at r_0 + shift and theta times the shift
   return t.transpose() * stiffness * t;
-}
-
-Eigen::Matrix<double, 6, 6> nodal_stiffness(const ShellMatrix& stiffness) {
-  const auto b = deformation();
-  return b.transpose() * stiffness * b;
 }
 
 }  // namespace fe

@@ -47,13 +47,29 @@ ShellMatrix stiffness_matrix(const ShellRigidity& shell, double length);
 ShellMatrix about(const ShellMatrix& stiffness, double shift);
 
 /// 6 x 6 stiffness over (u_1, v_1, theta_1, u_2, v_2, theta_2).
-Eigen::Matrix<double, 6, 6> nodal_stiffness(const ShellMatrix& stiffness);
+template <class Real = double>
+Eigen::Matrix<Real, 6, 6> nodal_stiffness(const ShellMatrix& stiffness) {
+  Eigen::Matrix<Real, 5, 6> deformation = Eigen::Matrix<Real, 5, 6>::Zero();
+  for (int i = 0; i < 3; ++i) {
+    deformation(i, i) = Real(-1.0);
+    deformation(i, i + 3) = Real(1.0);
+  }
+  for (int i = 1; i < 3; ++i) deformation(i + 2, i) = deformation(i + 2, i + 3) = Real(0.5);
+  return deformation.transpose() * stiffness.cast<Real>() * deformation;
+}
 
 /// End forces K q over (u_1, v_1, theta_1, u_2, v_2, theta_2) for the deformation of `ShellMatrix`.
-inline Eigen::Matrix<double, 6, 1> end_forces(const ShellMatrix& stiffness,
-                                              const Eigen::Matrix<double, 5, 1>& deformation) {
-  const Eigen::Matrix<double, 5, 1> f = stiffness * deformation;
-  return {-f[0], 0.5 * f[3] - f[1], 0.5 * f[4] - f[2], f[0], 0.5 * f[3] + f[1], 0.5 * f[4] + f[2]};
+template <class Real>
+Eigen::Matrix<Real, 6, 1> end_forces(const ShellMatrix& stiffness,
+                                     const Eigen::Matrix<Real, 5, 1>& deformation) {
+  const Eigen::Matrix<Real, 5, 1> f = stiffness.cast<Real>() * deformation;
+  const Real half(0.5);
+  return {-f[0],
+          half * f[3] - f[1],
+          half * f[4] - f[2],
+          f[0],
+          half * f[3] + f[1],
+          half * f[4] + f[2]};
 }
 
 }  // namespace fe

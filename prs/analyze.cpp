@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "prs/case_error.h"
-#include "prs/chain/chain_solver.h"
+#include "prs/chain/fallback_solver.h"
 #include "prs/check_case.h"
 #include "prs/contact_laws.h"
 #include "prs/influence/influence_solver.h"
@@ -33,7 +33,7 @@ class SolverPool {
   }
 
  private:
-  using Solver = std::variant<std::unique_ptr<SectorSolver>, std::unique_ptr<ChainSolver>,
+  using Solver = std::variant<std::unique_ptr<SectorSolver>, std::unique_ptr<FallbackSolver>,
                               std::unique_ptr<InfluenceSolver>>;
 
   Solver solver(Direction direction, double position) const {
@@ -42,7 +42,7 @@ class SolverPool {
           influence_solver(case_, contacts_, laws_, direction, position));
     Sector sector = build_sector(case_.mechanism, *case_.structure, *case_.materials, case_.model,
                                  laws_, direction, position, case_.deviations);
-    if (detail_ == Detail::numbers) return std::make_unique<ChainSolver>(sector);
+    if (detail_ == Detail::numbers) return std::make_unique<FallbackSolver>(std::move(sector));
     return std::make_unique<SectorSolver>(std::move(sector));
   }
 

@@ -19,7 +19,7 @@ namespace prs {
 
 namespace {
 
-constexpr double kTolerance = 1e-9;  ///< Of the nut's length, in axial positions.
+constexpr double kTolerance = kSamePlace;  ///< Of the nut's length, in axial positions.
 
 /// Collects problems, one for each path: the first found is the one to mend.
 class Problems {

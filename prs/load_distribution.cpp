@@ -59,14 +59,12 @@ LoadDistribution SectorSolver::at(const fe::State& state, double axial_force) {
   LoadDistribution result;
   for (const Interface i : kInterfaces)
     for (int k = 0; k < sector_.contacts(); ++k) {
-      const fe::PowerLawSpring& law =
-          sector_.model.springs[static_cast<std::size_t>(sector_.spring(i, k))].law;
-      const double w = equations_.approach(state, sector_.spring(i, k));
-      result.normal_load[i].push_back(fe::evaluate(law, w).force);
-      result.approach[i].push_back(fe::deflection(law, w));
+      const int spring = sector_.spring(i, k);
+      result.normal_load[i].push_back(equations_.response(state, spring).force);
+      result.approach[i].push_back(equations_.deflection(state, spring));
     }
-  result.axial_displacement =
-      unit_load_.dot(state.head) + sector_.offset_compliance * axial_force / sector_.rollers;
+  result.axial_displacement = unit_load_.dot(state.head) + unit_load_.dot(state.tail) +
+                              sector_.offset_compliance * axial_force / sector_.rollers;
   if (solver_.solve_tangent(state, unit_load_, rate_)) {
     const double flexibility = unit_load_.dot(rate_) + sector_.offset_compliance;
     if (flexibility > 0.0) result.tangent_stiffness = sector_.rollers / flexibility;

@@ -13,11 +13,11 @@ namespace {
 using fe::Dof;
 
 /// Bars from the loaded section through the contacts.
-void add_screw(Sector& s, const Mechanism& m, const Structure::Screw& screw, double free_diameter,
+void add_screw(Sector& s, const Mechanism& m, double bore, double free_length, double free_diameter,
                double diameter, double modulus) {
-  const auto rigidity = [&](double d) { return modulus * ring_area(d, screw.bore) / m.rollers; };
+  const auto rigidity = [&](double d) { return modulus * ring_area(d, bore) / m.rollers; };
   s.loaded_node = s.model.add_node();
-  const bool at_first_contact = screw.free_length == 0.0;
+  const bool at_first_contact = free_length == 0.0;
   int previous = s.loaded_node;
   for (int k = 0; k < m.contacts_per_roller; ++k) {
     if (k == 0 && at_first_contact) {
@@ -25,7 +25,7 @@ void add_screw(Sector& s, const Mechanism& m, const Structure::Screw& screw, dou
       continue;
     }
     const int node = s.model.add_node();
-    const fe::Bar bar = k == 0 ? fe::Bar{rigidity(free_diameter), screw.free_length}
+    const fe::Bar bar = k == 0 ? fe::Bar{rigidity(free_diameter), free_length}
                                : fe::Bar{rigidity(diameter), axial_pitch(m)};
     s.model.bars.push_back({previous, node, bar});
     s.screw_nodes.push_back(node);
@@ -49,7 +49,7 @@ NutLine nut_line(const Mechanism& m, const Structure::Nut& nut, Direction direct
   const auto contact = [&](int k) { return position + k * axial_pitch(m); };
   for (int k = 0; k < m.contacts_per_roller; ++k) sections.push_back(contact(k));
   std::sort(sections.begin(), sections.end());
-  const double same = 1e-9 * nut.length;
+  const double same = kSamePlace * nut.length;
   const auto end = std::unique(sections.begin(), sections.end(),
                                [&](double a, double b) { return b - a < same; });
   sections.erase(end, sections.end());
@@ -201,8 +201,8 @@ Sector build_sector(const Mechanism& m, const Structure& structure, const Materi
   const Refinement refined = refinement(m, structure, materials, options, laws, direction, line);
   s.offset_compliance = refined.offset_compliance;
 
-  add_screw(s, m, structure.screw, refined.plain_screw_diameter, refined.screw_diameter,
-            materials.screw.youngs_modulus);
+  add_screw(s, m, structure.screw.bore, free_length(structure), refined.plain_screw_diameter,
+            refined.screw_diameter, materials.screw.youngs_modulus);
   add_roller(s, m, structure.roller, refined.roller_diameter, refined.roller_half_distance,
              materials.roller, refined.roller_shear);
   if (refined.nut)

@@ -72,4 +72,12 @@ inline std::pair<double, double> nut_diameters_at(const Structure::Nut& nut, dou
   return {nut_diameter(nut, x - close), nut_diameter(nut, x + close)};
 }
 
+/// Axial places closer than this share of the nut's length are one.
+inline constexpr double kSamePlace = 1e-9;
+
+/// From the loaded section to the first contact [m]; 0 where they are one place.
+inline double free_length(const Structure& s) {
+  return s.screw.free_length < kSamePlace * s.nut.length ? 0.0 : s.screw.free_length;
+}
+
 }  // namespace prs

@@ -4,6 +4,7 @@
 #include "prs/chain/bar_station.h"
 #include "prs/chain/lane_access.h"
 #include "prs/chain/sweep.h"
+#include "prs/structure.h"
 
 namespace prs {
 namespace {
@@ -105,7 +106,7 @@ struct BarBatch {
 
   void set_up_nut(Bars<Real>& station, BarWorkspace<Real>& w) const {
     const NutCompliance compliance(*this);
-    const Real same = 1e-9 * load(designs.nut_length);
+    const Real same = kSamePlace * load(designs.nut_length);
     const Real thrust = load(designs.thrust), pitch = load(designs.pitch);
     const Real none = thrust - thrust;  // not a number where the thrust section is none
     const auto support = [&](const fe::Lanes<Real>& where, const Real& from, const Real& to) {

@@ -167,7 +167,7 @@ BarSector bar_sector(const Mechanism& m, const Structure& structure, const Mater
   const double screw = *m.pitch_diameter.screw, roller = *m.pitch_diameter.roller;
   s.screw_rigidity =
       materials.screw.youngs_modulus * ring_area(screw, structure.screw.bore) / m.rollers;
-  s.free_length = structure.screw.free_length;
+  s.free_length = free_length(structure);
 
   s.thread = disc(materials.roller, roller, options.roller_shear);
   s.end = disc(materials.roller, structure.roller.end_diameter, options.roller_shear);

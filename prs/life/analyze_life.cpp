@@ -11,7 +11,7 @@
 
 #include "prs/analyze.h"
 #include "prs/case_error.h"
-#include "prs/chain/chain_solver.h"
+#include "prs/chain/fallback_solver.h"
 #include "prs/contact_laws.h"
 #include "prs/influence/influence_solver.h"
 #include "prs/life/share_curve.h"
@@ -46,8 +46,8 @@ std::function<LoadDistribution(double)> distribution_solver(const Prepared& p, D
         influence_solver(c, p.contacts, p.laws, d, *c.life->position));
     return [solver](double force) { return solver->solve(force); };
   }
-  const auto solver =
-      std::make_shared<ChainSolver>(build_sector(c.mechanism, *c.structure, *c.materials, c.model,
+  const auto solver = std::make_shared<FallbackSolver>(
+      build_sector(c.mechanism, *c.structure, *c.materials, c.model,
                                                  p.laws, d, *c.life->position, c.deviations));
   return [solver](double force) { return solver->solve(force); };
 }

@@ -12,6 +12,7 @@ namespace prs {
 namespace {
 
 constexpr std::size_t kMostRows = 24;
+constexpr double kSmallLoad = 1.0;  ///< Shown in newtons below it [N].
 
 std::string line(std::string_view what, const std::string& value) {
   return fmt::format("  {:<46} {}\n", what, value);
@@ -45,8 +46,10 @@ std::string summary(const PreloadResult& r) {
             line("a side opens at", both(r.opening_force, per_si::kilonewton, 3, "kN")) +
             line("stiffness at zero load",
                  both(r.curve.stiffness_at_zero, per_si::newton_per_micrometre, 1, "N/µm"));
-  const std::string load = fixed(r.lost_motion_load, per_si::kilonewton, 3);
-  text += line(fmt::format("lost motion between -{} and +{} kN", load, load),
+  const std::string load = r.lost_motion_load < kSmallLoad
+                               ? fmt::format("{:.3g} N", r.lost_motion_load)
+                               : fixed(r.lost_motion_load, per_si::kilonewton, 3) + " kN";
+  text += line(fmt::format("lost motion between -{} and +{}", load, load),
                with_unit(r.curve.lost_motion, per_si::micrometre, 3, "µm") +
                    (r.without_preload ? fmt::format(" (without preload {})",
                                                     with_unit(r.without_preload->lost_motion,

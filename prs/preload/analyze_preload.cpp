@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "prs/analyze.h"
 #include "prs/case_error.h"
@@ -48,14 +49,29 @@ class SolverPair {
   PreloadSolver tension_, compression_;
 };
 
+/// `where` introduces the reason why a load did not converge, which becomes a warning.
 PreloadCurve curve_of(SolverPair& solvers, const std::vector<double>& loads,
-                      double lost_motion_load) {
+                      double lost_motion_load, std::string_view where,
+                      std::vector<std::string>& warnings) {
+  const auto warn = [&](double load, const fe::NewtonSummary& summary) {
+    warnings.push_back(fmt::format("{}{:.6g} N: not converged: {}, relative residual {:.1e}", where,
+                                   load, fe::name(summary.status), summary.relative_residual));
+  };
+  const bool at_rest = std::ranges::all_of(
+      kDirections, [&](Direction d) { return solvers[d].at_rest().solve.converged(); });
+  for (const Direction d : kDirections)
+    if (!solvers[d].at_rest().solve.converged()) warn(0.0, solvers[d].at_rest().solve);
+  const auto solve = [&](double load) {
+    PreloadPoint point = solvers.solve(load);
+    if (at_rest && !point.solve.converged()) warn(load, point.solve);
+    return point;
+  };
   PreloadCurve curve;
-  for (const double load : loads) curve.points.push_back(solvers.solve(load));
+  for (const double load : loads) curve.points.push_back(solve(load));
   for (const Direction d : kDirections)
     curve.stiffness_at_zero[d] = solvers[d].at_rest().tangent_stiffness;
-  const PreloadPoint pulled = solvers.solve(lost_motion_load);
-  const PreloadPoint pushed = solvers.solve(-lost_motion_load);
+  const PreloadPoint pulled = solve(lost_motion_load);
+  const PreloadPoint pushed = solve(-lost_motion_load);
   if (pulled.solve.converged() && pushed.solve.converged())
     curve.lost_motion = pulled.axial_displacement - pushed.axial_displacement;
   return curve;
@@ -143,10 +159,11 @@ PreloadResult analyze_preload(const Case& c) {
   result.lost_motion_load = c.preload->lost_motion_load.value_or(
       kLostMotionShare * std::max(std::abs(sweep.from), std::abs(sweep.to)));
   const std::vector<double> loads = loads_of(sweep);
-  result.curve = curve_of(solvers, loads, result.lost_motion_load);
+  result.curve = curve_of(solvers, loads, result.lost_motion_load, "at ", result.warnings);
   if (!c.preload->backlash) {
     SolverPair loose(sectors, Fit{});
-    result.without_preload = curve_of(loose, loads, result.lost_motion_load);
+    result.without_preload = curve_of(loose, loads, result.lost_motion_load,
+                                      "without preload at ", result.warnings);
   }
   warn_of_pressure(result);
   return result;

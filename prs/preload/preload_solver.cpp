@@ -123,7 +123,7 @@ class PreloadSolver::Branch {
     for (const Interface i : kInterfaces) {
       double sum = 0.0;
       for (const int k : sector_.sides[side].springs[i]) {
-        const double normal = fe::evaluate(law(k), equations_.approach(q, k)).force;
+        const double normal = equations_.response(q, k).force;
         sum += normal;
         loads.max_normal_load[i] = std::max(loads.max_normal_load[i], normal);
       }
@@ -139,7 +139,7 @@ class PreloadSolver::Branch {
     for (const Interface i : kInterfaces) {
       closest[i] = -std::numeric_limits<double>::infinity();
       for (const int k : sector_.sides[side].springs[i])
-        closest[i] = std::max(closest[i], equations_.approach(q, k) - law(k).gap);
+        closest[i] = std::max(closest[i], equations_.closure(q, k));
       closest[i] /= std::cos(sector_.laws[i].normal_angle);
     }
     return sector_.rollers_are_shared() ? std::max(closest.screw, closest.nut)

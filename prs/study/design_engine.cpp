@@ -13,6 +13,7 @@
 #include "prs/analyze.h"
 #include "prs/case_error.h"
 #include "prs/chain/bar_designs.h"
+#include "prs/chain/fallback_solver.h"
 #include "prs/contact_laws.h"
 #include "prs/document/json.h"
 #include "prs/document/life_json.h"
@@ -121,6 +122,7 @@ struct Pending {
   Contacts contacts;
   PerInterface<ContactLaw> laws;
   std::vector<LoadCaseResult> load_cases;  ///< Those that the responses need.
+  bool complete = true;                    ///< Needs no other solver.
 };
 
 /// A sector of bars that waits, and where its answer goes.
@@ -321,7 +323,7 @@ struct DesignEngine::Parts {
     designs.reserve(to - from);
     for (std::size_t row = from; row < to; ++row) {
       const std::size_t waiting = sectors.size();
-      Pending design{row, {}, {}, {}};
+      Pending design{.row = row, .contacts = {}, .laws = {}, .load_cases = {}};
       bool done = false;
       DesignStatus status = status_after([&]() -> DesignStatus {
         const Case& c = read(worker.reader, row);
@@ -343,15 +345,18 @@ struct DesignEngine::Parts {
     worker.solver.solve(bars, forces, loads);
     for (std::size_t k = 0; k < sectors.size(); ++k) {
       Pending& design = designs[sectors[k].design];
+      design.complete = design.complete && FallbackSolver::complete(loads[k]);
       LoadCaseResult& result = design.load_cases[sectors[k].load_case];
       result = solved_result(result.load_case, design.contacts, design.laws, std::move(loads[k]));
     }
     for (const Pending& design : designs) {
-      DesignStatus status = status_of(design.load_cases);
-      if (status.converged())
+      if (design.complete) {
         set_numbers(row_of(block, design.row), design.contacts, design.load_cases);
-      else
-        block.failures.push_back({design.row, std::move(status)});
+        continue;
+      }
+      DesignStatus status = status_after(
+          [&] { return answer(read(worker.reader, design.row), row_of(block, design.row)); });
+      if (!status.converged()) block.failures.push_back({design.row, std::move(status)});
     }
   }
 

@@ -78,11 +78,11 @@ TEST(Beam, RigidMotionsStoreNoEnergy) {
 }
 
 TEST(Beam, EndForcesAreStiffnessTimesDisplacements) {
-  const BeamVector q{1e-6, -2e-6, 3e-4, 4e-6, 1e-6, -2e-4};
+  const BeamVector<double> q{1e-6, -2e-6, 3e-4, 4e-6, 1e-6, -2e-4};
   for (const double shear : {0.0, kGA}) {
     const Beam beam{kEA, kEI, shear, 0.01};
-    const BeamVector product = stiffness_matrix(beam) * q;
-    const BeamVector forces = end_forces(beam, {q[3] - q[0], q[4] - q[1], q[2], q[5]});
+    const BeamVector<double> product = stiffness_matrix(beam) * q;
+    const BeamVector<double> forces = end_forces(beam, {q[3] - q[0], q[4] - q[1], q[2], q[5]});
     EXPECT_LT((forces - product).norm(), 1e-13 * product.norm());
   }
 }

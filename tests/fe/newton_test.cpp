@@ -95,6 +95,57 @@ TEST(Newton, NothingHoldsAPulledContact) {
   EXPECT_GE(summary.relative_residual, 0.5);
 }
 
+/// A stiff beam on two soft springs, pushed in its middle through a contact: the beam's assembled
+/// stiffness rounds to more than the springs have.
+struct SoftlyHeldBeam {
+  static constexpr double kSupport = 1e-3, kHertz = 1e10;
+  Model model;
+
+  SoftlyHeldBeam() {
+    const Beam half{1e10, 1e6, 0.0, 0.01};
+    int last = model.add_node();
+    model.fixed_supports.push_back({last, Dof::u});
+    model.elastic_supports.push_back({last, Dof::v, kSupport});
+    for (int k = 0; k < 20; ++k) {
+      const int next = model.add_node();
+      model.beams.push_back({last, next, half});
+      last = next;
+    }
+    model.elastic_supports.push_back({last, Dof::v, kSupport});
+    const int pusher = model.add_node();
+    model.elastic_supports.push_back({pusher, Dof::v, kSupport});
+    model.springs.push_back({{pusher}, {10}, 0.0, 1.0, {kHertz, 1.5, 0.0, 0.0}});
+  }
+  int pusher() const { return model.nodes - 1; }
+};
+
+TEST(Newton, SoftestStiffnessKeepsItsDigits) {
+  const SoftlyHeldBeam beam;
+  const Equations equations(beam.model);
+  NewtonSolver solver(equations);
+  const Eigen::VectorXd load = equations.load_vector({{beam.pusher(), Dof::v, 1.0}});
+  State q(Eigen::VectorXd::Zero(equations.size()));
+  for (int i = 0; i < equations.size(); ++i)
+    if (equations.kind(i) == Dof::v) q.head[i] = 100.0;
+  q.head[equations.number(beam.pusher(), Dof::v)] += 1e-6;
+  const NewtonSummary summary = solver.solve(load, {}, q);
+  ASSERT_TRUE(summary.converged()) << name(summary.status);
+  const double u = equations.displacement(q, beam.pusher(), Dof::v);
+  EXPECT_NEAR(u * 3.0 * beam.kSupport, 1.0, 1e-9);
+  // The contact carries what the beam's springs take, though its approach is 1e-10 of u.
+  EXPECT_NEAR(equations.response(q, 0).force * 1.5, 1.0, 1e-9);
+  Eigen::VectorXd rate(equations.size());
+  ASSERT_TRUE(solver.solve_tangent(q, load, rate));
+  EXPECT_NEAR(load.dot(rate) * 3.0 * beam.kSupport, 1.0, 1e-9);
+}
+
+/// Along a long thread contacts open one after the other.
+TEST(Newton, LongThreadsMayTakeMoreIterations) {
+  const NewtonOptions options;
+  EXPECT_EQ(options.iteration_limit(40), options.max_iterations);
+  EXPECT_EQ(options.iteration_limit(20000), options.max_iterations + 990);
+}
+
 TEST(Newton, SummaryIsBornFailed) { EXPECT_FALSE(NewtonSummary{}.converged()); }
 
 }  // namespace

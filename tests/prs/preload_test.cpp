@@ -467,6 +467,26 @@ TEST(AnalyzePreload, LostMotionIsTheTravelBetweenBothSensesOfItsLoad) {
   EXPECT_EQ(by_default.curve.points.size(), 41u);
 }
 
+/// Beyond the play all threads share a small load, and the approach is that of Hertz alone: the
+/// travel grows as its 2/3rd power, the stiffness as its cube root.
+TEST(AnalyzePreload, LostMotionOfSmallLoadsIsThePlayAndHertzApproach) {
+  const auto travel = [](const std::string& load) {
+    const PreloadResult r = analyze_preload(with_preload(
+        "{arrangement: single_nut, backlash: 20 um, position: 29 mm, load: {from: -20 kN, to: 20 "
+        "kN, steps: 3}, lost_motion_load: " +
+        load + "}"));
+    EXPECT_TRUE(r.converged()) << load;
+    EXPECT_TRUE(std::ranges::none_of(r.warnings, [](const std::string& text) {
+      return text.find("not converged") != std::string::npos;
+    }));
+    return r.curve.lost_motion.value_or(0.0) - 20e-6;
+  };
+  const double micronewton = travel("1e-6 N");
+  EXPECT_GT(micronewton, 0.0);
+  EXPECT_NEAR(travel("1e-3 N") / micronewton, 100.0, 0.5);
+  EXPECT_NEAR(micronewton / travel("1e-9 N"), 100.0, 0.1);
+}
+
 TEST(AnalyzePreload, AForceThatNoFitGivesIsRefused) {
   const Case c = with_preload(
       "{arrangement: single_nut, force: 1e6 kN, position: 29 mm, load: {from: -20 kN, to: 20 kN}}");

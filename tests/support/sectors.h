@@ -125,4 +125,71 @@ inline double random_force(const SectorCase& c, std::mt19937_64& random) {
   return share * heavy * c.mechanism.rollers * c.mechanism.contacts_per_roller;
 }
 
+/// A random sector of extreme ratios, as far as the checks of a case let them pass: moduli and Hertz
+/// constants over nine decades, rings from 1e-3 to 1e15 N/m, thin walls, slender and stout ends, free
+/// lengths from 0 and 1e-12 mm up, 2 to 60 threads.
+inline SectorCase extreme_sector(std::mt19937_64& random) {
+  using prs::Direction, prs::Guidance, prs::ModelOptions;
+  const auto uniform = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  const auto log_uniform = [&](double a, double b) {
+    return std::exp(uniform(std::log(a), std::log(b)));
+  };
+  const auto whole = [&](int a, int b) { return std::uniform_int_distribution<int>(a, b)(random); };
+  const auto nine_decades = [&](double middle) {
+    return middle * std::pow(10.0, uniform(-4.5, 4.5));
+  };
+
+  SectorCase c;
+  prs::Mechanism& m = c.mechanism;
+  m.starts = {whole(1, 6), 1};
+  const double roller = log_uniform(1e-3, 1e-1);
+  const double pitch = roller * log_uniform(2e-2, 1.0);
+  m.lead = pitch * m.starts.screw;
+  m.rollers = whole(1, 13);
+  m.contacts_per_roller = whole(2, 60);
+  const double screw = roller * uniform(1.5, 5.0);
+  m.pitch_diameter = {screw, roller, screw + 2.0 * roller};
+  const double before = whole(0, 3) ? uniform(0.0, 2.0) * roller : 0.0;
+  const double length =
+      (m.contacts_per_roller - 1) * pitch + before + uniform(0.0, 3.0) * roller + 1e-6;
+  c.position = before;
+  const double free[] = {0.0, 1e-15, log_uniform(1e-15, 1e-6), log_uniform(1e-6, 1.0)};
+  c.structure.screw = {whole(0, 1) ? (1.0 - log_uniform(1e-6, 1.0)) * screw : 0.0,
+                       free[whole(0, 3)]};
+  c.structure.roller = {log_uniform(1e-2, 10.0) * roller, log_uniform(2e-2, 2.0) * roller, {}};
+  switch (whole(0, 3)) {
+    case 0:
+      c.structure.roller.guidance = {Guidance::Kind::outer_node, 0.0};
+      break;
+    case 1:
+    case 2:
+      c.structure.roller.guidance = {Guidance::Kind::ring, log_uniform(1e-3, 1e15)};
+      break;
+    default:
+      break;
+  }
+  const double nut = *m.pitch_diameter.nut * (1.0 + log_uniform(1e-4, 1.0));
+  c.structure.nut = {length,
+                     nut,
+                     {{0.0, 0.2 * length, 1.4 * nut}, {0.2 * length, 0.3 * length, 1.1 * nut}},
+                     {.tension = uniform(0.0, 1.0) * length, .compression = length}};
+  for (const prs::Part p : prs::kParts)
+    c.materials[p] = {nine_decades(2e11), uniform(0.0, 0.45), {}};
+  for (const prs::Interface i : prs::kInterfaces)
+    c.laws[i] = {nine_decades(1e10), uniform(20.0, 70.0) * kDegree};
+  if (whole(0, 4) == 0) c.laws.nut.normal_angle = c.laws.screw.normal_angle;
+  c.options.roller =
+      whole(0, 4) ? ModelOptions::Roller::flexible : ModelOptions::Roller::rigid_bending;
+  c.options.roller_shear = whole(0, 3) == 0;
+  c.direction = whole(0, 1) ? Direction::tension : Direction::compression;
+  return c;
+}
+
+/// Axial force over fifteen decades [N].
+inline double extreme_force(std::mt19937_64& random) {
+  return std::pow(10.0, std::uniform_real_distribution<double>(-6.0, 9.0)(random));
+}
+
 }  // namespace test

@@ -1,0 +1,159 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "fe/cholesky.h"
+#include "fe/equations.h"
+#include "fe/newton_types.h"
+
+namespace fe {
+
+/// Newton's method, whatever numbers it is done in. `Numbers` holds the workspace and tells
+///
+/// - `Energy`, `State`, `Vector`: a number, displacements, and anything else that has an entry for
+/// each equation
+///
+/// - `energy_and_residual(q, f, r)`, `tangent(q)`, `shift_by(change)`, `factorize()`, `solve(b, x)`
+///
+/// - `solved(b, x)`: whether x solves for b at all
+///
+/// - `set_to_step(trial, q, length, step)`: trial = q - length * step
+///
+/// - `energy_rounding(q, f, energy)`: below which two energies do not differ
+///
+/// - `force_change(q, step)`: as Equations has it
+///
+/// - `residual_is_rounding(q, r)`: whether rounding can be all that is left; `kMostStalls`: so many
+/// steps that lessen neither energy nor residual say so as well
+template <class Numbers>
+class NewtonMethod {
+ public:
+  using Energy = typename Numbers::Energy;
+  using State = typename Numbers::State;
+  using Vector = typename Numbers::Vector;
+
+  explicit NewtonMethod(const Equations& equations)
+      : equations_(&equations),
+        numbers_(equations),
+        residual_(equations.size()),
+        step_(equations.size()),
+        trial_(numbers_.zero_state()) {}
+
+  Numbers& numbers() { return numbers_; }
+
+  /// Minimises the potential energy under the load `f`, from the state `q`, which it updates, in at
+  /// most so many linear solves, of which so many with a shift.
+  NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, int limit,
+                      int shifted_limit, State& q) {
+    NewtonSummary summary;
+    summary.history.reserve(8);
+    Energy energy = numbers_.energy_and_residual(q, f, residual_);
+    summary.energy = static_cast<double>(energy);
+    summary.initial_relative_residual = summary.relative_residual = relative_residual(options);
+    const auto stop = [&](NewtonStatus status) {
+      summary.status = status;
+      return summary;
+    };
+
+    bool fresh = false;  // whether the factorization is that of the last step's start
+    int shifted = 0, stalls = 0;
+    while (summary.iterations() < limit) {
+      NewtonIteration iteration;
+      fresh = !(fresh && summary.relative_residual <= options.reuse_factorization_below);
+      if (fresh) {
+        numbers_.tangent(q);
+        if (factorize_shifted(options, iteration.shift) != FactorizationStatus::ok)
+          return stop(NewtonStatus::not_positive_definite);
+        if (iteration.shift > 0.0 && ++shifted > shifted_limit)
+          return stop(NewtonStatus::not_positive_definite);
+      }
+      numbers_.solve(residual_, step_);
+      if (summary.iterations() >= kUsualIterations && !numbers_.solved(residual_, step_))
+        return stop(NewtonStatus::not_positive_definite);
+      const double slope = -static_cast<double>(residual_.dot(step_));
+      const bool descended = search_along_step(f, options, q, slope, energy, iteration);
+      iteration.relative_residual = relative_residual(options);
+      summary.history.push_back(iteration);
+      if (!descended) return stop(NewtonStatus::line_search_failed);
+
+      std::swap(q, trial_);
+      const double before = summary.relative_residual;
+      summary.energy = iteration.energy;
+      summary.relative_residual = iteration.relative_residual;
+      if (-slope > options.energy_tolerance * std::abs(summary.energy)) continue;
+      const bool energy_is_rounding = -slope <= numbers_.energy_rounding(q, f, energy);
+
+      const bool stalled = summary.relative_residual > 0.1 * before;
+      const bool small = summary.relative_residual <= options.residual_tolerance;
+      if (!small && !stalled) continue;
+      const double change = numbers_.force_change(q, step_);
+      const double left = change * (before > 0.0 ? summary.relative_residual / before : 0.0);
+      if (small && left <= options.force_tolerance) return stop(NewtonStatus::converged);
+      if (stalled && energy_is_rounding) ++stalls;
+      if (stalls > Numbers::kMostStalls ||
+          (stalled && numbers_.residual_is_rounding(q, residual_))) {
+        summary.at_rounding = true;
+        return stop(summary.relative_residual <= options.rounding_tolerance &&
+                            change <= options.force_tolerance
+                        ? NewtonStatus::converged
+                        : NewtonStatus::line_search_failed);
+      }
+    }
+    return summary;
+  }
+
+ private:
+  /// Linear solves after which their digits are doubted.
+  static constexpr int kUsualIterations = 20;
+
+  double relative_residual(const NewtonOptions& options) const {
+    double force = 0.0, moment = 0.0;
+    for (int i = 0; i < equations_->size(); ++i) {
+      double& largest = equations_->kind(i) == Dof::theta ? moment : force;
+      const double r = std::abs(static_cast<double>(residual_[i]));
+      if (!(r <= largest)) largest = r;  // keeps a NaN
+    }
+    moment /= options.length_scale;
+    return (moment > force || std::isnan(moment) ? moment : force) / options.force_scale;
+  }
+
+  FactorizationStatus factorize_shifted(const NewtonOptions& options, double& shift) {
+    shift = 0.0;
+    FactorizationStatus status = numbers_.factorize();
+    while (status == FactorizationStatus::not_positive_definite && shift < options.last_shift) {
+      const double next = shift == 0.0 ? options.first_shift : 100.0 * shift;
+      numbers_.shift_by(next - shift);
+      shift = next;
+      status = numbers_.factorize();
+    }
+    return status;
+  }
+
+  /// Halves the step until the energy falls; the state reached is `trial_`, its residual
+  /// `residual_`, its energy `energy`.
+  bool search_along_step(const Eigen::VectorXd& f, const NewtonOptions& options, const State& q,
+                         double slope, Energy& energy, NewtonIteration& iteration) {
+    const double rounding = numbers_.energy_rounding(q, f, energy);
+    double length = 1.0;
+    for (int halvings = 0; halvings <= options.max_halvings; ++halvings, length *= 0.5) {
+      Numbers::set_to_step(trial_, q, length, step_);
+      const Energy reached = numbers_.energy_and_residual(trial_, f, residual_);
+      iteration.energy = static_cast<double>(reached);
+      iteration.step_length = length;
+      if (reached <= energy + (options.sufficient_decrease * length * slope + rounding)) {
+        energy = reached;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const Equations* equations_;
+  Numbers numbers_;
+  Vector residual_, step_;
+  State trial_;
+};
+
+}  // namespace fe
