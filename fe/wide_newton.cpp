@@ -15,7 +15,7 @@ using Wide = boost::multiprecision::cpp_bin_float_quad;
 using WideVector = Eigen::Matrix<Wide, Eigen::Dynamic, 1>;
 
 /// Pivots below this share of the largest leave no digit in the solution.
-constexpr double kSmallestPivotRatio = 1e-33;
+constexpr double kSmallestWidePivotRatio = 1e-33;
 
 /// As in NewtonOptions: small beside the softest stiffness of a model.
 constexpr double kFirstShift = 1e-26;
@@ -104,7 +104,7 @@ struct WideNewton::Numbers {
     if (factor.info() != Eigen::Success) return FactorizationStatus::not_positive_definite;
     const Vector pivots = factor.vectorD();
     for (const Wide& pivot : pivots)
-      if (!(pivot > kSmallestPivotRatio * pivots.maxCoeff()))
+      if (!(pivot > kSmallestWidePivotRatio * pivots.maxCoeff()))
         return FactorizationStatus::not_positive_definite;
     return FactorizationStatus::ok;
   }
