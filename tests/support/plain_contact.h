@@ -110,10 +110,10 @@ inline Number hertz_constant(const Touch& t, Number contact_modulus) {
     const Number middle = (low + high) / 2;
     (ratio(middle) < t.smaller / t.larger ? low : high) = middle;
   }
-  const Number pi = std::acos(Number(-1)), m = 1 - low * low;
+  const Number half_turn = std::acos(Number(-1)), m = 1 - low * low;
   const auto [k, e] = elliptic_integrals(low);
-  const Number a3 = 3 * (k - e) / (pi * t.smaller * contact_modulus * m);  // a^3/N
-  return std::pow(2 * pi * contact_modulus / (3 * k), Number(1.5)) * std::sqrt(a3);
+  const Number a3 = 3 * (k - e) / (half_turn * t.smaller * contact_modulus * m);  // a^3/N
+  return std::pow(2 * half_turn * contact_modulus / (3 * k), Number(1.5)) * std::sqrt(a3);
 }
 
 /// Both contacts of Abevi's screw (2015) with a roller profile of radius 3.5 mm/sin 45 deg (not in
