@@ -18,7 +18,7 @@ Rows rows_of(std::string_view text) {
 }
 
 /// What is wrong with a text, after the offset of the culprit.
-std::string error_of(std::string_view text) {
+std::string csv_error_of(std::string_view text) {
   try {
     rows_of(text);
   } catch (const CsvError& error) {
@@ -65,17 +65,19 @@ TEST(CsvReader, FieldsStandWhereTheyWereWritten) {
 }
 
 TEST(CsvReader, RefusesWhatCannotBeReadInOneWay) {
-  EXPECT_THAT(error_of("a,5\" disc\n"), StartsWith("3: got a quote within a field; expected "));
-  EXPECT_THAT(error_of("a\n\"b\"c\n"), StartsWith("5: got a quote within a field; expected "));
-  EXPECT_THAT(error_of("a\n\"b\nc\n"), StartsWith("2: got a quote that never closes; expected "));
-  EXPECT_THAT(error_of("a\n1\r2\r3\n"), StartsWith("2: got a carriage return within a line"));
+  EXPECT_THAT(csv_error_of("a,5\" disc\n"), StartsWith("3: got a quote within a field; expected "));
+  EXPECT_THAT(csv_error_of("a\n\"b\"c\n"), StartsWith("5: got a quote within a field; expected "));
+  EXPECT_THAT(csv_error_of("a\n\"b\nc\n"),
+              StartsWith("2: got a quote that never closes; expected "));
+  EXPECT_THAT(csv_error_of("a\n1\r2\r3\n"), StartsWith("2: got a carriage return within a line"));
 }
 
 /// One quote too many keeps no more than a row in memory.
 TEST(CsvReader, RowsAreBounded) {
   std::string text = "a\n\"";
   while (text.size() < (std::size_t{3} << 20U)) text += "1,2,3\n";
-  EXPECT_THAT(error_of(text), StartsWith("2: got a row of more than 1024 KiB; expected a shorter"));
+  EXPECT_THAT(csv_error_of(text),
+              StartsWith("2: got a row of more than 1024 KiB; expected a shorter"));
 }
 
 }  // namespace
