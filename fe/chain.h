@@ -294,6 +294,22 @@ class Chain {
     unroll<M>([&](auto i) __attribute__((always_inline)) { carried[i] = next[i]; });
   }
 
+  /// What rounding of the displacements can change in a contact's force, relative to the largest.
+  Real approach_rounding() const {
+    Real largest_change(0.0), largest_force(0.0);
+    for (int k = 0; k < stations_; ++k) {
+      const Record& record = records_[k];
+      Real size(0.0);
+      unroll<M>([&](auto i)
+                    __attribute__((always_inline)) { size = max(size, abs(record.state.head[i])); });
+      unroll<2>([&](auto i) __attribute__((always_inline)) {
+        largest_change = max(largest_change, record.contact[i].tangent * size);
+        largest_force = max(largest_force, record.contact[i].force);
+      });
+    }
+    return 4.0 * 2.220446049250313e-16 * of_both(largest_change) / of_both(largest_force);
+  }
+
   /// Corrections become f - K x, x being the state; x'(f - K x).
   Real tangent_residual() {
     Real work(0.0);
@@ -671,11 +687,12 @@ class Chain {
     const Real change =
         sqrt(1.2 * static_cast<double>(contacts()) * length_ * length_ * stiffness /
              contact_energy_);
-    const Mask exact = change * whole <= options.force_tolerance * before;
+    const Mask told = approach_rounding() <= options.force_tolerance;
+    const Mask exact = told & (change * whole <= options.force_tolerance * before);
     const Mask done = candidate & exact & (whole <= options.residual_tolerance);
     // A whole residual that its own step does not lessen is that of rounding.
     const Mask stalled = candidate & checked_before & !done & (whole > 0.1 * before);
-    const Mask rounded = stalled & (whole <= options.rounding_tolerance) &
+    const Mask rounded = stalled & told & (whole <= options.rounding_tolerance) &
                          (change <= options.force_tolerance);
     summary_.converged = summary_.converged | done | rounded;
     summary_.at_rounding = summary_.at_rounding | rounded;

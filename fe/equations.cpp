@@ -228,7 +228,20 @@ double Equations::force_change(const State& q, const Eigen::VectorXd& x) const {
     change = std::max(change, std::abs(r.tangent * w));
     largest = std::max(largest, r.force);
   }
-  return change / largest;
+  return largest > 0.0 ? change / largest : 0.0;
+}
+
+double Equations::force_rounding(const State& q) const {
+  double change = 0.0, largest = 0.0;
+  for (const Spring& s : springs_) {
+    double size = std::abs(s.law.gap);
+    for (std::size_t i = 0; i < s.count; ++i)
+      size = std::max(size, std::abs(s.coefficient[i] * q[s.equation[i]]));
+    const SpringResponse r = evaluate(s.law, s.approach(q));
+    change = std::max(change, r.tangent * size);
+    largest = std::max(largest, r.force);
+  }
+  return largest > 0.0 ? 4.0 * std::numeric_limits<double>::epsilon() * change / largest : 0.0;
 }
 
 Eigen::VectorXd Equations::rounding_residual(const State& q) const {

@@ -95,6 +95,8 @@ class Equations {
 
   /// Largest change of a spring's force by a step x to the state q, relative to the largest force.
   double force_change(const State& q, const Eigen::VectorXd& x) const;
+  /// What rounding of `Spring::approach` at the state q can change in a force, likewise.
+  double force_rounding(const State& q) const;
 
  private:
   struct NumberedBar {

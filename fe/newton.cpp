@@ -60,6 +60,7 @@ class DoubleNumbers {
   double force_change(const State& q, const Vector& x) const {
     return equations_->force_change(q, x);
   }
+  double force_rounding(const State& q) const { return equations_->force_rounding(q); }
   bool residual_is_rounding(const State& q, const Vector& residual) const {
     return (residual.array().abs() <= equations_->rounding_residual(q).array()).all();
   }

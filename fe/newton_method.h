@@ -23,7 +23,7 @@ namespace fe {
 ///
 /// - `energy_rounding(q, f, energy)`: below which two energies do not differ
 ///
-/// - `force_change(q, step)`: as Equations has it
+/// - `force_change(q, step)`, `force_rounding(q)`: as Equations has them
 ///
 /// - `residual_is_rounding(q, r)`: whether rounding can be all that is left; `kMostStalls`: so many
 /// steps that lessen neither energy nor residual say so as well
@@ -90,13 +90,17 @@ class NewtonMethod {
       if (!small && !stalled) continue;
       const double change = numbers_.force_change(q, step_);
       const double left = change * (before > 0.0 ? summary.relative_residual / before : 0.0);
-      if (small && left <= options.force_tolerance) return stop(NewtonStatus::converged);
+      if (small && left <= options.force_tolerance)
+        return stop(numbers_.force_rounding(q) <= options.force_tolerance
+                        ? NewtonStatus::converged
+                        : NewtonStatus::line_search_failed);
       if (stalled && energy_is_rounding) ++stalls;
       if (stalls > Numbers::kMostStalls ||
           (stalled && numbers_.residual_is_rounding(q, residual_))) {
         summary.at_rounding = true;
         return stop(summary.relative_residual <= options.rounding_tolerance &&
-                            change <= options.force_tolerance
+                            change <= options.force_tolerance &&
+                            numbers_.force_rounding(q) <= options.force_tolerance
                         ? NewtonStatus::converged
                         : NewtonStatus::line_search_failed);
       }

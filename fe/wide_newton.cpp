@@ -116,6 +116,7 @@ struct WideNewton::Numbers {
     return equations.force_change(to_state(q), x.cast<double>());
   }
 
+  static double force_rounding(const State&) { return 0.0; }
   /// What the laws round stays.
   bool residual_is_rounding(const State& q, const Vector& residual) const {
     Eigen::VectorXd rounding = Eigen::VectorXd::Zero(equations.size());

@@ -250,21 +250,25 @@ void check_shoulder_meets_face(const Structure::Nut& nut, double bore, Problems&
 /// Least wall below the roots that `influence` can mesh, in pitches.
 constexpr double kLeastMeshedWall = 0.42;
 
-/// Walls under flanges and collars: `refined`, whose roots may be less deep there, counts them from
-/// the pitch diameter, `influence` from the roots.
-void check_flange_walls(const Structure::Nut& nut, double pitch_diameter, double dedendum,
-                        double pitch, bool meshed, Problems& problems) {
+/// Walls outside the thread: `refined`, whose roots may be less deep there, counts them from the
+/// pitch diameter, `influence` from the roots.
+void check_nut_walls(const Structure::Nut& nut, double pitch_diameter, double dedendum,
+                     double pitch, bool meshed, Problems& problems) {
   const double inner = pitch_diameter + (meshed ? 2.0 * dedendum : 0.0);
-  const double least = (meshed ? kLeastMeshedWall : kLeastWall) * pitch;
-  for (std::size_t i = 0; i < nut.flanges.size(); ++i) {
-    const double outer = nut.flanges[i].outer_diameter, wall = 0.5 * (outer - inner);
-    if (wall < least)
-      problems.add(fmt::format("structure.nut.flanges[{}].outer_diameter", i),
-                   fmt::format("got {}, {} more in radius than the {} of its thread; expected at "
-                               "least {} for `bodies: {}`; widen the flange or take `bodies: bars`",
-                               mm(outer), mm(wall), meshed ? "roots" : "pitch line", mm(least),
-                               meshed ? "influence" : "refined"));
-  }
+  const double pitches = meshed ? kLeastMeshedWall : kLeastWall;
+  const double least = inner + 2.0 * pitches * pitch;
+  const auto check = [&](std::string path, double outer, std::string_view what) {
+    if (outer < least)
+      problems.add(std::move(path),
+                   fmt::format("got {}; expected at least {} for `bodies: {}`, {} pitches of wall "
+                               "outside the {} of the thread; widen the {}",
+                               mm(outer), mm(least), meshed ? "influence" : "refined", pitches,
+                               meshed ? "roots" : "pitch line", what));
+  };
+  check("structure.nut.outer_diameter", nut.outer_diameter, "nut");
+  for (std::size_t i = 0; i < nut.flanges.size(); ++i)
+    check(fmt::format("structure.nut.flanges[{}].outer_diameter", i), nut.flanges[i].outer_diameter,
+          "flange");
 }
 
 /// Teeth and walls as `refined` and `influence` need them.
@@ -294,22 +298,19 @@ void check_threaded_walls(const Case& c, std::string_view bodies, Problems& prob
     const double dedendum =
         m.thread[part] ? m.thread[part]->dedendum
                        : default_groove(part == Part::nut, pitch, 0.0, flank, flank).dedendum;
-    const double root = 0.5 * *diameter + (part == Part::nut ? 1.0 : -1.0) * dedendum;
-    if (part == Part::nut)
-      check_flange_walls(c.structure->nut, *diameter, dedendum, pitch, meshed, problems);
-    const double far = part == Part::screw ? 0.5 * c.structure->screw.bore
-                       : part == Part::nut ? 0.5 * c.structure->nut.outer_diameter
-                                           : 0.0;
-    const double wall = part == Part::nut ? far - root : root - far;
+    if (part == Part::nut) {
+      check_nut_walls(c.structure->nut, *diameter, dedendum, pitch, meshed, problems);
+      continue;
+    }
+    const double root = 0.5 * *diameter - dedendum;
+    const double wall = root - (part == Part::screw ? 0.5 * c.structure->screw.bore : 0.0);
     const double thinnest = (meshed ? kLeastMeshedWall : kLeastWall) * pitch;
     if (wall < thinnest)
-      problems.add(part == Part::screw ? "structure.screw.bore"
-                   : part == Part::nut ? "structure.nut.outer_diameter"
-                                       : "mechanism.pitch_diameter.roller",
-                   fmt::format("leaves a wall of {} below the threads, whose root lies at a "
-                               "diameter of {}; expected at least {} for `bodies: {}`; change "
-                               "it or take `bodies: bars`",
-                               mm(wall), mm(2.0 * root), mm(thinnest), bodies));
+      problems.add(
+          part == Part::screw ? "structure.screw.bore" : "mechanism.pitch_diameter.roller",
+          fmt::format("leaves a wall of {} below the threads, whose root lies at a diameter of {}; "
+                      "expected at least {} for `bodies: {}`; change it or take `bodies: bars`",
+                      mm(wall), mm(2.0 * root), mm(thinnest), bodies));
   }
 }
 

@@ -47,6 +47,10 @@ std::vector<VoidInput> void_inputs(const Case& c) {
     if (both.screw && both.nut)
       for (const char* path : {"mechanism.profile_plane", "mechanism.centre_distance"})
         inputs.push_back({path, kBoth});
+    // `refined` knows where an inverted screw is threaded, and how a roller's contacts stand.
+    if (both.screw && both.nut && bars)
+      for (const char* path : {"mechanism.type", "mechanism.starts.roller"})
+        inputs.push_back({path, kBoth});
   }
   if (bars && rigid_teeth && !c.model.roller_shear)
     add_parts(inputs, parts_between(hertz), "materials", ".poisson_ratio", kHertz);

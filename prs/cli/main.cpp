@@ -137,10 +137,15 @@ int run_recorded(int (*run)(const Options&), const Options& options, const std::
                  const std::string& case_file) {
   prs::shared_matrix_cache().keep_in(prs::cache_directory());
   std::optional<prs::RunFiles> files;
-  if (options.output) files.emplace(*options.output, command, case_file);
+  if (options.output) files.emplace(*options.output, command, case_file, options.overrides);
   const int status = run(options);
-  if (files)
-    for (const std::string& text : files->finish()) prs::cli::note(options, "prs: " + text);
+  if (files) try {
+      for (const std::string& text : files->finish()) prs::cli::note(options, "prs: " + text);
+    } catch (const std::system_error& error) {
+      // The results are whole.
+      prs::cli::say(
+          fmt::format("prs: {}; files of earlier runs stay beside the new ones\n", error.what()));
+    }
   if (const std::string text = prs::shared_matrix_cache().refusal(); !text.empty())
     prs::cli::note(options, "prs: " + text);
   return status;

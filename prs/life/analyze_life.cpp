@@ -47,8 +47,8 @@ std::function<LoadDistribution(double)> distribution_solver(const Prepared& p, D
     return [solver](double force) { return solver->solve(force); };
   }
   const auto solver = std::make_shared<FallbackSolver>(
-      build_sector(c.mechanism, *c.structure, *c.materials, c.model,
-                                                 p.laws, d, *c.life->position, c.deviations));
+      build_sector(c.mechanism, *c.structure, *c.materials, c.model, p.laws, d, *c.life->position,
+                   c.deviations));
   return [solver](double force) { return solver->solve(force); };
 }
 
@@ -343,6 +343,16 @@ void find_weakest(LifeResult& r) {
   }
 }
 
+void warn_of_flank_edge(const std::optional<double>& edge, const std::optional<double>& capacity,
+                        Direction d, std::vector<std::string>& warnings) {
+  if (edge && capacity && *edge < *capacity)
+    warnings.push_back(fmt::format(
+        "{}: an ellipse reaches the end of a flank at {:.4g} kN, below the static capacity of "
+        "{:.4g} kN; static safety takes the smaller; lower the profile radius or take a coarser "
+        "pitch",
+        name(d), *edge * 1e-3, *capacity * 1e-3));
+}
+
 void warn_of_loads(LifeResult& r) {
   for (const Direction d : kDirections) {
     if (!r.flanks[d]) continue;
@@ -359,6 +369,10 @@ void warn_of_loads(LifeResult& r) {
     if (const auto& rating = r.flanks[d]->static_rating)
       if (const auto note = beyond_static_rating(r.flanks[d]->largest_force, *rating))
         r.warnings.push_back(fmt::format("{}: {}", name(d), *note));
+    warn_of_flank_edge(
+        r.flanks[d]->flank_edge_load,
+        r.life.static_capacity ? r.life.static_capacity : r.flanks[d]->static_capacity, d,
+        r.warnings);
   }
   if (const auto note = beyond_life_formula(r.mean_load, r.dynamic_capacity))
     r.warnings.push_back(*note);

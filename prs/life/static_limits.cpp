@@ -103,8 +103,8 @@ std::optional<std::string> dynamic_above_static(double dynamic_capacity, double 
   if (!(dynamic_capacity > static_capacity)) return std::nullopt;
   return fmt::format(
       "the dynamic capacity of {:.4g} kN is above the static one of {:.4g} kN; makers' static "
-      "capacities are 1.4 to 4 times the dynamic; check the profile radius, or state makers' "
-      "values",
+      "capacities are 1.4 to 4 times the dynamic; check stated capacities, which must be one "
+      "maker's, or the profile radius",
       dynamic_capacity * per_si::kilonewton, static_capacity * per_si::kilonewton);
 }
 

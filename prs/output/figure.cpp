@@ -230,6 +230,17 @@ std::string tics_side_by_side(const Axis& axis, int width) {
   return fmt::format("{:.7g}", distance);
 }
 
+/// The range, or a little more about its middle where gnuplot would see none.
+Axis with_length(Axis axis) {
+  constexpr double kLeast = 2e-6;  // Of the numbers, which are written with seven digits.
+  const double size = std::max(std::abs(axis.from), std::abs(axis.to));
+  const double margin = size > 0.0 ? kLeast * size : 1.0;
+  if (axis.to - axis.from > margin) return axis;
+  axis.from -= margin;
+  axis.to += margin;
+  return axis;
+}
+
 /// Widens the range about its middle to that length.
 void widen(Axis& axis, double length) {
   const double margin = std::max(0.0, 0.5 * (length - (axis.to - axis.from)));
@@ -245,8 +256,8 @@ void bring_to_scale(Axis& x, Axis& y, const Box& box) {
 
 std::string axes_lines(const Figure& figure, const Layout& layout, std::size_t index) {
   const Panel& panel = figure.panels[index];
-  Axis x = panel.x.value_or(figure.x);
-  Axis y = panel.y.value_or(figure.y);
+  Axis x = with_length(panel.x.value_or(figure.x));
+  Axis y = with_length(panel.y.value_or(figure.y));
   const std::string x_label = panel.x || layout.is_lowest(index) ? x.label : "";
   const std::string y_label = panel.y || layout.is_leftmost(index) ? y.label : "";
   const Box box = layout.panel(index);

@@ -110,7 +110,8 @@ Removal remove_listed(const FileDescriptor& top, const std::string& path,
   if (!place ||
       ::fstatat(place->parent(top), place->parts.back().c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
     return Removal::absent;
-  if (digest_of(top, *place) != digest ||
+  const std::string found = digest_of(top, *place);
+  if (found.empty() || found != digest ||
       ::unlinkat(place->parent(top), place->parts.back().c_str(), 0) != 0)
     return Removal::changed;
   for (std::size_t k = place->folders.size(); k > 0; --k) {
@@ -147,12 +148,17 @@ std::string list_text(const std::vector<Listed>& runs) {
 }
 
 /// Keeps other runs from the list for as long as the folder stays open, if they let go of it soon.
-void lock(const FileDescriptor& folder) {
+bool lock(const FileDescriptor& folder) {
   for (int attempt = 0; attempt < 100; ++attempt) {
-    if (::flock(folder.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    if (::flock(folder.get(), LOCK_EX | LOCK_NB) == 0) return true;
+    if (errno != EWOULDBLOCK && errno != EINTR) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
+  return false;
 }
+
+/// Whether a command's results stay beside those of another case.
+bool takes_long(std::string_view command) { return command == "study" || command == "optimize"; }
 
 /// Path of a file below a folder; empty where it stands elsewhere.
 std::string path_below(const fs::path& folder, const fs::path& file) {
@@ -162,10 +168,28 @@ std::string path_below(const fs::path& folder, const fs::path& file) {
   return path.empty() || path == "." || path.starts_with("..") ? std::string() : path;
 }
 
-std::string sha256_of_case(const fs::path& file) {
+/// The lines of a YAML text that are more than a comment, without what trails them.
+std::string without_comments(std::string_view text) {
+  std::string kept;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string_view line = text.substr(begin, end - begin);
+    if (const std::size_t first = line.find_first_not_of(" \t");
+        first != line.npos && line[first] == '#')
+      line = {};
+    line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
+    if (!line.empty()) kept.append(line).append("\n");
+    begin = end + 1;
+  }
+  return kept;
+}
+
+std::string sha256_of_case(const fs::path& file, const std::vector<std::string>& overrides) {
   if (file.empty()) return {};
   try {
-    return sha256(input::load_source(file.string(), {}).text);
+    std::string text = without_comments(input::load_source(file.string(), {}).text);
+    for (const std::string& given : overrides) text.append("--set ").append(given).append("\n");
+    return sha256(text);
   } catch (const input::InputError&) {
     return {};  // The command reports it.
   }
@@ -189,13 +213,14 @@ void record_case(const std::string& input_sha256) {
   r.input_sha256 = input_sha256;
 }
 
-RunFiles::RunFiles(fs::path folder, std::string command, fs::path case_file)
+RunFiles::RunFiles(fs::path folder, std::string command, fs::path case_file,
+                   const std::vector<std::string>& overrides)
     : folder_(std::move(folder)), command_(std::move(command)), case_file_(std::move(case_file)) {
   Record& r = record();
   const std::lock_guard guard(r.mutex);
   r.active = true;
   r.files.clear();
-  r.input_sha256 = sha256_of_case(case_file_);
+  r.input_sha256 = sha256_of_case(case_file_, overrides);
 }
 
 RunFiles::~RunFiles() {
@@ -233,8 +258,12 @@ std::vector<std::string> RunFiles::update(bool complete) {
   }
   if (own.files.empty()) return {};
 
-  lock(folder);
   std::vector<std::string> notes;
+  if (!lock(folder))
+    return {
+        fmt::format("{}: another run holds the list of files, or the file system has no locks: "
+                    "nothing was removed or listed, files of earlier runs stay",
+                    (folder_ / kFileList).string())};
   std::vector<Listed> former;
   const RegularFile list = open_regular(std::string(kFileList).c_str(), O_RDONLY, 0, folder.get());
   if (list.file.is_open()) {
@@ -250,33 +279,45 @@ std::vector<std::string> RunFiles::update(bool complete) {
   }
 
   const std::string case_path = case_file_.empty() ? "" : path_below(folder_, case_file_);
-  std::vector<Listed> runs;
-  std::size_t removed = 0;
-  std::vector<std::string> changed;
+  std::vector<Listed> runs, stale;
+  bool kept = false;
   for (Listed& run : former) {
     for (const auto& [path, digest] : own.files) run.files.erase(path);
     const bool of_other_case = !own.input_sha256.empty() && !run.input_sha256.empty() &&
                                run.input_sha256 != own.input_sha256;
-    const bool out_of_date = run.command == command_ || of_other_case;
-    if (complete && out_of_date && !run.files.contains(case_path)) {
-      for (const auto& [path, digest] : run.files) switch (remove_listed(folder, path, digest)) {
-          case Removal::removed:
-            ++removed;
-            break;
-          case Removal::changed:
-            changed.push_back((folder_ / path).string());
-            break;
-          case Removal::absent:
-            break;
-        }
-    } else if (!run.files.empty()) {
+    const bool own_command = run.command == command_;
+    const bool stays = !own_command && takes_long(run.command);
+    kept = kept || (of_other_case && stays && !run.files.empty());
+    const bool out_of_date = own_command || (of_other_case && !stays);
+    if (complete && out_of_date && !run.files.contains(case_path))
+      stale.push_back(std::move(run));
+    else if (!run.files.empty())
       runs.push_back(std::move(run));
-    }
   }
   runs.push_back(std::move(own));
   StagedFile file(folder_ / kFileList);
   file.append(list_text(runs));
   file.publish();
+
+  std::size_t removed = 0;
+  std::vector<std::string> changed;
+  for (const Listed& run : stale)
+    for (const auto& [path, digest] : run.files) switch (remove_listed(folder, path, digest)) {
+        case Removal::removed:
+          ++removed;
+          break;
+        case Removal::changed:
+          changed.push_back((folder_ / path).string());
+          break;
+        case Removal::absent:
+          break;
+      }
+
+  if (kept)
+    notes.push_back(
+        fmt::format("{} holds results of a study or an optimization of another case, "
+                    "which stay; remove them, or take another folder",
+                    folder_.string()));
 
   if (removed > 0)
     notes.push_back(fmt::format("{} of earlier runs removed from {}, which this run does not write",

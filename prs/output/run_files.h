@@ -21,14 +21,16 @@ void record_case(const std::string& input_sha256);
 /// that a later run removes what is out of date. One object at a time.
 ///
 /// A run removes the files that its command listed before and that it did not write again; where
-/// the folder's files are of another case file, those of all commands. It leaves alone what no run
-/// listed, what is not as it was listed, journals, the case itself and the files of the run that
-/// the case is from (`best.yaml` of an optimization), and follows no symbolic link.
+/// the folder's files are of another case, those of all commands but `study` and `optimize`, which
+/// may have taken hours. A case is its file, lines of comment apart, with the overrides. The run leaves
+/// alone what no run listed, what is not as it was listed, journals, the case itself and the files
+/// of the run that the case is from (`best.yaml` of an optimization), and follows no symbolic link.
 class RunFiles {
  public:
   /// Records from now on what is written below `folder`. `case_file` is empty where the command
   /// reads no case.
-  RunFiles(std::filesystem::path folder, std::string command, std::filesystem::path case_file);
+  RunFiles(std::filesystem::path folder, std::string command, std::filesystem::path case_file,
+           const std::vector<std::string>& overrides = {});
   RunFiles(const RunFiles&) = delete;
   RunFiles& operator=(const RunFiles&) = delete;
   /// Lists what was written by a run that did not come to its end, and removes nothing.

@@ -85,7 +85,9 @@ SolvedRails solve_rails(const Rails<double>& rails, double k0, int stations, dou
   const ChainHertz<double> law{{k0, k0}};
   RailChain chain(rails, law, stations, s.records.data());
   s.summary = chain.solve(load, load, options, true);
+  const std::vector<RailChain::Record> solved = s.records;
   s.flexibility = chain.flexibility();
+  s.records = solved;
   return s;
 }
 

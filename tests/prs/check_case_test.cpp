@@ -117,6 +117,10 @@ TEST(CheckCase, ThreadedWallsMustCarry) {
   c.structure->nut.thrust = {.tension = 0.0, .compression = 0.090};
   c.structure->nut.outer_diameter = 0.0365;
   EXPECT_EQ(paths(check_case(c)), "structure.nut.outer_diameter");
+  c.model.bodies = refined;
+  EXPECT_EQ(paths(check_case(c)), "");
+  c.structure->nut.outer_diameter = 0.0353;
+  EXPECT_EQ(paths(check_case(c)), "structure.nut.outer_diameter");
 }
 
 TEST(CheckCase, WallsUnderFlangesMustCarry) {

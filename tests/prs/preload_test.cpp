@@ -487,6 +487,19 @@ TEST(AnalyzePreload, LostMotionOfSmallLoadsIsThePlayAndHertzApproach) {
   EXPECT_NEAR(micronewton / travel("1e-9 N"), 100.0, 0.1);
 }
 
+/// An approach of 1e-18 of the play is beyond the numbers.
+TEST(AnalyzePreload, WhatDoesNotConvergeSaysWhy) {
+  const PreloadResult r = analyze_preload(with_preload(
+      "{arrangement: single_nut, backlash: 20 um, position: 29 mm, load: {from: -20 kN, to: 20 "
+      "kN, steps: 3}, lost_motion_load: 1e-30 N}"));
+  EXPECT_FALSE(r.converged());
+  EXPECT_FALSE(r.curve.lost_motion);
+  for (const std::string start : {"at 1e-30 N: not converged: ", "at -1e-30 N: not converged: "})
+    EXPECT_TRUE(std::ranges::any_of(
+        r.warnings, [&](const std::string& text) { return text.starts_with(start); }))
+        << start;
+}
+
 TEST(AnalyzePreload, AForceThatNoFitGivesIsRefused) {
   const Case c = with_preload(
       "{arrangement: single_nut, force: 1e6 kN, position: 29 mm, load: {from: -20 kN, to: 20 kN}}");

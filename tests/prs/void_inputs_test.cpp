@@ -51,6 +51,8 @@ Texts with_another(Texts overrides, const std::string& path) {
       : path == "mechanism.profile.roller"    ? "{convex: 4.5 mm}"
       : path.starts_with("mechanism.profile") ? "{convex: 60 mm}"
       : path == "mechanism.centre_distance"   ? "14.005 mm"
+      : path == "mechanism.type"              ? "standard"
+      : path == "mechanism.starts.roller"     ? "2"
                                               : "0.2";
   overrides.push_back(path + "=" + value);
   return overrides;
@@ -65,7 +67,8 @@ TEST(VoidInputs, OfBothConstantsAreWhatActsThroughTheContactAlone) {
   EXPECT_THAT(
       void_paths({kHertzGiven, kAnglesGiven}),
       UnorderedElementsAre("mechanism.flank_angle", "mechanism.profile", "mechanism.profile_plane",
-                           "mechanism.centre_distance", "materials.poisson_ratio"));
+                           "mechanism.centre_distance", "mechanism.type", "mechanism.starts.roller",
+                           "materials.poisson_ratio"));
   EXPECT_THAT(void_paths({kHertzGiven}), ElementsAre("materials.poisson_ratio"));
   EXPECT_THAT(void_paths({kHertzGiven, "model.roller_shear=true"}), IsEmpty());
 }
@@ -96,14 +99,16 @@ TEST(VoidInputs, MoveNoLoadAndNoStiffness) {
 TEST(VoidInputs, AreOnlyThose) {
   const Texts overridden{kHertzGiven, kAnglesGiven};
   for (const char* path : {"mechanism.flank_angle", "mechanism.profile", "mechanism.profile_plane",
-                           "mechanism.centre_distance", "materials.poisson_ratio"})
+                           "mechanism.centre_distance", "mechanism.type", "mechanism.starts.roller",
+                           "materials.poisson_ratio"})
     EXPECT_NE(distribution(with_another({}, path)), distribution({})) << path;
   const Texts refined{kHertzGiven, kAnglesGiven, "model.bodies=refined"};
   EXPECT_NE(distribution(with_another(refined, "materials.poisson_ratio")), distribution(refined));
   const Texts teeth{kHertzGiven, kAnglesGiven, "model.tooth_compliance={yamamoto: 2 mm}"};
   EXPECT_THAT(void_paths(teeth),
               UnorderedElementsAre("mechanism.profile", "mechanism.profile_plane",
-                                   "mechanism.centre_distance"));
+                                   "mechanism.centre_distance", "mechanism.type",
+                                   "mechanism.starts.roller"));
   EXPECT_NE(distribution(with_another(teeth, "mechanism.flank_angle")), distribution(teeth));
 }
 

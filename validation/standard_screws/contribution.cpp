@@ -69,7 +69,7 @@ std::vector<Statement<Rows>> statements() {
        "large "
        "ones in Lemor's formula; from 8 mm on 0.7 to 1.3"},
       {"static capacity", "C_0 hardly depends on the lead",
-       [](const Rows& rows) { return exponent(rows, printed_static, computed_static, 0.2); },
+       [](const Rows& rows) { return exponent(rows, printed_static, computed_static, 0.05); },
        "an arc about the roller's axis has one radius for all leads, and fewer contacts share the "
        "load as the pitch grows; the maker's radius must grow with the pitch"},
       {"static capacity", "the load of 4.0 GPa is 0.5 to 1.8 times the maker's C_0",

@@ -96,6 +96,28 @@ TEST(DesignEngine, DesignGivesWhatTheCommandGives) {
   }
 }
 
+/// Where the chain has too few digits the study solves as the command does.
+TEST(DesignEngine, DeliversWhateverTheCommandSolves) {
+  const std::string factors[] = {"structure.roller.guidance={ring: 1e-3 N/m}",
+                                 "structure.screw.free_length=1e-12 mm"};
+  for (const std::string& factor : factors) {
+    const std::size_t equals = factor.find('=');
+    const input::StudyInput in = study_of(
+        "{command: solve, plan: grid, factors: [{path: " + factor.substr(0, equals) +
+        ", values: [" + factor.substr(equals + 1) +
+        "]}], responses: [axial_displacement_um, tangent_stiffness_N_per_um]}");
+    const RowBlock block = all(DesignEngine(in));
+    ASSERT_TRUE(block.failures.empty()) << *reason(block, 1);
+    const double* row = block.responses.data() + 2;  // behind the base case
+    const Result direct = analyze(
+        input::read_case_text(input::kAbevi, "case.yaml", {factor}, Command::solve));
+    const LoadCaseResult& pull = direct.load_cases[0];
+    ASSERT_TRUE(pull.converged()) << factor;
+    EXPECT_NEAR(row[0] / (*pull.axial_displacement * 1e6), 1.0, 1e-9) << factor;
+    EXPECT_NEAR(row[1] / (*pull.tangent_stiffness * 1e-6), 1.0, 1e-9) << factor;
+  }
+}
+
 TEST(DesignEngine, DocumentAndTablesGiveTheSame) {
   const std::string factors =
       "factors: [{path: mechanism.flank_angle, values: {from: 40 deg, to: 50 deg, steps: 5}}]";
