@@ -139,13 +139,8 @@ int run_recorded(int (*run)(const Options&), const Options& options, const std::
   std::optional<prs::RunFiles> files;
   if (options.output) files.emplace(*options.output, command, case_file, options.overrides);
   const int status = run(options);
-  if (files) try {
-      for (const std::string& text : files->finish()) prs::cli::note(options, "prs: " + text);
-    } catch (const std::system_error& error) {
-      // The results are whole.
-      prs::cli::say(
-          fmt::format("prs: {}; files of earlier runs stay beside the new ones\n", error.what()));
-    }
+  if (files)
+    for (const std::string& text : files->finish()) prs::cli::note(options, "prs: " + text);
   if (const std::string text = prs::shared_matrix_cache().refusal(); !text.empty())
     prs::cli::note(options, "prs: " + text);
   return status;

@@ -236,7 +236,7 @@ int merge_study(const Options& options) {
                     rows.journals().front().path().string()));
   Study study = in.study;
   study.responses = header.responses;
-  record_case(document_info(header.source).input_sha256);
+  record_case(header.source.text, header.source.overrides);
   std::optional<StudyFolder> folder;
   if (options.output) folder.emplace(*options.output, StudyFolder::Use::alone);
   const std::size_t threads = options.threads > 0 ? options.threads : available_processors();

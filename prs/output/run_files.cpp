@@ -34,7 +34,7 @@ struct Record {
   std::mutex mutex;
   bool active = false;
   std::vector<fs::path> files;
-  std::string input_sha256;
+  std::string case_digest;
 };
 
 Record& record() {
@@ -48,7 +48,7 @@ using Digests = std::map<std::string, std::string>;
 /// The files of one run.
 struct Listed {
   std::string command;
-  std::string input_sha256;  ///< Empty where the command reads no case.
+  std::string case_digest;  ///< Empty where the command reads no case.
   Digests files;
 };
 
@@ -126,7 +126,7 @@ std::optional<std::vector<Listed>> parsed_list(const std::string& text) try {
   const Json list = Json::parse(text);
   std::vector<Listed> runs;
   for (const Json& run : list.at("runs")) {
-    Listed& listed = runs.emplace_back(Listed{run.at("command"), run.at("input_sha256"), {}});
+    Listed& listed = runs.emplace_back(Listed{run.at("command"), run.at("case"), {}});
     for (const auto& [path, digest] : run.at("files").items())
       if (is_result(path)) listed.files[path] = digest;
   }
@@ -143,7 +143,7 @@ std::string list_text(const std::vector<Listed>& runs) {
             {"runs", Json::array()}};
   for (const Listed& run : runs)
     json["runs"].push_back(
-        {{"command", run.command}, {"input_sha256", run.input_sha256}, {"files", run.files}});
+        {{"command", run.command}, {"case", run.case_digest}, {"files", run.files}});
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
@@ -184,12 +184,16 @@ std::string without_comments(std::string_view text) {
   return kept;
 }
 
-std::string sha256_of_case(const fs::path& file, const std::vector<std::string>& overrides) {
+std::string digest_of_case(std::string_view text, const std::vector<std::string>& overrides) {
+  std::string all = without_comments(text);
+  for (const std::string& given : overrides) all.append("--set ").append(given).append("\n");
+  return sha256(all);
+}
+
+std::string digest_of_case_file(const fs::path& file, const std::vector<std::string>& overrides) {
   if (file.empty()) return {};
   try {
-    std::string text = without_comments(input::load_source(file.string(), {}).text);
-    for (const std::string& given : overrides) text.append("--set ").append(given).append("\n");
-    return sha256(text);
+    return digest_of_case(input::load_source(file.string(), {}).text, overrides);
   } catch (const input::InputError&) {
     return {};  // The command reports it.
   }
@@ -207,10 +211,10 @@ void record_written(const fs::path& file) {
   if (r.active) r.files.push_back(file);
 }
 
-void record_case(const std::string& input_sha256) {
+void record_case(const std::string& text, const std::vector<std::string>& overrides) {
   Record& r = record();
   const std::lock_guard guard(r.mutex);
-  r.input_sha256 = input_sha256;
+  r.case_digest = digest_of_case(text, overrides);
 }
 
 RunFiles::RunFiles(fs::path folder, std::string command, fs::path case_file,
@@ -220,7 +224,7 @@ RunFiles::RunFiles(fs::path folder, std::string command, fs::path case_file,
   const std::lock_guard guard(r.mutex);
   r.active = true;
   r.files.clear();
-  r.input_sha256 = sha256_of_case(case_file_, overrides);
+  r.case_digest = digest_of_case_file(case_file_, overrides);
 }
 
 RunFiles::~RunFiles() {
@@ -244,7 +248,7 @@ std::vector<std::string> RunFiles::update(bool complete) {
     Record& r = record();
     const std::lock_guard guard(r.mutex);
     r.active = false;
-    own.input_sha256 = r.input_sha256;
+    own.case_digest = r.case_digest;
     written.swap(r.files);
   }
   const FileDescriptor folder(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -283,8 +287,8 @@ std::vector<std::string> RunFiles::update(bool complete) {
   bool kept = false;
   for (Listed& run : former) {
     for (const auto& [path, digest] : own.files) run.files.erase(path);
-    const bool of_other_case = !own.input_sha256.empty() && !run.input_sha256.empty() &&
-                               run.input_sha256 != own.input_sha256;
+    const bool of_other_case =
+        !own.case_digest.empty() && !run.case_digest.empty() && run.case_digest != own.case_digest;
     const bool own_command = run.command == command_;
     const bool stays = !own_command && takes_long(run.command);
     kept = kept || (of_other_case && stays && !run.files.empty());

@@ -15,16 +15,17 @@ inline constexpr std::string_view kFileList = ".prs-files.json";
 void record_written(const std::filesystem::path& file);
 
 /// Says which case the run in progress is of, where its command line does not name the file.
-void record_case(const std::string& input_sha256);
+void record_case(const std::string& text, const std::vector<std::string>& overrides);
 
 /// What one run of the program writes below its output folder: listed there with its digests, so
 /// that a later run removes what is out of date. One object at a time.
 ///
 /// A run removes the files that its command listed before and that it did not write again; where
 /// the folder's files are of another case, those of all commands but `study` and `optimize`, which
-/// may have taken hours. A case is its file, lines of comment apart, with the overrides. The run leaves
-/// alone what no run listed, what is not as it was listed, journals, the case itself and the files
-/// of the run that the case is from (`best.yaml` of an optimization), and follows no symbolic link.
+/// may have taken hours. A case is its file, lines of comment apart, with the overrides. The run
+/// leaves alone what no run listed, what is not as it was listed, journals, the case itself and the
+/// files of the run that the case is from (`best.yaml` of an optimization), and follows no symbolic
+/// link.
 class RunFiles {
  public:
   /// Records from now on what is written below `folder`. `case_file` is empty where the command

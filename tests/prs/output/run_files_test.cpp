@@ -31,8 +31,9 @@ class RunFilesTest : public testing::Test {
   }
   /// A run that writes files whose content is their name.
   std::vector<std::string> run(const std::string& command, const fs::path& case_file,
-                               const std::vector<std::string>& names) const {
-    RunFiles files(folder, command, case_file);
+                               const std::vector<std::string>& names,
+                               const std::vector<std::string>& overrides = {}) const {
+    RunFiles files(folder, command, case_file, overrides);
     for (const std::string& name : names)
       write_files((folder / name).parent_path(), {{fs::path(name).filename().string(), name}});
     return files.finish();
@@ -40,7 +41,7 @@ class RunFilesTest : public testing::Test {
   /// A list by hand of files that a former run is said to have written.
   void list(const std::map<std::string, std::string>& files) const {
     const nlohmann::json json{
-        {"runs", {{{"command", "solve"}, {"input_sha256", "of another"}, {"files", files}}}}};
+        {"runs", {{{"command", "solve"}, {"case", "of another"}, {"files", files}}}}};
     write(folder / kFileList, json.dump());
   }
   /// Files below the folder but for the list.
@@ -102,8 +103,27 @@ TEST_F(RunFilesTest, TheRunThatACaseComesFromKeepsItsFiles) {
   run("solve", folder / "best.yaml", {"result.json"});
   run("slip", folder / "best.yaml", {"slip.csv"});
   EXPECT_THAT(present(), ElementsAre("best.yaml", "front.csv", "result.json", "slip.csv"));
-  run("solve", two, {"result.json"});
-  EXPECT_THAT(present(), ElementsAre("result.json"));
+  EXPECT_THAT(run("solve", two, {"result.json"}),
+              ElementsAre(HasSubstr("an optimization of another case"), HasSubstr("removed")));
+  EXPECT_THAT(present(), ElementsAre("best.yaml", "front.csv", "result.json"));
+}
+
+TEST_F(RunFilesTest, OverridesMakeAnotherCaseAndCommentsDoNot) {
+  run("slip", one, {"slip.csv"});
+  write(one, "# Another comment.\n" + content_of(one));
+  run("contact", one, {"contact.json"});
+  EXPECT_THAT(present(), ElementsAre("contact.json", "slip.csv"));
+  run("contact", one, {"contact.json"}, {"mechanism.rollers=7"});
+  EXPECT_THAT(present(), ElementsAre("contact.json"));
+}
+
+TEST_F(RunFilesTest, WhatIsNoFileStays) {
+  fs::create_directories(folder);
+  fs::create_symlink(one, folder / "link");
+  write(folder / kFileList,
+        R"({"about": "", "runs": [{"command": "solve", "case": "x", "files": {"link": ""}}]})");
+  run("solve", one, {"a.csv"});
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
 }
 
 TEST_F(RunFilesTest, ARunThatWritesNothingOrFailsRemovesNothing) {
@@ -155,9 +175,8 @@ TEST_F(RunFilesTest, NoListReachesOutOfItsFolder) {
 }
 
 TEST_F(RunFilesTest, DamagedOrPlantedListsAreReplacedAndNothingIsRemoved) {
-  for (const char* text :
-       {"", "{", "[]", R"({"runs": 1})", R"({"runs": [{"command": 1}]})",
-        R"({"runs": [{"command": "solve", "input_sha256": "", "files": {"a": 1}}]})"}) {
+  for (const char* text : {"", "{", "[]", R"({"runs": 1})", R"({"runs": [{"command": 1}]})",
+                           R"({"runs": [{"command": "solve", "case": "", "files": {"a": 1}}]})"}) {
     fs::remove_all(folder);
     write(folder / kFileList, text);
     write(folder / "a", "");
