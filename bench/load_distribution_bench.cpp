@@ -8,7 +8,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "fe/newton.h"
-#include "prs/load_distribution.h"
+#include "prs/sector/load_distribution.h"
 #include "support/sectors.h"
 
 namespace {

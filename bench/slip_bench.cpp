@@ -5,9 +5,9 @@
 
 #include "bench/asinh_kernel.h"
 #include "contact/patch.h"
-#include "prs/slip.h"
-#include "prs/slip_equilibrium.h"
-#include "prs/slip_model.h"
+#include "prs/slip/slip.h"
+#include "prs/slip/slip_equilibrium.h"
+#include "prs/slip/slip_model.h"
 #include "tests/support/slips.h"
 
 namespace {

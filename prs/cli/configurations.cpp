@@ -9,7 +9,7 @@
 
 #include "prs/cli/commands.h"
 #include "prs/cli/printing.h"
-#include "prs/document/configurations_json.h"
+#include "prs/quantities/configurations_json.h"
 #include "prs/input/field.h"
 #include "prs/input/source.h"
 #include "prs/input/units.h"

@@ -11,7 +11,7 @@
 #include "prs/cli/commands.h"
 #include "prs/cli/interruption.h"
 #include "prs/cli/printing.h"
-#include "prs/influence/matrix_cache.h"
+#include "prs/sector/influence/matrix_cache.h"
 #include "prs/input/source.h"
 #include "prs/output/run_files.h"
 #include "prs/study/journal.h"

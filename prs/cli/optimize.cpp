@@ -14,7 +14,7 @@
 #include "prs/input/optimize_reader.h"
 #include "prs/output/files.h"
 #include "prs/output/optimize_csv.h"
-#include "prs/output/optimize_figures.h"
+#include "prs/figures/optimize_figures.h"
 #include "prs/output/optimize_json.h"
 #include "prs/output/optimize_table.h"
 #include "prs/output/plots.h"

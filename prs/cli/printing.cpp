@@ -8,7 +8,7 @@
 #include <new>
 #include <system_error>
 
-#include "prs/document/printable.h"
+#include "prs/quantities/printable.h"
 #include "prs/file_descriptor.h"
 
 namespace prs::cli {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/case_error.h"
-#include "prs/check_case.h"
-#include "prs/contacts.h"
+#include "prs/model/case_error.h"
+#include "prs/model/check_case.h"
+#include "prs/threads/contacts.h"
 #include "prs/configurations/roller_spacing.h"
-#include "prs/threads.h"
-#include "prs/unusual.h"
+#include "prs/threads/threads.h"
+#include "prs/threads/unusual.h"
 
 namespace prs {
 namespace {

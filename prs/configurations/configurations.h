@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "prs/configurations/gear_pairs.h"
-#include "prs/materials.h"
-#include "prs/mechanism.h"
+#include "prs/model/materials.h"
+#include "prs/model/mechanism.h"
 
 namespace prs {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "prs/mechanism.h"
+#include "prs/model/mechanism.h"
 
 namespace prs {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/mechanism.h"
+#include "prs/model/mechanism.h"
 
 /// Rollers at equal spacing, 360 deg/N from one to the next.
 ///

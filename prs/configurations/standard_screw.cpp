@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "prs/configurations/roller_spacing.h"
-#include "prs/groove.h"
+#include "prs/model/groove.h"
 
 namespace prs {
 namespace {

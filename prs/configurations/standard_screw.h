@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "prs/case.h"
+#include "prs/model/case.h"
 
 namespace prs {
 

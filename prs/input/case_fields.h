@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "prs/case.h"
+#include "prs/model/case.h"
 #include "prs/input/field.h"
 #include "prs/input/optimize_fields.h"
-#include "prs/study/study.h"
+#include "prs/model/study.h"
 
 /// The input, described once: every key, its unit and bounds, whether it must stand, its meaning.
 /// Defaults are the member initialisers of the structs. See field.h for the vocabulary.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/case_error.h"
+#include "prs/model/case_error.h"
 #include "prs/input/fail_at.h"
 #include "prs/input/source.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "prs/case.h"
+#include "prs/model/case.h"
 #include "prs/input/study_reader.h"
 
 namespace prs::input {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "prs/input/units.h"
-#include "prs/part.h"
+#include "prs/model/part.h"
 
 /// The vocabulary in which `case_fields.h` describes the input. A description is a function
 /// template `fields(io, block)` that names each key of a block once:

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "prs/input/source.h"
-#include "prs/life/life.h"
+#include "prs/model/life.h"
 #include "prs/life/load_history.h"
 
 namespace prs::input {

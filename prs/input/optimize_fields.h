@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "prs/check_case.h"
+#include "prs/model/check_case.h"
 #include "prs/input/field.h"
-#include "prs/optimize/optimization.h"
+#include "prs/model/optimization.h"
 
 /// `optimize` as case_fields.h describes the rest of the input.
 namespace prs::input {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "prs/input/study_reader.h"
-#include "prs/optimize/optimization.h"
+#include "prs/model/optimization.h"
 
 namespace prs::input {
 

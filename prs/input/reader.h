@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "prs/case.h"
-#include "prs/check_case.h"
+#include "prs/model/case.h"
+#include "prs/model/check_case.h"
 #include "prs/input/echo.h"
 #include "prs/input/source.h"
 

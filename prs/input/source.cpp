@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "prs/document/printable.h"
+#include "prs/quantities/printable.h"
 
 namespace prs::input {
 

@@ -2,7 +2,7 @@
 
 #include "prs/input/case_fields.h"
 #include "prs/input/document.h"
-#include "prs/study/study.h"
+#include "prs/model/study.h"
 
 namespace prs::input {
 

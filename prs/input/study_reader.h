@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "prs/case.h"
+#include "prs/model/case.h"
 #include "prs/input/case_fields.h"
 #include "prs/input/document.h"
 #include "prs/input/source.h"
-#include "prs/study/study.h"
+#include "prs/model/study.h"
 
 namespace prs::input {
 

@@ -9,14 +9,14 @@
 #include <memory>
 #include <numbers>
 
-#include "prs/analyze.h"
-#include "prs/case_error.h"
-#include "prs/chain/fallback_solver.h"
-#include "prs/contact_laws.h"
-#include "prs/influence/influence_solver.h"
+#include "prs/loads/analyze.h"
+#include "prs/model/case_error.h"
+#include "prs/sector/chain/fallback_solver.h"
+#include "prs/threads/contact_laws.h"
+#include "prs/sector/influence/influence_solver.h"
 #include "prs/life/share_curve.h"
-#include "prs/load_case_result.h"
-#include "prs/load_distribution.h"
+#include "prs/loads/load_case_result.h"
+#include "prs/sector/load_distribution.h"
 
 namespace prs {
 namespace {

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "prs/case.h"
-#include "prs/contacts.h"
+#include "prs/model/case.h"
+#include "prs/threads/contacts.h"
 #include "prs/life/capacity.h"
 #include "prs/life/load_history.h"
 #include "prs/life/rainflow.h"
 #include "prs/life/rating_life.h"
 #include "prs/life/static_limits.h"
-#include "prs/preload/preload.h"
+#include "prs/model/preload.h"
 
 namespace prs {
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "contact/hertz.h"
-#include "prs/mechanism.h"
-#include "prs/part.h"
+#include "prs/model/mechanism.h"
+#include "prs/model/part.h"
 
 namespace prs {
 

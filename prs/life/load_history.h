@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "prs/life/life.h"
+#include "prs/model/life.h"
 #include "prs/life/rating_life.h"
 
 namespace prs {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "prs/life/capacity.h"
-#include "prs/part.h"
+#include "prs/model/part.h"
 
 namespace prs {
 

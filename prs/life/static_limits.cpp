@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/analyze.h"
-#include "prs/contact_failure.h"
-#include "prs/document/units.h"
+#include "prs/loads/analyze.h"
+#include "prs/threads/contact_failure.h"
+#include "prs/model/units.h"
 #include "prs/life/capacity.h"
 
 namespace prs {

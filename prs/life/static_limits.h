@@ -4,7 +4,7 @@
 #include <string>
 
 #include "contact/flank_edge.h"
-#include "prs/contacts.h"
+#include "prs/threads/contacts.h"
 
 namespace prs {
 

@@ -1,6 +1,6 @@
 #include "prs/measures/analyze_measures.h"
 
-#include "prs/analyze.h"
+#include "prs/loads/analyze.h"
 
 namespace prs {
 

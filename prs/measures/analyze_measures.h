@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "prs/detail.h"
+#include "prs/model/detail.h"
 #include "prs/measures/measures.h"
-#include "prs/result.h"
+#include "prs/loads/result.h"
 
 namespace prs {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "prs/section_properties.h"
+#include "prs/sector/section_properties.h"
 
 namespace prs {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "prs/mechanism.h"
-#include "prs/structure.h"
+#include "prs/model/mechanism.h"
+#include "prs/model/structure.h"
 
 namespace prs {
 

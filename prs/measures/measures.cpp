@@ -7,19 +7,19 @@
 #include <initializer_list>
 #include <numbers>
 
-#include "prs/analyze.h"
-#include "prs/document/units.h"
+#include "prs/loads/analyze.h"
+#include "prs/model/units.h"
 #include "prs/life/capacity.h"
 #include "prs/life/rating_life.h"
 #include "prs/life/static_limits.h"
-#include "prs/load_case_result.h"
+#include "prs/loads/load_case_result.h"
 #include "prs/measures/bodies.h"
 #include "prs/measures/shaft.h"
 #include "prs/measures/stiffness.h"
 #include "prs/measures/thread_root.h"
 #include "prs/measures/transmission.h"
 #include "prs/measures/yang_distribution.h"
-#include "prs/thread_clearance.h"
+#include "prs/threads/thread_clearance.h"
 
 namespace prs {
 namespace {

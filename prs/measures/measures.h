@@ -4,17 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "prs/case.h"
-#include "prs/contacts.h"
+#include "prs/model/case.h"
+#include "prs/threads/contacts.h"
 #include "prs/life/static_limits.h"
-#include "prs/part.h"
-#include "prs/result.h"
+#include "prs/model/part.h"
+#include "prs/loads/result.h"
 
 namespace prs {
 
 /// Design measures of a mechanism that no load case changes. SI units; absent where the case does
 /// not state what a measure needs. Formulas, validity and sources stand with the keys under which
-/// documents show them, see prs/document/measure_quantities.h.
+/// documents show them, see prs/quantities/measure_quantities.h.
 struct Measures {
   // Transmission
   std::optional<double> velocity_ratio;  ///< Travel per angle of the screw against the nut [m/rad].

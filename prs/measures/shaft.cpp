@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "prs/groove.h"
-#include "prs/section_properties.h"
+#include "prs/model/groove.h"
+#include "prs/sector/section_properties.h"
 
 namespace prs {
 namespace {

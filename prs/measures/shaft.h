@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "prs/materials.h"
-#include "prs/measures/measure_options.h"
-#include "prs/mechanism.h"
-#include "prs/structure.h"
+#include "prs/model/materials.h"
+#include "prs/model/measure_options.h"
+#include "prs/model/mechanism.h"
+#include "prs/model/structure.h"
 
 namespace prs {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "prs/section_properties.h"
-#include "prs/tooth_compliance.h"
+#include "prs/sector/section_properties.h"
+#include "prs/threads/tooth_compliance.h"
 
 namespace prs {
 

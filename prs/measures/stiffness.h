@@ -1,9 +1,9 @@
 #pragma once
 
-#include "prs/materials.h"
-#include "prs/mechanism.h"
-#include "prs/part.h"
-#include "prs/structure.h"
+#include "prs/model/materials.h"
+#include "prs/model/mechanism.h"
+#include "prs/model/part.h"
+#include "prs/model/structure.h"
 
 namespace prs {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/tooth_compliance.h"
+#include "prs/threads/tooth_compliance.h"
 
 namespace prs {
 

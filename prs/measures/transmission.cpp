@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "prs/kinematics.h"
+#include "prs/threads/kinematics.h"
 
 namespace prs {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "prs/mechanism.h"
+#include "prs/model/mechanism.h"
 
 namespace prs {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "prs/section_properties.h"
+#include "prs/sector/section_properties.h"
 
 namespace prs {
 namespace {

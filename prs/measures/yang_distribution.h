@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "prs/load_case.h"
-#include "prs/materials.h"
-#include "prs/mechanism.h"
-#include "prs/structure.h"
+#include "prs/model/load_case.h"
+#include "prs/model/materials.h"
+#include "prs/model/mechanism.h"
+#include "prs/model/structure.h"
 
 namespace prs {
 

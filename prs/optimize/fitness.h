@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "prs/optimize/optimization.h"
+#include "prs/model/optimization.h"
 
 namespace prs {
 

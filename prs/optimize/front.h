@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "prs/optimize/optimization.h"
+#include "prs/model/optimization.h"
 
 namespace prs {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "prs/optimize/optimization.h"
+#include "prs/model/optimization.h"
 
 namespace prs {
 

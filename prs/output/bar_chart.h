@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "prs/part.h"
+#include "prs/model/part.h"
 
 namespace prs {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "prs/document/units.h"
-#include "prs/output/case_groups.h"
-#include "prs/output/text.h"
+#include "prs/model/units.h"
+#include "prs/quantities/case_groups.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

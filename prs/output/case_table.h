@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "prs/result.h"
+#include "prs/loads/result.h"
 
 namespace prs {
 

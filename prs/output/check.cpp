@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "prs/document/units.h"
-#include "prs/output/text.h"
+#include "prs/model/units.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "prs/contacts.h"
-#include "prs/document/json.h"
+#include "prs/threads/contacts.h"
+#include "prs/quantities/json.h"
 #include "prs/input/echo.h"
 
 namespace prs {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/case_error.h"
-#include "prs/contacts.h"
-#include "prs/document/configurations_json.h"
+#include "prs/model/case_error.h"
+#include "prs/threads/contacts.h"
+#include "prs/quantities/configurations_json.h"
 #include "prs/input/units.h"
 #include "prs/output/configurations_files.h"
 #include "prs/configurations/roller_spacing.h"

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "prs/document/configurations_json.h"
-#include "prs/document/units.h"
+#include "prs/quantities/configurations_json.h"
+#include "prs/model/units.h"
 #include "prs/output/configurations_files.h"
 #include "prs/output/csv_writer.h"
 #include "prs/configurations/roller_spacing.h"

@@ -5,11 +5,11 @@
 
 #include <utility>
 
-#include "prs/document/configurations_json.h"
-#include "prs/document/units.h"
+#include "prs/quantities/configurations_json.h"
+#include "prs/model/units.h"
 #include "prs/input/units.h"
 #include "prs/output/case_table.h"
-#include "prs/output/text.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

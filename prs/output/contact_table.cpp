@@ -11,12 +11,12 @@
 
 #include "contact/mechanism_geometry.h"
 #include "contact/thread_surface.h"
-#include "prs/document/quantities.h"
-#include "prs/document/units.h"
-#include "prs/output/case_groups.h"
-#include "prs/output/text.h"
+#include "prs/quantities/quantities.h"
+#include "prs/model/units.h"
+#include "prs/quantities/case_groups.h"
+#include "prs/text.h"
 #include "prs/output/warnings.h"
-#include "prs/thread_clearance.h"
+#include "prs/threads/thread_clearance.h"
 
 namespace prs {
 namespace {

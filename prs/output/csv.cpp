@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "prs/document/quantities.h"
+#include "prs/quantities/quantities.h"
 #include "prs/output/csv_writer.h"
 
 namespace prs {

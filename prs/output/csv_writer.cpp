@@ -9,7 +9,7 @@
 #include <cmath>
 #include <system_error>
 
-#include "prs/document/units.h"
+#include "prs/model/units.h"
 
 namespace prs {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "prs/load_case.h"
+#include "prs/model/load_case.h"
 
 namespace prs {
 

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "prs/document/json_values.h"
+#include "prs/quantities/json_values.h"
 #include "prs/output/case_table.h"
 #include "prs/output/csv_writer.h"
-#include "prs/output/figure_style.h"
-#include "prs/output/response_title.h"
-#include "prs/output/study_figure_parts.h"
-#include "prs/output/study_text.h"
-#include "prs/output/text.h"
+#include "prs/figures/figure_style.h"
+#include "prs/quantities/response_title.h"
+#include "prs/figures/study_figure_parts.h"
+#include "prs/study/study_text.h"
+#include "prs/text.h"
 #include "prs/output/warnings.h"
 
 namespace prs {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "prs/document/json.h"
-#include "prs/output/figure.h"
+#include "prs/quantities/json.h"
+#include "prs/figures/figure.h"
 #include "prs/study/derivatives.h"
 
 namespace prs {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "prs/output/text.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "prs/output/figure.h"
+#include "prs/figures/figure.h"
 
 /// Parts of the gnuplot scripts that figure.h writes.
 namespace prs {

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "prs/output/text.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "prs/analyze.h"
-#include "prs/document/life_units.h"
-#include "prs/document/model_summary.h"
-#include "prs/document/units.h"
+#include "prs/loads/analyze.h"
+#include "prs/quantities/life_units.h"
+#include "prs/quantities/model_summary.h"
+#include "prs/model/units.h"
 #include "prs/output/case_table.h"
-#include "prs/output/text.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

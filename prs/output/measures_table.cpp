@@ -6,12 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "prs/document/measure_quantities.h"
-#include "prs/document/units.h"
+#include "prs/quantities/measure_quantities.h"
+#include "prs/model/units.h"
 #include "prs/output/case_table.h"
 #include "prs/output/csv_writer.h"
-#include "prs/output/response_title.h"
-#include "prs/output/text.h"
+#include "prs/quantities/response_title.h"
+#include "prs/text.h"
 #include "prs/output/warnings.h"
 
 namespace prs {

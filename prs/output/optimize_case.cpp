@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "prs/input/document.h"
-#include "prs/output/text.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "prs/document/command_name.h"
-#include "prs/document/json_values.h"
+#include "prs/quantities/command_name.h"
+#include "prs/quantities/json_values.h"
 #include "prs/output/optimize_designs.h"
 
 namespace prs {

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "prs/document/json.h"
-#include "prs/optimize/optimization.h"
+#include "prs/quantities/json.h"
+#include "prs/model/optimization.h"
 
 namespace prs {
 

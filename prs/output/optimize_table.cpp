@@ -9,8 +9,8 @@
 
 #include "prs/output/case_table.h"
 #include "prs/output/optimize_designs.h"
-#include "prs/output/study_text.h"
-#include "prs/output/text.h"
+#include "prs/study/study_text.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

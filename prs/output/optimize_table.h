@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "prs/optimize/optimization.h"
+#include "prs/model/optimization.h"
 
 namespace prs {
 

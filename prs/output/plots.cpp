@@ -11,12 +11,12 @@
 #include <string_view>
 #include <system_error>
 
-#include "prs/output/contact_figures.h"
+#include "prs/figures/contact_figures.h"
 #include "prs/output/files.h"
 #include "prs/output/gnuplot.h"
-#include "prs/output/result_figures.h"
+#include "prs/figures/result_figures.h"
 #include "prs/output/run_files.h"
-#include "prs/output/slip_figures.h"
+#include "prs/figures/slip_figures.h"
 
 namespace prs {
 namespace {

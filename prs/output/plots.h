@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "prs/output/figure.h"
-#include "prs/result.h"
-#include "prs/slip.h"
+#include "prs/figures/figure.h"
+#include "prs/loads/result.h"
+#include "prs/slip/slip.h"
 
 namespace prs {
 

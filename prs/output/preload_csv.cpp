@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "prs/document/units.h"
+#include "prs/model/units.h"
 #include "prs/output/csv_writer.h"
 #include "prs/output/preload_files.h"
 

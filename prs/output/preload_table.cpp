@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "prs/document/units.h"
+#include "prs/model/units.h"
 #include "prs/output/case_table.h"
-#include "prs/output/text.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "prs/document/slip_quantities.h"
+#include "prs/quantities/slip_quantities.h"
 #include "prs/output/csv_writer.h"
 
 namespace prs {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/document/slip_quantities.h"
+#include "prs/quantities/slip_quantities.h"
 #include "prs/output/bar_chart.h"
 #include "prs/output/case_table.h"
-#include "prs/output/text.h"
+#include "prs/text.h"
 #include "prs/output/warnings.h"
 
 namespace prs {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "prs/result.h"
+#include "prs/loads/result.h"
 
 namespace prs {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/study/study.h"
+#include "prs/model/study.h"
 
 namespace prs {
 

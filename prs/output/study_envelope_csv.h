@@ -4,7 +4,7 @@
 
 #include "prs/study/envelope_result.h"
 #include "prs/study/grid_maps.h"
-#include "prs/study/study.h"
+#include "prs/model/study.h"
 
 namespace prs {
 

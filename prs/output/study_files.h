@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <functional>
 
-#include "prs/document/json.h"
+#include "prs/quantities/json.h"
 #include "prs/study/row_block.h"
 #include "prs/study/stored_rows.h"
-#include "prs/study/study.h"
+#include "prs/model/study.h"
 
 namespace prs {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "prs/document/command_name.h"
-#include "prs/document/json_values.h"
+#include "prs/quantities/command_name.h"
+#include "prs/quantities/json_values.h"
 
 namespace prs {
 namespace {

@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string_view>
 
-#include "prs/document/json.h"
+#include "prs/quantities/json.h"
 #include "prs/study/study_result.h"
 
 namespace prs {

@@ -12,9 +12,9 @@
 #include <system_error>
 
 #include "fe/newton.h"
-#include "prs/output/response_title.h"
+#include "prs/quantities/response_title.h"
 #include "prs/output/study_json.h"
-#include "prs/slip_result.h"
+#include "prs/loads/slip_result.h"
 
 namespace prs {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/document/json.h"
+#include "prs/quantities/json.h"
 #include "prs/output/staged_file.h"
 #include "prs/output/study_columns.h"
 #include "prs/study/row_block.h"

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "prs/output/case_table.h"
-#include "prs/output/response_title.h"
+#include "prs/quantities/response_title.h"
 #include "prs/output/study_json.h"
-#include "prs/output/study_text.h"
-#include "prs/output/text.h"
+#include "prs/study/study_text.h"
+#include "prs/text.h"
 #include "prs/output/warnings.h"
 
 namespace prs {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "prs/document/model_summary.h"
-#include "prs/document/quantities.h"
+#include "prs/quantities/model_summary.h"
+#include "prs/quantities/quantities.h"
 #include "prs/output/bar_chart.h"
 #include "prs/output/case_table.h"
 #include "prs/output/warnings.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "prs/output/case_groups.h"
-#include "prs/output/text.h"
+#include "prs/quantities/case_groups.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

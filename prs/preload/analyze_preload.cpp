@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "prs/analyze.h"
-#include "prs/case_error.h"
-#include "prs/contact_laws.h"
+#include "prs/loads/analyze.h"
+#include "prs/model/case_error.h"
+#include "prs/threads/contact_laws.h"
 
 namespace prs {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "prs/case.h"
-#include "prs/contacts.h"
+#include "prs/model/case.h"
+#include "prs/threads/contacts.h"
 #include "prs/preload/preload_solver.h"
 
 namespace prs {

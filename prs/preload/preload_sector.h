@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "fe/model.h"
-#include "prs/preload/preload.h"
-#include "prs/sector.h"
+#include "prs/model/preload.h"
+#include "prs/sector/sector.h"
 
 namespace prs {
 

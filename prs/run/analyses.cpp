@@ -3,16 +3,16 @@
 #include <optional>
 #include <utility>
 
-#include "prs/analyze.h"
+#include "prs/loads/analyze.h"
 #include "prs/input/compute_from.h"
 #include "prs/input/force_history.h"
 #include "prs/input/optimize_reader.h"
 #include "prs/input/study_reader.h"
 #include "prs/sha256.h"
-#include "prs/slip.h"
-#include "prs/unusual.h"
+#include "prs/slip/slip.h"
+#include "prs/threads/unusual.h"
 #include "prs/version.h"
-#include "prs/void_inputs.h"
+#include "prs/model/void_inputs.h"
 
 namespace prs {
 namespace {

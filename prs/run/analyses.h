@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "prs/case.h"
-#include "prs/document/json.h"
+#include "prs/model/case.h"
+#include "prs/quantities/json.h"
 #include "prs/input/echo.h"
 #include "prs/input/reader.h"
 #include "prs/input/source.h"
 #include "prs/life/analyze_life.h"
 #include "prs/measures/analyze_measures.h"
 #include "prs/preload/analyze_preload.h"
-#include "prs/result.h"
+#include "prs/loads/result.h"
 
 namespace prs {
 

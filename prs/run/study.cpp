@@ -16,7 +16,7 @@
 #include "prs/study/idle_factors.h"
 #include "prs/study/journal.h"
 #include "prs/version.h"
-#include "prs/void_inputs.h"
+#include "prs/model/void_inputs.h"
 
 namespace prs {
 namespace {

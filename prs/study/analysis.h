@@ -10,7 +10,7 @@
 #include "prs/study/grid_maps.h"
 #include "prs/study/response_surface.h"
 #include "prs/study/row_block.h"
-#include "prs/study/study.h"
+#include "prs/model/study.h"
 #include "prs/study/variance_indices.h"
 
 namespace prs {

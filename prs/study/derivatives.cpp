@@ -8,11 +8,11 @@
 #include <limits>
 #include <memory>
 
-#include "prs/analyze.h"
-#include "prs/case_error.h"
-#include "prs/contact_laws.h"
-#include "prs/load_case_result.h"
-#include "prs/load_distribution.h"
+#include "prs/loads/analyze.h"
+#include "prs/model/case_error.h"
+#include "prs/threads/contact_laws.h"
+#include "prs/loads/load_case_result.h"
+#include "prs/sector/load_distribution.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/result_number.h"
 

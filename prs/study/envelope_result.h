@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "prs/study/envelope.h"
+#include "prs/model/envelope.h"
 #include "prs/study/grid_maps.h"
-#include "prs/study/study.h"
+#include "prs/model/study.h"
 
 namespace prs {
 

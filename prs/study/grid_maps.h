@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "prs/study/row_block.h"
-#include "prs/study/study.h"
+#include "prs/model/study.h"
 
 namespace prs {
 

@@ -8,7 +8,7 @@
 
 #include "prs/study/response_surface.h"
 #include "prs/study/row_block.h"
-#include "prs/study/study.h"
+#include "prs/model/study.h"
 
 namespace prs {
 

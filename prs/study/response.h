@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "prs/check_case.h"
+#include "prs/model/check_case.h"
 
 namespace prs {
 

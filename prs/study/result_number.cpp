@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "prs/document/contact_quantities.h"
-#include "prs/document/measure_quantities.h"
-#include "prs/document/quantities.h"
-#include "prs/document/slip_quantities.h"
+#include "prs/quantities/contact_quantities.h"
+#include "prs/quantities/measure_quantities.h"
+#include "prs/quantities/quantities.h"
+#include "prs/quantities/slip_quantities.h"
 
 namespace prs {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "prs/measures/measures.h"
-#include "prs/result.h"
+#include "prs/loads/result.h"
 
 namespace prs {
 

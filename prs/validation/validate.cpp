@@ -11,12 +11,12 @@
 #include <sstream>
 #include <utility>
 
-#include "prs/analyze.h"
-#include "prs/document/json.h"
+#include "prs/loads/analyze.h"
+#include "prs/quantities/json.h"
 #include "prs/input/compute_from.h"
 #include "prs/input/reader.h"
-#include "prs/output/text.h"
-#include "prs/slip.h"
+#include "prs/text.h"
+#include "prs/slip/slip.h"
 
 namespace prs {
 namespace {

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "prs/case.h"
-#include "prs/document/json.h"
-#include "prs/output/figure.h"
+#include "prs/model/case.h"
+#include "prs/quantities/json.h"
+#include "prs/figures/figure.h"
 #include "prs/output/files.h"
-#include "prs/result.h"
+#include "prs/loads/result.h"
 #include "prs/validation/reference.h"
 #include "prs/validation/statement.h"
 #include "prs/validation/table.h"

@@ -5,7 +5,7 @@
 #include <condition_variable>
 #include <set>
 
-#include "prs/influence/matrix_cache.h"
+#include "prs/sector/influence/matrix_cache.h"
 
 namespace nb = nanobind;
 

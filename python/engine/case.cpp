@@ -8,9 +8,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "prs/document/life_json.h"
-#include "prs/document/measures_json.h"
-#include "prs/document/preload_json.h"
+#include "prs/quantities/life_json.h"
+#include "prs/quantities/measures_json.h"
+#include "prs/quantities/preload_json.h"
 #include "prs/input/reader.h"
 #include "prs/output/check.h"
 #include "prs/run/analyses.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "prs/case.h"
-#include "prs/check_case.h"
+#include "prs/model/case.h"
+#include "prs/model/check_case.h"
 #include "prs/input/source.h"
 #include "python/engine/document.h"
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "prs/document/json.h"
+#include "prs/quantities/json.h"
 #include "prs/study/row_block.h"
 #include "python/engine/beside.h"
 

@@ -3,8 +3,8 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
 
-#include "prs/document/measures_json.h"
-#include "prs/influence/matrix_cache.h"
+#include "prs/quantities/measures_json.h"
+#include "prs/sector/influence/matrix_cache.h"
 #include "prs/input/schema.h"
 #include "prs/input/source.h"
 #include "prs/input/units.h"

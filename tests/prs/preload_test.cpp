@@ -6,10 +6,10 @@
 #include <numbers>
 #include <random>
 
-#include "prs/case_error.h"
-#include "prs/document/preload_json.h"
+#include "prs/model/case_error.h"
+#include "prs/quantities/preload_json.h"
 #include "prs/input/reader.h"
-#include "prs/load_distribution.h"
+#include "prs/sector/load_distribution.h"
 #include "prs/output/preload_files.h"
 #include "prs/preload/analyze_preload.h"
 #include "prs/preload/preload_solver.h"

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "prs/case_error.h"
+#include "prs/model/case_error.h"
 #include "prs/input/reader.h"
 #include "tests/prs/output/parsed_csv.h"
 #include "tests/prs/output/temporary_directory.h"

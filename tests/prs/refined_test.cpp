@@ -8,10 +8,10 @@
 #include <string>
 
 #include "fe/cholesky.h"
-#include "prs/case_error.h"
-#include "prs/load_distribution.h"
-#include "prs/refined/local_compliance.h"
-#include "prs/refined/nut_shell.h"
+#include "prs/model/case_error.h"
+#include "prs/sector/load_distribution.h"
+#include "prs/sector/refined/local_compliance.h"
+#include "prs/sector/refined/nut_shell.h"
 #include "support/count.h"
 #include "support/sectors.h"
 #include "support/sum.h"

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "prs/check_case.h"
+#include "prs/model/check_case.h"
 #include "prs/configurations/standard_screw.h"
-#include "prs/contacts.h"
+#include "prs/threads/contacts.h"
 #include "validation/standard_screws/comparison.h"
 #include "validation/standard_screws/contribution.h"
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "prs/case_error.h"
+#include "prs/model/case_error.h"
 #include "prs/input/source.h"
 #include "tests/prs/output/temporary_directory.h"
 #include "validation/jung_2017/contribution.h"

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "prs/check_case.h"
+#include "prs/model/check_case.h"
 #include "prs/input/reader.h"
 #include "prs/input/study_reader.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/study_result.h"
-#include "prs/threads.h"
+#include "prs/threads/threads.h"
 #include "validation/yao_2023/sensitivity.h"
 
 namespace prs {

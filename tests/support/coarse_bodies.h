@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/influence/flexibility_options.h"
+#include "prs/sector/influence/flexibility_options.h"
 
 namespace test {
 

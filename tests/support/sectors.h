@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "prs/sector.h"
+#include "prs/sector/sector.h"
 
 namespace test {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "prs/slip.h"
+#include "prs/slip/slip.h"
 #include "tests/support/plain_slip.h"
 
 namespace test {

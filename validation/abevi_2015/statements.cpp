@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "prs/analyze.h"
+#include "prs/loads/analyze.h"
 
 namespace prs::abevi_2015 {
 namespace {

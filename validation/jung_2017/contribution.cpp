@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "prs/document/units.h"
+#include "prs/model/units.h"
 #include "validation/jung_2017/contact_parameters.h"
 #include "validation/jung_2017/measures.h"
 #include "validation/jung_2017/recipe.h"

@@ -4,10 +4,10 @@
 #include <numbers>
 
 #include "contact/hertz.h"
-#include "prs/document/units.h"
+#include "prs/model/units.h"
 #include "prs/life/capacity.h"
-#include "prs/materials.h"
-#include "prs/tooth_compliance.h"
+#include "prs/model/materials.h"
+#include "prs/threads/tooth_compliance.h"
 
 namespace prs::jung_2017 {
 namespace {

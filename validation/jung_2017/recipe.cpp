@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "prs/document/units.h"
+#include "prs/model/units.h"
 #include "prs/input/document.h"
 #include "prs/input/units.h"
 #include "prs/life/capacity.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "prs/document/json.h"
+#include "prs/quantities/json.h"
 #include "validation/jung_2017/measures.h"
 
 namespace prs::jung_2017 {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "prs/document/units.h"
+#include "prs/model/units.h"
 
 namespace prs::jung_2017 {
 

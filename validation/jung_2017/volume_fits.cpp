@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/document/units.h"
+#include "prs/model/units.h"
 
 namespace prs::jung_2017 {
 namespace {

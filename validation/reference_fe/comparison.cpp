@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/analyze.h"
-#include "prs/case_error.h"
+#include "prs/loads/analyze.h"
+#include "prs/model/case_error.h"
 
 namespace prs::reference_fe {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "prs/case.h"
-#include "prs/document/units.h"
+#include "prs/model/case.h"
+#include "prs/model/units.h"
 #include "validation/reference_fe/curves.h"
 
 namespace prs::reference_fe {

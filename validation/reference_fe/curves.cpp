@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "prs/document/units.h"
+#include "prs/model/units.h"
 #include "prs/validation/csv_table.h"
 
 namespace prs::reference_fe {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "prs/load_case.h"
-#include "prs/model_options.h"
-#include "prs/part.h"
-#include "prs/structure.h"
+#include "prs/model/load_case.h"
+#include "prs/model/model_options.h"
+#include "prs/model/part.h"
+#include "prs/model/structure.h"
 
 namespace prs::reference_fe {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "prs/output/figure.h"
+#include "prs/figures/figure.h"
 #include "validation/reference_fe/comparison.h"
 
 namespace prs::reference_fe {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/document/units.h"
+#include "prs/model/units.h"
 
 namespace prs::reference_fe {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "prs/document/units.h"
+#include "prs/model/units.h"
 #include "prs/output/csv_writer.h"
 
 namespace prs::reference_fe {

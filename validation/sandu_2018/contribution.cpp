@@ -8,7 +8,7 @@
 
 #include "contact/ellipticity_approximations.h"
 #include "contact/hertz.h"
-#include "prs/document/units.h"
+#include "prs/model/units.h"
 #include "validation/sandu_2018/printed_ellipses.h"
 #include "validation/sandu_2018/statements.h"
 #include "validation/sandu_2018/sweep.h"

@@ -9,9 +9,9 @@
 #include "contact/ellipticity_approximations.h"
 #include "contact/film.h"
 #include "contact/patch.h"
-#include "prs/analyze.h"
-#include "prs/document/units.h"
-#include "prs/slip_model.h"
+#include "prs/loads/analyze.h"
+#include "prs/model/units.h"
+#include "prs/slip/slip_model.h"
 #include "validation/sandu_2018/sweep.h"
 
 namespace prs::sandu_2018 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/case.h"
+#include "prs/model/case.h"
 #include "prs/validation/table.h"
 
 namespace prs::sandu_2018 {

@@ -8,10 +8,10 @@
 #include <functional>
 #include <numbers>
 
-#include "prs/analyze.h"
-#include "prs/document/units.h"
-#include "prs/slip.h"
-#include "prs/slip_model.h"
+#include "prs/loads/analyze.h"
+#include "prs/model/units.h"
+#include "prs/slip/slip.h"
+#include "prs/slip/slip_model.h"
 #include "validation/sandu_2018/sweep.h"
 
 namespace prs::sandu_2018 {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/slip.h"
+#include "prs/slip/slip.h"
 
 namespace prs::sandu_2018 {
 

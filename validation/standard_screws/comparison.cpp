@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "prs/contacts.h"
+#include "prs/threads/contacts.h"
 #include "prs/validation/csv_table.h"
 
 namespace prs::standard_screws {

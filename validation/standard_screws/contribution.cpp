@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "prs/document/units.h"
+#include "prs/model/units.h"
 #include "prs/measures/bodies.h"
 #include "validation/standard_screws/comparison.h"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "prs/document/units.h"
+#include "prs/model/units.h"
 #include "validation/yao_2023/sensitivity.h"
 
 namespace prs::yao_2023 {

@@ -11,9 +11,9 @@
 #include <numbers>
 #include <string_view>
 
-#include "prs/analyze.h"
-#include "prs/case_error.h"
-#include "prs/document/units.h"
+#include "prs/loads/analyze.h"
+#include "prs/model/case_error.h"
+#include "prs/model/units.h"
 #include "prs/study/response_surface.h"
 #include "prs/study/sampling.h"
 

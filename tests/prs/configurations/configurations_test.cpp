@@ -10,13 +10,13 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "prs/analyze.h"
+#include "prs/loads/analyze.h"
 #include "prs/configurations/roller_spacing.h"
-#include "prs/contacts.h"
+#include "prs/threads/contacts.h"
 #include "prs/input/reader.h"
 #include "prs/output/configurations_files.h"
-#include "prs/threads.h"
-#include "prs/unusual.h"
+#include "prs/threads/threads.h"
+#include "prs/threads/unusual.h"
 #include "tests/prs/output/temporary_directory.h"
 #include "tests/support/program.h"
 

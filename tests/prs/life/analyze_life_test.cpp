@@ -8,15 +8,15 @@
 #include <numeric>
 #include <random>
 
-#include "prs/analyze.h"
-#include "prs/case_error.h"
-#include "prs/document/life_json.h"
+#include "prs/loads/analyze.h"
+#include "prs/model/case_error.h"
+#include "prs/quantities/life_json.h"
 #include "prs/input/reader.h"
-#include "prs/load_case_result.h"
-#include "prs/output/life_figures.h"
+#include "prs/loads/load_case_result.h"
+#include "prs/figures/life_figures.h"
 #include "prs/output/life_files.h"
 #include "prs/output/life_table.h"
-#include "prs/output/text.h"
+#include "prs/text.h"
 #include "tests/prs/input/abevi.h"
 #include "tests/prs/output/parsed_csv.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "prs/load_distribution.h"
+#include "prs/sector/load_distribution.h"
 #include "support/count.h"
 #include "support/sectors.h"
 

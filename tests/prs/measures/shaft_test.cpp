@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "prs/groove.h"
+#include "prs/model/groove.h"
 
 namespace prs {
 namespace {

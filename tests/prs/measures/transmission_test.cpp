@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "prs/document/measure_quantities.h"
-#include "prs/slip.h"
+#include "prs/quantities/measure_quantities.h"
+#include "prs/slip/slip.h"
 #include "tests/support/slips.h"
 
 namespace prs {

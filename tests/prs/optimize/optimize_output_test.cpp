@@ -7,10 +7,10 @@
 
 #include "known_problems.h"
 #include "prs/output/optimize_csv.h"
-#include "prs/output/optimize_figures.h"
+#include "prs/figures/optimize_figures.h"
 #include "prs/output/optimize_json.h"
 #include "prs/output/optimize_table.h"
-#include "prs/output/text.h"
+#include "prs/text.h"
 #include "tests/prs/output/text_lines.h"
 
 namespace prs {

@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "contact_cases.h"
-#include "prs/analyze.h"
-#include "prs/output/text.h"
+#include "prs/loads/analyze.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "prs/result.h"
+#include "prs/loads/result.h"
 
 namespace test {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "prs/slip.h"
+#include "prs/slip/slip.h"
 #include "sample_result.h"
 
 namespace test {

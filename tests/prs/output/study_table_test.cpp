@@ -5,8 +5,8 @@
 
 #include <sstream>
 
-#include "prs/output/study_text.h"
-#include "prs/output/text.h"
+#include "prs/study/study_text.h"
+#include "prs/text.h"
 #include "tests/prs/output/sample_study.h"
 
 namespace prs {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "prs/output/text.h"
+#include "prs/text.h"
 
 namespace test {
 

@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <string>
 
-#include "prs/analyze.h"
-#include "prs/case_error.h"
+#include "prs/loads/analyze.h"
+#include "prs/model/case_error.h"
 #include "prs/input/reader.h"
 #include "tests/prs/input/abevi.h"
 

@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "prs/analyze.h"
-#include "prs/document/json.h"
+#include "prs/loads/analyze.h"
+#include "prs/quantities/json.h"
 #include "prs/input/reader.h"
-#include "prs/slip.h"
+#include "prs/slip/slip.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
 #include "tests/prs/input/abevi.h"

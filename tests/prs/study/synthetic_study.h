@@ -9,7 +9,7 @@
 #include "prs/study/journal.h"
 #include "prs/study/row_block.h"
 #include "prs/study/schedule.h"
-#include "prs/study/study.h"
+#include "prs/model/study.h"
 
 namespace test {
 

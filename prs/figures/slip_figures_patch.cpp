@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "prs/quantities/slip_quantities.h"
+#include "prs/figures/figure_style.h"
+#include "prs/figures/slip_figures.h"
+#include "prs/text.h"
+
+namespace prs {
+namespace {
+
+constexpr int kMostArrows = 11;  // Along each axis.
+
+/// Styles of the figure in the order of their legend.
+enum Style : std::size_t { kSliding, kOutline };
+
+Polyline outline(const PatchField& field) {
+  constexpr int kPoints = 120;
+  Polyline points;
+  for (int k = 0; k <= kPoints; ++k) {
+    const double t = 2.0 * std::numbers::pi * k / kPoints;
+    points.push_back({field.semi_major * std::cos(t) * per_si::millimetre,
+                      field.semi_minor * std::sin(t) * per_si::millimetre});
+  }
+  return points;
+}
+
+CellMap friction_map(const PatchField& field) {
+  CellMap map;
+  map.width = 2.0 * field.semi_major / field.points * per_si::millimetre;
+  map.height = 2.0 * field.semi_minor / field.points * per_si::millimetre;
+  for (std::size_t k = 0; k < field.friction_coefficient.size(); ++k)
+    map.cells.push_back({field.along_major[k] * per_si::millimetre,
+                         field.along_minor[k] * per_si::millimetre, field.friction_coefficient[k]});
+  return map;
+}
+
+double largest_speed(const PatchField& field) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < field.sliding_major.size(); ++k)
+    largest = std::max(largest, std::hypot(field.sliding_major[k], field.sliding_minor[k]));
+  return largest;
+}
+
+/// Points from one arrow to the next, so that there are not too many.
+int arrow_step(const PatchField& field) { return (field.points + kMostArrows - 1) / kMostArrows; }
+
+/// Whether the point in a column or row of the grid is one that has an arrow; the middle one has.
+bool has_arrow(double position, double semi_axis, const PatchField& field) {
+  const double cell = 2.0 * semi_axis / field.points;
+  return std::lround((position + semi_axis) / cell - 0.5) % arrow_step(field) ==
+         (field.points / 2) % arrow_step(field);
+}
+
+/// Sliding velocities, the middle of each arrow at its point.
+Line arrows(const PatchField& field) {
+  Line line{kSliding, {}};
+  const double largest = largest_speed(field);
+  if (!(largest > 0.0)) return line;
+  const double spacing = 2.0 * field.semi_minor / field.points * arrow_step(field);
+  const double scale = 0.5 * spacing / largest * per_si::millimetre;
+  for (std::size_t k = 0; k < field.sliding_major.size(); ++k) {
+    if (!has_arrow(field.along_major[k], field.semi_major, field) ||
+        !has_arrow(field.along_minor[k], field.semi_minor, field))
+      continue;
+    const double x = field.along_major[k] * per_si::millimetre;
+    const double y = field.along_minor[k] * per_si::millimetre;
+    const double dx = scale * field.sliding_major[k], dy = scale * field.sliding_minor[k];
+    line.parts.push_back({{x - dx, y - dy}, {x + dx, y + dy}});
+  }
+  return line;
+}
+
+/// Thread and normal load, where the case has loads.
+std::string thread_title(const LoadCaseResult& result, Interface i) {
+  if (!result.threads) return interface_title(i);
+  const std::vector<double>& loads = (*result.threads)[i].normal_load;
+  const auto thread = index_of_largest(loads);
+  if (!thread) return interface_title(i);
+  return fmt::format("{}, thread {}: {:.4g} N", interface_title(i), *thread + 1, loads[*thread]);
+}
+
+Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interface i) {
+  Panel panel;
+  panel.title = thread_title(result, i);
+  panel.map = friction_map(field);
+  panel.lines = {{kOutline, {outline(field)}}, arrows(field)};
+  panel.labels.push_back(
+      {fmt::format("longest arrow {:.3g} mm/s", largest_speed(field) * per_si::millimetre), 0.03,
+       0.05, true});
+  return panel;
+}
+
+/// From zero, unless friction is so even that its differences would not show.
+ColourScale friction_scale(const PerInterface<PatchField>& fields) {
+  double least = HUGE_VAL, largest = 0.0;
+  for (const Interface i : kInterfaces)
+    for (const double value : fields[i].friction_coefficient) {
+      least = std::min(least, value);
+      largest = std::max(largest, value);
+    }
+  const bool is_even = least > 0.5 * largest && largest - least > 1e-3 * largest;
+  return {"Friction coefficient", is_even ? least : 0.0, largest > 0.0 ? largest : 1.0};
+}
+
+}  // namespace
+
+Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictures) {
+  const PerInterface<PatchField>& fields = pictures.most_loaded_thread;
+  Figure figure;
+  figure.name = "slip_patches";
+  figure.title = "Friction and sliding at the contacts, load case " +
+                 shortened(printable(result.load_case.name), kMaxCaseName);
+  figure.columns = std::size(kInterfaces);
+  figure.panel_height = 345;
+  figure.to_scale = true;
+  figure.colours = friction_scale(fields);
+  add_to_legend(figure, "sliding velocity", arrows_of("#000000", 1.0));
+  add_to_legend(figure, "contact ellipse", {"#555555", 1, 0, 1.4});
+  double half = 0.0;
+  for (const Interface i : kInterfaces) {
+    figure.panels.push_back(patch_panel(result, fields[i], i));
+    half = std::max(half, 1.2 * fields[i].semi_major * per_si::millimetre);
+  }
+  figure.x = {"along the major axis (mm)", -half, half};
+  figure.y = {"along the minor axis (mm)", -half, half};
+  return figure;
+}
+
+}  // namespace prs

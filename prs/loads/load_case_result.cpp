@@ -1,0 +1,161 @@
+#include "prs/loads/load_case_result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "prs/loads/analyze.h"
+
+namespace prs {
+namespace {
+
+void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact) {
+  for (const double normal_load : loads.normal_load) {
+    const contact::HertzContact at = contact::at_load(contact.hertz, normal_load);
+    loads.semi_major.push_back(at.semi_major);
+    loads.semi_minor.push_back(at.semi_minor);
+    loads.peak_pressure.push_back(at.peak_pressure);
+    if (!contact.shear) continue;
+    loads.max_shear_stress.push_back(contact.shear->shear_over_pressure * at.peak_pressure);
+    loads.max_shear_depth.push_back(contact.shear->depth_over_semi_minor * at.semi_minor);
+  }
+}
+
+InterfaceLoads interface_loads(const LoadCase& load_case, const Contacts& contacts, Interface i,
+                               double normal_angle, std::vector<double> normal_load) {
+  InterfaceLoads loads;
+  loads.normal_angle = normal_angle;
+  loads.normal_load = std::move(normal_load);
+  const double cosine = std::cos(normal_angle);
+  const double roller_force = std::abs(load_case.axial_force) / contacts.mechanism.rollers;
+  for (const double n : loads.normal_load) {
+    loads.axial_load.push_back(n * cosine);
+    loads.load_rate.push_back(n * cosine / roller_force);
+  }
+  const InterfaceContact& contact = contacts.interfaces[i];
+  if (contact.has_hertz()) add_hertz_contacts(loads, contact);
+  return loads;
+}
+
+/// Threads that carry the same load by assumption.
+std::vector<double> equal_normal_loads(const LoadCase& load_case, const Mechanism& m, double psi) {
+  const double contacts = static_cast<double>(m.rollers) * m.contacts_per_roller;
+  return std::vector<double>(static_cast<std::size_t>(m.contacts_per_roller),
+                             std::abs(load_case.axial_force) / contacts / std::cos(psi));
+}
+
+std::vector<double> hertz_approaches(const std::vector<double>& normal_load, double constant) {
+  std::vector<double> approach;
+  for (const double n : normal_load) approach.push_back(std::pow(n / constant, 2.0 / 3.0));
+  return approach;
+}
+
+/// The most loaded thread's ellipse against the ends of the flanks.
+void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& contacts,
+                                  Interface i, std::vector<std::string>& warnings) {
+  if (loads.semi_major.empty()) return;
+  const auto violations = contact::ellipse_beyond_flanks(
+      pair_of(contacts.threads, i), contacts.interfaces[i].geometry,
+      *std::max_element(loads.semi_major.begin(), loads.semi_major.end()),
+      *std::max_element(loads.semi_minor.begin(), loads.semi_minor.end()));
+  for (const contact::FlankViolation& v : violations)
+    warnings.push_back(
+        fmt::format("the largest {} ellipse reaches {:.4g} mm beyond the {} of the {}", label(i),
+                    v.by * 1e3, contact::name(v.end), v.of_roller ? "roller" : name(i)));
+}
+
+std::vector<std::string> thread_warnings(const PerInterface<InterfaceLoads>& threads,
+                                         const Contacts& contacts) {
+  std::vector<std::string> warnings;
+  for (const Interface i : kInterfaces) {
+    const auto open = std::count(threads[i].normal_load.begin(), threads[i].normal_load.end(), 0.0);
+    if (open > 0)
+      warnings.push_back(fmt::format("{} of {} {} contacts are open", open,
+                                     threads[i].normal_load.size(), label(i)));
+    const auto& pressure = threads[i].peak_pressure;
+    const auto highest = std::max_element(pressure.begin(), pressure.end());
+    if (highest != pressure.end() && *highest > kStaticPressureLimit)
+      warnings.push_back(fmt::format("{} peak pressure {:.2f} GPa exceeds {:.1f} GPa", label(i),
+                                     *highest * 1e-9, kStaticPressureLimit * 1e-9));
+    warn_of_ellipse_beyond_flank(threads[i], contacts, i, warnings);
+  }
+  return warnings;
+}
+
+}  // namespace
+
+LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts,
+                             const PerInterface<ContactLaw>& laws, LoadDistribution d) {
+  LoadCaseResult result;
+  result.load_case = load_case;
+  result.solve = std::move(d.solve);
+  if (!result.solve->converged()) return result;
+  result.axial_displacement = d.axial_displacement;
+  result.axial_stiffness = load_case.axial_force / d.axial_displacement;
+  result.tangent_stiffness = d.tangent_stiffness;
+  PerInterface<InterfaceLoads> threads;
+  for (const Interface i : kInterfaces) {
+    threads[i] =
+        interface_loads(load_case, contacts, i, laws[i].normal_angle, std::move(d.normal_load[i]));
+    threads[i].hertz_constant = laws[i].hertz_constant;
+    threads[i].approach = std::move(d.approach[i]);
+  }
+  result.threads = std::move(threads);
+  return result;
+}
+
+LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,
+                                  const PerInterface<double>& normal_angle,
+                                  const PerInterface<std::optional<double>>& hertz_constant) {
+  LoadCaseResult result;
+  result.load_case = load_case;
+  PerInterface<InterfaceLoads> threads;
+  for (const Interface i : kInterfaces) {
+    const std::vector<double> loads =
+        equal_normal_loads(load_case, contacts.mechanism, normal_angle[i]);
+    threads[i] = interface_loads(load_case, contacts, i, normal_angle[i], loads);
+    threads[i].hertz_constant = hertz_constant[i];
+    if (hertz_constant[i]) threads[i].approach = hertz_approaches(loads, *hertz_constant[i]);
+  }
+  result.threads = std::move(threads);
+  return result;
+}
+
+LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,
+                                  const PerInterface<ContactLaw>& laws) {
+  return equal_share_result(load_case, contacts, {laws.screw.normal_angle, laws.nut.normal_angle},
+                            {laws.screw.hertz_constant, laws.nut.hertz_constant});
+}
+
+LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts) {
+  PerInterface<double> normal_angle;
+  PerInterface<std::optional<double>> hertz_constant;
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = contacts.interfaces[i];
+    normal_angle[i] = contact.normal_angle();
+    if (contact.has_hertz()) hertz_constant[i] = contact.hertz.hertz_constant;
+  }
+  return equal_share_result(load_case, contacts, normal_angle, hertz_constant);
+}
+
+void add_warnings(LoadCaseResult& result, const Contacts& contacts) {
+  if (!result.converged())
+    result.warnings.push_back(fmt::format("not converged: {}, relative residual {:.1e}",
+                                          fe::name(result.solve->status),
+                                          result.solve->relative_residual));
+  if (result.threads)
+    for (std::string& text : thread_warnings(*result.threads, contacts))
+      result.warnings.push_back(std::move(text));
+}
+
+std::optional<std::string> running_pressure_note(Interface i, double pressure) {
+  if (pressure <= kRunningPressureLimit || pressure > kStaticPressureLimit) return std::nullopt;
+  return fmt::format(
+      "{} peak pressure {:.2f} GPa is above {:.1f} GPa, much for flanks that run ({:.1f} GPa is "
+      "the "
+      "limit at rest); lower the load or take more contacts",
+      label(i), pressure * 1e-9, kRunningPressureLimit * 1e-9, kStaticPressureLimit * 1e-9);
+}
+
+}  // namespace prs

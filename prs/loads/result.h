@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fe/newton.h"
+#include "prs/threads/contacts.h"
+#include "prs/model/load_case.h"
+#include "prs/model/model_options.h"
+#include "prs/model/part.h"
+#include "prs/loads/slip_result.h"
+
+namespace prs {
+
+/// Per-thread results of one interface of one roller; thread 1, next to the loaded end of the
+/// screw, stands first. SI units.
+struct InterfaceLoads {
+  std::optional<double> hertz_constant;  ///< As used in the solve [N/m^1.5].
+  double normal_angle = 0.0;             ///< As used in the solve [rad].
+  std::vector<double> axial_load;        ///< [N]
+  std::vector<double> normal_load;       ///< axial / cos psi [N]
+  std::vector<double> load_rate;         ///< l_v = axial load / (force/rollers), Abevi (3) [-]
+  std::vector<double> approach;          ///< delta [m]
+  std::vector<double> semi_major;        ///< Empty where the geometry gives no contact.
+  std::vector<double> semi_minor;
+  std::vector<double> peak_pressure;     ///< [Pa]
+  std::vector<double> max_shear_stress;  ///< Largest below the surface [Pa].
+  std::vector<double> max_shear_depth;   ///< Where it acts, for the case depth [m].
+};
+
+/// Answer to one load case. With `share: equal` nothing is solved: status, displacement and
+/// stiffness are absent.
+struct LoadCaseResult {
+  LoadCase load_case;
+  std::optional<fe::NewtonSummary> solve;
+  std::optional<double> axial_displacement;             ///< [m], > 0 in the direction of the load.
+  std::optional<double> axial_stiffness;                ///< Secant, force / displacement [N/m].
+  std::optional<double> tangent_stiffness;              ///< dF/du at the load [N/m].
+  std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
+  std::optional<SlipResult> slip;  ///< Where it was asked for and the loads are known.
+  std::vector<std::string> warnings;
+
+  bool converged() const { return !solve || solve->converged(); }
+};
+
+/// Everything that `analyze` computes from a case.
+struct Result {
+  Contacts contacts;
+  ModelOptions model;
+  std::vector<LoadCaseResult> load_cases;
+  std::vector<std::string> warnings;
+};
+
+}  // namespace prs

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "prs/model/part.h"
+
+namespace prs {
+
+/// Friction at the threads of one interface of one roller, thread 1 first. SI units. An open thread
+/// has zeros.
+struct InterfaceSlip {
+  std::vector<double> power;                 ///< W_M, lost, >= 0 [W] (Sandu 2018, (3.51))
+  std::vector<double> power_density;         ///< Over the ellipse pi a b [W/m^2]
+  std::vector<double> friction_coefficient;  ///< mu_a, mean over the points (2.40)
+  std::vector<double> spin_torque;           ///< C_M about the roller's outward normal [N m] (3.10)
+  std::vector<double> sliding_speed;         ///< At the centre [m/s]
+  std::vector<double> max_sliding_speed;     ///< Over the points [m/s]
+  std::vector<double> film_thickness;        ///< Sandu's h_c [m] (2.39); empty without lubricant.
+  std::vector<double> central_film;          ///< By Nijenbanning, Venner and Moes [m]; the same.
+  std::vector<double> film_ratio;            ///< Lambda, central film over roughness, if given.
+  std::vector<double> dynamic_normal_load;   ///< N_M [N] (3.11), (3.12)
+};
+
+/// Power that the whole mechanism loses to each source of friction, >= 0 [W].
+struct PowerBySource {
+  double screw = 0.0;           ///< Roller-screw contacts
+  double nut = 0.0;             ///< Roller-nut contacts
+  double carrier_roller = 0.0;  ///< Roller heads in the carrier
+  double carrier_screw = 0.0;
+  double carrier_nut = 0.0;
+
+  double total() const { return screw + nut + carrier_roller + carrier_screw + carrier_nut; }
+};
+
+/// Moments on one roller about its axis by source [N m]; they add up to zero in equilibrium. The
+/// terms of Sandu 2018, (3.39) to (3.42), times c |F_N|/N_R.
+struct RollerMoments {
+  double contacts = 0.0;  ///< R_c
+  double spin = 0.0;      ///< R_s
+  double carrier = 0.0;   ///< R_p
+  double gears = 0.0;     ///< R_e
+
+  double residue() const { return contacts + spin + carrier + gears; }
+};
+
+/// Forces on one roller across its axis, x away from the screw's axis, y along the orbit [N].
+struct RollerForces {
+  double contacts_x = 0.0, contacts_y = 0.0;  ///< N_C F_c/R, all threads (3.27)
+  double gears_x = 0.0, gears_y = 0.0;        ///< F_E/R (3.28), (3.29)
+  double carrier_x = 0.0, carrier_y = 0.0;  ///< F_R/P, by the roller on the carrier (3.26), (3.32)
+  double centrifugal = 0.0;                 ///< F_cf (3.33); 0 where no density is given.
+};
+
+/// How the search for the slip ratio ended.
+enum class SlipStatus {
+  not_computed,
+  converged,
+  imposed,         ///< The slip ratio was given: the roller need not be in equilibrium.
+  no_equilibrium,  ///< The roller's moment has one sign over the whole range of slip ratios.
+  jammed,          ///< Friction would have to push a contact open: no normal load balances it.
+  iteration_limit,
+};
+
+std::string_view name(SlipStatus status);
+
+/// Slip ratios by formulas of geometry alone, beside the ideal one.
+struct SlipEstimates {
+  double simple = 0.0;          ///< Contacts at the pitch points, (2.21) and its inverted analogue.
+  std::optional<double> jones;  ///< (2.20), standard only.
+};
+
+struct ThreadOf {
+  Interface interface = Interface::screw;
+  int thread = 0;  ///< From 0.
+};
+
+/// What slip would be if all threads carried the same load.
+struct EqualShareSlip {
+  double slip_ratio = 0.0;
+  double power_loss = 0.0;  ///< [W]
+  std::optional<double> efficiency;
+  PerInterface<double> thread_power;  ///< Of every thread [W]
+  double max_power_density = 0.0;     ///< [W/m^2]
+};
+
+/// Stationary slip of one load case: the roller's equilibrium and what friction takes. Torques have
+/// the signs of Sandu 2018; powers are losses, > 0. SI units.
+struct SlipResult {
+  SlipStatus status = SlipStatus::not_computed;
+  int evaluations = 0;                     ///< Of the roller's moment balance.
+  std::optional<double> relative_residue;  ///< R_z, (3.38) over c |F_N|/N_R; none where jammed.
+
+  double speed = 0.0;             ///< omega_s/n, screw against nut [rad/s]
+  double gear_ratio = 0.0;        ///< Gamma (2.1)
+  double slip_ratio = 0.0;        ///< epsilon, carrier against nut over screw against nut (2.2)
+  double ideal_slip_ratio = 0.0;  ///< epsilon* (2.16), (2.17)
+  SlipEstimates estimates;
+  double optimality = 0.0;  ///< (2.19), 1 at the ideal slip ratio.
+
+  PerInterface<InterfaceSlip> threads;
+  PowerBySource power;
+  double power_loss_input_output = 0.0;  ///< Input less output [W] (3.53)
+  std::optional<double> efficiency;      ///< Output over input, (3.52); absent where self-locking.
+  /// (3.55), Sandu's fit near his reference example; absent with Coulomb.
+  std::optional<double> efficiency_fit;
+  double torque_screw = 0.0;  ///< C_S, by the drive on the screw [N m] (3.30)
+  double torque_nut = 0.0;    ///< C_N, on the nut [N m] (3.31)
+  RollerMoments moments;
+  RollerForces forces;
+  std::optional<double> bearing_eccentricity;  ///< e/c of the roller heads.
+  std::optional<double> viscosity;             ///< eta_0 in operation [Pa s]; none without oil.
+
+  ThreadOf hottest;                            ///< Of the largest power density.
+  std::optional<EqualShareSlip> equal_shares;  ///< Of solved cases.
+
+  bool converged() const {
+    return status == SlipStatus::converged || status == SlipStatus::imposed;
+  }
+};
+
+}  // namespace prs

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prs/model/deviations.h"
+#include "prs/model/life.h"
+#include "prs/model/load_case.h"
+#include "prs/model/materials.h"
+#include "prs/model/measure_options.h"
+#include "prs/model/mechanism.h"
+#include "prs/model/model_options.h"
+#include "prs/model/operation.h"
+#include "prs/model/preload.h"
+#include "prs/model/structure.h"
+
+namespace prs {
+
+/// Values that replace what the geometry gives, in the load distribution only.
+struct ContactOverrides {
+  PerInterface<std::optional<double>> hertz_constant;  ///< k_0 [N/m^1.5]
+  PerInterface<std::optional<double>> normal_angle;    ///< psi, contact normal to axis [rad]
+};
+
+/// Everything that a file states. Blocks that the file leaves out are empty.
+struct Case {
+  Mechanism mechanism;
+  std::optional<Structure> structure;
+  std::optional<Materials> materials;
+  Deviations deviations;
+  ContactOverrides contact;
+  ModelOptions model;
+  std::vector<LoadCase> load_cases;
+  std::optional<Preload> preload;
+  std::optional<Life> life;
+  std::optional<MeasureOptions> measures;
+  std::optional<Lubricant> lubricant;
+  std::optional<Friction> friction;
+  std::optional<Operation> operation;
+  Carrier carrier;
+  std::optional<PerPart<double>> roughness;  ///< Rq of the flanks, rms [m].
+};
+
+}  // namespace prs

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "prs/model/load_case.h"
+#include "prs/model/materials.h"
+#include "prs/model/mechanism.h"
+#include "prs/model/part.h"
+
+namespace prs {
+
+/// amplitude sin(2 pi k/period + phase) at contact k = 0, 1, ..
+struct PitchWave {
+  double amplitude = 0.0;  ///< [m]
+  double period = 0.0;     ///< Threads.
+  double phase = 0.0;      ///< [rad]
+};
+
+/// Axial position error of a part's threads along the loaded length: the sum of all three.
+struct PitchError {
+  double linear = 0.0;  ///< At the last contact, 0 at the first [m].
+  std::optional<PitchWave> periodic;
+  std::vector<double> list;  ///< One a contact, or none [m].
+};
+
+/// Straight taper of the roller's pitch radius at both ends.
+struct EndRelief {
+  double drop = 0.0;  ///< At the outermost contact [m].
+  int threads = 1;    ///< Contacts at each end that it reaches over.
+};
+
+/// How the real parts of one sector differ from their nominal geometry. SI units.
+struct Deviations {
+  PerPart<PitchError> pitch_error;  ///< > 0 away from the loaded end of the screw.
+  double roller_diameter = 0.0;     ///< Pitch diameter above the nominal one [m].
+  double crowning =
+      0.0;  ///< Parabolic drop of the roller's pitch radius at first and last contact.
+  std::optional<EndRelief> end_relief;
+  std::optional<PerPart<double>> temperature;  ///< Uniform in each part [K].
+  double reference_temperature = 293.15;       ///< At which the nominal geometry holds [K].
+};
+
+/// Initial gaps of the threads along their contact normals for one direction of the load, the
+/// closest thread of each interface touching [m]. With axial offsets a_k of the threads (measured
+/// pitch, pitch error, expansion), away from the loaded end, and radial offsets rho_k of their
+/// pitch radii (diameter, crowning, relief, expansion):
+///
+///     screw  g = -s cos(psi)(a_S - a_R) - sin(psi)(rho_S + rho_R),
+///     nut    g = -s cos(psi)(a_R - a_N) - sin(psi)(rho_R - rho_N),
+///
+/// s = -1 in tension, +1 in compression, less the smallest of each interface, which a rigid motion
+/// takes up. Materials must state their expansion where a temperature differs.
+PerInterface<std::vector<double>> initial_gaps(const Mechanism& mechanism,
+                                               const Deviations& deviations,
+                                               const Materials& materials,
+                                               const PerInterface<double>& normal_angle,
+                                               Direction direction);
+
+}  // namespace prs

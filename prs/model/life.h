@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prs/model/load_case.h"
+
+namespace prs {
+
+/// A column of a file of comma-separated values, by its name in the heading.
+struct CsvColumn {
+  std::string column;
+  std::string unit;
+
+  bool operator==(const CsvColumn&) const = default;
+};
+
+/// Loads over time or travel, from a file: a row a sample. How far the screw turns between two
+/// samples follows from `position`, from `speed` and the time, or from the operation's speed and
+/// the time.
+struct HistorySource {
+  std::string file;  ///< Relative to the input file.
+  CsvColumn force;   ///< > 0 in tension.
+  std::optional<CsvColumn> time;
+  std::optional<double> interval;  ///< Between two samples [s], in place of `time`.
+  std::optional<CsvColumn> position;
+  std::optional<CsvColumn> speed;
+  double hysteresis = 0.0;  ///< Ranges up to this are no load cycles [N].
+  int bins = 32;            ///< Of the cycles' matrix, along range and mean.
+
+  bool operator==(const HistorySource&) const = default;
+};
+
+/// A load of a spectrum and how long it acts; one of the last four is given.
+struct SpectrumLoad {
+  double force = 0.0;  ///< [N], > 0
+  Direction direction = Direction::tension;
+  std::optional<double> revolutions;  ///< Of the screw against the nut.
+  std::optional<double> distance;     ///< Travel under the load [m].
+  std::optional<double> duration;     ///< At the operation's speed [s].
+  std::optional<double> share;        ///< Of all revolutions.
+};
+
+/// What `prs life` is asked about. One of `history` and `spectrum` is given.
+struct Life {
+  std::optional<HistorySource> history;
+  std::vector<SpectrumLoad> spectrum;
+  LoadCase::Share share = LoadCase::Share::solved;
+  std::optional<double> position;          ///< Of the first roller contact on the nut [m].
+  std::optional<double> dynamic_capacity;  ///< C_a of a catalogue [N], in place of Lemor's.
+  std::optional<double> static_capacity;   ///< C_0 of a catalogue [N].
+  double fatigue_slope = 5.0;  ///< k of the equivalent load range: FKM, steel, normal stress.
+};
+
+}  // namespace prs

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "prs/model/part.h"
+
+namespace prs {
+
+/// Thread profile of the material in its profile plane: a straight flank or a circular arc.
+struct Profile {
+  enum class Shape {
+    straight,
+    convex,
+    concave,
+    centred,  ///< Convex arc about a point on the part's axis, r_B = r / sin(alpha_n).
+  };
+  Shape shape = Shape::straight;
+  double radius = 0.0;  ///< Arc radius r_B [m] where convex or concave.
+};
+
+/// Truncated thread [m]: radial heights from the pitch radius; the nut's addendum points inwards.
+struct ThreadHeight {
+  double addendum = 0.0;
+  double dedendum = 0.0;
+  std::optional<double> thickness = std::nullopt;  ///< Axial, at the pitch radius; half a pitch.
+};
+
+/// Threads of a planetary roller screw as the designer states them. SI units, angles in radians.
+struct Mechanism {
+  enum class Type { standard, inverted };
+  /// `simulation`: all radii and the centre distance are given; `design`: the backlash is given
+  /// and radii follow (Sandu 2018, table 1.3).
+  enum class Geometry { simulation, design };
+  /// The plane in which flank angle and profile radius are measured: normal to the helix (Sandu)
+  /// or through the axis (Yao).
+  enum class ProfilePlane { normal, axial };
+  struct Starts {
+    int screw = 0;  ///< Also the nut's.
+    int roller = 1;
+  };
+
+  Type type = Type::inverted;
+  Geometry geometry = Geometry::simulation;
+  ProfilePlane profile_plane = ProfilePlane::normal;
+  double lead = 0.0;  ///< Of screw and nut [m]; > 0 right-handed.
+  Starts starts;
+  PerPart<std::optional<double>> pitch;  ///< Measured axial pitch [m] where it differs.
+  PerPart<double> flank_angle;           ///< alpha_n (or axial), against the radial plane [rad].
+  PerPart<std::optional<double>> pitch_diameter;  ///< [m]; `design` gives the screw's only.
+  std::optional<double> centre_distance;          ///< [m], `simulation` only.
+  PerInterface<double> backlash;                  ///< Axial play [m], `design` only.
+  PerPart<Profile> profile;
+  PerPart<std::optional<ThreadHeight>> thread;
+  int rollers = 0;
+  int contacts_per_roller = 0;  ///< N_c, at each interface.
+};
+
+/// Axial spacing of neighbouring threads of screw and nut [m].
+inline double axial_pitch(const Mechanism& m) { return std::abs(m.lead) / m.starts.screw; }
+
+}  // namespace prs

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prs/model/check_case.h"
+#include "prs/model/envelope.h"
+
+namespace prs {
+
+/// How a study chooses its designs from its factors.
+enum class Plan {
+  one_at_a_time,    ///< Each value of each factor alone, all others as in the file.
+  grid,             ///< Every combination of the values, the last factor fastest.
+  latin_hypercube,  ///< Each factor's range in as many strata as samples, one sample in each.
+  sobol,            ///< Sobol's sequence, scrambled by a digital shift of the seed.
+  monte_carlo,      ///< Independent draws.
+  sobol_indices,    ///< Saltelli's design for first and total indices of variance.
+  derivatives,      ///< The base case with the derivatives by every factor.
+};
+
+/// One value of a factor as it would stand in the file, and where it lies on an axis.
+struct Level {
+  std::string text;              ///< YAML: `30 mm`, `{convex: 6 mm}`
+  std::optional<double> number;  ///< In the factor's unit; absent for words.
+};
+
+/// From what a sampled plan draws a factor's values, in the factor's unit.
+struct Distribution {
+  enum class Kind {
+    levels,       ///< One of the levels, all as likely.
+    uniform,      ///< Between `first` and `second`.
+    log_uniform,  ///< The same, uniform in the logarithm.
+    normal,       ///< Mean `first`, standard deviation `second`.
+  };
+  Kind kind = Kind::levels;
+  double first = 0.0;
+  double second = 0.0;
+};
+
+/// An input that a study varies.
+struct Factor {
+  std::string path;   ///< `mechanism.pitch_diameter.screw`
+  std::string label;  ///< What people read; the path where none is given.
+  std::string unit;   ///< Of the numbers; empty for bare ones.
+  std::vector<Level> levels;
+  std::optional<Level> base;  ///< What the file says; absent where it says nothing.
+  bool logarithmic = false;   ///< The levels are equidistant in their logarithm.
+  Distribution distribution = {};
+  /// The entry of a list that is drawn entry by entry, as pitch errors are.
+  bool entry_of_list = false;
+  /// Between two levels any number may stand: a quantity, no word and no whole number.
+  bool continuous = false;
+  /// Inputs that change with this one, level by level: as many levels, no companions of their own.
+  std::vector<Factor> companions = {};
+
+  /// Whether every value has its place on an axis.
+  bool is_numeric() const;
+};
+
+/// What is varied, how, and what is recorded of each design.
+struct Study {
+  Command command = Command::slip;  ///< contact, solve, slip or life: the chain of each design.
+  Plan plan = Plan::one_at_a_time;
+  std::vector<Factor> factors;
+  std::vector<std::string> responses;  ///< Paths, see `response`; empty: those of the command.
+  std::size_t samples = 0;             ///< Of sampled plans; of each matrix for `sobol_indices`.
+  std::uint64_t seed = 1;
+  std::optional<Envelope> envelope = {};  ///< Of `grid` with two factors.
+};
+
+/// Whether the designs are drawn, not listed.
+bool is_sampled(Plan plan);
+
+/// An input that designs set: a factor or a companion of one.
+struct DrawnInput {
+  std::size_t factor = 0;         ///< Whose draw sets it.
+  const Factor* input = nullptr;  ///< Within the study.
+};
+
+/// Every factor, followed by its companions.
+std::vector<DrawnInput> drawn_inputs(const Study& study);
+
+/// A factor that differs from the file, its value and those of its companions.
+struct Setting {
+  std::size_t factor = 0;
+  Level level;
+  std::vector<Level> companions = {};
+};
+
+/// One case of a study: the file with these settings; none for the base case.
+struct Design {
+  std::vector<Setting> settings;
+};
+
+/// The value of one factor in one design, without its text. A level sets the companions too.
+struct Draw {
+  enum class Kind { as_in_file, level, number };
+  Kind kind = Kind::as_in_file;
+  std::size_t level = 0;  ///< Of the factor's levels.
+  double number = 0.0;    ///< In the factor's unit.
+};
+
+inline constexpr std::size_t kMostDesigns = 1'000'000'000;
+inline constexpr std::size_t kMostLevels = 100'000;
+
+/// Number of designs, the base case included.
+std::size_t design_count(const Study& study);
+
+/// Values of design k, one a factor; the base case is the first. A pure function of the study, so
+/// that designs can be run in any order, in parts and again.
+std::vector<Draw> draws(const Study& study, std::size_t k);
+
+/// The same with texts.
+Design design(const Study& study, std::size_t k);
+Design design(const Study& study, const std::vector<Draw>& draws);
+
+/// Whether a design leaves every value as it is in the file, be it by the same value.
+bool is_base(const Study& study, const Design& design);
+
+/// The settings as `--set` takes them: `mechanism.rollers=9`.
+std::vector<std::string> overrides(const Study& study, const Design& design);
+std::vector<std::string> overrides(const Study& study, const std::vector<Draw>& draws);
+
+}  // namespace prs

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "prs/loads/result.h"
+
+namespace prs {
+
+/// What every document says of its origin.
+struct DocumentInfo {
+  std::string version;                      ///< Of the program.
+  std::string schema_version;               ///< Of the input's schema.
+  std::string input_sha256;                 ///< Of the input file, hexadecimal.
+  std::vector<std::string> overrides = {};  ///< `path=value` that changed it.
+};
+
+/// How every document begins: its origin and the warnings on the whole input.
+nlohmann::ordered_json document_head(const DocumentInfo& info,
+                                     const std::vector<std::string>& warnings);
+
+/// What every document says of the mechanism's contacts, under `contact`.
+nlohmann::ordered_json contacts_json(const Contacts& contacts);
+
+/// What it says of the threads by themselves, under `threads`; null where no heights are given.
+nlohmann::ordered_json threads_json(const Contacts& contacts);
+
+/// Adds both to a document.
+void put_contacts(nlohmann::ordered_json& document, const Contacts& contacts);
+
+/// The document of `--json`: units stand in the keys, arrays start at the thread next to the loaded
+/// end of the screw. What the result does not define is absent, as is a number that is not finite.
+nlohmann::ordered_json to_json(const Result& result, const DocumentInfo& info);
+
+/// Text of a document, two spaces deep, with a newline at the end. Malformed UTF-8 becomes U+FFFD.
+std::string json_text(const nlohmann::ordered_json& document);
+
+}  // namespace prs

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+
+#include "prs/sector/chain/chain_solver.h"
+#include "prs/sector/load_distribution.h"
+#include "prs/sector/sector.h"
+
+namespace prs {
+
+/// The chain, and SectorSolver where the chain doesn't converge or its tangent has too few digits:
+/// the speed of the one, the verdict of the other.
+class FallbackSolver {
+ public:
+  explicit FallbackSolver(Sector sector) : sector_(std::move(sector)), chain_(sector_) {}
+
+  LoadDistribution solve(double axial_force) {
+    LoadDistribution result = chain_.solve(axial_force);
+    if (complete(result)) return result;
+    if (!sparse_) sparse_ = std::make_unique<SectorSolver>(sector_);
+    return sparse_->solve(axial_force);
+  }
+
+  /// Whether a chain's result needs no other solver.
+  static bool complete(const LoadDistribution& chain) {
+    return chain.solve.converged() && chain.tangent_stiffness.has_value();
+  }
+
+ private:
+  Sector sector_;
+  ChainSolver chain_;
+  std::unique_ptr<SectorSolver> sparse_;
+};
+
+}  // namespace prs

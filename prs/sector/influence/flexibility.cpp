@@ -1,0 +1,379 @@
+#include "prs/sector/influence/flexibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include "prs/sector/influence/body_solver.h"
+#include "prs/sector/influence/cache_key.h"
+
+namespace prs {
+namespace {
+
+using Eigen::Index;
+using fe::Component;
+
+/// The flank of each part that is loaded: the screw pushes the roller along the load, the roller
+/// the nut.
+FlankSide pushing_flank(Direction d) {
+  return d == Direction::tension ? FlankSide::backward : FlankSide::forward;
+}
+FlankSide pushed_flank(Direction d) {
+  return d == Direction::tension ? FlankSide::forward : FlankSide::backward;
+}
+
+/// Loaded flanks whose pitch points lie at `first`, `first` + pitch, ..
+std::vector<LoadedFlank> loaded_flanks(const Groove& g, double first, int contacts, FlankSide side,
+                                       const HertzPatch& patch, int cells) {
+  std::vector<LoadedFlank> flanks;
+  for (int k = 0; k < contacts; ++k)
+    flanks.push_back({first + k * g.pitch - g.position(side, 0.0), side, patch, cells});
+  return flanks;
+}
+
+/// Nodes of some edges, each once.
+std::vector<int> nodes_of(const std::vector<fe::MeridianEdge>& edges) {
+  std::vector<int> nodes;
+  for (const fe::MeridianEdge& e : edges) nodes.insert(nodes.end(), e.begin(), e.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+/// The innermost first.
+std::vector<int> by_radius(const GroovedBody& body, std::vector<int> nodes) {
+  const auto radius = [&](int node) { return body.mesh.nodes[static_cast<std::size_t>(node)].x(); };
+  std::sort(nodes.begin(), nodes.end(), [&](int a, int b) { return radius(a) < radius(b); });
+  return nodes;
+}
+
+std::vector<fe::HarmonicSupport> axial_supports(const std::vector<int>& nodes) {
+  std::vector<fe::HarmonicSupport> supports;
+  for (const int node : nodes) supports.push_back({node, Component::axial});
+  return supports;
+}
+
+/// Axial force of each load [N].
+Eigen::RowVectorXd axial_resultants(const Eigen::MatrixXd& loads) {
+  Eigen::RowVectorXd force = Eigen::RowVectorXd::Zero(loads.cols());
+  for (Index row = static_cast<Index>(Component::axial); row < loads.rows(); row += fe::kComponents)
+    force += loads.row(row);
+  return force;
+}
+
+/// A body, harmonic 0, that rests with `nodes` on a shoulder.
+ThrustFace thrust_face(const GroovedBody& body, const Material& material,
+                       const std::vector<int>& nodes) {
+  fe::HarmonicBody solver(body.mesh, isotropic(material), 0, axial_supports({nodes.front()}));
+  const Eigen::MatrixXd loads = patch_loads(body, 0);
+  const auto count = static_cast<Index>(nodes.size()), ends = loads.cols();
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(loads.rows(), count + ends);
+  for (Index k = 1; k < count; ++k)
+    all(fe::row_of(nodes[static_cast<std::size_t>(k)], Component::axial), k) = 1.0;
+  all.rightCols(ends) = loads;
+  const Eigen::MatrixXd g = flexibility_of(solver, 0, all);
+  return {g.topLeftCorner(count, count), g.topRightCorner(count, ends),
+          g.bottomRightCorner(ends, ends), axial_resultants(loads).transpose()};
+}
+
+/// Edges of a section up to a radius.
+std::vector<fe::MeridianEdge> within(const GroovedBody& body,
+                                     const std::vector<fe::MeridianEdge>& edges, double radius) {
+  std::vector<fe::MeridianEdge> inner;
+  for (const fe::MeridianEdge& e : edges)
+    if (body.mesh.nodes[static_cast<std::size_t>(e[2])].x() < radius) inner.push_back(e);
+  return inner;
+}
+
+/// Loads of harmonic 1 that push sideways with 1 N, spread evenly over a section; also the weights
+/// of its mean sideways displacement, 1/2 (U - V).
+Eigen::VectorXd transverse_force(const GroovedBody& body,
+                                 const std::vector<fe::MeridianEdge>& section) {
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(fe::kComponents * body.mesh.size());
+  for (const fe::MeridianEdge& e : section)
+    fe::add_edge_load(
+        body.mesh, e, 1, [](double, double) { return Eigen::Vector3d(1.0, -1.0, 0.0); }, load);
+  return load / load.cwiseAbs().sum();
+}
+
+/// A spring on the mean sideways displacement of a section.
+fe::HarmonicSpring sideways_spring(const GroovedBody& body,
+                                   const std::vector<fe::MeridianEdge>& section, double stiffness) {
+  const Eigen::VectorXd weight = transverse_force(body, section);
+  fe::HarmonicSpring spring;
+  spring.stiffness = stiffness;
+  for (const int node : nodes_of(section))
+    for (const Component c : {Component::radial, Component::circumferential})
+      spring.terms.push_back({node, c, weight[fe::row_of(node, c)]});
+  return spring;
+}
+
+/// What holds the roller sideways, on whole sections that stay round.
+void add_guidance(const GroovedBody& body, const Structure::Roller& roller,
+                  std::vector<fe::HarmonicSupport>& supports,
+                  std::vector<fe::HarmonicSpring>& springs) {
+  const GroovedShape& s = body.shape;
+  const double l = s.plain_end->length;
+  std::vector<double> sections{s.start - l, s.end + l};
+  if (roller.guidance.kind != Guidance::Kind::outer_node) {
+    sections.push_back(s.start);
+    sections.push_back(s.end);
+  }
+  for (const double z : sections) {
+    const std::vector<fe::MeridianEdge> edges = within(body, body.section(z), s.plain_end->radius);
+    if (roller.guidance.kind == Guidance::Kind::ring) {
+      springs.push_back(sideways_spring(body, edges, roller.guidance.ring_stiffness));
+      continue;
+    }
+    for (const fe::MeridianEdge& e : edges) {
+      fe::add_support(supports, e, Component::radial);
+      fe::add_support(supports, e, Component::circumferential);
+    }
+  }
+}
+
+/// Teeth of a body that all rollers touch alike.
+Teeth teeth_around(const BodyGeometry& b, const Groove& groove, double far_radius,
+                   const Material& material, const LoadedFlank& flank) {
+  return {groove, far_radius, material, {flank}, {false}, b.rollers, b.rollers, b.contacts};
+}
+
+/// Adds what the harmonics that die out along the body leave.
+void add_teeth(Flexibility& f, const Teeth& teeth, bool centred, const FlexibilityOptions& options,
+               MatrixCache& cache) {
+  const TeethFlexibility of_teeth = teeth_flexibility(teeth, options, cache);
+  add_teeth(of_teeth, teeth, centred, f.matrix);
+  f.half_space = of_teeth.half_space[0];
+}
+
+}  // namespace
+
+BodyGeometry body_geometry(const Mechanism& m, const Structure& structure,
+                           const Materials& materials, const PerInterface<ContactLaw>& laws,
+                           const PerInterface<HertzPatch>& patches, Direction direction,
+                           const ModelOptions& model) {
+  BodyGeometry b;
+  b.roller_contacts = roller_contacts(model, m.starts.roller);
+  b.endless_screw = m.type == Mechanism::Type::standard;
+  b.materials = materials;
+  b.structure = structure;
+  b.rollers = m.rollers;
+  b.contacts = m.contacts_per_roller;
+  for (const Part p : kParts) {
+    const double at_screw = laws.screw.normal_angle, at_nut = laws.nut.normal_angle;
+    const bool screw_forward = pushed_flank(direction) == FlankSide::forward;
+    const double backward = p == Part::screw ? at_screw
+                            : p == Part::nut ? at_nut
+                                             : (screw_forward ? at_nut : at_screw);
+    const double forward = p == Part::screw ? at_screw
+                           : p == Part::nut ? at_nut
+                                            : (screw_forward ? at_screw : at_nut);
+    b.grooves[p] = default_groove(p == Part::nut, axial_pitch(m), 0.5 * *m.pitch_diameter[p],
+                                  backward, forward);
+    if (m.thread[p]) {
+      b.grooves[p].addendum = m.thread[p]->addendum;
+      b.grooves[p].dedendum = m.thread[p]->dedendum;
+    }
+  }
+  b.patches.screw = fitted(fitted(patches.screw, b.grooves.screw), b.grooves.roller);
+  b.patches.nut = fitted(fitted(patches.nut, b.grooves.nut), b.grooves.roller);
+  return b;
+}
+
+Flexibility screw_flexibility(const BodyGeometry& b, Direction direction,
+                              const FlexibilityOptions& options, MatrixCache& cache) {
+  const Groove& g = b.grooves.screw;
+  const Structure::Screw& screw = b.structure.screw;
+  const FlankSide side = pushing_flank(direction);
+  const auto whole = [&]() -> MatrixCache::Matrices {
+    const double first = screw.free_length;
+    GroovedShape shape;
+    shape.groove = g;
+    shape.ridge = first - g.position(side, 0.0);
+    const double last = shape.ridge + (b.contacts - 1) * g.pitch;
+    // The first ridge must be whole: a shorter free length is lengthened to half a pitch before it.
+    shape.start = std::min(0.0, shape.ridge - 0.5 * g.pitch);
+    if (b.endless_screw) {
+      shape.end = first + (b.contacts + 2) * g.pitch;
+    } else {
+      shape.ridges = {shape.ridge, last};
+      shape.end = last + 0.5 * g.pitch;
+    }
+    shape.far_radius = 0.5 * screw.bore;
+    const GroovedBody body = mesh_grooved_body(
+        shape, loaded_flanks(g, first, b.contacts, side, b.patches.screw, options.mesh.patch_cells),
+        options.mesh);
+    fe::HarmonicBody solver(body.mesh, isotropic(b.materials.screw), 0,
+                            axial_supports(nodes_of(body.section(shape.start))));
+    return {flexibility_of(solver, 0, patch_loads(body, 0))};
+  };
+  CacheKey key("screw");
+  key.add(g).add(screw.free_length).add(screw.bore).add(b.materials.screw).add(b.patches.screw);
+  key.add(direction).add(b.contacts).add(options.mesh).add(b.endless_screw);
+  Flexibility f;
+  f.matrix = b.rollers * cache.get(key.text(), whole)->front();
+  const LoadedFlank flank{0.0, side, b.patches.screw, options.mesh.patch_cells};
+  add_teeth(f, teeth_around(b, g, 0.5 * screw.bore, b.materials.screw, flank), false, options,
+            cache);
+  return f;
+}
+
+namespace {
+
+/// The whole nut under harmonic 0 on its shoulder; `on_face` says whether that is a free face,
+/// which can lift off, or a section inside, which is held both ways.
+ThrustFace nut_on_shoulder(const BodyGeometry& b, FlankSide side, double thrust, double position,
+                           const FlexibilityOptions& options, bool& on_face) {
+  const Groove& g = b.grooves.nut;
+  const Structure::Nut& nut = b.structure.nut;
+  GroovedShape shape;
+  shape.groove = g;
+  shape.ridge = position - g.position(side, 0.0);
+  // Contacts at the very ends of the nut get the thread they need.
+  shape.start = std::min(0.0, position - 0.3 * g.pitch);
+  shape.end = std::max(nut.length, position + (b.contacts - 1 + 0.3) * g.pitch);
+  shape.far_radius = 0.5 * nut.outer_diameter;
+  for (const Structure::Flange& flange : nut.flanges)
+    shape.collars.push_back({flange.from, flange.to, 0.5 * flange.outer_diameter});
+  shape.sections.push_back(thrust);
+  if (nut.shoulder)
+    shape.radii = {0.5 * nut.shoulder->inner_diameter, 0.5 * nut.shoulder->outer_diameter};
+  const GroovedBody body = mesh_grooved_body(
+      shape, loaded_flanks(g, position, b.contacts, side, b.patches.nut, options.mesh.patch_cells),
+      options.mesh);
+  const std::vector<fe::MeridianEdge>& face = body.free_face(thrust);
+  on_face = !face.empty();
+  std::vector<int> held = by_radius(body, nodes_of(on_face ? face : body.section(thrust)));
+  if (nut.shoulder && on_face) {
+    const double same = 1e-6 * g.pitch;
+    std::erase_if(held, [&](int node) {
+      const double r = body.mesh.nodes[static_cast<std::size_t>(node)].x();
+      return r < shape.radii[0] - same || r > shape.radii[1] + same;
+    });
+    if (held.empty()) throw std::invalid_argument("the shoulder does not reach the flange's face");
+  }
+  return thrust_face(body, b.materials.nut, held);
+}
+
+}  // namespace
+
+Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double position,
+                            const FlexibilityOptions& options, MatrixCache& cache) {
+  const Groove& g = b.grooves.nut;
+  const Structure::Nut& nut = b.structure.nut;
+  const FlankSide side = pushed_flank(direction);
+  const double thrust =
+      direction == Direction::tension ? *nut.thrust.tension : *nut.thrust.compression;
+  CacheKey key("nut");
+  key.add(g).add(nut.length).add(nut.outer_diameter).add(b.materials.nut).add(b.patches.nut);
+  for (const Structure::Flange& f : nut.flanges) key.add(f.from).add(f.to).add(f.outer_diameter);
+  if (nut.shoulder) key.add(nut.shoulder->inner_diameter).add(nut.shoulder->outer_diameter);
+  key.add(thrust).add(direction).add(position).add(b.contacts).add(options.mesh);
+  const auto whole = cache.get(key.text(), [&]() -> MatrixCache::Matrices {
+    bool on_face = false;
+    const ThrustFace t = nut_on_shoulder(b, side, thrust, position, options, on_face);
+    return {t.nodes, t.coupling, t.loads, t.resultants, Eigen::MatrixXd::Constant(1, 1, on_face)};
+  });
+  const ThrustFace face{(*whole)[0], (*whole)[1], (*whole)[2], (*whole)[3]};
+  const bool unilateral = options.unilateral_thrust && (*whole)[4](0) != 0.0;
+  const ThrustFace::Touching touching =
+      unilateral
+          ? face.touching_under(Eigen::VectorXd::Ones(b.contacts), face.all()).value_or(face.all())
+          : face.all();
+
+  Flexibility f;
+  f.matrix = b.rollers * face.flexibility(touching);
+  if (unilateral) f.face = face;
+  const LoadedFlank flank{0.0, side, b.patches.nut, options.mesh.patch_cells};
+  add_teeth(f, teeth_around(b, g, 0.5 * nut.outer_diameter, b.materials.nut, flank), false, options,
+            cache);
+  return f;
+}
+
+namespace {
+
+/// Moves the radial forces of harmonic 1 from the contacts to the middle of their ridges, a quarter
+/// of a pitch, by pairs of transverse forces on the sections in the grooves beside: contacts on
+/// both flanks of a ridge bend the roller less than opposite ones. Near the contacts nothing
+/// changes.
+void move_to_middle(Eigen::MatrixXd& loads, const GroovedBody& body,
+                    const std::vector<LoadedFlank>& flanks) {
+  const auto radial =
+      Eigen::seq(static_cast<Index>(Component::radial), Eigen::last, Index{fe::kComponents});
+  const double half = 0.5 * body.shape.groove.pitch;
+  for (Index k = 0; k < loads.cols(); ++k) {
+    const LoadedFlank& flank = flanks[static_cast<std::size_t>(k)];
+    const double force = 0.25 * sign(flank.side) * loads(radial, k).sum();
+    loads.col(k) += force * (transverse_force(body, body.section(flank.ridge - half)) -
+                             transverse_force(body, body.section(flank.ridge + half)));
+  }
+}
+
+}  // namespace
+
+Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
+                               const FlexibilityOptions& options, MatrixCache& cache) {
+  const Groove& g = b.grooves.roller;
+  const Structure::Roller& roller = b.structure.roller;
+  const FlankSide screw_side = pushed_flank(direction), nut_side = pushing_flank(direction);
+  const bool centred = b.roller_contacts == ModelOptions::RollerContacts::opposite;
+  std::vector<LoadedFlank> flanks;
+  for (int k = 0; k < b.contacts; ++k)
+    flanks.push_back({k * g.pitch, screw_side, b.patches.screw, options.mesh.patch_cells});
+  for (int k = 0; k < b.contacts; ++k)
+    flanks.push_back({k * g.pitch, nut_side, b.patches.nut, options.mesh.patch_cells});
+  const auto meshed = [&] {
+    GroovedShape shape;
+    shape.groove = g;
+    shape.start = -0.5 * g.pitch;
+    shape.end = (b.contacts - 0.5) * g.pitch;
+    shape.plain_end = PlainEnd{roller.end_length, 0.5 * roller.end_diameter};
+    for (int k = 1; k < b.contacts; ++k) shape.sections.push_back((k - 0.5) * g.pitch);
+    return mesh_grooved_body(shape, flanks, options.mesh);
+  };
+  const auto stretched = [&]() -> MatrixCache::Matrices {
+    const GroovedBody body = meshed();
+    const int on_axis = by_radius(body, nodes_of(body.section(body.shape.end))).front();
+    fe::HarmonicBody solver(body.mesh, isotropic(b.materials.roller), 0, axial_supports({on_axis}));
+    return {flexibility_of(solver, 0, patch_loads(body, 0))};
+  };
+  const auto bent = [&]() -> MatrixCache::Matrices {
+    const GroovedBody body = meshed();
+    std::vector<fe::HarmonicSupport> supports;
+    std::vector<fe::HarmonicSpring> springs;
+    add_guidance(body, roller, supports, springs);
+    fe::HarmonicBody solver(body.mesh, isotropic(b.materials.roller), 1, supports, springs);
+    Eigen::MatrixXd loads = patch_loads(body, 1);
+    if (centred) move_to_middle(loads, body, flanks);
+    loads.leftCols(b.contacts) *= -1.0;  // cos(theta) at theta = pi
+    return {flexibility_of(solver, 1, loads)};
+  };
+  const auto key = [&](std::string_view what) {
+    CacheKey k(what);
+    k.add(g).add(roller.end_length).add(roller.end_diameter).add(b.materials.roller);
+    k.add(b.patches.screw).add(b.patches.nut).add(direction).add(b.contacts);
+    return k.add(options.mesh);
+  };
+  CacheKey guided = key("bent roller");
+  guided.add(centred)
+      .add(static_cast<int>(roller.guidance.kind))
+      .add(roller.guidance.ring_stiffness);
+
+  Flexibility f;
+  f.matrix = cache.get(key("stretched roller").text(), stretched)->front() +
+             cache.get(guided.text(), bent)->front();
+  const Teeth teeth{g,
+                    0.0,
+                    b.materials.roller,
+                    {{0.0, screw_side, b.patches.screw, options.mesh.patch_cells},
+                     {0.0, nut_side, b.patches.nut, options.mesh.patch_cells}},
+                    {true, false},
+                    2,
+                    1,
+                    b.contacts};
+  add_teeth(f, teeth, centred, options, cache);
+  return f;
+}
+
+}  // namespace prs

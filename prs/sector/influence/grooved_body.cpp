@@ -1,0 +1,379 @@
+#include "prs/sector/influence/grooved_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace prs {
+namespace {
+
+/// Ends of cells from `from` to `to`, the first cell about `first` long, the others growing up to
+/// `largest`; both ends included.
+std::vector<double> graded(double from, double to, double first, double growth, double largest) {
+  const double length = std::abs(to - from);
+  std::vector<double> ends{0.0};
+  for (double size = first; ends.back() < length * (1.0 - 1e-9);
+       size = std::min(size * growth, largest))
+    ends.push_back(ends.back() + size);
+  // The last cell is dropped where more than half of it is beyond the end; all then fit exactly.
+  const std::size_t n = ends.size();
+  if (n > 2 && ends[n - 1] - length > 0.5 * (ends[n - 1] - ends[n - 2])) ends.pop_back();
+  const double scale = (to - from) / ends.back();
+  for (double& e : ends) e = from + scale * e;
+  ends.back() = to;
+  return ends;
+}
+
+/// Each cell cut into `parts` equal ones.
+std::vector<double> split(const std::vector<double>& ends, int parts) {
+  std::vector<double> finer{ends.front()};
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    for (int k = 1; k < parts; ++k)
+      finer.push_back(ends[i - 1] + (ends[i] - ends[i - 1]) * k / parts);
+    finer.push_back(ends[i]);
+  }
+  return finer;
+}
+
+/// A column of nodes; those that are not essential give way to their neighbours.
+struct Cut {
+  double z = 0.0;
+  bool essential = false;
+};
+
+double patch_height(const HertzPatch& patch, const Groove& g, FlankSide side) {
+  return patch.along_profile * std::cos(g.angle(side));
+}
+
+void add_flank(std::vector<Cut>& cuts, const Groove& g, double ridge, FlankSide side,
+               const LoadedFlank* loaded, const MeshDensity& density) {
+  const auto add = [&](double height, bool essential) {
+    cuts.push_back({ridge + g.position(side, height), essential});
+  };
+  add(-g.dedendum, loaded != nullptr);
+  add(g.addendum, loaded != nullptr);
+  if (loaded == nullptr) {
+    for (int i = 1; i < density.plain_flank_cells; ++i)
+      add(-g.dedendum + (g.addendum + g.dedendum) * i / density.plain_flank_cells, false);
+    return;
+  }
+  const double half = patch_height(loaded->patch, g, side);
+  const double cell = 2.0 * half / loaded->patch_cells;
+  for (int i = 0; i <= loaded->patch_cells; ++i) add(-half + i * cell, true);
+  const double largest = 0.5 * (g.addendum + g.dedendum);
+  for (const double h : graded(half, g.addendum, cell, density.growth, largest)) add(h, true);
+  for (const double h : graded(-half, -g.dedendum, cell, density.growth, largest)) add(h, true);
+}
+
+const LoadedFlank* find(const std::vector<LoadedFlank>& flanks, double ridge, FlankSide side,
+                        double tolerance) {
+  for (const LoadedFlank& f : flanks)
+    if (f.side == side && std::abs(f.ridge - ridge) < tolerance) return &f;
+  return nullptr;
+}
+
+/// Axial positions of all columns.
+std::vector<double> columns_of(const GroovedShape& s, const std::vector<LoadedFlank>& flanks,
+                               const MeshDensity& density) {
+  const Groove& g = s.groove;
+  std::vector<Cut> cuts{{s.start, true}, {s.end, true}};
+  for (const double z : s.sections) cuts.push_back({z, true});
+  for (const Collar& c : s.collars) {
+    cuts.push_back({c.from, true});
+    cuts.push_back({c.to, true});
+  }
+  if (s.plain_end) {
+    const double length = s.plain_end->length;
+    for (const double z : graded(s.start, s.start - length, 0.2 * g.pitch, density.growth, length))
+      cuts.push_back({z, true});
+    for (const double z : graded(s.end, s.end + length, 0.2 * g.pitch, density.growth, length))
+      cuts.push_back({z, true});
+  }
+
+  const int first = static_cast<int>(std::floor((s.start - s.ridge) / g.pitch));
+  const int last = static_cast<int>(std::ceil((s.end - s.ridge) / g.pitch));
+  for (int k = first; k <= last; ++k) {
+    const double ridge = s.ridge + k * g.pitch;
+    bool is_loaded = false;
+    for (const FlankSide side : {FlankSide::backward, FlankSide::forward}) {
+      const LoadedFlank* loaded = find(flanks, ridge, side, 1e-3 * g.pitch);
+      is_loaded = is_loaded || loaded != nullptr;
+      add_flank(cuts, g, ridge, side, loaded, density);
+    }
+    const int crest_cells = is_loaded ? std::max(1, density.patch_cells / 2) : 1;
+    const double left = g.position(FlankSide::backward, g.addendum);
+    const double right = g.position(FlankSide::forward, g.addendum);
+    for (int i = 1; i < crest_cells; ++i)
+      cuts.push_back({ridge + left + (right - left) * i / crest_cells, false});
+    cuts.push_back({ridge + 0.5 * g.pitch, false});
+  }
+  const double low = s.start - (s.plain_end ? s.plain_end->length : 0.0);
+  const double high = s.end + (s.plain_end ? s.plain_end->length : 0.0);
+  const double same = 1e-6 * g.pitch, close = 0.03 * g.pitch;
+  std::erase_if(cuts, [&](const Cut& c) {
+    const bool of_thread = c.z > s.start - same && c.z < s.end + same;
+    return c.z < low - same || c.z > high + same || (!of_thread && !c.essential);
+  });
+  std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.z < b.z; });
+  std::vector<Cut> distinct;
+  for (const Cut& c : cuts) {
+    if (distinct.empty() || c.z - distinct.back().z > same)
+      distinct.push_back(c);
+    else
+      distinct.back().essential = distinct.back().essential || c.essential;
+  }
+  // Alike from both sides, so that the mesh of a mirrored body is mirrored.
+  std::vector<double> z;
+  for (std::size_t i = 0; i < distinct.size(); ++i) {
+    const auto gives_way_to = [&](std::size_t k) {
+      return k < distinct.size() && distinct[k].essential &&
+             std::abs(distinct[k].z - distinct[i].z) < close - same;
+    };
+    if (distinct[i].essential || !(gives_way_to(i + 1) || gives_way_to(i - 1)))
+      z.push_back(distinct[i].z);
+  }
+  return z;
+}
+
+/// Radius of the cylinder down to which the layers follow the profile. Where the shoulder of a
+/// plain end is a step, that is no deeper than the step, so that a layer ends at its foot.
+double base_radius(const GroovedShape& s, const MeshDensity& density) {
+  const Groove& g = s.groove;
+  const double base = g.radius(-g.dedendum - density.ridge_depth * g.pitch);
+  if (!s.plain_end) return base;
+  const double step = g.radius(-g.dedendum) - s.plain_end->radius;
+  return step > 0.1 * g.pitch ? std::max(base, s.plain_end->radius) : base;
+}
+
+/// Shares of the depth between profile and the first cylinder, 0 at the profile.
+std::vector<double> ridge_layers(const Groove& g, const std::vector<LoadedFlank>& flanks,
+                                 const MeshDensity& density, double base) {
+  const double depth = std::abs(base - g.radius(0.0));
+  double cell = 0.2 * depth;
+  for (const LoadedFlank& f : flanks)
+    cell = std::min(cell, 2.0 * f.patch.along_profile / f.patch_cells);
+  std::vector<double> share = graded(0.0, depth, cell, density.growth, depth);
+  for (double& d : share) d /= depth;
+  return share;
+}
+
+/// Whether a body's plain ends are thinner than its cylinder of radius `base`: a step.
+bool has_step(const GroovedShape& s, double base) {
+  return s.plain_end && s.plain_end->radius < base * (1.0 + 1e-9);
+}
+
+/// Ends of cells from `from` to `to`, fine at both.
+std::vector<double> graded_to_middle(double from, double to, double first, double last,
+                                     double growth, double largest) {
+  const double middle = from + (to - from) * (first >= last ? 0.4 : 0.6);
+  std::vector<double> ends = graded(from, middle, first, growth, largest);
+  std::vector<double> back = graded(to, middle, last, growth, largest);
+  back.pop_back();
+  ends.insert(ends.end(), back.rbegin(), back.rend());
+  return ends;
+}
+
+/// Radii of the cylinders from the first one, which is included, to the far surface and beyond it
+/// to the collars. Cells are small where the surface steps, since a thrust face ends there.
+std::vector<double> core_radii(const GroovedShape& s, const MeshDensity& density, double first,
+                               double cell) {
+  const double thickness = std::abs(s.far_radius - first);
+  const double largest = density.largest_cell * thickness;
+  if (!s.groove.internal) {
+    std::vector<double> radii{first};
+    if (has_step(s, first) && s.plain_end->radius < first * (1.0 - 1e-6))
+      radii = graded(first, s.plain_end->radius, cell, density.growth, largest);
+    if (radii.size() > 1) cell = radii[radii.size() - 2] - radii.back();
+    const std::vector<double> rest =
+        graded(radii.back(), s.far_radius, cell, density.growth, largest);
+    radii.insert(radii.end(), rest.begin() + 1, rest.end());
+    return radii;
+  }
+  std::vector<double> stops{s.far_radius};
+  for (const Collar& c : s.collars) stops.push_back(c.radius);
+  for (const double r : s.radii)
+    if (r > first) stops.push_back(r);
+  std::sort(stops.begin(), stops.end());
+  stops.erase(
+      std::unique(stops.begin(), stops.end(), [](double a, double b) { return b - a < 1e-9; }),
+      stops.end());
+  const double small = density.step_cell * thickness;
+  std::vector<double> radii{first};
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const bool outermost = i + 1 == stops.size();
+    const std::vector<double> part =
+        outermost ? graded(radii.back(), stops[i], cell, density.growth, largest)
+                  : graded_to_middle(radii.back(), stops[i], cell, small, density.growth, largest);
+    cell = small;
+    radii.insert(radii.end(), part.begin() + 1, part.end());
+  }
+  return radii;
+}
+
+/// Throws where the profile closes on itself, or leaves no core that could be meshed.
+void require_proper(const GroovedShape& s, const MeshDensity& density) {
+  const Groove& g = s.groove;
+  for (const FlankSide side : {FlankSide::backward, FlankSide::forward}) {
+    const double angle = g.angle(side);
+    if (angle < 10.0 / 180.0 * std::numbers::pi || angle > 75.0 / 180.0 * std::numbers::pi)
+      throw std::invalid_argument(
+          "flank normals must make 10 to 75 deg with the axis for the meridian mesh");
+    if (sign(side) * g.position(side, g.addendum) <= 0.0 ||
+        sign(side) * g.position(side, -g.dedendum) >= 0.5 * g.pitch)
+      throw std::invalid_argument("the flanks of a thread meet below its crest or above its root");
+  }
+  const double base = base_radius(s, density), least = 0.05 * g.pitch;
+  if (g.internal ? base + least > s.far_radius : base - least < s.far_radius)
+    throw std::invalid_argument("the wall below the threads is thinner than about half a pitch");
+}
+
+/// Height of the surface over the pitch line.
+double surface_height(const GroovedShape& s, double z) {
+  const double groove = 0.75 * s.groove.pitch;
+  const bool plain = s.ridges && (z < s.ridges->first - groove || z > s.ridges->second + groove);
+  return plain ? 0.0 : s.groove.height(z - s.ridge);
+}
+
+/// Radius that a nut's surface has between two columns.
+double outer_radius(const GroovedShape& s, double z) {
+  for (const Collar& c : s.collars)
+    if (c.from < z && z < c.to) return c.radius;
+  return s.far_radius;
+}
+
+}  // namespace
+
+const GroovedBody::Column& GroovedBody::column(double z) const {
+  const auto found = std::min_element(
+      columns_.begin(), columns_.end(),
+      [&](const Column& a, const Column& b) { return std::abs(a.z - z) < std::abs(b.z - z); });
+  if (found == columns_.end() || std::abs(found->z - z) > 1e-3 * shape.groove.pitch)
+    throw std::invalid_argument("the body has no column of nodes at that section");
+  return *found;
+}
+
+GroovedBody mesh_grooved_body(const GroovedShape& shape, const std::vector<LoadedFlank>& flanks,
+                              const MeshDensity& density) {
+  const Groove& g = shape.groove;
+  require_proper(shape, density);
+  const std::vector<double> z = split(columns_of(shape, flanks, density), density.split);
+  const double base = base_radius(shape, density);
+  std::vector<double> share = ridge_layers(g, flanks, density, base);
+  const double root = g.radius(-g.dedendum);
+  const double last_cell =
+      (share[share.size() - 1] - share[share.size() - 2]) * std::abs(root - base);
+  const std::vector<double> core =
+      split(core_radii(shape, density, base, density.growth * std::max(last_cell, 0.05 * g.pitch)),
+            density.split);
+  share = split(share, density.split);
+
+  // Layers counted from the profile; in the grid they run outwards.
+  const int ridge_cells = static_cast<int>(share.size()) - 1;
+  const int core_cells = static_cast<int>(core.size()) - 1;
+  const int layers = ridge_cells + core_cells;
+  const int columns = static_cast<int>(z.size()) - 1;
+  const auto in_grid = [&](int layer) { return g.internal ? layer : layers - layer; };
+  const auto cell_in_grid = [&](int layer) { return g.internal ? layer : layers - 1 - layer; };
+  const double same = 1e-6 * g.pitch;
+  const auto is_threaded = [&](double at) {
+    return at > shape.start - same && at < shape.end + same;
+  };
+
+  fe::MeridianGrid grid(columns, layers);
+  for (int c = 0; c <= columns; ++c) {
+    const double at = z[static_cast<std::size_t>(c)];
+    // Beside a step the layers that follow the profile are empty, and lie anywhere.
+    double surface = root;
+    if (is_threaded(at))
+      surface = g.radius(surface_height(shape, at));
+    else if (!has_step(shape, base))
+      surface = shape.plain_end->radius;
+    for (int l = 0; l <= layers; ++l) {
+      const double r = l <= ridge_cells
+                           ? surface + (base - surface) * share[static_cast<std::size_t>(l)]
+                           : core[static_cast<std::size_t>(l - ridge_cells)];
+      grid.point(c, in_grid(l)) = {r, at};
+    }
+  }
+  for (int c = 0; c < columns; ++c) {
+    const double middle =
+        0.5 * (z[static_cast<std::size_t>(c)] + z[static_cast<std::size_t>(c + 1)]);
+    const bool threaded = is_threaded(middle);
+    for (int l = 0; l < layers; ++l) {
+      bool on = true;
+      if (!threaded && has_step(shape, base))
+        on = l >= ridge_cells && core[static_cast<std::size_t>(l - ridge_cells)] <
+                                     shape.plain_end->radius * (1.0 + 1e-9);
+      if (g.internal && l >= ridge_cells)
+        on = core[static_cast<std::size_t>(l - ridge_cells + 1)] <
+             outer_radius(shape, middle) * (1.0 + 1e-9);
+      grid.set_filled(c, cell_in_grid(l), on);
+    }
+  }
+
+  const fe::MeshedGrid meshed(grid);
+  GroovedBody body;
+  body.shape = shape;
+  body.mesh = meshed.mesh();
+  for (int c = 0; c <= columns; ++c) {
+    GroovedBody::Column column{z[static_cast<std::size_t>(c)], {}, {}};
+    for (int l = 0; l < layers; ++l) {
+      const bool before = c > 0 && grid.is_filled(c - 1, l);
+      const bool after = c < columns && grid.is_filled(c, l);
+      if (!before && !after) continue;
+      column.edges.push_back(meshed.outwards(c, l));
+      if (before != after) column.free_face.push_back(meshed.outwards(c, l));
+    }
+    body.columns_.push_back(std::move(column));
+  }
+  for (const LoadedFlank& f : flanks) {
+    GroovedBody::Patch p;
+    p.patch = f.patch;
+    p.normal = g.normal(f.side);
+    p.centre = {g.pitch_radius, f.ridge + g.position(f.side, 0.0)};
+    const double half = patch_height(f.patch, g, f.side) * std::tan(g.angle(f.side));
+    for (int c = 0; c < columns; ++c) {
+      const double middle =
+          0.5 * (z[static_cast<std::size_t>(c)] + z[static_cast<std::size_t>(c + 1)]);
+      if (std::abs(middle - p.centre.y()) < half)
+        p.edges.push_back(meshed.along_axis(c, in_grid(0)));
+    }
+    double covered = 0.0;
+    for (const fe::MeridianEdge& e : p.edges)
+      covered += std::abs(body.mesh.nodes[static_cast<std::size_t>(e[1])].y() -
+                          body.mesh.nodes[static_cast<std::size_t>(e[0])].y());
+    if (std::abs(covered - 2.0 * half) > 1e-6 * half)
+      throw std::invalid_argument("a contact patch lies beyond the end of the threads");
+    body.patches.push_back(std::move(p));
+  }
+  return body;
+}
+
+HertzPatch fitted(HertzPatch patch, const Groove& g) {
+  double longest = patch.along_profile;
+  for (const FlankSide side : {FlankSide::backward, FlankSide::forward})
+    longest = std::min(longest, 0.85 * std::min(g.addendum, g.dedendum) / std::cos(g.angle(side)));
+  patch.along_circumference *= longest / patch.along_profile;
+  patch.along_profile = longest;
+  return patch;
+}
+
+Eigen::MatrixXd patch_loads(const GroovedBody& body, int harmonic) {
+  Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(fe::kComponents * body.mesh.size(),
+                                                static_cast<Eigen::Index>(body.patches.size()));
+  Eigen::Index column = 0;
+  for (const GroovedBody::Patch& p : body.patches) {
+    const auto traction = [&](double r, double z) -> Eigen::Vector3d {
+      const double s = (Eigen::Vector2d(r, z) - p.centre).norm();
+      const double pressure = pressure_amplitude(p.patch, harmonic, s, r);
+      return {-pressure * p.normal.x(), 0.0, -pressure * p.normal.y()};
+    };
+    for (const fe::MeridianEdge& edge : p.edges)
+      fe::add_edge_load(body.mesh, edge, harmonic, traction, loads.col(column));
+    ++column;
+  }
+  return loads;
+}
+
+}  // namespace prs

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "fe/axisymmetric.h"
+#include "fe/meridian_mesh.h"
+#include "prs/model/groove.h"
+#include "prs/sector/influence/hertz_patch.h"
+
+namespace prs {
+
+/// How finely a grooved body is meshed. The defaults are those of working accuracy.
+struct MeshDensity {
+  int patch_cells = 6;        ///< Across a contact patch, along the profile; even.
+  double growth = 1.5;        ///< Of a cell against its neighbour, away from the patch.
+  double largest_cell = 0.5;  ///< In the core, radially, over the body's thickness there.
+  double step_cell = 0.02;    ///< Radially at a step of a nut's surface, over the same.
+  int plain_flank_cells = 4;  ///< On flanks without load.
+  int split = 1;              ///< Every cell again, each way, by halves for 2.
+  double ridge_depth = 0.36;  ///< Depth below the roots that follows the profile, in pitches.
+};
+
+/// A flank that carries contact patches.
+struct LoadedFlank {
+  double ridge = 0.0;  ///< Axial position of the middle of its ridge [m].
+  FlankSide side = FlankSide::backward;
+  HertzPatch patch;     ///< Must fit on the flank (see `fitted`).
+  int patch_cells = 4;  ///< Across the patch.
+};
+
+/// A plain length of a body beside its threads, up to a radius [m].
+struct PlainEnd {
+  double length = 0.0;
+  double radius = 0.0;
+};
+
+/// Where the outer surface of a nut is not `outer_radius` [m].
+struct Collar {
+  double from = 0.0;
+  double to = 0.0;
+  double radius = 0.0;
+};
+
+/// A body of revolution with grooves, in the meridian plane. Axial positions are the body's own.
+struct GroovedShape {
+  Groove groove;
+  double start = 0.0;  ///< Threads from here [m]
+  double end = 0.0;    ///< to here [m].
+  double ridge = 0.0;  ///< Middle of any ridge [m].
+  /// First and last ridge [m]; plain at the pitch radius beyond their grooves. Absent: endless.
+  std::optional<std::pair<double, double>> ridges;
+  double far_radius = 0.0;  ///< Bore of a screw, 0 of a solid roller; outer radius of a nut [m].
+  std::optional<PlainEnd> plain_end;  ///< On both sides of an external thread.
+  std::vector<Collar> collars;        ///< Of a nut.
+  std::vector<double> sections;       ///< Further axial positions with a column of nodes [m].
+  std::vector<double> radii;  ///< Further radii with a layer of nodes beyond the core of a nut [m].
+};
+
+/// The mesh of a grooved body and where its flanks and sections are.
+struct GroovedBody {
+  /// Cells under one patch, with the flank's outward normal (r, z) and its pitch point.
+  struct Patch {
+    HertzPatch patch;
+    std::vector<fe::MeridianEdge> edges;
+    Eigen::Vector2d normal = Eigen::Vector2d::Zero();
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  };
+
+  GroovedShape shape;
+  fe::MeridianMesh mesh;
+  std::vector<Patch> patches;  ///< One for each loaded flank, in the order given.
+
+  /// Sides of the cells on a section across the body, the axis first; the section must be an end, a
+  /// step or among the shape's sections. Throws std::invalid_argument where it is not.
+  const std::vector<fe::MeridianEdge>& section(double z) const { return column(z).edges; }
+  /// Those of them that lie on the surface: the whole section at an end, the face of a step.
+  const std::vector<fe::MeridianEdge>& free_face(double z) const { return column(z).free_face; }
+
+ private:
+  friend GroovedBody mesh_grooved_body(const GroovedShape&, const std::vector<LoadedFlank>&,
+                                       const MeshDensity&);
+  struct Column {
+    double z = 0.0;
+    std::vector<fe::MeridianEdge> edges;
+    std::vector<fe::MeridianEdge> free_face;
+  };
+  const Column& column(double z) const;
+
+  std::vector<Column> columns_;
+};
+
+/// Meshes the body by 8-node quadrilaterals: columns of nodes at constant z, layers that follow the
+/// profile and fade into cylinders below the roots. The ends of each patch are ends of cells.
+/// Suits flank normals between about 20 and 65
+/// deg to the axis, where the columns cut the flanks at a good angle.
+/// Throws std::invalid_argument where a patch lies beyond the threads.
+GroovedBody mesh_grooved_body(const GroovedShape& shape, const std::vector<LoadedFlank>& flanks,
+                              const MeshDensity& density);
+
+/// The patch, scaled down in both directions if it is too long for the flanks of a groove. What is
+/// left of the flexibility after the half-space part hardly depends on the size of the patch.
+HertzPatch fitted(HertzPatch patch, const Groove& groove);
+
+/// Consistent nodal loads of harmonic n of one patch that pushes with 1 N along the inward normal
+/// at theta = 0, one column for each patch of the body.
+Eigen::MatrixXd patch_loads(const GroovedBody& body, int harmonic);
+
+}  // namespace prs

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "prs/model/case.h"
+#include "prs/sector/influence/influence.h"
+#include "prs/sector/load_distribution.h"
+
+namespace prs {
+
+/// Solves load after load on elastic bodies given by their flexibilities: the influence model. The
+/// nut's shoulder only pushes; which part of it does is found for each load.
+class InfluenceSolver {
+ public:
+  InfluenceSolver(const BodyFlexibilities& bodies, int rollers,
+                  const PerInterface<ContactLaw>& laws,
+                  const PerInterface<std::vector<double>>& gaps);
+
+  /// Equilibrium under the axial force on the whole mechanism [N], > 0. A few 10 us, a few 100
+  /// where the part of the shoulder that pushes changes.
+  LoadDistribution solve(double axial_force) const;
+
+ private:
+  ContactProblem problem_;
+  int rollers_ = 1;
+  std::optional<ThrustFace> face_;
+  ThrustFace::Touching touching_;  ///< With equal loads, as `problem_` has it.
+};
+
+/// The influence model of a case for one direction of the load and one position of the first
+/// contact on the nut. Throws CaseError where a body cannot be meshed.
+InfluenceSolver influence_solver(const Case& c, const Contacts& contacts,
+                                 const PerInterface<ContactLaw>& laws, Direction direction,
+                                 double position, MatrixCache& cache = shared_matrix_cache());
+
+}  // namespace prs

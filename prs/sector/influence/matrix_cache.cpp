@@ -1,0 +1,153 @@
+#include "prs/sector/influence/matrix_cache.h"
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+
+#include "prs/sha256.h"
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Entries in memory; the oldest gives way. A screw has about ten.
+constexpr std::size_t kMostKept = 512;
+constexpr std::size_t kDigestLength = 64;
+constexpr std::int64_t kLargestSide = 100'000;
+
+void append(std::string& bytes, std::int64_t value) {
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  bytes.append(raw, sizeof value);
+}
+
+/// Reads from the front of some bytes; says so where they end too early.
+class Bytes {
+ public:
+  explicit Bytes(std::string_view bytes) : rest_(bytes) {}
+
+  std::optional<std::string_view> take(std::size_t count) {
+    if (count > rest_.size()) return std::nullopt;
+    const std::string_view taken = rest_.substr(0, count);
+    rest_.remove_prefix(count);
+    return taken;
+  }
+  std::optional<std::int64_t> number() {
+    const auto raw = take(sizeof(std::int64_t));
+    if (!raw) return std::nullopt;
+    std::int64_t value = 0;
+    std::memcpy(&value, raw->data(), sizeof value);
+    return value;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+/// Key, matrices and, at the end, the digest of both.
+std::string encoded(const std::string& key, const MatrixCache::Matrices& matrices) {
+  std::string bytes;
+  append(bytes, static_cast<std::int64_t>(key.size()));
+  bytes += key;
+  append(bytes, static_cast<std::int64_t>(matrices.size()));
+  for (const Eigen::MatrixXd& m : matrices) {
+    append(bytes, m.rows());
+    append(bytes, m.cols());
+    bytes.append(reinterpret_cast<const char*>(m.data()),
+                 static_cast<std::size_t>(m.size()) * sizeof(double));
+  }
+  return bytes + sha256(bytes);
+}
+
+std::optional<MatrixCache::Matrices> decoded(std::string_view bytes, const std::string& key) {
+  if (bytes.size() < kDigestLength) return std::nullopt;
+  const std::string_view content = bytes.substr(0, bytes.size() - kDigestLength);
+  if (sha256(content) != bytes.substr(content.size())) return std::nullopt;
+
+  Bytes rest(content);
+  const auto key_length = rest.number();
+  if (key_length != static_cast<std::int64_t>(key.size()) || rest.take(key.size()) != key)
+    return std::nullopt;
+  const auto count = rest.number();
+  if (!count) return std::nullopt;
+  MatrixCache::Matrices matrices;
+  for (std::int64_t k = 0; k < *count; ++k) {
+    const auto rows = rest.number(), columns = rest.number();
+    if (!rows || !columns || *rows < 0 || *columns < 0 || *rows > kLargestSide ||
+        *columns > kLargestSide)
+      return std::nullopt;
+    const auto raw = rest.take(static_cast<std::size_t>(*rows * *columns) * sizeof(double));
+    if (!raw) return std::nullopt;
+    matrices.emplace_back(*rows, *columns);
+    if (!raw->empty()) std::memcpy(matrices.back().data(), raw->data(), raw->size());
+  }
+  return matrices;
+}
+
+}  // namespace
+
+void MatrixCache::keep_in(fs::path directory) {
+  const std::lock_guard lock(mutex_);
+  folder_.reset();
+  if (!directory.empty()) folder_.emplace(std::move(directory));
+}
+
+std::shared_ptr<const MatrixCache::Matrices> MatrixCache::get(
+    const std::string& key, const std::function<Matrices()>& compute) {
+  std::optional<CacheFolder> folder;
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = kept_.find(key); found != kept_.end()) return found->second;
+    folder = folder_;
+  }
+  const std::string digest = folder ? sha256(key) : std::string();
+  std::optional<Matrices> matrices;
+  if (folder)
+    if (const std::optional<std::string> bytes = folder->read(digest))
+      matrices = decoded(*bytes, key);
+  const bool found = matrices.has_value();
+  if (!found) {
+    matrices = compute();
+    if (folder) folder->write(digest, encoded(key, *matrices));
+  }
+
+  const std::lock_guard lock(mutex_);
+  if (!found) ++computed_;
+  const auto [entry, is_new] =
+      kept_.try_emplace(key, std::make_shared<const Matrices>(std::move(*matrices)));
+  const std::shared_ptr<const Matrices> result = entry->second;
+  if (is_new) oldest_first_.push_back(key);
+  if (oldest_first_.size() > kMostKept) {
+    kept_.erase(oldest_first_.front());
+    oldest_first_.erase(oldest_first_.begin());
+  }
+  return result;
+}
+
+int MatrixCache::computed() const {
+  const std::lock_guard lock(mutex_);
+  return computed_;
+}
+
+std::string MatrixCache::refusal() const {
+  const std::lock_guard lock(mutex_);
+  return folder_ && !kept_.empty() ? folder_->refusal() : std::string();
+}
+
+std::filesystem::path cache_directory() {
+  if (const char* own = std::getenv("PRS_CACHE_DIR")) return own;
+  if (const char* user = std::getenv("XDG_CACHE_HOME"); user && *user == '/')
+    return std::filesystem::path(user) / "prs";
+  if (const char* home = std::getenv("HOME"); home && *home)
+    return std::filesystem::path(home) / ".cache" / "prs";
+  return {};
+}
+
+MatrixCache& shared_matrix_cache() {
+  static MatrixCache cache;
+  return cache;
+}
+
+}  // namespace prs

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prs/sector/influence/cache_folder.h"
+
+namespace prs {
+
+/// Matrices that are dear to compute, kept under the text of all that they depend on: in memory
+/// and, where a directory is given, in a CacheFolder there that later runs find by the text's
+/// SHA-256. A file that is damaged or belongs to another text counts as absent; one that cannot be
+/// written is left out. May be used from several threads.
+class MatrixCache {
+ public:
+  using Matrices = std::vector<Eigen::MatrixXd>;
+
+  /// Keeps nothing in files where `directory` is empty.
+  explicit MatrixCache(std::filesystem::path directory = {}) { keep_in(std::move(directory)); }
+
+  void keep_in(std::filesystem::path directory);
+
+  /// What is kept under `key`, else the result of `compute`, which is kept from then on.
+  std::shared_ptr<const Matrices> get(const std::string& key,
+                                      const std::function<Matrices()>& compute);
+
+  /// Matrices computed so far, found neither in memory nor in a file.
+  int computed() const;
+
+  /// Why what was asked for was not looked up in files, one line; empty where it was.
+  std::string refusal() const;
+
+  /// No thread is within the cache while it is locked, so that the process may fork.
+  void lock() { mutex_.lock(); }
+  void unlock() { mutex_.unlock(); }
+
+ private:
+  mutable std::mutex mutex_;
+  std::optional<CacheFolder> folder_;
+  std::map<std::string, std::shared_ptr<const Matrices>> kept_;
+  std::vector<std::string> oldest_first_;
+  int computed_ = 0;
+};
+
+/// Where bodies are kept between runs: PRS_CACHE_DIR (empty: nowhere), else the user's cache.
+std::filesystem::path cache_directory();
+
+/// The cache that the program's commands share.
+MatrixCache& shared_matrix_cache();
+
+}  // namespace prs

@@ -1,0 +1,79 @@
+#include "prs/sector/load_distribution.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prs {
+
+using fe::Dof;
+
+SectorSolver::SectorSolver(Sector sector)
+    : sector_(std::move(sector)),
+      equations_(sector_.model),
+      solver_(equations_),
+      unit_load_(equations_.load_vector({{sector_.loaded_node, Dof::u, sense(sector_.direction)}})),
+      rate_(equations_.size()) {}
+
+Eigen::VectorXd SectorSolver::equal_shares(double axial_force) const {
+  const double thread_load = axial_force / (sector_.rollers * sector_.contacts());
+  // Axial shift of the pushing body against the pushed one.
+  const auto shift = [&](Interface i) {
+    const ContactLaw& law = sector_.laws[i];
+    const double cosine = std::cos(law.normal_angle);
+    const double approach = std::pow(thread_load / (cosine * law.hertz_constant), 2.0 / 3.0);
+    const double widest = *std::max_element(sector_.gaps[i].begin(), sector_.gaps[i].end());
+    return sense(sector_.direction) * (approach + widest) / cosine;
+  };
+  const double roller = shift(Interface::nut);
+  const double screw = roller + shift(Interface::screw);
+
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(equations_.size());
+  const auto set = [&](const std::vector<int>& nodes, double u) {
+    for (const int node : nodes) q[equations_.number(node, Dof::u)] = u;
+  };
+  set({sector_.loaded_node}, screw);
+  set(sector_.screw_nodes, screw);
+  set(sector_.roller_nodes, roller);
+  set(sector_.roller_end_nodes, roller);
+  return q;
+}
+
+fe::NewtonOptions SectorSolver::newton_options(double axial_force) const {
+  fe::NewtonOptions options;
+  options.force_scale = axial_force / sector_.rollers;
+  options.length_scale = sector_.roller_radius;
+  return options;
+}
+
+LoadDistribution SectorSolver::solve(double axial_force) {
+  const double sector_force = axial_force / sector_.rollers;
+  state_ = equal_shares(axial_force);
+  fe::NewtonSummary summary =
+      solver_.solve(sector_force * unit_load_, newton_options(axial_force), state_);
+  LoadDistribution result = at(state_, axial_force);
+  result.solve = std::move(summary);
+  return result;
+}
+
+LoadDistribution SectorSolver::at(const fe::State& state, double axial_force) {
+  LoadDistribution result;
+  for (const Interface i : kInterfaces)
+    for (int k = 0; k < sector_.contacts(); ++k) {
+      const int spring = sector_.spring(i, k);
+      result.normal_load[i].push_back(equations_.response(state, spring).force);
+      result.approach[i].push_back(equations_.deflection(state, spring));
+    }
+  result.axial_displacement = unit_load_.dot(state.head) + unit_load_.dot(state.tail) +
+                              sector_.offset_compliance * axial_force / sector_.rollers;
+  if (solver_.solve_tangent(state, unit_load_, rate_)) {
+    const double flexibility = unit_load_.dot(rate_) + sector_.offset_compliance;
+    if (flexibility > 0.0) result.tangent_stiffness = sector_.rollers / flexibility;
+  }
+  return result;
+}
+
+bool SectorSolver::state_rate(const Eigen::VectorXd& residual_rate, Eigen::VectorXd& rate) {
+  return solver_.solve_tangent(state_, -residual_rate, rate);
+}
+
+}  // namespace prs

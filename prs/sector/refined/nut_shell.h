@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "fe/shell.h"
+#include "prs/model/materials.h"
+#include "prs/model/model_options.h"
+#include "prs/model/structure.h"
+
+namespace prs {
+
+/// Nodes along the nut and what lies between them.
+struct NutLine {
+  std::vector<double> sections;      ///< Ascending axial positions of the nodes [m].
+  std::vector<double> outer_radius;  ///< Between a node and the next [m].
+  std::vector<int> contacts;         ///< Nodes of the contacts, thread 1 first.
+  int thrust = 0;                    ///< Node of the thrust section.
+
+  double length(std::size_t segment) const { return sections[segment + 1] - sections[segment]; }
+};
+
+/// Ring on which a face of the nut can lean [m].
+struct ThrustRing {
+  double inner_radius = 0.0;
+  double outer_radius = 0.0;
+};
+
+/// Radii of the nut's threads [m].
+struct NutBore {
+  /// Inner radius of what carries axial force, between a node of the line and the next.
+  std::vector<double> root;
+  double pitch = 0.0;  ///< Where the contacts are; the ridges, closed rings half of which fill the
+                       ///< groove depth, carry hoop stress from here on.
+};
+
+/// The step of the outer radius at the thrust section, or the whole face of an end, as far as the
+/// stated shoulder reaches; none inside the nut. Throws CaseError where the shoulder misses the
+/// face.
+std::optional<ThrustRing> thrust_ring(const NutLine& line, const Structure::Nut& nut,
+                                      const NutBore& bore);
+
+/// What pushes the nut: equal loads at all contacts.
+struct NutLoad {
+  double sense = 1.0;         ///< s, of the axial force along x.
+  double normal_angle = 0.0;  ///< psi [rad]
+};
+
+/// The nut of one sector as a shell.
+struct NutShell {
+  std::vector<fe::ShellMatrix> segments;  ///< Between the nodes of the line.
+  /// From the radius of the nodes, at which the thrust section is held, to the contacts [m].
+  double contact_arm = 0.0;
+  bool straight_thrust_section = false;  ///< The thrust section does not tilt.
+};
+
+/// One shell between neighbouring nodes, its freedoms at the radius where the housing pushes: the
+/// centre of pressure on a thrust ring; without one the middle of the wall, held on all of it.
+///
+/// Effects: `hoop` lets the wall move radially, `poisson` couples that with axial strain, `flange`
+/// takes forces where they act; without it they act at the wall's centroid and nothing tilts.
+NutShell nut_shell(const NutLine& line, const std::optional<ThrustRing>& ring, const NutBore& bore,
+                   const NutLoad& load, const Material& material, int rollers,
+                   const RefinedEffects& effects);
+
+/// Distance from the inner edge of a ring of width w to the centre of pressure, when a face of
+/// half-space stiffness E* leans on it with the force P' per length and the tilt theta, which opens
+/// its outer edge where > 0 [m]. A tilted flat punch (Johnson, Contact Mechanics, 1985, chapter 2;
+/// p ~ sqrt((b - x)/x) while it touches over b < w):
+///
+///     P'/(pi E* theta) = b/4                     for theta > theta_1 = 4 P'/(pi E* w),
+///     w/2 - pi E* theta w^2/(16 P')              for |theta| <= theta_1, touching all over,
+///
+/// and mirrored for theta < -theta_1.
+double centre_of_pressure(double force, double tilt, double width, double plane_modulus);
+
+}  // namespace prs

@@ -1,0 +1,343 @@
+#include "prs/slip/slip.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "prs/loads/analyze.h"
+#include "prs/model/case_error.h"
+#include "prs/threads/contact_failure.h"
+#include "prs/loads/load_case_result.h"
+#include "prs/slip/slip_equilibrium.h"
+#include "prs/slip/slip_model.h"
+
+namespace prs {
+namespace {
+
+/// Film over roughness below which the surfaces begin to touch, and below which they carry.
+constexpr double kMixedLubrication = 3.0, kBoundaryLubrication = 1.0;
+
+/// (2.14): screw, roller and nut can only roll on each other without parting where the gears turn
+/// the rollers as their leads ask.
+void require_kinematics(const contact::MechanismGeometry& threads) {
+  const contact::KinematicConsistency k = contact::kinematic_consistency(threads);
+  if (std::abs(k.lead_difference) > contact::kSamePitch * std::abs(threads.screw.lead))
+    throw CaseError("mechanism.pitch",
+                    fmt::format("the leads of nut and screw differ by {:.4g} mm; expected equal "
+                                "leads for `slip`, or the contacts part as the screw turns (Sandu "
+                                "2018, (2.14)); leave the measured pitches out",
+                                k.lead_difference * 1e3));
+  if (std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) > kGearRatioTolerance)
+    throw CaseError("mechanism.pitch_diameter.roller",
+                    fmt::format("the pitch diameters give the gear ratio {:.6f}; expected {:.6f} "
+                                "for `slip`, the ratio of the leads, or the rollers migrate (Sandu "
+                                "2018, (2.14)); mend diameters or starts",
+                                k.gear_ratio, k.gear_ratio_by_leads));
+}
+
+/// Rms roughness of both flanks of a contact together [m].
+double composite_roughness(const PerPart<double>& roughness, Interface i) {
+  return std::hypot(roughness[body_of(i)], roughness.roller);
+}
+
+/// Results of each patch, handed out to the threads that it stands for.
+InterfaceSlip interface_slip(const LoadedThreads& threads, const InterfaceBalance& b,
+                             const std::optional<contact::Lubricant>& lubricant,
+                             const std::optional<double>& roughness) {
+  InterfaceSlip slip;
+  const auto add = [&](std::vector<double>& values, auto value_of_patch) {
+    std::vector<double> of_patch;
+    for (std::size_t k = 0; k < threads.patches.size(); ++k) of_patch.push_back(value_of_patch(k));
+    for (const std::optional<std::size_t>& k : threads.patch_of_thread)
+      values.push_back(k ? of_patch[*k] : 0.0);
+  };
+  const auto power = [&](std::size_t k) { return b.normal_load[k] * b.friction[k].power_per_load; };
+
+  add(slip.power, power);
+  add(slip.power_density, [&](std::size_t k) {
+    const contact::HertzContact& e = threads.patches[k].ellipse();
+    return power(k) / (std::numbers::pi * e.semi_major * e.semi_minor);
+  });
+  add(slip.friction_coefficient, [&](std::size_t k) { return b.friction[k].mean_friction; });
+  add(slip.spin_torque, [&](std::size_t k) { return b.normal_load[k] * b.friction[k].spin_arm; });
+  add(slip.sliding_speed,
+      [&](std::size_t) { return std::hypot(b.motion.sliding_major, b.motion.sliding_minor); });
+  add(slip.max_sliding_speed, [&](std::size_t k) { return b.friction[k].max_sliding_speed; });
+  add(slip.dynamic_normal_load, [&](std::size_t k) { return b.normal_load[k]; });
+  if (!lubricant) return slip;
+  const double rolling = b.motion.rolling_speed;
+  const auto central_film = [&](std::size_t k) {
+    return contact::nijenbanning_film(*lubricant, threads.films[k], rolling).thickness;
+  };
+  add(slip.film_thickness, [&](std::size_t k) {
+    return contact::sandu_film(*lubricant, threads.films[k], rolling).thickness;
+  });
+  add(slip.central_film, central_film);
+  if (roughness) add(slip.film_ratio, [&](std::size_t k) { return central_film(k) / *roughness; });
+  return slip;
+}
+
+void for_each_thread(const PerInterface<InterfaceSlip>& threads, auto visit) {
+  for (const Interface i : kInterfaces)
+    for (std::size_t k = 0; k < threads[i].power.size(); ++k)
+      visit(ThreadOf{i, static_cast<int>(k)}, threads[i].power[k], threads[i].power_density[k]);
+}
+
+/// Equilibrium, or the balance at the imposed slip ratio.
+SlipEquilibrium solve(const SlipModel& model, const std::optional<double>& imposed) {
+  if (!imposed) return find_slip_equilibrium(model);
+  SlipEquilibrium at;
+  at.evaluations = 1;
+  at.status = balance_at(model, *imposed, at.balance) ? SlipStatus::imposed : SlipStatus::jammed;
+  return at;
+}
+
+EqualShareSlip summary_of(const SlipResult& equal) {
+  EqualShareSlip s;
+  s.slip_ratio = equal.slip_ratio;
+  s.power_loss = equal.power.total();
+  s.efficiency = equal.efficiency;
+  for (const Interface i : kInterfaces) {
+    s.thread_power[i] = equal.threads[i].power.front();
+    s.max_power_density = std::max(s.max_power_density, equal.threads[i].power_density.front());
+  }
+  return s;
+}
+
+/// (3.55) with B_1 = 98.1 % and B_2 = 0.32 %, for the lubricants that Sandu varied it over.
+std::optional<double> sandu_efficiency_fit(const contact::Lubricant& lubricant) {
+  const double millipascal_seconds = lubricant.viscosity * 1e3;
+  const double megapascals = lubricant.eyring_stress * 1e-6;
+  if (millipascal_seconds < 4.0 || millipascal_seconds > 1000.0 || megapascals > 20.0)
+    return std::nullopt;
+  return 0.981 - 0.0032 * megapascals * std::log(millipascal_seconds);
+}
+
+/// Whether the load's power flows into the mechanism.
+bool load_drives(const SlipModel& model) {
+  return model.axial_force * model.speed * model.geometry.lead < 0.0;
+}
+
+SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
+  const Case& c = models.values();
+  const SlipRange range = slip_range(model.geometry);
+  const SlipEquilibrium found = solve(model, c.operation ? c.operation->slip_ratio : std::nullopt);
+  const SlipBalance& b = found.balance;
+  SlipResult slip;
+  slip.status = found.status;
+  slip.evaluations = found.evaluations;
+  slip.speed = model.speed;
+  slip.gear_ratio = model.geometry.gear_ratio;
+  slip.ideal_slip_ratio = range.ideal;
+  slip.estimates = slip_estimates(model.geometry);
+  if (slip.status != SlipStatus::jammed) slip.relative_residue = relative_residue(model, b);
+  if (!slip.converged()) return slip;
+  slip.moments = b.moments;
+
+  slip.slip_ratio = b.motion.slip_ratio;
+  slip.optimality = optimality(range, slip.slip_ratio);
+  for (const Interface i : kInterfaces) {
+    std::optional<double> roughness;
+    if (c.roughness) roughness = composite_roughness(*c.roughness, i);
+    slip.threads[i] = interface_slip(model.threads[i], b.interfaces[i], model.lubricant, roughness);
+  }
+  slip.power = lost_power(model, b);
+  const DriveTorques torques = drive_torques(model, b);
+  const PowerFlow flow = power_flow(model, torques);
+  slip.torque_screw = torques.screw;
+  slip.torque_nut = torques.nut;
+  slip.power_loss_input_output = flow.lost();
+  slip.efficiency = flow.efficiency();
+  const bool jacod = c.friction->model == Friction::Model::jacod;
+  if (jacod && slip.status == SlipStatus::converged && !load_drives(model))
+    slip.efficiency_fit = sandu_efficiency_fit(*model.lubricant);
+  if (model.lubricant) slip.viscosity = model.lubricant->viscosity;
+  slip.forces = b.forces;
+  if (model.bearing) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
+  double hottest = -1.0;
+  for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
+    if (density > hottest) hottest = density, slip.hottest = thread;
+  });
+  return slip;
+}
+
+void warn_of_lubrication(const SlipResult& slip, Friction::Model friction,
+                         std::vector<std::string>& warnings) {
+  for (const Interface i : kInterfaces) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const double ratio : slip.threads[i].film_ratio)
+      if (ratio > 0.0) least = std::min(least, ratio);
+    if (least < kMixedLubrication)
+      warnings.push_back(fmt::format(
+          "{} lubrication at the {} contacts: film over roughness is {:.2f} at the least; {}",
+          least < kBoundaryLubrication ? "boundary" : "mixed", label(i), least,
+          friction == Friction::Model::jacod
+              ? "real friction is higher than that of the full film computed here"
+              : "take a friction coefficient of surfaces that touch"));
+  }
+}
+
+void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads,
+                              std::vector<std::string>& warnings) {
+  for (const Interface i : kInterfaces)
+    if (const auto& pressure = threads[i].peak_pressure; !pressure.empty())
+      if (const auto note =
+              running_pressure_note(i, *std::max_element(pressure.begin(), pressure.end())))
+        warnings.push_back(*note);
+}
+
+void warn(const SlipResult& slip, const SlipModel& model, Friction::Model friction,
+          std::vector<std::string>& warnings) {
+  if (slip.status == SlipStatus::jammed)
+    warnings.push_back(
+        "slip: a contact jams: its friction takes more of the axial load than its normal load "
+        "gives; expect the screw to stick");
+  else if (!slip.converged())
+    warnings.push_back(fmt::format(
+        "slip: {}: no slip ratio balances the moment on a roller; check the carrier's torques",
+        name(slip.status)));
+  if (!slip.converged()) return;
+  if (load_drives(model))
+    warnings.push_back(
+        slip.efficiency
+            ? "the load drives the screw (left-handed: force and speed of one sign); the "
+              "efficiency is that of the shaft's power over the load's"
+            : "the load helps, but the screw is self-locking: the shaft has to drive as well, and "
+              "there is no efficiency");
+  if (slip.optimality > 1.0 + 1e-12)
+    warnings.push_back(
+        fmt::format("the carrier is driven by its torques: the slip ratio {:.6f} "
+                    "lies beyond the ideal one, {:.6f}",
+                    slip.slip_ratio, slip.ideal_slip_ratio));
+  if (std::ranges::all_of(kInterfaces, [&](Interface i) {
+        return std::ranges::max(slip.threads[i].max_sliding_speed) < contact::kNoDirection;
+      }))
+    warnings.push_back(
+        "nothing slides faster than 1e-11 m/s, where friction has no direction any "
+        "more: the power lost is not that of a moving screw");
+  warn_of_lubrication(slip, friction, warnings);
+}
+
+void require_admissible(const SlipModel& model, const std::optional<Operation>& operation) {
+  if (!operation || !operation->slip_ratio) return;
+  const SlipRange range = slip_range(model.geometry);
+  const double least = std::min(range.pure_sliding, range.ideal);
+  const double greatest = std::max(range.pure_sliding, range.ideal);
+  if (*operation->slip_ratio < least || *operation->slip_ratio > greatest)
+    throw CaseError("operation.slip_ratio",
+                    fmt::format("got {:.7g}; expected {:.7g} to {:.7g}, from pure sliding to the "
+                                "ideal slip ratio of this geometry; leave it out to have it "
+                                "computed",
+                                *operation->slip_ratio, least, greatest));
+}
+
+/// Loads as slip takes them: solved ones, and equal shares by the geometry.
+Result loaded_threads_of(const Case& c, Detail detail) {
+  Result by_geometry = analyze_contacts(c, detail);
+  const auto equal = [](const LoadCase& load) { return load.share == LoadCase::Share::equal; };
+  if (std::ranges::all_of(c.load_cases, equal)) return by_geometry;
+  Result result = analyze(c, detail);
+  auto next = by_geometry.load_cases.begin();
+  for (LoadCaseResult& load_case : result.load_cases)
+    if (equal(load_case.load_case)) load_case = std::move(*next++);
+  return result;
+}
+
+ResidueCurve residue_curve(const SlipModel& model, double from, double to) {
+  constexpr int kPoints = 121;
+  ResidueCurve curve;
+  SlipBalance balance;
+  for (int k = 0; k < kPoints; ++k) {
+    const double slip_ratio = from + (to - from) * k / (kPoints - 1);
+    if (!balance_at(model, slip_ratio, balance)) continue;
+    curve.slip_ratio.push_back(slip_ratio);
+    curve.moments.push_back(balance.moments);
+  }
+  return curve;
+}
+
+std::vector<double> numbers(const Eigen::ArrayXd& values) {
+  return {values.data(), values.data() + values.size()};
+}
+
+PatchField patch_field(const contact::PatchGrid& grid, const contact::Patch& patch,
+                       const contact::PatchMotion& motion, int points_along_axis) {
+  const contact::HertzContact& e = patch.ellipse();
+  return {e.semi_major,
+          e.semi_minor,
+          points_along_axis,
+          numbers(e.semi_major * grid.along_major()),
+          numbers(e.semi_minor * grid.along_minor()),
+          numbers(patch.sliding_major(motion)),
+          numbers(patch.sliding_minor(motion)),
+          numbers(patch.friction_coefficient(motion))};
+}
+
+}  // namespace
+
+std::string_view name(SlipStatus status) {
+  switch (status) {
+    case SlipStatus::not_computed:
+      return "not_computed";
+    case SlipStatus::converged:
+      return "converged";
+    case SlipStatus::imposed:
+      return "imposed";
+    case SlipStatus::no_equilibrium:
+      return "no_equilibrium";
+    case SlipStatus::jammed:
+      return "jammed";
+    case SlipStatus::iteration_limit:
+      return "iteration_limit";
+  }
+  return "unknown";
+}
+
+Result analyze_slip(const Case& c, Detail detail) {
+  Result result = loaded_threads_of(c, detail);
+  require_kinematics(result.contacts.threads);
+  const SlipModels models(c, result.contacts);
+  for (LoadCaseResult& loaded : result.load_cases) {
+    if (!loaded.threads) continue;
+    const SlipModel model = models.of(loaded);
+    require_admissible(model, c.operation);
+    loaded.slip = slip_result(models, model);
+    if (loaded.load_case.share == LoadCase::Share::solved && loaded.slip->converged()) {
+      const SlipResult equal = slip_result(models, models.equal_shares(loaded.load_case));
+      if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
+    }
+    if (detail != Detail::complete) continue;
+    warn(*loaded.slip, model, c.friction->model, loaded.warnings);
+    warn_of_running_pressure(*loaded.threads, loaded.warnings);
+  }
+  return result;
+}
+
+SlipPictures slip_pictures(const Case& c, const Result& result, std::size_t load_case) {
+  const LoadCaseResult& loaded = result.load_cases[load_case];
+  const SlipModels models(c, result.contacts);
+  const SlipModel model = models.of(loaded);
+  const SlipRange range = slip_range(model.geometry);
+  // Far enough to both sides of the ideal slip ratio to show where the moment changes sign.
+  const double reach =
+      std::min({std::max(2.0 * std::abs(loaded.slip->slip_ratio - range.ideal), 1e-4), range.ideal,
+                1.0 - range.ideal});
+  SlipPictures pictures;
+  pictures.residue = residue_curve(model, range.pure_sliding, range.ideal);
+  pictures.residue_near_root = residue_curve(model, range.ideal - reach, range.ideal + reach);
+  SlipBalance balance;
+  balance_at(model, loaded.slip->slip_ratio, balance);
+  for (const Interface i : kInterfaces) {
+    const LoadedThreads& threads = model.threads[i];
+    const auto most = std::max_element(threads.axial_load.begin(), threads.axial_load.end());
+    pictures.most_loaded_thread[i] = patch_field(
+        models.grid(), threads.patches[static_cast<std::size_t>(most - threads.axial_load.begin())],
+        balance.interfaces[i].motion, c.model.patch_points);
+  }
+  return pictures;
+}
+
+}  // namespace prs

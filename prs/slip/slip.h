@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "prs/model/case.h"
+#include "prs/loads/result.h"
+
+namespace prs {
+
+/// The whole chain with slip: what `analyze` delivers, or for equal shares `analyze_contacts`, and
+/// for each load case the stationary slip and what friction takes. The case must have passed
+/// `check_case` and the requirements of `slip`. Throws CaseError where the geometry gives no
+/// contact, its gears break (2.14), or an imposed slip ratio lies outside its range.
+Result analyze_slip(const Case& c, Detail detail = Detail::complete);
+
+/// Moments on a roller along the slip ratio: one curve of Sandu 2018, fig. 3.6.
+struct ResidueCurve {
+  std::vector<double> slip_ratio;
+  std::vector<RollerMoments> moments;
+};
+
+/// Sliding and friction at the points inside the ellipse of one thread (figs. 2.8 and 2.9).
+struct PatchField {
+  double semi_major = 0.0, semi_minor = 0.0;         ///< a, b [m]
+  int points = 0;                                    ///< Along each axis of the grid.
+  std::vector<double> along_major, along_minor;      ///< t_1D, t_2D [m]
+  std::vector<double> sliding_major, sliding_minor;  ///< v_D . t_1, v_D . t_2 [m/s]
+  std::vector<double> friction_coefficient;          ///< mu_D
+};
+
+/// What the pictures of one load case show beside its result.
+struct SlipPictures {
+  ResidueCurve residue;                         ///< Over the whole range of slip ratios.
+  ResidueCurve residue_near_root;               ///< Around the ideal one, the root inside.
+  PerInterface<PatchField> most_loaded_thread;  ///< At the result's slip ratio.
+};
+
+/// For one load case with a converged slip, on the loads that the result holds.
+SlipPictures slip_pictures(const Case& c, const Result& result, std::size_t load_case);
+
+}  // namespace prs

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "contact/film.h"
+#include "contact/journal_bearing.h"
+#include "contact/lubricant.h"
+#include "contact/patch.h"
+#include "prs/threads/kinematics.h"
+#include "prs/model/operation.h"
+#include "prs/model/part.h"
+#include "prs/loads/slip_result.h"
+
+namespace prs {
+
+/// The loaded threads of one interface of one roller. All share contact point and directions; each
+/// patch has a load of its own.
+struct LoadedThreads {
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();      ///< n, outward from the roller
+  Eigen::Vector3d major_axis = Eigen::Vector3d::Zero();  ///< t_1
+  Eigen::Vector3d minor_axis = Eigen::Vector3d::Zero();  ///< t_2 = n x t_1
+  std::vector<contact::Patch> patches;
+  std::vector<contact::FilmContact> films;  ///< What a film knows of each patch.
+  std::vector<double> axial_load;           ///< F_i of each patch, > 0 [N]
+  int alike = 1;                            ///< Threads that each patch stands for.
+  /// Patch of each thread; absent where the thread is open.
+  std::vector<std::optional<std::size_t>> patch_of_thread;
+};
+
+/// One roller between screw, nut, gears and carrier, loaded and turning (Sandu 2018, section 3.2,
+/// with a load of its own for each thread). SI units.
+struct SlipModel {
+  KinematicGeometry geometry;  ///< Points of the faces that touch under the force.
+  double speed = 0.0;          ///< omega_s/n [rad/s]
+  double axial_force = 0.0;    ///< F_N, signed, of the whole mechanism [N]
+  int rollers = 1;
+  PerInterface<LoadedThreads> threads;
+  std::optional<contact::Lubricant> lubricant;  ///< In operation; of films and bearing.
+
+  // Torques of the carrier, magnitudes [N m].
+  double screw_torque = 0.0;
+  double nut_torque = 0.0;
+  double roller_torque = 0.0;
+  std::optional<contact::JournalBearing> bearing;  ///< In place of roller_torque.
+  double gear_pressure_angle = 0.0;                ///< [rad]
+  double roller_mass = 0.0;                        ///< [kg]
+};
+
+/// Friction and forces at one interface of one roller.
+struct InterfaceBalance {
+  contact::PatchMotion motion;
+  std::vector<contact::PatchFriction> friction;     ///< Of each patch, over its normal load.
+  std::vector<double> normal_load;                  ///< N, dynamic (3.11), (3.12) [N]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< On the roller, -sum N m [N] (3.27)
+  double spin_torque = 0.0;                         ///< sum C n . z [N m]
+  double power = 0.0;                               ///< Lost [W] (3.51)
+};
+
+/// Everything that acts on one roller at one slip ratio.
+struct SlipBalance {
+  Kinematics motion;
+  PerInterface<InterfaceBalance> interfaces;
+  RollerForces forces;
+  RollerMoments moments;
+  contact::JournalBearingState bearing;
+  double carrier_roller_torque = 0.0;  ///< C_P/R on the roller, signed [N m]
+};
+
+/// Balances all but the moment about the roller's axis, whose residue is left in `moments`: axial
+/// forces give the normal loads (3.11), (3.12), the carrier's moment the force that drives it
+/// (3.26), forces along the orbit the gears (3.28), radial ones the carrier's reaction (3.32). The
+/// arms of the gears are their operating pitch radii, c Gamma/(1 -+ Gamma) of the roller, so that
+/// forces and ratio belong together for any backlash. `balance` is refilled in place.
+/// False where the friction would have to push a contact open, so that no normal load exists, or
+/// where numbers overflow.
+bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& balance);
+
+/// R_z, the moment left on a roller over c |F_N|/N_R (3.43).
+double relative_residue(const SlipModel& model, const SlipBalance& balance);
+
+/// The slip ratio at which the roller is in balance (3.38): between pure sliding and the ideal one,
+/// or beyond the ideal one where the carrier is driven.
+struct SlipEquilibrium {
+  SlipStatus status = SlipStatus::not_computed;
+  int evaluations = 0;  ///< Of `balance_at`.
+  SlipBalance balance;  ///< At the root.
+
+  bool ok() const { return status == SlipStatus::converged; }
+};
+
+/// Brackets the root next to the ideal slip ratio and closes in to 1e-14 (TOMS 748). Where no
+/// friction acts, every slip ratio balances and the ideal one is returned.
+SlipEquilibrium find_slip_equilibrium(const SlipModel& model);
+
+/// Torques on screw and nut that keep them turning (3.30), (3.31) [N m].
+struct DriveTorques {
+  double screw = 0.0;
+  double nut = 0.0;
+};
+DriveTorques drive_torques(const SlipModel& model, const SlipBalance& balance);
+
+/// Power lost to each source in the whole mechanism (3.47) to (3.51) [W].
+PowerBySource lost_power(const SlipModel& model, const SlipBalance& balance);
+
+/// Power through the shaft and through the load, both into the mechanism [W]: their sum is lost.
+struct PowerFlow {
+  double shaft = 0.0;  ///< C_S omega_s/n, inverted C_N omega_n/s
+  double load = 0.0;   ///< F_N dz_n/s/dt
+
+  double lost() const { return shaft + load; }
+  /// Output over input (3.52); absent where both flow in, as in a self-locking screw.
+  std::optional<double> efficiency() const;
+};
+PowerFlow power_flow(const SlipModel& model, const DriveTorques& torques);
+
+}  // namespace prs

@@ -1,0 +1,112 @@
+#include "prs/slip/slip_model.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace prs {
+namespace {
+
+contact::InterfaceGeometry touching(const contact::InterfaceGeometry& i1_j2, double force) {
+  return force > 0.0 ? i1_j2 : contact::on_other_faces(i1_j2);
+}
+
+KinematicGeometry kinematic_geometry(const Contacts& contacts, double force) {
+  KinematicGeometry g;
+  g.type = contacts.mechanism.type;
+  g.lead = contacts.threads.screw.lead;
+  g.gear_ratio = contact::kinematic_consistency(contacts.threads).gear_ratio_by_leads;
+  g.centre_distance = contacts.threads.centre_distance;
+  for (const Interface i : kInterfaces)
+    g.points[i].head<2>() = touching(contacts.interfaces[i].geometry, force).point.position;
+  return g;
+}
+
+/// Of the cylinder on the thread's pitch diameter and both ends; 0 without density.
+double roller_mass(const Case& c) {
+  const std::optional<double>& density = c.materials->roller.density;
+  if (!density) return 0.0;
+  const auto cylinder = [](double diameter, double length) {
+    return 0.25 * std::numbers::pi * diameter * diameter * length;
+  };
+  double volume = cylinder(*c.mechanism.pitch_diameter.roller,
+                           c.mechanism.contacts_per_roller * axial_pitch(c.mechanism));
+  if (c.structure)
+    volume += 2.0 * cylinder(c.structure->roller.end_diameter, c.structure->roller.end_length);
+  else if (c.carrier.bearing)
+    volume += 2.0 * cylinder(c.carrier.bearing->diameter, c.carrier.bearing->length);
+  return *density * volume;
+}
+
+}  // namespace
+
+SlipModels::SlipModels(const Case& c, const Contacts& contacts)
+    : case_(c), contacts_(contacts), grid_(c.model.patch_points) {
+  case_.mechanism = contacts.mechanism;
+  if (c.lubricant) lubricant_ = in_operation(*c.lubricant);
+}
+
+SlipModel SlipModels::of(const LoadCaseResult& loaded) const {
+  if (loaded.load_case.share == LoadCase::Share::equal) return equal_shares(loaded.load_case);
+  SlipModel model = unloaded(loaded.load_case);
+  for (const Interface i : kInterfaces)
+    for (const double load : (*loaded.threads)[i].axial_load) {
+      std::vector<std::optional<std::size_t>>& patch_of = model.threads[i].patch_of_thread;
+      patch_of.push_back(std::nullopt);
+      if (load <= 0.0) continue;
+      patch_of.back() = model.threads[i].patches.size();
+      add_patch(model, i, load);
+    }
+  return model;
+}
+
+SlipModel SlipModels::equal_shares(const LoadCase& load_case) const {
+  SlipModel model = unloaded(load_case);
+  const int alike = case_.mechanism.contacts_per_roller;
+  for (const Interface i : kInterfaces) {
+    model.threads[i].alike = alike;
+    model.threads[i].patch_of_thread.assign(static_cast<std::size_t>(alike), 0);
+    add_patch(model, i, std::abs(load_case.axial_force) / model.rollers / alike);
+  }
+  return model;
+}
+
+SlipModel SlipModels::unloaded(const LoadCase& load_case) const {
+  SlipModel m;
+  m.axial_force = axial_force_on_nut(load_case);
+  m.speed = load_case.speed ? *load_case.speed : case_.operation->speed;
+  m.geometry = kinematic_geometry(contacts_, m.axial_force);
+  m.rollers = case_.mechanism.rollers;
+  for (const Interface i : kInterfaces) {
+    const contact::InterfaceGeometry g = touching(contacts_.interfaces[i].geometry, m.axial_force);
+    m.threads[i].normal = g.point.normal;
+    m.threads[i].major_axis = g.major_axis;
+    m.threads[i].minor_axis = g.minor_axis;
+  }
+  m.screw_torque = case_.carrier.screw_torque;
+  m.nut_torque = case_.carrier.nut_torque;
+  m.roller_torque = case_.carrier.roller_torque;
+  m.bearing = case_.carrier.bearing;
+  m.lubricant = lubricant_;
+  m.gear_pressure_angle = case_.carrier.gear_pressure_angle;
+  m.roller_mass = roller_mass(case_);
+  return m;
+}
+
+void SlipModels::add_patch(SlipModel& model, Interface i, double axial_load) const {
+  const InterfaceContact& contact = contacts_.interfaces[i];
+  LoadedThreads& threads = model.threads[i];
+  const double static_load = axial_load / std::abs(threads.normal.z());
+  const contact::HertzContact ellipse = contact::at_load(contact.hertz, static_load);
+  const contact::PrincipalValues& relative = contact.geometry.relative;
+  threads.axial_load.push_back(axial_load);
+  threads.films.push_back({.normal_load = static_load,
+                           .curvature = relative.second,
+                           .contact_modulus = contact.contact_modulus,
+                           .curvature_ratio = relative.first / relative.second});
+  if (case_.friction->model == Friction::Model::coulomb)
+    threads.patches.emplace_back(grid_, ellipse, case_.friction->coefficient);
+  else
+    threads.patches.emplace_back(grid_, ellipse, *lubricant_, threads.films.back());
+}
+
+}  // namespace prs

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "prs/model/study.h"
+
+namespace prs {
+
+/// `max screw peak pressure (MPa)` of the path of a response.
+std::string response_text(const std::string& path);
+
+/// A level as it is written, long numbers with six digits.
+std::string level_text(const Level& level, const std::string& unit);
+
+/// A factor as a heading: its label, or its path as it stands.
+std::string factor_title(const Factor& factor);
+
+/// With a large first letter, where it begins a word and is no symbol.
+std::string capitalised(std::string text);
+
+}  // namespace prs

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "prs/quantities/printable.h"
+
+namespace prs {
+
+/// Number of code points of well-formed UTF-8.
+std::size_t width(std::string_view text);
+
+/// The text itself, or its two ends and an ellipsis between them, `max_width` code points in all.
+std::string shortened(std::string_view text, std::size_t max_width);
+
+/// Breaks the text at spaces into lines of at most `max_width` code points that start with
+/// `indent`; a longer word stays whole. Ends with a newline.
+std::string wrapped(std::string_view text, std::string_view indent, std::size_t max_width);
+
+}  // namespace prs

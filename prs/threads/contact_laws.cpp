@@ -1,0 +1,49 @@
+#include "prs/threads/contact_laws.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "prs/model/case_error.h"
+#include "prs/threads/tooth_compliance.h"
+
+namespace prs {
+
+void require_contacts(const Contacts& contacts, const PerInterface<bool>& lacks,
+                      std::string_view mend) {
+  std::string path, message;
+  for (const Interface i : kInterfaces) {
+    if (!lacks[i]) continue;
+    const ContactFailure why = failure(contacts, i);
+    if (path.empty()) path = why.path;
+    message += fmt::format("the {} threads give no Hertz contact: {}; ", label(i), why.reason);
+  }
+  if (!path.empty()) throw CaseError(path, message.append(mend));
+}
+
+PerInterface<ContactLaw> contact_laws(const Case& c, const Contacts& contacts) {
+  PerInterface<bool> lacks;
+  for (const Interface i : kInterfaces)
+    lacks[i] = !contacts.interfaces[i].has_hertz() &&
+               !(c.contact.hertz_constant[i] && c.contact.normal_angle[i]);
+  require_contacts(contacts, lacks,
+                   "mend profiles, flank angles or diameters, or give both "
+                   "contact.hertz_constant and contact.normal_angle of the interface");
+  PerInterface<ContactLaw> laws;
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = contacts.interfaces[i];
+    laws[i].hertz_constant = c.contact.hertz_constant[i].value_or(contact.hertz.hertz_constant);
+    laws[i].normal_angle =
+        c.contact.normal_angle[i] ? *c.contact.normal_angle[i] : contact.normal_angle();
+  }
+  if (c.structure &&
+      c.model.tooth_compliance.kind == ModelOptions::ToothCompliance::Kind::yamamoto) {
+    const PerInterface<double> teeth = yamamoto_compliance(
+        contacts.mechanism, *c.structure, *c.materials,
+        {laws.screw.normal_angle, laws.nut.normal_angle}, c.model.tooth_compliance.width);
+    for (const Interface i : kInterfaces) laws[i].compliance = teeth[i];
+  }
+  return laws;
+}
+
+}  // namespace prs

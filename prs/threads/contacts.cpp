@@ -1,0 +1,173 @@
+#include "prs/threads/contacts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "prs/model/case_error.h"
+#include "prs/model/units.h"
+#include "prs/threads/threads.h"
+
+namespace prs {
+namespace {
+
+/// Interference below this is the rounding of the input [m].
+constexpr double kInterference = 1e-9;
+
+/// A smallest relative curvature below this share of the roller's is a nearly conforming contact.
+constexpr double kConformity = 0.01;
+
+contact::Elasticity elasticity(const Material& m) { return {m.youngs_modulus, m.poisson_ratio}; }
+
+void add_hertz(InterfaceContact& c, const Material& body, const Material& roller, Detail detail) {
+  c.contact_modulus = contact::contact_modulus(elasticity(body), elasticity(roller));
+  c.hertz = contact::hertz_constants(c.geometry.relative.first, c.geometry.relative.second,
+                                     c.contact_modulus);
+  // Both bodies carry the same pressure; the larger shear stress is that of the smaller nu.
+  if (c.hertz.ok() && detail == Detail::complete)
+    c.shear = contact::largest_subsurface_shear(c.hertz.ellipticity,
+                                                std::min(body.poisson_ratio, roller.poisson_ratio));
+}
+
+void warn_of_missing_contacts(const Contacts& c, std::vector<std::string>& warnings) {
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = c.interfaces[i];
+    const bool wants_hertz = contact.geometry.ok() && contact.contact_modulus > 0.0;
+    if (!contact.geometry.ok() || (wants_hertz && !contact.hertz.ok()))
+      warnings.push_back(fmt::format(
+          "the {} threads give no Hertz contact ({}): ellipses and pressures are absent", label(i),
+          failure(c, i).reason));
+  }
+}
+
+void warn_of_interference(const Contacts& c, std::vector<std::string>& warnings) {
+  for (const Interface i : kInterfaces) {
+    const contact::ContactPoint& point = c.interfaces[i].geometry.point;
+    const contact::Thread& body = i == Interface::screw ? c.threads.screw : c.threads.nut;
+    if (point.ok() && contact::same_pitch(body, c.threads.roller) &&
+        point.backlash < -kInterference)
+      warnings.push_back(fmt::format("the {} threads interfere: backlash {:.4g} mm", label(i),
+                                     point.backlash * per_si::millimetre));
+  }
+}
+
+void warn_of_conformity(const Contacts& c, std::vector<std::string>& warnings) {
+  for (const Interface i : kInterfaces) {
+    const contact::InterfaceGeometry& g = c.interfaces[i].geometry;
+    if (g.ok() && g.openness() < kConformity)
+      warnings.push_back(fmt::format(
+          "the {} contact is closely conforming: its smallest relative curvature is {:.2g} of the "
+          "roller's, and Hertz's half-spaces lose their meaning",
+          label(i), g.openness()));
+  }
+}
+
+void warn_of_kinematics(const Contacts& c, std::vector<std::string>& warnings) {
+  const contact::KinematicConsistency k = contact::kinematic_consistency(c.threads);
+  if (std::abs(k.lead_difference) > contact::kSamePitch * std::abs(c.threads.screw.lead))
+    warnings.push_back(fmt::format("the leads of nut and screw differ by {:.4g} mm",
+                                   k.lead_difference * per_si::millimetre));
+  if (std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) > kGearRatioTolerance)
+    warnings.push_back(fmt::format(
+        "the rollers migrate: the pitch diameters give the gear ratio {:.6f}, the leads ask for "
+        "{:.6f} (Sandu 2018, (2.14))",
+        k.gear_ratio, k.gear_ratio_by_leads));
+}
+
+void require_thickness(const Mechanism& m, Part part) {
+  if (!m.thread[part] || !m.thread[part]->thickness) return;
+  const double thickness = *m.thread[part]->thickness;
+  const double pitch = m.pitch[part].value_or(axial_pitch(m));
+  if (thickness < pitch) return;
+  throw CaseError(
+      fmt::format("mechanism.thread.{}.thickness", name(part)),
+      fmt::format(
+          "got {:.6g} mm; expected less than the axial pitch of {:.6g} mm, which thread and "
+          "groove share; change it, or leave it out for half a pitch",
+          thickness * per_si::millimetre, pitch * per_si::millimetre));
+}
+
+/// Why a thread cannot be, if so.
+std::optional<ContactFailure> thread_failure(const contact::Thread& thread, Part part) {
+  const contact::RadiusLimits flank = contact::flank_limits(thread);
+  const std::string path = thread.addendum || thread.dedendum
+                               ? fmt::format("mechanism.thread.{}", name(part))
+                               : "mechanism.flank_angle";
+  const contact::ThreadStatus status = contact::check(thread);
+  if (status == contact::ThreadStatus::ok || status == contact::ThreadStatus::beyond_sharp_limit) {
+    if (flank.smallest < flank.largest) return std::nullopt;
+    return ContactFailure{path, fmt::format("the flanks of the {} have no height", name(part))};
+  }
+  return ContactFailure{
+      path, fmt::format(
+                "the flanks of the {} would reach from {:.4f} to {:.4f} mm radius, around a "
+                "pitch radius of {:.4f} mm ({})",
+                name(part), flank.smallest * per_si::millimetre, flank.largest * per_si::millimetre,
+                thread.pitch_radius * per_si::millimetre, contact::name(status))};
+}
+
+void warn_of_heights(const contact::Thread& thread, Part part, std::vector<std::string>& warnings) {
+  if (contact::check(thread) != contact::ThreadStatus::beyond_sharp_limit) return;
+  const contact::RadiusLimits given = contact::flank_limits(thread);
+  const contact::RadiusLimits sharp = contact::sharp_limits(thread);
+  warnings.push_back(fmt::format(
+      "the thread of the {} is given from {:.4f} to {:.4f} mm radius, its flanks meet "
+      "at {:.4f} and {:.4f} mm",
+      name(part), given.smallest * per_si::millimetre, given.largest * per_si::millimetre,
+      sharp.smallest * per_si::millimetre, sharp.largest * per_si::millimetre));
+}
+
+void warn_of_crowding(const Contacts& c, std::vector<std::string>& warnings) {
+  const int most = contact::largest_roller_count(c.threads);
+  if (c.mechanism.rollers > most)
+    warnings.push_back(fmt::format("{} rollers touch each other at their crests: {} fit",
+                                   c.mechanism.rollers, most));
+}
+
+void warn(Contacts& c) {
+  for (const Part p : kParts) warn_of_heights(thread_of(c.threads, p), p, c.warnings);
+  warn_of_missing_contacts(c, c.warnings);
+  warn_of_crowding(c, c.warnings);
+  warn_of_kinematics(c, c.warnings);
+  warn_of_interference(c, c.warnings);
+  warn_of_conformity(c, c.warnings);
+}
+
+}  // namespace
+
+Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials>& materials,
+                       Detail detail) {
+  for (const Part p : kParts) require_thickness(mechanism, p);
+  Contacts c;
+  c.mechanism = resolved(mechanism);
+  c.threads = threads_of(c.mechanism);
+  for (const Part p : kParts) c.bad_threads[p] = thread_failure(thread_of(c.threads, p), p);
+  const contact::MechanismContact geometry =
+      contact::mechanism_contact(c.threads, contact::Configuration::i1_j2);
+  const auto sound = [&](Interface i) {
+    return !c.bad_threads.roller && !c.bad_threads[body_of(i)];
+  };
+  if (sound(Interface::screw)) c.interfaces.screw.geometry = geometry.screw;
+  if (sound(Interface::nut)) c.interfaces.nut.geometry = geometry.nut;
+  for (const Interface i : kInterfaces)
+    if (materials && c.interfaces[i].geometry.ok())
+      add_hertz(c.interfaces[i], (*materials)[body_of(i)], materials->roller, detail);
+  for (const Interface i : kInterfaces)
+    c.interfaces[i].clearance = thread_clearance(c.threads, i, c.interfaces[i].geometry.point);
+  if (detail == Detail::complete) warn(c);
+  return c;
+}
+
+const contact::Thread& thread_of(const contact::MechanismGeometry& threads, Part part) {
+  return part == Part::screw ? threads.screw : part == Part::roller ? threads.roller : threads.nut;
+}
+
+ContactFailure failure(const Contacts& contacts, Interface i) {
+  for (const Part p : {Part::roller, body_of(i)})
+    if (contacts.bad_threads[p]) return *contacts.bad_threads[p];
+  const InterfaceContact& c = contacts.interfaces[i];
+  return why_no_contact(contacts.threads, c.geometry, c.hertz.status, i);
+}
+
+}  // namespace prs

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "contact/mechanism_geometry.h"
+#include "prs/model/mechanism.h"
+#include "prs/model/part.h"
+#include "prs/loads/slip_result.h"
+
+namespace prs {
+
+/// What the stationary motion needs to know of a mechanism (Sandu 2018, section 2.2).
+struct KinematicGeometry {
+  Mechanism::Type type = Mechanism::Type::standard;
+  double lead = 0.0;             ///< l_S, > 0 right-handed [m]
+  double gear_ratio = 0.0;       ///< Gamma = |l_R|/l_S, by (2.14) also r_R/r_N or r_R/r_S.
+  double centre_distance = 0.0;  ///< c [m]
+  /// I and J in the carrier's frame: z along the screw's axis, x towards the roller [m].
+  PerInterface<Eigen::Vector3d> points;
+};
+
+/// Speeds of the parts for one slip ratio. Rotations about z, positive anticlockwise [rad/s].
+struct Kinematics {
+  double slip_ratio = 0.0;         ///< epsilon = omega_p/n / omega_s/n (2.2)
+  double screw_to_carrier = 0.0;   ///< omega_s/p
+  double roller_to_carrier = 0.0;  ///< omega_r/p, from the gears (2.4)
+  double nut_to_carrier = 0.0;     ///< omega_n/p
+  /// Axial velocities against the carrier, which goes with the nut of a standard and with the screw
+  /// of an inverted mechanism [m/s] (2.5).
+  double screw_advance = 0.0;
+  double nut_advance = 0.0;
+};
+
+/// Stationary motion of the parts for one slip ratio and the speed of the screw against the nut
+/// omega_s/n [rad/s] (2.2), (2.4), (2.5).
+Kinematics kinematics(const KinematicGeometry& geometry, double speed, double slip_ratio);
+
+/// How body and roller move against each other where they touch.
+struct ContactMotion {
+  Eigen::Vector3d sliding =
+      Eigen::Vector3d::Zero();  ///< v, body against roller [m/s] (2.10), (2.11)
+  Eigen::Vector3d rolling = Eigen::Vector3d::Zero();  ///< u, sum of both [m/s] (2.32), (2.33)
+  double spin = 0.0;  ///< Body against roller, about z [rad/s] (2.23), (2.24)
+};
+
+ContactMotion contact_motion(const KinematicGeometry& geometry, const Kinematics& motion,
+                             Interface interface);
+
+/// The interface that slides in a mechanism whose other contact lies at its pitch point: the screw
+/// of a standard, the nut of an inverted one.
+constexpr Interface sliding_interface(Mechanism::Type type) {
+  return type == Mechanism::Type::standard ? Interface::screw : Interface::nut;
+}
+
+/// epsilon*, for which the sliding interface slides least (2.16), (2.17). It does not depend on the
+/// speed.
+double ideal_slip_ratio(const KinematicGeometry& geometry);
+
+/// Slip ratios by formulas of geometry alone: contacts at the pitch points, (1 - 2 Gamma)/(2 (1 -
+/// Gamma)) (2.21), for the inverted mechanism 1/(2 (1 + Gamma)) by the same argument; and, for the
+/// standard one, that of Jones et al. (2.20).
+SlipEstimates slip_estimates(const KinematicGeometry& geometry);
+
+/// Admissible slip ratios, from pure sliding at one end to the ideal one at the other.
+struct SlipRange {
+  double pure_sliding = 0.0;  ///< 0 standard, 1 inverted; the rollers do not turn.
+  double ideal = 0.0;         ///< epsilon*
+};
+SlipRange slip_range(const KinematicGeometry& geometry);
+
+/// Share of the way from pure sliding to the ideal slip ratio (2.19).
+double optimality(const SlipRange& range, double slip_ratio);
+
+}  // namespace prs

@@ -1,0 +1,124 @@
+#include "prs/threads/threads.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "prs/model/case_error.h"
+#include "prs/threads/contact_failure.h"
+
+namespace prs {
+namespace {
+
+contact::MechanismType type_of(const Mechanism& m) {
+  return m.type == Mechanism::Type::standard ? contact::MechanismType::standard
+                                             : contact::MechanismType::inverted;
+}
+
+double lead_of(const Mechanism& m, Part part, double pitch) {
+  if (part == Part::roller) return contact::roller_lead(type_of(m), m.lead, pitch, m.starts.roller);
+  return std::copysign(pitch * m.starts.screw, m.lead);
+}
+
+double curvature_of(const Profile& profile, double pitch_radius, double flank_angle) {
+  switch (profile.shape) {
+    case Profile::Shape::convex:
+      return 1.0 / profile.radius;
+    case Profile::Shape::concave:
+      return -1.0 / profile.radius;
+    case Profile::Shape::centred:
+      return std::sin(flank_angle) / pitch_radius;
+    case Profile::Shape::straight:
+      return 0.0;
+  }
+  return 0.0;
+}
+
+contact::Thread thread_of(const Mechanism& m, Part part, double pitch) {
+  contact::Thread thread;
+  thread.internal = part == Part::nut;
+  thread.pitch_radius = 0.5 * m.pitch_diameter[part].value_or(0.0);
+  thread.lead = lead_of(m, part, pitch);
+  thread.pitch = pitch;
+  thread.flank_angle = m.flank_angle[part];
+  thread.profile_curvature = curvature_of(m.profile[part], thread.pitch_radius, thread.flank_angle);
+  thread.plane = m.profile_plane == Mechanism::ProfilePlane::normal ? contact::ProfilePlane::normal
+                                                                    : contact::ProfilePlane::axial;
+  if (m.thread[part]) {
+    thread.addendum = m.thread[part]->addendum;
+    thread.dedendum = m.thread[part]->dedendum;
+    thread.thickness = m.thread[part]->thickness;
+  }
+  return thread;
+}
+
+[[noreturn]] void throw_design_error(const contact::DesignResult& design) {
+  const auto no_contact = [&](const contact::InterfaceGeometry& geometry, Interface i) {
+    const ContactFailure failure =
+        why_no_contact(design.mechanism, geometry, contact::HertzStatus::not_computed, i);
+    throw CaseError(failure.path,
+                    fmt::format("the {} threads of a mechanism with the wanted backlash have no "
+                                "contact: {}; mend profiles, flank angles or the screw's diameter",
+                                label(i), failure.reason));
+  };
+  switch (design.status) {
+    case contact::DesignStatus::no_screw_contact:
+      no_contact(design.contact.screw, Interface::screw);
+      break;
+    case contact::DesignStatus::no_nut_contact:
+      no_contact(design.contact.nut, Interface::nut);
+      break;
+    case contact::DesignStatus::pitches_differ:
+      throw CaseError(
+          "mechanism.pitch",
+          "backlash has no meaning where pitches differ; leave `pitch` out of a design");
+    case contact::DesignStatus::too_few_screw_starts:
+      throw CaseError("mechanism.starts",
+                      "a standard screw needs more than two screw starts for each roller start");
+    default:
+      break;
+  }
+  throw CaseError("mechanism.backlash",
+                  fmt::format("no mechanism with this screw has the wanted backlash ({}); mend the "
+                              "backlash, profiles or the screw's diameter",
+                              contact::name(design.status)));
+}
+
+}  // namespace
+
+PerPart<double> axial_pitches(const Mechanism& m) {
+  const double nominal = axial_pitch(m);
+  PerPart<double> pitches{nominal, nominal, nominal};
+  for (const Part part : kParts) {
+    if (!m.pitch[part]) continue;
+    pitches[part] = *m.pitch[part];
+    for (const double known : {nominal, pitches.screw, pitches.roller})
+      if (contact::same_pitch(*m.pitch[part], known)) {
+        pitches[part] = known;
+        break;
+      }
+  }
+  return pitches;
+}
+
+contact::MechanismGeometry threads_of(const Mechanism& m) {
+  const PerPart<double> pitches = axial_pitches(m);
+  return {type_of(m), thread_of(m, Part::screw, pitches.screw),
+          thread_of(m, Part::roller, pitches.roller), thread_of(m, Part::nut, pitches.nut),
+          m.centre_distance.value_or(0.0)};
+}
+
+Mechanism resolved(const Mechanism& m) {
+  if (m.geometry == Mechanism::Geometry::simulation) return m;
+  const contact::DesignResult design = contact::design_by_backlash(
+      threads_of(m), m.starts.screw, m.starts.roller, {m.backlash.screw, m.backlash.nut});
+  if (!design.ok()) throw_design_error(design);
+  Mechanism designed = m;
+  designed.pitch_diameter.screw = 2.0 * design.mechanism.screw.pitch_radius;
+  designed.pitch_diameter.roller = 2.0 * design.mechanism.roller.pitch_radius;
+  designed.pitch_diameter.nut = 2.0 * design.mechanism.nut.pitch_radius;
+  designed.centre_distance = design.mechanism.centre_distance;
+  return designed;
+}
+
+}  // namespace prs

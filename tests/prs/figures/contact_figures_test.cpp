@@ -1,0 +1,298 @@
+#include "prs/figures/contact_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+
+#include "contact/mechanism_geometry.h"
+#include "contact_cases.h"
+#include "drawn.h"
+#include "prs/loads/analyze.h"
+#include "prs/output/plots.h"
+#include "temporary_directory.h"
+#include "tests/contact/mechanisms.h"
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+using test::abevi_contacts;
+using test::contact_lesson;
+using test::content_of;
+using test::equal_share;
+using test::expect_drawn;
+using test::TemporaryDirectory;
+
+constexpr double mm = 1e-3;
+constexpr double kChord = 1e-4;  ///< Between a curved flank and its polyline [mm].
+
+/// Also example 1 of Sandu 2018, table 1.6.
+Case standard() { return contact_lesson("05_standard_screw.yaml"); }
+
+Case left_handed(Case c) {
+  c.mechanism.lead = -c.mechanism.lead;
+  return c;
+}
+
+/// Truncated threads, concave bodies.
+Case truncated() {
+  Case c = standard();
+  c.mechanism.profile.screw = c.mechanism.profile.nut = {Profile::Shape::concave, 40 * mm};
+  for (const Part part : kParts) c.mechanism.thread[part] = {0.3 * mm, 0.4 * mm};
+  return c;
+}
+
+std::vector<Case> variants() {
+  return {abevi_contacts(), left_handed(abevi_contacts()), standard(), left_handed(standard()),
+          truncated()};
+}
+
+std::vector<Figure> all_figures(const Result& result) {
+  std::vector<Figure> figures;
+  for (const auto make : {contact_section_figure, contact_xy_figure, contact_ellipse_figure})
+    if (auto figure = make(result)) figures.push_back(std::move(*figure));
+  return figures;
+}
+
+/// The line of the panel whose legend entry is `title`.
+const Line& line_of(const Figure& figure, const Panel& panel, const std::string& title) {
+  const auto entry = std::find_if(figure.legend.begin(), figure.legend.end(),
+                                  [&](const LegendEntry& e) { return e.title == title; });
+  EXPECT_NE(entry, figure.legend.end()) << title;
+  const auto line = std::find_if(panel.lines.begin(), panel.lines.end(),
+                                 [&](const Line& l) { return l.style == entry->style; });
+  EXPECT_NE(line, panel.lines.end()) << title;
+  return *line;
+}
+
+// Parts of the section's overview: the outlines of screw, roller (at the screw, at the nut), nut.
+constexpr std::size_t kOutlines = 3;
+
+struct Outlines {
+  Polyline body;
+  Polyline roller;
+};
+
+Outlines outlines_at(const Figure& section, Interface i) {
+  const std::vector<Line>& lines = section.panels[0].lines;
+  return i == Interface::screw
+             ? Outlines{lines[kOutlines].parts[0], lines[kOutlines + 1].parts[0]}
+             : Outlines{lines[kOutlines + 2].parts[0], lines[kOutlines + 1].parts[1]};
+}
+
+/// x of an outline at z.
+double at(const Polyline& outline, double z) {
+  const auto above = std::find_if(outline.begin(), outline.end(),
+                                  [&](const auto& point) { return point[0] >= z; });
+  const auto& [z1, x1] = *above;
+  const auto& [z0, x0] = *std::prev(above);
+  return x0 + (x1 - x0) * (z - z0) / (z1 - z0);
+}
+
+/// Room between the parts at z [mm]; negative where they interpenetrate.
+double gap(const Outlines& outlines, Interface i, double z) {
+  const double towards_roller = i == Interface::screw ? 1.0 : -1.0;
+  return towards_roller * (at(outlines.roller, z) - at(outlines.body, z));
+}
+
+TEST(ContactSection, LoadedFlanksTouchAtTheMarksAndNowhereInterpenetrate) {
+  for (const Case& c : variants()) {
+    const Result result = analyze_contacts(c);
+    const auto figure = contact_section_figure(result);
+    ASSERT_TRUE(figure);
+    const double pitch = result.contacts.threads.roller.pitch / mm;
+    const Line& marks = line_of(*figure, figure->panels[0], "contact points I, J");
+    for (const Interface i : kInterfaces) {
+      const Outlines outlines = outlines_at(*figure, i);
+      const Polyline& points = marks.parts[i == Interface::screw ? 0 : 1];
+      ASSERT_GT(points.size(), 5);
+      for (const auto& [z, x] : points) {
+        EXPECT_NEAR(at(outlines.body, z), x, kChord) << figure->title;
+        EXPECT_NEAR(gap(outlines, i, z), 0.0, kChord) << figure->title;
+        for (double away = -0.24; away < 0.24; away += 0.01)
+          EXPECT_GT(gap(outlines, i, z + away * pitch), -kChord) << figure->title << ' ' << away;
+      }
+    }
+  }
+}
+
+TEST(ContactSection, ThreadsStandWhereTheirAxialPositionsAre) {
+  // This screw's contact lies in the plane of the axes, where the middle of a groove is at the
+  // height of the origin; the roller's origin is at z = 0.
+  const Result result = analyze_contacts(abevi_contacts());
+  const contact::MechanismGeometry& threads = result.contacts.threads;
+  const auto positions = contact::axial_positions(
+      threads, contact::mechanism_contact(threads, contact::Configuration::i1_j2),
+      contact::Configuration::i1_j2);
+  const Polyline screw = outlines_at(*contact_section_figure(result), Interface::screw).body;
+  const auto root = std::min_element(screw.begin(), screw.end(), [](const auto& a, const auto& b) {
+    return std::lround(a[1] * 1e6) < std::lround(b[1] * 1e6);
+  });
+  const double from_root = (*root)[0] * mm - positions.screw;
+  EXPECT_NEAR(std::remainder(from_root, threads.screw.pitch), 0.0, 1e-9);
+}
+
+TEST(ContactSection, PartsOfDifferentPitchTouchAtOneThread) {
+  Case c = abevi_contacts();
+  c.mechanism.pitch.screw = c.mechanism.pitch.nut = 1.67 * mm;
+  const auto figure = contact_section_figure(analyze_contacts(c));
+  ASSERT_TRUE(figure);
+  for (const Interface i : kInterfaces) {
+    const Line& marks = line_of(*figure, figure->panels[0], "contact points I, J");
+    const Polyline& points = marks.parts[i == Interface::screw ? 0 : 1];
+    ASSERT_EQ(points.size(), 1);
+    EXPECT_NEAR(gap(outlines_at(*figure, i), i, points[0][0]), 0.0, kChord);
+  }
+  for (const Panel& panel : figure->panels)
+    for (const Label& label : panel.labels)
+      EXPECT_EQ(label.text.find("backlash"), std::string::npos);
+}
+
+TEST(ContactXy, MarksStandAtTheContactPoints) {
+  for (const Case& c : variants()) {
+    const Result result = analyze_contacts(c);
+    const auto figure = contact_xy_figure(result);
+    ASSERT_TRUE(figure);
+    const Line& marks = line_of(*figure, figure->panels[0], "contact points I, J");
+    for (const Interface i : kInterfaces) {
+      const auto& point = result.contacts.interfaces[i].geometry.point;
+      const auto& [x, y] = marks.parts[i == Interface::screw ? 0 : 1].at(0);
+      EXPECT_DOUBLE_EQ(std::hypot(x, y) * mm, point.radius_on_body);
+      EXPECT_DOUBLE_EQ(std::atan2(y, x), point.angle_on_body);
+    }
+  }
+}
+
+TEST(ContactXy, AllRollersAreDrawn) {
+  const Result result = analyze_contacts(abevi_contacts());
+  const auto figure = contact_xy_figure(result);
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(line_of(*figure, figure->panels[0], "pitch circle, roller").parts.size(), 11);
+}
+
+TEST(ContactEllipses, AreThoseOfTheLargestLoad) {
+  const Result result = analyze_contacts(abevi_contacts(
+      {equal_share("small", 5e3), equal_share("large", -45e3), equal_share("some", 20e3)}));
+  const auto figure = contact_ellipse_figure(result);
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->title, "Contact ellipses, load case large");
+  for (const Interface i : kInterfaces) {
+    const std::size_t index = i == Interface::screw ? 0 : 1;
+    const Polyline& ellipse =
+        line_of(*figure, figure->panels[index], "contact ellipse").parts.at(0);
+    const InterfaceLoads& loads = (*result.load_cases[1].threads)[i];
+    const double angle = result.contacts.interfaces[i].geometry.relative.angle;
+    EXPECT_NEAR(std::hypot(ellipse[0][0], ellipse[0][1]) * mm, loads.semi_major[0], 1e-12);
+    EXPECT_NEAR(std::remainder(std::atan2(ellipse[0][1], ellipse[0][0]) - angle, M_PI), 0, 1e-12);
+  }
+}
+
+TEST(ContactEllipses, HaveUnitMajorAxesWithoutMaterials) {
+  Case c = abevi_contacts({equal_share("equal", 45e3)});
+  const contact::HertzConstants hertz = analyze_contacts(c).contacts.interfaces.nut.hertz;
+  c.materials.reset();
+  const auto figure = contact_ellipse_figure(analyze_contacts(c));
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->title, "Contact ellipses, shape without load");
+  double least = 1.0;
+  const Line& ellipse = line_of(*figure, figure->panels[1], "contact ellipse");
+  for (const auto& [x, y] : ellipse.parts[0]) least = std::min(least, std::hypot(x, y));
+  EXPECT_NEAR(least, hertz.ellipticity, 1e-12);
+}
+
+/// The contacts of threads that no case describes.
+Result contacts_of(const contact::MechanismGeometry& threads) {
+  Result result;
+  result.contacts.threads = threads;
+  result.contacts.mechanism.rollers = 3;
+  const auto contact = contact::mechanism_contact(threads, contact::Configuration::i1_j2);
+  result.contacts.interfaces.screw.geometry = contact.screw;
+  result.contacts.interfaces.nut.geometry = contact.nut;
+  return result;
+}
+
+void expect_finite(const Figure& figure) {
+  for (const Panel& panel : figure.panels)
+    for (const Line& line : panel.lines)
+      for (const Polyline& part : line.parts)
+        for (const auto& [x, y] : part)
+          ASSERT_TRUE(std::isfinite(x) && std::isfinite(y)) << figure.name;
+}
+
+TEST(ContactFigures, AllCoordinatesAreFinite) {
+  for (const Case& c : variants())
+    for (const Figure& figure : all_figures(analyze_contacts(c))) expect_finite(figure);
+  contact::test::RandomMechanisms random(7);
+  int drawn = 0;
+  for (int k = 0; k < 200; ++k)
+    for (const Figure& figure : all_figures(contacts_of(random.next()))) {
+      expect_finite(figure);
+      ++drawn;
+    }
+  EXPECT_GT(drawn, 200);
+}
+
+TEST(ContactFigures, NeedBothContactPoints) {
+  Result result = analyze_contacts(abevi_contacts());
+  result.contacts.interfaces.nut.geometry.point.status = contact::ContactPointStatus::outside_flank;
+  EXPECT_TRUE(all_figures(result).empty());
+  const TemporaryDirectory temporary;
+  const auto notes = draw_contact_plots(result, temporary.path()).notes;
+  ASSERT_EQ(notes.size(), 1);
+  EXPECT_NE(notes[0].find("roller-nut"), std::string::npos) << notes[0];
+}
+
+/// Lengths of the ranges of x and y in the order of the panels.
+std::vector<double> ranges(const std::string& script, char axis) {
+  const std::regex pattern(std::string("set ") + axis + R"(range \[([^:]+):([^\]]+)\])");
+  std::vector<double> lengths;
+  for (std::sregex_iterator match(script.begin(), script.end(), pattern), end; match != end;
+       ++match)
+    lengths.push_back(std::stod((*match)[2]) - std::stod((*match)[1]));
+  return lengths;
+}
+
+TEST(ContactFigures, DrawingsAreToScale) {
+  // Panels of one width and height: twice the range of x means twice the range of y.
+  Figure figure;
+  figure.to_scale = true;
+  figure.columns = 2;
+  figure.panels = {{.title = "wide", .x = Axis{"x", 0.0, 10.0}, .y = Axis{"y", 0.0, 1.0}},
+                   {.title = "high", .x = Axis{"x", 0.0, 1.0}, .y = Axis{"y", 0.0, 10.0}}};
+  const std::string script = gnuplot_script(figure);
+  const auto x = ranges(script, 'x'), y = ranges(script, 'y');
+  ASSERT_EQ(x.size(), 2);
+  EXPECT_DOUBLE_EQ(x[0], 10.0);
+  EXPECT_DOUBLE_EQ(y[1], 10.0);
+  EXPECT_NEAR(x[0] / y[0], x[1] / y[1], 1e-5);
+}
+
+TEST(ContactPlots, EveryFigureIsDrawnBesideItsScript) {
+  const TemporaryDirectory temporary;
+  ASSERT_NO_FATAL_FAILURE(
+      expect_drawn(draw_contact_plots(analyze_contacts(truncated()), temporary.path())));
+  if (IsSkipped()) return;
+  for (const char* name : {"contact_axial_section", "contact_xy", "contact_ellipses"}) {
+    const fs::path base = temporary.path() / "plots" / name;
+    EXPECT_TRUE(fs::exists(base.string() + ".gp"));
+    EXPECT_NE(content_of(base.string() + ".svg").find("</svg>"), std::string::npos);
+    EXPECT_EQ(content_of(base.string() + ".png").substr(1, 3), "PNG");
+  }
+}
+
+TEST(ContactPlots, NamesAreDrawnAsTheyStandAndNeverRun) {
+  for (const std::string name : {"'; system('touch run'); '", "\"; system('touch run'); \"",
+                                 "`touch run`", "}\n!touch run\n", "\xff\x01", ""}) {
+    const TemporaryDirectory temporary;
+    ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_contact_plots(
+        analyze_contacts(abevi_contacts({equal_share(name, 45e3)})), temporary.path())));
+    if (IsSkipped()) return;
+    EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "contact_ellipses.png")) << name;
+    EXPECT_FALSE(fs::exists(temporary.path() / "plots" / "run")) << name;
+  }
+}
+
+}  // namespace
+}  // namespace prs

@@ -1,0 +1,241 @@
+#include "prs/output/plots.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "drawn.h"
+#include "prs/output/files.h"
+#include "prs/figures/result_figures.h"
+#include "sample_result.h"
+#include "temporary_directory.h"
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+using test::add_sweep;
+using test::content_of;
+using test::equal_share_case;
+using test::expect_drawn;
+using test::failed_case;
+using test::solved_case;
+using test::TemporaryDirectory;
+
+/// The environment's PATH while the object lives.
+class Path {
+ public:
+  explicit Path(const std::string& value) : before_(std::getenv("PATH")) {
+    ::setenv("PATH", value.c_str(), 1);
+  }
+  Path(const Path&) = delete;
+  Path& operator=(const Path&) = delete;
+  ~Path() { ::setenv("PATH", before_.c_str(), 1); }
+
+ private:
+  std::string before_;
+};
+
+Result sweeps() {
+  Result result;
+  for (const char* configuration : {"config1", "config2"}) {
+    add_sweep(result, std::string(configuration) + "-tension", Direction::tension, 9);
+    add_sweep(result, std::string(configuration) + "-compression", Direction::compression, 9);
+  }
+  return result;
+}
+
+Result single_case(std::string name) {
+  Result result;
+  result.load_cases = {solved_case(std::move(name), 45e3, Direction::tension)};
+  return result;
+}
+
+TEST(Figures, DirectionsOfOneConfigurationShareALine) {
+  const auto figure = load_distribution_figure(sweeps());
+  ASSERT_TRUE(figure);
+  ASSERT_EQ(figure->panels.size(), 4);
+  EXPECT_EQ(figure->panels[0].title, "Screw–roller, tension");
+  EXPECT_EQ(figure->panels[3].title, "Nut–roller, compression");
+  ASSERT_EQ(figure->legend.size(), 3);
+  EXPECT_EQ(figure->legend[0].title, "config1");
+  EXPECT_EQ(figure->legend[1].title, "config2");
+}
+
+TEST(Figures, RangeIsRepresentedByItsFullLoad) {
+  const Result result = sweeps();
+  const auto figure = load_distribution_figure(result);
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->title, "Load distribution, 45 kN");
+  const Polyline& drawn = figure->panels[0].lines[1].parts[0];
+  const auto& rates = result.load_cases[8].threads->screw.load_rate;
+  ASSERT_EQ(drawn.size(), rates.size());
+  EXPECT_EQ(drawn[0][0], 1.0);
+  EXPECT_DOUBLE_EQ(drawn[0][1], 100 * rates[0]);
+}
+
+TEST(Figures, ButterflyHasTensionOnTheNegativeSide) {
+  const auto figure = butterfly_figure(sweeps());
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->panels.size(), 4);
+  EXPECT_DOUBLE_EQ(figure->x.from, -45.0);
+  EXPECT_DOUBLE_EQ(figure->x.to, 45.0);
+}
+
+TEST(Figures, StiffnessNeedsThreePoints) {
+  Result result;
+  add_sweep(result, "short", Direction::tension, 2);
+  EXPECT_FALSE(stiffness_figure(result));
+  add_sweep(result, "long", Direction::tension, 3);
+  const auto figure = stiffness_figure(result);
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->legend[0].title, "long");
+  EXPECT_EQ(figure->panels.size(), 1);
+}
+
+TEST(Figures, EqualSharesAreNoLoadDistribution) {
+  Result result;
+  result.load_cases = {equal_share_case("equal")};
+  EXPECT_FALSE(load_distribution_figure(result));
+  EXPECT_FALSE(peak_pressure_figure(result));
+}
+
+TEST(Figures, MoreConfigurationsThanStylesAreLimited) {
+  Result result;
+  for (int k = 0; k < 12; ++k)
+    result.load_cases.push_back(solved_case("case " + std::to_string(k), 45e3, Direction::tension));
+  const auto figure = load_distribution_figure(result);
+  ASSERT_TRUE(figure);
+  EXPECT_NE(figure->title.find("first 8 of 12"), std::string::npos);
+}
+
+TEST(Plots, EveryFigureIsDrawnBesideItsScript) {
+  const TemporaryDirectory temporary;
+  ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_plots(sweeps(), temporary.path())));
+  if (IsSkipped()) return;
+  for (const char* name : {"load_distribution", "peak_pressure", "stiffness", "butterfly"}) {
+    const fs::path base = temporary.path() / "plots" / name;
+    EXPECT_GT(content_of(base.string() + ".gp").size(), 1000);
+    EXPECT_NE(content_of(base.string() + ".svg").find("</svg>"), std::string::npos);
+    EXPECT_EQ(content_of(base.string() + ".png").substr(1, 3), "PNG");
+  }
+}
+
+TEST(Plots, FewThreadsAndAbsentTangentsAreDrawn) {
+  Result result;
+  for (const int threads : {1, 2, 3}) {
+    const std::string name = std::to_string(threads) + " threads";
+    for (int k = 0; k < 4; ++k) {
+      result.load_cases.push_back(solved_case(name + '[' + std::to_string(k) + ']', 1e3 * (k + 1),
+                                              Direction::tension, threads));
+      result.load_cases.back().tangent_stiffness.reset();
+    }
+  }
+  const TemporaryDirectory temporary;
+  expect_drawn(draw_plots(result, temporary.path()));
+}
+
+/// The text as gnuplot's SVG holds it.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+  return result;
+}
+
+TEST(Plots, NamesAreDrawnAsTheyStandAndNeverRun) {
+  for (const std::string name :
+       {"'; system('touch ../run'); '", "''", "\"; system('touch ../run'); \"", "`touch ../run`",
+        "\\140touch ../run\\140", "$(touch ../run) $panel_1 @x # {", "}", "!touch ../run", "\\",
+        "%s %d", "<b>&amp;</b>", "a_{b}^c"}) {
+    const TemporaryDirectory temporary;
+    ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_plots(single_case(name), temporary.path())));
+    if (IsSkipped()) return;
+    const fs::path plots = temporary.path() / "plots";
+    EXPECT_FALSE(fs::exists(plots / "run")) << name;
+    EXPECT_NE(content_of(plots / "load_distribution.svg").find(escaped(name)), std::string::npos)
+        << name;
+  }
+}
+
+TEST(Plots, MalformedNamesAreDrawn) {
+  for (const std::string name : {"\xff\x01 \xEF\xBF\xBF", "}\n!touch ../run\n", ""}) {
+    const TemporaryDirectory temporary;
+    ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_plots(single_case(name), temporary.path())));
+    if (IsSkipped()) return;
+    EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "load_distribution.png"));
+    EXPECT_FALSE(fs::exists(temporary.path() / "plots" / "run"));
+  }
+}
+
+TEST(Plots, MissingGnuplotLeavesScriptsAndANote) {
+  const TemporaryDirectory temporary;
+  const Path nowhere((temporary.path() / "nowhere").string());
+  const Undrawn undrawn = draw_plots(single_case("a"), temporary.path());
+  ASSERT_EQ(undrawn.notes.size(), 1);
+  EXPECT_NE(undrawn.notes[0].find("gnuplot: No such file or directory"), std::string::npos)
+      << undrawn.notes[0];
+  EXPECT_TRUE(undrawn.errors.empty());
+  EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "load_distribution.gp"));
+}
+
+/// Draws with a shell script for gnuplot; `$name` is that of the figure.
+Undrawn drawn_by(const std::string& script, const TemporaryDirectory& temporary) {
+  write_files(temporary.path(),
+              {{"gnuplot", "#!/bin/sh\nname=${2##*/}; name=${name%.gp}\n" + script}});
+  fs::permissions(temporary.path() / "gnuplot", fs::perms::owner_all);
+  const Path fake(temporary.path().string());
+  return draw_plots(single_case("a"), temporary.path());
+}
+
+void expect_scripts_only(const fs::path& plots) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(plots))
+    EXPECT_EQ(entry.path().extension(), ".gp") << entry.path();
+}
+
+TEST(Plots, FailingGnuplotIsAnErrorAndLeavesNoImage) {
+  const TemporaryDirectory temporary;
+  const Undrawn undrawn =
+      drawn_by(": > \"$name.png\"\necho out of order >&2\nexit 3\n", temporary);
+  ASSERT_EQ(undrawn.errors.size(), 2);
+  EXPECT_NE(undrawn.errors[0].find("out of order"), std::string::npos) << undrawn.errors[0];
+  EXPECT_TRUE(undrawn.notes.empty());
+  expect_scripts_only(temporary.path() / "plots");
+}
+
+TEST(Plots, GnuplotThatIsKilledIsAnError) {
+  const TemporaryDirectory temporary;
+  const Undrawn undrawn = drawn_by("kill -9 $$\n", temporary);
+  ASSERT_EQ(undrawn.errors.size(), 2);
+  EXPECT_NE(undrawn.errors[0].find("signal 9"), std::string::npos) << undrawn.errors[0];
+}
+
+TEST(Plots, HalfAPictureIsAnErrorAlthoughGnuplotSaysNothing) {
+  const std::string svg = "echo '<svg></svg>' > $name.svg\n";
+  const std::string png = "printf '\\0\\0\\0\\0IEND\\256B`\\202' > $name.png\n";
+  for (const std::string& script :
+       {svg, png, png + "echo '<svg>' > $name.svg\n", png + ": > $name.svg\n",
+        svg + "printf '\\0\\0\\0\\0IEND\\256B`' > $name.png\n"}) {
+    const TemporaryDirectory temporary;
+    const Undrawn undrawn = drawn_by(script, temporary);
+    ASSERT_EQ(undrawn.errors.size(), 2) << script;
+    EXPECT_NE(undrawn.errors[0].find("/plots/load_distribution."), std::string::npos)
+        << undrawn.errors[0];
+    expect_scripts_only(temporary.path() / "plots");
+  }
+  const TemporaryDirectory temporary;
+  expect_drawn(drawn_by(svg + png, temporary));
+  EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "load_distribution.png"));
+}
+
+TEST(Plots, ResultWithoutAnswersDrawsNothing) {
+  const TemporaryDirectory temporary;
+  Result result;
+  result.load_cases = {failed_case("hopeless")};
+  const Undrawn undrawn = draw_plots(result, temporary.path());
+  EXPECT_TRUE(undrawn.notes.empty() && undrawn.errors.empty());
+  EXPECT_FALSE(fs::exists(temporary.path() / "plots"));
+}
+
+}  // namespace
+}  // namespace prs

@@ -1,0 +1,215 @@
+#include "prs/figures/slip_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "drawn.h"
+#include "prs/output/plots.h"
+#include "sample_slip.h"
+#include "temporary_directory.h"
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+using test::add_sweep;
+using test::content_of;
+using test::equal_share_case;
+using test::expect_drawn;
+using test::failed_case;
+using test::sample_pictures;
+using test::solved_case;
+using test::TemporaryDirectory;
+using test::with_slip;
+using test::without_equilibrium;
+
+Result sweeps() {
+  Result result;
+  for (const char* name : {"config1-tension", "config1-compression"})
+    add_sweep(result, name,
+              std::string(name).ends_with("tension") ? Direction::tension : Direction::compression,
+              9);
+  for (LoadCaseResult& load_case : result.load_cases) load_case = with_slip(std::move(load_case));
+  return result;
+}
+
+bool has_style(const Figure& figure, const Panel& panel, const std::string& title) {
+  for (const LegendEntry& entry : figure.legend)
+    if (entry.title == title)
+      return std::any_of(panel.lines.begin(), panel.lines.end(),
+                         [&](const Line& line) { return line.style == entry.style; });
+  return false;
+}
+
+TEST(SlipFigures, ThreadPowersStandBesideTheLevelOfEqualShares) {
+  const Result result = sweeps();
+  const auto figure = thread_power_figure(result);
+  ASSERT_TRUE(figure);
+  ASSERT_EQ(figure->panels.size(), 4);
+  const std::vector<Line>& lines = figure->panels[0].lines;
+  ASSERT_EQ(lines.size(), 2);
+  const SlipResult& full = *result.load_cases[8].slip;
+  EXPECT_DOUBLE_EQ(lines[0].parts[0][0][1], full.equal_shares->thread_power.screw);
+  EXPECT_DOUBLE_EQ(lines[1].parts[0][3][1], full.threads.screw.power[3]);
+  EXPECT_EQ(figure->panels[1].lines.size(), 2);
+  EXPECT_EQ(figure->legend.back().title, "every thread with equal shares");
+}
+
+TEST(SlipFigures, ThreadPowersWithoutEqualSharesHaveNoLevel) {
+  Result result;
+  result.load_cases = {with_slip(solved_case("a", 45e3, Direction::tension))};
+  result.load_cases[0].slip->equal_shares.reset();
+  const auto figure = thread_power_figure(result);
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->legend.size(), 1);
+  EXPECT_EQ(figure->panels[0].lines.size(), 1);
+}
+
+TEST(SlipFigures, CasesWithoutAnAnswerHaveNone) {
+  Result result;
+  result.load_cases = {without_equilibrium(solved_case("a", 45e3, Direction::tension)),
+                       failed_case("b"), equal_share_case("c")};
+  EXPECT_FALSE(thread_power_figure(result));
+  EXPECT_TRUE(power_over_load_figures(result).empty());
+}
+
+TEST(SlipFigures, ArrowsOfThePatchFollowTheVelocityAndDoNotOverlap) {
+  const SlipPictures pictures = sample_pictures();
+  const Figure figure =
+      slip_patch_figure(with_slip(solved_case("a", 45e3, Direction::tension)), pictures);
+  ASSERT_EQ(figure.panels.size(), 2);
+  for (const Interface i : kInterfaces) {
+    const PatchField& field = pictures.most_loaded_thread[i];
+    const Panel& panel = figure.panels[i == Interface::screw ? 0 : 1];
+    EXPECT_EQ(panel.map.cells.size(), field.friction_coefficient.size());
+    const auto& arrows = panel.lines[1].parts;
+    ASSERT_GT(arrows.size(), 60);
+    EXPECT_LT(arrows.size(), 11 * 11);
+    const double spacing = 2e3 * 2.0 * field.semi_minor / field.points;
+    double longest = 0.0;
+    for (const Polyline& arrow : arrows)
+      longest = std::max(longest, std::hypot(arrow[1][0] - arrow[0][0], arrow[1][1] - arrow[0][1]));
+    EXPECT_LE(longest, spacing * 1.0001);
+    EXPECT_GT(longest, 0.8 * spacing);
+  }
+  // Pure spin, counterclockwise: upwards on the right.
+  const auto& spin = figure.panels[1].lines[1].parts;
+  const auto right = std::max_element(
+      spin.begin(), spin.end(), [](const auto& a, const auto& b) { return a[0][0] < b[0][0]; });
+  EXPECT_GT((*right)[1][1], (*right)[0][1]);
+}
+
+TEST(SlipFigures, EvenFrictionHasAColourRangeFromZero) {
+  SlipPictures pictures = sample_pictures();
+  for (const Interface i : kInterfaces)
+    for (double& value : pictures.most_loaded_thread[i].friction_coefficient) value = 0.11;
+  const Figure figure = slip_patch_figure(with_slip(equal_share_case("coulomb")), pictures);
+  ASSERT_TRUE(figure.colours);
+  EXPECT_EQ(figure.colours->from, 0.0);
+  EXPECT_EQ(figure.colours->to, 0.11);
+}
+
+TEST(SlipFigures, ResidueCurvesAddUpToTheirSum) {
+  const Figure figure =
+      slip_residue_figure(with_slip(solved_case("a", 45e3, Direction::tension)), sample_pictures());
+  ASSERT_EQ(figure.panels.size(), 2);
+  for (const Panel& panel : figure.panels) {
+    ASSERT_EQ(panel.lines.size(), 3 + 5);
+    for (std::size_t k = 0; k < panel.lines.back().parts[0].size(); ++k) {
+      double sum = 0.0;
+      for (std::size_t c = 3; c < 7; ++c) sum += panel.lines[c].parts[0][k][1];
+      EXPECT_NEAR(panel.lines[7].parts[0][k][1], sum, 1e-9);
+    }
+  }
+}
+
+TEST(SlipFigures, AreasOfPowerStackUpToTheTotal) {
+  const Result result = sweeps();
+  const auto figures = power_over_load_figures(result);
+  ASSERT_EQ(figures.size(), 2);
+  EXPECT_EQ(figures[0].name, "power_by_source");
+  EXPECT_EQ(figures[1].name, "power_by_source_2");
+  const Panel& power = figures[0].panels[0];
+  EXPECT_TRUE(has_style(figures[0], power, "roller-carrier"));
+  EXPECT_FALSE(has_style(figures[0], power, "carrier-nut"));
+  const std::size_t top = power.lines.size() - 2;
+  const Polyline& area = power.lines[top].parts[0];
+  ASSERT_EQ(area.size(), 2 * 9);
+  EXPECT_DOUBLE_EQ(area[9][0], 45.0);
+  EXPECT_DOUBLE_EQ(area[9][1], result.load_cases[8].slip->power.total());
+}
+
+TEST(SlipFigures, SweepIsSortedAndBrokenWhereThereIsNoAnswer) {
+  const SlipResult good = *with_slip(solved_case("a", 45e3, Direction::tension)).slip;
+  SlipResult bad = good;
+  bad.status = SlipStatus::no_equilibrium;
+  const Figure figure = power_by_source_figure({5, 4, 3, 2, 1}, "x", {good, good, bad, good, good});
+  EXPECT_EQ(figure.x.from, 1.0);
+  EXPECT_EQ(figure.x.to, 5.0);
+  EXPECT_EQ(figure.panels[1].lines[0].parts.size(), 2);
+}
+
+TEST(SlipFigures, ReferencesStandInBothPanels) {
+  const SlipResult slip = *with_slip(solved_case("a", 45e3, Direction::tension)).slip;
+  PowerFigureOptions options;
+  options.relative_to = slip.power.total();
+  options.references = {{"reference", 20.0, slip.power.total(), 0.786}};
+  options.comparison_title = "other model";
+  options.comparison = {{10.0, 0.7}, {30.0, 0.8}};
+  const Figure figure =
+      power_by_source_figure({10, 20, 30}, "Screw diameter (mm)", {slip, slip, slip}, options);
+  for (const Panel& panel : figure.panels) EXPECT_TRUE(has_style(figure, panel, "reference"));
+  EXPECT_TRUE(has_style(figure, figure.panels[1], "other model"));
+  EXPECT_NEAR(figure.panels[0].lines.back().parts[0][0][1], 100.0, 1e-9);
+}
+
+TEST(SlipPlots, EveryFigureIsDrawnBesideItsScript) {
+  const TemporaryDirectory temporary;
+  ASSERT_NO_FATAL_FAILURE(
+      expect_drawn(draw_slip_plots(sweeps(), {{8, sample_pictures()}}, temporary.path())));
+  if (IsSkipped()) return;
+  for (const char* name :
+       {"thread_power", "slip_patches", "slip_residue", "power_by_source", "power_by_source_2"}) {
+    const fs::path base = temporary.path() / "plots" / name;
+    EXPECT_GT(content_of(base.string() + ".gp").size(), 1000) << name;
+    EXPECT_NE(content_of(base.string() + ".svg").find("</svg>"), std::string::npos) << name;
+    EXPECT_EQ(content_of(base.string() + ".png").substr(1, 3), "PNG") << name;
+  }
+}
+
+TEST(SlipPlots, PicturesOfSeveralCasesAreNumbered) {
+  const TemporaryDirectory temporary;
+  ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_slip_plots(
+      sweeps(), {{0, sample_pictures()}, {8, sample_pictures()}}, temporary.path())));
+  if (IsSkipped()) return;
+  EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "slip_patches_1.png"));
+  EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "slip_residue_2.png"));
+}
+
+TEST(SlipPlots, DegenerateValuesAreDrawn) {
+  Result result;
+  result.load_cases = {with_slip(equal_share_case("still"))};
+  SlipPictures pictures = sample_pictures();
+  for (const Interface i : kInterfaces) {
+    PatchField& field = pictures.most_loaded_thread[i];
+    std::fill(field.sliding_major.begin(), field.sliding_major.end(), 0.0);
+    std::fill(field.sliding_minor.begin(), field.sliding_minor.end(), 0.0);
+    std::fill(field.friction_coefficient.begin(), field.friction_coefficient.end(), 0.0);
+  }
+  pictures.residue_near_root = {{0.373, 0.373}, {{}, {}}};
+  const TemporaryDirectory temporary;
+  expect_drawn(draw_slip_plots(result, {{0, pictures}}, temporary.path()));
+}
+
+TEST(SlipPlots, NamesAreDrawnAsTheyStandAndNeverRun) {
+  Result result;
+  result.load_cases = {with_slip(equal_share_case("\"; system('touch run'); \""))};
+  const TemporaryDirectory temporary;
+  expect_drawn(draw_slip_plots(result, {{0, sample_pictures()}}, temporary.path()));
+  EXPECT_FALSE(fs::exists(temporary.path() / "plots" / "run"));
+}
+
+}  // namespace
+}  // namespace prs

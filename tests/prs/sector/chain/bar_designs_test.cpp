@@ -1,0 +1,214 @@
+#include "prs/sector/chain/bar_designs.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "prs/sector/chain/chain_solver.h"
+#include "prs/chain/solves.h"
+#include "support/allocations.h"
+#include "support/count.h"
+
+namespace prs {
+namespace {
+
+using test::SectorCase;
+
+BarSector numbers(const SectorCase& c) {
+  return bar_sector(c.mechanism, c.structure, c.materials, c.options, c.laws, c.direction,
+                    c.position, c.deviations);
+}
+
+struct Designs {
+  std::vector<BarSector> sectors;
+  std::vector<double> forces;
+  std::vector<std::string> names;
+
+  void add(const SectorCase& c, double force, const std::string& name) {
+    sectors.push_back(numbers(c));
+    forces.push_back(force);
+    names.push_back(name);
+  }
+  std::vector<LoadDistribution> solve(InstructionSet set) const {
+    std::vector<LoadDistribution> results(forces.size());
+    BarDesignSolver(set).solve(sectors, forces, results);
+    return results;
+  }
+};
+
+TEST(BarDesigns, AgreeWithSparseSolverOnSpecialCases) {
+  Designs designs;
+  std::vector<LoadDistribution> expected;
+  for (const test::NamedCase& c : test::special_cases()) {
+    for (const double force : {1e-3, 50.0, 45e3, 1e7}) {
+      designs.add(c.sector, force, c.name + ' ' + std::to_string(force));
+      expected.push_back(test::sparse(c.sector.build(), force));
+    }
+  }
+  for (const InstructionSet set : test::instruction_sets()) {
+    const std::vector<LoadDistribution> results = designs.solve(set);
+    for (std::size_t k = 0; k < results.size(); ++k)
+      test::expect_same(expected[k], results[k], std::string(name(set)) + ' ' + designs.names[k]);
+  }
+}
+
+TEST(BarDesigns, AgreeWithSparseSolverOnRandomSectors) {
+  std::mt19937_64 random(23);
+  Designs designs;
+  std::vector<LoadDistribution> expected;
+  for (int k = 0; k < test::count(200, 5000); ++k) {
+    const SectorCase c = test::random_sector(random);
+    designs.add(c, test::random_force(c, random), std::to_string(k));
+    expected.push_back(test::sparse(c.build(), designs.forces.back()));
+  }
+  for (const InstructionSet set : test::instruction_sets()) {
+    const std::vector<LoadDistribution> results = designs.solve(set);
+    for (std::size_t k = 0; k < results.size(); ++k)
+      test::expect_same(expected[k], results[k], std::string(name(set)) + ' ' + designs.names[k]);
+  }
+}
+
+TEST(BarDesigns, SweepsAgreeWithSparseSolver) {
+  std::mt19937_64 random(31);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  // Ascending steps, large ones, a repetition, a failure, a descent.
+  const double shares[] = {0.01, 0.02, 0.03, 0.04, 0.3,  0.31, 0.31,
+                           0.32, nan,  0.6,  0.61, 0.62, 0.2};
+  Designs designs;
+  std::vector<LoadDistribution> expected;
+  for (int k = 0; k < test::count(20, 500); ++k) {
+    const SectorCase c = test::random_sector(random);
+    const Sector sector = c.build();
+    const double force = test::random_force(c, random);
+    designs.sectors.push_back(numbers(c));
+    for (const double share : shares) {
+      designs.forces.push_back(share * force);
+      designs.names.push_back(std::to_string(k) + ' ' + std::to_string(share));
+      expected.push_back(share > 0.0 ? test::sparse(sector, share * force) : LoadDistribution());
+    }
+  }
+  for (const InstructionSet set : test::instruction_sets()) {
+    const std::vector<LoadDistribution> results = designs.solve(set);
+    for (std::size_t k = 0; k < results.size(); ++k)
+      if (designs.forces[k] > 0.0)
+        test::expect_same(expected[k], results[k], std::string(name(set)) + ' ' + designs.names[k]);
+      else
+        EXPECT_FALSE(results[k].solve.converged());
+  }
+}
+
+TEST(BarDesigns, SweepTakesOneIterationALoadBehindTheFirst) {
+  std::vector<double> forces;
+  for (int k = 1; k <= 100; ++k) forces.push_back(450.0 * k);
+  const BarSector sector = numbers(test::abevi());
+  std::vector<LoadDistribution> results(forces.size());
+  BarDesignSolver solver;
+  solver.options.residual_tolerance = 1e-10;
+  solver.solve({&sector, 1}, forces, results);
+  for (std::size_t k = 5; k < results.size(); ++k) EXPECT_EQ(results[k].solve.iterations(), 1) << k;
+}
+
+TEST(BarDesigns, SweepsDoNotDependOnTheDesignsBeside) {
+  std::mt19937_64 random(37);
+  Designs designs;
+  for (int k = 0; k < 12; ++k) {
+    SectorCase c = test::random_sector(random);
+    c.mechanism.contacts_per_roller = 5;
+    designs.sectors.push_back(numbers(c));
+    const double force = test::random_force(c, random);
+    for (int i = 1; i <= 10; ++i)
+      designs.forces.push_back(k == 3 && i == 6 ? std::numeric_limits<double>::quiet_NaN()
+                                                : 0.1 * i * force);
+  }
+  for (const InstructionSet set : test::instruction_sets()) {
+    const auto together = designs.solve(set);
+    BarDesignSolver alone(set);
+    for (std::size_t k = 0; k < designs.sectors.size(); ++k) {
+      std::vector<LoadDistribution> single(10);
+      alone.solve({&designs.sectors[k], 1}, {&designs.forces[10 * k], 10}, single);
+      for (std::size_t i = 0; i < single.size(); ++i)
+        if (designs.forces[10 * k + i] > 0.0)
+          test::expect_identical(together[10 * k + i], single[i]);
+        else
+          EXPECT_FALSE(single[i].solve.converged());
+    }
+  }
+}
+
+/// Sectors of one thread count, easy and hard ones, in batches in which each has other neighbours.
+TEST(BarDesigns, ResultsDoNotDependOnTheDesignsBeside) {
+  std::mt19937_64 random(29);
+  Designs designs;
+  for (int k = 0; k < 40; ++k) {
+    SectorCase c = test::random_sector(random);
+    c.mechanism.contacts_per_roller = 4;
+    if (k % 3 == 0) c.mechanism.pitch.roller = axial_pitch(c.mechanism) + 3e-6;
+    designs.add(c, test::random_force(c, random), "");
+  }
+  Designs turned;
+  for (std::size_t k = 0; k < designs.sectors.size(); ++k) {
+    const std::size_t from = (k * 7 + 3) % designs.sectors.size();
+    turned.sectors.push_back(designs.sectors[from]);
+    turned.forces.push_back(designs.forces[from]);
+  }
+  for (const InstructionSet set : test::instruction_sets()) {
+    const auto together = designs.solve(set), elsewhere = turned.solve(set);
+    BarDesignSolver alone(set);
+    for (std::size_t k = 0; k < together.size(); ++k) {
+      const std::size_t from = (k * 7 + 3) % together.size();
+      test::expect_identical(together[from], elsewhere[k]);
+      LoadDistribution single;
+      alone.solve({&designs.sectors[k], 1}, {&designs.forces[k], 1}, {&single, 1});
+      test::expect_identical(together[k], single);
+    }
+  }
+}
+
+TEST(BarDesigns, OneThatFailsLeavesTheOthersAlone) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Designs designs;
+  for (int k = 0; k < 8; ++k) designs.add(test::abevi(), 5e3 * (k + 1), "");
+  for (const InstructionSet set : test::instruction_sets()) {
+    const std::vector<LoadDistribution> expected = designs.solve(set);
+    Designs bad = designs;
+    bad.sectors[1].screw_rigidity = nan;
+    bad.sectors[2].laws.nut.hertz_constant = nan;
+    bad.sectors[3].position = nan;
+    bad.sectors[4].gaps.screw.assign(20, nan);
+    bad.forces[6] = nan;
+    const std::vector<LoadDistribution> results = bad.solve(set);
+    for (const std::size_t k : {1u, 2u, 3u, 4u, 6u})
+      EXPECT_FALSE(results[k].solve.converged()) << name(set) << ' ' << k;
+    for (const std::size_t k : {0u, 5u, 7u}) test::expect_identical(expected[k], results[k]);
+  }
+}
+
+TEST(BarDesigns, IterationLimitIsAStatusOfEachDesign) {
+  Designs designs;
+  designs.add(test::abevi(), 45e3, "");
+  SectorCase rigid = test::abevi();  // in equilibrium from the start
+  for (const Part p : kParts) rigid.materials[p].youngs_modulus = 209e22;
+  rigid.options.roller = ModelOptions::Roller::rigid_bending;
+  designs.add(rigid, 45e3, "");
+  BarDesignSolver solver;
+  solver.options.max_iterations = 2;
+  std::vector<LoadDistribution> results(2);
+  solver.solve(designs.sectors, designs.forces, results);
+  EXPECT_EQ(results[0].solve.status, fe::NewtonStatus::iteration_limit);
+  EXPECT_EQ(results[0].solve.iterations(), 2);
+  EXPECT_TRUE(results[1].solve.converged());
+}
+
+TEST(BarDesigns, RepeatedSolvesAllocateNothing) {
+  Designs designs;
+  for (int k = 0; k < 20; ++k) designs.add(test::abevi(), 2e3 * (k + 1), "");
+  std::vector<LoadDistribution> results(20);
+  BarDesignSolver solver;
+  solver.solve(designs.sectors, designs.forces, results);
+  const std::size_t before = test::allocations();
+  solver.solve(designs.sectors, designs.forces, results);
+  EXPECT_EQ(test::allocations(), before);
+}
+
+}  // namespace
+}  // namespace prs

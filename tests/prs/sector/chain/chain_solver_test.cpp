@@ -1,0 +1,210 @@
+#include "prs/sector/chain/chain_solver.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numeric>
+
+#include "prs/chain/solves.h"
+#include "support/allocations.h"
+#include "support/count.h"
+
+namespace prs {
+namespace {
+
+using test::NamedCase, test::SectorCase;
+
+TEST(ChainSolver, AgreesWithSparseSolverOnSpecialCases) {
+  for (const NamedCase& c : test::special_cases()) {
+    const Sector sector = c.sector.build();
+    ChainSolver chain(sector);
+    for (const double force : {1e-3, 50.0, 45e3, 1e7})
+      test::expect_same(test::sparse(sector, force), chain.solve(force),
+                        c.name + ' ' + std::to_string(force));
+  }
+}
+
+TEST(ChainSolver, AgreesWithSparseSolverOnRefinedCases) {
+  for (const NamedCase& c : test::special_cases()) {
+    if (c.sector.structure.nut.thrust.tension == c.sector.structure.nut.thrust.compression)
+      continue;  // no ring to lean on inside the nut
+    for (const auto contacts :
+         {ModelOptions::RollerContacts::opposite, ModelOptions::RollerContacts::half_pitch_apart}) {
+      SectorCase refined = c.sector;
+      refined.options.bodies = ModelOptions::Bodies::refined;
+      refined.options.roller_contacts = contacts;
+      const Sector sector = refined.build();
+      ChainSolver chain(sector);
+      for (const double force : {1e-3, 45e3})
+        test::expect_same(test::sparse(sector, force), chain.solve(force),
+                          c.name + ' ' + std::to_string(force));
+    }
+  }
+}
+
+TEST(ChainSolver, AgreesWithSparseSolverForSingleEffects) {
+  for (int effect = 0; effect < 7; ++effect)
+    for (const bool others : {false, true}) {
+      SectorCase c = test::abevi();
+      c.options.bodies = ModelOptions::Bodies::refined;
+      bool on[7];
+      std::fill(std::begin(on), std::end(on), others);
+      on[effect] = !others;
+      c.options.refined = {on[0], on[1], on[2], on[3], on[4], on[5], on[6]};
+      c.options.roller_contacts = others ? ModelOptions::RollerContacts::half_pitch_apart
+                                         : ModelOptions::RollerContacts::opposite;
+      const Sector sector = c.build();
+      test::expect_same(test::sparse(sector, 45e3), ChainSolver(sector).solve(45e3),
+                        "effect " + std::to_string(effect));
+    }
+}
+
+void agree_on_random_sectors(int count, bool refined) {
+  std::mt19937_64 random(17);
+  for (int k = 0; k < count; ++k) {
+    SectorCase c = test::random_sector(random);
+    if (refined) c = test::refined(c, random);
+    const double force = test::random_force(c, random);
+    const Sector sector = c.build();
+    test::expect_same(test::sparse(sector, force), ChainSolver(sector).solve(force),
+                      "sector " + std::to_string(k));
+  }
+}
+
+TEST(ChainSolver, AgreesWithSparseSolverOnRandomSectors) {
+  agree_on_random_sectors(test::count(200, 5000), false);
+}
+
+TEST(ChainSolver, AgreesWithSparseSolverOnRandomRefinedSectors) {
+  agree_on_random_sectors(test::count(60, 2000), true);
+}
+
+TEST(ChainSolver, EveryInstructionSetSweepsLikeSingleSolves) {
+  std::vector<double> forces(37);
+  for (std::size_t k = 0; k < forces.size(); ++k)
+    forces[k] = 10.0 * static_cast<double>((k * 23) % forces.size() * 120 + 1);
+  forces[5] = forces[6];
+  for (const bool refined : {false, true})
+    for (const InstructionSet set : test::instruction_sets()) {
+      SectorCase c = test::abevi();
+      if (refined) c.options.bodies = ModelOptions::Bodies::refined;
+      const Sector sector = c.build();
+      ChainSolver chain(sector, set);
+      std::vector<LoadDistribution> results(forces.size());
+      chain.solve(forces, results);
+      for (std::size_t k = 0; k < forces.size(); ++k)
+        test::expect_same(test::sparse(sector, forces[k]), results[k],
+                          std::string(name(set)) + ' ' + std::to_string(forces[k]));
+    }
+}
+
+TEST(ChainSolver, SweepTakesFewerIterationsThanSingleSolves) {
+  ChainSolver chain(test::abevi().build());
+  std::vector<double> forces(100);
+  for (std::size_t k = 0; k < forces.size(); ++k) forces[k] = 450.0 * static_cast<double>(k + 1);
+  std::vector<LoadDistribution> results(forces.size());
+  chain.solve(forces, results);
+  int swept = 0, single = 0;
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    swept += results[k].solve.iterations();
+    single += chain.solve(forces[k]).solve.iterations();
+  }
+  EXPECT_LT(swept, 0.6 * single);
+}
+
+TEST(ChainSolver, ArraysHoldTheDistributions) {
+  ChainSolver chain(test::short_screw().build());
+  const std::vector<double> forces{3e3, 1e3, 9e3};
+  std::vector<LoadDistribution> expected(3);
+  chain.solve(forces, expected);
+  std::vector<double> screw(30, -1.0), nut(30, -1.0), displacement(3);
+  std::vector<fe::NewtonStatus> status(3);
+  ThreadLoads arrays;
+  arrays.normal_load = {screw, nut};
+  arrays.stride = 10;
+  arrays.axial_displacement = displacement;
+  arrays.status = status;
+  chain.solve(forces, arrays);
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      EXPECT_EQ(screw[10 * k + i], expected[k].normal_load.screw[i]);
+      EXPECT_EQ(nut[10 * k + i], expected[k].normal_load.nut[i]);
+    }
+    EXPECT_EQ(screw[10 * k + 6], -1.0);
+    EXPECT_EQ(displacement[k], expected[k].axial_displacement);
+    EXPECT_EQ(status[k], fe::NewtonStatus::converged);
+  }
+}
+
+/// With rigid bodies every thread carries the same, and the displacement is that of two contacts.
+TEST(ChainSolver, RigidBodiesShareEqually) {
+  SectorCase c = test::abevi();
+  for (const Part p : kParts) c.materials[p].youngs_modulus = 209e15;
+  c.options.roller = ModelOptions::Roller::rigid_bending;
+  const LoadDistribution r = ChainSolver(c.build()).solve(45e3);
+  ASSERT_TRUE(r.solve.converged());
+  double displacement = 0.0;
+  for (const Interface i : kInterfaces) {
+    const double cosine = std::cos(c.laws[i].normal_angle), thread = 45e3 / 220 / cosine;
+    for (const double load : r.normal_load[i]) EXPECT_NEAR(load / thread, 1.0, 1e-5);
+    displacement += std::pow(thread / c.laws[i].hertz_constant, 2.0 / 3.0) / cosine;
+  }
+  EXPECT_NEAR(r.axial_displacement / displacement, 1.0, 1e-5);
+}
+
+/// One thread carries all; screw and nut stretch with it in series.
+TEST(ChainSolver, OneThreadIsInSeriesWithScrewAndNut) {
+  SectorCase c = test::abevi();
+  c.mechanism.contacts_per_roller = 1;
+  c.options.roller = ModelOptions::Roller::rigid_bending;
+  c.structure.nut.flanges.clear();
+  const LoadDistribution r = ChainSolver(c.build()).solve(2e3);
+  ASSERT_TRUE(r.solve.converged());
+  const double area = std::numbers::pi / 4 * (21e-3 * 21e-3 - 6e-3 * 6e-3);
+  const double nut_area = std::numbers::pi / 4 * (46e-3 * 46e-3 - 35e-3 * 35e-3);
+  double displacement = 2e3 / 209e9 * (10e-3 / area + (c.position - 10e-3) / nut_area);
+  for (const Interface i : kInterfaces) {
+    const double cosine = std::cos(c.laws[i].normal_angle);
+    EXPECT_NEAR(r.normal_load[i][0] / (2e3 / 11 / cosine), 1.0, 1e-12);
+    displacement += std::pow(2e3 / 11 / cosine / c.laws[i].hertz_constant, 2.0 / 3.0) / cosine;
+  }
+  EXPECT_NEAR(r.axial_displacement / displacement, 1.0, 1e-10);
+}
+
+TEST(ChainSolver, RepeatedSolvesAllocateNothing) {
+  ChainSolver chain(test::abevi().build());
+  LoadDistribution result;
+  chain.solve(45e3, result);
+  std::vector<double> forces(20), loads(400);
+  std::iota(forces.begin(), forces.end(), 1.0);
+  ThreadLoads arrays;
+  arrays.normal_load.screw = loads;
+  arrays.stride = 20;
+  chain.solve(forces, arrays);
+  const std::size_t before = test::allocations();
+  chain.solve(44e3, result);
+  chain.solve(forces, arrays);
+  EXPECT_EQ(test::allocations(), before);
+}
+
+TEST(ChainSolver, SaysWhyItStopped) {
+  ChainSolver chain(test::abevi().build());
+  chain.options.max_iterations = 1;
+  const LoadDistribution limit = chain.solve(45e3);
+  EXPECT_EQ(limit.solve.status, fe::NewtonStatus::iteration_limit);
+  EXPECT_EQ(limit.solve.iterations(), 1);
+  EXPECT_GT(limit.solve.relative_residual, 1e-12);
+  chain.options.max_iterations = 100;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(chain.solve(nan).solve.converged());
+  // Loads beside it in the batch are solved.
+  std::vector<double> forces{45e3, nan, 1e3};
+  std::vector<LoadDistribution> results(3);
+  chain.solve(forces, results);
+  EXPECT_TRUE(results[0].solve.converged());
+  EXPECT_FALSE(results[1].solve.converged());
+  EXPECT_TRUE(results[2].solve.converged());
+}
+
+}  // namespace
+}  // namespace prs

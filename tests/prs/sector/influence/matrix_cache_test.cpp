@@ -1,0 +1,88 @@
+#include "prs/sector/influence/matrix_cache.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "prs/output/temporary_directory.h"
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+using Matrices = MatrixCache::Matrices;
+
+Matrices sample() {
+  return {Eigen::MatrixXd::Random(3, 2), Eigen::MatrixXd(0, 4), Eigen::MatrixXd::Random(1, 1)};
+}
+
+fs::path only_file(const fs::path& directory) {
+  fs::path found;
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    found = entry.path();
+    ++files;
+  }
+  EXPECT_EQ(files, 1);
+  return found;
+}
+
+TEST(MatrixCache, ComputesOnceForEachKey) {
+  MatrixCache cache;
+  int calls = 0;
+  const auto compute = [&] {
+    ++calls;
+    return sample();
+  };
+  const auto first = cache.get("a", compute), again = cache.get("a", compute);
+  EXPECT_EQ(first, again);
+  cache.get("b", compute);
+  EXPECT_EQ(calls, 2);
+  EXPECT_EQ(cache.computed(), 2);
+}
+
+TEST(MatrixCache, FilesGiveTheSameBits) {
+  const test::TemporaryDirectory directory;
+  const Matrices kept = sample();
+  MatrixCache(directory.path()).get("key", [&] { return kept; });
+  MatrixCache later(directory.path());
+  const auto found = later.get("key", [&]() -> Matrices { throw std::logic_error("computed"); });
+  EXPECT_EQ(later.computed(), 0);
+  ASSERT_EQ(found->size(), kept.size());
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    EXPECT_EQ((*found)[k].rows(), kept[k].rows());
+    EXPECT_EQ((*found)[k], kept[k]);
+  }
+}
+
+TEST(MatrixCache, DamagedFilesCountAsAbsent) {
+  const test::TemporaryDirectory directory;
+  const Matrices kept = sample();
+  MatrixCache(directory.path()).get("key", [&] { return kept; });
+  const fs::path file = only_file(directory.path());
+  std::ifstream in(file, std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(in), {}};
+  in.close();
+  const auto with = [&](const std::string& bytes) {
+    std::ofstream(file, std::ios::binary) << bytes;
+    MatrixCache cache(directory.path());
+    EXPECT_EQ((*cache.get("key", [&] { return kept; }))[0], kept[0]);
+    return cache.computed();
+  };
+  for (const std::size_t length : {std::size_t{0}, std::size_t{7}, whole.size() - 1})
+    EXPECT_EQ(with(whole.substr(0, length)), 1) << length;
+  for (std::size_t at = 0; at < whole.size(); at += 13) {
+    std::string flipped = whole;
+    flipped[at] = static_cast<char>(flipped[at] ^ 1);
+    EXPECT_EQ(with(flipped), 1) << at;
+  }
+  EXPECT_EQ(with(whole), 0);
+}
+
+TEST(MatrixCache, DirectoryThatCannotBeWrittenIsNoError) {
+  MatrixCache cache("/proc/no such place");
+  EXPECT_EQ(cache.get("key", sample)->size(), 3u);
+}
+
+}  // namespace
+}  // namespace prs

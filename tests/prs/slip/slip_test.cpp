@@ -1,0 +1,583 @@
+#include "prs/slip/slip.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+
+#include "contact/film.h"
+#include "contact/patch.h"
+#include "prs/model/case_error.h"
+#include "prs/threads/kinematics.h"
+#include "tests/support/count.h"
+#include "tests/support/slips.h"
+
+namespace prs {
+namespace {
+
+using ::testing::HasSubstr;
+
+SlipResult slip_of(const Case& c) { return *analyze_slip(c).load_cases.at(0).slip; }
+
+void expect_relative(double value, plain::Real expected, double tolerance, const char* what) {
+  EXPECT_NEAR(value, static_cast<double>(expected),
+              tolerance * std::abs(static_cast<double>(expected)))
+      << what;
+}
+
+/// Everything that the plain calculation has, thread by thread.
+void expect_as_plain(const Case& c, const Result& result, double tolerance) {
+  const SlipResult& s = *result.load_cases[0].slip;
+  plain::Case p = test::plain_case(c, result);
+  if (s.status == SlipStatus::imposed) p.slip_ratio = s.slip_ratio;
+  const plain::State t = plain::solve(p);
+  EXPECT_NEAR(s.slip_ratio, static_cast<double>(t.slip_ratio), 1e-12);
+  expect_relative(s.optimality, t.optimality_percent / 100, tolerance, "optimality");
+  expect_relative(s.power.screw, t.power_screw, tolerance, "power, screw");
+  expect_relative(s.power.nut, t.power_nut, tolerance, "power, nut");
+  expect_relative(s.power.carrier_roller, t.power_carrier_roller, tolerance, "carrier, roller");
+  expect_relative(s.power.carrier_screw, t.power_carrier_screw, tolerance, "carrier, screw");
+  expect_relative(s.power.carrier_nut, t.power_carrier_nut, tolerance, "carrier, nut");
+  expect_relative(s.power_loss_input_output, t.power_loss_input_output, tolerance, "in - out");
+  expect_relative(s.torque_screw, t.torque_screw, tolerance, "torque, screw");
+  expect_relative(s.torque_nut, t.torque_nut, tolerance, "torque, nut");
+  // (3.52) is output over input where the screw drives, its inverse where the load does.
+  const bool load_drives = p.force_on_nut * p.speed * p.lead < 0;
+  if (s.efficiency)
+    expect_relative(*s.efficiency, load_drives ? 1 / t.efficiency : t.efficiency, tolerance,
+                    "efficiency");
+  else
+    EXPECT_TRUE(load_drives && t.efficiency < 0);  // self-locking
+  const double scale = std::abs(static_cast<double>(p.force_on_nut)) / p.rollers;
+  EXPECT_NEAR(s.forces.contacts_x, static_cast<double>(t.contact_force[0]), tolerance * scale);
+  EXPECT_NEAR(s.forces.contacts_y, static_cast<double>(t.contact_force[1]), tolerance * scale);
+  EXPECT_NEAR(s.forces.gears_x, static_cast<double>(t.gear_force_x), tolerance * scale);
+  EXPECT_NEAR(s.forces.gears_y, static_cast<double>(t.gear_force_y), tolerance * scale);
+  EXPECT_NEAR(s.forces.carrier_x, static_cast<double>(t.carrier_force_x), tolerance * scale);
+  EXPECT_NEAR(s.forces.carrier_y, static_cast<double>(t.carrier_force_y), tolerance * scale);
+  const double arm = scale * static_cast<double>(p.centre_distance);
+  EXPECT_NEAR(s.moments.contacts, static_cast<double>(t.residue_contact), tolerance * arm);
+  EXPECT_NEAR(s.moments.spin, static_cast<double>(t.residue_spin), tolerance * arm);
+  EXPECT_NEAR(s.moments.carrier, static_cast<double>(t.residue_carrier), tolerance * arm);
+  EXPECT_NEAR(s.forces.centrifugal, static_cast<double>(t.centrifugal_force), tolerance * scale);
+  EXPECT_NEAR(s.moments.gears, static_cast<double>(t.residue_gear), tolerance * arm);
+  for (const Interface i : kInterfaces) {
+    const auto& threads = i == Interface::screw ? t.screw : t.nut;
+    const InterfaceSlip& computed = s.threads[i];
+    ASSERT_EQ(computed.power.size(), threads.size());
+    const auto sliding = i == Interface::screw ? t.screw_sliding_speed : t.nut_sliding_speed;
+    const double speed_scale = std::abs(s.speed) * static_cast<double>(p.centre_distance);
+    for (std::size_t k = 0; k < threads.size(); ++k) {
+      expect_relative(computed.power[k], threads[k].power, 10 * tolerance, "W");
+      expect_relative(computed.friction_coefficient[k], threads[k].friction_coefficient, tolerance,
+                      "mu");
+      expect_relative(computed.dynamic_normal_load[k], threads[k].normal_load, tolerance, "N");
+      EXPECT_NEAR(computed.spin_torque[k], static_cast<double>(threads[k].spin_torque),
+                  tolerance * computed.dynamic_normal_load[k] * 1e-3);
+      EXPECT_NEAR(computed.sliding_speed[k], static_cast<double>(sliding), 1e-12 * speed_scale);
+      EXPECT_NEAR(computed.max_sliding_speed[k], static_cast<double>(threads[k].max_sliding_speed),
+                  tolerance * speed_scale);
+      EXPECT_EQ(computed.film_thickness.empty(), !c.lubricant);
+      if (!c.lubricant) continue;
+      expect_relative(computed.film_thickness[k], threads[k].film_thickness, tolerance, "h_c");
+      expect_relative(computed.central_film[k], threads[k].central_film, tolerance, "full fit");
+    }
+  }
+}
+
+TEST(Slip, ReferenceExampleOfSandu) {
+  const SlipResult s = slip_of(test::sandu_reference());
+  EXPECT_EQ(s.status, SlipStatus::converged);
+  EXPECT_NEAR(100 * *s.efficiency, 78.6, 0.2);              // section 3.3
+  EXPECT_NEAR(s.ideal_slip_ratio, 0.3741, 0.00005);         // (2.18)
+  EXPECT_LT(s.slip_ratio, s.ideal_slip_ratio);              // fig. 3.6: closely below
+  EXPECT_GT(s.slip_ratio, 0.3730);                          // and above experiment 6
+  EXPECT_GT(s.power.screw, 0.9 * s.power.total());          // section 3.3
+  EXPECT_NEAR(s.torque_screw / s.torque_nut, -1.0, 1e-12);  // (3.46)
+  EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-12);
+  EXPECT_GT(s.torque_screw, 35e3 * 10e-3 / (2 * std::numbers::pi));  // above the static one (3.18)
+  EXPECT_NEAR(*s.efficiency_fit, *s.efficiency, 0.005);              // (3.55)
+  // The full fit, computed apart from this program.
+  EXPECT_NEAR(s.threads.screw.central_film[0], 372.2e-9, 0.05e-9);
+  EXPECT_NEAR(s.threads.nut.central_film[0], 406.2e-9, 0.05e-9);
+}
+
+TEST(Slip, FrictionOfFigures28And29) {
+  Case c = test::sandu_reference();
+  c.operation->slip_ratio = 0.3730;
+  const SlipResult s = slip_of(c);
+  EXPECT_EQ(s.status, SlipStatus::imposed);
+  EXPECT_NEAR(s.threads.screw.friction_coefficient[0], 0.111, 0.0005);
+  EXPECT_NEAR(s.threads.nut.friction_coefficient[0], 0.083, 0.0005);
+  EXPECT_NEAR(s.threads.screw.film_thickness[0], 438e-9, 1e-9);
+  EXPECT_NEAR(s.threads.nut.film_thickness[0], 468e-9, 1e-9);  // printed 495, see SOURCE.md
+  EXPECT_NEAR(s.threads.screw.dynamic_normal_load[0], 223, 0.5);
+  EXPECT_NEAR(s.threads.nut.dynamic_normal_load[0], 197, 0.5);
+  c.model.patch_points = 11;  // as in fig. 2.8
+  EXPECT_NEAR(slip_of(c).threads.screw.max_sliding_speed[0], 0.107, 0.0005);
+}
+
+/// With the slip ratio imposed the roller is out of balance, and the two power methods part.
+TEST(Slip, PowerMethodsPartWhereTheSlipRatioIsImposed) {
+  Case c = test::sandu_reference();
+  c.operation->slip_ratio = 0.3730;
+  const SlipResult s = slip_of(c);
+  EXPECT_GT(std::abs(s.power_loss_input_output / s.power.total() - 1.0), 0.01);
+  EXPECT_GT(std::abs(s.torque_screw / s.torque_nut + 1.0), 0.001);
+  EXPECT_GT(std::abs(*s.relative_residue), 1e-4);
+}
+
+struct Variant {
+  std::string name;
+  Case values;
+};
+
+class SlipVariants : public ::testing::TestWithParam<Variant> {};
+
+TEST_P(SlipVariants, MatchesThePlainCalculation) {
+  expect_as_plain(GetParam().values, analyze_slip(GetParam().values), 1e-10);
+}
+
+TEST_P(SlipVariants, BothPowersAndBothTorquesAgree) {
+  const SlipResult s = slip_of(GetParam().values);
+  EXPECT_EQ(s.status, SlipStatus::converged);
+  EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-10);
+  EXPECT_NEAR(s.torque_screw / s.torque_nut, -1.0, 1e-12);
+  EXPECT_LE(s.evaluations, 8);
+}
+
+/// The reference with 4 of its 28 threads at their loads: as good for the plain calculation.
+Case few_threads() {
+  Case c = test::sandu_reference();
+  c.mechanism.contacts_per_roller = 4;
+  c.load_cases[0].axial_force *= 4.0 / 28.0;
+  return c;
+}
+
+Case with_carrier(Case c) {
+  c.carrier.roller_torque = 0.0015;
+  c.carrier.screw_torque = 0.03;
+  c.carrier.nut_torque = 0.04;
+  return c;
+}
+
+Case mirrored(Case c) {  // a left-handed screw that drives its load
+  c = test::left_handed(c);
+  c.operation->speed = -c.operation->speed;
+  return c;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Reference, SlipVariants,
+    ::testing::Values(Variant{"standard", few_threads()},
+                      Variant{"inverted", test::inverted(few_threads())},
+                      Variant{"reverse", test::reversed(few_threads())},
+                      Variant{"reverse_inverted", test::reversed(test::inverted(few_threads()))},
+                      Variant{"left_handed", mirrored(few_threads())},
+                      Variant{"left_handed_inverted", mirrored(test::inverted(few_threads()))},
+                      Variant{"coulomb", test::with_coulomb(few_threads(), 0.11)},
+                      Variant{"coulomb_inverted",
+                              test::with_coulomb(test::inverted(few_threads()), 0.11)},
+                      Variant{"carrier", with_carrier(few_threads())},
+                      Variant{"carrier_reverse_inverted",
+                              with_carrier(test::reversed(test::inverted(few_threads())))}),
+    [](const auto& variant) { return variant.param.name; });
+
+TEST(Slip, RandomCasesMatchThePlainCalculation) {
+  std::mt19937_64 random(11);
+  int compared = 0, left_out = 0;
+  for (int n = test::count(40, 400); n > 0; --n) {
+    const Case c = test::random_slip(random);
+    Result result;
+    try {
+      result = analyze_slip(c);
+    } catch (const CaseError&) {  // no contact point with that profile
+      ++left_out;
+      continue;
+    }
+    const SlipResult& s = *result.load_cases[0].slip;
+    if (!s.converged()) {
+      EXPECT_FALSE(plain::solve(test::plain_case(c, result)).bracketed);
+      ++left_out;
+      continue;
+    }
+    SCOPED_TRACE(n);
+    expect_as_plain(c, result, 1e-9);
+    EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-8);
+    EXPECT_NEAR(s.torque_screw / s.torque_nut, -1.0, 1e-9);
+    ++compared;
+  }
+  EXPECT_GT(compared, 4 * left_out);
+}
+
+TEST(Slip, AHalfTurnAboutTheRadialAxisReversesEverything) {
+  const SlipResult a = slip_of(test::sandu_reference());
+  const SlipResult b = slip_of(test::reversed(test::sandu_reference()));
+  EXPECT_NEAR(b.slip_ratio, a.slip_ratio, 1e-14);
+  EXPECT_NEAR(b.power.total() / a.power.total(), 1.0, 1e-12);
+  EXPECT_NEAR(b.torque_screw / a.torque_screw, -1.0, 1e-12);
+  EXPECT_NEAR(b.threads.nut.spin_torque[0] / a.threads.nut.spin_torque[0], 1.0, 1e-12);
+}
+
+TEST(Slip, TheMirrorImageLosesAsMuch) {
+  const SlipResult a = slip_of(test::sandu_reference());
+  const SlipResult b = slip_of(mirrored(test::sandu_reference()));
+  EXPECT_NEAR(b.slip_ratio, a.slip_ratio, 1e-12);
+  EXPECT_NEAR(*b.efficiency, *a.efficiency, 1e-12);
+  EXPECT_NEAR(b.torque_screw / a.torque_screw, -1.0, 1e-12);
+}
+
+/// Force and speed of one sign on a left-handed screw: the load drives, and gets less out.
+TEST(Slip, ALoadThatDrivesTheScrewPaysForTheFriction) {
+  const Case c = test::left_handed(test::sandu_reference());
+  const Result result = analyze_slip(c);
+  const SlipResult& s = *result.load_cases[0].slip;
+  ASSERT_EQ(s.status, SlipStatus::converged);
+  EXPECT_LT(std::abs(s.torque_screw), 35e3 * 10e-3 / (2 * std::numbers::pi));
+  EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-10);
+  const double shaft = -s.torque_screw * s.speed;
+  EXPECT_NEAR(*s.efficiency, shaft / (shaft + s.power.total()), 1e-12);
+  EXPECT_THAT(result.load_cases[0].warnings,
+              ::testing::Contains(HasSubstr("the load drives the screw")));
+}
+
+TEST(Slip, WithoutFrictionTheIdealSlipRatioAndFullEfficiencyRemain) {
+  const SlipResult s = slip_of(test::with_coulomb(test::sandu_reference(), 0.0));
+  EXPECT_EQ(s.status, SlipStatus::converged);
+  EXPECT_DOUBLE_EQ(s.slip_ratio, s.ideal_slip_ratio);
+  EXPECT_NEAR(*s.efficiency, 1.0, 1e-13);
+  EXPECT_EQ(s.power.total(), 0.0);
+  EXPECT_NEAR(s.torque_screw, 35e3 * 10e-3 / (2 * std::numbers::pi), 1e-10);  // (3.18)
+}
+
+/// One point for each contact has no spin: nothing brakes the rollers, as in the models that
+/// fig. 3.8 warns of.
+TEST(Slip, SinglePointContactsMissTheSpin) {
+  Case c = test::sandu_reference();
+  c.model.patch_points = 1;
+  const SlipResult s = slip_of(c);
+  EXPECT_EQ(s.status, SlipStatus::converged);
+  EXPECT_NEAR(s.slip_ratio, s.ideal_slip_ratio, 1e-6);
+  EXPECT_EQ(s.threads.nut.spin_torque[0], 0.0);
+  EXPECT_LT(s.power.nut, 1e-9 * s.power.screw);
+}
+
+/// Fig. 3.8: 21 x 21 points are enough.
+TEST(Slip, PowerConvergesWithThePatchPoints) {
+  Case c = test::sandu_reference();
+  const auto power = [&](int points) {
+    c.model.patch_points = points;
+    return slip_of(c).power.total();
+  };
+  const double fine = power(401);
+  double before = 1.0;
+  for (const int points : {7, 21, 63, 189}) {
+    const double error = std::abs(power(points) / fine - 1.0);
+    EXPECT_LT(error, before) << points;
+    before = error;
+  }
+  EXPECT_LT(std::abs(power(21) / fine - 1.0), 0.005);
+}
+
+/// Weights are not renormalised: a coarse grid carries more than the load, and the power with it.
+TEST(Slip, FewestPatchPointsMissLoadAndPowerByLessThanTwoPercent) {
+  const auto excess = [](int points) {
+    const contact::PatchGrid grid(points);
+    return grid.cell_load() * grid.dome().sum() - 1.0;
+  };
+  EXPECT_NEAR(excess(1), 0.91, 0.001);
+  EXPECT_GT(excess(kFewestPatchPoints - 1), 0.025);
+  for (int points = kFewestPatchPoints; points <= 100; ++points)
+    EXPECT_LT(std::abs(excess(points)), 0.016) << points;
+
+  for (const Case& lubricated : {test::sandu_reference(), test::inverted(test::sandu_reference())})
+    for (Case c : {lubricated, test::with_coulomb(lubricated, 0.1)}) {
+      const auto power = [&](int points) {
+        c.model.patch_points = points;
+        return slip_of(c).power.total();
+      };
+      const double fine = power(201);
+      EXPECT_GT(power(kFewestPatchPoints - 1) / fine, 1.025);
+      for (int points = kFewestPatchPoints; points <= 21; ++points)
+        EXPECT_NEAR(power(points) / fine, 1.0, 0.02) << points;
+    }
+}
+
+/// Friction so strong that it would hold a contact open.
+TEST(Slip, AContactCanJam) {
+  const Result result = analyze_slip(test::with_coulomb(test::sandu_reference(), 20.0));
+  const SlipResult& s = *result.load_cases[0].slip;
+  EXPECT_EQ(s.status, SlipStatus::jammed);
+  EXPECT_FALSE(s.relative_residue.has_value());
+  EXPECT_THAT(result.load_cases[0].warnings, ::testing::Contains(HasSubstr("jams")));
+}
+
+TEST(Slip, TooSlowAMotionIsWarnedOf) {
+  Case c = test::sandu_reference();
+  c.operation->speed = 1e-10;
+  EXPECT_THAT(analyze_slip(c).load_cases[0].warnings,
+              ::testing::Contains(HasSubstr("nothing slides faster")));
+  // Down to where friction has no direction, the mean coefficient follows its formula.
+  c.operation->speed = 1e-7;
+  expect_as_plain(c, analyze_slip(c), 1e-9);
+}
+
+TEST(Slip, ASelfLockingScrewHasNoEfficiency) {
+  Case c = test::left_handed(test::with_coulomb(test::sandu_reference(), 0.5));
+  c.mechanism.lead = -2e-3;
+  const Result result = analyze_slip(c);
+  const SlipResult& s = *result.load_cases[0].slip;
+  ASSERT_EQ(s.status, SlipStatus::converged);
+  EXPECT_FALSE(s.efficiency.has_value());
+  EXPECT_GT(s.torque_screw * s.speed, 0.0);  // the shaft drives although the load helps
+  EXPECT_THAT(result.load_cases[0].warnings, ::testing::Contains(HasSubstr("self-locking")));
+}
+
+TEST(Slip, AnExcessiveCarrierTorqueLeavesNoEquilibrium) {
+  Case c = test::sandu_reference();
+  c.carrier.nut_torque = 1e4;
+  const Result result = analyze_slip(c);
+  EXPECT_EQ(result.load_cases[0].slip->status, SlipStatus::no_equilibrium);
+  EXPECT_FALSE(result.load_cases[0].slip->converged());
+  EXPECT_THAT(result.load_cases[0].warnings, ::testing::Contains(HasSubstr("no_equilibrium")));
+}
+
+/// A screw that drags the carrier along turns the rollers faster than they would roll.
+TEST(Slip, ADrivenCarrierPassesTheIdealSlipRatio) {
+  Case c = few_threads();
+  c.carrier.screw_torque = 0.5;
+  const Result result = analyze_slip(c);
+  const SlipResult& s = *result.load_cases[0].slip;
+  ASSERT_EQ(s.status, SlipStatus::converged);
+  EXPECT_GT(s.slip_ratio, s.ideal_slip_ratio);
+  EXPECT_GT(s.optimality, 1.0);
+  EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-10);
+  EXPECT_THAT(result.load_cases[0].warnings, ::testing::Contains(HasSubstr("beyond the ideal")));
+  expect_as_plain(c, result, 1e-10);
+}
+
+TEST(Slip, AnImposedSlipRatioOutsideItsRangeIsAnError) {
+  for (const double slip_ratio : {0.375, 0.9}) {
+    Case c = test::sandu_reference();
+    c.operation->slip_ratio = slip_ratio;
+    try {
+      analyze_slip(c);
+      FAIL();
+    } catch (const CaseError& error) {
+      EXPECT_EQ(error.path(), "operation.slip_ratio");
+      EXPECT_THAT(error.what(), HasSubstr("expected 0 to 0.374051"));
+    }
+  }
+  Case c = test::inverted(test::sandu_reference());
+  c.operation->slip_ratio = 0.3;
+  EXPECT_THROW(analyze_slip(c), CaseError);
+}
+
+TEST(Slip, AGearRatioThatBreaksTheLeadsIsAnError) {
+  Case c = test::sandu_reference();
+  const Result designed = analyze_slip(c);
+  c.mechanism = designed.contacts.mechanism;
+  c.mechanism.geometry = Mechanism::Geometry::simulation;
+  *c.mechanism.pitch_diameter.roller *= 1.001;
+  try {
+    analyze_slip(c);
+    FAIL();
+  } catch (const CaseError& error) {
+    EXPECT_EQ(error.path(), "mechanism.pitch_diameter.roller");
+    EXPECT_THAT(error.what(), HasSubstr("gear ratio"));
+  }
+}
+
+TEST(Slip, MixedLubricationIsWarnedOf) {
+  Case c = test::sandu_reference();
+  c.roughness = PerPart<double>{0.3e-6, 0.4e-6, 0.3e-6};
+  const Result result = analyze_slip(c);
+  const SlipResult& s = *result.load_cases[0].slip;
+  EXPECT_NEAR(s.threads.screw.film_ratio[0], s.threads.screw.central_film[0] / 0.5e-6, 1e-12);
+  EXPECT_THAT(result.load_cases[0].warnings,
+              ::testing::Contains(HasSubstr("boundary lubrication at the roller-screw")));
+  c.roughness = PerPart<double>{0.03e-6, 0.04e-6, 0.03e-6};
+  EXPECT_THAT(analyze_slip(c).load_cases[0].warnings,
+              ::testing::Not(::testing::Contains(HasSubstr("lubrication"))));
+}
+
+/// A film depends on motion and static load, not on the law of friction.
+TEST(Slip, CoulombFrictionHasTheFilmOfItsLubricant) {
+  Case c = test::sandu_reference();
+  c.operation->slip_ratio = 0.3730;
+  c.roughness = PerPart<double>{0.3e-6, 0.4e-6, 0.3e-6};
+  const SlipResult jacod = slip_of(c);
+  c = test::with_coulomb(c, 0.1);
+  const Result result = analyze_slip(c);
+  const SlipResult& coulomb = *result.load_cases[0].slip;
+  EXPECT_EQ(coulomb.viscosity, jacod.viscosity);
+  for (const Interface i : kInterfaces) {
+    ASSERT_EQ(coulomb.threads[i].central_film.size(), jacod.threads[i].central_film.size());
+    EXPECT_EQ(coulomb.threads[i].film_thickness, jacod.threads[i].film_thickness);
+    EXPECT_EQ(coulomb.threads[i].central_film, jacod.threads[i].central_film);
+    EXPECT_EQ(coulomb.threads[i].film_ratio, jacod.threads[i].film_ratio);
+  }
+  EXPECT_THAT(result.load_cases[0].warnings,
+              ::testing::Contains(HasSubstr("take a friction coefficient of surfaces that touch")));
+  c.lubricant.reset();
+  const SlipResult dry = slip_of(c);
+  EXPECT_TRUE(dry.threads.screw.central_film.empty());
+  EXPECT_TRUE(dry.threads.screw.film_ratio.empty());
+  EXPECT_FALSE(dry.viscosity);
+}
+
+/// Published fits side by side on one example: Hamrock and Dowson (1977) with the mean speed and
+/// k = 1.03 lambda^-0.64, and Sandu's short form of Moes and Venner's.
+TEST(Slip, FullFitLiesBetweenHamrockDowsonAndSandu) {
+  const Result result = analyze_slip(test::sandu_reference());
+  const SlipResult& s = *result.load_cases[0].slip;
+  const contact::Lubricant oil{0.1665, 30e-9, 12e6};
+  const auto hamrock_dowson = [&](Interface i) {
+    const InterfaceContact& contact = result.contacts.interfaces[i];
+    const contact::PrincipalValues rho = contact.geometry.relative;
+    const double modulus = 2.0 * contact.contact_modulus;
+    // From Sandu's film back to the speed, which the result does not state.
+    const double load = result.load_cases[0].threads.value()[i].normal_load[0];
+    const auto film = [&](double speed) {
+      return contact::sandu_film(oil, {load, rho.second, contact.contact_modulus}, speed).thickness;
+    };
+    const double speed = std::pow(s.threads[i].film_thickness[0] / film(1.0), 48.0 / 37.0);
+    const double u = oil.viscosity * 0.5 * speed * rho.second / modulus;
+    const double g = oil.pressure_viscosity * modulus;
+    const double w = load * rho.second * rho.second / modulus;
+    const double k = 1.03 * std::pow(rho.second / rho.first, 0.64);
+    return 2.69 * std::pow(u, 0.67) * std::pow(g, 0.53) * std::pow(w, -0.067) *
+           (1.0 - 0.61 * std::exp(-0.73 * k)) / rho.second;
+  };
+  EXPECT_NEAR(hamrock_dowson(Interface::screw), 297e-9, 1e-9);
+  EXPECT_NEAR(hamrock_dowson(Interface::nut), 330e-9, 1e-9);
+  for (const Interface i : kInterfaces) {
+    EXPECT_GT(s.threads[i].central_film[0], 1.2 * hamrock_dowson(i));
+    EXPECT_LT(s.threads[i].central_film[0], s.threads[i].film_thickness[0] / 1.15);
+    EXPECT_GT(s.threads[i].central_film[0], s.threads[i].film_thickness[0] / 1.18);
+  }
+}
+
+/// A bearing on the roller heads takes part in the balance: both powers still agree.
+TEST(Slip, AJournalBearingKeepsTheEnergyBalance) {
+  Case c = test::sandu_reference();
+  c.carrier.bearing = contact::JournalBearing{6e-3, 6e-3, 0.1e-3};
+  c.materials->roller.density = 7810.0;
+  const SlipResult s = slip_of(c);
+  ASSERT_EQ(s.status, SlipStatus::converged);
+  EXPECT_GT(s.power.carrier_roller, 0.0);
+  EXPECT_LT(s.power.carrier_roller, 0.02 * s.power.total());  // section 3.3: very small
+  EXPECT_GT(s.forces.centrifugal, 0.0);
+  EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-10);
+  EXPECT_GT(*s.bearing_eccentricity, 0.5);
+  EXPECT_LT(*s.bearing_eccentricity, 1.0);
+}
+
+/// The inverted screw of Abevi with a flexible roller: unequal loads, thread by thread.
+Case solved_case() {
+  Case c = test::sandu_reference();
+  Mechanism& m = c.mechanism;
+  m = {};
+  m.type = Mechanism::Type::inverted;
+  m.lead = 5e-3;
+  m.starts = {3, 1};
+  constexpr double flank = std::numbers::pi / 4;
+  m.flank_angle = {flank, flank, flank};
+  m.pitch_diameter = {21e-3, 7e-3, 35e-3};
+  m.centre_distance = 14e-3;
+  m.profile.roller = {Profile::Shape::convex, 4.949747468e-3};
+  m.rollers = 11;
+  m.contacts_per_roller = 20;
+  c.structure.emplace();
+  c.structure->screw = {6e-3, 10e-3};
+  c.structure->roller = {5e-3, 5e-3, {}};
+  c.structure->nut = {90e-3,
+                      46e-3,
+                      {{0.0, 10e-3, 62e-3}, {80e-3, 90e-3, 62e-3}},
+                      {.tension = 10e-3, .compression = 80e-3}};
+  c.load_cases.clear();
+  LoadCase load;
+  load.name = "tension";
+  load.axial_force = 45e3;
+  load.direction = Direction::tension;
+  load.position = 29.1666667e-3;
+  c.load_cases.push_back(load);
+  return c;
+}
+
+TEST(SlipOnSolvedLoads, MatchesThePlainCalculationThreadByThread) {
+  const Case c = solved_case();
+  const Result result = analyze_slip(c);
+  ASSERT_TRUE(result.load_cases[0].slip->converged());
+  expect_as_plain(c, result, 1e-10);
+}
+
+TEST(SlipOnSolvedLoads, KeepsTheEnergyBalance) {
+  for (const Direction direction : {Direction::tension, Direction::compression}) {
+    Case c = solved_case();
+    c.load_cases[0].direction = direction;
+    if (direction == Direction::compression) c.operation->speed = -c.operation->speed;
+    const SlipResult s = slip_of(c);
+    EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-10);
+    EXPECT_NEAR(s.torque_screw / s.torque_nut, -1.0, 1e-12);
+    double by_threads = 0.0;
+    for (const Interface i : kInterfaces)
+      by_threads += std::accumulate(s.threads[i].power.begin(), s.threads[i].power.end(), 0.0);
+    EXPECT_NEAR(11 * by_threads / s.power.total(), 1.0, 1e-13);
+  }
+}
+
+TEST(SlipOnSolvedLoads, SaysWhatUnequalLoadsChange) {
+  const Case solved = solved_case();
+  const SlipResult s = slip_of(solved);
+  Case equal = solved;
+  equal.load_cases[0].share = LoadCase::Share::equal;
+  const SlipResult e = slip_of(equal);
+  ASSERT_TRUE(s.equal_shares.has_value());
+  EXPECT_FALSE(e.equal_shares.has_value());
+  EXPECT_DOUBLE_EQ(s.equal_shares->slip_ratio, e.slip_ratio);
+  EXPECT_DOUBLE_EQ(s.equal_shares->power_loss, e.power.total());
+  EXPECT_DOUBLE_EQ(*s.equal_shares->efficiency, *e.efficiency);
+  EXPECT_DOUBLE_EQ(s.equal_shares->thread_power.nut, e.threads.nut.power[0]);
+  EXPECT_EQ(s.hottest.interface, Interface::nut);  // where an inverted screw slides
+  EXPECT_GT(s.threads.nut.power[static_cast<std::size_t>(s.hottest.thread)],
+            s.equal_shares->thread_power.nut);
+}
+
+/// Equal loads given thread by thread are Sandu's equal shares.
+TEST(SlipOnSolvedLoads, EqualLoadsGiveSandu) {
+  Case c = solved_case();
+  c.load_cases[0].share = LoadCase::Share::equal;
+  const Result equal = analyze_slip(c);
+  expect_as_plain(c, equal, 1e-10);  // which sums over 20 threads of their own
+}
+
+TEST(SlipPictures, ShowTheRootAndTheResultsFields) {
+  const Case c = test::sandu_reference();
+  const Result result = analyze_slip(c);
+  const SlipResult& s = *result.load_cases[0].slip;
+  const SlipPictures p = slip_pictures(c, result, 0);
+  const ResidueCurve& curve = p.residue;
+  ASSERT_GT(curve.slip_ratio.size(), 50u);
+  // Strictly monotonous with one change of sign (section 3.2.6).
+  for (std::size_t k = 1; k < curve.moments.size(); ++k)
+    EXPECT_GT(curve.moments[k].residue(), curve.moments[k - 1].residue());
+  EXPECT_LT(curve.moments.front().residue(), 0.0);
+  EXPECT_GT(curve.moments.back().residue(), 0.0);
+  EXPECT_LT(p.residue_near_root.slip_ratio.front(), s.slip_ratio);
+  EXPECT_GT(p.residue_near_root.slip_ratio.back(), s.ideal_slip_ratio);
+  for (const Interface i : kInterfaces) {
+    const PatchField& f = p.most_loaded_thread[i];
+    const double mean =
+        std::accumulate(f.friction_coefficient.begin(), f.friction_coefficient.end(), 0.0) /
+        static_cast<double>(f.friction_coefficient.size());
+    EXPECT_NEAR(mean, s.threads[i].friction_coefficient[0], 1e-12);
+    EXPECT_EQ(f.along_major.size(), f.sliding_minor.size());
+  }
+}
+
+}  // namespace
+}  // namespace prs

@@ -1,0 +1,124 @@
+#include "prs/threads/kinematics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "prs/threads/contacts.h"
+#include "tests/support/count.h"
+#include "tests/support/slips.h"
+
+namespace prs {
+namespace {
+
+KinematicGeometry geometry_of(const Case& c) {
+  const Contacts contacts = find_contacts(c.mechanism, c.materials);
+  KinematicGeometry g;
+  g.type = c.mechanism.type;
+  g.lead = c.mechanism.lead;
+  g.gear_ratio = static_cast<double>(c.mechanism.starts.roller) / c.mechanism.starts.screw;
+  g.centre_distance = contacts.threads.centre_distance;
+  for (const Interface i : kInterfaces)
+    g.points[i].head<2>() = contacts.interfaces[i].geometry.point.position;
+  return g;
+}
+
+TEST(Kinematics, SpeedsObeyGearsAndLead) {
+  for (const Case& c : {test::sandu_reference(), test::inverted(test::sandu_reference())}) {
+    const KinematicGeometry g = geometry_of(c);
+    const double speed = 40.0, slip = 0.37;
+    const Kinematics k = kinematics(g, speed, slip);
+    EXPECT_DOUBLE_EQ(k.screw_to_carrier - k.nut_to_carrier, speed);  // omega_s/n
+    EXPECT_DOUBLE_EQ(-k.nut_to_carrier / speed, slip);               // (2.2)
+    const bool standard = g.type == Mechanism::Type::standard;       // (2.1)
+    EXPECT_DOUBLE_EQ(standard ? k.nut_to_carrier / k.roller_to_carrier
+                              : -k.screw_to_carrier / k.roller_to_carrier,
+                     g.gear_ratio);
+    EXPECT_DOUBLE_EQ(k.nut_advance - k.screw_advance, -g.lead / (2 * std::numbers::pi) * speed);
+  }
+}
+
+TEST(Kinematics, RollersDoNotTurnAtPureSliding) {
+  for (const Case& c : {test::sandu_reference(), test::inverted(test::sandu_reference())}) {
+    const KinematicGeometry g = geometry_of(c);
+    EXPECT_EQ(kinematics(g, 40.0, slip_range(g).pure_sliding).roller_to_carrier, 0.0);
+  }
+}
+
+/// (2.12): holds for every slip ratio since Gamma is the ratio of the leads (2.14).
+TEST(Kinematics, ContactsNeitherPartNorPenetrate) {
+  std::mt19937_64 random(7);
+  for (int n = test::count(100, 2000); n > 0; --n) {
+    const Case c = test::random_slip(random);
+    const Contacts contacts = find_contacts(c.mechanism, c.materials);
+    const KinematicGeometry g = geometry_of(c);
+    for (const double slip : {0.1, 0.37, 0.8})
+      for (const Interface i : kInterfaces) {
+        const ContactMotion m = contact_motion(g, kinematics(g, 1.0, slip), i);
+        const double normal = m.sliding.dot(contacts.interfaces[i].geometry.point.normal);
+        EXPECT_LT(std::abs(normal), 1e-12 * g.centre_distance);
+      }
+  }
+}
+
+/// (2.16), (2.17) as printed.
+TEST(Kinematics, IdealSlipRatioIsThatOfThePaper) {
+  std::mt19937_64 random(8);
+  for (int n = test::count(100, 2000); n > 0; --n) {
+    const Case c = test::random_slip(random);
+    const KinematicGeometry g = geometry_of(c);
+    plain::Case p;
+    p.standard = g.type == Mechanism::Type::standard;
+    p.gear_ratio = g.gear_ratio;
+    p.centre_distance = g.centre_distance;
+    p.screw.x = g.points.screw.x(), p.screw.y = g.points.screw.y();
+    p.nut.x = g.points.nut.x(), p.nut.y = g.points.nut.y();
+    EXPECT_NEAR(ideal_slip_ratio(g), static_cast<double>(plain::ideal_slip_ratio(p)), 1e-13);
+  }
+}
+
+TEST(Kinematics, IdealSlipRatioSlidesLeast) {
+  for (const Case& c : {test::sandu_reference(), test::inverted(test::sandu_reference())}) {
+    const KinematicGeometry g = geometry_of(c);
+    const auto sliding = [&](double slip) {
+      return contact_motion(g, kinematics(g, 1.0, slip), sliding_interface(g.type)).sliding.norm();
+    };
+    const double ideal = ideal_slip_ratio(g);
+    EXPECT_LT(sliding(ideal), sliding(ideal + 1e-4));
+    EXPECT_LT(sliding(ideal), sliding(ideal - 1e-4));
+  }
+}
+
+/// Where both contacts are the pitch points of the gears, all three formulas give the same.
+TEST(Kinematics, EstimatesAgreeForContactsAtThePitchPoints) {
+  for (const double gamma : {0.15, 0.2, 1.0 / 3.0}) {
+    KinematicGeometry g;
+    g.lead = 10e-3;
+    g.gear_ratio = gamma;
+    g.centre_distance = 20e-3;
+    const double roller = g.centre_distance * gamma / (1 - gamma);
+    g.points.screw = {g.centre_distance - roller, 0.0, 0.0};
+    g.points.nut = {g.centre_distance + roller, 0.0, 0.0};
+    EXPECT_NEAR(slip_estimates(g).simple, ideal_slip_ratio(g), 1e-14);
+    EXPECT_NEAR(*slip_estimates(g).jones, ideal_slip_ratio(g), 1e-14);
+
+    g.type = Mechanism::Type::inverted;
+    const double inverted_roller = g.centre_distance * gamma / (1 + gamma);
+    g.points.screw = {g.centre_distance - inverted_roller, 0.0, 0.0};
+    g.points.nut = {g.centre_distance + inverted_roller, 0.0, 0.0};
+    EXPECT_NEAR(slip_estimates(g).simple, ideal_slip_ratio(g), 1e-14);
+    EXPECT_FALSE(slip_estimates(g).jones);
+  }
+}
+
+TEST(Kinematics, OptimalityRunsFromPureSlidingToIdeal) {
+  for (const SlipRange range : {SlipRange{0.0, 0.374}, SlipRange{1.0, 0.416}}) {
+    EXPECT_EQ(optimality(range, range.pure_sliding), 0.0);
+    EXPECT_EQ(optimality(range, range.ideal), 1.0);
+  }
+}
+
+}  // namespace
+}  // namespace prs
