@@ -20,6 +20,8 @@ function(add_simd_kernel target source)
     set(library ${target}_${name}_${architecture})
     add_library(${library} OBJECT ${source})
     target_link_libraries(${library} PRIVATE ${options})
+    target_include_directories(${library} PRIVATE
+      $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
     target_compile_definitions(${library} PRIVATE PRS_SIMD_ARCHITECTURE=simd::${architecture})
     target_compile_options(${library} PRIVATE ${flags_${architecture}})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "prs/quantities/printable.h"
+#include "prs/printable.h"
 
 namespace prs {
 

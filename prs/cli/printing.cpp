@@ -8,8 +8,8 @@
 #include <new>
 #include <system_error>
 
-#include "prs/quantities/printable.h"
 #include "prs/file_descriptor.h"
+#include "prs/printable.h"
 
 namespace prs::cli {
 namespace {

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <iterator>
 
-#include "prs/quantities/quantities.h"
-#include "prs/quantities/case_groups.h"
 #include "prs/figures/figure_style.h"
 #include "prs/figures/result_figures.h"
+#include "prs/quantities/case_groups.h"
+#include "prs/quantities/quantities.h"
 
 namespace prs {
 namespace {
 
-constexpr std::size_t kMinSweepPoints = 3;
 constexpr std::size_t kMaxButterflies = 4;
 
 double force_kN(const LoadCaseResult& result) {

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "prs/model/units.h"
 #include "prs/figures/figure_style.h"
+#include "prs/model/units.h"
 #include "prs/text.h"
 
 namespace prs {
 namespace {
 
-constexpr std::size_t kMostPanels = 6;
+constexpr std::size_t kMostYangPanels = 6;
 
 Polyline over_threads(const std::vector<double>& rates) {
   Polyline points;
@@ -30,7 +30,7 @@ std::vector<Figure> measures_figures(const MeasuresResult& result) {
     const LoadCaseResult& load_case = result.analysis.load_cases[k];
     if (!load_case.threads || !result.load_measures[k]) continue;
     const std::vector<double>& yang = result.load_measures[k]->yang_load_rate;
-    if (yang.empty() || figure.panels.size() == kMostPanels) continue;
+    if (yang.empty() || figure.panels.size() == kMostYangPanels) continue;
     threads = std::max(threads, yang.size());
     figure.panels.push_back({printable(load_case.load_case.name),
                              {{0, {over_threads(load_case.threads->screw.load_rate)}},

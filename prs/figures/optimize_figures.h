@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "prs/model/optimization.h"
 #include "prs/figures/figure.h"
+#include "prs/optimize/optimization_result.h"
 
 namespace prs {
 

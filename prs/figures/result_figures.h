@@ -7,6 +7,9 @@
 
 namespace prs {
 
+/// Points that a curve over loads needs.
+inline constexpr std::size_t kMinSweepPoints = 3;
+
 // The figures that load cases give rise to; absent where the result holds no data for one.
 // A configuration has one line style, whichever the direction. What exceeds the lines or rows that
 // can be told apart is left out, and the title says so.

@@ -5,16 +5,16 @@
 #include <iterator>
 #include <numeric>
 
-#include "prs/quantities/slip_quantities.h"
-#include "prs/quantities/case_groups.h"
 #include "prs/figures/figure_style.h"
+#include "prs/figures/result_figures.h"
 #include "prs/figures/slip_figures.h"
+#include "prs/quantities/case_groups.h"
+#include "prs/quantities/slip_quantities.h"
 #include "prs/text.h"
 
 namespace prs {
 namespace {
 
-constexpr std::size_t kMinSweepPoints = 3;
 constexpr std::size_t kMostFigures = 4;
 
 /// P. Tol's "medium contrast" scheme, from dark to pale and back.

@@ -4,7 +4,7 @@
 
 #include "prs/input/source.h"
 #include "prs/model/life.h"
-#include "prs/life/load_history.h"
+#include "prs/model/load_history.h"
 
 namespace prs::input {
 

@@ -430,20 +430,4 @@ OptimizeInput read_optimize_input(const Source& source) {
   return input;
 }
 
-void check_initial(const OptimizeInput& input, const EvaluatedDesign& initial) {
-  for (const Constraint& constraint : input.optimization.constraints) {
-    if (constraint.limit.kind != Limit::Kind::initial) continue;
-    if (std::isfinite(initial.responses[constraint.response])) continue;
-    const std::string reason =
-        initial.status.reason.empty()
-            ? "it has no " + input.optimization.study.responses[constraint.response]
-            : initial.status.reason;
-    fail_at(input.start.source, input.asked_at[constraint.response],
-            fmt::format("got a limit relative to the file's own design, which has no answer ({}); "
-                        "expected a design that has one; mend the file, or write the limit as a "
-                        "number",
-                        reason));
-  }
-}
-
 }  // namespace prs::input

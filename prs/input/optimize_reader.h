@@ -20,7 +20,4 @@ struct OptimizeInput {
 /// every error found.
 OptimizeInput read_optimize_input(const Source& source);
 
-/// Checks limits relative to the file's own design once its responses are known. Throws InputError.
-void check_initial(const OptimizeInput& input, const EvaluatedDesign& initial);
-
 }  // namespace prs::input

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "prs/quantities/printable.h"
+#include "prs/printable.h"
 
 namespace prs::input {
 

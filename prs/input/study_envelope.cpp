@@ -1,4 +1,5 @@
 #include "prs/input/study_envelope.h"
+#include "prs/model/map_axes.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,6 @@
 #include <vector>
 
 #include "prs/input/units.h"
-#include "prs/study/grid_maps.h"
 
 namespace prs::input {
 

@@ -13,7 +13,6 @@
 #include "prs/input/study_envelope.h"
 #include "prs/input/units.h"
 #include "prs/input/value_text.h"
-#include "prs/study/sampling.h"
 
 namespace prs::input {
 

@@ -4,19 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "prs/model/life.h"
 #include "prs/life/rating_life.h"
+#include "prs/model/life.h"
+#include "prs/model/load_history.h"
 
 namespace prs {
-
-/// Samples of a load over time or travel, SI. Empty where the file has no such column.
-struct LoadHistory {
-  std::vector<double> force;       ///< > 0 in tension [N]
-  std::vector<double> time;        ///< [s], not decreasing
-  std::vector<double> position;    ///< [m]
-  std::vector<double> speed;       ///< [rad/s], of either sign
-  std::optional<double> interval;  ///< Between two samples [s], where `time` is empty.
-};
 
 /// From the first to the last sample [s]; absent without clock.
 std::optional<double> duration(const LoadHistory& history);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "prs/model/part.h"
+#include "prs/threads/kinematics.h"
 
 namespace prs {
 
@@ -64,12 +65,6 @@ enum class SlipStatus {
 };
 
 std::string_view name(SlipStatus status);
-
-/// Slip ratios by formulas of geometry alone, beside the ideal one.
-struct SlipEstimates {
-  double simple = 0.0;          ///< Contacts at the pitch points, (2.21) and its inverted analogue.
-  std::optional<double> jones;  ///< (2.20), standard only.
-};
 
 struct ThreadOf {
   Interface interface = Interface::screw;

@@ -12,8 +12,6 @@
 
 #include "contact/viscosity.h"
 #include "prs/model/groove.h"
-#include "prs/preload/preload_sector.h"
-#include "prs/sector/refined/refinement.h"
 
 namespace prs {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "prs/study/row_block.h"
 #include "prs/model/study.h"
 
 namespace prs {
@@ -84,59 +84,5 @@ struct Optimization {
 
 /// Designs to evaluate: the file's own and those of the searches.
 std::size_t design_count(const Optimization& optimization);
-
-/// A design and what came of it.
-struct EvaluatedDesign {
-  std::vector<Draw> draws;        ///< One a variable.
-  std::vector<double> responses;  ///< NaN where the design has none.
-  DesignStatus status;            ///< Refused where a response is missing.
-  /// Sum of what is missing to each constraint, relative to its limit or the response of the file's
-  /// own design, whichever is larger (of differences: to the larger response); infinite without an
-  /// answer.
-  double violation = 0.0;
-
-  bool is_feasible() const { return status.converged() && violation == 0.0; }
-};
-
-/// Designs that one algorithm tried, `population` a generation.
-struct Search {
-  Algorithm algorithm = Algorithm::nsga2;
-  std::vector<EvaluatedDesign> designs;
-  /// Of `designs`: feasible, and no other is as good in every objective and better in one; the
-  /// first of equal ones. Ascending in the first objective.
-  std::vector<std::size_t> front;
-};
-
-/// How two fronts compare.
-struct FrontComparison {
-  /// Shares that each front dominates of the box between the best and the worst values of both
-  /// fronts and the file's own design, 10 % wider; both 0 where a front is empty.
-  double hypervolume = 0.0;
-  double check_hypervolume = 0.0;
-  /// Best values of each objective, in its unit.
-  std::vector<double> best, check_best;
-};
-
-struct OptimizationResult {
-  Optimization optimization;
-  EvaluatedDesign initial;  ///< The file's own design.
-  Search search;
-  std::optional<Search> check;
-  std::optional<FrontComparison> comparison;
-  /// Of `search.designs`; absent where the front is empty.
-  std::optional<std::size_t> compromise;
-  /// Where the front is empty: the design with an answer that comes nearest to the constraints.
-  std::optional<std::size_t> nearest;
-
-  /// The compromise or, without one, the nearest design; null where none has an answer.
-  const EvaluatedDesign* chosen() const;
-};
-
-/// The number that a limit comes to in a design.
-double limit_of(const Constraint& constraint, const EvaluatedDesign& design,
-                const EvaluatedDesign& initial);
-
-/// Value of a response in percent of that of the file's own design, less 100.
-std::optional<double> change_percent(double value, double initial);
 
 }  // namespace prs

@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "prs/model/load_case.h"
+#include "prs/model/mechanism.h"
+#include "prs/model/structure.h"
 
 namespace prs {
 
@@ -58,5 +60,12 @@ struct Preload {
 
 /// Share of the largest load of the curve at which the lost motion is read where none is given.
 inline constexpr double kLostMotionShare = 0.05;
+
+/// Axial position of the first contact on the second nut of a double nut [m].
+inline double second_position(const Mechanism& m, const Structure::Nut& nut,
+                              const Preload& preload) {
+  const double last = preload.position + (m.contacts_per_roller - 1) * axial_pitch(m);
+  return *preload.distance - (nut.length - last) - preload.spacer->length;
+}
 
 }  // namespace prs

@@ -105,24 +105,9 @@ struct Draw {
 };
 
 inline constexpr std::size_t kMostDesigns = 1'000'000'000;
+/// Numbers that maps of one study may have: nodes x responses.
+inline constexpr std::size_t kMostMapValues = 8'000'000;
+inline constexpr std::size_t kMostSobolDimensions = 3667;
 inline constexpr std::size_t kMostLevels = 100'000;
-
-/// Number of designs, the base case included.
-std::size_t design_count(const Study& study);
-
-/// Values of design k, one a factor; the base case is the first. A pure function of the study, so
-/// that designs can be run in any order, in parts and again.
-std::vector<Draw> draws(const Study& study, std::size_t k);
-
-/// The same with texts.
-Design design(const Study& study, std::size_t k);
-Design design(const Study& study, const std::vector<Draw>& draws);
-
-/// Whether a design leaves every value as it is in the file, be it by the same value.
-bool is_base(const Study& study, const Design& design);
-
-/// The settings as `--set` takes them: `mechanism.rollers=9`.
-std::vector<std::string> overrides(const Study& study, const Design& design);
-std::vector<std::string> overrides(const Study& study, const std::vector<Draw>& draws);
 
 }  // namespace prs

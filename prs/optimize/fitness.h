@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "prs/model/optimization.h"
+#include "prs/optimize/optimization_result.h"
 
 namespace prs {
 

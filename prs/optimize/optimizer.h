@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "prs/model/optimization.h"
+#include "prs/optimize/optimization_result.h"
 #include "prs/study/journal.h"
 #include "prs/study/study_run.h"
 

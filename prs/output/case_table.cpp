@@ -13,7 +13,6 @@ namespace prs {
 namespace {
 
 constexpr std::size_t kMinNameWidth = 12;
-constexpr std::size_t kMaxUnfoldedCases = 24;
 constexpr std::string_view kGap = "  ";
 
 /// Cells of the first columns, then perhaps a remark in place of the others.

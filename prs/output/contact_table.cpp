@@ -11,11 +11,11 @@
 
 #include "contact/mechanism_geometry.h"
 #include "contact/thread_surface.h"
-#include "prs/quantities/quantities.h"
 #include "prs/model/units.h"
-#include "prs/quantities/case_groups.h"
-#include "prs/text.h"
 #include "prs/output/warnings.h"
+#include "prs/quantities/case_groups.h"
+#include "prs/quantities/quantities.h"
+#include "prs/text.h"
 #include "prs/threads/thread_clearance.h"
 
 namespace prs {
@@ -25,7 +25,6 @@ using contact::InterfaceGeometry;
 using contact::Thread;
 using contact::ThreadSurface;
 
-constexpr std::size_t kMaxUnfoldedCases = 24;
 constexpr std::size_t kMaxNameWidth = 20;
 constexpr int kLabelWidth = 38;
 constexpr int kValueWidth = 16;

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "prs/model/optimization.h"
+#include "prs/optimize/optimization_result.h"
 
 namespace prs {
 

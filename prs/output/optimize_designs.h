@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/model/optimization.h"
+#include "prs/optimize/optimization_result.h"
 
 namespace prs {
 

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "prs/optimize/optimization_result.h"
 #include "prs/quantities/json.h"
-#include "prs/model/optimization.h"
 
 namespace prs {
 

@@ -12,11 +12,12 @@
 #include <system_error>
 
 #include "prs/figures/contact_figures.h"
+#include "prs/figures/result_figures.h"
+#include "prs/figures/slip_figures.h"
 #include "prs/output/files.h"
 #include "prs/output/gnuplot.h"
-#include "prs/figures/result_figures.h"
+#include "prs/output/gnuplot_script.h"
 #include "prs/output/run_files.h"
-#include "prs/figures/slip_figures.h"
 
 namespace prs {
 namespace {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "prs/study/designs.h"
 #include "prs/study/row_block.h"
 
 namespace prs {

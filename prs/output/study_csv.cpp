@@ -1,6 +1,7 @@
 #include "prs/output/study_csv.h"
 
 #include "prs/output/csv_writer.h"
+#include "prs/study/designs.h"
 
 namespace prs {
 namespace {

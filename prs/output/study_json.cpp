@@ -7,6 +7,7 @@
 
 #include "prs/quantities/command_name.h"
 #include "prs/quantities/json_values.h"
+#include "prs/study/designs.h"
 
 namespace prs {
 namespace {

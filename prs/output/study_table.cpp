@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "prs/output/case_table.h"
-#include "prs/quantities/response_title.h"
 #include "prs/output/study_json.h"
+#include "prs/output/warnings.h"
+#include "prs/quantities/response_title.h"
+#include "prs/study/designs.h"
 #include "prs/study/study_text.h"
 #include "prs/text.h"
-#include "prs/output/warnings.h"
 
 namespace prs {
 namespace {

@@ -167,11 +167,6 @@ PreloadSector double_nut(const PreloadParts& p, const Held& held) {
 
 }  // namespace
 
-double second_position(const Mechanism& m, const Structure::Nut& nut, const Preload& preload) {
-  const double last = preload.position + (m.contacts_per_roller - 1) * axial_pitch(m);
-  return *preload.distance - (nut.length - last) - preload.spacer->length;
-}
-
 PreloadSector build_preload_sector(const PreloadParts& parts, Direction sense, double section) {
   const Held held{sense, section};
   PreloadSector s = parts.preload.arrangement == Preload::Arrangement::single_nut

@@ -51,10 +51,6 @@ struct PreloadParts {
   const Preload& preload;
 };
 
-/// Axial position of the first contact on the second nut of a double nut [m].
-double second_position(const Mechanism& mechanism, const Structure::Nut& nut,
-                       const Preload& preload);
-
 /// Builds the sector without play and without preload: the closest thread of each interface touches
 /// on both sides. The first nut is held at `section` [m] as under a load of that sense. The second
 /// nut is like the first, without its flanges. The case must have passed `check_case`.

@@ -9,6 +9,9 @@
 
 namespace prs {
 
+/// Tables name every case up to so many, and fold what cases share beyond.
+inline constexpr std::size_t kMaxUnfoldedCases = 24;
+
 /// The load cases that one range of the input made (`NAME[k]`), in their order, or a single case.
 struct CaseGroup {
   std::string name;  ///< NAME, without `[k]`.

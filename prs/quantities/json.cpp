@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "prs/printable.h"
 #include "prs/quantities/contact_quantities.h"
 #include "prs/quantities/json_values.h"
 #include "prs/quantities/model_summary.h"
-#include "prs/quantities/printable.h"
 #include "prs/quantities/quantities.h"
 #include "prs/quantities/slip_json.h"
 

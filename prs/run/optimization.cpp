@@ -28,6 +28,24 @@ DesignEngine engine_of(const input::OptimizeInput& in) {
   }
 }
 
+/// Checks limits relative to the file's own design once its responses are known. Throws InputError.
+void check_initial(const input::OptimizeInput& input, const EvaluatedDesign& initial) {
+  for (const Constraint& constraint : input.optimization.constraints) {
+    if (constraint.limit.kind != Limit::Kind::initial) continue;
+    if (std::isfinite(initial.responses[constraint.response])) continue;
+    const std::string reason =
+        initial.status.reason.empty()
+            ? "it has no " + input.optimization.study.responses[constraint.response]
+            : initial.status.reason;
+    input::fail_at(
+        input.start.source, input.asked_at[constraint.response],
+        fmt::format("got a limit relative to the file's own design, which has no answer ({}); "
+                    "expected a design that has one; mend the file, or write the limit as a "
+                    "number",
+                    reason));
+  }
+}
+
 std::string remark(const OptimizationResult& result, const std::string& file) {
   const Optimization& o = result.optimization;
   return fmt::format("{} of `prs optimize {}`, {} with seed {}: design {} of {}",
@@ -46,8 +64,8 @@ std::optional<OptimizationResult> run_optimization(
   const EvaluateDesigns evaluate = evaluate_in_parallel(engine, threads);
   const std::vector<Draw> as_in_file(optimization.study.factors.size());
   const RowBlock base = evaluate({as_in_file});
-  input::check_initial(in, {as_in_file, base.responses,
-                            base.failures.empty() ? DesignStatus{} : base.failures[0].status, 0.0});
+  check_initial(in, {as_in_file, base.responses,
+                     base.failures.empty() ? DesignStatus{} : base.failures[0].status, 0.0});
 
   Journal journal = open({key_of(in.start, optimization.study.command), in.start.source,
                           optimization.study.responses, design_count(optimization), Shard{}});

@@ -9,15 +9,9 @@
 #include "prs/model/mechanism.h"
 #include "prs/model/model_options.h"
 #include "prs/model/structure.h"
+#include "prs/threads/contact_law.h"
 
 namespace prs {
-
-/// How the threads of one interface push on each other in the load distribution.
-struct ContactLaw {
-  double hertz_constant = 0.0;  ///< k_0 of N = k_0 delta^1.5 [N/m^1.5]
-  double normal_angle = 0.0;    ///< psi, contact normal to axis [rad]
-  double compliance = 0.0;      ///< Of the teeth in series with the contact [m/N].
-};
 
 /// One roller with its share of screw and nut as bars, beams and Hertz springs (Abevi 2015, section
 /// 3), refined where the options say so (docs/refined.md). x runs along the axis from the loaded

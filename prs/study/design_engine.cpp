@@ -10,24 +10,24 @@
 #include <optional>
 #include <utility>
 
+#include "prs/input/did_you_mean.h"
+#include "prs/input/force_history.h"
+#include "prs/life/analyze_life.h"
 #include "prs/loads/analyze.h"
+#include "prs/loads/load_case_result.h"
+#include "prs/measures/analyze_measures.h"
 #include "prs/model/case_error.h"
-#include "prs/sector/chain/bar_designs.h"
-#include "prs/sector/chain/fallback_solver.h"
-#include "prs/threads/contact_laws.h"
 #include "prs/quantities/json.h"
 #include "prs/quantities/life_json.h"
 #include "prs/quantities/measures_json.h"
 #include "prs/quantities/slip_quantities.h"
-#include "prs/input/design_reader.h"
-#include "prs/input/did_you_mean.h"
-#include "prs/input/force_history.h"
-#include "prs/life/analyze_life.h"
-#include "prs/loads/load_case_result.h"
-#include "prs/measures/analyze_measures.h"
+#include "prs/sector/chain/bar_designs.h"
+#include "prs/sector/chain/fallback_solver.h"
 #include "prs/slip/slip.h"
+#include "prs/study/design_reader.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
+#include "prs/threads/contact_laws.h"
 
 namespace prs {
 namespace {
@@ -114,7 +114,7 @@ std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers)
 constexpr std::size_t kBatch = 64;
 
 /// Reads the case of the design that a row of a block answers.
-using ReadRow = std::function<const Case&(input::DesignReader& reader, std::size_t row)>;
+using ReadRow = std::function<const Case&(DesignReader& reader, std::size_t row)>;
 
 /// What is known of one design while its sectors wait to be solved together.
 struct Pending {
@@ -146,7 +146,7 @@ struct DesignEngine::Parts {
 
   /// What a thread needs for itself.
   struct Worker {
-    input::DesignReader reader;
+    DesignReader reader;
     BarDesignSolver solver = BarDesignSolver();
   };
 
@@ -174,7 +174,7 @@ struct DesignEngine::Parts {
         return worker;
       }
     }
-    return Worker{input::DesignReader(input)};
+    return Worker{DesignReader(input)};
   }
   void give_back(Worker worker) {
     const std::lock_guard lock(mutex);
@@ -388,14 +388,14 @@ const Study& DesignEngine::study() const { return parts_->study; }
 
 RowBlock DesignEngine::evaluate(std::size_t first, std::size_t count) const {
   return parts_->evaluate(first, count,
-                          [first](input::DesignReader& reader, std::size_t row) -> const Case& {
+                          [first](DesignReader& reader, std::size_t row) -> const Case& {
                             return reader.read(first + row);
                           });
 }
 
 RowBlock DesignEngine::evaluate(const std::vector<std::vector<Draw>>& designs) const {
   return parts_->evaluate(0, designs.size(),
-                          [&](input::DesignReader& reader, std::size_t row) -> const Case& {
+                          [&](DesignReader& reader, std::size_t row) -> const Case& {
                             return reader.read(designs[row]);
                           });
 }

@@ -1,4 +1,4 @@
-#include "prs/model/study.h"
+#include "prs/study/designs.h"
 
 #include <fmt/format.h>
 
@@ -106,15 +106,6 @@ std::string override_text(const Factor& factor, const Level& level) {
 
 }  // namespace
 
-bool Factor::is_numeric() const {
-  return std::ranges::all_of(levels, [](const Level& level) { return level.number.has_value(); });
-}
-
-bool is_sampled(Plan plan) {
-  return plan == Plan::latin_hypercube || plan == Plan::sobol || plan == Plan::monte_carlo ||
-         plan == Plan::sobol_indices;
-}
-
 std::size_t design_count(const Study& study) {
   if (study.plan == Plan::derivatives) return 1;
   if (is_sampled(study.plan)) return 1 + study.samples * designs_per_sample(study);
@@ -139,15 +130,6 @@ std::vector<Draw> draws(const Study& study, std::size_t k) {
       draws[i] = drawn(study.factors[i], share(study, i, sample));
   }
   return draws;
-}
-
-std::vector<DrawnInput> drawn_inputs(const Study& study) {
-  std::vector<DrawnInput> inputs;
-  for (std::size_t i = 0; i < study.factors.size(); ++i) {
-    inputs.push_back({i, &study.factors[i]});
-    for (const Factor& companion : study.factors[i].companions) inputs.push_back({i, &companion});
-  }
-  return inputs;
 }
 
 Design design(const Study& study, std::size_t k) { return design(study, draws(study, k)); }

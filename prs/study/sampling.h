@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "prs/model/study.h"
+
 /// Numbers of the open unit interval for sampled plans. Each is a pure function of the seed, the
 /// dimension (one a factor) and the sample's index, without a stream of states, so that samples can
 /// be drawn in any order, in parts and again.
@@ -22,7 +24,6 @@ double latin_hypercube_number(std::uint64_t seed, std::size_t dimension, std::ui
 /// Rogaway 2002, CT-RSA, "cycle walking").
 std::uint64_t permuted(std::uint64_t key, std::uint64_t k, std::uint64_t n);
 
-inline constexpr std::size_t kMostSobolDimensions = 3667;
 inline constexpr std::uint64_t kMostSobolSamples = std::uint64_t{1} << 32U;
 
 /// Point k of Sobol's sequence in Gray-code order, 0 first, as a fraction of 2^64, with Boost's

@@ -3,8 +3,8 @@
 #include <string_view>
 
 #include "prs/model/case.h"
+#include "prs/threads/contact_law.h"
 #include "prs/threads/contacts.h"
-#include "prs/sector/sector.h"
 
 namespace prs {
 

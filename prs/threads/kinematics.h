@@ -1,11 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "contact/mechanism_geometry.h"
 #include "prs/model/mechanism.h"
 #include "prs/model/part.h"
-#include "prs/loads/slip_result.h"
 
 namespace prs {
 
@@ -55,6 +55,12 @@ constexpr Interface sliding_interface(Mechanism::Type type) {
 /// epsilon*, for which the sliding interface slides least (2.16), (2.17). It does not depend on the
 /// speed.
 double ideal_slip_ratio(const KinematicGeometry& geometry);
+
+/// Slip ratios by formulas of geometry alone, beside the ideal one.
+struct SlipEstimates {
+  double simple = 0.0;          ///< Contacts at the pitch points, (2.21) and its inverted analogue.
+  std::optional<double> jones;  ///< (2.20), standard only.
+};
 
 /// Slip ratios by formulas of geometry alone: contacts at the pitch points, (1 - 2 Gamma)/(2 (1 -
 /// Gamma)) (2.21), for the inverted mechanism 1/(2 (1 + Gamma)) by the same argument; and, for the

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "prs/quantities/printable.h"
+#include "prs/printable.h"
 #include "tests/support/program.h"
 
 namespace {

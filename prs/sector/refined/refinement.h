@@ -8,9 +8,9 @@
 #include "prs/model/mechanism.h"
 #include "prs/model/model_options.h"
 #include "prs/model/part.h"
-#include "prs/sector/refined/nut_shell.h"
-#include "prs/sector/sector.h"
 #include "prs/model/structure.h"
+#include "prs/sector/refined/nut_shell.h"
+#include "prs/threads/contact_law.h"
 
 namespace prs {
 
@@ -20,8 +20,8 @@ struct Refinement {
   double plain_screw_diameter = 0.0;  ///< From the loaded section to the first contact [m].
   double screw_diameter = 0.0;        ///< Between the contacts [m].
   double roller_diameter = 0.0;       ///< Of what bends and carries axial force [m].
-  std::vector<double> nut_bore;  ///< Inner radius between a node of the line and the next [m].
-  bool roller_shear = false;     ///< Shear bends the roller.
+  std::vector<double> nut_bore;       ///< Inner radius between a node of the line and the next [m].
+  bool roller_shear = false;          ///< Shear bends the roller.
   double roller_half_distance = 0.0;  ///< Of the two contacts of a roller tooth, along x [m].
   std::optional<NutShell> nut;        ///< In place of the nut's bars.
   bool nut_radially_rigid = false;    ///< The shell holds v = 0.
@@ -29,10 +29,6 @@ struct Refinement {
   PerInterface<std::vector<double>> compliance;
   double offset_compliance = 0.0;  ///< As in `Sector`.
 };
-
-/// Least wall that `Bodies::refined` takes below the roots, and under a flange outside the pitch
-/// radius, in pitches.
-inline constexpr double kLeastWall = 0.1;
 
 /// Roots lie by the dedendum of `mechanism.thread` from the pitch radius, by default that of
 /// `default_groove`. Where the nut is thin they are less deep: they leave `kLeastWall`, or half of

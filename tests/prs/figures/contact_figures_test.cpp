@@ -1,4 +1,5 @@
 #include "prs/figures/contact_figures.h"
+#include "prs/output/gnuplot_script.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "prs/figures/study_figures.h"
+#include "prs/output/gnuplot_script.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "prs/model/study.h"
+#include "prs/study/designs.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -5,16 +5,17 @@
 #include <vector>
 
 #include "prs/model/case.h"
+#include "prs/study/designs.h"
 #include "prs/input/study_reader.h"
 
-namespace prs::input {
+namespace prs {
 
 /// Reads the cases of a study's designs one after the other, without parsing where only numbers
 /// change. One a thread.
 class DesignReader {
  public:
   /// The input must outlive the reader.
-  explicit DesignReader(const StudyInput& input);
+  explicit DesignReader(const input::StudyInput& input);
   ~DesignReader();
   DesignReader(DesignReader&&) noexcept;
 
@@ -30,4 +31,4 @@ class DesignReader {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace prs::input
+}  // namespace prs

@@ -1,4 +1,4 @@
-#include "prs/output/figure_script.h"
+#include "prs/output/gnuplot_script_parts.h"
 
 #include <fmt/format.h>
 

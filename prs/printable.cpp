@@ -1,4 +1,4 @@
-#include "prs/quantities/printable.h"
+#include "prs/printable.h"
 
 #include <fmt/format.h>
 

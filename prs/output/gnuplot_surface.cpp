@@ -2,19 +2,19 @@
 
 #include <cmath>
 
-#include "prs/output/figure_script.h"
+#include "prs/output/gnuplot_script_parts.h"
 
 namespace prs {
 namespace {
 
-constexpr int kMostTics = 5;
+constexpr int kMostSurfaceTics = 5;
 constexpr double kTilt = 58.0;                       // [deg]
 constexpr double kTurn = 325.0;                      // With the first corner in front [deg].
 constexpr double kScale = 0.98, kHeightScale = 1.2;  // Fill the panel, labels included.
 
 std::string axis_lines(char axis, const Axis& a) {
   const std::string tics =
-      a.logarithmic ? "autofreq" : fmt::format("{:.7g}", tic_distance(a.to - a.from, kMostTics));
+      a.logarithmic ? "autofreq" : fmt::format("{:.7g}", tic_distance(a.to - a.from, kMostSurfaceTics));
   return fmt::format(
       "{4} logscale {0}\n"
       "set {0}range [{1:.7g}:{2:.7g}]\n"

@@ -1,4 +1,4 @@
-#include "prs/input/design_reader.h"
+#include "prs/study/design_reader.h"
 
 #include <cmath>
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include "prs/input/slot.h"
 #include "prs/input/units.h"
 
-namespace prs::input {
+namespace prs {
 
 namespace {
 
@@ -23,21 +23,24 @@ constexpr std::size_t kMostFrames = 256;
 struct Values {
   std::size_t factor = 0;  ///< Whose draw sets it.
   std::string path = {};
-  bool number = false;              ///< A drawn number can be set without reading it.
-  const Unit* unit = nullptr;       ///< None of bare numbers.
-  std::vector<double> levels = {};  ///< As `slot_value` gives them; NaN where one must be read.
+  bool number = false;                ///< A drawn number can be set without reading it.
+  const input::Unit* unit = nullptr;  ///< None of bare numbers.
+  std::vector<double> levels =
+      {};  ///< As `input::slot_value` gives them; NaN where one must be read.
 };
 
-Values values_of(const DrawnInput& input, CaseFile& file) {
+Values values_of(const DrawnInput& input, input::CaseFile& file) {
   const Factor& factor = *input.input;
-  const Slot slot = find_slot(file, factor.path);
+  const input::Slot slot = input::find_slot(file, factor.path);
   Values values{.factor = input.factor, .path = factor.path};
-  if (slot.dimension) values.unit = find_unit(factor.unit, *slot.dimension);
-  values.number = slot.kind == Slot::Kind::number &&
+  if (slot.dimension) values.unit = input::find_unit(factor.unit, *slot.dimension);
+  values.number = slot.kind == input::Slot::Kind::number &&
                   (slot.dimension ? values.unit != nullptr : factor.unit.empty());
-  const bool numeric = slot.kind == Slot::Kind::number || slot.kind == Slot::Kind::whole;
+  const bool numeric =
+      slot.kind == input::Slot::Kind::number || slot.kind == input::Slot::Kind::whole;
   for (const Level& level : factor.levels)
-    values.levels.push_back(numeric ? slot_value(slot, level.text).value_or(kNoNumber) : kNoNumber);
+    values.levels.push_back(numeric ? input::slot_value(slot, level.text).value_or(kNoNumber)
+                                    : kNoNumber);
   return values;
 }
 
@@ -51,10 +54,10 @@ constexpr std::uint32_t kFirstLevel = 2;
 struct Frame {
   struct Bound {
     std::size_t input;
-    Slot slot;
+    input::Slot slot;
   };
 
-  CaseFile file;
+  input::CaseFile file;
   std::vector<Bound> bound;
   bool varies_loads = false;
 };
@@ -62,7 +65,7 @@ struct Frame {
 }  // namespace
 
 struct DesignReader::Parts {
-  const StudyInput& input;
+  const input::StudyInput& input;
   std::vector<Values> values = {};  ///< Of `drawn_inputs`.
   std::map<Shape, std::unique_ptr<Frame>> frames = {};
   Shape shape = {};
@@ -98,16 +101,17 @@ std::unique_ptr<Frame> DesignReader::Parts::make_frame(const Shape& of,
                                                        const std::vector<Draw>& draws) const {
   auto made = std::make_unique<Frame>();
   try {
-    made->file = read_design_file(input, overrides(input.study, draws)).file;
-  } catch (const InputError&) {
+    made->file = input::read_design_file(input, overrides(input.study, draws)).file;
+  } catch (const input::InputError&) {
     return nullptr;
   }
-  made->file.values.load_cases = expand(made->file.load_cases);
+  made->file.values.load_cases = input::expand(made->file.load_cases);
   for (std::size_t i = 0; i < of.size(); ++i) {
     if (of[i] != kNumber) continue;
     const std::string& path = values[i].path;
-    Slot slot = find_slot(made->file, path);
-    if (slot.kind != Slot::Kind::number && slot.kind != Slot::Kind::whole) return nullptr;
+    input::Slot slot = input::find_slot(made->file, path);
+    if (slot.kind != input::Slot::Kind::number && slot.kind != input::Slot::Kind::whole)
+      return nullptr;
     made->bound.push_back({i, std::move(slot)});
     made->varies_loads = made->varies_loads || path.starts_with("load_cases");
   }
@@ -137,16 +141,17 @@ bool DesignReader::Parts::set_numbers(const std::vector<Draw>& draws) {
     const Draw& draw = draws[known.factor];
     const std::optional<double> value = draw.kind == Draw::Kind::level
                                             ? known.levels[draw.level]
-                                            : slot_value(slot, draw.number, known.unit);
+                                            : input::slot_value(slot, draw.number, known.unit);
     if (!value) return false;
     set(slot, *value);
   }
-  if (frame->varies_loads) update_numbers(frame->file.values.load_cases, frame->file.load_cases);
+  if (frame->varies_loads)
+    input::update_numbers(frame->file.values.load_cases, frame->file.load_cases);
   return true;
 }
 
-DesignReader::DesignReader(const StudyInput& input) : parts_(new Parts{.input = input}) {
-  CaseFile base = read_design_file(input, {}).file;
+DesignReader::DesignReader(const input::StudyInput& input) : parts_(new Parts{.input = input}) {
+  input::CaseFile base = input::read_design_file(input, {}).file;
   for (const DrawnInput& drawn : drawn_inputs(input.study))
     parts_->values.push_back(values_of(drawn, base));
 }
@@ -160,16 +165,16 @@ const Case& DesignReader::read(const std::vector<Draw>& draws) {
   Parts& p = *parts_;
   if (p.frame_of(draws) && p.set_numbers(draws)) {
     const Case& values = p.frame->file.values;
-    const std::vector<Problem> problems = problems_of(values, p.input.study.command);
+    const std::vector<Problem> problems = input::problems_of(values, p.input.study.command);
     if (problems.empty()) return values;
     if (problems.size() == 1) {
-      ErrorList errors(p.input.source);
+      input::ErrorList errors(p.input.source);
       errors.add({}, problems[0].path, problems[0].message);
-      throw InputError(errors.first());
+      throw input::InputError(errors.first());
     }
   }
-  p.read_in_full = read_design(p.input, overrides(p.input.study, draws));
+  p.read_in_full = input::read_design(p.input, overrides(p.input.study, draws));
   return p.read_in_full;
 }
 
-}  // namespace prs::input
+}  // namespace prs

@@ -1,4 +1,4 @@
-#include "prs/input/design_reader.h"
+#include "prs/study/design_reader.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "prs/model/study.h"
+
+namespace prs {
+
+/// A factor of a grid as an axis of its maps, numbers ascending.
+struct MapAxis {
+  std::size_t factor = 0;           ///< Of the study's.
+  std::vector<std::size_t> levels;  ///< Of the factor, one a node.
+  std::vector<double> numbers;      ///< Of the levels, in the factor's unit.
+  bool logarithmic = false;         ///< Equidistant in their logarithm.
+  /// Whether factor and companions have values between two nodes: no words, no whole numbers.
+  bool continuous = false;
+
+  std::size_t nodes() const { return numbers.size(); }
+  /// The factor's number at a place from 0, the first node, to nodes - 1: linear between two nodes,
+  /// or linear in the logarithm.
+  double number(double place) const;
+  /// The place of a number; absent outside of the nodes.
+  std::optional<double> place(double number) const;
+};
+
+/// A place on one axis: a node and the share of the way to the next one.
+struct Between {
+  std::size_t node = 0;
+  double share = 0.0;
+};
+Between between(double place, std::size_t nodes);
+
+/// From one number to another, linear, or linear in the logarithm.
+double interpolated(double from, double to, double share, bool logarithmic);
+
+/// The axes of the maps of a study: a grid over two factors of at least two different numbers each.
+/// Absent of any other.
+std::optional<std::array<MapAxis, 2>> map_axes(const Study& study);
+
+}  // namespace prs
