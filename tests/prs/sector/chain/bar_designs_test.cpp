@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "prs/sector/chain/chain_solver.h"
-#include "prs/chain/solves.h"
+#include "prs/sector/chain/solves.h"
 #include "support/allocations.h"
 #include "support/count.h"
 
