@@ -28,7 +28,16 @@ DesignEngine engine_of(const input::OptimizeInput& in) {
   }
 }
 
-/// Checks limits relative to the file's own design once its responses are known. Throws InputError.
+std::string remark(const OptimizationResult& result, const std::string& file) {
+  const Optimization& o = result.optimization;
+  return fmt::format("{} of `prs optimize {}`, {} with seed {}: design {} of {}",
+                     result.compromise ? "Compromise" : "Nearest design", file, name(o.algorithm),
+                     o.seed, result.compromise.value_or(result.nearest.value_or(0)) + 1,
+                     result.search.designs.size());
+}
+
+}  // namespace
+
 void check_initial(const input::OptimizeInput& input, const EvaluatedDesign& initial) {
   for (const Constraint& constraint : input.optimization.constraints) {
     if (constraint.limit.kind != Limit::Kind::initial) continue;
@@ -45,16 +54,6 @@ void check_initial(const input::OptimizeInput& input, const EvaluatedDesign& ini
                     reason));
   }
 }
-
-std::string remark(const OptimizationResult& result, const std::string& file) {
-  const Optimization& o = result.optimization;
-  return fmt::format("{} of `prs optimize {}`, {} with seed {}: design {} of {}",
-                     result.compromise ? "Compromise" : "Nearest design", file, name(o.algorithm),
-                     o.seed, result.compromise.value_or(result.nearest.value_or(0)) + 1,
-                     result.search.designs.size());
-}
-
-}  // namespace
 
 std::optional<OptimizationResult> run_optimization(
     const input::OptimizeInput& in, std::size_t threads,

@@ -8,11 +8,11 @@
 #include <type_traits>
 #include <utility>
 
+#include "prs/input/reader.h"
+#include "prs/output/check.h"
 #include "prs/quantities/life_json.h"
 #include "prs/quantities/measures_json.h"
 #include "prs/quantities/preload_json.h"
-#include "prs/input/reader.h"
-#include "prs/output/check.h"
 #include "prs/run/analyses.h"
 #include "python/engine/beside.h"
 

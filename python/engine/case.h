@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "prs/input/source.h"
 #include "prs/model/case.h"
 #include "prs/model/check_case.h"
-#include "prs/input/source.h"
 #include "python/engine/document.h"
 
 namespace prs::python {

@@ -3,11 +3,11 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
 
-#include "prs/quantities/measures_json.h"
-#include "prs/sector/influence/matrix_cache.h"
 #include "prs/input/schema.h"
 #include "prs/input/source.h"
 #include "prs/input/units.h"
+#include "prs/quantities/measures_json.h"
+#include "prs/sector/influence/matrix_cache.h"
 #include "prs/version.h"
 #include "python/engine/beside.h"
 #include "python/engine/case.h"

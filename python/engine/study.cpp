@@ -24,6 +24,7 @@
 #include "prs/run/analyses.h"
 #include "prs/run/study.h"
 #include "prs/study/analysis.h"
+#include "prs/study/designs.h"
 #include "prs/study/study_run.h"
 #include "python/engine/beside.h"
 #include "python/engine/document.h"

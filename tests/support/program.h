@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/prs/output/temporary_directory.h"
+#include "tests/support/temporary_directory.h"
 
 namespace test {
 

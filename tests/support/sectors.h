@@ -125,9 +125,9 @@ inline double random_force(const SectorCase& c, std::mt19937_64& random) {
   return share * heavy * c.mechanism.rollers * c.mechanism.contacts_per_roller;
 }
 
-/// A random sector of extreme ratios, as far as the checks of a case let them pass: moduli and Hertz
-/// constants over nine decades, rings from 1e-3 to 1e15 N/m, thin walls, slender and stout ends, free
-/// lengths from 0 and 1e-12 mm up, 2 to 60 threads.
+/// A random sector of extreme ratios, as far as the checks of a case let them pass: moduli and
+/// Hertz constants over nine decades, rings from 1e-3 to 1e15 N/m, thin walls, slender and stout
+/// ends, free lengths from 0 and 1e-12 mm up, 2 to 60 threads.
 inline SectorCase extreme_sector(std::mt19937_64& random) {
   using prs::Direction, prs::Guidance, prs::ModelOptions;
   const auto uniform = [&](double a, double b) {

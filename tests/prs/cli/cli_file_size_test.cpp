@@ -12,10 +12,10 @@
 
 #include "prs/output/run_files.h"
 #include "tests/prs/optimize/yao_file.h"
-#include "tests/prs/output/temporary_directory.h"
 #include "tests/prs/study/study_file.h"
 #include "tests/support/processes.h"
 #include "tests/support/program.h"
+#include "tests/support/temporary_directory.h"
 
 namespace {
 

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "prs/study/study_folder.h"
-#include "tests/prs/output/temporary_directory.h"
 #include "tests/prs/study/study_file.h"
 #include "tests/support/processes.h"
 #include "tests/support/program.h"
+#include "tests/support/temporary_directory.h"
 
 namespace {
 
@@ -34,8 +34,8 @@ struct Streams {
 
   std::string text() const {
     const char* const names[] = {"open", "closed", "full", "gone"};
-    return std::string("stdin ") + (in ? "open" : "closed") +
-           ", stdout " + names[static_cast<int>(out)] + ", stderr " + names[static_cast<int>(err)];
+    return std::string("stdin ") + (in ? "open" : "closed") + ", stdout " +
+           names[static_cast<int>(out)] + ", stderr " + names[static_cast<int>(err)];
   }
 };
 

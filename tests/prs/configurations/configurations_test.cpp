@@ -10,15 +10,15 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "prs/loads/analyze.h"
 #include "prs/configurations/roller_spacing.h"
-#include "prs/threads/contacts.h"
 #include "prs/input/reader.h"
+#include "prs/loads/analyze.h"
 #include "prs/output/configurations_files.h"
+#include "prs/threads/contacts.h"
 #include "prs/threads/threads.h"
 #include "prs/threads/unusual.h"
-#include "tests/prs/output/temporary_directory.h"
 #include "tests/support/program.h"
+#include "tests/support/temporary_directory.h"
 
 namespace prs {
 namespace {

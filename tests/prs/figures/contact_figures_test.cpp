@@ -8,11 +8,11 @@
 #include <regex>
 
 #include "contact/mechanism_geometry.h"
-#include "contact_cases.h"
-#include "drawn.h"
 #include "prs/loads/analyze.h"
 #include "prs/output/plots.h"
-#include "temporary_directory.h"
+#include "support/contact_cases.h"
+#include "support/drawn.h"
+#include "support/temporary_directory.h"
 #include "tests/contact/mechanisms.h"
 
 namespace prs {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 
-#include "drawn.h"
-#include "prs/output/files.h"
 #include "prs/figures/result_figures.h"
-#include "sample_result.h"
-#include "temporary_directory.h"
+#include "prs/output/files.h"
+#include "support/drawn.h"
+#include "support/sample_result.h"
+#include "support/temporary_directory.h"
 
 namespace prs {
 namespace {
@@ -195,8 +195,7 @@ void expect_scripts_only(const fs::path& plots) {
 
 TEST(Plots, FailingGnuplotIsAnErrorAndLeavesNoImage) {
   const TemporaryDirectory temporary;
-  const Undrawn undrawn =
-      drawn_by(": > \"$name.png\"\necho out of order >&2\nexit 3\n", temporary);
+  const Undrawn undrawn = drawn_by(": > \"$name.png\"\necho out of order >&2\nexit 3\n", temporary);
   ASSERT_EQ(undrawn.errors.size(), 2);
   EXPECT_NE(undrawn.errors[0].find("out of order"), std::string::npos) << undrawn.errors[0];
   EXPECT_TRUE(undrawn.notes.empty());

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawn.h"
 #include "prs/output/plots.h"
-#include "sample_slip.h"
-#include "temporary_directory.h"
+#include "support/drawn.h"
+#include "support/sample_slip.h"
+#include "support/temporary_directory.h"
 
 namespace prs {
 namespace {
@@ -25,7 +25,7 @@ using test::TemporaryDirectory;
 using test::with_slip;
 using test::without_equilibrium;
 
-Result sweeps() {
+Result slip_sweeps() {
   Result result;
   for (const char* name : {"config1-tension", "config1-compression"})
     add_sweep(result, name,
@@ -44,7 +44,7 @@ bool has_style(const Figure& figure, const Panel& panel, const std::string& titl
 }
 
 TEST(SlipFigures, ThreadPowersStandBesideTheLevelOfEqualShares) {
-  const Result result = sweeps();
+  const Result result = slip_sweeps();
   const auto figure = thread_power_figure(result);
   ASSERT_TRUE(figure);
   ASSERT_EQ(figure->panels.size(), 4);
@@ -126,7 +126,7 @@ TEST(SlipFigures, ResidueCurvesAddUpToTheirSum) {
 }
 
 TEST(SlipFigures, AreasOfPowerStackUpToTheTotal) {
-  const Result result = sweeps();
+  const Result result = slip_sweeps();
   const auto figures = power_over_load_figures(result);
   ASSERT_EQ(figures.size(), 2);
   EXPECT_EQ(figures[0].name, "power_by_source");
@@ -168,7 +168,7 @@ TEST(SlipFigures, ReferencesStandInBothPanels) {
 TEST(SlipPlots, EveryFigureIsDrawnBesideItsScript) {
   const TemporaryDirectory temporary;
   ASSERT_NO_FATAL_FAILURE(
-      expect_drawn(draw_slip_plots(sweeps(), {{8, sample_pictures()}}, temporary.path())));
+      expect_drawn(draw_slip_plots(slip_sweeps(), {{8, sample_pictures()}}, temporary.path())));
   if (IsSkipped()) return;
   for (const char* name :
        {"thread_power", "slip_patches", "slip_residue", "power_by_source", "power_by_source_2"}) {
@@ -182,7 +182,7 @@ TEST(SlipPlots, EveryFigureIsDrawnBesideItsScript) {
 TEST(SlipPlots, PicturesOfSeveralCasesAreNumbered) {
   const TemporaryDirectory temporary;
   ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_slip_plots(
-      sweeps(), {{0, sample_pictures()}, {8, sample_pictures()}}, temporary.path())));
+      slip_sweeps(), {{0, sample_pictures()}, {8, sample_pictures()}}, temporary.path())));
   if (IsSkipped()) return;
   EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "slip_patches_1.png"));
   EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "slip_residue_2.png"));

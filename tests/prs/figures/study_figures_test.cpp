@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "tests/prs/output/sample_study.h"
+#include "tests/support/sample_study.h"
 
 namespace prs {
 namespace {

@@ -8,17 +8,17 @@
 #include <numeric>
 #include <random>
 
-#include "prs/loads/analyze.h"
-#include "prs/model/case_error.h"
-#include "prs/quantities/life_json.h"
-#include "prs/input/reader.h"
-#include "prs/loads/load_case_result.h"
 #include "prs/figures/life_figures.h"
+#include "prs/input/reader.h"
+#include "prs/loads/analyze.h"
+#include "prs/loads/load_case_result.h"
+#include "prs/model/case_error.h"
 #include "prs/output/life_files.h"
 #include "prs/output/life_table.h"
+#include "prs/quantities/life_json.h"
 #include "prs/text.h"
 #include "tests/prs/input/abevi.h"
-#include "tests/prs/output/parsed_csv.h"
+#include "tests/support/parsed_csv.h"
 
 namespace prs {
 namespace {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "tests/prs/output/temporary_directory.h"
+#include "tests/support/temporary_directory.h"
 
 namespace prs::input {
 namespace {

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/life/rainflow.h"
-#include "tests/prs/output/temporary_directory.h"
 #include "tests/support/program.h"
+#include "tests/support/temporary_directory.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "prs/model/case_error.h"
 #include "prs/input/reader.h"
+#include "prs/model/case_error.h"
 #include "support/plain_contact.h"
 #include "support/sum.h"
 

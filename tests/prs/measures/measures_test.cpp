@@ -9,11 +9,11 @@
 #include <set>
 #include <string>
 
-#include "prs/loads/analyze.h"
-#include "prs/quantities/measure_quantities.h"
 #include "prs/input/reader.h"
 #include "prs/life/analyze_life.h"
+#include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
+#include "prs/quantities/measure_quantities.h"
 #include "support/plain_contact.h"
 #include "tests/prs/input/abevi.h"
 

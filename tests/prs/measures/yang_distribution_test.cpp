@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "prs/sector/load_distribution.h"
 #include "prs/measures/stiffness.h"
+#include "prs/sector/load_distribution.h"
 #include "support/count.h"
 #include "support/sectors.h"
 #include "support/sum.h"

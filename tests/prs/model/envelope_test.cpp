@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "prs/study/analysis.h"
+#include "prs/study/designs.h"
 #include "prs/study/grid_maps.h"
 
 namespace prs {

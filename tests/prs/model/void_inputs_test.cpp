@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "prs/loads/analyze.h"
 #include "prs/input/reader.h"
+#include "prs/loads/analyze.h"
 #include "tests/prs/input/abevi.h"
 
 namespace prs {

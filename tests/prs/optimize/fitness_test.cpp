@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
+#include "known_problems.h"
 #include "prs/optimize/front.h"
 #include "prs/optimize/pagmo_search.h"
-#include "known_problems.h"
 
 namespace prs {
 namespace {

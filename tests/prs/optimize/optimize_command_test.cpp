@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "support/processes.h"
-#include "tests/prs/output/temporary_directory.h"
 #include "tests/support/program.h"
+#include "tests/support/temporary_directory.h"
 #include "yao_file.h"
 
 namespace prs {

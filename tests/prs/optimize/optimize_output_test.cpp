@@ -6,12 +6,12 @@
 #include <sstream>
 
 #include "known_problems.h"
-#include "prs/output/optimize_csv.h"
 #include "prs/figures/optimize_figures.h"
+#include "prs/output/optimize_csv.h"
 #include "prs/output/optimize_json.h"
 #include "prs/output/optimize_table.h"
 #include "prs/text.h"
-#include "tests/prs/output/text_lines.h"
+#include "tests/support/text_lines.h"
 
 namespace prs {
 namespace {

@@ -1,4 +1,5 @@
 #include "prs/input/optimize_reader.h"
+#include "prs/run/optimization.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

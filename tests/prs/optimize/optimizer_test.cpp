@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "known_problems.h"
 #include "prs/optimize/front.h"
 #include "prs/optimize/pagmo_search.h"
-#include "known_problems.h"
-#include "tests/prs/output/temporary_directory.h"
+#include "tests/support/temporary_directory.h"
 
 namespace prs {
 namespace {

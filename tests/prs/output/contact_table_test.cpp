@@ -6,9 +6,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "contact_cases.h"
 #include "prs/loads/analyze.h"
 #include "prs/text.h"
+#include "support/contact_cases.h"
 
 namespace prs {
 namespace {

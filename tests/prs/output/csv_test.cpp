@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "parsed_csv.h"
-#include "sample_result.h"
+#include "support/parsed_csv.h"
+#include "support/sample_result.h"
 
 namespace prs {
 namespace {

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "support/small_files.h"
-#include "temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace prs {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "prs/output/files.h"
 #include "prs/sha256.h"
-#include "temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace prs {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "parsed_csv.h"
-#include "sample_slip.h"
+#include "support/parsed_csv.h"
+#include "support/sample_slip.h"
 
 namespace prs {
 namespace {

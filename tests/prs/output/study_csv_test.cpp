@@ -6,10 +6,11 @@
 #include <cmath>
 
 #include "../study/synthetic_study.h"
-#include "parsed_csv.h"
 #include "prs/output/study_files.h"
+#include "prs/study/designs.h"
 #include "prs/study/study_run.h"
-#include "temporary_directory.h"
+#include "support/parsed_csv.h"
+#include "support/temporary_directory.h"
 
 namespace prs {
 namespace {

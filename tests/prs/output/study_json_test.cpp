@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/prs/output/sample_study.h"
+#include "tests/support/sample_study.h"
 
 namespace prs {
 namespace {

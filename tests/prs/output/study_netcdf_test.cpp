@@ -1,4 +1,5 @@
 #include "prs/output/study_netcdf.h"
+#include "prs/study/designs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 
 #include "../study/synthetic_study.h"
 #include "support/small_files.h"
-#include "temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace prs {
 namespace {

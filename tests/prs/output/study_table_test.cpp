@@ -7,7 +7,7 @@
 
 #include "prs/study/study_text.h"
 #include "prs/text.h"
-#include "tests/prs/output/sample_study.h"
+#include "tests/support/sample_study.h"
 
 namespace prs {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sample_result.h"
-#include "text_lines.h"
+#include "support/sample_result.h"
+#include "support/text_lines.h"
 
 namespace prs {
 namespace {

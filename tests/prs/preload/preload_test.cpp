@@ -6,13 +6,13 @@
 #include <numbers>
 #include <random>
 
-#include "prs/model/case_error.h"
-#include "prs/quantities/preload_json.h"
 #include "prs/input/reader.h"
-#include "prs/sector/load_distribution.h"
+#include "prs/model/case_error.h"
 #include "prs/output/preload_files.h"
 #include "prs/preload/analyze_preload.h"
 #include "prs/preload/preload_solver.h"
+#include "prs/quantities/preload_json.h"
+#include "prs/sector/load_distribution.h"
 #include "support/count.h"
 #include "support/sectors.h"
 #include "tests/prs/input/abevi.h"
@@ -495,9 +495,9 @@ TEST(AnalyzePreload, WhatDoesNotConvergeSaysWhy) {
   EXPECT_FALSE(r.converged());
   EXPECT_FALSE(r.curve.lost_motion);
   for (const std::string start : {"at 1e-30 N: not converged: ", "at -1e-30 N: not converged: "})
-    EXPECT_TRUE(std::ranges::any_of(
-        r.warnings, [&](const std::string& text) { return text.starts_with(start); }))
-        << start;
+    EXPECT_TRUE(std::ranges::any_of(r.warnings, [&](const std::string& text) {
+      return text.starts_with(start);
+    })) << start;
 }
 
 TEST(AnalyzePreload, AForceThatNoFitGivesIsRefused) {

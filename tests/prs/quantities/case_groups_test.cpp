@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sample_result.h"
+#include "support/sample_result.h"
 
 namespace prs {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "tests/prs/output/sample_result.h"
+#include "tests/support/sample_result.h"
 
 namespace prs {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/quantities/json.h"
-#include "tests/prs/output/sample_slip.h"
+#include "tests/support/sample_slip.h"
 
 namespace prs {
 namespace {

@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "prs/study/designs.h"
 #include "prs/study/study_result.h"
 
 namespace prs {

@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <string>
 
+#include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
 #include "prs/model/case_error.h"
-#include "prs/input/reader.h"
 #include "tests/prs/input/abevi.h"
 
 namespace prs {

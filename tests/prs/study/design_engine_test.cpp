@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
 #include "prs/quantities/json.h"
-#include "prs/input/reader.h"
 #include "prs/slip/slip.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
@@ -102,15 +102,15 @@ TEST(DesignEngine, DeliversWhateverTheCommandSolves) {
                                  "structure.screw.free_length=1e-12 mm"};
   for (const std::string& factor : factors) {
     const std::size_t equals = factor.find('=');
-    const input::StudyInput in = study_of(
-        "{command: solve, plan: grid, factors: [{path: " + factor.substr(0, equals) +
-        ", values: [" + factor.substr(equals + 1) +
-        "]}], responses: [axial_displacement_um, tangent_stiffness_N_per_um]}");
+    const input::StudyInput in =
+        study_of("{command: solve, plan: grid, factors: [{path: " + factor.substr(0, equals) +
+                 ", values: [" + factor.substr(equals + 1) +
+                 "]}], responses: [axial_displacement_um, tangent_stiffness_N_per_um]}");
     const RowBlock block = all(DesignEngine(in));
     ASSERT_TRUE(block.failures.empty()) << *reason(block, 1);
     const double* row = block.responses.data() + 2;  // behind the base case
-    const Result direct = analyze(
-        input::read_case_text(input::kAbevi, "case.yaml", {factor}, Command::solve));
+    const Result direct =
+        analyze(input::read_case_text(input::kAbevi, "case.yaml", {factor}, Command::solve));
     const LoadCaseResult& pull = direct.load_cases[0];
     ASSERT_TRUE(pull.converged()) << factor;
     EXPECT_NEAR(row[0] / (*pull.axial_displacement * 1e6), 1.0, 1e-9) << factor;

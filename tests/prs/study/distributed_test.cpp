@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "../output/temporary_directory.h"
 #include "prs/study/study_folder.h"
 #include "study_file.h"
 #include "support/count.h"
 #include "support/folder_watch.h"
 #include "support/processes.h"
 #include "support/program.h"
+#include "tests/support/temporary_directory.h"
 
 namespace prs {
 namespace {

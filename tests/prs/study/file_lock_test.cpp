@@ -7,7 +7,7 @@
 
 #include <stdexcept>
 
-#include "../output/temporary_directory.h"
+#include "tests/support/temporary_directory.h"
 
 namespace prs {
 namespace {

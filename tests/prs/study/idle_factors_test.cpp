@@ -1,4 +1,5 @@
 #include "prs/study/idle_factors.h"
+#include "prs/study/designs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

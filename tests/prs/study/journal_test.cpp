@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "../output/temporary_directory.h"
 #include "support/small_files.h"
 #include "synthetic_study.h"
+#include "tests/support/temporary_directory.h"
 
 namespace prs {
 namespace {

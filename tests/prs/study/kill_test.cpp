@@ -11,7 +11,6 @@
 #include <functional>
 #include <random>
 
-#include "../output/temporary_directory.h"
 #include "prs/output/study_files.h"
 #include "prs/study/study_run.h"
 #include "study_file.h"
@@ -20,6 +19,7 @@
 #include "support/processes.h"
 #include "support/program.h"
 #include "synthetic_study.h"
+#include "tests/support/temporary_directory.h"
 
 namespace prs {
 namespace {

@@ -16,13 +16,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "../output/parsed_csv.h"
-#include "../output/temporary_directory.h"
 #include "prs/study/study_folder.h"
 #include "study_file.h"
 #include "support/folder_watch.h"
 #include "support/processes.h"
+#include "tests/support/parsed_csv.h"
 #include "tests/support/program.h"
+#include "tests/support/temporary_directory.h"
 
 namespace prs {
 namespace {

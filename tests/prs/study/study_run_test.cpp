@@ -9,9 +9,9 @@
 #include <random>
 #include <system_error>
 
-#include "../output/temporary_directory.h"
 #include "support/small_files.h"
 #include "synthetic_study.h"
+#include "tests/support/temporary_directory.h"
 
 namespace prs {
 namespace {

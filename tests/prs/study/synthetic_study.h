@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "prs/model/study.h"
 #include "prs/study/journal.h"
 #include "prs/study/row_block.h"
 #include "prs/study/schedule.h"
-#include "prs/model/study.h"
 
 namespace test {
 

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
 #include "prs/model/case_error.h"
-#include "prs/threads/contacts.h"
 #include "prs/quantities/json.h"
-#include "prs/input/reader.h"
 #include "prs/study/result_number.h"
+#include "prs/threads/contacts.h"
 #include "tests/contact/units.h"
 
 namespace prs {

@@ -7,11 +7,11 @@
 #include <set>
 #include <sstream>
 
-#include "prs/model/case_error.h"
 #include "prs/input/reader.h"
-#include "tests/prs/output/parsed_csv.h"
-#include "tests/prs/output/temporary_directory.h"
+#include "prs/model/case_error.h"
 #include "tests/support/count.h"
+#include "tests/support/parsed_csv.h"
+#include "tests/support/temporary_directory.h"
 #include "validation/reference_fe/comparison.h"
 #include "validation/reference_fe/curves.h"
 #include "validation/reference_fe/figures.h"

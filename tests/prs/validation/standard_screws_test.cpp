@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "prs/model/check_case.h"
 #include "prs/configurations/standard_screw.h"
+#include "prs/model/check_case.h"
 #include "prs/threads/contacts.h"
 #include "validation/standard_screws/comparison.h"
 #include "validation/standard_screws/contribution.h"

@@ -8,9 +8,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "prs/model/case_error.h"
 #include "prs/input/source.h"
-#include "tests/prs/output/temporary_directory.h"
+#include "prs/model/case_error.h"
+#include "tests/support/temporary_directory.h"
 #include "validation/jung_2017/contribution.h"
 #include "validation/sandu_2018/contribution.h"
 #include "validation/standard_screws/contribution.h"

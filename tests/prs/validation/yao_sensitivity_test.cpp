@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "prs/model/check_case.h"
 #include "prs/input/reader.h"
 #include "prs/input/study_reader.h"
+#include "prs/model/check_case.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/study_result.h"
 #include "prs/threads/threads.h"

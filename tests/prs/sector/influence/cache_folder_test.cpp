@@ -9,7 +9,7 @@
 #include <chrono>
 
 #include "prs/file_descriptor.h"
-#include "prs/output/temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace prs {
 namespace {

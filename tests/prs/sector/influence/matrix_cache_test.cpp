@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "prs/output/temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace prs {
 namespace {

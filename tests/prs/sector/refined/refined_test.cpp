@@ -321,9 +321,8 @@ std::vector<ReferenceRow> reference_rows() {
     double force = 0.0, displacement = 0.0, stiffness = 0.0;
     fields >> config >> direction >> guidance >> lever >> force >> displacement >> stiffness;
     ReferenceRow r;
-    r.sector =
-        refined(with_contacts(screw, lever == "opposite" ? RollerContacts::opposite
-                                                         : RollerContacts::half_pitch_apart));
+    r.sector = refined(with_contacts(
+        screw, lever == "opposite" ? RollerContacts::opposite : RollerContacts::half_pitch_apart));
     r.sector.position = config == 1 ? 54.3333333e-3 : config == 2 ? 29.1666667e-3 : 4e-3;
     r.sector.direction = direction == "tension" ? Direction::tension : Direction::compression;
     if (guidance == "outer_node")

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "prs/slip/slip.h"
-#include "sample_result.h"
+#include "support/sample_result.h"
 
 namespace test {
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "prs/study/designs.h"
 #include "prs/study/study_result.h"
 
 namespace prs::sample {
