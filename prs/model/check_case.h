@@ -10,7 +10,7 @@ namespace prs {
 /// What is wrong with one value of a case.
 struct Problem {
   std::string path;     ///< Key path in the input: `structure.nut.length`.
-  std::string message;  ///< `got VALUE; expected WHAT; how to mend it`
+  std::string message;  ///< `got VALUE; expected WHAT; how to fix it`
 };
 
 /// What the program is asked to do with a case.

@@ -30,6 +30,9 @@ struct EndRelief {
   int threads = 1;    ///< Contacts at each end that it reaches over.
 };
 
+/// Errors of position beyond this share of the pitch are other threads, or other units.
+inline constexpr double kMostDeviation = 0.25;
+
 /// How the real parts of one sector differ from their nominal geometry. SI units.
 struct Deviations {
   PerPart<PitchError> pitch_error;  ///< > 0 away from the loaded end of the screw.

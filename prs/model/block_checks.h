@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string_view>
+
+#include "prs/model/problems.h"
+
+// Checks of the blocks of a case, each beside its block. `check_case` calls them in its order.
+
+namespace prs {
+
+void check_threads(const Mechanism& m, Problems& problems);
+/// Whether the threads reach each other and the rollers clear each other.
+void check_meshing(const Mechanism& m, Problems& problems);
+
+void check_structure(const Structure& s, const Mechanism& m, Problems& problems);
+
+/// What only some models of the bodies know.
+void check_bodies(const Case& c, Problems& problems);
+/// The bodies of `refined` and `influence` have teeth of half a pitch.
+void check_thickness(const Case& c, Problems& problems);
+
+void check_load_cases(const Case& c, Problems& problems);
+/// The roller's contacts, from the first at the position, must lie on the nut. `block` states it.
+void check_position(std::string_view block, double position, const Mechanism& m,
+                    const Structure::Nut& nut, Problems& problems);
+/// A section must hold the nut under a load of this sense.
+void check_thrust(Direction direction, std::string_view load, const Structure::Nut& nut,
+                  Problems& problems);
+
+void check_deviations(const Case& c, Problems& problems);
+
+/// The viscosity as it stands, or as it follows from the temperature.
+void check_lubricant(const Lubricant& l, Problems& problems);
+void check_carrier(const Carrier& carrier, Problems& problems);
+
+void check_preload(const Case& c, Problems& problems);
+void check_life(const Case& c, Problems& problems);
+
+// What commands need of their blocks.
+
+void require_preload(const Case& c, Problems& problems);
+void require_life(const Case& c, Problems& problems);
+void require_slip(const Case& c, Problems& problems);
+
+inline constexpr std::string_view kMaterialsExample =
+    "{youngs_modulus: 210 GPa, poisson_ratio: 0.3}";
+
+}  // namespace prs

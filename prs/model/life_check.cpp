@@ -1,0 +1,77 @@
+#include "prs/model/block_checks.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+namespace prs {
+namespace {
+
+/// How long the loads of a spectrum act: all by shares, or none.
+void check_spectrum(const Case& c, Problems& problems) {
+  double shares = 0.0;
+  for (std::size_t i = 0; i < c.life->spectrum.size(); ++i) {
+    const SpectrumLoad& l = c.life->spectrum[i];
+    const std::string path = fmt::format("life.spectrum[{}]", i);
+    shares += l.share.value_or(0.0);
+    if (l.share.has_value() != c.life->spectrum.front().share.has_value())
+      problems.add(path,
+                   "mixes `share` with revolutions, distance or duration; expected shares of "
+                   "all loads, or of none; change one kind into the other");
+    if (l.duration && !(c.operation && c.operation->speed != 0.0))
+      problems.add(path + ".duration",
+                   "got a duration without speed; expected the speed that turns it into "
+                   "revolutions; add `operation: {speed: 400 rpm}`, for example");
+    if (c.structure && c.life->share == LoadCase::Share::solved)
+      check_thrust(l.direction, path, c.structure->nut, problems);
+  }
+  if (c.life->spectrum.front().share && std::abs(shares - 1.0) > 1e-3)
+    problems.add("life.spectrum",
+                 fmt::format("got shares with the sum {:.6g}; expected 1, within 0.001; fix a "
+                             "share, or write revolutions",
+                             shares));
+}
+
+/// How far the screw turns between two samples.
+void check_history(const Case& c, Problems& problems) {
+  const HistorySource& h = *c.life->history;
+  if (h.position) return;
+  if (!h.time && !h.interval)
+    problems.add(
+        "life.history",
+        "got neither `position` nor a clock; expected how far the screw turns between two "
+        "samples; add `position: {column: .., unit: mm}`, or `time: {column: .., unit: s}` "
+        "or `interval: 10 ms`, for example");
+  else if (!h.speed && !(c.operation && c.operation->speed != 0.0))
+    problems.add("life.history",
+                 "got neither `position` nor a speed; expected how far the screw turns between two "
+                 "samples; add `speed: {column: .., unit: rpm}` or `operation: {speed: 400 rpm}`, "
+                 "for example");
+}
+
+}  // namespace
+
+void check_life(const Case& c, Problems& problems) {
+  if (c.structure && c.life->share == LoadCase::Share::solved)
+    check_position("life", *c.life->position, c.mechanism, c.structure->nut, problems);
+  if (c.life->history)
+    check_history(c, problems);
+  else
+    check_spectrum(c, problems);
+}
+
+void require_life(const Case& c, Problems& problems) {
+  if (!c.life)
+    problems.add_missing(
+        "life", "the loads and how long they act for `life`",
+        "{position: 10 mm, spectrum: [{force: 10 kN, direction: tension, share: 1}]}");
+  if (!c.materials)
+    problems.add_missing("materials", "elastic properties for `life`", kMaterialsExample);
+  if (!c.structure && c.life && c.life->share == LoadCase::Share::solved)
+    problems.add("structure",
+                 "missing; expected the parts around the threads for `life`; add `structure` with "
+                 "`roller` and `nut`, or `share: equal` to `life`");
+}
+
+}  // namespace prs

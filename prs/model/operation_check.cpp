@@ -1,0 +1,164 @@
+#include "prs/model/block_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "contact/viscosity.h"
+#include "prs/model/quantity_text.h"
+
+namespace prs {
+namespace {
+
+constexpr std::string_view kLubricantExample =
+    "{viscosity: 160 mPa s, pressure_viscosity: 30 1/GPa, eyring_stress: 12 MPa}";
+
+/// The two points must give a line along which the oil gets thinner with temperature; empty where
+/// they do not.
+std::optional<contact::WaltherLine> line_through(const std::vector<ViscosityPoint>& points,
+                                                 double density, Problems& problems) {
+  struct Measured {
+    std::string path, text;
+    double temperature, viscosity;  ///< Kinematic.
+  };
+  if (points.size() != 2) {
+    problems.add("lubricant.viscosity_at",
+                 fmt::format("got a list of {}; expected a list of 2, through which the line goes; "
+                             "choose two points",
+                             points.size()));
+    return std::nullopt;
+  }
+  std::vector<Measured> measured;
+  bool sound = true;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ViscosityPoint& p = points[i];
+    const double viscosity = p.viscosity ? *p.viscosity / density : *p.kinematic_viscosity;
+    std::string text = mm2_per_s(viscosity);
+    if (p.viscosity) text = fmt::format("{:.7g} mPa s, {}", 1e3 * *p.viscosity, text);
+    measured.push_back({fmt::format("lubricant.viscosity_at[{}].{}", i,
+                                    p.viscosity ? "viscosity" : "kinematic_viscosity"),
+                        text, p.temperature, viscosity});
+    if (viscosity > contact::kLeastKinematicViscosity) continue;
+    sound = false;
+    problems.add(measured.back().path,
+                 fmt::format("got {}; expected more than {}, where the line of ASTM D341 ends; "
+                             "check value and unit",
+                             text, mm2_per_s(contact::kLeastKinematicViscosity)));
+  }
+  if (!sound) return std::nullopt;
+  Measured cold = measured[0], hot = measured[1];
+  if (cold.temperature == hot.temperature) {
+    problems.add("lubricant.viscosity_at[1].temperature",
+                 fmt::format("got {} a second time; expected two temperatures that differ, usually "
+                             "40 degC and 100 degC; change one of them",
+                             celsius(hot.temperature)));
+    return std::nullopt;
+  }
+  if (cold.temperature > hot.temperature) std::swap(cold, hot);
+  if (hot.viscosity >= cold.viscosity) {
+    problems.add(hot.path,
+                 fmt::format("got {} at {}; expected less than {}, the viscosity at {}: oil gets "
+                             "thinner as it warms; check the two points",
+                             hot.text, celsius(hot.temperature), mm2_per_s(cold.viscosity),
+                             celsius(cold.temperature)));
+    return std::nullopt;
+  }
+  return contact::walther_line(cold.temperature, cold.viscosity, hot.temperature, hot.viscosity);
+}
+
+/// The screw drives the load where force and speed have one sign. A left-handed screw may also be
+/// driven by its load.
+void check_speed(const LoadCase& load, double speed, const Mechanism& m, Problems& problems) {
+  const double force = axial_force_on_nut(load);
+  const std::string path = load.input_path + (load.speed ? ".speed" : "");
+  if (speed == 0.0)
+    problems.add(load.speed ? path : "operation.speed",
+                 fmt::format("got {} in case `{}`; expected a speed other than 0: at rest nothing "
+                             "slips; change `operation.speed` or give the case a `speed` of its "
+                             "own",
+                             rpm(speed), load.name));
+  else if (m.lead > 0.0 && force * speed <= 0.0)
+    problems.add(path,
+                 fmt::format("got {} of axial force and {} in case `{}`; expected both of one sign "
+                             "(tension > 0, compression < 0), so that the screw drives the load; "
+                             "change the sign of the speed or give the case a `speed` of its own",
+                             newton(force), rpm(speed), load.name));
+}
+
+}  // namespace
+
+void check_lubricant(const Lubricant& l, Problems& problems) {
+  if (l.viscosity && *l.viscosity <= contact::kRoelandsViscosity)
+    problems.add("lubricant.viscosity",
+                 fmt::format("got {:.7g} mPa s; expected more than {:.4f} mPa s, below which "
+                             "Roelands' viscosity falls with pressure; check the unit",
+                             1e3 * *l.viscosity, 1e3 * contact::kRoelandsViscosity));
+  if (!l.temperature) return;
+  const bool kinematic = l.walther || std::ranges::any_of(l.viscosity_at, [](const auto& p) {
+                           return p.kinematic_viscosity.has_value();
+                         });
+  if (kinematic && !l.density)
+    return problems.add("lubricant.density",
+                        "missing; expected the density of the oil, by which its kinematic "
+                        "viscosity becomes dynamic; add `density: 870 kg/m^3`, for example");
+  const std::optional<contact::WaltherLine> line =
+      l.walther
+          ? l.walther
+          : line_through(l.viscosity_at, l.density.value_or(contact::kTypicalOilDensity), problems);
+  if (!line) return;
+  const double viscosity = contact::kinematic_viscosity(*line, *l.temperature);
+  if (viscosity > contact::kLeastKinematicViscosity &&
+      viscosity <= contact::kGreatestKinematicViscosity)
+    return;
+  problems.add("lubricant.temperature",
+               fmt::format("got {}, where the oil's line gives {}; expected more than {} and at "
+                           "most {} there, within ASTM D341; check the temperature and {}",
+                           celsius(*l.temperature), mm2_per_s(viscosity),
+                           mm2_per_s(contact::kLeastKinematicViscosity),
+                           mm2_per_s(contact::kGreatestKinematicViscosity),
+                           l.walther ? "`walther`" : "the two points"));
+}
+
+void check_carrier(const Carrier& carrier, Problems& problems) {
+  if (!carrier.bearing) return;
+  const contact::JournalBearing& b = *carrier.bearing;
+  if (carrier.roller_torque > 0.0)
+    problems.add("carrier.roller_torque",
+                 fmt::format("got {:.7g} N m beside `bearing`, from which it follows; expected one "
+                             "of the two; delete the other",
+                             carrier.roller_torque));
+  if (!(b.radial_clearance < 0.1 * b.diameter))
+    problems.add("carrier.bearing.radial_clearance",
+                 fmt::format("got {}; expected less than {}, a tenth of the diameter, so that the "
+                             "film is thin; check the unit",
+                             mm(b.radial_clearance), mm(0.1 * b.diameter)));
+  if (b.length > 2.0 * b.diameter)
+    problems.add("carrier.bearing.length",
+                 fmt::format("got {}; expected at most {}, twice the diameter: longer bearings are "
+                             "beyond the theory of short ones; shorten it or give "
+                             "`roller_torque` instead",
+                             mm(b.length), mm(2.0 * b.diameter)));
+}
+
+void require_slip(const Case& c, Problems& problems) {
+  if (!c.friction)
+    problems.add_missing("friction", "a law of friction for `slip`", "{model: jacod}");
+  if (c.friction && c.friction->model == Friction::Model::jacod && !c.lubricant)
+    problems.add_missing("lubricant", "the lubricant for `friction: {model: jacod}`",
+                         kLubricantExample);
+  if (c.carrier.bearing && !c.lubricant)
+    problems.add_missing("lubricant",
+                         "the lubricant of `carrier.bearing`, whatever the law of friction",
+                         kLubricantExample);
+  for (const LoadCase& load : c.load_cases) {
+    if (!load.speed && !c.operation) {
+      problems.add_missing("operation", "the speed for `slip`", "{speed: 400 rpm}");
+      continue;
+    }
+    check_speed(load, load.speed ? *load.speed : c.operation->speed, c.mechanism, problems);
+  }
+}
+
+}  // namespace prs

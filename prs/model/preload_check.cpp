@@ -1,0 +1,105 @@
+#include "prs/model/block_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "prs/model/quantity_text.h"
+
+namespace prs {
+namespace {
+
+void check_spacer(const Spacer& spacer, const Structure::Nut& nut, const Mechanism& m,
+                  Problems& problems) {
+  if (spacer.inner_diameter >= spacer.outer_diameter)
+    problems.add("preload.spacer.inner_diameter",
+                 fmt::format("got {}; expected less than its outer diameter, {}; check the two "
+                             "diameters",
+                             mm(spacer.inner_diameter), mm(spacer.outer_diameter)));
+  else if (spacer.inner_diameter >= nut.outer_diameter)
+    problems.add("preload.spacer.inner_diameter",
+                 fmt::format("got {}; expected less than the nut's outer diameter, {}, or the ring "
+                             "misses the faces of the nuts; make it smaller",
+                             mm(spacer.inner_diameter), mm(nut.outer_diameter)));
+  else if (m.pitch_diameter.nut && spacer.outer_diameter <= *m.pitch_diameter.nut)
+    problems.add("preload.spacer.outer_diameter",
+                 fmt::format("got {}; expected more than the nut's pitch diameter, {}, or the ring "
+                             "misses the faces of the nuts; make it larger",
+                             mm(spacer.outer_diameter), mm(*m.pitch_diameter.nut)));
+}
+
+/// The rollers of the second nut must lie on it, and clear those of the first.
+void check_distance(const Preload& p, const Structure& s, const Mechanism& m, Problems& problems) {
+  const double span = (m.contacts_per_roller - 1) * axial_pitch(m);
+  const double least = *p.distance - second_position(m, s.nut, p);
+  const double most = least + s.nut.length - span;
+  const double tolerance = kSamePlace * s.nut.length;
+  const double ends = axial_pitch(m) + 2.0 * s.roller.end_length;
+  if (*p.distance < least - tolerance || *p.distance > most + tolerance)
+    problems.add(
+        "preload.distance",
+        fmt::format("got {}; expected {} to {}, so that all {} contacts lie on the second "
+                    "nut; move its rollers or change the spacer",
+                    mm(*p.distance), mm(least), mm(std::max(least, most)), m.contacts_per_roller));
+  else if (*p.distance < ends - tolerance)
+    problems.add("preload.distance",
+                 fmt::format("got {}; expected at least {}, a pitch and two ends of a roller, or "
+                             "the rollers of both nuts overlap; move them apart",
+                             mm(*p.distance), mm(ends)));
+}
+
+}  // namespace
+
+void check_preload(const Case& c, Problems& problems) {
+  const Preload& p = *c.preload;
+  const Mechanism& m = c.mechanism;
+  const std::pair<const char*, double> fits[] = {
+      {"preload.interference", p.interference.value_or(0.0)},
+      {"preload.backlash", p.backlash.value_or(0.0)}};
+  for (const auto& [path, value] : fits)
+    if (value > kMostDeviation * axial_pitch(m))
+      problems.add(path, fmt::format("got {}; expected at most {}, a quarter of the pitch; check "
+                                     "the unit",
+                                     mm(value), mm(kMostDeviation * axial_pitch(m))));
+  if (!(p.load.from < p.load.to))
+    problems.add("preload.load.to", fmt::format("got {}; expected more than `from`, {}; swap the "
+                                                "two",
+                                                newton(p.load.to), newton(p.load.from)));
+  if (!c.structure) return;
+  const Structure& s = *c.structure;
+  if (!s.nut.thrust.tension && !s.nut.thrust.compression)
+    problems.add("structure.nut.thrust",
+                 "missing; expected the axial position of the section that holds the nut; add "
+                 "`thrust: {tension: 10 mm}`, for example: one section holds both senses of the "
+                 "load");
+  check_position("preload", p.position, m, s.nut, problems);
+  if (p.arrangement != Preload::Arrangement::double_nut) return;
+  check_spacer(*p.spacer, s.nut, m, problems);
+  const double last = p.position + (m.contacts_per_roller - 1) * axial_pitch(m);
+  const double tolerance = kSamePlace * s.nut.length;
+  if (p.position >= -tolerance && last <= s.nut.length + tolerance)
+    check_distance(p, s, m, problems);
+}
+
+void require_preload(const Case& c, Problems& problems) {
+  if (!c.preload)
+    problems.add_missing(
+        "preload", "what takes out the play, and the loads, for `preload`",
+        "{arrangement: single_nut, force: 2 kN, position: 10 mm, load: {from: -10 kN, to: 10 "
+        "kN}}");
+  if (!c.materials)
+    problems.add_missing("materials", "elastic properties for `preload`", kMaterialsExample);
+  if (!c.structure)
+    problems.add_missing(
+        "structure", "the parts around the threads for `preload`",
+        "{roller: {end_length: 5 mm, end_diameter: 5 mm}, nut: {length: 90 mm, outer_diameter: "
+        "46 mm, thrust: {tension: 10 mm}}}");
+  if (c.model.bodies == ModelOptions::Bodies::influence)
+    problems.add("model.bodies",
+                 "got influence; expected bars | refined: `preload` joins both sides in one "
+                 "one-dimensional model; write `bodies: refined`");
+}
+
+}  // namespace prs

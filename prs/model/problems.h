@@ -1,0 +1,34 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "prs/model/check_case.h"
+
+namespace prs {
+
+/// Collects problems, one for each path: the first found is the one to fix.
+class Problems {
+ public:
+  void add(std::string path, std::string message) {
+    if (paths_.insert(path).second) found_.push_back({std::move(path), std::move(message)});
+  }
+  /// A block that a command needs and the case lacks.
+  void add_missing(std::string path, std::string_view what, std::string_view example) {
+    std::string message =
+        fmt::format("missing; expected {}; add `{}: {}`, for example", what, path, example);
+    add(std::move(path), std::move(message));
+  }
+  std::vector<Problem> take() && { return std::move(found_); }
+
+ private:
+  std::set<std::string> paths_;
+  std::vector<Problem> found_;
+};
+
+}  // namespace prs
