@@ -104,13 +104,13 @@ int check(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const CheckResult result = run_check(source, input::read_case_input(source, Command::check));
   const std::string document =
-      json_text(check_json(result.fields, result.contacts, result.unusual, document_info(source)));
+      json_text(check_json(result.fields, result.contacts, result.warnings, document_info(source)));
   if (options.output) write_files(*options.output, {{"check.json", document}});
   if (options.json) {
     print(document);
-    for (const std::string& warning : result.unusual) note(options, "warning: " + warning);
+    for (const std::string& warning : result.warnings) note(options, "warning: " + warning);
   } else if (!options.quiet) {
-    print(check_table(result.fields, result.contacts, result.unusual));
+    print(check_table(result.fields, result.contacts, result.warnings));
   }
   return kDone;
 }

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "prs/configurations/roller_spacing.h"
 #include "prs/model/case_error.h"
 #include "prs/model/check_case.h"
 #include "prs/threads/contacts.h"
-#include "prs/configurations/roller_spacing.h"
+#include "prs/threads/geometry_warnings.h"
 #include "prs/threads/threads.h"
-#include "prs/threads/unusual.h"
 
 namespace prs {
 namespace {
@@ -71,14 +72,26 @@ void count_rollers(Configuration& c, const ConfigurationQuery& query, double cre
                        query.gap);
 }
 
+/// Axial force at which equal shares reach `kModeratePressure` [N].
+double moderate_force(const Mechanism& m, const Contacts& contacts) {
+  double force = std::numeric_limits<double>::infinity();
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = contacts.interfaces[i];
+    const double pressure_of_1_newton = contact::at_load(contact.hertz, 1.0).peak_pressure;
+    const double normal_load = std::pow(kModeratePressure / pressure_of_1_newton, 3);
+    force = std::min(
+        force, normal_load * std::cos(contact.normal_angle()) * m.contacts_per_roller * m.rollers);
+  }
+  return force;
+}
+
 /// What `prs check` would say of the mechanism, the first of it; empty where nothing.
-std::string unusual(const Mechanism& mechanism, const Contacts& contacts) {
+std::string first_warning(const Mechanism& mechanism, const Contacts& contacts) {
   Case c;
   c.mechanism = mechanism;
   for (const Problem& problem : check_case(c))
     return fmt::format("{}: {}", problem.path, problem.message);
-  for (const std::string& warning : contacts.warnings) return warning;
-  for (const std::string& note : unusual_geometry(c, contacts)) return note;
+  for (const std::string& warning : geometry_warnings(c, contacts, {})) return warning;
   return {};
 }
 
@@ -116,8 +129,9 @@ Verdict try_starts(const ConfigurationQuery& query, Mechanism::Type type, Mechan
   if (query.rollers && *query.rollers > c.most_rollers)
     return {fmt::format("{} rollers do not fit, at most {}", *query.rollers, c.most_rollers)};
   count_rollers(c, query, contact::flank_limits(contacts.threads.roller).largest);
-  const std::string note = unusual(c.mechanism, contacts);
-  return note.empty() ? Verdict{} : Verdict{"the geometry is unusual", note};
+  c.moderate_force = moderate_force(c.mechanism, contacts);
+  const std::string warning = first_warning(c.mechanism, contacts);
+  return warning.empty() ? Verdict{} : Verdict{"the geometry is unusual", warning};
 }
 
 struct Span {

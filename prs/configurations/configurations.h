@@ -24,6 +24,12 @@ struct ConfigurationQuery {
   std::optional<double> roller_profile_radius;  ///< r_BR [m]; arcs about the axis where absent.
 };
 
+/// Case-hardened bearing steel, with which contacts are judged.
+inline constexpr Material kSteel{210e9, 0.3, std::nullopt};
+
+/// Peak pressure of a first proposal [Pa].
+inline constexpr double kModeratePressure = 1.8e9;
+
 /// A mechanism whose helix angles and gear ratio agree.
 struct Configuration {
   /// Design mode, no backlash; straight screw and nut, convex rollers, sharp threads.
@@ -40,6 +46,7 @@ struct Configuration {
   PerPart<double> helix_angle;   ///< [rad], sign of the lead.
   int most_rollers = 0;          ///< That fit with the gap; every number up to it meshes.
   double crest_gap = 0.0;        ///< Between neighbours, with mechanism.rollers [m].
+  double moderate_force = 0.0;   ///< Axial, for `kModeratePressure` with equal shares [N].
   std::vector<int> alike;        ///< Numbers of rollers that all go in turned the same way.
   std::vector<GearPair> gears;   ///< Most suitable first.
 };
@@ -56,9 +63,6 @@ struct Configurations {
   std::vector<Configuration> found;  ///< Standard before inverted, then by starts.
   std::vector<LeftOut> left_out;
 };
-
-/// Case-hardened bearing steel, with which contacts are judged.
-inline constexpr Material kSteel{210e9, 0.3, std::nullopt};
 
 /// Every combination of starts that gives a sound mechanism: rollers no thicker than the screw, at
 /// least three of them (or the number asked for) with the gap between their crests, point contact

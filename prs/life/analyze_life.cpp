@@ -4,19 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <memory>
 #include <numbers>
 
-#include "prs/loads/analyze.h"
-#include "prs/model/case_error.h"
-#include "prs/sector/chain/fallback_solver.h"
-#include "prs/threads/contact_laws.h"
-#include "prs/sector/influence/influence_solver.h"
 #include "prs/life/share_curve.h"
+#include "prs/loads/distribution_solver.h"
 #include "prs/loads/load_case_result.h"
-#include "prs/sector/load_distribution.h"
+#include "prs/model/case_error.h"
+#include "prs/threads/contact_laws.h"
+#include "prs/threads/geometry_warnings.h"
 
 namespace prs {
 namespace {
@@ -24,40 +20,30 @@ namespace {
 /// Loads below this share of the largest have its shares: a million of them weigh 1e-9 of it.
 constexpr double kLeastLoad = 1e-5;
 
-/// A case whose mechanism is resolved, and what its threads are.
+/// A case with its threads and how they push.
 struct Prepared {
-  Case c;
-  PerInterface<ContactLaw> laws;
+  const Conditions& c;
   const Contacts& contacts;
+  PerInterface<ContactLaw> laws;
 
-  std::size_t threads() const { return static_cast<std::size_t>(c.mechanism.contacts_per_roller); }
+  std::size_t threads() const {
+    return static_cast<std::size_t>(contacts.mechanism.contacts_per_roller);
+  }
   /// Axial load of a thread with equal shares per axial force.
   double equal_share() const {
-    return 1.0 / (static_cast<double>(c.mechanism.rollers) * static_cast<double>(threads()));
+    return 1.0 / (static_cast<double>(contacts.mechanism.rollers) * static_cast<double>(threads()));
   }
 };
 
-bool solves(const Case& c) { return c.life->share == LoadCase::Share::solved; }
-
-std::function<LoadDistribution(double)> distribution_solver(const Prepared& p, Direction d) {
-  const Case& c = p.c;
-  if (c.model.bodies == ModelOptions::Bodies::influence) {
-    const auto solver = std::make_shared<InfluenceSolver>(
-        influence_solver(c, p.contacts, p.laws, d, *c.life->position));
-    return [solver](double force) { return solver->solve(force); };
-  }
-  const auto solver = std::make_shared<FallbackSolver>(
-      build_sector(c.mechanism, *c.structure, *c.materials, c.model, p.laws, d, *c.life->position,
-                   c.deviations));
-  return [solver](double force) { return solver->solve(force); };
-}
+bool solves(const Conditions& c) { return c.life->share == LoadCase::Share::solved; }
 
 /// Shares of all threads, screw before nut: 1 where all carry the same.
 ShareCurve::Solve share_solver(const Prepared& p, Direction d) {
   const std::size_t n = p.threads();
   if (!solves(p.c)) return [n](double) { return std::vector<double>(2 * n, 1.0); };
-  return [&p, n,
-          solve = distribution_solver(p, d)](double force) -> std::optional<std::vector<double>> {
+  DistributionSolver solver =
+      distribution_solver(p.c, p.contacts, p.laws, d, *p.c.life->position, Solver::chain);
+  return [&p, n, solve = std::move(solver)](double force) -> std::optional<std::vector<double>> {
     const LoadDistribution loads = solve(force);
     if (!loads.solve.converged()) return std::nullopt;
     std::vector<double> shares;
@@ -71,7 +57,7 @@ ShareCurve::Solve share_solver(const Prepared& p, Direction d) {
 
 void find_capacity(const Prepared& p, LifeResult& r) {
   const double angle = contact_angle({p.laws.screw.normal_angle, p.laws.nut.normal_angle});
-  const LemorGeometry g = lemor_geometry(p.c.mechanism, angle);
+  const LemorGeometry g = lemor_geometry(p.contacts.mechanism, angle);
   r.element_ratio = g.roller_diameter * std::cos(angle) / g.pitch_circle;
   r.failure_shares = failure_shares(r.element_ratio);
   if (p.c.life->dynamic_capacity) {
@@ -92,10 +78,10 @@ void find_capacity(const Prepared& p, LifeResult& r) {
   if (const auto note = beside_lemor_angle(angle)) r.warnings.push_back(*note);
 }
 
-void find_spectrum(const Case& c, LifeResult& r) {
+void find_spectrum(const Conditions& c, LifeResult& r) {
   const std::optional<double> speed =
       c.operation ? std::optional(std::abs(c.operation->speed)) : std::nullopt;
-  const double lead = c.mechanism.lead;
+  const double lead = r.contacts.mechanism.lead;
   if (r.history) {
     r.steps = load_steps(*r.history, lead, speed);
     r.duration = duration(*r.history);
@@ -227,7 +213,7 @@ void find_equal_shares_static_loads(const Prepared& p, LifeResult& r) {
   r.equal_shares_flank_edge_load = edge;
 }
 
-void require_thrust(const Case& c, Direction d) {
+void require_thrust(const Conditions& c, Direction d) {
   if (!solves(c)) return;
   const Structure::Thrust& thrust = c.structure->nut.thrust;
   if (d == Direction::tension ? thrust.tension : thrust.compression) return;
@@ -316,7 +302,7 @@ void find_lives(const Prepared& p, LifeResult& r, Direction d) {
     ThreadLives& t = flank.threads[i];
     for (const double load : part_of(equivalent, i, 1.0))
       t.life.push_back(thread_life(r.dynamic_capacity, load, r.failure_shares[i],
-                                   p.c.mechanism.contacts_per_roller));
+                                   p.contacts.mechanism.contacts_per_roller));
     lives.insert(lives.end(), t.life.begin(), t.life.end());
     t.equivalent_load = part_of(equivalent, i, p.equal_share());
     t.largest_load = part_of(largest, i, flank.largest_force * p.equal_share());
@@ -404,21 +390,18 @@ std::optional<StaticLimit> LifeResult::static_safety_limit() const {
   return flank ? std::optional(flank->static_rating->limit) : std::nullopt;
 }
 
-LifeResult analyze_life(const Case& given, std::optional<LoadHistory> history) {
-  Case unloaded = given;
-  unloaded.load_cases.clear();
-  Result analyzed = analyze(unloaded);
+LifeResult analyze_life(const Conditions& c, Contacts contacts,
+                        std::optional<LoadHistory> history) {
   LifeResult r;
-  r.life = *given.life;
-  r.model = given.model;
-  r.contacts = std::move(analyzed.contacts);
-  r.warnings = std::move(analyzed.warnings);
+  r.life = *c.life;
+  r.model = c.model;
+  r.contacts = std::move(contacts);
+  r.warnings = geometry_warnings(c, r.contacts, {});
   r.history = std::move(history);
-  unloaded.mechanism = r.contacts.mechanism;
-  const Prepared p{unloaded, contact_laws(unloaded, r.contacts), r.contacts};
+  const Prepared p{c, r.contacts, contact_laws(c, r.contacts)};
 
   find_capacity(p, r);
-  find_spectrum(p.c, r);
+  find_spectrum(c, r);
   if (r.history) {
     LoadCycles cycles;
     cycles.cycles = rainflow(r.history->force, r.life.history->hysteresis);

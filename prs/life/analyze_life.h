@@ -2,15 +2,15 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "prs/model/case.h"
-#include "prs/threads/contacts.h"
 #include "prs/life/capacity.h"
 #include "prs/life/load_history.h"
 #include "prs/life/rainflow.h"
 #include "prs/life/rating_life.h"
 #include "prs/life/static_limits.h"
+#include "prs/loads/analyze.h"
 #include "prs/model/preload.h"
 
 namespace prs {
@@ -110,6 +110,10 @@ struct LifeResult {
 /// `history` is given where the case has one. Throws CaseError where Lemor's factor is not known
 /// for the geometry, the loads need a thrust section that is not given, the screw never turns or
 /// never carries, or the geometry gives no contact.
-LifeResult analyze_life(const Case& c, std::optional<LoadHistory> history = {});
+LifeResult analyze_life(const Conditions& c, Contacts contacts,
+                        std::optional<LoadHistory> history = {});
+inline LifeResult analyze_life(const Case& c, std::optional<LoadHistory> history = {}) {
+  return analyze_life(c, checked_contacts(c, Detail::complete), std::move(history));
+}
 
 }  // namespace prs

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "prs/model/case.h"
-#include "prs/model/detail.h"
+#include <utility>
+
+#include "prs/loads/analysis_options.h"
 #include "prs/loads/result.h"
+#include "prs/model/case.h"
 
 namespace prs {
 
@@ -11,21 +13,27 @@ namespace prs {
 /// bearings).
 inline constexpr double kStaticPressureLimit = 4.0e9;
 
-/// The whole chain: mechanism geometry -> contacts -> Hertz constants -> sector model -> Newton
-/// equilibrium of each load case -> loads and pressures per thread, stiffness. With Detail::numbers
-/// by the chain kernel, in place of CHOLMOD. Reads nothing, prints nothing. The case must have
-/// passed `check_case` and the requirements of `solve`. A load case that does not converge is a
-/// result with its status. Throws CaseError where the geometry gives no contact and the case does
-/// not override it.
-Result analyze(const Case& c, Detail detail = Detail::complete);
+/// Contacts whose mechanism fits the structure, also where the mechanism had to be designed. They
+/// are found once in a run: every analysis takes them with the conditions of the case. Throws
+/// CaseError where the mechanism does not fit.
+Contacts checked_contacts(const Case& c, Detail detail);
+
+/// The whole chain on contacts that are known: Hertz constants -> sector model -> Newton
+/// equilibrium of each load case -> loads and pressures per thread, stiffness. Reads nothing,
+/// prints nothing. The case must have passed `check_case` and the requirements of `solve`. A load
+/// case that does not converge is a result with its status. Throws CaseError where the geometry
+/// gives no contact and the case does not override it.
+Result analyze(const Conditions& c, Contacts contacts, AnalysisOptions options = {});
+inline Result analyze(const Case& c, AnalysisOptions options = {}) {
+  return analyze(c, checked_contacts(c, options.detail), options);
+}
 
 /// The first half of the chain: contact points, curvatures and, where materials are given, Hertz
 /// contacts, with the ellipses and pressures of the load cases that have `share: equal`. The other
 /// load cases are left out. Throws CaseError where an interface has no contact.
-Result analyze_contacts(const Case& c, Detail detail = Detail::complete);
-
-/// Contacts whose mechanism fits the structure, also where the mechanism had to be designed. Throws
-/// CaseError where it does not.
-Contacts checked_contacts(const Case& c, Detail detail);
+Result analyze_contacts(const Conditions& c, Contacts contacts, Detail detail = Detail::complete);
+inline Result analyze_contacts(const Case& c, Detail detail = Detail::complete) {
+  return analyze_contacts(c, checked_contacts(c, detail), detail);
+}
 
 }  // namespace prs

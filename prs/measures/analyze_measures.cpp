@@ -1,15 +1,14 @@
 #include "prs/measures/analyze_measures.h"
 
-#include "prs/loads/analyze.h"
-
 namespace prs {
 
-MeasuresResult analyze_measures(const Case& c, Detail detail) {
+MeasuresResult analyze_measures(const Conditions& c, Contacts found, AnalysisOptions options) {
   MeasuresResult result;
-  result.analysis = c.load_cases.empty() ? analyze_contacts(c, detail) : analyze(c, detail);
+  result.analysis = c.load_cases.empty() ? analyze_contacts(c, std::move(found), options.detail)
+                                         : analyze(c, std::move(found), options);
   const Contacts& contacts = result.analysis.contacts;
   result.measures = measures_of(c, contacts);
-  if (detail == Detail::complete)
+  if (options.detail == Detail::complete)
     for (std::string& note : unusual_measures(c, contacts, result.measures))
       result.analysis.warnings.push_back(std::move(note));
   for (LoadCaseResult& load_case : result.analysis.load_cases) {
@@ -19,7 +18,7 @@ MeasuresResult analyze_measures(const Case& c, Detail detail) {
     }
     const LoadMeasures& measures = *result.load_measures.emplace_back(
         load_measures_of(c, contacts, result.measures, load_case));
-    if (detail == Detail::complete)
+    if (options.detail == Detail::complete)
       for (std::string& note : unusual_load_measures(c, result.measures, measures, load_case))
         load_case.warnings.push_back(std::move(note));
   }

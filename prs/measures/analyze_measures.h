@@ -3,9 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "prs/model/detail.h"
+#include "prs/loads/analyze.h"
 #include "prs/measures/measures.h"
-#include "prs/loads/result.h"
 
 namespace prs {
 
@@ -20,6 +19,9 @@ struct MeasuresResult {
 /// The chain of `analyze`, then the design measures of the mechanism and of each load case. Reads
 /// nothing, prints nothing. The case must have passed `check_case` and the requirements of
 /// `measures`. Throws CaseError where the geometry gives no contact.
-MeasuresResult analyze_measures(const Case& c, Detail detail = Detail::complete);
+MeasuresResult analyze_measures(const Conditions& c, Contacts found, AnalysisOptions options = {});
+inline MeasuresResult analyze_measures(const Case& c, AnalysisOptions options = {}) {
+  return analyze_measures(c, checked_contacts(c, options.detail), options);
+}
 
 }  // namespace prs

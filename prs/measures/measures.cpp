@@ -7,11 +7,10 @@
 #include <initializer_list>
 #include <numbers>
 
-#include "prs/loads/analyze.h"
-#include "prs/model/units.h"
 #include "prs/life/capacity.h"
 #include "prs/life/rating_life.h"
 #include "prs/life/static_limits.h"
+#include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/measures/bodies.h"
 #include "prs/measures/shaft.h"
@@ -19,21 +18,22 @@
 #include "prs/measures/thread_root.h"
 #include "prs/measures/transmission.h"
 #include "prs/measures/yang_distribution.h"
+#include "prs/model/units.h"
 #include "prs/threads/thread_clearance.h"
 
 namespace prs {
 namespace {
 
-MeasureOptions options_of(const Case& c) { return c.measures.value_or(MeasureOptions{}); }
+MeasureOptions options_of(const Conditions& c) { return c.measures.value_or(MeasureOptions{}); }
 
 /// As in the load distribution: the case's angle before the geometry's.
-std::optional<double> normal_angle(const Case& c, const Contacts& contacts, Interface i) {
+std::optional<double> normal_angle(const Conditions& c, const Contacts& contacts, Interface i) {
   if (c.contact.normal_angle[i]) return c.contact.normal_angle[i];
   const InterfaceContact& contact = contacts.interfaces[i];
   return contact.geometry.ok() ? std::optional(contact.normal_angle()) : std::nullopt;
 }
 
-std::optional<double> axial_hertz_coefficient(const Case& c, const Contacts& contacts,
+std::optional<double> axial_hertz_coefficient(const Conditions& c, const Contacts& contacts,
                                               Interface i) {
   const std::optional<double> angle = normal_angle(c, contacts, i);
   if (!angle) return std::nullopt;
@@ -74,13 +74,13 @@ std::optional<double> largest(const std::vector<double>& values) {
 }
 
 /// Of the screw against the nut [rad/s], >= 0.
-std::optional<double> speed_of(const Case& c, const LoadCase& load_case) {
+std::optional<double> speed_of(const Conditions& c, const LoadCase& load_case) {
   std::optional<double> speed = load_case.speed;
   if (!speed && c.operation) speed = c.operation->speed;
   return speed ? std::optional(std::abs(*speed)) : std::nullopt;
 }
 
-bool runs(const Case& c, const LoadCase& load_case) {
+bool runs(const Conditions& c, const LoadCase& load_case) {
   return speed_of(c, load_case).value_or(0.0) > 0.0;
 }
 
@@ -88,7 +88,7 @@ double gear_ratio(const Contacts& contacts) {
   return std::abs(contacts.threads.roller.lead / contacts.threads.screw.lead);
 }
 
-void find_transmission(const Case& c, const Contacts& contacts, Measures& m) {
+void find_transmission(const Conditions& c, const Contacts& contacts, Measures& m) {
   const Mechanism& mechanism = contacts.mechanism;
   m.velocity_ratio = velocity_ratio(mechanism.lead);
   const PlanetaryRatios ratios = planetary_ratios(mechanism.type, gear_ratio(contacts));
@@ -103,7 +103,7 @@ void find_transmission(const Case& c, const Contacts& contacts, Measures& m) {
   m.back_driving_efficiency = back_driving_efficiency(mechanism.lead, diameter, *friction);
 }
 
-void find_stiffness(const Case& c, const Contacts& contacts, Measures& m) {
+void find_stiffness(const Conditions& c, const Contacts& contacts, Measures& m) {
   if (!c.structure || !c.materials) return;
   const PerPart<double> section = section_stiffness(contacts.mechanism, *c.structure, *c.materials);
   const std::optional<double> width = options_of(c).loaded_width;
@@ -115,7 +115,7 @@ void find_stiffness(const Case& c, const Contacts& contacts, Measures& m) {
   }
 }
 
-void find_dynamic_capacity(const Case& c, const Contacts& contacts, Measures& m) {
+void find_dynamic_capacity(const Conditions& c, const Contacts& contacts, Measures& m) {
   const std::optional<double> screw = normal_angle(c, contacts, Interface::screw);
   const std::optional<double> nut = normal_angle(c, contacts, Interface::nut);
   if (screw && nut) {
@@ -133,11 +133,11 @@ void find_dynamic_capacity(const Case& c, const Contacts& contacts, Measures& m)
         c.life->dynamic_capacity;
 }
 
-std::optional<double> stated_static_capacity(const Case& c) {
+std::optional<double> stated_static_capacity(const Conditions& c) {
   return c.life ? c.life->static_capacity : std::nullopt;
 }
 
-void find_static_capacity(const Case& c, const Contacts& contacts, Measures& m) {
+void find_static_capacity(const Conditions& c, const Contacts& contacts, Measures& m) {
   for (const Interface i : kInterfaces) {
     const std::optional<double> angle = normal_angle(c, contacts, i);
     if (!angle) continue;
@@ -156,20 +156,21 @@ void find_static_capacity(const Case& c, const Contacts& contacts, Measures& m) 
 }
 
 /// Of equal shares at one interface.
-std::optional<StaticRating> interface_static_rating(const Case& c, const Measures& m, Interface i) {
+std::optional<StaticRating> interface_static_rating(const Conditions& c, const Measures& m,
+                                                    Interface i) {
   return static_rating(
       {m.pressure_capacity[i], m.deformation_capacity[i], m.interface_flank_edge_load[i]},
       stated_static_capacity(c));
 }
 
 /// Of equal shares.
-std::optional<StaticRating> equal_shares_static_rating(const Case& c, const Measures& m) {
+std::optional<StaticRating> equal_shares_static_rating(const Conditions& c, const Measures& m) {
   return smaller(interface_static_rating(c, m, Interface::screw),
                  interface_static_rating(c, m, Interface::nut));
 }
 
 /// Inertias as seen at the part that turns, from the masses of the parts.
-void find_inertia(const Case& c, const Contacts& contacts, Measures& m) {
+void find_inertia(const Conditions& c, const Contacts& contacts, Measures& m) {
   const Mechanism& mechanism = contacts.mechanism;
   const PerPart<std::optional<double>> density = {
       c.materials->screw.density, c.materials->roller.density, c.materials->nut.density};
@@ -194,7 +195,7 @@ void find_inertia(const Case& c, const Contacts& contacts, Measures& m) {
       sum(m.roller_inertia, m.travel_inertia, standard ? m.screw_inertia : m.nut_inertia);
 }
 
-void find_bodies(const Case& c, const Contacts& contacts, Measures& m) {
+void find_bodies(const Conditions& c, const Contacts& contacts, Measures& m) {
   if (!c.structure) return;
   const Mechanism& mechanism = contacts.mechanism;
   const double nut = nut_body(mechanism, c.structure->nut).volume;
@@ -211,7 +212,7 @@ void find_bodies(const Case& c, const Contacts& contacts, Measures& m) {
   find_inertia(c, contacts, m);
 }
 
-void find_shaft(const Case& c, const Contacts& contacts, Measures& m) {
+void find_shaft(const Conditions& c, const Contacts& contacts, Measures& m) {
   const MeasureOptions options = options_of(c);
   if (!options.shaft || !c.structure || !c.materials) return;
   const Material& material = c.materials->screw;
@@ -226,7 +227,7 @@ void find_shaft(const Case& c, const Contacts& contacts, Measures& m) {
         critical_speed(core, material.youngs_modulus, *material.density, *options.shaft);
 }
 
-void find_load_stiffness(const Case& c, const Contacts& contacts, const Measures& measures,
+void find_load_stiffness(const Conditions& c, const Contacts& contacts, const Measures& measures,
                          double force, LoadMeasures& m) {
   const int threads = contact_count(contacts.mechanism);
   PerInterface<std::optional<double>> coefficient;
@@ -244,8 +245,8 @@ void find_load_stiffness(const Case& c, const Contacts& contacts, const Measures
   m.thread_stiffness = thread_stiffness(force, threads, *both, teeth);
 }
 
-void find_yang_distribution(const Case& c, const Contacts& contacts, const LoadCase& load_case,
-                            LoadMeasures& m) {
+void find_yang_distribution(const Conditions& c, const Contacts& contacts,
+                            const LoadCase& load_case, LoadMeasures& m) {
   if (!c.structure || !c.materials || !load_case.direction || !load_case.position) return;
   const Structure::Thrust& sections = c.structure->nut.thrust;
   const std::optional<double>& thrust =
@@ -261,7 +262,7 @@ void find_yang_distribution(const Case& c, const Contacts& contacts, const LoadC
   m.yang_largest_load_rate = largest(m.yang_load_rate);
 }
 
-void find_pressures(const Case& c, const Contacts& contacts, double force, LoadMeasures& m) {
+void find_pressures(const Conditions& c, const Contacts& contacts, double force, LoadMeasures& m) {
   for (const Interface i : kInterfaces) {
     const InterfaceContact& contact = contacts.interfaces[i];
     const std::optional<double> angle = normal_angle(c, contacts, i);
@@ -272,7 +273,7 @@ void find_pressures(const Case& c, const Contacts& contacts, double force, LoadM
 }
 
 /// What the loads of the threads say, solved or equal.
-void find_most_loaded(const Case& c, const Contacts& contacts, const Measures& measures,
+void find_most_loaded(const Conditions& c, const Contacts& contacts, const Measures& measures,
                       const LoadCaseResult& result, LoadMeasures& m) {
   if (!result.threads) return;
   PerInterface<std::optional<double>> axial_load;
@@ -305,7 +306,7 @@ void find_most_loaded(const Case& c, const Contacts& contacts, const Measures& m
 
 }  // namespace
 
-std::vector<std::string> unusual_measures(const Case& c, const Contacts& contacts,
+std::vector<std::string> unusual_measures(const Conditions& c, const Contacts& contacts,
                                           const Measures& m) {
   std::vector<std::string> warnings;
   const std::optional<double> screw = normal_angle(c, contacts, Interface::screw);
@@ -328,7 +329,7 @@ std::vector<std::string> unusual_measures(const Case& c, const Contacts& contact
   return warnings;
 }
 
-std::vector<std::string> unusual_load_measures(const Case& c, const Measures& m,
+std::vector<std::string> unusual_load_measures(const Conditions& c, const Measures& m,
                                                const LoadMeasures& load_measures,
                                                const LoadCaseResult& result) {
   std::vector<std::string> warnings;
@@ -354,7 +355,7 @@ std::vector<std::string> unusual_load_measures(const Case& c, const Measures& m,
   return warnings;
 }
 
-Measures measures_of(const Case& c, const Contacts& contacts) {
+Measures measures_of(const Conditions& c, const Contacts& contacts) {
   Measures m;
   find_transmission(c, contacts, m);
   find_stiffness(c, contacts, m);
@@ -365,8 +366,8 @@ Measures measures_of(const Case& c, const Contacts& contacts) {
   return m;
 }
 
-LoadMeasures load_measures_of(const Case& c, const Contacts& contacts, const Measures& measures,
-                              const LoadCaseResult& result) {
+LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
+                              const Measures& measures, const LoadCaseResult& result) {
   LoadMeasures m;
   const LoadCase& load_case = result.load_case;
   const double force = std::abs(load_case.axial_force), lead = contacts.mechanism.lead;

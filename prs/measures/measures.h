@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "prs/model/case.h"
-#include "prs/threads/contacts.h"
 #include "prs/life/static_limits.h"
-#include "prs/model/part.h"
 #include "prs/loads/result.h"
+#include "prs/model/case.h"
+#include "prs/model/part.h"
+#include "prs/threads/contacts.h"
 
 namespace prs {
 
@@ -86,18 +86,18 @@ struct LoadMeasures {
 };
 
 /// Measures of a mechanism whose contacts are known. Reads nothing, throws nothing.
-Measures measures_of(const Case& c, const Contacts& contacts);
+Measures measures_of(const Conditions& c, const Contacts& contacts);
 
 /// What is unusual about them: outside of what the formulas were made for.
-std::vector<std::string> unusual_measures(const Case& c, const Contacts& contacts,
+std::vector<std::string> unusual_measures(const Conditions& c, const Contacts& contacts,
                                           const Measures& measures);
 /// The same of a load case that converged and its measures.
-std::vector<std::string> unusual_load_measures(const Case& c, const Measures& measures,
+std::vector<std::string> unusual_load_measures(const Conditions& c, const Measures& measures,
                                                const LoadMeasures& load_measures,
                                                const LoadCaseResult& result);
 
 /// Measures under the solved or equal loads of one load case.
-LoadMeasures load_measures_of(const Case& c, const Contacts& contacts, const Measures& measures,
-                              const LoadCaseResult& result);
+LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
+                              const Measures& measures, const LoadCaseResult& result);
 
 }  // namespace prs

@@ -23,9 +23,10 @@ struct ContactOverrides {
   PerInterface<std::optional<double>> normal_angle;    ///< psi, contact normal to axis [rad]
 };
 
-/// Everything that a file states. Blocks that the file leaves out are empty.
-struct Case {
-  Mechanism mechanism;
+/// What a file states beside the mechanism: bodies, materials, loads, operation, options. Blocks
+/// that the file leaves out are empty. What computes on contacts takes these conditions and the
+/// mechanism of the contacts, which is complete; that of the file is out of its reach.
+struct Conditions {
   std::optional<Structure> structure;
   std::optional<Materials> materials;
   Deviations deviations;
@@ -40,6 +41,11 @@ struct Case {
   std::optional<Operation> operation;
   Carrier carrier;
   std::optional<PerPart<double>> roughness;  ///< Rq of the flanks, rms [m].
+};
+
+/// Everything that a file states.
+struct Case : Conditions {
+  Mechanism mechanism;  ///< As the designer states it.
 };
 
 }  // namespace prs

@@ -31,7 +31,7 @@ std::vector<Derived> lengths(const Mechanism& m) {
 }  // namespace
 
 std::string check_table(const std::vector<input::EchoEntry>& fields, const Contacts& contacts,
-                        const std::vector<std::string>& unusual) {
+                        const std::vector<std::string>& warnings) {
   std::string text = "Input\n";
   for (const input::EchoEntry& f : fields)
     text += fmt::format("  {:<42} {}{}\n", f.path, printable(f.value),
@@ -57,15 +57,16 @@ std::string check_table(const std::vector<input::EchoEntry>& fields, const Conta
           "roller_crest_clearance_mm", "hertz_constant_N_per_mm1_5"})
       if (json.contains(interface) && json[interface].contains(key))
         line(fmt::format("contact.{}.{}", interface, key), json[interface][key]);
-  if (!unusual.empty()) text += "\nUnusual\n";
-  for (const std::string& note : unusual) text += wrapped(note, "  ", 110);
+  if (!warnings.empty()) text += "\nUnusual\n";
+  for (const std::string& warning : warnings) text += wrapped(warning, "  ", 110);
   return text;
 }
 
 nlohmann::ordered_json check_json(const std::vector<input::EchoEntry>& fields,
-                                  const Contacts& contacts, const std::vector<std::string>& unusual,
+                                  const Contacts& contacts,
+                                  const std::vector<std::string>& warnings,
                                   const DocumentInfo& info) {
-  Json document = document_head(info, unusual);
+  Json document = document_head(info, warnings);
   for (const input::EchoEntry& f : fields)
     document["input"].push_back({{"path", f.path}, {"value", f.value}, {"default", f.is_default}});
   for (const auto& [key, value] : lengths(contacts.mechanism)) document["derived"][key] = value;

@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/model/case_error.h"
-#include "prs/threads/contacts.h"
-#include "prs/quantities/configurations_json.h"
+#include "prs/configurations/roller_spacing.h"
 #include "prs/input/units.h"
 #include "prs/output/configurations_files.h"
-#include "prs/configurations/roller_spacing.h"
+#include "prs/quantities/configurations_json.h"
 
 namespace prs {
 namespace {
-
-constexpr double kProposedPressure = 1.8e9;  ///< p_0 with equal shares [Pa].
 
 std::string length(double si) { return input::format_quantity(si, input::unit::length); }
 
@@ -24,24 +20,6 @@ double to_two_digits(double value) {
 
 /// A proposal to two significant digits.
 std::string proposed(double si) { return fmt::format("{:.6g} mm", to_two_digits(si * 1e3)); }
-
-/// Axial force at which every thread carries the proposed pressure at most [N].
-double proposed_force(const Configuration& c) {
-  const Contacts contacts = find_contacts(c.mechanism, Materials{kSteel, kSteel, kSteel});
-  double force = std::numeric_limits<double>::infinity();
-  for (const Interface i : kInterfaces) {
-    const InterfaceContact& contact = contacts.interfaces[i];
-    if (!contact.has_hertz()) {
-      const ContactFailure why = failure(contacts, i);
-      throw CaseError(why.path, why.reason);
-    }
-    const double pressure_of_1_newton = contact::at_load(contact.hertz, 1.0).peak_pressure;
-    const double normal_load = std::pow(kProposedPressure / pressure_of_1_newton, 3);
-    force = std::min(force, normal_load * std::cos(contact.normal_angle()) *
-                                c.mechanism.contacts_per_roller * c.mechanism.rollers);
-  }
-  return force;
-}
 
 std::string heading(const Configuration& c) {
   const Mechanism& m = c.mechanism;
@@ -116,7 +94,7 @@ std::string structure_text(const Configuration& c) {
       proposed(0.7 * c.rolling_diameter.roller), proposed(1.05 * (contact_length + 2.0 * margin)),
       proposed(1.3 * nut), proposed(flange), proposed(1.8 * nut), proposed(flange),
       fmt::format("{:g} GPa", kSteel.youngs_modulus * 1e-9), kSteel.poisson_ratio,
-      kProposedPressure * 1e-9, to_two_digits(proposed_force(c) * 1e-3), proposed(margin));
+      kModeratePressure * 1e-9, to_two_digits(c.moderate_force * 1e-3), proposed(margin));
 }
 
 }  // namespace

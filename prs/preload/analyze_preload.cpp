@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "prs/loads/analyze.h"
 #include "prs/model/case_error.h"
 #include "prs/threads/contact_laws.h"
+#include "prs/threads/geometry_warnings.h"
 
 namespace prs {
 namespace {
@@ -95,7 +95,7 @@ void warn_of_pressure(PreloadResult& result) {
 
 /// Of a force that no fit within the threads gives.
 void require_sound(double interference, const Mechanism& m) {
-  const double most = 0.25 * axial_pitch(m);
+  const double most = kMostDeviation * axial_pitch(m);
   if (interference <= most) return;
   throw CaseError(
       "preload.force",
@@ -126,15 +126,12 @@ bool PreloadResult::converged() const {
   return at_rest.solve.converged() && all(curve) && (!without_preload || all(*without_preload));
 }
 
-PreloadResult analyze_preload(const Case& c) {
-  Case unloaded = c;
-  unloaded.load_cases.clear();
-  Result analyzed = analyze(unloaded);
-  const PerInterface<ContactLaw> laws = contact_laws(c, analyzed.contacts);
+PreloadResult analyze_preload(const Conditions& c, Contacts contacts) {
   PreloadResult result;
   result.preload = *c.preload;
-  result.contacts = std::move(analyzed.contacts);
-  result.warnings = std::move(analyzed.warnings);
+  result.contacts = std::move(contacts);
+  result.warnings = geometry_warnings(c, result.contacts, {});
+  const PerInterface<ContactLaw> laws = contact_laws(c, result.contacts);
   result.section = held_sections(c.structure->nut.thrust);
 
   const PreloadParts parts{result.contacts.mechanism,
@@ -162,8 +159,8 @@ PreloadResult analyze_preload(const Case& c) {
   result.curve = curve_of(solvers, loads, result.lost_motion_load, "at ", result.warnings);
   if (!c.preload->backlash) {
     SolverPair loose(sectors, Fit{});
-    result.without_preload = curve_of(loose, loads, result.lost_motion_load,
-                                      "without preload at ", result.warnings);
+    result.without_preload =
+        curve_of(loose, loads, result.lost_motion_load, "without preload at ", result.warnings);
   }
   warn_of_pressure(result);
   return result;

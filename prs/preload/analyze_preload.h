@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/model/case.h"
-#include "prs/threads/contacts.h"
+#include "prs/loads/analyze.h"
 #include "prs/preload/preload_solver.h"
 
 namespace prs {
@@ -44,6 +43,9 @@ struct PreloadResult {
 /// The case must have passed `check_case` and the requirements of `preload`. A load that does not
 /// converge is a point with its status. Throws CaseError where the geometry gives no contact and
 /// the case does not override it.
-PreloadResult analyze_preload(const Case& c);
+PreloadResult analyze_preload(const Conditions& c, Contacts contacts);
+inline PreloadResult analyze_preload(const Case& c) {
+  return analyze_preload(c, checked_contacts(c, Detail::complete));
+}
 
 }  // namespace prs

@@ -3,16 +3,16 @@
 #include <optional>
 #include <utility>
 
-#include "prs/loads/analyze.h"
 #include "prs/input/compute_from.h"
 #include "prs/input/force_history.h"
 #include "prs/input/optimize_reader.h"
 #include "prs/input/study_reader.h"
+#include "prs/loads/analyze.h"
+#include "prs/model/void_inputs.h"
 #include "prs/sha256.h"
 #include "prs/slip/slip.h"
-#include "prs/threads/unusual.h"
+#include "prs/threads/geometry_warnings.h"
 #include "prs/version.h"
-#include "prs/model/void_inputs.h"
 
 namespace prs {
 namespace {
@@ -34,10 +34,8 @@ CheckResult run_check(const input::Source& source, const input::CaseInput& in) {
       input::compute_from(source,
                           [&] { return find_contacts(in.values.mechanism, in.values.materials); }),
       {}};
-  result.unusual = result.contacts.warnings;
-  for (std::string& note : unusual_geometry(in.values, result.contacts))
-    result.unusual.push_back(std::move(note));
-  for (std::string& note : void_input_notes(in.values)) result.unusual.push_back(std::move(note));
+  result.warnings = geometry_warnings(in.values, result.contacts, in.values.load_cases);
+  for (std::string& note : void_input_notes(in.values)) result.warnings.push_back(std::move(note));
   return result;
 }
 

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "prs/model/case.h"
-#include "prs/quantities/json.h"
 #include "prs/input/echo.h"
 #include "prs/input/reader.h"
 #include "prs/input/source.h"
 #include "prs/life/analyze_life.h"
-#include "prs/measures/analyze_measures.h"
-#include "prs/preload/analyze_preload.h"
 #include "prs/loads/result.h"
+#include "prs/measures/analyze_measures.h"
+#include "prs/model/case.h"
+#include "prs/preload/analyze_preload.h"
+#include "prs/quantities/json.h"
 
 namespace prs {
 
@@ -19,7 +19,7 @@ namespace prs {
 struct CheckResult {
   std::vector<input::EchoEntry> fields;
   Contacts contacts;
-  std::vector<std::string> unusual;
+  std::vector<std::string> warnings;
 };
 
 // What each command computes from a case that was read from `source` for it, with the warnings that

@@ -7,12 +7,11 @@
 #include <limits>
 #include <numbers>
 
-#include "prs/loads/analyze.h"
-#include "prs/model/case_error.h"
-#include "prs/threads/contact_failure.h"
 #include "prs/loads/load_case_result.h"
+#include "prs/model/case_error.h"
 #include "prs/slip/slip_equilibrium.h"
 #include "prs/slip/slip_model.h"
+#include "prs/threads/contact_laws.h"
 
 namespace prs {
 namespace {
@@ -34,7 +33,7 @@ void require_kinematics(const contact::MechanismGeometry& threads) {
     throw CaseError("mechanism.pitch_diameter.roller",
                     fmt::format("the pitch diameters give the gear ratio {:.6f}; expected {:.6f} "
                                 "for `slip`, the ratio of the leads, or the rollers migrate (Sandu "
-                                "2018, (2.14)); mend diameters or starts",
+                                "2018, (2.14)); fix diameters or starts",
                                 k.gear_ratio, k.gear_ratio_by_leads));
 }
 
@@ -122,7 +121,7 @@ bool load_drives(const SlipModel& model) {
 }
 
 SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
-  const Case& c = models.values();
+  const Conditions& c = models.conditions();
   const SlipRange range = slip_range(model.geometry);
   const SlipEquilibrium found = solve(model, c.operation ? c.operation->slip_ratio : std::nullopt);
   const SlipBalance& b = found.balance;
@@ -235,14 +234,17 @@ void require_admissible(const SlipModel& model, const std::optional<Operation>& 
 }
 
 /// Loads as slip takes them: solved ones, and equal shares by the geometry.
-Result loaded_threads_of(const Case& c, Detail detail) {
-  Result by_geometry = analyze_contacts(c, detail);
+Result loaded_threads_of(const Conditions& c, Contacts contacts, AnalysisOptions options) {
   const auto equal = [](const LoadCase& load) { return load.share == LoadCase::Share::equal; };
-  if (std::ranges::all_of(c.load_cases, equal)) return by_geometry;
-  Result result = analyze(c, detail);
-  auto next = by_geometry.load_cases.begin();
-  for (LoadCaseResult& load_case : result.load_cases)
-    if (equal(load_case.load_case)) load_case = std::move(*next++);
+  if (std::ranges::all_of(c.load_cases, equal))
+    return analyze_contacts(c, std::move(contacts), options.detail);
+  require_contacts(c, contacts);
+  Result result = analyze(c, std::move(contacts), options);
+  for (LoadCaseResult& loaded : result.load_cases) {
+    if (!equal(loaded.load_case)) continue;
+    loaded = equal_share_result(loaded.load_case, result.contacts);
+    if (options.detail == Detail::complete) add_warnings(loaded, result.contacts);
+  }
   return result;
 }
 
@@ -296,8 +298,8 @@ std::string_view name(SlipStatus status) {
   return "unknown";
 }
 
-Result analyze_slip(const Case& c, Detail detail) {
-  Result result = loaded_threads_of(c, detail);
+Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options) {
+  Result result = loaded_threads_of(c, std::move(contacts), options);
   require_kinematics(result.contacts.threads);
   const SlipModels models(c, result.contacts);
   for (LoadCaseResult& loaded : result.load_cases) {
@@ -309,14 +311,14 @@ Result analyze_slip(const Case& c, Detail detail) {
       const SlipResult equal = slip_result(models, models.equal_shares(loaded.load_case));
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
     }
-    if (detail != Detail::complete) continue;
+    if (options.detail != Detail::complete) continue;
     warn(*loaded.slip, model, c.friction->model, loaded.warnings);
     warn_of_running_pressure(*loaded.threads, loaded.warnings);
   }
   return result;
 }
 
-SlipPictures slip_pictures(const Case& c, const Result& result, std::size_t load_case) {
+SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_t load_case) {
   const LoadCaseResult& loaded = result.load_cases[load_case];
   const SlipModels models(c, result.contacts);
   const SlipModel model = models.of(loaded);

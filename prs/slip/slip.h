@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
-#include "prs/model/case.h"
-#include "prs/loads/result.h"
+#include "prs/loads/analyze.h"
 
 namespace prs {
 
@@ -12,7 +10,10 @@ namespace prs {
 /// for each load case the stationary slip and what friction takes. The case must have passed
 /// `check_case` and the requirements of `slip`. Throws CaseError where the geometry gives no
 /// contact, its gears break (2.14), or an imposed slip ratio lies outside its range.
-Result analyze_slip(const Case& c, Detail detail = Detail::complete);
+Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options = {});
+inline Result analyze_slip(const Case& c, AnalysisOptions options = {}) {
+  return analyze_slip(c, checked_contacts(c, options.detail), options);
+}
 
 /// Moments on a roller along the slip ratio: one curve of Sandu 2018, fig. 3.6.
 struct ResidueCurve {
@@ -37,6 +38,6 @@ struct SlipPictures {
 };
 
 /// For one load case with a converged slip, on the loads that the result holds.
-SlipPictures slip_pictures(const Case& c, const Result& result, std::size_t load_case);
+SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_t load_case);
 
 }  // namespace prs

@@ -22,14 +22,13 @@ KinematicGeometry kinematic_geometry(const Contacts& contacts, double force) {
 }
 
 /// Of the cylinder on the thread's pitch diameter and both ends; 0 without density.
-double roller_mass(const Case& c) {
+double roller_mass(const Conditions& c, const Mechanism& m) {
   const std::optional<double>& density = c.materials->roller.density;
   if (!density) return 0.0;
   const auto cylinder = [](double diameter, double length) {
     return 0.25 * std::numbers::pi * diameter * diameter * length;
   };
-  double volume = cylinder(*c.mechanism.pitch_diameter.roller,
-                           c.mechanism.contacts_per_roller * axial_pitch(c.mechanism));
+  double volume = cylinder(*m.pitch_diameter.roller, m.contacts_per_roller * axial_pitch(m));
   if (c.structure)
     volume += 2.0 * cylinder(c.structure->roller.end_diameter, c.structure->roller.end_length);
   else if (c.carrier.bearing)
@@ -39,9 +38,8 @@ double roller_mass(const Case& c) {
 
 }  // namespace
 
-SlipModels::SlipModels(const Case& c, const Contacts& contacts)
-    : case_(c), contacts_(contacts), grid_(c.model.patch_points) {
-  case_.mechanism = contacts.mechanism;
+SlipModels::SlipModels(const Conditions& c, const Contacts& contacts)
+    : conditions_(c), contacts_(contacts), grid_(c.model.patch_points) {
   if (c.lubricant) lubricant_ = in_operation(*c.lubricant);
 }
 
@@ -61,7 +59,7 @@ SlipModel SlipModels::of(const LoadCaseResult& loaded) const {
 
 SlipModel SlipModels::equal_shares(const LoadCase& load_case) const {
   SlipModel model = unloaded(load_case);
-  const int alike = case_.mechanism.contacts_per_roller;
+  const int alike = contacts_.mechanism.contacts_per_roller;
   for (const Interface i : kInterfaces) {
     model.threads[i].alike = alike;
     model.threads[i].patch_of_thread.assign(static_cast<std::size_t>(alike), 0);
@@ -73,22 +71,22 @@ SlipModel SlipModels::equal_shares(const LoadCase& load_case) const {
 SlipModel SlipModels::unloaded(const LoadCase& load_case) const {
   SlipModel m;
   m.axial_force = axial_force_on_nut(load_case);
-  m.speed = load_case.speed ? *load_case.speed : case_.operation->speed;
+  m.speed = load_case.speed ? *load_case.speed : conditions_.operation->speed;
   m.geometry = kinematic_geometry(contacts_, m.axial_force);
-  m.rollers = case_.mechanism.rollers;
+  m.rollers = contacts_.mechanism.rollers;
   for (const Interface i : kInterfaces) {
     const contact::InterfaceGeometry g = touching(contacts_.interfaces[i].geometry, m.axial_force);
     m.threads[i].normal = g.point.normal;
     m.threads[i].major_axis = g.major_axis;
     m.threads[i].minor_axis = g.minor_axis;
   }
-  m.screw_torque = case_.carrier.screw_torque;
-  m.nut_torque = case_.carrier.nut_torque;
-  m.roller_torque = case_.carrier.roller_torque;
-  m.bearing = case_.carrier.bearing;
+  m.screw_torque = conditions_.carrier.screw_torque;
+  m.nut_torque = conditions_.carrier.nut_torque;
+  m.roller_torque = conditions_.carrier.roller_torque;
+  m.bearing = conditions_.carrier.bearing;
   m.lubricant = lubricant_;
-  m.gear_pressure_angle = case_.carrier.gear_pressure_angle;
-  m.roller_mass = roller_mass(case_);
+  m.gear_pressure_angle = conditions_.carrier.gear_pressure_angle;
+  m.roller_mass = roller_mass(conditions_, contacts_.mechanism);
   return m;
 }
 
@@ -103,8 +101,8 @@ void SlipModels::add_patch(SlipModel& model, Interface i, double axial_load) con
                            .curvature = relative.second,
                            .contact_modulus = contact.contact_modulus,
                            .curvature_ratio = relative.first / relative.second});
-  if (case_.friction->model == Friction::Model::coulomb)
-    threads.patches.emplace_back(grid_, ellipse, case_.friction->coefficient);
+  if (conditions_.friction->model == Friction::Model::coulomb)
+    threads.patches.emplace_back(grid_, ellipse, conditions_.friction->coefficient);
   else
     threads.patches.emplace_back(grid_, ellipse, *lubricant_, threads.films.back());
 }

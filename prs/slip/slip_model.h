@@ -4,8 +4,8 @@
 
 #include "contact/lubricant.h"
 #include "contact/patch.h"
-#include "prs/model/case.h"
 #include "prs/loads/result.h"
+#include "prs/model/case.h"
 #include "prs/slip/slip_equilibrium.h"
 
 namespace prs {
@@ -15,7 +15,7 @@ namespace prs {
 class SlipModels {
  public:
   /// The case must have passed the requirements of `slip`, the contacts must be its own.
-  SlipModels(const Case& c, const Contacts& contacts);
+  SlipModels(const Conditions& c, const Contacts& contacts);
   SlipModels(const SlipModels&) = delete;
   SlipModels& operator=(const SlipModels&) = delete;
 
@@ -24,7 +24,7 @@ class SlipModels {
   /// One patch that stands for all threads of an interface (Sandu 2018).
   SlipModel equal_shares(const LoadCase& load_case) const;
 
-  const Case& values() const { return case_; }
+  const Conditions& conditions() const { return conditions_; }
   /// At operating temperature; absent where the case has none.
   const std::optional<contact::Lubricant>& lubricant() const { return lubricant_; }
   const contact::PatchGrid& grid() const { return grid_; }
@@ -33,7 +33,7 @@ class SlipModels {
   SlipModel unloaded(const LoadCase& load_case) const;
   void add_patch(SlipModel& model, Interface i, double axial_load) const;
 
-  Case case_;
+  Conditions conditions_;
   const Contacts& contacts_;
   contact::PatchGrid grid_;
   std::optional<contact::Lubricant> lubricant_;

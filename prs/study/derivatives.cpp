@@ -9,12 +9,12 @@
 #include <memory>
 
 #include "prs/loads/analyze.h"
-#include "prs/model/case_error.h"
-#include "prs/threads/contact_laws.h"
 #include "prs/loads/load_case_result.h"
+#include "prs/model/case_error.h"
 #include "prs/sector/load_distribution.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/result_number.h"
+#include "prs/threads/contact_laws.h"
 
 namespace prs {
 namespace {
@@ -61,11 +61,12 @@ struct Model {
 };
 
 /// The load cases that responses need stand at their index, all others are left out.
-Model model_of(const Case& c, Command command, const std::vector<ResultNumber>& numbers) {
+Model model_of(const Case& given, Command command, const std::vector<ResultNumber>& numbers) {
   bool complete = false;
   for (const ResultNumber& number : numbers) complete = complete || number.needs_complete;
   Model model;
-  model.contacts = checked_contacts(c, complete ? Detail::complete : Detail::numbers);
+  model.contacts = checked_contacts(given, complete ? Detail::complete : Detail::numbers);
+  const Conditions& c = given;
   model.load_cases = c.load_cases;
   model.solvers.resize(c.load_cases.size());
   if (command != Command::solve) return model;

@@ -35,9 +35,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Bodies = ModelOptions::Bodies;
 
-Result analyze_for(Command command, const Case& c, Detail detail) {
-  if (command == Command::contact) return analyze_contacts(c, detail);
-  return command == Command::slip ? analyze_slip(c, detail) : analyze(c, detail);
+Result analyze_for(Command command, const Case& c, AnalysisOptions options) {
+  if (command == Command::contact) return analyze_contacts(c, options.detail);
+  return command == Command::slip ? analyze_slip(c, options) : analyze(c, options);
 }
 
 /// That of the first load case which did not converge.
@@ -205,7 +205,7 @@ struct DesignEngine::Parts {
       document = measures_json(result, {});
       return status_of(result.analysis.load_cases);
     }
-    const Result result = analyze_for(study.command, c, Detail::complete);
+    const Result result = analyze_for(study.command, c, {});
     document = to_json(result, {});
     return status_of(result.load_cases);
   }
@@ -262,23 +262,22 @@ struct DesignEngine::Parts {
     for (const std::size_t k : load_cases)
       if (k < c.load_cases.size()) needed.load_cases.push_back(c.load_cases[k]);
     if (study.command == Command::measures) {
-      const MeasuresResult result = analyze_measures(needed, Detail::numbers);
+      const MeasuresResult result = analyze_measures(needed, kManyDesigns);
       DesignStatus status = status_of(result.analysis.load_cases);
       if (status.converged())
         set_numbers(row, result.analysis.contacts, result.analysis.load_cases, &result);
       return status;
     }
-    const Result result = analyze_for(study.command, needed, Detail::numbers);
+    const Result result = analyze_for(study.command, needed, kManyDesigns);
     DesignStatus status = status_of(result.load_cases);
     if (status.converged()) set_numbers(row, result.contacts, result.load_cases);
     return status;
   }
 
-  /// Prepares one design of a batch: contacts, and the sectors whose loads are to be found.
-  DesignStatus prepare(const Case& c, Pending& design, std::size_t index,
+  /// Adds the sectors of one design of a batch, whose contacts are found.
+  DesignStatus prepare(const Conditions& c, Pending& design, std::size_t index,
                        std::vector<PendingSector>& sectors, std::vector<BarSector>& bars,
                        std::vector<double>& forces) const {
-    design.contacts = checked_contacts(c, Detail::numbers);
     design.laws = contact_laws(c, design.contacts);
     for (const std::size_t k : load_cases) {
       if (k >= c.load_cases.size()) break;
@@ -327,8 +326,10 @@ struct DesignEngine::Parts {
       bool done = false;
       DesignStatus status = status_after([&]() -> DesignStatus {
         const Case& c = read(worker.reader, row);
-        if (c.model.bodies == Bodies::bars)
+        if (c.model.bodies == Bodies::bars) {
+          design.contacts = checked_contacts(c, Detail::numbers);
           return prepare(c, design, designs.size(), sectors, bars, forces);
+        }
         done = true;
         return answer(c, row_of(block, row));
       });

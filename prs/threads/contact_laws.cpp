@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <string_view>
 
 #include "prs/model/case_error.h"
 #include "prs/threads/tooth_compliance.h"
 
 namespace prs {
+namespace {
 
-void require_contacts(const Contacts& contacts, const PerInterface<bool>& lacks,
-                      std::string_view mend) {
+void require(const Contacts& contacts, const PerInterface<bool>& lacks, std::string_view fix) {
   std::string path, message;
   for (const Interface i : kInterfaces) {
     if (!lacks[i]) continue;
@@ -18,17 +19,28 @@ void require_contacts(const Contacts& contacts, const PerInterface<bool>& lacks,
     if (path.empty()) path = why.path;
     message += fmt::format("the {} threads give no Hertz contact: {}; ", label(i), why.reason);
   }
-  if (!path.empty()) throw CaseError(path, message.append(mend));
+  if (!path.empty()) throw CaseError(path, message.append(fix));
 }
 
-PerInterface<ContactLaw> contact_laws(const Case& c, const Contacts& contacts) {
+}  // namespace
+
+void require_contacts(const Conditions& c, const Contacts& contacts) {
+  PerInterface<bool> lacks;
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = contacts.interfaces[i];
+    lacks[i] = !contact.geometry.ok() || (c.materials && !contact.hertz.ok());
+  }
+  require(contacts, lacks, "fix profiles, flank angles or diameters");
+}
+
+PerInterface<ContactLaw> contact_laws(const Conditions& c, const Contacts& contacts) {
   PerInterface<bool> lacks;
   for (const Interface i : kInterfaces)
     lacks[i] = !contacts.interfaces[i].has_hertz() &&
                !(c.contact.hertz_constant[i] && c.contact.normal_angle[i]);
-  require_contacts(contacts, lacks,
-                   "mend profiles, flank angles or diameters, or give both "
-                   "contact.hertz_constant and contact.normal_angle of the interface");
+  require(contacts, lacks,
+          "fix profiles, flank angles or diameters, or give both "
+          "contact.hertz_constant and contact.normal_angle of the interface");
   PerInterface<ContactLaw> laws;
   for (const Interface i : kInterfaces) {
     const InterfaceContact& contact = contacts.interfaces[i];

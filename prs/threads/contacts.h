@@ -7,10 +7,10 @@
 #include "contact/hertz.h"
 #include "contact/mechanism_geometry.h"
 #include "contact/subsurface.h"
-#include "prs/threads/contact_failure.h"
 #include "prs/model/detail.h"
 #include "prs/model/materials.h"
 #include "prs/model/mechanism.h"
+#include "prs/threads/contact_failure.h"
 #include "prs/threads/thread_clearance.h"
 
 namespace prs {
@@ -31,7 +31,8 @@ struct InterfaceContact {
 
 /// What the threads of a mechanism say before any load.
 struct Contacts {
-  Mechanism mechanism;  ///< With all pitch diameters and the centre distance.
+  /// With all pitch diameters and the centre distance: the one that analyses compute on.
+  Mechanism mechanism;
   contact::MechanismGeometry threads;
   PerPart<std::optional<ContactFailure>> bad_threads;  ///< Threads that cannot be, and why.
   PerInterface<InterfaceContact> interfaces;

@@ -60,7 +60,7 @@ std::shared_ptr<Document> CaseSource::check() const {
     return run_check(source, input::read_case_input(source, Command::check));
   };
   return analysis(Command::check, checked, [](const CheckResult& r, const DocumentInfo& info) {
-    return check_json(r.fields, r.contacts, r.unusual, info);
+    return check_json(r.fields, r.contacts, r.warnings, info);
   });
 }
 

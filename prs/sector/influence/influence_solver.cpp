@@ -85,7 +85,7 @@ LoadDistribution InfluenceSolver::solve(double axial_force) const {
   return d;
 }
 
-InfluenceSolver influence_solver(const Case& c, const Contacts& contacts,
+InfluenceSolver influence_solver(const Conditions& c, const Contacts& contacts,
                                  const PerInterface<ContactLaw>& laws, Direction direction,
                                  double position, MatrixCache& cache) {
   const Materials& materials = *c.materials;
@@ -94,12 +94,12 @@ InfluenceSolver influence_solver(const Case& c, const Contacts& contacts,
     patches[i] = nominal_patch(contacts.interfaces[i], laws[i], materials[body_of(i)],
                                materials[Part::roller]);
   const BodyGeometry geometry =
-      body_geometry(c.mechanism, *c.structure, materials, laws, patches, direction, c.model);
+      body_geometry(contacts.mechanism, *c.structure, materials, laws, patches, direction, c.model);
   try {
     const BodyFlexibilities bodies = body_flexibilities(
         geometry, direction, position, flexibility_options(c.model.accuracy), cache);
-    return {bodies, c.mechanism.rollers, laws,
-            initial_gaps(c.mechanism, c.deviations, materials,
+    return {bodies, contacts.mechanism.rollers, laws,
+            initial_gaps(contacts.mechanism, c.deviations, materials,
                          {laws.screw.normal_angle, laws.nut.normal_angle}, direction)};
   } catch (const std::invalid_argument& reason) {
     throw CaseError("model.bodies",

@@ -27,7 +27,7 @@ class InfluenceSolver {
 
 /// The influence model of a case for one direction of the load and one position of the first
 /// contact on the nut. Throws CaseError where a body cannot be meshed.
-InfluenceSolver influence_solver(const Case& c, const Contacts& contacts,
+InfluenceSolver influence_solver(const Conditions& c, const Contacts& contacts,
                                  const PerInterface<ContactLaw>& laws, Direction direction,
                                  double position, MatrixCache& cache = shared_matrix_cache());
 

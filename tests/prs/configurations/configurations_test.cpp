@@ -15,8 +15,8 @@
 #include "prs/loads/analyze.h"
 #include "prs/output/configurations_files.h"
 #include "prs/threads/contacts.h"
+#include "prs/threads/geometry_warnings.h"
 #include "prs/threads/threads.h"
-#include "prs/threads/unusual.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 
@@ -101,10 +101,7 @@ TEST(Configurations, AbeviScrew) {
 /// What `prs check` would find unusual in a case.
 std::vector<std::string> unusual(const std::string& text) {
   const Case c = input::read_case_text(text, "case.yaml", {}, Command::solve);
-  const Contacts contacts = find_contacts(c.mechanism, c.materials);
-  std::vector<std::string> notes = contacts.warnings;
-  for (std::string& note : unusual_geometry(c, contacts)) notes.push_back(std::move(note));
-  return notes;
+  return geometry_warnings(c, find_contacts(c.mechanism, c.materials), c.load_cases);
 }
 
 TEST(Configurations, EachPassesCheckWithoutWarning) {

@@ -183,13 +183,13 @@ TEST(InfluenceSolver, BodiesAreWorkedOutOnce) {
 
 TEST(InfluenceSolver, BodiesThatCannotBeMeshedAreAnInputError) {
   SectorCase s = short_screw();
-  Case c;
-  c.mechanism = s.mechanism;
+  Conditions c;
   c.structure = s.structure;
   c.materials = s.materials;
   c.structure->nut.outer_diameter = 35.8e-3;
   c.structure->nut.flanges.clear();
-  const Contacts contacts;
+  Contacts contacts;
+  contacts.mechanism = s.mechanism;
   MatrixCache cache;
   EXPECT_THROW(influence_solver(c, contacts, s.laws, s.direction, s.position, cache), CaseError);
 }

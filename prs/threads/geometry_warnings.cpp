@@ -1,4 +1,4 @@
-#include "prs/threads/unusual.h"
+#include "prs/threads/geometry_warnings.h"
 
 #include <fmt/format.h>
 
@@ -17,48 +17,52 @@ double pitch_cylinder_gap(const contact::MechanismGeometry& m, Interface i) {
                                : m.nut.pitch_radius - m.roller.pitch_radius - m.centre_distance;
 }
 
-void note_pitch_cylinders(const contact::MechanismGeometry& m, std::vector<std::string>& notes) {
+void warn_of_pitch_cylinders(const contact::MechanismGeometry& m,
+                             std::vector<std::string>& warnings) {
   for (const Interface i : kInterfaces) {
     const double gap = pitch_cylinder_gap(m, i);
     if (std::abs(gap) > 0.1 * m.roller.pitch)
-      notes.push_back(fmt::format("the pitch cylinders of roller and {} {} by {:.4f} mm", name(i),
-                                  gap > 0 ? "miss each other" : "overlap",
-                                  std::abs(gap) * per_si::millimetre));
+      warnings.push_back(fmt::format("the pitch cylinders of roller and {} {} by {:.4f} mm",
+                                     name(i), gap > 0 ? "miss each other" : "overlap",
+                                     std::abs(gap) * per_si::millimetre));
   }
 }
 
-void note_proportions(const Case& c, const Mechanism& m, std::vector<std::string>& notes) {
+void warn_of_proportions(const Conditions& c, const Mechanism& m,
+                         std::vector<std::string>& warnings) {
   if (m.rollers < 3)
-    notes.push_back(
+    warnings.push_back(
         fmt::format("{} roller{} cannot centre the screw", m.rollers, m.rollers == 1 ? "" : "s"));
   for (const Part p : kParts)
     if (m.flank_angle[p] < 20 * std::numbers::pi / 180 ||
         m.flank_angle[p] > 70 * std::numbers::pi / 180)
-      notes.push_back(fmt::format("the {}'s flank angle of {:g} deg is far from the usual 45 deg",
-                                  name(p), m.flank_angle[p] * 180 / std::numbers::pi));
+      warnings.push_back(
+          fmt::format("the {}'s flank angle of {:g} deg is far from the usual 45 deg", name(p),
+                      m.flank_angle[p] * 180 / std::numbers::pi));
   if (!c.structure) return;
   const Structure& s = *c.structure;
   if (s.screw.bore > 0.8 * *m.pitch_diameter.screw)
-    notes.push_back(
+    warnings.push_back(
         fmt::format("the screw's bore leaves a wall of {:.2f} mm at the pitch diameter",
                     0.5 * (*m.pitch_diameter.screw - s.screw.bore) * per_si::millimetre));
   if (s.roller.end_diameter > *m.pitch_diameter.roller)
-    notes.push_back(fmt::format("the roller's ends ({:g} mm) are thicker than its thread ({:g} mm)",
-                                s.roller.end_diameter * per_si::millimetre,
-                                *m.pitch_diameter.roller * per_si::millimetre));
+    warnings.push_back(fmt::format(
+        "the roller's ends ({:g} mm) are thicker than its thread ({:g} mm)",
+        s.roller.end_diameter * per_si::millimetre, *m.pitch_diameter.roller * per_si::millimetre));
 }
 
 /// A face of the nut that looks the way that the load pushes the nut can only be pulled.
-void note_pulled_faces(const Case& c, std::vector<std::string>& notes) {
+void warn_of_pulled_faces(const Conditions& c, std::span<const LoadCase> loads,
+                          std::vector<std::string>& warnings) {
   if (!c.structure || c.model.bodies == ModelOptions::Bodies::bars) return;
   const Structure::Nut& nut = c.structure->nut;
   for (const Direction d : {Direction::tension, Direction::compression}) {
     const auto carries = [&](const LoadCase& load) { return load.direction == d; };
     const auto& section = d == Direction::tension ? nut.thrust.tension : nut.thrust.compression;
-    if (!section || std::ranges::none_of(c.load_cases, carries)) continue;
+    if (!section || std::ranges::none_of(loads, carries)) continue;
     const auto [before, behind] = nut_diameters_at(nut, *section);
     if (before == behind || (before > behind) == (d == Direction::compression)) continue;
-    notes.push_back(
+    warnings.push_back(
         fmt::format("the face at {:g} mm looks away from where {} pushes the nut: it holds with a "
                     "bolted flange, not against a housing that only pushes",
                     *section * per_si::millimetre, name(d)));
@@ -67,12 +71,13 @@ void note_pulled_faces(const Case& c, std::vector<std::string>& notes) {
 
 }  // namespace
 
-std::vector<std::string> unusual_geometry(const Case& c, const Contacts& contacts) {
-  std::vector<std::string> notes;
-  note_pitch_cylinders(contacts.threads, notes);
-  note_proportions(c, contacts.mechanism, notes);
-  note_pulled_faces(c, notes);
-  return notes;
+std::vector<std::string> geometry_warnings(const Conditions& c, const Contacts& contacts,
+                                           std::span<const LoadCase> loads) {
+  std::vector<std::string> warnings = contacts.warnings;
+  warn_of_pitch_cylinders(contacts.threads, warnings);
+  warn_of_proportions(c, contacts.mechanism, warnings);
+  warn_of_pulled_faces(c, loads, warnings);
+  return warnings;
 }
 
 }  // namespace prs

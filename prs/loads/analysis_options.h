@@ -1,0 +1,21 @@
+#pragma once
+
+#include "prs/model/detail.h"
+
+namespace prs {
+
+/// Which solver finds the load distribution of bars and refined bodies. Both agree within 1e-10.
+enum class Solver {
+  sparse,  ///< Newton's method on the sparse matrix of the sector (CHOLMOD).
+  chain,   ///< Station by station, several times as fast; `sparse` where it does not converge.
+};
+
+struct AnalysisOptions {
+  Detail detail = Detail::complete;
+  Solver solver = Solver::sparse;
+};
+
+/// For one of many designs.
+inline constexpr AnalysisOptions kManyDesigns{Detail::numbers, Solver::chain};
+
+}  // namespace prs
