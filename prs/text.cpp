@@ -55,4 +55,11 @@ std::string wrapped(std::string_view text, std::string_view indent, std::size_t 
   return result + '\n';
 }
 
+std::string capitalised(std::string text) {
+  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+  if (text.size() > 1 && is_small(text[0]) && is_small(text[1]))
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
 }  // namespace prs

@@ -18,4 +18,7 @@ std::string shortened(std::string_view text, std::size_t max_width);
 /// `indent`; a longer word stays whole. Ends with a newline.
 std::string wrapped(std::string_view text, std::string_view indent, std::size_t max_width);
 
+/// With a large first letter, where it begins a word and is no symbol.
+std::string capitalised(std::string text);
+
 }  // namespace prs

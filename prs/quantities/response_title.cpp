@@ -4,51 +4,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <utility>
 
+#include "prs/quantities/shown_unit.h"
 #include "prs/text.h"
 
 namespace prs {
 namespace {
-
-/// How units stand in keys and how people write them, longer ones before their own ends.
-constexpr std::pair<std::string_view, std::string_view> kUnits[] = {
-    {"_N_per_mm1_5", "N/mm^1.5"},
-    {"_mm_per_rad", "mm/rad"},
-    {"_kN_per_kg", "kN/kg"},
-    {"_W_per_mm2", "W/mm²"},
-    {"_N_per_um", "N/µm"},
-    {"_mm_per_s", "mm/s"},
-    {"_kg_per_m", "kg/m"},
-    {"_kg_mm2", "kg mm²"},
-    {"_per_mm", "1/mm"},
-    {"_revolutions", "revolutions"},
-    {"_percent", "%"},
-    {"_hours", "h"},
-    {"_Nmm", "N mm"},
-    {"_Nm", "N m"},
-    {"_cm3", "cm³"},
-    {"_MPa", "MPa"},
-    {"_rpm", "rpm"},
-    {"_deg", "deg"},
-    {"_km", "km"},
-    {"_kg", "kg"},
-    {"_mm", "mm"},
-    {"_um", "µm"},
-    {"_nm", "nm"},
-    {"_W", "W"},
-    {"_N", "N"},
-};
-
-/// Takes the unit from the end of a key.
-std::string_view take_unit(std::string_view& key) {
-  for (const auto& [suffix, shown] : kUnits)
-    if (key.ends_with(suffix)) {
-      key.remove_suffix(suffix.size());
-      return shown;
-    }
-  return {};
-}
 
 /// Takes `[k]` from the end of a key: the thread where the array is one over threads, else as it
 /// is.
@@ -77,7 +38,10 @@ ResponseTitle response_title(std::string_view path) {
     std::string_view key = path.substr(0, end);
     path.remove_prefix(std::min(end + 1, path.size()));
     const std::string index = take_index(key, of_threads);
-    if (const std::string_view unit = take_unit(key); !unit.empty()) title.unit = unit;
+    if (const ShownUnit& unit = unit_of(key); !unit.text.empty()) {
+      title.unit = unit.text;
+      key.remove_suffix(unit.suffix.size());
+    }
     if (key == "slip" || key == "contact" || key == "measures") continue;
     const bool is_summary = path.empty() && (key == "max" || key == "min" || key == "mean");
     const bool is_part =
@@ -89,6 +53,12 @@ ResponseTitle response_title(std::string_view path) {
   std::ranges::replace(name, '_', ' ');
   name = printable(name);
   return title;
+}
+
+std::string axis_title(std::string_view path) {
+  const ResponseTitle title = response_title(path);
+  const std::string name = capitalised(title.name);
+  return title.unit.empty() ? name : fmt::format("{} ({})", name, title.unit);
 }
 
 }  // namespace prs

@@ -15,4 +15,8 @@ struct ResponseTitle {
 /// mechanism starts with its name, `slip`, `contact` and `measures` are left out.
 ResponseTitle response_title(std::string_view path);
 
+/// Title of an axis along which a quantity runs: `peak_pressure_GPa` -> `Peak pressure (GPa)`. Any
+/// unit of `kShownUnits` does, `unit_of` has its factor.
+std::string axis_title(std::string_view path);
+
 }  // namespace prs

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "prs/quantities/response_title.h"
-#include "prs/text.h"
 
 namespace prs {
 namespace {
@@ -27,13 +26,6 @@ std::string level_text(const Level& level, const std::string& unit) {
 std::string factor_title(const Factor& factor) {
   const std::string text = shortened(printable(factor.label), kMaxTitle);
   return factor.label == factor.path ? text : capitalised(text);
-}
-
-std::string capitalised(std::string text) {
-  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
-  if (text.size() > 1 && is_small(text[0]) && is_small(text[1]))
-    text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
 }
 
 }  // namespace prs

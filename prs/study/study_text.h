@@ -4,6 +4,7 @@
 #include <string>
 
 #include "prs/model/study.h"
+#include "prs/text.h"
 
 namespace prs {
 
@@ -15,8 +16,5 @@ std::string level_text(const Level& level, const std::string& unit);
 
 /// A factor as a heading: its label, or its path as it stands.
 std::string factor_title(const Factor& factor);
-
-/// With a large first letter, where it begins a word and is no symbol.
-std::string capitalised(std::string text);
 
 }  // namespace prs

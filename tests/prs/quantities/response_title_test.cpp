@@ -1,0 +1,33 @@
+#include "prs/quantities/response_title.h"
+
+#include <gtest/gtest.h>
+
+#include "prs/quantities/shown_unit.h"
+
+namespace prs {
+namespace {
+
+TEST(ShownUnit, IsTheLongestThatAKeyEndsIn) {
+  EXPECT_EQ(unit_of("tangent_stiffness_N_per_um").text, "N/µm");
+  EXPECT_EQ(unit_of("spin_torque_Nmm").text, "N mm");
+  EXPECT_EQ(unit_of("hertz_constant_N_per_mm1_5").text, "N/mm^1.5");
+  EXPECT_DOUBLE_EQ(unit_of("speed_rpm").factor * 2.0 * std::numbers::pi, 60.0);
+  EXPECT_EQ(unit_of("friction_coefficient").text, "");
+  EXPECT_EQ(unit_of("share_of_revolutions").text, "");
+}
+
+TEST(ResponseTitle, StartsWithThePartAndEndsInTheUnit) {
+  EXPECT_EQ(response_title("screw.peak_pressure_MPa.max").name, "max screw peak pressure");
+  EXPECT_EQ(response_title("screw.peak_pressure_MPa.max").unit, "MPa");
+  EXPECT_EQ(response_title("slip.nut.power_W[2]").name, "nut power, thread 3");
+  EXPECT_EQ(response_title("slip.viscosity_mPas").unit, "mPa s");
+}
+
+TEST(AxisTitle, HasTheUnitInBrackets) {
+  EXPECT_EQ(axis_title("peak_pressure_GPa"), "Peak pressure (GPa)");
+  EXPECT_EQ(axis_title("axial_displacement_um"), "Axial displacement (µm)");
+  EXPECT_EQ(axis_title("slip.efficiency"), "Efficiency");
+}
+
+}  // namespace
+}  // namespace prs
