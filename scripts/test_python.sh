@@ -25,7 +25,7 @@ site=build/debug/site
 rm -rf "$site"
 mkdir -p "$site"
 cp -r python/rollerscrew "$site"
-cp build/debug/python/_engine*.so "$site/rollerscrew"
+cp build/debug/python/_engine*.so build/debug/lib/prs/*.so "$site/rollerscrew"
 sanitizers="$(g++ -print-file-name=libasan.so) $(g++ -print-file-name=libubsan.so)"
 # Leaks: the interpreter's own are many. New and delete: NumPy's libraries bring their own. Forks of
 # processes with threads: the sanitizer's allocator may be locked in the child.

@@ -13,17 +13,16 @@
 #include "prs/cli/interruption.h"
 #include "prs/cli/printing.h"
 #include "prs/cli/progress_line.h"
+#include "prs/figures/study_figures.h"
 #include "prs/input/study_reader.h"
 #include "prs/output/derivatives_files.h"
 #include "prs/output/files.h"
 #include "prs/output/plots.h"
 #include "prs/output/run_files.h"
 #include "prs/output/staged_file.h"
-#include "prs/figures/study_figures.h"
 #include "prs/output/study_files.h"
 #include "prs/output/study_json.h"
 #include "prs/output/study_table.h"
-#include "prs/text.h"
 #include "prs/run/analyses.h"
 #include "prs/run/study.h"
 #include "prs/study/analysis.h"
@@ -32,6 +31,7 @@
 #include "prs/study/distributed.h"
 #include "prs/study/response.h"
 #include "prs/study/study_run.h"
+#include "prs/text.h"
 #include "prs/version.h"
 
 namespace prs::cli {
@@ -72,11 +72,13 @@ int deliver(const StoredRows& rows, const input::StudyInput& in, const Study& st
   const DocumentInfo info = document_info(in.source);
   StudyResult result{study, {}, 0, 0, 0, {}};
   StudyAnalysis analysis(study);
-  write_rows(rows, study, info, options.output ? &*options.output : nullptr, threads,
-             [&](const RowBlock& block) {
-               add(result, block);
-               analysis.add(block);
-             });
+  const std::string absent =
+      write_rows(rows, study, info, options.output ? &*options.output : nullptr, threads,
+                 [&](const RowBlock& block) {
+                   add(result, block);
+                   analysis.add(block);
+                 });
+  if (!absent.empty()) note(options, "prs: " + absent);
   result.summary = analysis.summary();
   result.warnings = study_warnings(in, result, engine);
   std::string document;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "prs/modules/search.h"
 #include "prs/optimize/fitness.h"
 #include "prs/optimize/front.h"
-#include "prs/optimize/pagmo_search.h"
 #include "prs/study/sampling.h"
 
 namespace prs {
@@ -114,8 +114,9 @@ Search search(const Optimization& optimization, Algorithm algorithm, std::uint64
     }
     return values;
   };
-  search_cube({algorithm, optimization.objectives.size(), optimization.generations, seed},
-              first_population(optimization, seed), evaluate);
+  loaded<SearchModule>().search_cube(
+      {algorithm, optimization.objectives.size(), optimization.generations, seed},
+      first_population(optimization, seed), evaluate);
   search.front = front_of(optimization, search.designs);
   return search;
 }

@@ -1,5 +1,7 @@
 #include "prs/output/study_files.h"
 
+#include <fmt/format.h>
+
 #include <optional>
 
 #include "prs/output/run_files.h"
@@ -31,35 +33,43 @@ struct EnvelopeFile {
 struct RowFiles {
   std::filesystem::path folder;
   StagedFile csv;
-  StudyNetcdf netcdf;
+  std::optional<StudyNetcdf> netcdf;
   std::optional<EnvelopeFile> envelope;
+  std::string absent;  ///< What is not written, and why.
 
   RowFiles(const std::filesystem::path& below, const Study& study,
            const std::vector<FactorColumn>& columns, const DocumentInfo& info)
-      : folder(below),
-        csv(folder / "study.csv"),
-        netcdf(folder / "study.nc", study, columns, info) {
+      : folder(below), csv(folder / "study.csv") {
+    try {
+      netcdf.emplace(folder / "study.nc", study, columns, info);
+    } catch (const MissingModule& error) {
+      absent = fmt::format("study.nc is not written: {}", error.what());
+    }
     if (study.envelope) envelope.emplace(folder, study);
   }
 
   void publish(const Study& study) {
     csv.sync();
-    netcdf.finish();
+    if (netcdf) netcdf->finish();
     if (envelope) envelope->finish(study);
     csv.publish();
-    netcdf.publish();
-    for (const char* name : {"study.csv", "study.nc"}) record_written(folder / name);
-    if (!envelope) return;
-    envelope->csv.publish();
-    record_written(folder / "envelope.csv");
+    record_written(folder / "study.csv");
+    if (netcdf) {
+      netcdf->publish();
+      record_written(folder / "study.nc");
+    }
+    if (envelope) {
+      envelope->csv.publish();
+      record_written(folder / "envelope.csv");
+    }
   }
 };
 
 }  // namespace
 
-void write_rows(const StoredRows& rows, const Study& study, const DocumentInfo& info,
-                const std::filesystem::path* folder, std::size_t threads,
-                const std::function<void(const RowBlock&)>& add) {
+std::string write_rows(const StoredRows& rows, const Study& study, const DocumentInfo& info,
+                       const std::filesystem::path* folder, std::size_t threads,
+                       const std::function<void(const RowBlock&)>& add) {
   const std::vector<FactorColumn> columns = factor_columns(study);
   const StudyCsv csv(study, columns);
   std::optional<RowFiles> files;
@@ -75,12 +85,14 @@ void write_rows(const StoredRows& rows, const Study& study, const DocumentInfo& 
     auto text = std::make_shared<const std::string>(csv.rows(*block, *factors));
     return [&, block, factors, text] {
       files->csv.append(*text);
-      files->netcdf.add(*block, *factors);
+      if (files->netcdf) files->netcdf->add(*block, *factors);
       if (files->envelope) files->envelope->maps.add(*block);
       add(*block);
     };
   });
-  if (files) files->publish(study);
+  if (!files) return {};
+  files->publish(study);
+  return files->absent;
 }
 
 }  // namespace prs

@@ -1,20 +1,14 @@
 #include "prs/output/study_netcdf.h"
 
-#include <fmt/format.h>
-#include <netcdf.h>
-
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <system_error>
 
 #include "fe/newton.h"
-#include "prs/quantities/response_title.h"
-#include "prs/output/study_json.h"
 #include "prs/loads/slip_result.h"
+#include "prs/output/study_json.h"
+#include "prs/quantities/response_title.h"
 
 namespace prs {
 namespace {
@@ -73,94 +67,80 @@ std::uint64_t most_bytes(const Study& study, const std::vector<FactorColumn>& co
 
 StudyNetcdf::StudyNetcdf(const std::filesystem::path& path, const Study& study,
                          const std::vector<FactorColumn>& columns, const DocumentInfo& info)
-    : file_(path), path_(path), columns_(columns), status_names_(known_statuses()) {
+    : StudyNetcdf(loaded<NetcdfModule>(), path, study, columns, info) {}
+
+StudyNetcdf::StudyNetcdf(const NetcdfModule& netcdf, const std::filesystem::path& path,
+                         const Study& study, const std::vector<FactorColumn>& columns,
+                         const DocumentInfo& info)
+    : staged_(path), columns_(columns), status_names_(known_statuses()) {
   // HDF5 does not survive a full disk. What it finds is dropped when the file is created.
   const std::uint64_t bytes = most_bytes(study, columns, info);
-  file_.reserve(bytes);
-  require(nc_create(file_.temporary().c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
-  file_.reserve(bytes);
+  staged_.reserve(bytes);
+  file_ = netcdf.create(staged_.temporary(), path);
+  staged_.reserve(bytes);
   define(study, info);
 }
 
-StudyNetcdf::~StudyNetcdf() {
-  if (id_ >= 0) nc_abort(id_);
-}
+StudyNetcdf::~StudyNetcdf() = default;
 
 void StudyNetcdf::define(const Study& study, const DocumentInfo& info) {
-  int old_fill = 0;
-  require(nc_set_fill(id_, NC_NOFILL, &old_fill));
-  put_text(NC_GLOBAL, "title", "Study of a planetary roller screw");
-  put_text(NC_GLOBAL, "Conventions", "CF-1.10");
-  put_text(NC_GLOBAL, "prs_version", info.version);
-  put_text(NC_GLOBAL, "schema_version", info.schema_version);
-  put_text(NC_GLOBAL, "input_sha256", info.input_sha256);
-  if (!info.overrides.empty()) put_texts(NC_GLOBAL, "overrides", info.overrides);
-  put_text(NC_GLOBAL, "plan", std::string(name(study.plan)));
-  const unsigned long long seed = study.seed;
-  if (is_sampled(study.plan))
-    require(nc_put_att_ulonglong(id_, NC_GLOBAL, "seed", NC_UINT64, 1, &seed));
-  require(nc_def_dim(id_, "design", design_count(study), &dimension_));
+  const auto describe = [&](const char* attribute, const ColumnFile::Attribute& value) {
+    file_->describe(ColumnFile::kFile, attribute, value);
+  };
+  describe("title", "Study of a planetary roller screw");
+  describe("Conventions", "CF-1.10");
+  describe("prs_version", info.version);
+  describe("schema_version", info.schema_version);
+  describe("input_sha256", info.input_sha256);
+  if (!info.overrides.empty()) describe("overrides", info.overrides);
+  describe("plan", std::string(name(study.plan)));
+  if (is_sampled(study.plan)) describe("seed", static_cast<unsigned long long>(study.seed));
+  file_->set_length("design", design_count(study));
   const std::vector<DrawnInput> inputs = drawn_inputs(study);
   for (std::size_t f = 0; f < columns_.size(); ++f) define_factor(*inputs[f].input, columns_[f]);
   for (const std::string& path : study.responses) define_response(path);
-  require(nc_def_var(id_, "status", NC_BYTE, 1, &dimension_, &status_id_));
-  require(nc_def_var_chunking(id_, status_id_, NC_CONTIGUOUS, nullptr));
-  put_text(status_id_, "long_name", "how the design ended");
-  put_text(status_id_, "comment", "reasons stand in study.csv");
+  status_id_ = file_->add_column("status", ColumnFile::Type::byte);
+  file_->describe(status_id_, "long_name", "how the design ended");
+  file_->describe(status_id_, "comment", "reasons stand in study.csv");
 }
 
 void StudyNetcdf::define_factor(const Factor& factor, const FactorColumn& column) {
-  Variable& variable = variables_.emplace_back();
-  const nc_type type = column.is_numeric() ? NC_DOUBLE : NC_INT;
-  require(nc_def_var(id_, column.name.c_str(), type, 1, &dimension_, &variable.id));
-  require(nc_def_var_chunking(id_, variable.id, NC_CONTIGUOUS, nullptr));
-  put_text(variable.id, "long_name", factor.label);
-  put_text(variable.id, "path", factor.path);
+  const int id = file_->add_column(
+      column.name, column.is_numeric() ? ColumnFile::Type::real : ColumnFile::Type::integer);
+  variables_.push_back({id});
+  file_->describe(id, "long_name", factor.label);
+  file_->describe(id, "path", factor.path);
   if (column.is_numeric()) {
-    require(nc_put_att_double(id_, variable.id, "_FillValue", NC_DOUBLE, 1, &kNoResponse));
-    put_text(variable.id, "units", factor.unit.empty() ? "1" : factor.unit);
+    file_->describe(id, "_FillValue", kNoResponse);
+    file_->describe(id, "units", factor.unit.empty() ? "1" : factor.unit);
   } else {
-    if (std::isnan(column.base))
-      require(nc_put_att_int(id_, variable.id, "_FillValue", NC_INT, 1, &kNoWord));
-    put_flags(variable.id, column.words);
-    put_texts(variable.id, "words", column.words);
+    if (std::isnan(column.base)) file_->describe(id, "_FillValue", std::vector{kNoWord});
+    put_flags(id, column.words);
+    file_->describe(id, "words", column.words);
   }
 }
 
 void StudyNetcdf::define_response(const std::string& path) {
-  Variable& variable = variables_.emplace_back();
   // A slash would be a group.
   std::string name = path;
   std::ranges::replace(name, '/', '_');
-  require(nc_def_var(id_, name.c_str(), NC_DOUBLE, 1, &dimension_, &variable.id));
-  require(nc_def_var_chunking(id_, variable.id, NC_CONTIGUOUS, nullptr));
+  const int id = file_->add_column(name, ColumnFile::Type::real);
+  variables_.push_back({id});
   const ResponseTitle title = response_title(path);
-  require(nc_put_att_double(id_, variable.id, "_FillValue", NC_DOUBLE, 1, &kNoResponse));
-  put_text(variable.id, "long_name", title.name);
-  put_text(variable.id, "units", title.unit.empty() ? "1" : title.unit);
+  file_->describe(id, "_FillValue", kNoResponse);
+  file_->describe(id, "long_name", title.name);
+  file_->describe(id, "units", title.unit.empty() ? "1" : title.unit);
 }
 
-void StudyNetcdf::put_text(int variable, const char* name, const std::string& text) {
-  require(nc_put_att_text(id_, variable, name, text.size(), text.c_str()));
-}
-
-void StudyNetcdf::put_texts(int variable, const char* name, const std::vector<std::string>& texts) {
-  std::vector<const char*> pointers;
-  for (const std::string& text : texts) pointers.push_back(text.c_str());
-  require(nc_put_att_string(id_, variable, name, pointers.size(), pointers.data()));
-}
-
-void StudyNetcdf::put_flags(int variable, const std::vector<std::string>& meanings) {
+void StudyNetcdf::put_flags(int column, const std::vector<std::string>& meanings) {
   std::vector<int> values;
   std::string words;
   for (const std::string& meaning : meanings) {
     words += (values.empty() ? "" : " ") + flag_meaning(meaning);
     values.push_back(static_cast<int>(values.size()));
   }
-  nc_type type = NC_INT;
-  require(nc_inq_vartype(id_, variable, &type));
-  require(nc_put_att_int(id_, variable, "flag_values", type, values.size(), values.data()));
-  put_text(variable, "flag_meanings", words);
+  file_->describe(column, "flag_values", values);
+  file_->describe(column, "flag_meanings", words);
 }
 
 signed char StudyNetcdf::flag_of(const std::string& status) {
@@ -187,40 +167,30 @@ void StudyNetcdf::add(const RowBlock& block, const std::vector<double>& factors)
 }
 
 void StudyNetcdf::flush() {
-  const std::size_t rows = statuses_.size();
   for (std::size_t k = 0; k < variables_.size(); ++k) {
     Variable& variable = variables_[k];
     if (k < columns_.size() && !columns_[k].is_numeric()) {
       std::vector<int> words;
       for (const double value : variable.values)
         words.push_back(value >= 0.0 ? static_cast<int>(value) : kNoWord);
-      require(nc_put_vara_int(id_, variable.id, &written_, &rows, words.data()));
+      file_->write(variable.id, written_, words);
     } else {
-      require(nc_put_vara_double(id_, variable.id, &written_, &rows, variable.values.data()));
+      file_->write(variable.id, written_, variable.values);
     }
     variable.values.clear();
   }
-  require(nc_put_vara_schar(id_, status_id_, &written_, &rows, statuses_.data()));
+  file_->write(status_id_, written_, statuses_);
+  written_ += statuses_.size();
   statuses_.clear();
-  written_ += rows;
 }
 
 void StudyNetcdf::finish() {
   if (!statuses_.empty()) flush();
   put_flags(status_id_, status_names_);
-  errno = 0;
-  require(nc_close(std::exchange(id_, -1)));
-  file_.sync();
+  file_->close();
+  staged_.sync();
 }
 
-void StudyNetcdf::publish() { file_.publish(); }
-
-void StudyNetcdf::require(int error) const {
-  if (error == NC_NOERR) return;
-  const std::string what = fmt::format("cannot write '{}'", path_.string());
-  for (const int reason : {ENOSPC, EDQUOT, EFBIG, EIO})
-    if (errno == reason) throw std::system_error(reason, std::generic_category(), what);
-  throw std::runtime_error(fmt::format("{}: {}", what, nc_strerror(error)));
-}
+void StudyNetcdf::publish() { staged_.publish(); }
 
 }  // namespace prs

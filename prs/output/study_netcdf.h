@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "prs/quantities/json.h"
+#include "prs/modules/column_file.h"
 #include "prs/output/staged_file.h"
 #include "prs/output/study_columns.h"
+#include "prs/quantities/json.h"
 #include "prs/study/row_block.h"
 
 namespace prs {
@@ -18,7 +20,7 @@ namespace prs {
 class StudyNetcdf {
  public:
   /// Study and columns must outlive the object. Errors of all members: std::system_error or
-  /// std::runtime_error that names the file.
+  /// std::runtime_error that names the file; before it is created, MissingModule.
   StudyNetcdf(const std::filesystem::path& path, const Study& study,
               const std::vector<FactorColumn>& columns, const DocumentInfo& info);
   ~StudyNetcdf();
@@ -35,6 +37,9 @@ class StudyNetcdf {
   void publish();
 
  private:
+  StudyNetcdf(const NetcdfModule& netcdf, const std::filesystem::path& path, const Study& study,
+              const std::vector<FactorColumn>& columns, const DocumentInfo& info);
+
   struct Variable {
     int id = 0;
     std::vector<double> values = {};  ///< That are not in the file yet.
@@ -43,18 +48,13 @@ class StudyNetcdf {
   void define(const Study& study, const DocumentInfo& info);
   void define_factor(const Factor& factor, const FactorColumn& column);
   void define_response(const std::string& path);
-  void put_text(int variable, const char* name, const std::string& text);
-  void put_texts(int variable, const char* name, const std::vector<std::string>& texts);
-  void put_flags(int variable, const std::vector<std::string>& meanings);
+  void put_flags(int column, const std::vector<std::string>& meanings);
   signed char flag_of(const std::string& status);
   void flush();
-  void require(int error) const;
 
-  StagedFile file_;
-  std::filesystem::path path_;
+  StagedFile staged_;
   const std::vector<FactorColumn>& columns_;
-  int id_ = -1;  ///< Of the open file.
-  int dimension_ = 0;
+  std::unique_ptr<ColumnFile> file_;
   std::vector<Variable> variables_;  ///< Factors, then responses.
   int status_id_ = 0;
   std::vector<signed char> statuses_;  ///< That are not in the file yet.

@@ -1,10 +1,5 @@
 #include "prs/study/distributed.h"
 
-// The C++ bindings that MPI has dropped.
-#define OMPI_SKIP_MPICXX
-#include <mpi.h>
-#include <sched.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -12,6 +7,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <deque>
 #include <exception>
 #include <mutex>
@@ -49,32 +45,16 @@ bool is_launched() {
   return false;
 }
 
-bool has_mail(MPI_Status& status) {
-  int there = 0;
-  MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &status);
-  return there != 0;
-}
-
-std::string receive_text(const MPI_Status& status) {
-  int length = 0;
-  MPI_Get_count(&status, MPI_CHAR, &length);
-  std::string text(static_cast<std::size_t>(length), '\0');
-  MPI_Recv(text.data(), length, MPI_CHAR, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD,
-           MPI_STATUS_IGNORE);
-  return text;
-}
-
 template <std::size_t n>
-std::array<std::uint64_t, n> receive_numbers(const MPI_Status& status) {
+std::array<std::uint64_t, n> numbers_of(const std::string& content) {
   std::array<std::uint64_t, n> numbers{};
-  MPI_Recv(numbers.data(), n, MPI_UINT64_T, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD,
-           MPI_STATUS_IGNORE);
+  std::memcpy(numbers.data(), content.data(), std::min(content.size(), sizeof numbers));
   return numbers;
 }
 
 template <std::size_t n>
-void send_numbers(const std::array<std::uint64_t, n>& numbers, int rank, Tag tag) {
-  MPI_Send(numbers.data(), n, MPI_UINT64_T, rank, tag, MPI_COMM_WORLD);
+std::string_view content_of(const std::array<std::uint64_t, n>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), sizeof numbers};
 }
 
 /// Values from one thread for another.
@@ -134,55 +114,34 @@ class GrantSize {
 
 Ranks::Ranks(bool join) {
   if (!join || !is_launched()) return;
-  int level = 0;
-  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &level);
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
-  MPI_Comm_size(MPI_COMM_WORLD, &size_);
+  communicator_ = loaded<MpiModule>().join();
+  rank_ = communicator_->rank();
+  size_ = communicator_->size();
 }
 
 Ranks::~Ranks() {
-  int initialised = 0;
-  MPI_Initialized(&initialised);
-  if (!initialised) return;
-  if (!served_ && rank_ == 0)
+  if (!communicator_ || served_) return;
+  if (rank_ == 0)
     serve([](std::size_t) { return std::nullopt; }, [](const std::string&) {}, 1);
-  if (!served_ && rank_ > 0) send_numbers<1>({0}, 0, kHello);
-  // MPI_Finalize would wait for the first rank, which writes files now, with a busy processor.
-  MPI_Request barrier = MPI_REQUEST_NULL;
-  MPI_Ibarrier(MPI_COMM_WORLD, &barrier);
-  for (int done = 0; done == 0; std::this_thread::sleep_for(kPause))
-    MPI_Test(&barrier, &done, MPI_STATUS_IGNORE);
-  MPI_Finalize();
+  else
+    communicator_->send(0, kHello, content_of<1>({0}));
 }
 
 std::size_t Ranks::threads() const {
   if (size_ == 1) return available_processors();
-  cpu_set_t own;
-  CPU_ZERO(&own);
-  sched_getaffinity(0, sizeof own, &own);
-  MPI_Comm machine = MPI_COMM_NULL;
-  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-  int ranks = 1;
-  MPI_Comm_size(machine, &ranks);
-  cpu_set_t all;
-  CPU_ZERO(&all);
-  MPI_Allreduce(&own, &all, sizeof own, MPI_BYTE, MPI_BOR, machine);
-  MPI_Comm_free(&machine);
-  return static_cast<std::size_t>(std::max(1, CPU_COUNT(&all) / ranks));
+  return static_cast<std::size_t>(communicator_->processors_each());
 }
 
 bool Ranks::agree(const std::string& text) const {
   if (size_ == 1) return true;
   const std::string own = sha256(text);
-  std::string first = own;
-  MPI_Bcast(first.data(), static_cast<int>(first.size()), MPI_CHAR, 0, MPI_COMM_WORLD);
-  int same = first == own ? 1 : 0;
-  MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_LAND, MPI_COMM_WORLD);
-  return same != 0;
+  std::optional<std::string> first = own;
+  communicator_->broadcast(first);
+  return communicator_->all(first == own);
 }
 
 std::optional<std::string> Ranks::share(const std::function<std::string()>& make) const {
-  std::string text;
+  std::optional<std::string> text;
   std::exception_ptr error;
   if (rank_ == 0) {
     try {
@@ -191,16 +150,7 @@ std::optional<std::string> Ranks::share(const std::function<std::string()>& make
       error = std::current_exception();
     }
   }
-  if (size_ > 1) {
-    int length = error ? -1 : static_cast<int>(text.size());
-    MPI_Bcast(&length, 1, MPI_INT, 0, MPI_COMM_WORLD);
-    if (length >= 0) {
-      text.resize(static_cast<std::size_t>(length));
-      MPI_Bcast(text.data(), length, MPI_CHAR, 0, MPI_COMM_WORLD);
-    } else if (rank_ > 0) {
-      return std::nullopt;
-    }
-  }
+  if (size_ > 1) communicator_->broadcast(text);
   if (error) std::rethrow_exception(error);
   return text;
 }
@@ -245,23 +195,22 @@ void Ranks::serve(const NextRange& next, const TakeRecord& take, std::size_t chu
   int heard_of = 1;
   const auto answer = [&](int rank) {
     const DesignRange range = next(grant.of(places)).value_or(DesignRange{});
-    send_numbers<2>({range.first, range.count}, rank, kRange);
+    communicator_->send(rank, kRange, content_of<2>({range.first, range.count}));
     if (range.count == 0) ++idle;
   };
   while (heard_of < size_ || idle < places) {
-    MPI_Status status;
-    if (!has_mail(status)) {
+    const std::optional<Communicator::Message> message = communicator_->receive();
+    if (!message) {
       std::this_thread::sleep_for(kPause);
-    } else if (status.MPI_TAG == kHello) {
-      const std::size_t wanted = receive_numbers<1>(status)[0];
+    } else if (message->tag == kHello) {
+      const std::size_t wanted = numbers_of<1>(message->content)[0];
       ++heard_of;
       places += wanted;
-      for (std::size_t k = 0; k < wanted; ++k) answer(status.MPI_SOURCE);
+      for (std::size_t k = 0; k < wanted; ++k) answer(message->rank);
     } else {
-      const std::string record = receive_text(status);
-      take(record);
-      grant.took(designs_of(record).count);
-      answer(status.MPI_SOURCE);
+      take(message->content);
+      grant.took(designs_of(message->content).count);
+      answer(message->rank);
     }
   }
 }
@@ -271,7 +220,7 @@ void Ranks::assist(const Evaluate& evaluate, std::size_t threads) {
   Mailbox<DesignRange> ranges;
   Mailbox<std::string> records;
   std::size_t places = kBlocksPerThread * threads;
-  send_numbers<1>({places}, 0, kHello);
+  communicator_->send(0, kHello, content_of<1>({places}));
   std::thread work([&] {
     const auto next = [&](std::size_t) {
       const DesignRange range = ranges.wait();
@@ -280,16 +229,14 @@ void Ranks::assist(const Evaluate& evaluate, std::size_t threads) {
     try {
       run_schedule(threads, 1, next, evaluate, [&](const std::string& r) { records.put(r); });
     } catch (const std::exception&) {
-      MPI_Abort(MPI_COMM_WORLD, 1);
+      communicator_->abort();
     }
   });
   while (places > 0) {
-    MPI_Status status;
     if (const std::optional<std::string> record = records.take()) {
-      MPI_Send(record->data(), static_cast<int>(record->size()), MPI_CHAR, 0, kRecord,
-               MPI_COMM_WORLD);
-    } else if (has_mail(status)) {
-      const auto [first, count] = receive_numbers<2>(status);
+      communicator_->send(0, kRecord, *record);
+    } else if (const auto message = communicator_->receive()) {
+      const auto [first, count] = numbers_of<2>(message->content);
       if (count == 0) --places;
       if (count > 0) ranges.put({first, count});
     } else {

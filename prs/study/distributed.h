@@ -2,22 +2,26 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "prs/modules/communicator.h"
 #include "prs/study/study_run.h"
 
 namespace prs {
 
 /// The processes that an MPI launcher (`mpirun`, `srun`) started together. Without a launcher, and
-/// where MPI knows of one process only, the first rank is alone and MPI is left alone as well.
+/// where MPI knows of one process only, the first rank is alone; without a launcher MPI is not even
+/// loaded.
 ///
 /// The first rank gives designs away and takes all rows, so that neither results nor files depend
 /// on the number of ranks and only it needs the disk; it evaluates designs too. The others ask for
 /// more whenever they deliver. A rank that dies ends the job, as launchers do.
 class Ranks {
  public:
-  /// `join` false: alone in any case.
+  /// `join` false: alone in any case. Throws MissingModule where a launcher started several
+  /// processes and this build has no MPI.
   explicit Ranks(bool join);
   /// The first rank sends the others home; all of them wait for each other.
   ~Ranks();
@@ -50,6 +54,7 @@ class Ranks {
   /// Answers the other ranks with designs of `next` until none of them computes any more.
   void serve(const NextRange& next, const TakeRecord& take, std::size_t chunk);
 
+  std::unique_ptr<Communicator> communicator_;  ///< Without a launcher: none.
   int rank_ = 0;
   int size_ = 1;
   bool served_ = false;  ///< First rank: the others are done; others: they have been heard of.

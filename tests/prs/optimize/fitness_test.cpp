@@ -7,8 +7,8 @@
 #include <random>
 
 #include "known_problems.h"
+#include "prs/modules/search.h"
 #include "prs/optimize/front.h"
-#include "prs/optimize/pagmo_search.h"
 
 namespace prs {
 namespace {
@@ -97,11 +97,12 @@ TEST(NonDominated, AgreesWithTheDefinition) {
 }
 
 TEST(Hypervolume, OfBoxesIsTheirUnion) {
-  EXPECT_EQ(hypervolume({}, {1.0, 1.0}), 0.0);
-  EXPECT_DOUBLE_EQ(hypervolume({{0.2}, {0.4}}, {1.0}), 0.8);
-  EXPECT_DOUBLE_EQ(hypervolume({{0.0, 0.5}, {0.5, 0.0}}, {1.0, 1.0}), 0.75);
-  EXPECT_DOUBLE_EQ(hypervolume({{0.0, 0.5, 0.5}, {0.5, 0.0, 0.0}}, {1.0, 1.0, 1.0}),
-                   0.25 + 0.5 - 0.125);
+  EXPECT_EQ(loaded<SearchModule>().hypervolume({}, {1.0, 1.0}), 0.0);
+  EXPECT_DOUBLE_EQ(loaded<SearchModule>().hypervolume({{0.2}, {0.4}}, {1.0}), 0.8);
+  EXPECT_DOUBLE_EQ(loaded<SearchModule>().hypervolume({{0.0, 0.5}, {0.5, 0.0}}, {1.0, 1.0}), 0.75);
+  EXPECT_DOUBLE_EQ(
+      loaded<SearchModule>().hypervolume({{0.0, 0.5, 0.5}, {0.5, 0.0, 0.0}}, {1.0, 1.0, 1.0}),
+      0.25 + 0.5 - 0.125);
 }
 
 /// A front of three designs with u = (0, 1), (0.2, 0.35) and (1, 0).

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "known_problems.h"
+#include "prs/modules/search.h"
 #include "prs/optimize/front.h"
-#include "prs/optimize/pagmo_search.h"
 #include "tests/support/temporary_directory.h"
 
 namespace prs {

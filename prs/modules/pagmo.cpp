@@ -1,5 +1,3 @@
-#include "prs/optimize/pagmo_search.h"
-
 #include <algorithm>
 #include <numeric>
 #include <pagmo/algorithm.hpp>
@@ -15,6 +13,8 @@
 #include <pagmo/problem.hpp>
 #include <pagmo/utils/hypervolume.hpp>
 #include <utility>
+
+#include "prs/modules/search.h"
 
 namespace prs {
 namespace {
@@ -86,8 +86,6 @@ pagmo::algorithm algorithm_of(const SearchOptions& options, std::size_t dimensio
       pagmo::cmaes(generations, -1, -1, -1, -1, 0.3, 0.0, 0.0, false, true, seed));
 }
 
-}  // namespace
-
 void search_cube(const SearchOptions& options, const Points& first_population,
                  const EvaluatePoints& evaluate) {
   const std::size_t dimensions = first_population.front().size();
@@ -110,4 +108,8 @@ double hypervolume(const Points& points, const std::vector<double>& corner) {
   return pagmo::hypervolume(points, false).compute(corner);
 }
 
+}  // namespace
 }  // namespace prs
+
+extern "C" __attribute__((visibility("default")))
+const prs::SearchModule prs_module{{}, prs::search_cube, prs::hypervolume};

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "prs/modules/module.h"
+
+namespace prs {
+
+/// The processes that an MPI launcher started together, numbered from 0. Only one thread of each
+/// uses it, but for `abort`. The end of the object waits for those of all others.
+class Communicator {
+ public:
+  struct Message {
+    int rank = 0;  ///< Of the sender.
+    int tag = 0;
+    std::string content;
+  };
+
+  Communicator() = default;
+  virtual ~Communicator() = default;
+  Communicator(const Communicator&) = delete;
+  Communicator& operator=(const Communicator&) = delete;
+
+  virtual int rank() const = 0;
+  virtual int size() const = 0;
+  /// Processors that all processes of this machine may use, for each of these. At least 1.
+  virtual int processors_each() = 0;
+
+  virtual void send(int rank, int tag, std::string_view content) = 0;
+  /// What has arrived and was not received yet, without waiting.
+  virtual std::optional<Message> receive() = 0;
+
+  /// Every process must call them: what the first one hands over, if anything, reaches all; whether
+  /// it is true of all.
+  virtual void broadcast(std::optional<std::string>& text) = 0;
+  virtual bool all(bool own) = 0;
+
+  /// Ends all processes.
+  virtual void abort() = 0;
+};
+
+struct MpiModule : Module {
+  static constexpr ModuleName kName{"prs_mpi.so", "MPI", "libopenmpi-dev",
+                                    ", or compute parts by --shard i/n"};
+  std::unique_ptr<Communicator> (*join)();
+};
+
+}  // namespace prs

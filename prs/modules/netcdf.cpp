@@ -1,0 +1,103 @@
+#include <netcdf.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "prs/modules/column_file.h"
+
+namespace prs {
+namespace {
+
+static_assert(ColumnFile::kFile == NC_GLOBAL);
+
+class NetcdfFile : public ColumnFile {
+ public:
+  NetcdfFile(const std::filesystem::path& path, const std::filesystem::path& name)
+      : name_(name.string()) {
+    require(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
+    int old_fill = 0;
+    require(nc_set_fill(id_, NC_NOFILL, &old_fill));
+  }
+  ~NetcdfFile() override {
+    if (id_ >= 0) nc_abort(id_);
+  }
+
+  void set_length(const std::string& dimension, std::size_t length) override {
+    require(nc_def_dim(id_, dimension.c_str(), length, &dimension_));
+  }
+
+  int add_column(const std::string& name, Type type) override {
+    const nc_type types[] = {NC_DOUBLE, NC_INT, NC_BYTE};
+    int column = 0;
+    require(nc_def_var(id_, name.c_str(), types[static_cast<int>(type)], 1, &dimension_, &column));
+    require(nc_def_var_chunking(id_, column, NC_CONTIGUOUS, nullptr));
+    return column;
+  }
+
+  void describe(int column, const char* attribute, const Attribute& value) override {
+    std::visit([&](const auto& v) { put(column, attribute, v); }, value);
+  }
+
+  void write(int column, std::size_t first, std::span<const double> values) override {
+    const std::size_t count = values.size();
+    require(nc_put_vara_double(id_, column, &first, &count, values.data()));
+  }
+  void write(int column, std::size_t first, std::span<const int> values) override {
+    const std::size_t count = values.size();
+    require(nc_put_vara_int(id_, column, &first, &count, values.data()));
+  }
+  void write(int column, std::size_t first, std::span<const signed char> values) override {
+    const std::size_t count = values.size();
+    require(nc_put_vara_schar(id_, column, &first, &count, values.data()));
+  }
+
+  void close() override {
+    errno = 0;
+    require(nc_close(std::exchange(id_, -1)));
+  }
+
+ private:
+  void put(int column, const char* attribute, const std::string& text) {
+    require(nc_put_att_text(id_, column, attribute, text.size(), text.c_str()));
+  }
+  void put(int column, const char* attribute, const std::vector<std::string>& texts) {
+    std::vector<const char*> pointers;
+    for (const std::string& text : texts) pointers.push_back(text.c_str());
+    require(nc_put_att_string(id_, column, attribute, pointers.size(), pointers.data()));
+  }
+  void put(int column, const char* attribute, double value) {
+    require(nc_put_att_double(id_, column, attribute, NC_DOUBLE, 1, &value));
+  }
+  void put(int column, const char* attribute, unsigned long long value) {
+    require(nc_put_att_ulonglong(id_, column, attribute, NC_UINT64, 1, &value));
+  }
+  void put(int column, const char* attribute, const std::vector<int>& values) {
+    nc_type type = NC_INT;
+    require(nc_inq_vartype(id_, column, &type));
+    require(nc_put_att_int(id_, column, attribute, type, values.size(), values.data()));
+  }
+
+  void require(int error) const {
+    if (error == NC_NOERR) return;
+    const std::string what = "cannot write '" + name_ + "'";
+    for (const int reason : {ENOSPC, EDQUOT, EFBIG, EIO})
+      if (errno == reason) throw std::system_error(reason, std::generic_category(), what);
+    throw std::runtime_error(what + ": " + nc_strerror(error));
+  }
+
+  std::string name_;
+  int id_ = -1;  ///< Of the open file.
+  int dimension_ = 0;
+};
+
+std::unique_ptr<ColumnFile> create(const std::filesystem::path& path,
+                                   const std::filesystem::path& name) {
+  return std::make_unique<NetcdfFile>(path, name);
+}
+
+}  // namespace
+}  // namespace prs
+
+extern "C" __attribute__((visibility("default")))
+const prs::NetcdfModule prs_module{{}, prs::create};

@@ -1,0 +1,107 @@
+#include "prs/modules/module.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "../study/study_file.h"
+#include "support/program.h"
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// The program in a folder without its modules.
+class WithoutModules : public testing::Test {
+ protected:
+  WithoutModules() {
+    fs::create_directories(alone.parent_path());
+    fs::copy_file(test::program(), alone);
+    test::write_study_file(file, 20);
+  }
+  test::Outcome run(const std::string& arguments, const std::string& before = "") const {
+    return test::run_prs(arguments, PRS_SOURCE_DIR, before, alone.string());
+  }
+  test::Outcome study(const std::string& options, const std::string& before = "") const {
+    return run(
+        "study '" + file.string() + "' --quiet --output '" + folder.string() + "' " + options,
+        before);
+  }
+
+  const test::TemporaryDirectory temporary;
+  const fs::path alone = temporary.path() / "some/bin/prs";
+  const fs::path file = temporary.path() / "study.yaml";
+  const fs::path folder = temporary.path() / "out";
+};
+
+TEST_F(WithoutModules, CasesAreSolved) {
+  EXPECT_EQ(run("solve configs/01_config_1_to_3.yaml").out,
+            test::run_prs("solve configs/01_config_1_to_3.yaml").out);
+}
+
+TEST_F(WithoutModules, StudiesOnOneThreadWriteAllButNetcdf) {
+  const test::Outcome loud =
+      run("study '" + file.string() + "' --threads 1 --output '" + folder.string() + "'");
+  EXPECT_THAT(loud.err, HasSubstr("prs: study.nc is not written: this needs netCDF, and "
+                                  "prs_netcdf.so is not beside the program; install libnetcdf-dev "
+                                  "and build prs again\n"));
+  const fs::path other = temporary.path() / "other";
+  const test::Outcome whole = test::run_prs("study '" + file.string() + "' --threads 1 --output '" +
+                                            other.string() + "' --quiet");
+  EXPECT_EQ(loud.status, whole.status);
+  EXPECT_EQ(test::content_of(folder / "study.csv"), test::content_of(other / "study.csv"));
+  EXPECT_FALSE(fs::exists(folder / "study.nc"));
+}
+
+TEST_F(WithoutModules, WhatCannotDoWithoutThemSaysSo) {
+  const test::Outcome threads = study("--threads 2");
+  EXPECT_EQ(threads.status, 1);
+  EXPECT_EQ(threads.err,
+            "prs: error: this needs TBB, and prs_tbb.so is not beside the program; install "
+            "libtbb-dev and build prs again, or take --threads 1\n");
+  const test::Outcome ranks = study("", "OMPI_COMM_WORLD_SIZE=2");
+  EXPECT_EQ(ranks.status, 1);
+  EXPECT_EQ(ranks.err,
+            "prs: error: this needs MPI, and prs_mpi.so is not beside the program; install "
+            "libopenmpi-dev and build prs again, or compute parts by --shard i/n\n");
+  const test::Outcome optimum = run("optimize configs/23_crowning.yaml --threads 1 --quiet");
+  EXPECT_EQ(optimum.status, 1);
+  EXPECT_EQ(optimum.err,
+            "prs: error: this needs pagmo, and prs_pagmo.so is not beside the program; install "
+            "libpagmo-dev and build prs again\n");
+}
+
+TEST_F(WithoutModules, FoundBesideTheProgramOrBelowLib) {
+  for (const fs::path below : {"some/bin", "some/lib/prs", "lib/prs"}) {
+    const fs::path module = temporary.path() / below / "prs_tbb.so";
+    fs::create_directories(module.parent_path());
+    std::ofstream(module) << "no library";
+    EXPECT_THAT(
+        study("--threads 2").err,
+        AllOf(HasSubstr("this needs TBB, and prs_tbb.so does not load"),
+              HasSubstr((temporary.path() / below).string()), HasSubstr("or take --threads 1")))
+        << below;
+    fs::remove(module);
+  }
+}
+
+/// Names of all libraries that a run loads.
+std::string libraries(const std::string& arguments) {
+  return test::run_prs(arguments, PRS_SOURCE_DIR, "LD_DEBUG=files").err;
+}
+
+TEST(Modules, AreLoadedByRunsThatNeedThemOnly) {
+  const std::string loaded = libraries("solve configs/01_config_1_to_3.yaml");
+  EXPECT_THAT(loaded, HasSubstr("libstdc++"));
+  for (const char* name : {"libmpi", "libnetcdf", "libhdf5", "libpagmo", "libtbb", "libboost"})
+    EXPECT_THAT(loaded, Not(HasSubstr(name)));
+}
+
+}  // namespace
+}  // namespace prs
