@@ -1,13 +1,12 @@
 // The load distribution of the Abevi screw (CONFIG 2, tension, 45 kN, 20 threads): its parts, and
-// whole solves with other factorizations and of the refined model in the same run. Compare ratios,
+// whole solves, of the refined model too, in the same run. Compare ratios,
 // not times.
 
 #include <benchmark/benchmark.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/SparseCholesky>
-
+#include "fe/cholesky.h"
 #include "fe/newton.h"
+#include "fe/supernodal_cholesky.h"
 #include "prs/sector/load_distribution.h"
 #include "support/sectors.h"
 
@@ -50,21 +49,21 @@ void Assembly(benchmark::State& state) {
 }
 BENCHMARK(Assembly);
 
-void FactorizeCholmod(benchmark::State& state) {
+void Factorize(benchmark::State& state) {
   Loaded l;
   fe::Cholesky cholesky(l.tangent);
   for (auto _ : state) benchmark::DoNotOptimize(cholesky.factorize(l.tangent));
 }
-BENCHMARK(FactorizeCholmod);
+BENCHMARK(Factorize);
 
-void FactorizeCholmodSupernodal(benchmark::State& state) {
+void FactorizeSupernodal(benchmark::State& state) {
   Loaded l;
-  fe::Cholesky cholesky(l.tangent, fe::FactorizationKind::supernodal);
-  for (auto _ : state) benchmark::DoNotOptimize(cholesky.factorize(l.tangent));
+  const auto cholesky = modules::loaded<fe::CholmodModule>().factorization(l.tangent);
+  for (auto _ : state) benchmark::DoNotOptimize(cholesky->factorize(l.tangent));
 }
-BENCHMARK(FactorizeCholmodSupernodal);
+BENCHMARK(FactorizeSupernodal);
 
-void SolveCholmod(benchmark::State& state) {
+void Solve(benchmark::State& state) {
   Loaded l;
   fe::Cholesky cholesky(l.tangent);
   cholesky.factorize(l.tangent);
@@ -74,88 +73,7 @@ void SolveCholmod(benchmark::State& state) {
     benchmark::DoNotOptimize(x.data());
   }
 }
-BENCHMARK(SolveCholmod);
-
-using UpperMatrix = Eigen::SparseMatrix<double>;
-
-UpperMatrix eigen_upper(const fe::SparseSymmetric& a) {
-  return Eigen::Map<const UpperMatrix>(a.size(), a.size(), static_cast<Eigen::Index>(a.row.size()),
-                                       a.column_start.data(), a.row.data(), a.value.data());
-}
-
-using EigenSimplicial =
-    Eigen::SimplicialLDLT<UpperMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>>;
-
-void FactorizeEigenSimplicial(benchmark::State& state) {
-  Loaded l;
-  const UpperMatrix a = eigen_upper(l.tangent);
-  EigenSimplicial ldlt;
-  ldlt.analyzePattern(a);
-  for (auto _ : state) {
-    ldlt.factorize(a);
-    benchmark::ClobberMemory();
-  }
-}
-BENCHMARK(FactorizeEigenSimplicial);
-
-void FactorizeEigenDense(benchmark::State& state) {
-  Loaded l;
-  const Eigen::MatrixXd a = Eigen::MatrixXd(eigen_upper(l.tangent)).selfadjointView<Eigen::Upper>();
-  Eigen::LDLT<Eigen::MatrixXd> ldlt(a.rows());
-  for (auto _ : state) {
-    ldlt.compute(a);
-    benchmark::ClobberMemory();
-  }
-}
-BENCHMARK(FactorizeEigenDense);
-
-/// Newton without line search and shortcuts, the factorization exchanged.
-template <class Factorize>
-int plain_newton(Loaded& l, fe::State& q, Factorize factorize_and_solve) {
-  int solves = 0;
-  Eigen::VectorXd step(l.residual.size());
-  l.equations.energy_and_residual(q, l.load, l.residual);
-  while (l.residual.lpNorm<Eigen::Infinity>() > 1e-11 * l.options.force_scale) {
-    l.equations.tangent_stiffness(q, l.tangent);
-    factorize_and_solve(step);
-    fe::State next = q;
-    next.set_to_step(q, 1.0, step);
-    q = next;
-    l.equations.energy_and_residual(q, l.load, l.residual);
-    ++solves;
-  }
-  return solves;
-}
-
-void ConvergedSolveEigenSimplicial(benchmark::State& state) {
-  Loaded l;
-  EigenSimplicial ldlt;
-  ldlt.analyzePattern(eigen_upper(l.tangent));
-  for (auto _ : state) {
-    fe::State q = l.start;
-    plain_newton(l, q, [&](Eigen::VectorXd& step) {
-      ldlt.factorize(eigen_upper(l.tangent));
-      step = ldlt.solve(l.residual);
-    });
-    benchmark::DoNotOptimize(q.head.data());
-  }
-}
-BENCHMARK(ConvergedSolveEigenSimplicial);
-
-void ConvergedSolveEigenDense(benchmark::State& state) {
-  Loaded l;
-  Eigen::LDLT<Eigen::MatrixXd> ldlt(l.equations.size());
-  for (auto _ : state) {
-    fe::State q = l.start;
-    plain_newton(l, q, [&](Eigen::VectorXd& step) {
-      ldlt.compute(
-          Eigen::MatrixXd(Eigen::MatrixXd(eigen_upper(l.tangent)).selfadjointView<Eigen::Upper>()));
-      step = ldlt.solve(l.residual);
-    });
-    benchmark::DoNotOptimize(q.head.data());
-  }
-}
-BENCHMARK(ConvergedSolveEigenDense);
+BENCHMARK(Solve);
 
 /// Newton from equal shares to 1e-12, assembly included, set-up excluded.
 void converged_solve(benchmark::State& state, const test::SectorCase& c) {

@@ -1,5 +1,5 @@
 # Components whose library few runs need become modules: shared objects that the program loads when
-# a run asks for them (prs/modules/module.h). PRS_WITH_<NAME>: ON, OFF or AUTO, where it is found.
+# a run asks for them (modules/module.h). PRS_WITH_<NAME>: ON, OFF or AUTO, where it is found.
 macro(find_component name)
   set(PRS_WITH_${name} AUTO CACHE STRING "Build what needs ${name}: ON, OFF, or AUTO, where it is found")
   set_property(CACHE PRS_WITH_${name} PROPERTY STRINGS AUTO ON OFF)
@@ -10,14 +10,24 @@ macro(find_component name)
     endif()
     if("${name}" STREQUAL "NETCDF")
       pkg_check_modules(NETCDF ${search} IMPORTED_TARGET netcdf)
+    elseif("${name}" STREQUAL "CHOLMOD")
+      string(REPLACE QUIET "" search ${search})
+      find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse ${search})
+      find_library(CHOLMOD_LIBRARY cholmod ${search})
+      if(CHOLMOD_INCLUDE_DIR AND CHOLMOD_LIBRARY)
+        add_library(cholmod::cholmod INTERFACE IMPORTED)
+        target_include_directories(cholmod::cholmod INTERFACE ${CHOLMOD_INCLUDE_DIR})
+        target_link_libraries(cholmod::cholmod INTERFACE ${CHOLMOD_LIBRARY})
+      endif()
     else()
       find_package(${ARGN} ${search})
     endif()
   endif()
 endmacro()
 
-# add_module(NAME SOURCE LIBRARY): the module prs_NAME.so, where there is a target LIBRARY.
-function(add_module name source library)
+# add_module(NAME SOURCE LIBRARY ROOM): the module prs_NAME.so, where there is a target LIBRARY; it sees
+# the headers that ROOM does.
+function(add_module name source library room)
   if(NOT TARGET ${library})
     message(STATUS "Without ${library}: prs_${name}.so is not built")
     return()
@@ -29,7 +39,8 @@ function(add_module name source library)
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_link_libraries(${module} PRIVATE prs_options ${library})
   target_include_directories(${module} PRIVATE
-    $<TARGET_PROPERTY:prs_modules,INCLUDE_DIRECTORIES>)
+    $<TARGET_PROPERTY:${room},INTERFACE_INCLUDE_DIRECTORIES>)
+  target_compile_definitions(${module} PRIVATE PRS_VERSION="${PROJECT_VERSION}")
   if(NOT PRS_SANITIZE)
     target_link_options(${module} PRIVATE -Wl,--no-undefined)
   endif()

@@ -1,6 +1,7 @@
 # A room is a folder of sources and the library that they make. Its headers are seen by the rooms that
 # name it in USES, and by those that name these: each room has an include folder of its own, with links
-# to its headers, so that an include against the order of the rooms does not compile.
+# to its headers, so that an include against the order of the rooms does not compile. Installed,
+# the headers stand in one folder.
 function(share_headers target folder)
   get_target_property(type ${target} TYPE)
   set(scope PUBLIC)
@@ -14,7 +15,12 @@ function(share_headers target folder)
     cmake_path(GET header FILENAME name)
     file(CREATE_LINK ${header} ${include}/${folder}/${name} SYMBOLIC)
   endforeach()
-  target_include_directories(${target} ${scope} ${include})
+  target_include_directories(${target} ${scope}
+    $<BUILD_INTERFACE:${include}> $<INSTALL_INTERFACE:include/prs>)
+  install(FILES ${headers} DESTINATION include/prs/${folder} COMPONENT development)
+  string(REGEX REPLACE "^prs_" "" name ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS ${target} EXPORT prs ARCHIVE DESTINATION lib/prs COMPONENT development)
 endfunction()
 
 # add_room(NAME FOLDER [USES ROOM..] [PUBLIC LIBRARY..] [PRIVATE LIBRARY..] SOURCES ..): the library
@@ -30,7 +36,7 @@ function(add_room name folder)
   endif()
   add_library(prs_${name} STATIC ${room_SOURCES})
   target_link_libraries(prs_${name}
-    PUBLIC prs_options ${room_USES} ${room_PUBLIC}
+    PUBLIC $<BUILD_INTERFACE:prs_options> ${room_USES} ${room_PUBLIC}
     PRIVATE ${room_PRIVATE})
   share_headers(prs_${name} ${path})
   batch_sources(prs_${name})

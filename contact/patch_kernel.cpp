@@ -1,12 +1,13 @@
 #include "contact/patch_kernel.h"
 
 #include "contact/lubricant.h"
+#include "simd/sum.h"
 
 namespace contact {
 namespace {
 
 template <class Batch, class Friction>
-PatchSums sum(const PatchPoints& points, const SlidingField& sliding, Friction friction_at) {
+PatchSums sums(const PatchPoints& points, const SlidingField& sliding, Friction friction_at) {
   Batch traction_1(0.0), traction_2(0.0), moment_1(0.0), moment_2(0.0), power(0.0), mean(0.0);
   Batch fastest(0.0);
   for (std::size_t i = 0; i < points.size; i += Batch::size) {
@@ -31,8 +32,9 @@ PatchSums sum(const PatchPoints& points, const SlidingField& sliding, Friction f
   double max_speed = 0.0;
   for (std::size_t k = 0; k < Batch::size; ++k)
     max_speed = fastest.get(k) > max_speed ? fastest.get(k) : max_speed;
-  return {hadd(traction_1), hadd(traction_2), hadd(moment_1), hadd(moment_2),
-          hadd(power),      hadd(mean),       max_speed};
+  using simd::sum;
+  return {sum(traction_1), sum(traction_2), sum(moment_1), sum(moment_2),
+          sum(power),      sum(mean),       max_speed};
 }
 
 }  // namespace
@@ -42,9 +44,10 @@ PatchSums PatchKernel::operator()(Arch, const PatchPoints& points, const Sliding
                                   const PatchLaw& law) const {
   using Batch = xsimd::batch<double, Arch>;
   if (!law.viscosity_ratio)
-    return sum<Batch>(points, sliding,
-                      [&](auto load, const Batch&) { return law.coefficient * load(points.dome); });
-  return sum<Batch>(points, sliding, [&](auto load, const Batch& speed) {
+    return sums<Batch>(points, sliding, [&](auto load, const Batch&) {
+      return law.coefficient * load(points.dome);
+    });
+  return sums<Batch>(points, sliding, [&](auto load, const Batch& speed) {
     return law.scale * asinh(law.factor * load(law.viscosity_ratio) * speed);
   });
 }

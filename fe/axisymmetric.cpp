@@ -209,7 +209,7 @@ HarmonicBody::HarmonicBody(const MeridianMesh& mesh, const Isotropic& material, 
         springs_[slot(i.equation, j.equation)] +=
             spring.stiffness * i.sign * a.weight * j.sign * b.weight;
       }
-  cholesky_ = std::make_unique<Cholesky>(stiffness_, FactorizationKind::supernodal);
+  cholesky_ = modules::loaded<CholmodModule>().factorization(stiffness_);
 }
 
 void HarmonicBody::number_freedoms(const MeridianMesh& mesh, int harmonic,
@@ -272,7 +272,7 @@ void HarmonicBody::order_equations(const std::vector<std::vector<int>>& groups) 
   std::vector<int> number(static_cast<std::size_t>(stiffness_.size()));
   std::iota(number.begin(), number.end(), 0);
   build(number);
-  const std::vector<int> order = fill_reducing_order(stiffness_);
+  const std::vector<int> order = modules::loaded<CholmodModule>().fill_reducing_order(stiffness_);
   for (int k = 0; k < stiffness_.size(); ++k) at(number, at(order, k)) = k;
   for (Freedom& f : freedom_)
     if (f.equation >= 0) f.equation = at(number, f.equation);

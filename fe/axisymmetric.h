@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "fe/cholesky.h"
+#include "fe/supernodal_cholesky.h"
 #include "fe/meridian_mesh.h"
 #include "fe/sparse_symmetric.h"
 
@@ -130,7 +130,7 @@ class HarmonicBody {
   SparseSymmetric stiffness_;
   std::vector<double> constant_, linear_, quadratic_;  ///< Of K(n)/c_n, on the pattern.
   std::vector<double> springs_;
-  std::unique_ptr<Cholesky> cholesky_;
+  std::unique_ptr<SupernodalCholesky> cholesky_;
 };
 
 }  // namespace fe

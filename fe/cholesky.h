@@ -4,21 +4,18 @@
 #include <memory>
 #include <vector>
 
+#include "fe/factorization_status.h"
 #include "fe/sparse_symmetric.h"
 
 namespace fe {
 
-enum class FactorizationStatus { ok, not_positive_definite };
-enum class FactorizationKind { simplicial, supernodal };
-
-/// Sparse Cholesky by CHOLMOD for a fixed pattern: the symbolic analysis happens once, at birth;
-/// `factorize` takes new values for the same pattern. The matrix is factorized in the order given:
-/// number the equations by `fill_reducing_order` first. Supernodal pays for patterns much larger
-/// than one sector. All of it throws std::bad_alloc where memory does not suffice.
+/// Sparse LDL' by Eigen for a fixed pattern of the size of a sector: the symbolic analysis happens
+/// once, at birth; `factorize` takes new values for the same pattern. The matrix is factorized in
+/// the order given: number the equations by `fill_reducing_order` first. For much larger patterns
+/// see SupernodalCholesky.
 class Cholesky {
  public:
-  explicit Cholesky(const SparseSymmetric& pattern,
-                    FactorizationKind kind = FactorizationKind::simplicial);
+  explicit Cholesky(const SparseSymmetric& pattern);
   ~Cholesky();
   Cholesky(Cholesky&&) noexcept;
   Cholesky& operator=(Cholesky&&) noexcept;
@@ -26,12 +23,7 @@ class Cholesky {
   FactorizationStatus factorize(const SparseSymmetric& matrix);
 
   /// Solves A x = b with the last factorization, which must have been `ok`.
-  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
-  /// The same for many right-hand sides at once, one in a column.
-  void solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x);
-
-  /// Nonzeros of the factor.
-  std::size_t factor_size() const;
+  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
 
  private:
   struct Impl;

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "fe/cholesky.h"
+#include "fe/factorization_status.h"
 #include "fe/equations.h"
 #include "fe/newton_types.h"
 

@@ -41,7 +41,7 @@ class SlotFinder : public Visitor {
     if (path_.key() != key) return;
     const SlotFinder next(path_.rest(), slot_);
     if constexpr (is_optional<T>) {
-      if (!value) value.emplace();
+      if (!value) value = typename T::value_type{};
       next.find(*value, kind);
     } else {
       next.find(value, kind);

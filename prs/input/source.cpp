@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -40,10 +41,12 @@ Source load_source(const std::string& file, std::vector<std::string> overrides) 
 
   std::ifstream in(file, std::ios::binary);
   if (!in) throw refuse("a file that cannot be opened", "check its permissions");
-  std::string text(kLargestFile + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  for (std::array<char, 16'384> block{}; in && text.size() <= kLargestFile;) {
+    in.read(block.data(), block.size());
+    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  }
   if (in.bad()) throw refuse("a file that cannot be read", "check the disk");
-  text.resize(static_cast<std::size_t>(in.gcount()));
   if (text.size() > kLargestFile) throw refuse("a larger one", "check that it is the right file");
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // Byte order mark.
   return {file, std::move(text), std::move(overrides)};

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-#include "prs/modules/search.h"
+#include "prs/components/search.h"
 #include "prs/optimize/fitness.h"
 
 namespace prs {
@@ -133,8 +133,8 @@ FrontComparison compare_fronts(const Optimization& optimization, const Evaluated
     for (std::vector<double>& point : *points) point = extent.scaled(point);
   const std::vector<double> corner(optimization.objectives.size(), 1.0 + kMargin);
   const double box = std::accumulate(corner.begin(), corner.end(), 1.0, std::multiplies<double>());
-  comparison.hypervolume = loaded<SearchModule>().hypervolume(ours, corner) / box;
-  comparison.check_hypervolume = loaded<SearchModule>().hypervolume(theirs, corner) / box;
+  comparison.hypervolume = modules::loaded<SearchModule>().hypervolume(ours, corner) / box;
+  comparison.check_hypervolume = modules::loaded<SearchModule>().hypervolume(theirs, corner) / box;
   return comparison;
 }
 

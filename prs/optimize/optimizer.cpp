@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "prs/modules/search.h"
+#include "prs/components/search.h"
 #include "prs/optimize/fitness.h"
 #include "prs/optimize/front.h"
 #include "prs/study/sampling.h"
@@ -114,7 +114,7 @@ Search search(const Optimization& optimization, Algorithm algorithm, std::uint64
     }
     return values;
   };
-  loaded<SearchModule>().search_cube(
+  modules::loaded<SearchModule>().search_cube(
       {algorithm, optimization.objectives.size(), optimization.generations, seed},
       first_population(optimization, seed), evaluate);
   search.front = front_of(optimization, search.designs);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ranges>
+#include <span>
 #include <vector>
 
 #include "prs/output/case_table.h"
@@ -160,7 +161,7 @@ std::string failures(const OptimizationResult& result) {
   }
   std::ranges::stable_sort(reasons, std::ranges::greater{}, &Reason::designs);
   std::string text;
-  for (const Reason& reason : reasons | std::views::take(kMostReasons))
+  for (const Reason& reason : std::span(reasons).first(std::min(kMostReasons, reasons.size())))
     text += wrapped(
         fmt::format("{} without an answer, the first: {}", reason.designs, printable(reason.first)),
         "", kTableWidth);

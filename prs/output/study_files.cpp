@@ -42,7 +42,7 @@ struct RowFiles {
       : folder(below), csv(folder / "study.csv") {
     try {
       netcdf.emplace(folder / "study.nc", study, columns, info);
-    } catch (const MissingModule& error) {
+    } catch (const modules::Missing& error) {
       absent = fmt::format("study.nc is not written: {}", error.what());
     }
     if (study.envelope) envelope.emplace(folder, study);

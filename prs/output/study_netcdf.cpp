@@ -67,7 +67,7 @@ std::uint64_t most_bytes(const Study& study, const std::vector<FactorColumn>& co
 
 StudyNetcdf::StudyNetcdf(const std::filesystem::path& path, const Study& study,
                          const std::vector<FactorColumn>& columns, const DocumentInfo& info)
-    : StudyNetcdf(loaded<NetcdfModule>(), path, study, columns, info) {}
+    : StudyNetcdf(modules::loaded<NetcdfModule>(), path, study, columns, info) {}
 
 StudyNetcdf::StudyNetcdf(const NetcdfModule& netcdf, const std::filesystem::path& path,
                          const Study& study, const std::vector<FactorColumn>& columns,

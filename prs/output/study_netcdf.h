@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/modules/column_file.h"
+#include "prs/components/column_file.h"
 #include "prs/output/staged_file.h"
 #include "prs/output/study_columns.h"
 #include "prs/quantities/json.h"
@@ -20,7 +20,7 @@ namespace prs {
 class StudyNetcdf {
  public:
   /// Study and columns must outlive the object. Errors of all members: std::system_error or
-  /// std::runtime_error that names the file; before it is created, MissingModule.
+  /// std::runtime_error that names the file; before it is created, modules::Missing.
   StudyNetcdf(const std::filesystem::path& path, const Study& study,
               const std::vector<FactorColumn>& columns, const DocumentInfo& info);
   ~StudyNetcdf();

@@ -114,7 +114,7 @@ class GrantSize {
 
 Ranks::Ranks(bool join) {
   if (!join || !is_launched()) return;
-  communicator_ = loaded<MpiModule>().join();
+  communicator_ = modules::loaded<MpiModule>().join();
   rank_ = communicator_->rank();
   size_ = communicator_->size();
 }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "prs/modules/communicator.h"
+#include "prs/components/communicator.h"
 #include "prs/study/study_run.h"
 
 namespace prs {
@@ -20,7 +20,7 @@ namespace prs {
 /// more whenever they deliver. A rank that dies ends the job, as launchers do.
 class Ranks {
  public:
-  /// `join` false: alone in any case. Throws MissingModule where a launcher started several
+  /// `join` false: alone in any case. Throws modules::Missing where a launcher started several
   /// processes and this build has no MPI.
   explicit Ranks(bool join);
   /// The first rank sends the others home; all of them wait for each other.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "prs/modules/pipeline.h"
+#include "prs/components/pipeline.h"
 #include "prs/study/journal.h"
 
 namespace prs {
@@ -23,7 +23,7 @@ void run_pipeline(std::size_t threads, bool in_order, const Give& give, const Pr
     for (Item& item = items.front(); give(item); take(item)) prepare(item);
     return;
   }
-  loaded<PipelineModule>().run(
+  modules::loaded<PipelineModule>().run(
       threads, items.size(), in_order, [&](std::size_t k) { return give(items[k]); },
       [&](std::size_t k) { prepare(items[k]); }, [&](std::size_t k) { take(items[k]); });
 }

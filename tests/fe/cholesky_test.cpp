@@ -3,7 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
+#include <memory>
+#include <optional>
 #include <random>
+
+#include "fe/supernodal_cholesky.h"
 
 namespace fe {
 namespace {
@@ -31,20 +36,42 @@ struct RandomSymmetric {
   }
 };
 
-class CholeskyKinds : public testing::TestWithParam<FactorizationKind> {};
-INSTANTIATE_TEST_SUITE_P(Both, CholeskyKinds,
-                         testing::Values(FactorizationKind::simplicial,
-                                         FactorizationKind::supernodal));
+/// Both factorizations, as one.
+class SupernodalOrNot {
+ public:
+  SupernodalOrNot(const SparseSymmetric& pattern, bool supernodal) {
+    if (supernodal)
+      dense_ = modules::loaded<CholmodModule>().factorization(pattern);
+    else
+      sparse_.emplace(pattern);
+  }
+  FactorizationStatus factorize(const SparseSymmetric& a) {
+    return sparse_ ? sparse_->factorize(a) : dense_->factorize(a);
+  }
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) {
+    Eigen::VectorXd x;
+    Eigen::MatrixXd columns;
+    if (sparse_) return sparse_->solve(b, x), x;
+    dense_->solve(b, columns);
+    return columns;
+  }
+
+ private:
+  std::optional<Cholesky> sparse_;
+  std::unique_ptr<SupernodalCholesky> dense_;
+};
+
+class CholeskyKinds : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(Both, CholeskyKinds, testing::Bool());
 
 TEST_P(CholeskyKinds, SolvesAsDenseFactorization) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const int n = 3 + 7 * static_cast<int>(seed);
     const RandomSymmetric a(n, 0.1, n, seed);
-    Cholesky cholesky(a.sparse, GetParam());
+    SupernodalOrNot cholesky(a.sparse, GetParam());
     ASSERT_EQ(cholesky.factorize(a.sparse), FactorizationStatus::ok);
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, -1.0, 2.0);
-    Eigen::VectorXd x(n);
-    cholesky.solve(b, x);
+    const Eigen::VectorXd x = cholesky.solve(b);
     EXPECT_LT((x - a.dense.ldlt().solve(b)).norm(), 1e-13 * x.norm());
   }
 }
@@ -54,14 +81,14 @@ TEST_P(CholeskyKinds, TellsIndefiniteFromDefinite) {
     const RandomSymmetric a(30, 0.2, 0.5, seed);
     const bool positive =
         Eigen::LLT<Eigen::MatrixXd>(a.dense).info() == Eigen::ComputationInfo::Success;
-    Cholesky cholesky(a.sparse, GetParam());
+    SupernodalOrNot cholesky(a.sparse, GetParam());
     EXPECT_EQ(cholesky.factorize(a.sparse) == FactorizationStatus::ok, positive) << seed;
   }
 }
 
 TEST_P(CholeskyKinds, RecoversAfterAnIndefiniteMatrix) {
   RandomSymmetric a(30, 0.2, 30.0, 1);
-  Cholesky cholesky(a.sparse, GetParam());
+  SupernodalOrNot cholesky(a.sparse, GetParam());
   SparseSymmetric negative = a.sparse;
   for (double& v : negative.value) v = -v;
   EXPECT_EQ(cholesky.factorize(negative), FactorizationStatus::not_positive_definite);
@@ -73,15 +100,17 @@ TEST_P(CholeskyKinds, SingularMatrixIsNotPositiveDefinite) {
   singular.column_start = {0, 1, 3};
   singular.row = {0, 0, 1};
   singular.value = {1.0, -1.0, 1.0};
-  Cholesky cholesky(singular, GetParam());
+  SupernodalOrNot cholesky(singular, GetParam());
   EXPECT_EQ(cholesky.factorize(singular), FactorizationStatus::not_positive_definite);
 }
 
 TEST(FillReducingOrder, IsAPermutation) {
   const RandomSymmetric a(80, 0.05, 80.0, 3);
-  std::vector<int> order = fill_reducing_order(a.sparse);
-  std::sort(order.begin(), order.end());
-  for (int i = 0; i < 80; ++i) EXPECT_EQ(order[static_cast<std::size_t>(i)], i);
+  for (std::vector<int> order : {fill_reducing_order(a.sparse),
+                                 modules::loaded<CholmodModule>().fill_reducing_order(a.sparse)}) {
+    std::sort(order.begin(), order.end());
+    for (int i = 0; i < 80; ++i) EXPECT_EQ(order[static_cast<std::size_t>(i)], i);
+  }
 }
 
 }  // namespace

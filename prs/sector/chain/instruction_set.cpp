@@ -1,5 +1,7 @@
 #include "prs/sector/chain/instruction_set.h"
 
+#include <type_traits>
+
 #include "simd/architectures.h"
 
 namespace prs {
@@ -7,7 +9,8 @@ namespace {
 
 template <class Arch>
 bool processor_has() {
-  return xsimd::available_architectures().best >= Arch::version();
+  return xsimd::dispatch<xsimd::arch_list<Arch, simd::Baseline>>(
+      [](auto best) { return std::is_same_v<decltype(best), Arch>; })();
 }
 
 }  // namespace

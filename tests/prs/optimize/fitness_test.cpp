@@ -7,7 +7,7 @@
 #include <random>
 
 #include "known_problems.h"
-#include "prs/modules/search.h"
+#include "prs/components/search.h"
 #include "prs/optimize/front.h"
 
 namespace prs {
@@ -97,11 +97,11 @@ TEST(NonDominated, AgreesWithTheDefinition) {
 }
 
 TEST(Hypervolume, OfBoxesIsTheirUnion) {
-  EXPECT_EQ(loaded<SearchModule>().hypervolume({}, {1.0, 1.0}), 0.0);
-  EXPECT_DOUBLE_EQ(loaded<SearchModule>().hypervolume({{0.2}, {0.4}}, {1.0}), 0.8);
-  EXPECT_DOUBLE_EQ(loaded<SearchModule>().hypervolume({{0.0, 0.5}, {0.5, 0.0}}, {1.0, 1.0}), 0.75);
+  EXPECT_EQ(modules::loaded<SearchModule>().hypervolume({}, {1.0, 1.0}), 0.0);
+  EXPECT_DOUBLE_EQ(modules::loaded<SearchModule>().hypervolume({{0.2}, {0.4}}, {1.0}), 0.8);
+  EXPECT_DOUBLE_EQ(modules::loaded<SearchModule>().hypervolume({{0.0, 0.5}, {0.5, 0.0}}, {1.0, 1.0}), 0.75);
   EXPECT_DOUBLE_EQ(
-      loaded<SearchModule>().hypervolume({{0.0, 0.5, 0.5}, {0.5, 0.0, 0.0}}, {1.0, 1.0, 1.0}),
+      modules::loaded<SearchModule>().hypervolume({{0.0, 0.5, 0.5}, {0.5, 0.0, 0.0}}, {1.0, 1.0, 1.0}),
       0.25 + 0.5 - 0.125);
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "known_problems.h"
-#include "prs/modules/search.h"
+#include "prs/components/search.h"
 #include "prs/optimize/front.h"
 #include "tests/support/temporary_directory.h"
 

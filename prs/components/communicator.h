@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "prs/modules/module.h"
+#include "modules/module.h"
 
 namespace prs {
 
@@ -42,9 +42,9 @@ class Communicator {
   virtual void abort() = 0;
 };
 
-struct MpiModule : Module {
-  static constexpr ModuleName kName{"prs_mpi.so", "MPI", "libopenmpi-dev",
-                                    ", or compute parts by --shard i/n"};
+struct MpiModule : modules::Module {
+  static constexpr modules::Name kName{"prs_mpi.so", "MPI", "libopenmpi-dev",
+                                       ", or compute parts by --shard i/n"};
   std::unique_ptr<Communicator> (*join)();
 };
 

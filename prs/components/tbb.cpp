@@ -3,7 +3,7 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
-#include "prs/modules/pipeline.h"
+#include "prs/components/pipeline.h"
 
 namespace prs {
 namespace {

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <thread>
 
-#include "prs/modules/communicator.h"
+#include "prs/components/communicator.h"
 
 namespace prs {
 namespace {

@@ -3,13 +3,13 @@
 #include <cstddef>
 #include <functional>
 
-#include "prs/modules/module.h"
+#include "modules/module.h"
 
 namespace prs {
 
 /// Work on several threads, by oneTBB.
-struct PipelineModule : Module {
-  static constexpr ModuleName kName{"prs_tbb.so", "TBB", "libtbb-dev", ", or take --threads 1"};
+struct PipelineModule : modules::Module {
+  static constexpr modules::Name kName{"prs_tbb.so", "TBB", "libtbb-dev", ", or take --threads 1"};
 
   /// Work of one kind on its way through three steps, so many pieces of it at once, each in a place
   /// of its own: `give` fills a place, one at a time, until it says that there is no more;

@@ -14,7 +14,7 @@
 #include <pagmo/utils/hypervolume.hpp>
 #include <utility>
 
-#include "prs/modules/search.h"
+#include "prs/components/search.h"
 
 namespace prs {
 namespace {

@@ -1,42 +1,39 @@
 #pragma once
 
 #include <stdexcept>
-#include <string>
 
-#include "prs/version.h"
-
-namespace prs {
+namespace modules {
 
 /// What the message says where a module is missing.
-struct ModuleName {
+struct Name {
   const char* file;         ///< `prs_netcdf.so`
   const char* library;      ///< `netCDF`, which the module brings.
   const char* package;      ///< `libnetcdf-dev`, which building it takes.
-  const char* alternative;  ///< `or take --threads 1`; empty: none.
+  const char* alternative;  ///< `, or take --threads 1`; empty: none.
 };
 
 /// A part of the program whose library few runs need: a shared object, loaded when a run asks for
 /// it. Interfaces derive from this, name their module in `kName`, and have functions as members;
 /// the shared object has one as its symbol `prs_module`.
 struct Module {
-  const char* version = kVersion;  ///< Of the program that the module was built with.
+  const char* version = PRS_VERSION;  ///< Of the program that the module was built with.
 };
 
 /// The module is not there, or does not load.
-class MissingModule : public std::runtime_error {
+class Missing : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 /// Searched beside the program, or the library that this function is part of; in `lib/prs` one or
 /// two folders further up; and where the system searches libraries.
-const Module& load_module(const ModuleName& name);
+const Module& load(const Name& name);
 
-/// Loads it once. Throws MissingModule.
+/// Loads it once. Throws Missing.
 template <class Interface>
 const Interface& loaded() {
-  static const auto& module = static_cast<const Interface&>(load_module(Interface::kName));
+  static const auto& module = static_cast<const Interface&>(load(Interface::kName));
   return module;
 }
 
-}  // namespace prs
+}  // namespace modules

@@ -1,4 +1,4 @@
-#include "prs/modules/module.h"
+#include "modules/module.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

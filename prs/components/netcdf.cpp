@@ -4,7 +4,7 @@
 #include <system_error>
 #include <utility>
 
-#include "prs/modules/column_file.h"
+#include "prs/components/column_file.h"
 
 namespace prs {
 namespace {

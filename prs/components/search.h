@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "modules/module.h"
 #include "prs/model/optimization.h"
-#include "prs/modules/module.h"
 
 namespace prs {
 
@@ -25,8 +25,8 @@ struct SearchOptions {
 };
 
 /// Search of the unit cube, by pagmo.
-struct SearchModule : Module {
-  static constexpr ModuleName kName{"prs_pagmo.so", "pagmo", "libpagmo-dev", ""};
+struct SearchModule : modules::Module {
+  static constexpr modules::Name kName{"prs_pagmo.so", "pagmo", "libpagmo-dev", ""};
 
   /// Evaluates the first population in one call and lets pagmo evolve it: generations x population
   /// points in all, in an order that depends on the options and the answers alone. NSGA-II and the

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "prs/modules/module.h"
+#include "modules/module.h"
 
 namespace prs {
 
@@ -43,8 +43,8 @@ class ColumnFile {
   virtual void close() = 0;
 };
 
-struct NetcdfModule : Module {
-  static constexpr ModuleName kName{"prs_netcdf.so", "netCDF", "libnetcdf-dev", ""};
+struct NetcdfModule : modules::Module {
+  static constexpr modules::Name kName{"prs_netcdf.so", "netCDF", "libnetcdf-dev", ""};
 
   /// A new file at `path`; messages name it `name`.
   std::unique_ptr<ColumnFile> (*create)(const std::filesystem::path& path,

@@ -1,0 +1,127 @@
+#include <cholmod.h>
+
+#include <cassert>
+#include <new>
+
+#include "fe/supernodal_cholesky.h"
+
+namespace fe {
+namespace {
+
+void set_common(cholmod_common& common) {
+  cholmod_start(&common);
+  common.print = 0;
+  common.error_handler = nullptr;
+  common.quick_return_if_not_posdef = 1;
+}
+
+/// Throws std::bad_alloc where CHOLMOD had too little memory, or would need more than it can count.
+void require_memory(const cholmod_common& common) {
+  if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
+    throw std::bad_alloc();
+}
+
+/// CHOLMOD's view of our arrays; it never writes to them.
+cholmod_sparse view(const SparseSymmetric& m) {
+  cholmod_sparse a{};
+  a.nrow = a.ncol = static_cast<std::size_t>(m.size());
+  a.nzmax = m.row.size();
+  a.p = const_cast<int*>(m.column_start.data());
+  a.i = const_cast<int*>(m.row.data());
+  a.x = const_cast<double*>(m.value.data());
+  a.stype = 1;
+  a.itype = CHOLMOD_INT;
+  a.xtype = CHOLMOD_REAL;
+  a.dtype = CHOLMOD_DOUBLE;
+  a.sorted = 1;
+  a.packed = 1;
+  return a;
+}
+
+/// CHOLMOD's view of the columns of a matrix; it never writes to them.
+cholmod_dense view(const Eigen::MatrixXd& b) {
+  cholmod_dense d{};
+  d.nrow = d.d = static_cast<std::size_t>(b.rows());
+  d.ncol = static_cast<std::size_t>(b.cols());
+  d.nzmax = d.nrow * d.ncol;
+  d.x = const_cast<double*>(b.data());
+  d.xtype = CHOLMOD_REAL;
+  d.dtype = CHOLMOD_DOUBLE;
+  return d;
+}
+
+class Cholmod : public SupernodalCholesky {
+ public:
+  explicit Cholmod(const SparseSymmetric& pattern) {
+    set_common(common_);
+    common_.nmethods = 1;
+    common_.method[0].ordering = CHOLMOD_NATURAL;
+    common_.postorder = 0;
+    common_.supernodal = CHOLMOD_SUPERNODAL;
+    cholmod_sparse a = view(pattern);
+    factor_ = cholmod_analyze(&a, &common_);
+    if (factor_ == nullptr) {
+      cholmod_finish(&common_);
+      throw std::bad_alloc();
+    }
+  }
+  ~Cholmod() override {
+    cholmod_free_factor(&factor_, &common_);
+    cholmod_free_dense(&solution_, &common_);
+    cholmod_free_dense(&workspace_y_, &common_);
+    cholmod_free_dense(&workspace_e_, &common_);
+    cholmod_finish(&common_);
+  }
+
+  FactorizationStatus factorize(const SparseSymmetric& matrix) override {
+    cholmod_sparse a = view(matrix);
+    cholmod_factorize(&a, factor_, &common_);
+    require_memory(common_);
+    const bool ok = common_.status != CHOLMOD_NOT_POSDEF && factor_->minor == factor_->n &&
+                    cholmod_rcond(factor_, &common_) > kSmallestPivotRatio;
+    return ok ? FactorizationStatus::ok : FactorizationStatus::not_positive_definite;
+  }
+
+  void solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) override {
+    cholmod_dense rhs = view(b);
+    [[maybe_unused]] const int ok = cholmod_solve2(CHOLMOD_A, factor_, &rhs, nullptr, &solution_,
+                                                   nullptr, &workspace_y_, &workspace_e_, &common_);
+    require_memory(common_);
+    assert(ok);
+    x = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solution_->x), b.rows(),
+                                          b.cols());
+  }
+
+  std::size_t factor_size() const override {
+    return factor_->is_super ? factor_->xsize : factor_->nzmax;
+  }
+
+ private:
+  cholmod_common common_{};
+  cholmod_factor* factor_ = nullptr;
+  cholmod_dense* solution_ = nullptr;
+  cholmod_dense* workspace_y_ = nullptr;
+  cholmod_dense* workspace_e_ = nullptr;
+};
+
+std::unique_ptr<SupernodalCholesky> factorization(const SparseSymmetric& pattern) {
+  return std::make_unique<Cholmod>(pattern);
+}
+
+std::vector<int> fill_reducing_order(const SparseSymmetric& pattern) {
+  std::vector<int> order(static_cast<std::size_t>(pattern.size()));
+  cholmod_common common{};
+  set_common(common);
+  cholmod_sparse a = view(pattern);
+  a.xtype = CHOLMOD_PATTERN;
+  const int ok = cholmod_amd(&a, nullptr, 0, order.data(), &common);
+  cholmod_finish(&common);
+  if (!ok) throw std::bad_alloc();
+  return order;
+}
+
+}  // namespace
+}  // namespace fe
+
+extern "C" __attribute__((visibility("default")))
+const fe::CholmodModule prs_module{{}, fe::factorization, fe::fill_reducing_order};

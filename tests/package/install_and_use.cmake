@@ -1,0 +1,28 @@
+# Installs the build, builds the project beside this file on what was installed, and compares its
+# answer with that of the installed program.
+set(folder ${BUILD}/tests/package)
+set(case ${CMAKE_CURRENT_LIST_DIR}/../../configs/01_config_1_to_3.yaml)
+function(run output)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE text ERROR_VARIABLE error RESULT_VARIABLE status)
+  if(status)
+    message(FATAL_ERROR "${ARGN}: ${status}\n${text}${error}")
+  endif()
+  set(${output} "${text}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${folder})
+foreach(component program development)
+  run(_ ${CMAKE_COMMAND} --install ${BUILD} --prefix ${folder}/prefix --component ${component})
+endforeach()
+# Found wherever it is moved.
+file(RENAME ${folder}/prefix ${folder}/moved)
+run(_ ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${folder}/build -G ${GENERATOR}
+  -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=-O0 -D CMAKE_PREFIX_PATH=${folder}/moved)
+run(_ ${CMAKE_COMMAND} --build ${folder}/build)
+run(by_library ${folder}/build/package ${case})
+run(by_program ${folder}/moved/bin/prs solve ${case} --json)
+string(JSON by_library GET "${by_library}" load_cases)
+string(JSON by_program GET "${by_program}" load_cases)
+if(NOT by_library STREQUAL by_program)
+  message(FATAL_ERROR "the library solved ${by_library}\nthe program ${by_program}")
+endif()
