@@ -25,7 +25,8 @@ void* open(const char* file) {
   const std::filesystem::path own = own_folder();
   std::error_code none;
   for (const char* folder : {"", "../lib/prs", "../../lib/prs"})
-    if (const auto path = own / folder / file; std::filesystem::exists(path, none))
+    if (const auto path = (own / folder / file).lexically_normal();
+        std::filesystem::exists(path, none))
       return dlopen(path.c_str(), RTLD_NOW);
   return dlopen(file, RTLD_NOW);
 }
@@ -41,8 +42,9 @@ const Module& load(const Name& name) {
       throw Missing(fmt::format(
           "this needs {0}, and {1} is not beside the program; install {2} and build prs again{3}",
           name.library, name.file, name.package, name.alternative));
-    throw Missing(fmt::format("this needs {}, and {} does not load: {}; install what it names{}",
-                              name.library, name.file, error, name.alternative));
+    throw Missing(fmt::format(
+        "this needs {0}, and {1} does not load: {2}; install {0}, or build prs again{3}",
+        name.library, name.file, error, name.alternative));
   }
   const auto& loaded = *static_cast<const Module*>(symbol);
   if (std::string_view(loaded.version) != PRS_VERSION)
