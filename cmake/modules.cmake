@@ -29,7 +29,7 @@ endmacro()
 # the headers that ROOM does.
 function(add_module name source library room)
   if(NOT TARGET ${library})
-    message(STATUS "Without ${library}: prs_${name}.so is not built")
+    message(STATUS "Without ${library}: prs_${name}.so is not built, and tests that load it fail")
     return()
   endif()
   set(module prs_module_${name})
