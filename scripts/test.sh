@@ -9,7 +9,7 @@ scripts/setup.sh
 for preset in release debug; do
   cmake --preset "$preset" -DPRS_BUILD_TESTS=ON "$@" >/dev/null
 done
-cmake --build --preset release --target prs prs_tests
+cmake --build --preset release --target prs prs-validate prs_tests
 cmake --build --preset debug
 ctest --preset quick-sanitized -j "$(nproc)"
 ctest --preset numbers -j "$(nproc)"

@@ -20,7 +20,7 @@ if [[ ${1:-} != --sanitized ]]; then
 fi
 
 cmake --preset debug -DPRS_BUILD_PYTHON=ON -DPython_EXECUTABLE="$venv/bin/python" >/dev/null
-cmake --build --preset debug --target rollerscrew_engine prs
+cmake --build --preset debug --target rollerscrew_engine prs prs-validate
 site=build/debug/site
 rm -rf "$site"
 mkdir -p "$site"

@@ -8,14 +8,14 @@
 #include <numbers>
 
 #include "prs/cli/commands.h"
-#include "prs/cli/printing.h"
-#include "prs/quantities/configurations_json.h"
+#include "prs/cli/deliver.h"
 #include "prs/input/field.h"
 #include "prs/input/source.h"
 #include "prs/input/units.h"
 #include "prs/output/configurations_files.h"
 #include "prs/output/configurations_table.h"
 #include "prs/output/files.h"
+#include "prs/quantities/configurations_json.h"
 #include "prs/version.h"
 
 namespace prs::cli {
@@ -99,23 +99,21 @@ int configurations(const Options& options) {
       fail("--write", fmt::format("{}: the file exists already; give another name",
                                   input::shown(asked.write[1])));
   }
-  const std::string document =
-      json_text(configurations_json(all, {kVersion, kSchemaVersion, "", {}}));
-  if (options.output)
-    write_files(*options.output, {{"configurations.json", document},
-                                  {"configurations.csv", configurations_csv(all)},
-                                  {"gear_pairs.csv", gear_pairs_csv(all)}});
   if (written) write_case(asked.write[1], *written);
-  if (options.json) {
-    print(document);
-  } else if (!options.quiet) {
-    print(configurations_table(query, all));
-    if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
-  }
+  const int status =
+      deliver({.file = "configurations.json",
+               .document = [&](const DocumentInfo& info) { return configurations_json(all, info); },
+               .table = [&] { return configurations_table(query, all); },
+               .files =
+                   [&] {
+                     return std::vector<OutputFile>{{"configurations.csv", configurations_csv(all)},
+                                                    {"gear_pairs.csv", gear_pairs_csv(all)}};
+                   }},
+              {kVersion, kSchemaVersion, "", {}}, options);
   if (written)
     note(options, fmt::format("{}: written; `prs check {}` is the next step", asked.write[1],
                               asked.write[1]));
-  return kDone;
+  return status;
 }
 
 }  // namespace prs::cli

@@ -1,32 +1,22 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <exception>
-#include <new>
+#include <functional>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 
 #include "prs/cli/commands.h"
-#include "prs/cli/interruption.h"
-#include "prs/cli/printing.h"
-#include "prs/sector/influence/matrix_cache.h"
-#include "prs/input/source.h"
-#include "prs/output/run_files.h"
-#include "prs/study/journal.h"
+#include "prs/cli/companion.h"
+#include "prs/cli/program.h"
 #include "prs/version.h"
 
 namespace {
 
+using prs::cli::add_output_options;
 using prs::cli::Options;
 
-void add_output_options(CLI::App& command, Options& options) {
-  command.add_flag("--json", options.json, "Print one JSON document and nothing else");
-  command.add_option("--output", options.output, "Write files into this directory")
-      ->type_name("DIR");
-  command.add_flag("--quiet", options.quiet, "Print errors only");
-}
+constexpr const char* kValidate = "validate";
 
 void add_case_options(CLI::App& command, Options& options) {
   command.add_option("file", options.file, "The case, a YAML file")->required()->type_name("FILE");
@@ -48,7 +38,6 @@ void add_threads_option(CLI::App& command, Options& options) {
 }
 
 void add_study_options(CLI::App& study, Options& options) {
-  add_case_options(study, options);
   study.get_option("file")->required(false);  // `merge` has none.
   add_threads_option(study, options);
   study
@@ -109,125 +98,73 @@ void add_configurations_options(CLI::App& command, prs::cli::ConfigurationOption
       ->expected(2);
 }
 
-void add_validate_options(CLI::App& command, Options& options) {
-  command
-      .add_option("file", options.file,
-                  "Folder of the sources, default: validation; with --recipe a file of diameters, "
-                  "YAML or CSV")
-      ->type_name("DIR|FILE");
-  CLI::Option* recipe =
-      command
-          .add_option("--recipe", options.recipe,
-                      "Compute a source's table for other diameters: jung-as-printed (with its "
-                      "slips) or jung-corrected")
-          ->type_name("NAME");
-  command
-      .add_option("--diameters", options.diameters,
-                  "Nut (outer), screw and roller, e.g. \"54 mm, 27 mm, 9 mm\"; repeatable")
-      ->type_name("ROW")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false)
-      ->needs(recipe);
-  add_output_options(command, options);
-}
+using RunCommand = std::function<int(const Options&)>;
 
-/// Runs a command, tells what it found in its folders, and lists what it wrote.
-int run_recorded(int (*run)(const Options&), const Options& options, const std::string& command,
-                 const std::string& case_file) {
-  prs::shared_matrix_cache().keep_in(prs::cache_directory());
-  std::optional<prs::RunFiles> files;
-  if (options.output) files.emplace(*options.output, command, case_file, options.overrides);
-  const int status = run(options);
-  if (files)
-    for (const std::string& text : files->finish()) prs::cli::note(options, "prs: " + text);
-  if (const std::string text = prs::shared_matrix_cache().refusal(); !text.empty())
-    prs::cli::note(options, "prs: " + text);
-  return status;
-}
-
-int run_command(int argc, char** argv) {
-  CLI::App app{"prs: load distribution, stiffness and life of planetary roller screws"};
-  app.set_version_flag("--version", prs::kVersion);
-  app.require_subcommand(1);
-  app.footer(
-      "Exit status: 0 done, 1 failed, 2 the input or the command line is wrong, 3 a load case "
-      "did not converge.");
-  Options options;
-  int (*run)(const Options&) = nullptr;
-
-  const auto command = [&](const char* name, const char* what, int (*function)(const Options&)) {
-    CLI::App* c = app.add_subcommand(name, what);
-    c->callback([&run, function] { run = function; });
-    return c;
-  };
-  add_case_options(
-      *command("check", "Validate a case; print every value, default and derived", prs::cli::check),
-      options);
-  add_case_options(*command("contact", "Contact points, backlash, curvatures, ellipses, pictures",
-                            prs::cli::contact),
-                   options);
-  add_case_options(*command("solve", "Load distribution, pressures, displacement and stiffness",
-                            prs::cli::solve),
-                   options);
-  add_case_options(
-      *command("slip", "Slip, friction, dissipated power, efficiency and torques", prs::cli::slip),
-      options);
-  add_case_options(*command("preload", "Preload: curve through zero, lost motion, opening loads",
-                            prs::cli::preload),
-                   options);
-  add_case_options(
-      *command("life", "Life under a load history or spectrum, static safety", prs::cli::life),
-      options);
-  CLI::App* measures = command(
-      "measures", "Capacity, life, weight, stiffness, inertia and the other design measures",
-      prs::cli::measures);
-  add_case_options(*measures, options);
+/// Commands of a case: those of the table, with the options that some have beside.
+void add_case_commands(CLI::App& app, Options& options, RunCommand& run) {
+  for (const prs::CommandRow& row : prs::commands()) {
+    CLI::App* command = app.add_subcommand(std::string(name(row.command)), std::string(row.help));
+    add_case_options(*command, options);
+    command->callback([&] { run = [&row](const Options& o) { return run_case(row, o); }; });
+  }
+  CLI::App* measures = app.get_subcommand("measures");
   measures->get_option("file")->required(false);  // `--explain` needs none.
   measures->add_flag("--explain", options.explain,
                      "Print formula, validity and source of every measure");
-  CLI::App* study =
-      command("study", "Run the study of the file: many designs, a row each", prs::cli::study);
+  CLI::App* study = app.get_subcommand("study");
   add_study_options(*study, options);
-  CLI::App* merge = add_merge(*study, options);
-  CLI::App* optimize =
-      command("optimize", "Search the designs that the file aims at", prs::cli::optimize);
-  add_case_options(*optimize, options);
+  study->callback([&] { run = prs::cli::study; });
+  CLI::App* optimize = app.get_subcommand("optimize");
   add_threads_option(*optimize, options);
   optimize->add_flag("--restart", options.restart,
                      "Discard what an unfinished optimization left in DIR, and start again");
+  optimize->callback([&] { run = prs::cli::optimize; });
+}
+
+int run_command(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == kValidate)
+    prs::cli::become("prs-validate", argc, argv);
+
+  CLI::App app{"prs: load distribution, stiffness and life of planetary roller screws"};
+  app.set_version_flag("--version", prs::kVersion);
+  app.require_subcommand(1);
+  app.footer(prs::cli::kExitStatuses);
+  Options options;
+  RunCommand run;
+  const auto add_command = [&](const char* name, const char* what,
+                               int (*function)(const Options&)) {
+    CLI::App* command = app.add_subcommand(name, what);
+    command->callback([&run, function] { run = function; });
+    return command;
+  };
+
+  add_case_commands(app, options, run);
+  CLI::App* study = app.get_subcommand("study");
+  CLI::App* merge = add_merge(*study, options);
   CLI::App* configurations =
-      command("configurations", "List the geometries that a screw diameter and a lead allow",
-              prs::cli::configurations);
+      add_command("configurations", "List the geometries that a screw diameter and a lead allow",
+                  prs::cli::configurations);
   add_configurations_options(*configurations, options.configurations);
   add_output_options(*configurations, options);
-  add_output_options(*command("schema", "Print the JSON Schema of the input", prs::cli::schema),
+  add_output_options(*add_command("schema", "Print the JSON Schema of the input", prs::cli::schema),
                      options);
-  CLI::App* new_case = command("new", "Write a commented starting case", prs::cli::new_case);
+  CLI::App* list =
+      add_command("list", "List what there is to choose from", prs::cli::list_commands);
+  std::string listed;
+  list->add_option("what", listed, "commands: those that take a case")
+      ->required()
+      ->check(CLI::IsMember({"commands"}));
+  list->add_option("file", options.file, "A case: only the commands that it has all for")
+      ->type_name("FILE");
+  CLI::App* new_case = add_command("new", "Write a commented starting case", prs::cli::new_case);
   std::string type = "inverted";
   new_case->add_option("type", type, "standard or inverted")
       ->check(CLI::IsMember({"standard", "inverted"}));
   new_case->add_option("file", options.file, "New file; printed without one")->type_name("FILE");
   new_case->add_flag("--quiet", options.quiet, "Print errors only");
-  CLI::App* validate =
-      command("validate", "Compare with the published sources", prs::cli::validate);
-  add_validate_options(*validate, options);
+  app.add_subcommand(kValidate, "Compare with the published sources");  // A program of its own.
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    std::ostringstream out, err;
-    const int status = app.exit(error, out, err);
-    prs::cli::print(out.str());
-    prs::cli::say(err.str());
-    return status == 0 ? prs::cli::kDone : prs::cli::kWrongInput;
-  }
-  if (validate->parsed()) {
-    if (options.recipe)
-      run = prs::cli::recipe;
-    else if (options.file.empty())
-      options.file = "validation";
-  }
+  if (const std::optional<int> status = prs::cli::parse(app, argc, argv)) return *status;
   if (merge->parsed()) {
     if (!options.file.empty()) {
       prs::cli::say(fmt::format(
@@ -237,49 +174,20 @@ int run_command(int argc, char** argv) {
       return prs::cli::kWrongInput;
     }
     run = prs::cli::merge_study;
+  } else if (options.explain) {
+    run = prs::cli::explain_measures;
   } else if (options.file.empty() &&
-             (study->parsed() || (measures->parsed() && !options.explain))) {
+             (study->parsed() || app.get_subcommand("measures")->parsed())) {
     prs::cli::say("file is required\nRun with --help for more information.\n");
     return prs::cli::kWrongInput;
   }
   options.standard = type == "standard";
 
-  return run_recorded(run, options, app.get_subcommands().front()->get_name(),
-                      validate->parsed() ? "" : options.file);
-}
-
-/// One line of an error, without asking for memory.
-int failed(std::string_view before, std::string_view what, int status) noexcept {
-  prs::cli::say(before);
-  prs::cli::say(what);
-  prs::cli::say("\n");
-  return status;
+  return prs::cli::run_recorded([&] { return run(options); }, options,
+                                app.get_subcommands().front()->get_name(), options.file,
+                                options.overrides);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  using namespace prs::cli;
-  if (!reserve_standard_streams()) return kFailed;
-  let_writes_fail();
-  try {
-    const int status = run_command(argc, argv);
-    close_output();
-    return status;
-  } catch (const prs::input::InputError& error) {
-    return failed("", error.what(), kWrongInput);
-  } catch (const prs::StudyFolderError& error) {
-    return failed("", error.what(), kWrongInput);
-  } catch (const ReaderGone&) {
-    return kFailed;
-  } catch (const std::bad_alloc&) {
-    return failed("prs: error: ",
-                  "out of memory; give the program more, or it less to do at once: a smaller case, "
-                  "fewer --threads",
-                  kFailed);
-  } catch (const std::exception& error) {
-    return failed("prs: error: ", error.what(), kFailed);
-  } catch (...) {
-    return failed("prs: error: ", "of an unknown kind", kFailed);
-  }
-}
+int main(int argc, char** argv) { return prs::cli::run_program(run_command, argc, argv); }

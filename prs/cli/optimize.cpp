@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "prs/cli/commands.h"
+#include "prs/cli/deliver.h"
 #include "prs/cli/interruption.h"
 #include "prs/cli/printing.h"
 #include "prs/cli/progress_line.h"
+#include "prs/figures/optimize_figures.h"
 #include "prs/input/optimize_reader.h"
 #include "prs/output/files.h"
 #include "prs/output/optimize_csv.h"
-#include "prs/figures/optimize_figures.h"
 #include "prs/output/optimize_json.h"
 #include "prs/output/optimize_table.h"
 #include "prs/output/plots.h"
@@ -35,27 +36,20 @@ void remove_unfinished(const std::filesystem::path& folder) {
       std::filesystem::remove(entry.path());
 }
 
-int deliver(const OptimizationResult& result, const input::Source& source, const Options& options) {
-  std::string document;
-  if (options.json || options.output)
-    document = json_text(optimize_json(result, document_info(source)));
-  bool written = true;
-  if (options.output) {
-    written = report(draw_figures(optimize_figures(result), *options.output), options);
-    std::vector<OutputFile> files{{"front.csv", front_csv(result)},
-                                  {"history.csv", history_csv(result)},
-                                  {"optimize.json", document}};
-    if (const std::optional<std::string> chosen = chosen_case(result, source))
-      files.push_back({"best.yaml", *chosen});
-    write_files(*options.output, files);
-  }
-  if (options.json) {
-    print(document);
-  } else if (!options.quiet) {
-    print(optimize_table(result));
-    if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
-  }
-  return exit_status(written, result.compromise.has_value());
+Delivery delivery_of(const OptimizationResult& result, const input::Source& source) {
+  return {.file = "optimize.json",
+          .document = [&](const DocumentInfo& info) { return optimize_json(result, info); },
+          .table = [&] { return optimize_table(result); },
+          .files =
+              [&] {
+                std::vector<OutputFile> files{{"front.csv", front_csv(result)},
+                                              {"history.csv", history_csv(result)}};
+                if (const std::optional<std::string> chosen = chosen_case(result, source))
+                  files.push_back({"best.yaml", *chosen});
+                return files;
+              },
+          .figures = [&] { return optimize_figures(result); },
+          .converged = result.compromise.has_value()};
 }
 
 /// What a run that was stopped leaves behind.
@@ -90,7 +84,7 @@ int optimize(const Options& options) {
         {Interruption::asked, [&](const StudyProgress& progress) { line.show(progress); }});
   }
   if (!result) return report_interruption(options);
-  const int status = deliver(*result, source, options);
+  const int status = deliver(delivery_of(*result, source), document_info(source), options);
   if (folder && status != kFailed) std::filesystem::remove(journal_file);
   return status;
 }

@@ -52,11 +52,11 @@ void say(std::string_view text) noexcept try {
 
 void control_terminal(std::string_view sequence) noexcept { write_all(STDERR_FILENO, sequence); }
 
-void note(const Options& options, const std::string& text) {
+void note(const OutputOptions& options, const std::string& text) {
   if (!options.quiet) say(text + '\n');
 }
 
-bool report(const Undrawn& undrawn, const Options& options) {
+bool report(const Undrawn& undrawn, const OutputOptions& options) {
   for (const std::string& text : undrawn.notes) note(options, text);
   for (const std::string& text : undrawn.errors) say(fmt::format("prs: error: {}\n", text));
   return undrawn.errors.empty();

@@ -1,13 +1,24 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
-#include "prs/cli/commands.h"
 #include "prs/output/plots.h"
 
 namespace prs::cli {
+
+/// Exit statuses of the programs.
+enum Exit { kDone = 0, kFailed = 1, kWrongInput = 2, kNotConverged = 3 };
+
+/// What a run is to print, and where its files go.
+struct OutputOptions {
+  bool json = false;
+  bool quiet = false;
+  std::optional<std::filesystem::path> output;
+};
 
 /// Opens the standard streams that the program was started without, so that no other file gets
 /// their numbers. What is written to such a stream fails. False where that does not work.
@@ -35,10 +46,10 @@ void say(std::string_view text) noexcept;
 void control_terminal(std::string_view sequence) noexcept;
 
 /// A line on standard error, unless quiet.
-void note(const Options& options, const std::string& text);
+void note(const OutputOptions& options, const std::string& text);
 
 /// Says which pictures are missing; false where one of them could not be written.
-[[nodiscard]] bool report(const Undrawn& undrawn, const Options& options);
+[[nodiscard]] bool report(const Undrawn& undrawn, const OutputOptions& options);
 
 /// Of a command that delivered what it could.
 int exit_status(bool written, bool converged);

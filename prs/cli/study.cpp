@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "prs/cli/commands.h"
+#include "prs/cli/deliver.h"
 #include "prs/cli/interruption.h"
 #include "prs/cli/printing.h"
 #include "prs/cli/progress_line.h"
@@ -17,9 +18,7 @@
 #include "prs/input/study_reader.h"
 #include "prs/output/derivatives_files.h"
 #include "prs/output/files.h"
-#include "prs/output/plots.h"
 #include "prs/output/run_files.h"
-#include "prs/output/staged_file.h"
 #include "prs/output/study_files.h"
 #include "prs/output/study_json.h"
 #include "prs/output/study_table.h"
@@ -61,14 +60,12 @@ bool is_full_disk(const std::error_code& code) {
          (code.category() == std::generic_category() && code.value() == EDQUOT);
 }
 
-void warn(const std::vector<std::string>& warnings, const Options& options) {
-  for (const std::string& warning : warnings) note(options, "warning: " + printable(warning));
-}
+std::string warning_note(const std::string& warning) { return "warning: " + printable(warning); }
 
 /// Tables, figures and files of a study whose rows are complete.
-int deliver(const StoredRows& rows, const input::StudyInput& in, const Study& study,
-            const std::function<const DesignEngine&()>& engine, std::size_t threads,
-            const Options& options) {
+int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Study& study,
+                  const std::function<const DesignEngine&()>& engine, std::size_t threads,
+                  const Options& options) {
   const DocumentInfo info = document_info(in.source);
   StudyResult result{study, {}, 0, 0, 0, {}};
   StudyAnalysis analysis(study);
@@ -81,46 +78,30 @@ int deliver(const StoredRows& rows, const input::StudyInput& in, const Study& st
   if (!absent.empty()) note(options, "prs: " + absent);
   result.summary = analysis.summary();
   result.warnings = study_warnings(in, result, engine);
-  std::string document;
-  if (options.json || options.output) document = json_text(study_json(result, info));
-  bool written = true;
-  if (options.output) {
-    written = report(draw_figures(study_figures(result), *options.output), options);
-    StagedFile file(*options.output / "study.json");
-    file.append(document);
-    file.sync();
-    file.publish();
-    record_written(*options.output / "study.json");
-  }
-  if (options.json) {
-    print(document);
-  } else if (!options.quiet) {
-    print(study_table(result));
-    if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
-  }
-  return exit_status(written, result.failed == 0);
+  const Delivery delivery{.file = "study.json",
+                          .document = [&](const DocumentInfo& i) { return study_json(result, i); },
+                          .table = [&] { return study_table(result); },
+                          .figures = [&] { return study_figures(result); },
+                          .converged = result.failed == 0};
+  return deliver(delivery, info, options);
 }
 
 /// The plan that is one case with its derivatives.
 int derivatives(const input::StudyInput& in, const Options& options) {
   const CaseDerivatives result = run_derivatives(in);
-  if (options.json) warn(result.warnings, options);
-  std::string document;
-  if (options.json || options.output)
-    document = json_text(derivatives_json(result, document_info(in.source)));
-  bool written = true;
-  if (options.output) {
-    write_files(*options.output,
-                {{"derivatives.json", document}, {"derivatives.csv", derivatives_csv(result)}});
-    written = report(draw_figures(derivatives_figures(result), *options.output), options);
-  }
-  if (options.json) {
-    print(document);
-  } else if (!options.quiet) {
-    print(derivatives_table(result));
-    if (options.output) print(fmt::format("\nFiles: {}\n", options.output->string()));
-  }
-  return exit_status(written, true);
+  std::vector<std::string> notes;
+  for (const std::string& warning : result.warnings) notes.push_back(warning_note(warning));
+  const Delivery delivery{
+      .file = "derivatives.json",
+      .document = [&](const DocumentInfo& info) { return derivatives_json(result, info); },
+      .table = [&] { return derivatives_table(result); },
+      .notes = notes,
+      .files =
+          [&] {
+            return std::vector<OutputFile>{{"derivatives.csv", derivatives_csv(result)}};
+          },
+      .figures = [&] { return derivatives_figures(result); }};
+  return deliver(delivery, document_info(in.source), options);
 }
 
 /// What a run that was stopped leaves behind.
@@ -137,7 +118,8 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
   if (in.study.plan == Plan::derivatives) return derivatives(in, options);
   const DesignEngine engine = study_engine(in);
   const Study& study = engine.study();
-  warn(void_factor_warnings(in, study.responses), options);
+  for (const std::string& warning : void_factor_warnings(in, study.responses))
+    note(options, warning_note(warning));
   std::optional<StudyFolder> folder;
   if (options.output)
     folder.emplace(*options.output,
@@ -171,7 +153,7 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
                      options.output->string()));
     return kDone;
   }
-  const int status = deliver(
+  const int status = deliver_study(
       rows, in, study, [&]() -> const DesignEngine& { return engine; }, threads, options);
   // Without a picture, the same command is to write it and need not compute again.
   if (folder && status != kFailed) folder->remove_journals();
@@ -247,7 +229,7 @@ int merge_study(const Options& options) {
     if (!engine) engine.emplace(in);
     return *engine;
   };
-  return deliver(rows, in, study, engine_of_study, threads, options);
+  return deliver_study(rows, in, study, engine_of_study, threads, options);
 }
 
 }  // namespace prs::cli

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "prs/figures/figure.h"
 #include "prs/loads/result.h"
@@ -26,5 +28,11 @@ std::optional<Figure> contact_xy_figure(const Result& result);
 /// normal load of the cases, or of unit major semi-axes where no case has ellipses. Absent also
 /// where the relative curvatures give no ellipse.
 std::optional<Figure> contact_ellipse_figure(const Result& result);
+
+/// All of these that there are.
+std::vector<Figure> contact_figures(const Result& result);
+
+/// Why they are missing where they are, a line for each interface without a contact point.
+std::vector<std::string> contacts_without_figure(const Result& result);
 
 }  // namespace prs

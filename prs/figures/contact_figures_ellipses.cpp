@@ -166,4 +166,19 @@ std::optional<Figure> contact_ellipse_figure(const Result& result) {
   return figure;
 }
 
+std::vector<Figure> contact_figures(const Result& result) {
+  return drawable(contact_section_figure(result), contact_xy_figure(result),
+                  contact_ellipse_figure(result));
+}
+
+std::vector<std::string> contacts_without_figure(const Result& result) {
+  std::vector<std::string> notes;
+  for (const Interface i : kInterfaces)
+    if (!result.contacts.interfaces[i].geometry.ok())
+      notes.push_back(fmt::format(
+          "pictures of the contacts were not drawn: the {} threads have no contact point ({})",
+          label(i), failure(result.contacts, i).reason));
+  return notes;
+}
+
 }  // namespace prs

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace prs {
@@ -139,6 +140,14 @@ struct Figure {
   /// A drawing: ranges are widened about their middle until a unit is as long on both axes.
   bool to_scale = false;
 };
+
+/// Those figures for which there was something to draw.
+template <class... Figures>
+std::vector<Figure> drawable(Figures... figures) {
+  std::vector<Figure> all;
+  ((figures ? all.push_back(std::move(*figures)) : void()), ...);
+  return all;
+}
 
 /// Sets the range of y: from zero, unless the values fill less than half of that, to a little above
 /// the largest.

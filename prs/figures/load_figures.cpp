@@ -171,4 +171,9 @@ std::optional<Figure> butterfly_figure(const Result& result) {
   return figure;
 }
 
+std::vector<Figure> result_figures(const Result& result) {
+  return drawable(load_distribution_figure(result), peak_pressure_figure(result),
+                  stiffness_figure(result), butterfly_figure(result));
+}
+
 }  // namespace prs

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "prs/figures/figure.h"
 #include "prs/loads/result.h"
@@ -27,5 +28,8 @@ std::optional<Figure> stiffness_figure(const Result& result);
 /// Load rate of each thread [%] against the load [kN] of each range, tension to the left: a row of
 /// panels a configuration, a column an interface (figs. 15-18).
 std::optional<Figure> butterfly_figure(const Result& result);
+
+/// All of these that there are.
+std::vector<Figure> result_figures(const Result& result);
 
 }  // namespace prs

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "prs/figures/figure.h"
@@ -27,6 +29,11 @@ Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictu
 /// sum over the whole range and, against the distance from the ideal slip ratio, around the root
 /// (fig. 3.6).
 Figure slip_residue_figure(const LoadCaseResult& result, const SlipPictures& pictures);
+
+/// All of these, and power over the load. Patches and residue are those of the load cases, given by
+/// their indices, whose pictures are there; of several their names end in `_1`, `_2`, ...
+std::vector<Figure> slip_figures(const Result& result,
+                                 const std::vector<std::pair<std::size_t, SlipPictures>>& pictures);
 
 /// A point to compare with, as a measurement or the case that a sweep starts from.
 struct ReferencePoint {

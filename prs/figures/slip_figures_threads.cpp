@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "prs/quantities/slip_quantities.h"
 #include "prs/figures/slip_figures.h"
 #include "prs/figures/thread_figure.h"
@@ -25,6 +27,20 @@ std::optional<Figure> thread_power_figure(const Result& result) {
                     result);
   if (figure) fit_y_range(*figure);
   return figure;
+}
+
+std::vector<Figure> slip_figures(
+    const Result& result, const std::vector<std::pair<std::size_t, SlipPictures>>& pictures) {
+  std::vector<Figure> all = power_over_load_figures(result);
+  if (std::optional<Figure> figure = thread_power_figure(result)) all.push_back(*figure);
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    const auto& [index, shown] = pictures[k];
+    for (const auto make : {slip_patch_figure, slip_residue_figure}) {
+      Figure& figure = all.emplace_back(make(result.load_cases[index], shown));
+      if (pictures.size() > 1) figure.name += fmt::format("_{}", k + 1);
+    }
+  }
+  return all;
 }
 
 }  // namespace prs

@@ -213,11 +213,11 @@ void alternatives(Io& io, WrittenRange::Spacing& s) {
 /// Those that a study can run.
 template <class Io>
 void alternatives(Io& io, Command& c) {
-  io.word("contact", c, Command::contact, "contact points and Hertz constants");
-  io.word("solve", c, Command::solve, "load distribution, pressures and stiffness");
-  io.word("slip", c, Command::slip, "slip, power loss and efficiency");
-  io.word("life", c, Command::life, "life under a load history or spectrum");
-  io.word("measures", c, Command::measures,
+  io.word(name(Command::contact), c, Command::contact, "contact points and Hertz constants");
+  io.word(name(Command::solve), c, Command::solve, "load distribution, pressures and stiffness");
+  io.word(name(Command::slip), c, Command::slip, "slip, power loss and efficiency");
+  io.word(name(Command::life), c, Command::life, "life under a load history or spectrum");
+  io.word(name(Command::measures), c, Command::measures,
           "capacity, weight, stiffness and the other design measures");
 }
 

@@ -16,6 +16,8 @@
 #include "prs/input/did_you_mean.h"
 #include "prs/input/document.h"
 #include "prs/input/value_text.h"
+#include "prs/model/check_case.h"
+#include "prs/model/requirements.h"
 
 namespace prs::input {
 
@@ -486,7 +488,7 @@ void update_numbers(std::vector<LoadCase>& cases, const std::vector<LoadCaseItem
 
 std::vector<Problem> problems_of(const Case& c, Command command) {
   std::vector<Problem> problems = check_case(c);
-  return problems.empty() ? check_requirements(c, command) : problems;
+  return problems.empty() ? prs::missing(c, command) : problems;
 }
 
 CaseFile read_case_file(const Node& root, ErrorList& errors) {
@@ -500,6 +502,15 @@ CaseFile read_case_file(const Node& root, ErrorList& errors) {
     if (!file.load_cases[i].name) file.load_cases[i].name = fmt::format("case-{}", i + 1);
   return file;
 }
+
+namespace {
+
+template <class Item>
+std::optional<Command> command_of(const std::optional<Item>& item) {
+  return item ? std::optional(item->command) : std::nullopt;
+}
+
+}  // namespace
 
 Case checked_case(const CaseFile& file, const Node& root, Command command, ErrorList& errors) {
   Case values = file.values;
@@ -515,9 +526,20 @@ CaseInput read_case_input(const Source& source, Command command) {
   const CaseFile file = read_case_file(root, errors);
   errors.throw_if_any();
   CaseInput input{checked_case(file, root, command, errors), echo(file, root),
-                  file.study.has_value(), file.optimize.has_value()};
+                  command_of(file.study), command_of(file.optimize)};
   errors.throw_if_any();
   return input;
+}
+
+std::vector<std::string> missing(const CaseInput& input, Command command) {
+  if (command == Command::study || command == Command::optimize) {
+    const std::optional<Command>& designs = command == Command::study ? input.study : input.optimize;
+    return designs ? missing(input, *designs) : std::vector{std::string(name(command))};
+  }
+  std::vector<std::string> paths;
+  for (Problem& problem : prs::missing(input.values, command))
+    paths.push_back(std::move(problem.path));
+  return paths;
 }
 
 Case read_case(const std::string& file, const std::vector<std::string>& overrides,

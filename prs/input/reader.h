@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "prs/model/case.h"
-#include "prs/model/check_case.h"
+#include "prs/model/command.h"
+#include "prs/model/problems.h"
 #include "prs/input/echo.h"
 #include "prs/input/source.h"
 
@@ -14,9 +16,12 @@ namespace prs::input {
 struct CaseInput {
   Case values;
   std::vector<EchoEntry> fields;
-  bool has_study = false;     ///< Whether the file has a study, which is another's to check.
-  bool has_optimize = false;  ///< The same of an optimization.
+  std::optional<Command> study;     ///< What the file's study runs, which is another's to check.
+  std::optional<Command> optimize;  ///< The same of an optimization.
 };
+
+/// Paths of what a command needs and the file lacks, see `prs::missing`; empty where it can run.
+std::vector<std::string> missing(const CaseInput& input, Command command);
 
 /// Reads a document, each value on its own: contradictions between them are left to `checked_case`.
 CaseFile read_case_file(const Node& root, ErrorList& errors);

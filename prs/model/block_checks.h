@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "prs/model/case.h"
 #include "prs/model/problems.h"
 
 // Checks of the blocks of a case, each beside its block. `check_case` calls them in its order.

@@ -8,9 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "prs/model/check_case.h"
-
 namespace prs {
+
+/// What is wrong with one value of a case.
+struct Problem {
+  std::string path;     ///< Key path in the input: `structure.nut.length`.
+  std::string message;  ///< `got VALUE; expected WHAT; how to fix it`
+};
 
 /// Collects problems, one for each path: the first found is the one to fix.
 class Problems {

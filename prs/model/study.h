@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/model/check_case.h"
+#include "prs/model/command.h"
 #include "prs/model/envelope.h"
 
 namespace prs {

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "prs/quantities/command_name.h"
 #include "prs/quantities/json_values.h"
 #include "prs/output/optimize_designs.h"
 

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <fstream>
 #include <iterator>
-#include <span>
 #include <string_view>
 #include <system_error>
 
@@ -23,20 +22,6 @@ namespace prs {
 namespace {
 
 namespace fs = std::filesystem;
-
-using FigureOf = std::optional<Figure> (*)(const Result&);
-
-constexpr FigureOf kLoadFigures[] = {load_distribution_figure, peak_pressure_figure,
-                                     stiffness_figure, butterfly_figure};
-constexpr FigureOf kContactFigures[] = {contact_section_figure, contact_xy_figure,
-                                        contact_ellipse_figure};
-
-std::vector<Figure> figures(std::span<const FigureOf> makers, const Result& result) {
-  std::vector<Figure> all;
-  for (const FigureOf make : makers)
-    if (std::optional<Figure> figure = make(result)) all.push_back(std::move(*figure));
-  return all;
-}
 
 constexpr const char* kImageTypes[] = {".svg", ".png"};
 
@@ -129,14 +114,15 @@ std::vector<std::string> draw(const std::vector<Figure>& figures, const fs::path
   return errors;
 }
 
-/// Writes the scripts of the figures and has them drawn.
-Undrawn draw_below(const fs::path& directory, const std::vector<Figure>& all) {
-  if (all.empty()) return {};
+}  // namespace
+
+Undrawn draw_figures(const std::vector<Figure>& figures, const fs::path& directory) {
+  if (figures.empty()) return {};
   const fs::path plots = directory / "plots";
-  write_scripts(all, plots);
-  for (const Figure& figure : all) remove_images(figure, plots);
+  write_scripts(figures, plots);
+  for (const Figure& figure : figures) remove_images(figure, plots);
   try {
-    return {{}, draw(all, plots)};
+    return {{}, draw(figures, plots)};
   } catch (const std::system_error& error) {
     const std::string text = fmt::format("plots were not drawn: {}; their scripts stand in {}",
                                          error.what(), plots.string());
@@ -145,39 +131,21 @@ Undrawn draw_below(const fs::path& directory, const std::vector<Figure>& all) {
   }
 }
 
-}  // namespace
-
 Undrawn draw_plots(const Result& result, const fs::path& directory) {
-  return draw_below(directory, figures(kLoadFigures, result));
+  return draw_figures(result_figures(result), directory);
 }
 
 Undrawn draw_contact_plots(const Result& result, const fs::path& directory) {
-  Undrawn undrawn = draw_below(directory, figures(kContactFigures, result));
-  for (const Interface i : kInterfaces)
-    if (!result.contacts.interfaces[i].geometry.ok())
-      undrawn.notes.push_back(fmt::format(
-          "pictures of the contacts were not drawn: the {} threads have no contact point ({})",
-          label(i), failure(result.contacts, i).reason));
+  Undrawn undrawn = draw_figures(contact_figures(result), directory);
+  for (std::string& note : contacts_without_figure(result))
+    undrawn.notes.push_back(std::move(note));
   return undrawn;
-}
-
-Undrawn draw_figures(const std::vector<Figure>& figures, const fs::path& directory) {
-  return draw_below(directory, figures);
 }
 
 Undrawn draw_slip_plots(const Result& result,
                         const std::vector<std::pair<std::size_t, SlipPictures>>& pictures,
                         const fs::path& directory) {
-  std::vector<Figure> all = power_over_load_figures(result);
-  if (std::optional<Figure> figure = thread_power_figure(result)) all.push_back(*figure);
-  for (std::size_t k = 0; k < pictures.size(); ++k) {
-    const auto& [index, shown] = pictures[k];
-    for (const auto make : {slip_patch_figure, slip_residue_figure}) {
-      Figure& figure = all.emplace_back(make(result.load_cases[index], shown));
-      if (pictures.size() > 1) figure.name += fmt::format("_{}", k + 1);
-    }
-  }
-  return draw_below(directory, all);
+  return draw_figures(slip_figures(result, pictures), directory);
 }
 
 }  // namespace prs

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "prs/quantities/command_name.h"
 #include "prs/quantities/json_values.h"
 #include "prs/study/designs.h"
 

@@ -27,8 +27,8 @@ void warn_of_preload(const Case& c, Result& result) {
 }  // namespace
 
 CheckResult run_check(const input::Source& source, const input::CaseInput& in) {
-  if (in.has_study) input::read_study_input(source);
-  if (in.has_optimize) input::read_optimize_input(source);
+  if (in.study) input::read_study_input(source);
+  if (in.optimize) input::read_optimize_input(source);
   CheckResult result{
       in.fields,
       input::compute_from(source,

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "prs/model/check_case.h"
+#include "prs/model/command.h"
 
 namespace prs {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/model/check_case.h"
+#include "prs/model/command.h"
 
 namespace prs {
 

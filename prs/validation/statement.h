@@ -38,9 +38,9 @@ struct Variant {
   Results results;
 };
 
-/// Judges a statement by the plain model first, then by the variants.
+/// Compares a statement with the plain model first, then with the variants.
 template <class Results>
-Verdict judge(const Statement<Results>& statement, const std::vector<Variant<Results>>& variants) {
+Verdict compare(const Statement<Results>& statement, const std::vector<Variant<Results>>& variants) {
   Verdict verdict;
   for (const Variant<Results>& variant : variants) {
     const bool plain = &variant == &variants.front();

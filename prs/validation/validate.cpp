@@ -55,7 +55,7 @@ Result result_of(const input::Source& source, Command command) {
   });
 }
 
-Json document_of(const ReferenceCase& reference, const Contribution& code) {
+Json document_of(const ReferenceCase& reference, const SourceExtension& code) {
   if (reference.file.empty()) return code.formulas ? code.formulas() : Json::object();
   const Result result =
       result_of(input::load_source(reference.file.string(), {}), reference.command);
@@ -64,7 +64,7 @@ Json document_of(const ReferenceCase& reference, const Contribution& code) {
   return document;
 }
 
-std::vector<Comparison> compare(const ReferenceCase& reference, const Contribution& code) {
+std::vector<Comparison> compare(const ReferenceCase& reference, const SourceExtension& code) {
   const Json document = document_of(reference, code);
   const std::string name =
       reference.file.empty() ? reference.formulas : reference.file.stem().string();
@@ -80,7 +80,7 @@ void append(std::vector<T>& to, std::vector<T>&& from) {
 }
 
 /// What the code of a source says of the case that it is about.
-void add_subject(SourceReport& report, const Contribution& code, const Case& subject,
+void add_subject(SourceReport& report, const SourceExtension& code, const Case& subject,
                  const std::filesystem::path& folder) {
   if (code.statements) append(report.statements, code.statements(subject));
   if (code.subject_tables) append(report.tables, code.subject_tables(subject));
@@ -93,13 +93,13 @@ void add_subject(SourceReport& report, const Contribution& code, const Case& sub
 }
 
 SourceReport report_on(const std::filesystem::path& folder,
-                       const std::vector<Contribution>& contributions) {
+                       const std::vector<SourceExtension>& extensions) {
   const Reference reference = read_reference(folder / "reference.yaml");
   SourceReport report;
   report.name = std::filesystem::canonical(folder).filename().string();
   report.source = reference.source;
-  Contribution code;
-  for (const Contribution& c : contributions)
+  SourceExtension code;
+  for (const SourceExtension& c : extensions)
     if (c.folder == report.name) code = c;
   for (const ReferenceCase& c : reference.cases) append(report.comparisons, compare(c, code));
   if (code.tables) report.tables = code.tables();
@@ -168,7 +168,7 @@ std::string table_text(const ValidationTable& table) {
   return text;
 }
 
-std::string statement_text(const JudgedStatement& s) {
+std::string statement_text(const ComparedStatement& s) {
   std::string verdict = verdict_name(s.verdict.kind);
   if (!s.verdict.only_with.empty())
     verdict += fmt::format(" {}", fmt::join(s.verdict.only_with, ", "));
@@ -222,14 +222,14 @@ Outcome Comparison::outcome() const {
 }
 
 std::vector<SourceReport> validate(const std::filesystem::path& directory,
-                                   const std::vector<Contribution>& contributions) {
+                                   const std::vector<SourceExtension>& extensions) {
   std::vector<std::filesystem::path> folders;
   if (std::filesystem::exists(directory / "reference.yaml")) folders.push_back(directory);
   for (const auto& entry : std::filesystem::directory_iterator(directory))
     if (std::filesystem::exists(entry.path() / "reference.yaml")) folders.push_back(entry.path());
   std::sort(folders.begin(), folders.end());
   std::vector<SourceReport> reports;
-  for (const auto& folder : folders) reports.push_back(report_on(folder, contributions));
+  for (const auto& folder : folders) reports.push_back(report_on(folder, extensions));
   return reports;
 }
 
@@ -244,7 +244,7 @@ std::string validation_text(const std::vector<SourceReport>& reports) {
       text += comparison_text(c);
     }
     for (const ValidationTable& table : report.tables) text += table_text(table);
-    for (const JudgedStatement& s : report.statements) text += statement_text(s);
+    for (const ComparedStatement& s : report.statements) text += statement_text(s);
     text += '\n';
   }
   return text;
@@ -264,7 +264,7 @@ nlohmann::ordered_json validation_json(const std::vector<SourceReport>& reports,
       source["tables"].push_back(
           {{"title", table.title}, {"columns", table.columns}, {"rows", std::move(rows)}});
     }
-    for (const JudgedStatement& s : report.statements)
+    for (const ComparedStatement& s : report.statements)
       source["statements"].push_back({{"section", s.section},
                                       {"text", s.text},
                                       {"verdict", verdict_name(s.verdict.kind)},

@@ -39,7 +39,7 @@ struct Comparison {
   }
 };
 
-struct JudgedStatement {
+struct ComparedStatement {
   std::string section;
   std::string text;
   Verdict verdict;
@@ -47,7 +47,7 @@ struct JudgedStatement {
 
 /// What the code of a source finds on its case and in the data beside it.
 struct Supplement {
-  std::vector<JudgedStatement> statements;
+  std::vector<ComparedStatement> statements;
   std::vector<ValidationTable> tables;
   std::vector<Figure> figures;
   std::vector<OutputFile> files;
@@ -58,22 +58,22 @@ struct SourceReport {
   std::string name;    ///< Of the folder.
   std::string source;  ///< Citation.
   std::vector<Comparison> comparisons;
-  std::vector<JudgedStatement> statements;
+  std::vector<ComparedStatement> statements;
   std::vector<ValidationTable> tables;
   std::vector<Figure> figures;
   std::vector<OutputFile> files;
 };
 
-/// Judges the statements that a source makes in words about the screw of its case.
-using StatementJudge = std::function<std::vector<JudgedStatement>(const Case&)>;
+/// Compares the statements that a source makes in words about the screw of its case with what we compute.
+using CompareStatements = std::function<std::vector<ComparedStatement>(const Case&)>;
 
 /// What a source prints and the JSON document does not hold, by key; stands below `derived` there.
 using DerivedQuantities = std::function<nlohmann::ordered_json(const Result&)>;
 
 /// What the code of one folder adds to its `reference.yaml`.
-struct Contribution {
+struct SourceExtension {
   std::string folder;
-  StatementJudge statements = {};  ///< On the subject.
+  CompareStatements statements = {};  ///< On the subject.
   DerivedQuantities derived = {};
   /// What the source's formulas give without a case, by key.
   std::function<nlohmann::ordered_json()> formulas = {};
@@ -88,7 +88,7 @@ struct Contribution {
 /// Runs every folder of `directory` that has a `reference.yaml`, or `directory` itself where it has
 /// one. Throws input::InputError.
 std::vector<SourceReport> validate(const std::filesystem::path& directory,
-                                   const std::vector<Contribution>& contributions);
+                                   const std::vector<SourceExtension>& extensions);
 
 /// The reports as a text, digit by digit.
 std::string validation_text(const std::vector<SourceReport>& reports);

@@ -5,14 +5,9 @@
 #include <nanobind/stl/vector.h>
 
 #include <filesystem>
-#include <type_traits>
 #include <utility>
 
 #include "prs/input/reader.h"
-#include "prs/output/check.h"
-#include "prs/quantities/life_json.h"
-#include "prs/quantities/measures_json.h"
-#include "prs/quantities/preload_json.h"
 #include "prs/run/analyses.h"
 #include "python/engine/beside.h"
 
@@ -32,60 +27,25 @@ input::Source load(const std::string& file, std::vector<std::string> overrides) 
 
 CaseSource::CaseSource(input::Source source)
     : source_(std::make_shared<const input::Source>(std::move(source))) {
-  values(Command::check);
+  input(Command::check);
 }
 
-std::shared_ptr<const Case> CaseSource::values(Command command) const {
-  if (const auto kept = values_.find(command); kept != values_.end()) return kept->second;
+std::shared_ptr<const input::CaseInput> CaseSource::input(Command command) const {
+  if (const auto kept = inputs_.find(command); kept != inputs_.end()) return kept->second;
   const auto read = [&] {
     const WithoutInterpreter without;
-    return std::make_shared<const Case>(input::read_case_input(*source_, command).values);
+    return std::make_shared<const input::CaseInput>(input::read_case_input(*source_, command));
   };
-  return values_.try_emplace(command, read()).first->second;
+  return inputs_.try_emplace(command, read()).first->second;
 }
 
-template <class Run, class Make>
-std::shared_ptr<Document> CaseSource::analysis(Command command, Run run, Make make) const {
-  const std::shared_ptr<const Case> values = this->values(command);
+std::shared_ptr<Document> CaseSource::run(const CommandRow& row) const {
+  const std::shared_ptr<const input::CaseInput> input = this->input(row.command);
   const WithoutInterpreter without;
-  auto result =
-      std::make_shared<const std::invoke_result_t<Run, const input::Source&, const Case&>>(
-          run(*source_, *values));
   return std::make_shared<Document>(
-      [result, source = source_, make] { return make(*result, document_info(*source)); });
-}
-
-std::shared_ptr<Document> CaseSource::check() const {
-  const auto checked = [](const input::Source& source, const Case&) {
-    return run_check(source, input::read_case_input(source, Command::check));
-  };
-  return analysis(Command::check, checked, [](const CheckResult& r, const DocumentInfo& info) {
-    return check_json(r.fields, r.contacts, r.warnings, info);
-  });
-}
-
-std::shared_ptr<Document> CaseSource::contact() const {
-  return analysis(Command::contact, run_contact, to_json);
-}
-
-std::shared_ptr<Document> CaseSource::solve() const {
-  return analysis(Command::solve, run_solve, to_json);
-}
-
-std::shared_ptr<Document> CaseSource::slip() const {
-  return analysis(Command::slip, run_slip, to_json);
-}
-
-std::shared_ptr<Document> CaseSource::preload() const {
-  return analysis(Command::preload, run_preload, preload_json);
-}
-
-std::shared_ptr<Document> CaseSource::life() const {
-  return analysis(Command::life, run_life, life_json);
-}
-
-std::shared_ptr<Document> CaseSource::measures() const {
-  return analysis(Command::measures, run_measures, measures_json);
+      [document = row.run(*source_, *input).document, source = source_] {
+        return document(document_info(*source));
+      });
 }
 
 void bind_case(nb::module_& module) {
@@ -112,17 +72,14 @@ void bind_case(nb::module_& module) {
           })
       .def_ro("overrides", &input::Source::overrides);
 
-  nb::class_<CaseSource>(module, "Case", "A case that was read and checked.")
+  nb::class_<CaseSource> bound(module, "Case", "A case that was read and checked.");
+  bound
       .def(nb::init<input::Source>(), nb::arg("source"),
            "InputError with the text of `prs check` where something is wrong.")
-      .def_prop_ro("source", &CaseSource::source, nb::rv_policy::copy)
-      .def("check", &CaseSource::check)
-      .def("contact", &CaseSource::contact)
-      .def("solve", &CaseSource::solve)
-      .def("slip", &CaseSource::slip)
-      .def("preload", &CaseSource::preload)
-      .def("life", &CaseSource::life)
-      .def("measures", &CaseSource::measures);
+      .def_prop_ro("source", &CaseSource::source, nb::rv_policy::copy);
+  for (const CommandRow& row : commands())
+    if (row.run)
+      bound.def(name(row.command).data(), [&row](const CaseSource& c) { return c.run(row); });
 }
 
 }  // namespace prs::python

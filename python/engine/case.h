@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "prs/input/source.h"
-#include "prs/model/case.h"
-#include "prs/model/check_case.h"
+#include "prs/run/commands.h"
 #include "python/engine/document.h"
 
 namespace prs::python {
@@ -23,24 +22,15 @@ class CaseSource {
 
   const input::Source& source() const { return *source_; }
 
-  std::shared_ptr<Document> check() const;
-  std::shared_ptr<Document> contact() const;
-  std::shared_ptr<Document> solve() const;
-  std::shared_ptr<Document> slip() const;
-  std::shared_ptr<Document> preload() const;
-  std::shared_ptr<Document> life() const;
-  std::shared_ptr<Document> measures() const;
+  /// The document of a command that delivers one, once it is looked at. Throws InputError where it
+  /// needs what the case lacks.
+  std::shared_ptr<Document> run(const CommandRow& row) const;
 
  private:
-  /// The case for a command. Throws InputError where that needs what the case lacks.
-  std::shared_ptr<const Case> values(Command command) const;
-
-  /// The document that `make` writes of what `run` computes, once it is looked at.
-  template <class Run, class Make>
-  std::shared_ptr<Document> analysis(Command command, Run run, Make make) const;
+  std::shared_ptr<const input::CaseInput> input(Command command) const;
 
   std::shared_ptr<const input::Source> source_;
-  mutable std::map<Command, std::shared_ptr<const Case>> values_;
+  mutable std::map<Command, std::shared_ptr<const input::CaseInput>> inputs_;
 };
 
 void bind_case(nanobind::module_& module);

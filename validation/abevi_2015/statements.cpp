@@ -532,7 +532,7 @@ std::vector<Variant<Results>> variants(const Case& screw) {
 }
 
 /// The influence of the boundary conditions is a statement on the variants among themselves.
-JudgedStatement boundary_conditions_matter(const std::vector<Variant<Results>>& variants) {
+ComparedStatement boundary_conditions_matter(const std::vector<Variant<Results>>& variants) {
   double stiffness = 0.0, share = 0.0;
   for (std::size_t v = 1; v < 5; ++v)
     for_each_case([&](std::size_t c, Direction d) {
@@ -556,7 +556,7 @@ JudgedStatement boundary_conditions_matter(const std::vector<Variant<Results>>& 
 }
 
 /// The influence of the nut's shape needs a second nut, without flanges.
-JudgedStatement nut_shape_matters(const Case& screw, const Results& plain) {
+ComparedStatement nut_shape_matters(const Case& screw, const Results& plain) {
   Case tube = screw;
   tube.structure->nut.flanges.clear();
   const Results without(tube);
@@ -582,14 +582,14 @@ JudgedStatement nut_shape_matters(const Case& screw, const Results& plain) {
 
 }  // namespace
 
-std::vector<JudgedStatement> judge_statements(const Case& screw) {
+std::vector<ComparedStatement> compare_statements(const Case& screw) {
   const std::vector<Variant<Results>> all = variants(screw);
-  std::vector<JudgedStatement> judged;
+  std::vector<ComparedStatement> compared;
   for (const AbeviStatement& statement : statements())
-    judged.push_back({statement.section, statement.text, judge(statement, all)});
-  judged.push_back(boundary_conditions_matter(all));
-  judged.push_back(nut_shape_matters(screw, all.front().results));
-  return judged;
+    compared.push_back({statement.section, statement.text, compare(statement, all)});
+  compared.push_back(boundary_conditions_matter(all));
+  compared.push_back(nut_shape_matters(screw, all.front().results));
+  return compared;
 }
 
 }  // namespace prs::abevi_2015

@@ -10,6 +10,6 @@ namespace prs::abevi_2015 {
 /// CONFIG 1 to 3, tension and compression, flexible and rigid rollers, loads up to 45 kN, for the
 /// guidance of the paper and its alternatives. `screw` is the paper's screw; its load cases are
 /// not used.
-std::vector<JudgedStatement> judge_statements(const Case& screw);
+std::vector<ComparedStatement> compare_statements(const Case& screw);
 
 }  // namespace prs::abevi_2015

@@ -122,12 +122,12 @@ std::vector<Statement<Fidelities>> statements(int threads) {
 
 }  // namespace
 
-std::vector<JudgedStatement> judge_statements(const Fidelities& fidelities) {
+std::vector<ComparedStatement> compare_statements(const Fidelities& fidelities) {
   const std::vector<Variant<Fidelities>> variants{{"all cases", fidelities}};
-  std::vector<JudgedStatement> judged;
+  std::vector<ComparedStatement> compared;
   for (const Statement<Fidelities>& s : statements(threads(fidelities)))
-    judged.push_back({s.section, s.text, judge(s, variants)});
-  return judged;
+    compared.push_back({s.section, s.text, compare(s, variants)});
+  return compared;
 }
 
 }  // namespace prs::reference_fe

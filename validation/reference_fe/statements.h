@@ -23,6 +23,6 @@ struct Fidelities {
 };
 
 /// How large the gap of the bar model is, and whether the other two stay within their error bars.
-std::vector<JudgedStatement> judge_statements(const Fidelities& fidelities);
+std::vector<ComparedStatement> compare_statements(const Fidelities& fidelities);
 
 }  // namespace prs::reference_fe

@@ -817,13 +817,13 @@ std::vector<Statement<Case>> statements() {
 
 }  // namespace
 
-std::vector<JudgedStatement> judge_statements(const Case& reference) {
+std::vector<ComparedStatement> compare_statements(const Case& reference) {
   const std::vector<Variant<Case>> variants{
       {"table 3.2", reference}, {"Coulomb friction of 0.111", with_coulomb(reference, 0.111)}};
-  std::vector<JudgedStatement> judged;
+  std::vector<ComparedStatement> compared;
   for (const Statement<Case>& s : statements())
-    judged.push_back({s.section, s.text, judge(s, variants)});
-  return judged;
+    compared.push_back({s.section, s.text, compare(s, variants)});
+  return compared;
 }
 
 }  // namespace prs::sandu_2018

@@ -403,7 +403,7 @@ Supplement sensitivity(const Case& initial) {
                                                {"Q of (27)", r.printed}};
   Supplement supplement;
   for (const YaoStatement& s : statements())
-    supplement.statements.push_back({s.section, s.text, judge(s, variants)});
+    supplement.statements.push_back({s.section, s.text, compare(s, variants)});
   supplement.tables = {curvature_table(r.equilibrium), stress_table(r)};
   return supplement;
 }

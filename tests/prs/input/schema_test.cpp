@@ -71,7 +71,7 @@ std::vector<bool> schema_accepts(const std::vector<Sample>& samples) {
   for (const Sample& s : samples) documents.push_back(document_of(s));
   std::ofstream(question) << Json{{"schema", schema()}, {"documents", documents}};
 
-  const fs::path script = fs::path(__FILE__).parent_path() / "judge_by_schema.py";
+  const fs::path script = fs::path(__FILE__).parent_path() / "check_by_schema.py";
   const std::string command =
       "python3 '" + script.string() + "' '" + question.string() + "' > '" + answer.string() + "'";
   std::vector<bool> verdicts;
@@ -84,12 +84,12 @@ std::vector<bool> schema_accepts(const std::vector<Sample>& samples) {
   return verdicts;
 }
 
-bool judge_is_installed() {
+bool validator_is_installed() {
   return std::system("python3 -c 'from jsonschema import Draft202012Validator' 2> /dev/null") == 0;
 }
 
 void expect_agreement(const std::vector<Sample>& samples) {
-  if (!judge_is_installed()) GTEST_SKIP() << "python3-jsonschema is not installed";
+  if (!validator_is_installed()) GTEST_SKIP() << "python3-jsonschema is not installed";
   const std::vector<bool> verdicts = schema_accepts(samples);
   ASSERT_EQ(verdicts.size(), samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -265,7 +265,7 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
 /// Every value of the case replaced by each of many texts: whatever passes the reader must pass the
 /// schema, which is the more lenient of the two.
 TEST(Schema, NeverRefusesWhatTheReaderTakes) {
-  if (!judge_is_installed()) GTEST_SKIP() << "python3-jsonschema is not installed";
+  if (!validator_is_installed()) GTEST_SKIP() << "python3-jsonschema is not installed";
   const std::string oil = lubricant(
       "temperature: 60 degC, density: 870 kg/m^3, viscosity_at: [{temperature: 30 degC, "
       "kinematic_viscosity: 46 cSt}, {temperature: 100 degC, viscosity: 6 mPa s}]");

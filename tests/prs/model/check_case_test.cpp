@@ -1,4 +1,5 @@
 #include "prs/model/check_case.h"
+#include "prs/model/requirements.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +50,7 @@ std::string paths(const std::vector<Problem>& problems) {
 
 TEST(CheckCase, AbeviIsSound) {
   EXPECT_EQ(paths(check_case(abevi_case())), "");
-  EXPECT_EQ(paths(check_requirements(abevi_case(), Command::solve)), "");
+  EXPECT_EQ(paths(missing(abevi_case(), Command::solve)), "");
 }
 
 TEST(CheckCase, OnlyBarsTakeTheThicknessOfThreads) {
@@ -232,44 +233,44 @@ TEST(CheckRequirements, FollowTheCommand) {
   Case c;
   c.mechanism = abevi_case().mechanism;
   for (Command command : {Command::check, Command::contact, Command::measures})
-    EXPECT_EQ(paths(check_requirements(c, command)), "");
-  EXPECT_EQ(paths(check_requirements(c, Command::solve)), "load_cases materials");
-  EXPECT_EQ(paths(check_requirements(c, Command::slip)), "load_cases materials friction");
+    EXPECT_EQ(paths(missing(c, command)), "");
+  EXPECT_EQ(paths(missing(c, Command::solve)), "load_cases materials");
+  EXPECT_EQ(paths(missing(c, Command::slip)), "load_cases materials friction");
 }
 
 TEST(CheckRequirements, EqualSharesNeedNoStructure) {
   Case c = abevi_case();
   c.structure.reset();
-  EXPECT_EQ(paths(check_requirements(c, Command::solve)), "structure");
+  EXPECT_EQ(paths(missing(c, Command::solve)), "structure");
   c.load_cases.erase(c.load_cases.begin());
-  EXPECT_EQ(paths(check_requirements(c, Command::solve)), "");
+  EXPECT_EQ(paths(missing(c, Command::solve)), "");
 }
 
 TEST(CheckRequirements, JacodNeedsALubricantAndSlipASpeed) {
   Case c = abevi_case();
   c.load_cases.pop_back();
   c.friction = Friction{};
-  EXPECT_EQ(paths(check_requirements(c, Command::slip)), "lubricant operation");
+  EXPECT_EQ(paths(missing(c, Command::slip)), "lubricant operation");
   c.friction->model = Friction::Model::coulomb;
   c.load_cases[0].speed = 40.0;
-  EXPECT_EQ(paths(check_requirements(c, Command::slip)), "");
+  EXPECT_EQ(paths(missing(c, Command::slip)), "");
 }
 
 TEST(CheckRequirements, ForceAndSpeedHaveOneSign) {
   Case c = abevi_case();
   c.friction = Friction{Friction::Model::coulomb, 0.1};
   c.operation = Operation{40.0, {}};
-  EXPECT_EQ(paths(check_requirements(c, Command::slip)), "load_cases[1]");
+  EXPECT_EQ(paths(missing(c, Command::slip)), "load_cases[1]");
   c.load_cases[1].speed = -40.0;
-  EXPECT_EQ(paths(check_requirements(c, Command::slip)), "");
+  EXPECT_EQ(paths(missing(c, Command::slip)), "");
   c.load_cases[0].speed = 0.0;
-  const std::vector<Problem> problems = check_requirements(c, Command::slip);
+  const std::vector<Problem> problems = missing(c, Command::slip);
   EXPECT_EQ(paths(problems), "load_cases[0].speed");
   EXPECT_NE(problems[0].message.find("case `pull`"), std::string::npos);
   EXPECT_NE(problems[0].message.find("other than 0"), std::string::npos);
   c.load_cases[0].direction = Direction::compression;
   c.load_cases[0].speed = -1.0;
-  EXPECT_EQ(paths(check_requirements(c, Command::slip)), "");
+  EXPECT_EQ(paths(missing(c, Command::slip)), "");
 }
 
 TEST(CheckRequirements, ALeftHandedScrewMayDriveOrBeDriven) {
@@ -278,10 +279,10 @@ TEST(CheckRequirements, ALeftHandedScrewMayDriveOrBeDriven) {
   c.friction = Friction{Friction::Model::coulomb, 0.1};
   for (const double speed : {40.0, -40.0}) {
     c.operation = Operation{speed, {}};
-    EXPECT_EQ(paths(check_requirements(c, Command::slip)), "") << speed;
+    EXPECT_EQ(paths(missing(c, Command::slip)), "") << speed;
   }
   c.operation = Operation{0.0, {}};
-  EXPECT_EQ(paths(check_requirements(c, Command::slip)), "operation.speed");
+  EXPECT_EQ(paths(missing(c, Command::slip)), "operation.speed");
 }
 
 TEST(CheckRequirements, ABearingNeedsALubricantWithAnyFriction) {
@@ -290,9 +291,9 @@ TEST(CheckRequirements, ABearingNeedsALubricantWithAnyFriction) {
   c.friction = Friction{Friction::Model::coulomb, 0.1};
   c.operation = Operation{40.0, {}};
   c.carrier.bearing = contact::JournalBearing{0.004, 0.005, 15e-6};
-  EXPECT_EQ(paths(check_requirements(c, Command::slip)), "lubricant");
+  EXPECT_EQ(paths(missing(c, Command::slip)), "lubricant");
   c.lubricant.emplace().viscosity = 0.1;
-  EXPECT_EQ(paths(check_requirements(c, Command::slip)), "");
+  EXPECT_EQ(paths(missing(c, Command::slip)), "");
 }
 
 TEST(CheckCase, BearingsAreThinFilmsAndShort) {
@@ -413,7 +414,7 @@ Case two_nuts() {
 TEST(CheckCase, BothNutsOfAPreloadHoldTheirRollers) {
   Case c = two_nuts();
   EXPECT_EQ(paths(check_case(c)), "");
-  EXPECT_EQ(paths(check_requirements(c, Command::preload)), "");
+  EXPECT_EQ(paths(missing(c, Command::preload)), "");
   // From the first nut's last contact to its end, over the spacer; the second may sit anywhere.
   const double span = 19 * axial_pitch(c.mechanism);
   const double least = 0.090 - 0.029 - span + 0.010;
@@ -468,11 +469,11 @@ TEST(CheckCase, APreloadIsHeldSomewhereAndWithinTheThreads) {
 TEST(CheckRequirements, PreloadNeedsPartsAndOneDimensionalBodies) {
   Case c;
   c.mechanism = abevi_case().mechanism;
-  EXPECT_EQ(paths(check_requirements(c, Command::preload)), "preload materials structure");
+  EXPECT_EQ(paths(missing(c, Command::preload)), "preload materials structure");
   c = two_nuts();
   c.model.bodies = ModelOptions::Bodies::influence;
-  EXPECT_EQ(paths(check_requirements(c, Command::preload)), "model.bodies");
-  EXPECT_EQ(paths(check_requirements(c, Command::check)), "");
+  EXPECT_EQ(paths(missing(c, Command::preload)), "model.bodies");
+  EXPECT_EQ(paths(missing(c, Command::check)), "");
 }
 
 }  // namespace

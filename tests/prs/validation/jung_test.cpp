@@ -20,7 +20,7 @@
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 #include "validation/jung_2017/contact_parameters.h"
-#include "validation/jung_2017/contribution.h"
+#include "validation/jung_2017/extension.h"
 #include "validation/jung_2017/measures.h"
 #include "validation/jung_2017/recipe.h"
 #include "validation/jung_2017/scale_chart.h"
@@ -38,7 +38,7 @@ constexpr double kStiffness[10][2] = {
     {5328.19, 0.005}, {4579.96, 0.005}, {3914.25, 0.005}, {3321.97, 0.005}, {2794.88, 0.005}};
 
 SourceReport report() {
-  return validate(PRS_SOURCE_DIR "/validation/jung_2017", {contribution()}).front();
+  return validate(PRS_SOURCE_DIR "/validation/jung_2017", {extension()}).front();
 }
 
 TEST(JungTables, EveryDigitOfTable71) {

@@ -229,7 +229,7 @@ Fidelities ideal() { return {reference(), bar_curves(), reference(), reference()
 /// reference, refined against the influence model, influence against the reference.
 std::vector<bool> holds(const Fidelities& f) {
   std::vector<bool> all;
-  for (const JudgedStatement& s : judge_statements(f))
+  for (const ComparedStatement& s : compare_statements(f))
     all.push_back(s.verdict.kind == Verdict::Kind::holds);
   return all;
 }
@@ -287,7 +287,7 @@ TEST(FidelityStatements, DoNotHoldWithoutAllAnswers) {
   for (std::vector<Curve>* curves : {&f.bars, &f.refined, &f.influence})
     curves->back().points.back().load_rate = {};
   EXPECT_EQ(holds(f), (std::vector{false, false, false, false, false}));
-  EXPECT_THAT(judge_statements(f)[2].verdict.evidence, HasSubstr("1 of 312 points without"));
+  EXPECT_THAT(compare_statements(f)[2].verdict.evidence, HasSubstr("1 of 312 points without"));
 }
 
 TEST(FidelityStatements, TheErrorBarIsThatOfTheDocument) {

@@ -7,7 +7,7 @@
 #include "prs/model/check_case.h"
 #include "prs/threads/contacts.h"
 #include "validation/standard_screws/comparison.h"
-#include "validation/standard_screws/contribution.h"
+#include "validation/standard_screws/extension.h"
 
 namespace prs {
 namespace {
@@ -48,10 +48,10 @@ TEST(StandardScrew, DimensionsFollowTheRules) {
   EXPECT_NEAR(contacts.threads.roller.profile_curvature, std::sqrt(0.5) / 5e-3, 1e-9);
 }
 
-std::vector<std::string> only_with(const std::vector<JudgedStatement>& statements,
+std::vector<std::string> only_with(const std::vector<ComparedStatement>& statements,
                                    Verdict::Kind kind) {
   std::vector<std::string> texts;
-  for (const JudgedStatement& s : statements)
+  for (const ComparedStatement& s : statements)
     if (s.verdict.kind == kind) texts.push_back(s.section);
   return texts;
 }
@@ -66,11 +66,11 @@ TEST(StandardScrews, TheRangeOfTheCapacityIsThatOfTheCatalogue) {
 }
 
 TEST(StandardScrews, SayWhatReproducesAndWhatDoesNot) {
-  const SourceReport report = validate(kFolder, {standard_screws::contribution()}).front();
+  const SourceReport report = validate(kFolder, {standard_screws::extension()}).front();
   EXPECT_THAT(only_with(report.statements, Verdict::Kind::holds), ElementsAre("weight", "inertia"));
   EXPECT_THAT(only_with(report.statements, Verdict::Kind::holds_only_with),
               ElementsAre("dynamic capacity", "static capacity", "static capacity"));
-  for (const JudgedStatement& s : report.statements)
+  for (const ComparedStatement& s : report.statements)
     EXPECT_EQ(s.verdict.why.empty(), s.verdict.kind == Verdict::Kind::holds) << s.text;
   EXPECT_THAT(report.tables, SizeIs(3));
   EXPECT_THAT(report.tables[0].rows, SizeIs(24));

@@ -11,9 +11,9 @@ namespace {
 TEST(Abevi2015, StatementsThatHoldWithThePapersOwnGuidance) {
   const Case screw =
       input::read_case(PRS_SOURCE_DIR "/validation/abevi_2015/screw.yaml", {}, Command::solve);
-  const std::vector<JudgedStatement> judged = abevi_2015::judge_statements(screw);
+  const std::vector<ComparedStatement> compared = abevi_2015::compare_statements(screw);
   const auto kind = [&](const std::string& words) {
-    for (const JudgedStatement& s : judged)
+    for (const ComparedStatement& s : compared)
       if (s.text.find(words) != std::string::npos) return s.verdict.kind;
     ADD_FAILURE() << "no statement says: " << words;
     return Verdict::Kind::does_not_hold;
@@ -30,17 +30,17 @@ TEST(Abevi2015, StatementsThatHoldWithThePapersOwnGuidance) {
   EXPECT_EQ(kind("quite uniform"), holds_only_with);
 }
 
-TEST(Statements, AreJudgedByThePlainModelFirst) {
+TEST(Statements, AreComparedWithThePlainModelFirst) {
   const Statement<int> even{"1", "is even", [](int n) {
                               return Finding{n % 2 == 0, std::to_string(n)};
                             }};
-  const auto judged = [&](int plain, int a, int b) {
-    return judge(even, std::vector<Variant<int>>{{"plain", plain}, {"a", a}, {"b", b}});
+  const auto compared = [&](int plain, int a, int b) {
+    return compare(even, std::vector<Variant<int>>{{"plain", plain}, {"a", a}, {"b", b}});
   };
-  EXPECT_EQ(judged(2, 1, 1).kind, Verdict::Kind::holds);
-  EXPECT_EQ(judged(1, 1, 1).kind, Verdict::Kind::does_not_hold);
-  EXPECT_EQ(judged(1, 1, 4).kind, Verdict::Kind::holds_only_with);
-  EXPECT_EQ(judged(1, 1, 4).only_with, std::vector<std::string>{"b"});
+  EXPECT_EQ(compared(2, 1, 1).kind, Verdict::Kind::holds);
+  EXPECT_EQ(compared(1, 1, 1).kind, Verdict::Kind::does_not_hold);
+  EXPECT_EQ(compared(1, 1, 4).kind, Verdict::Kind::holds_only_with);
+  EXPECT_EQ(compared(1, 1, 4).only_with, std::vector<std::string>{"b"});
 }
 
 }  // namespace

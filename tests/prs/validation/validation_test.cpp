@@ -11,10 +11,10 @@
 #include "prs/input/source.h"
 #include "prs/model/case_error.h"
 #include "tests/support/temporary_directory.h"
-#include "validation/jung_2017/contribution.h"
-#include "validation/sandu_2018/contribution.h"
-#include "validation/standard_screws/contribution.h"
-#include "validation/yao_2023/contribution.h"
+#include "validation/jung_2017/extension.h"
+#include "validation/sandu_2018/extension.h"
+#include "validation/standard_screws/extension.h"
+#include "validation/yao_2023/extension.h"
 
 namespace prs {
 namespace {
@@ -25,8 +25,8 @@ const std::filesystem::path kSources = PRS_SOURCE_DIR "/validation";
 
 /// All sources; Abevi's statements, which take a while, have a test of their own.
 std::vector<SourceReport> all_reports() {
-  return validate(kSources, {jung_2017::contribution(), sandu_2018::contribution(),
-                             standard_screws::contribution(), yao_2023::contribution()});
+  return validate(kSources, {jung_2017::extension(), sandu_2018::extension(),
+                             standard_screws::extension(), yao_2023::extension()});
 }
 
 /// Results of the printed values of a source, by verdict.
@@ -87,7 +87,7 @@ TEST(Validation, EverySourceFolderHasItsReferenceAndSource) {
 }
 
 SourceReport sandu_report() {
-  return validate(kSources / "sandu_2018", {sandu_2018::contribution()}).front();
+  return validate(kSources / "sandu_2018", {sandu_2018::extension()}).front();
 }
 
 /// Two signs and one digit in chapter 1 and appendix B; chapters 2 and 3: (2.20), both films, the
@@ -101,7 +101,7 @@ TEST(Validation, SandusNumbersReproduceButForNine) {
 
 TEST(Validation, SandusStatementsHoldButForFour) {
   int not_held = 0;
-  for (const JudgedStatement& s : sandu_report().statements) {
+  for (const ComparedStatement& s : sandu_report().statements) {
     if (s.verdict.kind == Verdict::Kind::holds) continue;
     ++not_held;
     EXPECT_FALSE(s.verdict.why.empty()) << s.text;
@@ -153,7 +153,7 @@ TEST(Validation, StatementsWithoutTheirCaseAreLeftOut) {
   std::ofstream(folder / "reference.yaml")
       << "source: a test\ncases:\n  - {case: case.yaml, command: contact, values: [{quantity: "
          "contact.centre_distance_mm, where: c, printed: '20'}]}\n";
-  const SourceReport report = validate(folder, {sandu_2018::contribution()}).front();
+  const SourceReport report = validate(folder, {sandu_2018::extension()}).front();
   EXPECT_TRUE(report.statements.empty());
   EXPECT_EQ(report.comparisons.size(), 1u);
 }
@@ -206,7 +206,7 @@ TEST(Validation, ReferenceFilesAreReadStrictly) {
 }
 
 /// A source of its own whose code is told its case and folder.
-SourceReport report_with(const Contribution& code) {
+SourceReport report_with(const SourceExtension& code) {
   const test::TemporaryDirectory parent;
   const std::filesystem::path folder = parent.path() / code.folder;
   std::filesystem::create_directory(folder);
@@ -304,7 +304,7 @@ TEST(PrintedNumber, CountsAgreeingDigits) {
 
 TEST(ValidationDocument, HoldsVerdictsDigitsAndTables) {
   const nlohmann::ordered_json document = validation_json(
-      validate(kSources / "sandu_2018", {sandu_2018::contribution()}), DocumentInfo{});
+      validate(kSources / "sandu_2018", {sandu_2018::extension()}), DocumentInfo{});
   const auto& source = document["sources"][0];
   EXPECT_EQ(source["name"], "sandu_2018");
   const auto& first = source["values"][0];

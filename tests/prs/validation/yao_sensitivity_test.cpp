@@ -31,7 +31,7 @@ TEST(YaoSensitivity, ReproducesTheTextButForTheLoadAndTwoSigns) {
   const Supplement found = yao_2023::sensitivity(initial());
   ASSERT_EQ(found.statements.size(), 12U);
   std::vector<std::string> not_held;
-  for (const JudgedStatement& s : found.statements) {
+  for (const ComparedStatement& s : found.statements) {
     if (s.verdict.kind == Verdict::Kind::holds) continue;
     EXPECT_FALSE(s.verdict.why.empty()) << s.text;
     const bool by_load = s.text.find("sigma_HSR") != std::string::npos;

@@ -1,4 +1,4 @@
-#include "validation/reference_fe/contribution.h"
+#include "validation/reference_fe/extension.h"
 
 #include "validation/reference_fe/comparison.h"
 #include "validation/reference_fe/figures.h"
@@ -17,7 +17,7 @@ Supplement compared(const Case& screw, const std::filesystem::path& folder) {
   const Fidelities f{reference, curves(bars), curves(refined), curves(influence)};
   const std::vector<Model> models{
       {"bars", f.bars}, {"refined", f.refined}, {"influence", f.influence}};
-  Supplement supplement{judge_statements(f), tables(models, reference),
+  Supplement supplement{compare_statements(f), tables(models, reference),
                         load_rate_figures(models, reference, kReferenceError),
                         files(models, reference)};
   for (Figure& figure : displacement_figures(models, reference, kReferenceError))
@@ -27,6 +27,6 @@ Supplement compared(const Case& screw, const std::filesystem::path& folder) {
 
 }  // namespace
 
-Contribution contribution() { return {.folder = "reference_fe", .supplement = compared}; }
+SourceExtension extension() { return {.folder = "reference_fe", .supplement = compared}; }
 
 }  // namespace prs::reference_fe

@@ -1,4 +1,4 @@
-#include "validation/jung_2017/contribution.h"
+#include "validation/jung_2017/extension.h"
 
 #include <fmt/format.h>
 
@@ -85,7 +85,7 @@ std::vector<ValidationTable> tables() {
 
 }  // namespace
 
-Contribution contribution() {
+SourceExtension extension() {
   return {.folder = "jung_2017", .formulas = formulas, .tables = tables};
 }
 

@@ -1,4 +1,4 @@
-#include "validation/yao_2023/contribution.h"
+#include "validation/yao_2023/extension.h"
 
 #include <cmath>
 #include <filesystem>
@@ -74,7 +74,7 @@ ValidationTable closure_of_printed_points() {
 
 }  // namespace
 
-Contribution contribution() {
+SourceExtension extension() {
   return {.folder = "yao_2023",
           .derived = derived,
           .tables = [] { return std::vector{closure_of_printed_points()}; },

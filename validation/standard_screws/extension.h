@@ -7,6 +7,6 @@ namespace prs::standard_screws {
 /// 24 screws of a maker's catalogue, each completed by the rules of `standard_screw_case`: ratios
 /// of the computed to the printed weights, inertias and capacities, and how capacities depend on
 /// the lead, with two profile radii of the rollers.
-Contribution contribution();
+SourceExtension extension();
 
 }  // namespace prs::standard_screws

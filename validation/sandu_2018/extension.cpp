@@ -1,4 +1,4 @@
-#include "validation/sandu_2018/contribution.h"
+#include "validation/sandu_2018/extension.h"
 
 #include <fmt/format.h>
 
@@ -79,9 +79,9 @@ ValidationTable ellipticity_approximations() {
 
 }  // namespace
 
-Contribution contribution() {
+SourceExtension extension() {
   return {.folder = "sandu_2018",
-          .statements = judge_statements,
+          .statements = compare_statements,
           .derived = derived,
           .tables = [] { return std::vector{ellipticity_approximations()}; },
           .subject_tables =

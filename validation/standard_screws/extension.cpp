@@ -1,4 +1,4 @@
-#include "validation/standard_screws/contribution.h"
+#include "validation/standard_screws/extension.h"
 
 #include <fmt/format.h>
 
@@ -131,14 +131,14 @@ Supplement supplement(const Case&, const std::filesystem::path& folder) {
        compare(catalogue, kRadiusInPitches, Rollers::as_at_coarsest_lead)}};
   Supplement s;
   for (const Statement<Rows>& statement : statements())
-    s.statements.push_back({statement.section, statement.text, judge(statement, variants)});
+    s.statements.push_back({statement.section, statement.text, compare(statement, variants)});
   for (const Variant<Rows>& v : variants) s.tables.push_back(table(v.results, v.name));
   return s;
 }
 
 }  // namespace
 
-Contribution contribution() {
+SourceExtension extension() {
   return {.folder = "standard_screws", .formulas = cylinders, .supplement = supplement};
 }
 

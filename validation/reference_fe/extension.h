@@ -6,6 +6,6 @@ namespace prs::reference_fe {
 
 /// The three models of the bodies against the curves of `data/curves.csv`: discrepancies of
 /// stiffness and load rates, statements on them, pictures, and every number thread by thread.
-Contribution contribution();
+SourceExtension extension();
 
 }  // namespace prs::reference_fe

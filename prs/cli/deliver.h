@@ -1,0 +1,12 @@
+#pragma once
+
+#include "prs/cli/printing.h"
+#include "prs/run/delivery.h"
+
+namespace prs::cli {
+
+/// Writes the files and pictures of a result, prints its document or table, and returns the exit
+/// status of the program.
+int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOptions& options);
+
+}  // namespace prs::cli

@@ -1,0 +1,87 @@
+#include "prs/cli/program.h"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <new>
+#include <sstream>
+#include <string_view>
+
+#include "prs/cli/interruption.h"
+#include "prs/input/source.h"
+#include "prs/output/run_files.h"
+#include "prs/sector/influence/matrix_cache.h"
+#include "prs/study/journal.h"
+
+namespace prs::cli {
+namespace {
+
+/// One line of an error, without asking for memory.
+int failed(std::string_view before, std::string_view what, int status) noexcept {
+  say(before);
+  say(what);
+  say("\n");
+  return status;
+}
+
+}  // namespace
+
+void add_output_options(CLI::App& command, OutputOptions& options) {
+  command.add_flag("--json", options.json, "Print one JSON document and nothing else");
+  command.add_option("--output", options.output, "Write files into this directory")
+      ->type_name("DIR");
+  command.add_flag("--quiet", options.quiet, "Print errors only");
+}
+
+std::optional<int> parse(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out, err;
+    const int status = app.exit(error, out, err);
+    print(out.str());
+    say(err.str());
+    return status == 0 ? kDone : kWrongInput;
+  }
+  return std::nullopt;
+}
+
+int run_recorded(const std::function<int()>& run, const OutputOptions& options,
+                 const std::string& command, const std::string& case_file,
+                 const std::vector<std::string>& overrides) {
+  shared_matrix_cache().keep_in(cache_directory());
+  std::optional<RunFiles> files;
+  if (options.output) files.emplace(*options.output, command, case_file, overrides);
+  const int status = run();
+  if (files)
+    for (const std::string& text : files->finish()) note(options, "prs: " + text);
+  if (const std::string text = shared_matrix_cache().refusal(); !text.empty())
+    note(options, "prs: " + text);
+  return status;
+}
+
+int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
+  if (!reserve_standard_streams()) return kFailed;
+  let_writes_fail();
+  try {
+    const int status = run(argc, argv);
+    close_output();
+    return status;
+  } catch (const input::InputError& error) {
+    return failed("", error.what(), kWrongInput);
+  } catch (const StudyFolderError& error) {
+    return failed("", error.what(), kWrongInput);
+  } catch (const ReaderGone&) {
+    return kFailed;
+  } catch (const std::bad_alloc&) {
+    return failed("prs: error: ",
+                  "out of memory; give the program more, or it less to do at once: a smaller case, "
+                  "fewer --threads",
+                  kFailed);
+  } catch (const std::exception& error) {
+    return failed("prs: error: ", error.what(), kFailed);
+  } catch (...) {
+    return failed("prs: error: ", "of an unknown kind", kFailed);
+  }
+}
+
+}  // namespace prs::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+namespace prs {
+
+/// What the program can be asked to do with a case.
+enum class Command { check, contact, solve, slip, preload, life, measures, study, optimize };
+
+inline constexpr std::string_view kCommandNames[] = {
+    "check", "contact", "solve", "slip", "preload", "life", "measures", "study", "optimize"};
+
+/// As it stands on the command line and in studies.
+constexpr std::string_view name(Command command) {
+  return kCommandNames[static_cast<int>(command)];
+}
+
+}  // namespace prs

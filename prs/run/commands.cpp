@@ -1,0 +1,236 @@
+#include "prs/run/commands.h"
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+#include <utility>
+
+#include "prs/figures/contact_figures.h"
+#include "prs/figures/life_figures.h"
+#include "prs/figures/measures_figures.h"
+#include "prs/figures/preload_figures.h"
+#include "prs/figures/result_figures.h"
+#include "prs/figures/slip_figures.h"
+#include "prs/output/check.h"
+#include "prs/output/contact_table.h"
+#include "prs/output/csv.h"
+#include "prs/output/life_files.h"
+#include "prs/output/life_table.h"
+#include "prs/output/measures_table.h"
+#include "prs/output/preload_files.h"
+#include "prs/output/preload_table.h"
+#include "prs/output/slip_csv.h"
+#include "prs/output/slip_table.h"
+#include "prs/output/table.h"
+#include "prs/output/warnings.h"
+#include "prs/quantities/life_json.h"
+#include "prs/quantities/measures_json.h"
+#include "prs/quantities/preload_json.h"
+#include "prs/run/analyses.h"
+
+namespace prs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What one command makes of its result.
+template <class R>
+struct Forms {
+  const char* file;  ///< Of the document.
+  Json (*document)(const R&, const DocumentInfo&);
+  std::string (*table)(const R&);
+  std::vector<std::string> (*notes)(const R&);
+  std::vector<OutputFile> (*files)(const R&) = nullptr;
+  std::vector<Figure> (*figures)(const R&, const Case&) = nullptr;
+  std::vector<std::string> (*without_figure)(const R&) = nullptr;
+  bool (*converged)(const R&) = nullptr;
+};
+
+/// `run` takes the values of the case, or all that was read of it.
+template <class R, class Run>
+CommandRow row(Command command, std::string_view help, Run run, const Forms<R>& forms) {
+  return {command, help, [=](const input::Source& source, const input::CaseInput& in) {
+            const auto result = std::make_shared<const R>([&] {
+              if constexpr (std::is_invocable_v<Run, const input::Source&, const Case&>)
+                return run(source, in.values);
+              else
+                return run(source, in);
+            }());
+            Delivery d{forms.file,
+                       [=](const DocumentInfo& info) { return forms.document(*result, info); },
+                       [=] { return forms.table(*result); }, forms.notes(*result)};
+            if (forms.files) d.files = [=] { return forms.files(*result); };
+            if (forms.figures)
+              d.figures = [=, c = std::make_shared<const Case>(in.values)] {
+                return forms.figures(*result, *c);
+              };
+            if (forms.without_figure) d.without_figure = forms.without_figure(*result);
+            if (forms.converged) d.converged = forms.converged(*result);
+            return d;
+          }};
+}
+
+std::vector<std::string> as_warnings(const std::vector<std::string>& texts) {
+  std::vector<std::string> notes;
+  for (const std::string& text : texts) notes.push_back("warning: " + text);
+  return notes;
+}
+
+std::vector<std::string> summary(const Result& result) {
+  std::string text = warning_summary(result);
+  return text.empty() ? std::vector<std::string>{} : std::vector{std::move(text)};
+}
+
+bool all_converged(const Result& result) {
+  return std::ranges::all_of(result.load_cases, &LoadCaseResult::converged);
+}
+
+/// A terminal shows a load case thread by thread, but not the points of a range.
+constexpr std::size_t kMostCharts = 1;
+
+std::string solve_text(const Result& result) {
+  std::string text = load_case_table(result);
+  if (result.load_cases.size() <= kMostCharts)
+    for (const LoadCaseResult& r : result.load_cases)
+      text.append("\n").append(load_distribution_chart(r));
+  return text;
+}
+
+std::vector<OutputFile> solve_files(const Result& result) {
+  return {{"load_cases.csv", load_cases_csv(result)},
+          {"load_distribution.csv", load_distribution_csv(result)}};
+}
+
+std::string slip_text(const Result& result) {
+  std::string text = slip_table(result);
+  if (result.load_cases.size() <= kMostCharts)
+    for (const LoadCaseResult& r : result.load_cases)
+      if (r.load_case.share == LoadCase::Share::solved) text.append("\n").append(slip_chart(r));
+  return text;
+}
+
+std::vector<OutputFile> slip_files(const Result& result) {
+  std::vector<OutputFile> files = solve_files(result);
+  files.push_back({"slip.csv", slip_csv(result)});
+  files.push_back({"slip_threads.csv", slip_threads_csv(result)});
+  return files;
+}
+
+bool has_converged_slip(const LoadCaseResult& r) { return r.slip && r.slip->converged(); }
+
+/// The cases whose patches and residue are drawn.
+constexpr std::size_t kMostPatches = 4;
+
+std::vector<Figure> all_slip_figures(const Result& result, const Case& c) {
+  std::vector<std::pair<std::size_t, SlipPictures>> pictures;
+  for (std::size_t k = 0; k < result.load_cases.size() && pictures.size() < kMostPatches; ++k)
+    if (has_converged_slip(result.load_cases[k]))
+      pictures.emplace_back(k, slip_pictures(c, result, k));
+  return slip_figures(result, pictures);
+}
+
+std::vector<OutputFile> life_files(const LifeResult& result) {
+  std::vector<OutputFile> files = {{"life_threads.csv", life_threads_csv(result)}};
+  if (result.cycles) {
+    files.push_back({"cycles.csv", cycles_csv(*result.cycles)});
+    files.push_back({"cycle_matrix.csv", cycle_matrix_csv(result.cycles->matrix)});
+  }
+  return files;
+}
+
+const std::vector<CommandRow>& table() {
+  static const std::vector<CommandRow> rows = {
+      row<CheckResult>(
+          Command::check, "Validate a case; print every value, default and derived", run_check,
+          {.file = "check.json",
+           .document =
+               [](const CheckResult& r, const DocumentInfo& info) {
+                 return check_json(r.fields, r.contacts, r.warnings, info);
+               },
+           .table =
+               [](const CheckResult& r) { return check_table(r.fields, r.contacts, r.warnings); },
+           .notes = [](const CheckResult& r) { return as_warnings(r.warnings); }}),
+      row<Result>(Command::contact, "Contact points, backlash, curvatures, ellipses, pictures",
+                  run_contact,
+                  {.file = "contact.json",
+                   .document = to_json,
+                   .table = contact_table,
+                   .notes = summary,
+                   .figures = [](const Result& r, const Case&) { return contact_figures(r); },
+                   .without_figure = contacts_without_figure}),
+      row<Result>(Command::solve, "Load distribution, pressures, displacement and stiffness",
+                  run_solve,
+                  {.file = "result.json",
+                   .document = to_json,
+                   .table = solve_text,
+                   .notes = summary,
+                   .files = solve_files,
+                   .figures = [](const Result& r, const Case&) { return result_figures(r); },
+                   .converged = all_converged}),
+      row<Result>(
+          Command::slip, "Slip, friction, dissipated power, efficiency and torques", run_slip,
+          {.file = "slip.json",
+           .document = to_json,
+           .table = slip_text,
+           .notes = summary,
+           .files = slip_files,
+           .figures = all_slip_figures,
+           .converged =
+               [](const Result& r) {
+                 return all_converged(r) && std::ranges::all_of(r.load_cases, has_converged_slip);
+               }}),
+      row<PreloadResult>(
+          Command::preload, "Preload: curve through zero, lost motion, opening loads", run_preload,
+          {.file = "preload.json",
+           .document = preload_json,
+           .table = preload_table,
+           .notes = [](const PreloadResult& r) { return as_warnings(r.warnings); },
+           .files =
+               [](const PreloadResult& r) {
+                 return std::vector<OutputFile>{{"preload.csv", preload_csv(r)}};
+               },
+           .figures = [](const PreloadResult& r, const Case&) { return preload_figures(r); },
+           .converged = [](const PreloadResult& r) { return r.converged(); }}),
+      row<LifeResult>(Command::life, "Life under a load history or spectrum, static safety",
+                      run_life,
+                      {.file = "life.json",
+                       .document = life_json,
+                       .table = life_table,
+                       .notes = [](const LifeResult& r) { return as_warnings(r.warnings); },
+                       .files = life_files,
+                       .figures = [](const LifeResult& r, const Case&) { return life_figures(r); },
+                       .converged = [](const LifeResult& r) { return r.converged(); }}),
+      row<MeasuresResult>(
+          Command::measures,
+          "Capacity, life, weight, stiffness, inertia and the other design measures", run_measures,
+          {.file = "measures.json",
+           .document = measures_json,
+           .table = measures_table,
+           .notes = [](const MeasuresResult& r) { return summary(r.analysis); },
+           .files =
+               [](const MeasuresResult& r) {
+                 return std::vector<OutputFile>{{"measures.csv", measures_csv(r)},
+                                                {"yang.csv", yang_csv(r)}};
+               },
+           .figures = [](const MeasuresResult& r, const Case&) { return measures_figures(r); },
+           .converged = [](const MeasuresResult& r) { return all_converged(r.analysis); }}),
+      {Command::study, "Run the study of the file: many designs, a row each"},
+      {Command::optimize, "Search the designs that the file aims at"},
+  };
+  return rows;
+}
+
+}  // namespace
+
+std::span<const CommandRow> commands() { return table(); }
+
+const CommandRow& row_of(Command command) {
+  return *std::ranges::find(table(), command, &CommandRow::command);
+}
+
+Delivery run(const CommandRow& row, const input::Source& source) {
+  return row.run(source, input::read_case_input(source, row.command));
+}
+
+}  // namespace prs

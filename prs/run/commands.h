@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "prs/input/reader.h"
+#include "prs/input/source.h"
+#include "prs/model/command.h"
+#include "prs/run/delivery.h"
+
+namespace prs {
+
+/// A row of the table of commands. What a case must have for it is `input::missing`.
+struct CommandRow {
+  Command command = Command::check;
+  std::string_view help;
+  /// Runs it on a case that was read from the source for it. Throws InputError. Empty for `study`
+  /// and `optimize`, which continue what was interrupted.
+  std::function<Delivery(const input::Source&, const input::CaseInput&)> run = {};
+};
+
+/// All commands that take a case, in the order in which they are shown.
+std::span<const CommandRow> commands();
+
+const CommandRow& row_of(Command command);
+
+/// Reads a case for a command and runs it. Throws InputError, also where the case lacks something.
+Delivery run(const CommandRow& row, const input::Source& source);
+
+}  // namespace prs

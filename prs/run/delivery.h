@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "prs/figures/figure.h"
+#include "prs/output/files.h"
+#include "prs/quantities/json.h"
+
+namespace prs {
+
+/// What a command found, in every form in which it leaves the program. Each form is made when it is
+/// asked for.
+struct Delivery {
+  std::string file;  ///< Of the document in the output folder: `slip.json`.
+  std::function<nlohmann::ordered_json(const DocumentInfo&)> document;
+  std::function<std::string()> table;                   ///< On a terminal.
+  std::vector<std::string> notes = {};                  ///< To whom the document is printed.
+  std::function<std::vector<OutputFile>()> files = {};  ///< Beside the document.
+  std::function<std::vector<Figure>()> figures = {};
+  std::vector<std::string> without_figure = {};  ///< Why some are missing, a line each.
+  bool converged = true;
+};
+
+}  // namespace prs

@@ -1,0 +1,135 @@
+// The program behind `prs validate`: what the shipped engine computes against what sources print.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "prs/cli/deliver.h"
+#include "prs/cli/program.h"
+#include "prs/input/document.h"
+#include "prs/validation/validate.h"
+#include "prs/version.h"
+#include "validation/abevi_2015/statements.h"
+#include "validation/jung_2017/extension.h"
+#include "validation/jung_2017/recipe.h"
+#include "validation/reference_fe/extension.h"
+#include "validation/sandu_2018/extension.h"
+#include "validation/standard_screws/extension.h"
+#include "validation/yao_2023/extension.h"
+
+namespace {
+
+using namespace prs::cli;
+
+const prs::DocumentInfo kInfo{prs::kVersion, prs::kSchemaVersion, "", {}};
+
+struct Options : OutputOptions {
+  std::string file;
+  std::optional<std::string> recipe;   ///< A source's formulas for given diameters.
+  std::vector<std::string> diameters;  ///< For it: `54 mm, 27 mm, 9 mm` each.
+};
+
+/// The document, and below the name of each source what its code wrote and drew; false where a
+/// picture is missing.
+bool write(const std::vector<prs::SourceReport>& reports, const std::string& document,
+           const Options& options) {
+  bool written = true;
+  prs::write_files(*options.output, {{"validation.json", document}});
+  for (const prs::SourceReport& source : reports) {
+    const std::filesystem::path folder = *options.output / source.name;
+    if (!source.files.empty()) prs::write_files(folder, source.files);
+    written &= report(prs::draw_figures(source.figures, folder), options);
+  }
+  return written;
+}
+
+int wrong_input(const std::string& message) {
+  say(message);
+  return kWrongInput;
+}
+
+/// `options.file` is the folder of the sources.
+int validate(const Options& options) {
+  if (!std::filesystem::is_directory(options.file))
+    return wrong_input(fmt::format(
+        "{}: error: no such folder; give the folder of the sources as DIR\n", options.file));
+  const std::vector<prs::SourceReport> reports =
+      prs::validate(options.file, {{"abevi_2015", prs::abevi_2015::compare_statements},
+                                   prs::jung_2017::extension(),
+                                   prs::reference_fe::extension(),
+                                   prs::sandu_2018::extension(),
+                                   prs::standard_screws::extension(),
+                                   prs::yao_2023::extension()});
+  if (reports.empty())
+    return wrong_input(fmt::format("{}: error: no folder with a reference.yaml\n", options.file));
+  const std::string document = prs::json_text(prs::validation_json(reports, kInfo));
+  const bool written = !options.output || write(reports, document, options);
+  if (options.json) {
+    print(document);
+  } else if (!options.quiet) {
+    print(prs::validation_text(reports));
+    if (options.output) print(fmt::format("Files: {}\n", options.output->string()));
+  }
+  for (const prs::SourceReport& report : reports)
+    for (const prs::Comparison& comparison : report.comparisons)
+      if (comparison.unexpected()) return kFailed;
+  return exit_status(written, true);
+}
+
+/// A source's formulas for diameters of the user.
+int recipe(const Options& options) {
+  using namespace prs::jung_2017;
+  const Recipe* recipe = find_recipe(*options.recipe);
+  if (recipe == nullptr) {
+    std::vector<std::string_view> names;
+    for (const Recipe& known : recipes()) names.push_back(known.name);
+    return wrong_input(fmt::format("prs validate: error: --recipe: got {}; expected one of {}\n",
+                                   prs::input::shown(*options.recipe), fmt::join(names, ", ")));
+  }
+  const std::vector<Diameters> rows = read_diameters(options.file, options.diameters);
+  return deliver(
+      {.file = "recipe.json",
+       .document = [&](const prs::DocumentInfo& i) { return recipe_json(*recipe, rows, i); },
+       .table = [&] { return recipe_text(*recipe, rows); },
+       .files =
+           [&] {
+             return std::vector<prs::OutputFile>{{"recipe.csv", recipe_csv(*recipe, rows)}};
+           }},
+      kInfo, options);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Compare with the published sources"};
+  app.footer(kExitStatuses);
+  Options options;
+  app.add_option("file", options.file,
+                 "Folder of the sources, default: validation; with --recipe a file of diameters, "
+                 "YAML or CSV")
+      ->type_name("DIR|FILE");
+  CLI::Option* recipe_option =
+      app.add_option("--recipe", options.recipe,
+                     "Compute a source's table for other diameters: jung-as-printed (with its "
+                     "slips) or jung-corrected")
+          ->type_name("NAME");
+  app.add_option("--diameters", options.diameters,
+                 "Nut (outer), screw and roller, e.g. \"54 mm, 27 mm, 9 mm\"; repeatable")
+      ->type_name("ROW")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false)
+      ->needs(recipe_option);
+  add_output_options(app, options);
+  if (const std::optional<int> status = parse(app, argc, argv)) return *status;
+
+  if (!options.recipe && options.file.empty()) options.file = "validation";
+  return run_recorded([&] { return options.recipe ? recipe(options) : validate(options); }, options,
+                      "validate", "", {});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return run_program(run, argc, argv); }
