@@ -1,0 +1,90 @@
+#include "prs/run/commands.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "prs/run/analyses.h"
+
+namespace prs {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+input::Source lesson(const std::string& name, std::vector<std::string> overrides = {}) {
+  return input::load_source(PRS_SOURCE_DIR "/configs/" + name, std::move(overrides));
+}
+
+input::CaseInput read(const input::Source& source) {
+  return input::read_case_input(source, Command::check);
+}
+
+bool accepts(const input::Source& source, Command command) {
+  try {
+    input::read_case_input(source, command);
+    return true;
+  } catch (const input::InputError&) {
+    return false;
+  }
+}
+
+TEST(Commands, EachStandsOnceInTheTable) {
+  std::set<std::string_view> names;
+  for (const CommandRow& row : commands()) {
+    names.insert(name(row.command));
+    EXPECT_EQ(&row_of(row.command), &row);
+  }
+  EXPECT_EQ(names.size(), std::size(kCommandNames));
+}
+
+TEST(Commands, LackNothingWhereTheyReadTheCase) {
+  for (const auto& file : std::filesystem::directory_iterator(PRS_SOURCE_DIR "/configs")) {
+    if (file.path().extension() != ".yaml") continue;
+    const input::Source source = lesson(file.path().filename());
+    const input::CaseInput in = read(source);
+    for (const CommandRow& row : commands())
+      if (row.run)
+        EXPECT_EQ(input::missing(in, row.command).empty(), accepts(source, row.command))
+            << file.path() << ' ' << name(row.command);
+  }
+}
+
+TEST(Commands, NameTheBlocksThatTheyLack) {
+  const input::CaseInput in = read(lesson("01_config_1_to_3.yaml"));
+  EXPECT_THAT(input::missing(in, Command::solve), IsEmpty());
+  EXPECT_THAT(input::missing(in, Command::slip), ElementsAre("friction", "operation"));
+  EXPECT_THAT(input::missing(in, Command::preload), ElementsAre("preload"));
+  EXPECT_THAT(input::missing(in, Command::study), ElementsAre("study"));
+  EXPECT_THAT(input::missing(in, Command::optimize), ElementsAre("optimize"));
+}
+
+/// A study needs what the command of its designs does.
+TEST(Commands, AStudyLacksWhatItsDesignsLack) {
+  const std::string study =
+      "study={command: slip, factors: [{path: mechanism.rollers, values: [8, 9]}]}";
+  EXPECT_THAT(input::missing(read(lesson("01_config_1_to_3.yaml", {study})), Command::study),
+              ElementsAre("friction", "operation"));
+  EXPECT_THAT(input::missing(read(lesson("09_slip_and_dissipation.yaml", {study})), Command::study),
+              IsEmpty());
+}
+
+/// Whoever keeps one needs neither the case nor the result.
+TEST(Delivery, OutlivesWhatItWasMadeOf) {
+  Delivery delivery;
+  DocumentInfo info;
+  {
+    const input::Source source = lesson("05_standard_screw.yaml");
+    delivery = run(row_of(Command::contact), source);
+    info = document_info(source);
+  }
+  EXPECT_EQ(delivery.file, "contact.json");
+  EXPECT_TRUE(delivery.document(info).contains("contact"));
+  EXPECT_NE(delivery.table(), "");
+  EXPECT_FALSE(delivery.figures().empty());
+}
+
+}  // namespace
+}  // namespace prs
