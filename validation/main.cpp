@@ -58,12 +58,9 @@ int validate(const Options& options) {
     return wrong_input(fmt::format(
         "{}: error: no such folder; give the folder of the sources as DIR\n", options.file));
   const std::vector<prs::SourceReport> reports =
-      prs::validate(options.file, {{"abevi_2015", prs::abevi_2015::compare_statements},
-                                   prs::jung_2017::extension(),
-                                   prs::reference_fe::extension(),
-                                   prs::sandu_2018::extension(),
-                                   prs::standard_screws::extension(),
-                                   prs::yao_2023::extension()});
+      prs::validate(options.file, {prs::abevi_2015::extension(), prs::jung_2017::extension(),
+                                   prs::reference_fe::extension(), prs::sandu_2018::extension(),
+                                   prs::standard_screws::extension(), prs::yao_2023::extension()});
   if (reports.empty())
     return wrong_input(fmt::format("{}: error: no folder with a reference.yaml\n", options.file));
   const std::string document = prs::json_text(prs::validation_json(reports, kInfo));

@@ -22,6 +22,12 @@ struct Verdict {
   std::string why;       ///< Where it does not hold with the plain model.
 };
 
+struct ComparedStatement {
+  std::string section;
+  std::string text;
+  Verdict verdict;
+};
+
 /// A statement in words, turned into a predicate on the results of one variant of the model.
 template <class Results>
 struct Statement {
@@ -40,7 +46,8 @@ struct Variant {
 
 /// Compares a statement with the plain model first, then with the variants.
 template <class Results>
-Verdict compare(const Statement<Results>& statement, const std::vector<Variant<Results>>& variants) {
+Verdict compare(const Statement<Results>& statement,
+                const std::vector<Variant<Results>>& variants) {
   Verdict verdict;
   for (const Variant<Results>& variant : variants) {
     const bool plain = &variant == &variants.front();
@@ -58,6 +65,15 @@ Verdict compare(const Statement<Results>& statement, const std::vector<Variant<R
   }
   verdict.why = statement.why;
   return verdict;
+}
+
+template <class Results>
+std::vector<ComparedStatement> compare(const std::vector<Statement<Results>>& statements,
+                                       const std::vector<Variant<Results>>& variants) {
+  std::vector<ComparedStatement> compared;
+  for (const Statement<Results>& s : statements)
+    compared.push_back({s.section, s.text, compare(s, variants)});
+  return compared;
 }
 
 }  // namespace prs

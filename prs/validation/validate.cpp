@@ -11,12 +11,12 @@
 #include <sstream>
 #include <utility>
 
-#include "prs/loads/analyze.h"
-#include "prs/quantities/json.h"
 #include "prs/input/compute_from.h"
 #include "prs/input/reader.h"
-#include "prs/text.h"
+#include "prs/loads/analyze.h"
+#include "prs/quantities/json.h"
 #include "prs/slip/slip.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {
@@ -79,13 +79,7 @@ void append(std::vector<T>& to, std::vector<T>&& from) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-/// What the code of a source says of the case that it is about.
-void add_subject(SourceReport& report, const SourceExtension& code, const Case& subject,
-                 const std::filesystem::path& folder) {
-  if (code.statements) append(report.statements, code.statements(subject));
-  if (code.subject_tables) append(report.tables, code.subject_tables(subject));
-  if (!code.supplement) return;
-  Supplement supplement = code.supplement(subject, folder);
+void add(SourceReport& report, Supplement&& supplement) {
   append(report.statements, std::move(supplement.statements));
   append(report.tables, std::move(supplement.tables));
   append(report.figures, std::move(supplement.figures));
@@ -103,7 +97,7 @@ SourceReport report_on(const std::filesystem::path& folder,
     if (c.folder == report.name) code = c;
   for (const ReferenceCase& c : reference.cases) append(report.comparisons, compare(c, code));
   if (code.tables) report.tables = code.tables();
-  if (!code.statements && !code.subject_tables && !code.supplement) return report;
+  if (!code.supplement) return report;
   // Left out where the reference does not hold the case that the code is about.
   const auto subject = std::ranges::find_if(reference.cases, [&](const ReferenceCase& c) {
     return code.subject.empty() ? !c.file.empty() : c.file.filename() == code.subject;
@@ -111,7 +105,7 @@ SourceReport report_on(const std::filesystem::path& folder,
   if (subject == reference.cases.end()) return report;
   const input::Source source = input::load_source(subject->file.string(), {});
   const Case c = input::read_case_input(source, subject->command).values;
-  input::compute_from(source, [&] { add_subject(report, code, c, folder); });
+  input::compute_from(source, [&] { add(report, code.supplement(c, folder)); });
   return report;
 }
 

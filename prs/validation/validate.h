@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "prs/model/case.h"
-#include "prs/quantities/json.h"
 #include "prs/figures/figure.h"
-#include "prs/output/files.h"
 #include "prs/loads/result.h"
+#include "prs/model/case.h"
+#include "prs/output/files.h"
+#include "prs/quantities/json.h"
 #include "prs/validation/reference.h"
 #include "prs/validation/statement.h"
 #include "prs/validation/table.h"
@@ -39,49 +39,33 @@ struct Comparison {
   }
 };
 
-struct ComparedStatement {
-  std::string section;
-  std::string text;
-  Verdict verdict;
-};
-
 /// What the code of a source finds on its case and in the data beside it.
 struct Supplement {
-  std::vector<ComparedStatement> statements;
-  std::vector<ValidationTable> tables;
-  std::vector<Figure> figures;
-  std::vector<OutputFile> files;
+  std::vector<ComparedStatement> statements = {};
+  std::vector<ValidationTable> tables = {};
+  std::vector<Figure> figures = {};
+  std::vector<OutputFile> files = {};
 };
 
 /// What the run says of one folder below `validation/`.
-struct SourceReport {
+struct SourceReport : Supplement {
   std::string name;    ///< Of the folder.
   std::string source;  ///< Citation.
   std::vector<Comparison> comparisons;
-  std::vector<ComparedStatement> statements;
-  std::vector<ValidationTable> tables;
-  std::vector<Figure> figures;
-  std::vector<OutputFile> files;
 };
-
-/// Compares the statements that a source makes in words about the screw of its case with what we compute.
-using CompareStatements = std::function<std::vector<ComparedStatement>(const Case&)>;
-
-/// What a source prints and the JSON document does not hold, by key; stands below `derived` there.
-using DerivedQuantities = std::function<nlohmann::ordered_json(const Result&)>;
 
 /// What the code of one folder adds to its `reference.yaml`.
 struct SourceExtension {
   std::string folder;
-  CompareStatements statements = {};  ///< On the subject.
-  DerivedQuantities derived = {};
+  /// What the source prints of a result and the JSON document does not hold, by key; stands below
+  /// `derived` there.
+  std::function<nlohmann::ordered_json(const Result&)> derived = {};
   /// What the source's formulas give without a case, by key.
   std::function<nlohmann::ordered_json()> formulas = {};
   std::function<std::vector<ValidationTable>()> tables = {};
-  std::function<std::vector<ValidationTable>(const Case&)> subject_tables = {};
-  /// On the subject and the source's folder.
+  /// On the case `subject` and the source's folder.
   std::function<Supplement(const Case&, const std::filesystem::path&)> supplement = {};
-  /// File of the case that the statements are about; empty for the first one of the reference.
+  /// File of that case; empty for the first one of the reference.
   std::string subject = {};
 };
 

@@ -508,7 +508,8 @@ std::vector<AbeviStatement> statements() {
       {"6", "the load distribution was different at each interface of the roller",
        distribution_differs_at_the_interfaces},
       {"6",
-       "sensitive to the loading cases (tensile or compressive), the external loading value and the "
+       "sensitive to the loading cases (tensile or compressive), the external loading value and "
+       "the "
        "type of configuration",
        distribution_is_sensitive_to_everything},
   };
@@ -584,12 +585,17 @@ ComparedStatement nut_shape_matters(const Case& screw, const Results& plain) {
 
 std::vector<ComparedStatement> compare_statements(const Case& screw) {
   const std::vector<Variant<Results>> all = variants(screw);
-  std::vector<ComparedStatement> compared;
-  for (const AbeviStatement& statement : statements())
-    compared.push_back({statement.section, statement.text, compare(statement, all)});
+  std::vector<ComparedStatement> compared = compare(statements(), all);
   compared.push_back(boundary_conditions_matter(all));
   compared.push_back(nut_shape_matters(screw, all.front().results));
   return compared;
+}
+
+SourceExtension extension() {
+  return {.folder = "abevi_2015",
+          .supplement = [](const Case& screw, const std::filesystem::path&) {
+            return Supplement{.statements = compare_statements(screw)};
+          }};
 }
 
 }  // namespace prs::abevi_2015

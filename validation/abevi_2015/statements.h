@@ -6,10 +6,12 @@
 
 namespace prs::abevi_2015 {
 
-/// Every statement that Abevi et al. 2015 make in words about their screw, judged by solving it:
-/// CONFIG 1 to 3, tension and compression, flexible and rigid rollers, loads up to 45 kN, for the
-/// guidance of the paper and its alternatives. `screw` is the paper's screw; its load cases are
-/// not used.
+/// Every statement that Abevi et al. 2015 make in words about their screw, compared with its
+/// solutions: CONFIG 1 to 3, tension and compression, flexible and rigid rollers, loads up to 45
+/// kN, for the guidance of the paper and its alternatives. `screw` is the paper's screw; its load
+/// cases are not used.
 std::vector<ComparedStatement> compare_statements(const Case& screw);
+
+SourceExtension extension();
 
 }  // namespace prs::abevi_2015

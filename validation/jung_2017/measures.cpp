@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "contact/hertz.h"
-#include "prs/model/units.h"
 #include "prs/life/capacity.h"
 #include "prs/model/materials.h"
+#include "prs/model/units.h"
 #include "prs/threads/tooth_compliance.h"
 
 namespace prs::jung_2017 {

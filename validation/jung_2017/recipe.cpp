@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "prs/model/units.h"
 #include "prs/input/document.h"
 #include "prs/input/units.h"
 #include "prs/life/capacity.h"
+#include "prs/model/units.h"
 #include "prs/output/csv_writer.h"
 #include "prs/validation/csv_table.h"
 

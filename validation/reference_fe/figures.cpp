@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "prs/model/units.h"
 #include "prs/figures/figure_style.h"
+#include "prs/model/units.h"
 
 namespace prs::reference_fe {
 namespace {

@@ -75,11 +75,11 @@ Finding stays_within(const ErrorBar& limits, const std::vector<Curve>& curves,
   const bool holds = s.unsolved == 0 &&
                      std::abs(s.farthest_stiffness().value) <= limits.stiffness &&
                      s.worst_loads.value <= limits.load_rate;
-  std::string evidence = fmt::format(
-      "stiffness {} to {}; a thread's load up to {}, mean {:.1f} %",
-      shown(s.least_stiff, "{:+.2f} %"), shown(s.stiffest, "{:+.2f} %"),
-      shown(s.worst_loads, "{:.1f} %", threads),
-      of_mean_load(0.5 * (s.mean_load.screw + s.mean_load.nut), threads));
+  std::string evidence =
+      fmt::format("stiffness {} to {}; a thread's load up to {}, mean {:.1f} %",
+                  shown(s.least_stiff, "{:+.2f} %"), shown(s.stiffest, "{:+.2f} %"),
+                  shown(s.worst_loads, "{:.1f} %", threads),
+                  of_mean_load(0.5 * (s.mean_load.screw + s.mean_load.nut), threads));
   if (s.unsolved > 0)
     evidence += fmt::format("; {} of {} points without an answer", s.unsolved, s.points);
   return {holds, std::move(evidence)};
@@ -114,9 +114,7 @@ std::vector<Statement<Fidelities>> statements(int threads) {
          return stays_within(kRefinedError, f.refined, f.influence, threads);
        }},
       {"influence", "within both error bars of the reference at all loads: " + limits_text(joint),
-       [=](const Fidelities& f) {
-         return stays_within(joint, f.influence, f.reference, threads);
-       }},
+       [=](const Fidelities& f) { return stays_within(joint, f.influence, f.reference, threads); }},
   };
 }
 
@@ -124,10 +122,7 @@ std::vector<Statement<Fidelities>> statements(int threads) {
 
 std::vector<ComparedStatement> compare_statements(const Fidelities& fidelities) {
   const std::vector<Variant<Fidelities>> variants{{"all cases", fidelities}};
-  std::vector<ComparedStatement> compared;
-  for (const Statement<Fidelities>& s : statements(threads(fidelities)))
-    compared.push_back({s.section, s.text, compare(s, variants)});
-  return compared;
+  return compare(statements(threads(fidelities)), variants);
 }
 
 }  // namespace prs::reference_fe

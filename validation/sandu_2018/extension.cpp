@@ -81,13 +81,14 @@ ValidationTable ellipticity_approximations() {
 
 SourceExtension extension() {
   return {.folder = "sandu_2018",
-          .statements = compare_statements,
           .derived = derived,
           .tables = [] { return std::vector{ellipticity_approximations()}; },
-          .subject_tables =
-              [](const Case& reference) {
-                return std::vector{printed_ellipses(reference), patch_convergence(reference),
-                                   efficiency_fits(reference)};
+          .supplement =
+              [](const Case& reference, const std::filesystem::path&) {
+                return Supplement{
+                    .statements = compare_statements(reference),
+                    .tables = {printed_ellipses(reference), patch_convergence(reference),
+                               efficiency_fits(reference)}};
               },
           .subject = "reference_example.yaml"};
 }

@@ -820,10 +820,7 @@ std::vector<Statement<Case>> statements() {
 std::vector<ComparedStatement> compare_statements(const Case& reference) {
   const std::vector<Variant<Case>> variants{
       {"table 3.2", reference}, {"Coulomb friction of 0.111", with_coulomb(reference, 0.111)}};
-  std::vector<ComparedStatement> compared;
-  for (const Statement<Case>& s : statements())
-    compared.push_back({s.section, s.text, compare(s, variants)});
-  return compared;
+  return compare(statements(), variants);
 }
 
 }  // namespace prs::sandu_2018

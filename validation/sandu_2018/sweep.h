@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "prs/model/case.h"
 #include "prs/loads/slip_result.h"
+#include "prs/model/case.h"
 #include "prs/validation/table.h"
 
 namespace prs::sandu_2018 {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "prs/model/units.h"
 #include "prs/measures/bodies.h"
+#include "prs/model/units.h"
 #include "validation/standard_screws/comparison.h"
 
 namespace prs::standard_screws {
@@ -130,8 +130,7 @@ Supplement supplement(const Case&, const std::filesystem::path& folder) {
       {"the same and as many rollers at every lead",
        compare(catalogue, kRadiusInPitches, Rollers::as_at_coarsest_lead)}};
   Supplement s;
-  for (const Statement<Rows>& statement : statements())
-    s.statements.push_back({statement.section, statement.text, compare(statement, variants)});
+  s.statements = compare(statements(), variants);
   for (const Variant<Rows>& v : variants) s.tables.push_back(table(v.results, v.name));
   return s;
 }

@@ -401,11 +401,8 @@ Supplement sensitivity(const Case& initial) {
   const Rankings r = rankings(initial);
   const std::vector<Variant<Ranking>> variants{{"Q = F/|n_z|", r.equilibrium},
                                                {"Q of (27)", r.printed}};
-  Supplement supplement;
-  for (const YaoStatement& s : statements())
-    supplement.statements.push_back({s.section, s.text, compare(s, variants)});
-  supplement.tables = {curvature_table(r.equilibrium), stress_table(r)};
-  return supplement;
+  return {.statements = compare(statements(), variants),
+          .tables = {curvature_table(r.equilibrium), stress_table(r)}};
 }
 
 }  // namespace prs::yao_2023
