@@ -1,7 +1,8 @@
 # Compiles a kernel's source once for each instruction set of simd/architectures.h, with
 # PRS_SIMD_ARCHITECTURE naming it, and adds the objects to TARGET. UNROLLED: the source consists of
 # unrolled arithmetic, which compilers instrument, or optimise a little, in minutes only: it is
-# compiled without sanitizers. `unroll_kernels` makes the rest of its options those of a release.
+# compiled without sanitizers, and taken from PRS_COMPILED_FROM where that is given. `unroll_kernels`
+# makes the rest of its options those of a release.
 function(add_simd_kernel target source)
   cmake_parse_arguments(PARSE_ARGV 2 kernel "UNROLLED" "" "")
   set(architectures Baseline)
@@ -18,6 +19,12 @@ function(add_simd_kernel target source)
   endif()
   foreach(architecture IN LISTS architectures)
     set(library ${target}_${name}_${architecture})
+    if(kernel_UNROLLED AND PRS_COMPILED_FROM)
+      file(RELATIVE_PATH folder ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR})
+      target_sources(${target} PRIVATE
+        ${PRS_COMPILED_FROM}/${folder}/CMakeFiles/${library}.dir/${source}${CMAKE_CXX_OUTPUT_EXTENSION})
+      continue()
+    endif()
     add_library(${library} OBJECT ${source})
     target_link_libraries(${library} PRIVATE ${options})
     target_include_directories(${library} PRIVATE
@@ -32,7 +39,7 @@ function(add_simd_kernel target source)
   endforeach()
 endfunction()
 
-# In a folder of kernels: its sources are compiled alike in all builds, which ccache makes use of.
+# In a folder of kernels: its sources are compiled alike in all builds.
 macro(unroll_kernels)
   foreach(config DEBUG RELWITHDEBINFO MINSIZEREL)
     set(CMAKE_CXX_FLAGS_${config} "${CMAKE_CXX_FLAGS_RELEASE}")

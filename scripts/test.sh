@@ -1,16 +1,25 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds and runs the quick tests: all of them under the address and
-# undefined-behaviour sanitizers, those of the numbers also as shipped, then those of the Python
-# package. Arguments go to CMake's configuration.
+# Installs what is missing, builds and runs the quick tests: all of them on an engine under the
+# address and undefined-behaviour sanitizers, those of the numbers also as shipped, and beside them
+# those of the Python package. Arguments go to CMake's configuration.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/setup.sh
-for preset in release debug; do
+for preset in release sanitized; do
   cmake --preset "$preset" -DPRS_BUILD_TESTS=ON "$@" >/dev/null
 done
-cmake --build --preset release --target prs prs-validate prs_tests
-cmake --build --preset debug
-ctest --preset quick-sanitized -j "$(nproc)"
-ctest --preset numbers -j "$(nproc)"
-scripts/test_python.sh
+cmake --build --preset release --target prs prs-validate prs_tests prs_document_cases
+cmake --build --preset sanitized
+
+scripts/test_python.sh >build/test_python.txt 2>&1 &
+python=$!
+failed=()
+ctest --preset quick-sanitized -j "$(nproc)" || failed+=(quick-sanitized)
+wait "$python" || failed+=(python)
+cat build/test_python.txt
+ctest --preset numbers -j "$(nproc)" || failed+=(numbers)
+if ((${#failed[@]})); then
+  echo "test: failed: ${failed[*]}" >&2
+  exit 1
+fi
