@@ -24,8 +24,8 @@ MeshedGrid::MeshedGrid(const MeridianGrid& grid) : stride_(2 * grid.layers + 1) 
   const auto node_at = [&](int i, int j) {
     int& node = index_[static_cast<std::size_t>(i * stride_ + j)];
     if (node < 0) {
-      const Eigen::Vector2d low = grid.point(i / 2, j / 2);
-      const Eigen::Vector2d high = grid.point((i + 1) / 2, (j + 1) / 2);
+      const Eigen::Vector2d& low = grid.point(i / 2, j / 2);
+      const Eigen::Vector2d& high = grid.point((i + 1) / 2, (j + 1) / 2);
       node = mesh_.size();
       mesh_.nodes.push_back(0.5 * (low + high));
       if (!(mesh_.nodes.back().x() >= 0.0))

@@ -226,7 +226,7 @@ class _Column:
         values = [plain(value) for value in values]
         texts = [override_text(value) for value in values]
         place = {text: k for k, text in enumerate(dict.fromkeys(texts))}
-        levels = list({text: value for text, value in zip(texts, values, strict=True)}.values())
+        levels = list(dict(zip(texts, values, strict=True)).values())
         indices = np.array([place[text] for text in texts], dtype=np.float64)
         return cls({"path": path, "values": levels}, indices, texts)
 

@@ -211,7 +211,7 @@ def test_arrays_of_quantities(ureg: Any) -> None:
     assert case.overrides == ["study.factors[0].values=[20.0 mm, 25.0 mm]"]
     assert len(case.study().all_designs) < len(lesson(10).study().all_designs)
     temperatures = ureg.Quantity(np.array([50.0, 60.0]), "degC")
-    case = lesson(9).with_(**{"study": study_of("lubricant.temperature", temperatures)})
+    case = lesson(9).with_(study=study_of("lubricant.temperature", temperatures))
     assert list(case.study().all_designs.inputs.iloc[1:, 0]) == [50.0, 60.0]
 
 
@@ -226,7 +226,7 @@ class Count(enum.IntEnum):
     nine = 9
 
 
-class Word(str, enum.Enum):
+class Word(str, enum.Enum):  # noqa: UP042
     nine = "9"
 
 

@@ -12,10 +12,9 @@ import json
 import os
 import sys
 
+import axisymmetric as ax
 import numpy as np
 from scipy.optimize import brentq
-
-import axisymmetric as ax
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 

@@ -14,8 +14,8 @@ import subprocess
 import time
 
 import numpy as np
-from scipy.special import ellipe, ellipk
 from scipy.optimize import brentq
+from scipy.special import ellipe, ellipk
 
 E, NU = 209000.0, 0.3  # MPa
 ROLLERS = 11
@@ -75,7 +75,7 @@ def graded(x0, x1, h0, h1, growth, biggest):
             right.append(right[-1] + hr)
             hr = min(hr * growth, biggest)
     total = left[-1] + right[-1]
-    points = [v for v in left] + [total - v for v in reversed(right)]
+    points = left + [total - v for v in reversed(right)]
     points = [v for i, v in enumerate(points) if i == 0 or v > points[i - 1] + 1e-9]
     return [x0 + v * length / total for v in points]
 

@@ -203,7 +203,7 @@ def mixed(data, harmonics, config, direction, guidance, lever, refined, bending_
     screw, nut, roller = bar_matrices(config, direction)
     bars = bar_case(config, direction, guidance)
     if refined == "roller":
-        nothing = {"screw": {direction: 0 * screw}, "nut": {c: 0 * nut for c in (1, 2, 3)}, "roller": data["roller"], "bending": data["bending"]}
+        nothing = {"screw": {direction: 0 * screw}, "nut": dict.fromkeys((1, 2, 3), 0 * nut), "roller": data["roller"], "bending": data["bending"]}
         own = {k: v for k, v in harmonics.items() if k.startswith("roller_")} | {"screw": {"values": [0.0]}, "nut": {"values": [0.0]}}
         C = case_matrix(nothing, own, config, direction, guidance, lever, bending_r)
         C[:TEETH, :TEETH] += screw

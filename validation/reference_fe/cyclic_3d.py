@@ -13,11 +13,9 @@ Units: mm, N. Usage: cyclic_3d.py --scratch DIR BODY MESH, BODY in screw, nut, r
 import argparse
 import json
 import os
-import time
-
-import numpy as np
 
 import axisymmetric as ax
+import numpy as np
 
 C45 = np.cos(np.pi / 4)
 SIDE = 2  # teeth on either side of the loaded one

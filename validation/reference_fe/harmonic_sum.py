@@ -14,13 +14,12 @@ import json
 import os
 import sys
 
-import numpy as np
-from scipy.integrate import quad
-from scipy.optimize import brentq
-
 import axisymmetric as ax
 import cyclic_3d as c3
+import numpy as np
 import single_harmonics as sh
+from scipy.integrate import quad
+from scipy.optimize import brentq
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 CASES = [("screw", 11), ("screw", 22), ("nut", 11), ("roller", 2), ("roller", 3)]

@@ -13,10 +13,9 @@ import argparse
 import json
 import os
 
-import numpy as np
-
 import axisymmetric as ax
 import cyclic_3d as c3
+import numpy as np
 
 
 def run(scratch, n):

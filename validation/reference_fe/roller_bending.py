@@ -11,10 +11,9 @@ import argparse
 import json
 import os
 
-import numpy as np
-
 import axisymmetric as ax
 import cyclic_3d as c3
+import numpy as np
 import single_harmonics as sh
 
 LENGTH = ax.TEETH * ax.PITCH + 2 * ax.END_LENGTH

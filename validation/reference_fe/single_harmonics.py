@@ -17,11 +17,10 @@ import argparse
 import json
 import os
 
-import numpy as np
-from scipy.special import j1
-
 import axisymmetric as ax
 import cyclic_3d as c3
+import numpy as np
+from scipy.special import j1
 
 C45 = np.cos(np.pi / 4)
 HOLE = 0.02  # mm, radius of a hole instead of the roller's axis

@@ -1,4 +1,4 @@
-"""Tells for each of the documents in a JSON file {schema, documents} whether the schema takes it."""
+"""Tells for each document of a JSON file {schema, documents} whether the schema takes it."""
 
 import json
 import sys

@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Checks includes against the rooms that the add_room lines of prs/CMakeLists.txt state: includes
+against their order, circles of folders, sources of no room, too many loose files in prs/."""
+
+import argparse
+import re
+import sys
+from collections.abc import Iterator
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+from typing import NamedTuple
+
+ROOT = Path(__file__).resolve().parent.parent
+CONTRIBUTING = ROOT / "docs/CONTRIBUTING.md"
+MOST_LOOSE_FILES = 12
+
+
+class Room(NamedTuple):
+    folder: str
+    uses: list[str]  # names of rooms
+    hidden: list[str]  # those that rooms above do not see
+    purpose: str
+
+
+def add_links(room: Room, words: list[str]) -> None:
+    """Adds what the room's library links, as far as it belongs to the project."""
+    scope = "PUBLIC"
+    for word in words:
+        if word in ("USES", "PUBLIC", "INTERFACE", "PRIVATE", "SOURCES"):
+            scope = word
+        elif scope == "USES":
+            room.uses.append(word)
+        elif scope != "SOURCES" and (match := re.fullmatch(r"prs(?:_|::)(\w+)", word)):
+            (room.hidden if scope == "PRIVATE" else room.uses).append(match[1])
+
+
+def read_rooms() -> dict[str, Room]:
+    """Rooms by their name: those of add_room, and other libraries that share headers."""
+    rooms: dict[str, Room] = {}
+    call = r"((?:^#.*\n)*)^(add_room|share_headers|target_link_libraries)\(prs_(\w+)([^)]*)\)"
+    lists = [ROOT / name / "CMakeLists.txt" for name in ("simd", "contact", "fe")]
+    lists += sorted(set(ROOT.glob("*/CMakeLists.txt")) - set(lists))
+    text = "".join(path.read_text() for path in lists).replace("add_room(", "add_room(prs_")
+    calls = [(*found[:3], found[3].split()) for found in re.findall(call, text, re.M)]
+    for comment, verb, name, words in calls:
+        purpose = " ".join(line.lstrip("# ") for line in comment.splitlines())
+        if verb == "add_room":
+            folder = "prs" if words[0] == "." else f"prs/{words[0]}"
+            rooms[name] = Room(folder, [], [], purpose)
+            add_links(rooms[name], words[1:])
+        elif verb == "share_headers":
+            rooms[name] = Room(words[0], [], [], purpose)
+    for _, verb, name, words in calls:
+        if verb == "target_link_libraries" and name in rooms:
+            add_links(rooms[name], words)
+    return rooms
+
+
+def seen_by(name: str, rooms: dict[str, Room]) -> list[str]:
+    """The rooms whose headers a room sees, in their order."""
+    seen: set[str] = set()
+    waiting = rooms[name].uses + rooms[name].hidden
+    while waiting:
+        if (next_room := waiting.pop()) in rooms and next_room not in seen:
+            seen.add(next_room)
+            waiting += rooms[next_room].uses
+    return [room for room in rooms if room in seen]
+
+
+def faults_of_file(file: Path, rooms: dict[str, Room], graph: dict[str, set[str]]) -> Iterator[str]:
+    by_folder = {room.folder: name for name, room in rooms.items()}
+    place = file.relative_to(ROOT)
+    name = by_folder[str(place.parent)]
+    seen = seen_by(name, rooms)
+    for number, line in enumerate(file.read_text().splitlines(), 1):
+        match = re.match(r'\s*#\s*include\s+"([^"]+)"', line)
+        if not match:
+            continue
+        folder = str(Path(match[1]).parent)
+        target = by_folder.get(folder)
+        if target == name:
+            continue
+        if target:
+            graph[rooms[name].folder].add(folder)
+        if target not in seen:
+            where = f"of room {target}" if target else "of no room"
+            yield (
+                f'{place}:{number}: room {name} includes "{match[1]}" {where}; it may see:\n'
+                f"  {', '.join(seen) or 'no other room'} (USES in prs/CMakeLists.txt)"
+            )
+
+
+def faults(rooms: dict[str, Room]) -> Iterator[str]:
+    graph: dict[str, set[str]] = {room.folder: set() for room in rooms.values()}
+    listed = "".join(path.read_text() for path in ROOT.glob("prs/**/CMakeLists.txt"))
+    for top in sorted({room.folder.partition("/")[0] for room in rooms.values()}):
+        for file in sorted((ROOT / top).rglob("*.*")):
+            place = file.relative_to(ROOT)
+            folder = str(place.parent)
+            if file.suffix not in (".h", ".cpp") or folder.startswith("prs/cli"):
+                continue
+            if folder not in graph:
+                yield f"{place}: {folder} is no room; name it by add_room in prs/CMakeLists.txt"
+                continue
+            yield from faults_of_file(file, rooms, graph)
+            if top == "prs" and file.suffix == ".cpp" and file.name not in listed:
+                yield f"{place}: not compiled; list it in prs/CMakeLists.txt"
+    for room in rooms.values():
+        used = [rooms[name].folder for name in room.uses + room.hidden if name in rooms]
+        graph[room.folder].update(used)
+    try:
+        TopologicalSorter(graph).prepare()
+    except CycleError as error:
+        yield f"a circle of folders: {' <- '.join(error.args[1])}"
+    loose = [file for file in (ROOT / "prs").iterdir() if file.suffix in (".h", ".cpp")]
+    if len(loose) > MOST_LOOSE_FILES:
+        yield f"prs/: {len(loose)} loose files of {MOST_LOOSE_FILES}; move them into rooms"
+
+
+def table(rooms: dict[str, Room]) -> str:
+    lines = ["| room | holds | uses |", "| --- | --- | --- |"]
+    for name, room in rooms.items():
+        if room.folder.startswith("prs"):
+            uses = ", ".join(used for used in room.uses + room.hidden if used in rooms) or "nothing"
+            lines.append(f"| `{room.folder}/` ({name}) | {room.purpose} | {uses} |")
+    return "\n".join(lines) + "\n"
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--write", action="store_true", help="update the table in CONTRIBUTING.md")
+    rooms = read_rooms()
+    text = CONTRIBUTING.read_text()
+    updated = re.sub(r"\| room \| holds \| uses \|\n(\|.*\n)*", lambda _: table(rooms), text)
+    if parser.parse_args().write:
+        CONTRIBUTING.write_text(updated)
+        text = updated
+    found = list(faults(rooms))
+    if text != updated:
+        found.append(
+            "docs/CONTRIBUTING.md: its table is not that of prs/CMakeLists.txt;\n"
+            "  scripts/check_rooms.py --write updates it"
+        )
+    print("\n".join(found), end="\n" if found else "", file=sys.stderr)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Order of rooms, format, Python's style and types, by the tools on the PATH and those that
+# scripts/test_python.sh installs. clang-tidy reads the FILEs named, with --all every source.
+# --strict: a missing tool is an error.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+strict=0 tidy=()
+for argument in "$@"; do
+  case $argument in
+    --strict) strict=1 ;;
+    --all) mapfile -t tidy < <(git ls-files '*.cpp' ':!python') ;;
+    *) tidy+=("$argument") ;;
+  esac
+done
+
+failed=0
+check() { # NAME COMMAND..: whether the command passes
+  echo "== $1"
+  "${@:2}" || failed=1
+}
+has() { # TOOL
+  command -v "$1" >/dev/null && return
+  echo "lint: no $1" >&2
+  failed=$((failed | strict))
+  return 1
+}
+
+export PATH=$PWD/build/venv/bin:$PATH
+check rooms scripts/check_rooms.py
+if has clang-format; then
+  check format xargs -a <(git ls-files '*.h' '*.cpp') clang-format --dry-run --Werror
+fi
+if has ruff; then check ruff ruff check -q; fi
+if has mypy; then check mypy mypy; fi
+if ((${#tidy[@]})) && has clang-tidy; then
+  cmake --preset folders >/dev/null
+  check tidy xargs -P "$(nproc)" -n 4 clang-tidy -p build/folders --quiet \
+    < <(printf '%s\n' "${tidy[@]}")
+fi
+exit "$failed"
