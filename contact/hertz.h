@@ -55,10 +55,11 @@ struct HertzConstants {
 /// the input, and all numbers are then zero.
 HertzConstants hertz_constants(double kappa_1, double kappa_2, double contact_modulus);
 
-/// Ellipticity b/a of the contact ellipse for kappa_1/kappa_2 = `curvature_ratio`, 0 < ratio <= 1.
+/// Ellipticity b/a of the contact ellipse for kappa_1/kappa_2 = `curvature_ratio`, 0 < ratio <= 1:
+/// the root of kappa_1/kappa_2 = (b/a)^2 D/B (Yao 2023, (47)). Fits to it: Sandu 2018, table 1.5.
 double ellipticity(double curvature_ratio);
 
-/// One Hertz contact under load.
+/// One Hertz contact under load (Sandu 2018, (1.80) to (1.83)).
 struct HertzContact {
   double normal_load = 0.0;    ///< N [N], >= 0
   double approach = 0.0;       ///< delta of two distant points of the bodies [m]

@@ -39,8 +39,8 @@ struct PatchMotion {
   double rolling_speed = 0.0;  ///< |u_M|, sum of the surface velocities in the tangent plane [m/s]
 };
 
-/// Friction on a patch over its normal load N. The friction acts on the body that the other slides
-/// over, along the sliding velocity.
+/// Friction on a patch over its normal load N (equations of Sandu 2018). The friction acts on the
+/// body that the other slides over, along the sliding velocity.
 struct PatchFriction {
   double traction_major = 0.0;     ///< T . t_1/N [-] (3.6)
   double traction_minor = 0.0;     ///< T . t_2/N [-]
@@ -62,8 +62,9 @@ class Patch {
 
   const HertzContact& ellipse() const { return ellipse_; }
 
-  /// Resultants of the friction (3.8), (3.10), (3.51). Points slower than kNoDirection are left out
-  /// of tractions, moment and power, not of the mean coefficient. No allocation.
+  /// Resultants of the friction (Sandu 2018, (3.8), (3.10), (3.51)). Points slower than
+  /// kNoDirection are left out of tractions, moment and power, not of the mean coefficient. No
+  /// allocation.
   PatchFriction friction(const PatchMotion& motion) const;
 
   // At every point inside:

@@ -100,7 +100,7 @@ std::optional<std::string> beyond_life_formula(double load, double dynamic_capac
 /// Normal load [N] that gives a contact the peak pressure p_0 [Pa]: with the semi-axes a = a' N^1/3
 /// and b = b' N^1/3,
 ///
-///     p_0 = 3 N/(2 pi a b)   =>   N = (2 pi a' b' p_0/3)^3.
+///     p_0 = 3 N/(2 pi a b)   =>   N = (2 pi a' b' p_0/3)^3     (Sandu 2018, (1.83)).
 double load_at_pressure(const contact::HertzConstants& hertz, double peak_pressure);
 
 }  // namespace prs

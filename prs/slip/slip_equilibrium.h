@@ -8,10 +8,10 @@
 #include "contact/journal_bearing.h"
 #include "contact/lubricant.h"
 #include "contact/patch.h"
-#include "prs/threads/kinematics.h"
+#include "prs/loads/slip_result.h"
 #include "prs/model/operation.h"
 #include "prs/model/part.h"
-#include "prs/loads/slip_result.h"
+#include "prs/threads/kinematics.h"
 
 namespace prs {
 
@@ -68,20 +68,21 @@ struct SlipBalance {
   double carrier_roller_torque = 0.0;  ///< C_P/R on the roller, signed [N m]
 };
 
-/// Balances all but the moment about the roller's axis, whose residue is left in `moments`: axial
-/// forces give the normal loads (3.11), (3.12), the carrier's moment the force that drives it
-/// (3.26), forces along the orbit the gears (3.28), radial ones the carrier's reaction (3.32). The
+/// Balances all but the moment about the roller's axis, whose residue is left in `moments` (Sandu
+/// 2018, section 3.2): axial forces give the normal loads (3.11), (3.12), the carrier's moment the
+/// force that drives it (3.26), forces along the orbit the gears (3.28), radial ones the carrier's
+/// reaction (3.32). The
 /// arms of the gears are their operating pitch radii, c Gamma/(1 -+ Gamma) of the roller, so that
 /// forces and ratio belong together for any backlash. `balance` is refilled in place.
 /// False where the friction would have to push a contact open, so that no normal load exists, or
 /// where numbers overflow.
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& balance);
 
-/// R_z, the moment left on a roller over c |F_N|/N_R (3.43).
+/// R_z, the moment left on a roller over c |F_N|/N_R [-] (Sandu 2018, (3.39) to (3.43)).
 double relative_residue(const SlipModel& model, const SlipBalance& balance);
 
-/// The slip ratio at which the roller is in balance (3.38): between pure sliding and the ideal one,
-/// or beyond the ideal one where the carrier is driven.
+/// The slip ratio at which the roller is in balance (Sandu 2018, (3.38)): between pure sliding and
+/// the ideal one, or beyond the ideal one where the carrier is driven.
 struct SlipEquilibrium {
   SlipStatus status = SlipStatus::not_computed;
   int evaluations = 0;  ///< Of `balance_at`.
@@ -94,14 +95,15 @@ struct SlipEquilibrium {
 /// friction acts, every slip ratio balances and the ideal one is returned.
 SlipEquilibrium find_slip_equilibrium(const SlipModel& model);
 
-/// Torques on screw and nut that keep them turning (3.30), (3.31) [N m].
+/// Torques on screw and nut that keep them turning (Sandu 2018, (3.30), (3.31)) [N m].
 struct DriveTorques {
   double screw = 0.0;
   double nut = 0.0;
 };
 DriveTorques drive_torques(const SlipModel& model, const SlipBalance& balance);
 
-/// Power lost to each source in the whole mechanism (3.47) to (3.51) [W].
+/// Power lost to each source in the whole mechanism [W], positive (Sandu 2018, (3.47) to (3.51),
+/// whose dissipation is negative).
 PowerBySource lost_power(const SlipModel& model, const SlipBalance& balance);
 
 /// Power through the shaft and through the load, both into the mechanism [W]: their sum is lost.
@@ -110,7 +112,7 @@ struct PowerFlow {
   double load = 0.0;   ///< F_N dz_n/s/dt
 
   double lost() const { return shaft + load; }
-  /// Output over input (3.52); absent where both flow in, as in a self-locking screw.
+  /// Output over input (Sandu 2018, (3.52)); absent where both flow in, as in a self-locking screw.
   std::optional<double> efficiency() const;
 };
 PowerFlow power_flow(const SlipModel& model, const DriveTorques& torques);

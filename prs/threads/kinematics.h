@@ -32,7 +32,7 @@ struct Kinematics {
 };
 
 /// Stationary motion of the parts for one slip ratio and the speed of the screw against the nut
-/// omega_s/n [rad/s] (2.2), (2.4), (2.5).
+/// omega_s/n [rad/s] (Sandu 2018, (2.2), (2.4), (2.5)).
 Kinematics kinematics(const KinematicGeometry& geometry, double speed, double slip_ratio);
 
 /// How body and roller move against each other where they touch.
@@ -52,8 +52,8 @@ constexpr Interface sliding_interface(Mechanism::Type type) {
   return type == Mechanism::Type::standard ? Interface::screw : Interface::nut;
 }
 
-/// epsilon*, for which the sliding interface slides least (2.16), (2.17). It does not depend on the
-/// speed.
+/// epsilon*, for which the sliding interface slides least (Sandu 2018, (2.16) standard, (2.17)
+/// inverted). It does not depend on the speed.
 double ideal_slip_ratio(const KinematicGeometry& geometry);
 
 /// Slip ratios by formulas of geometry alone, beside the ideal one.
@@ -74,7 +74,9 @@ struct SlipRange {
 };
 SlipRange slip_range(const KinematicGeometry& geometry);
 
-/// Share of the way from pure sliding to the ideal slip ratio (2.19).
+/// Share of the way from pure sliding to the ideal slip ratio (Sandu 2018, (2.19)):
+///
+///     (epsilon + chi - 1)/(epsilon* + chi - 1),   chi = 1 standard, 0 inverted.
 double optimality(const SlipRange& range, double slip_ratio);
 
 }  // namespace prs
