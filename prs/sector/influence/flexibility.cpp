@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string_view>
 
 #include "prs/sector/influence/body_solver.h"
 #include "prs/sector/influence/cache_key.h"
@@ -53,6 +52,9 @@ std::vector<fe::HarmonicSupport> axial_supports(const std::vector<int>& nodes) {
   for (const int node : nodes) supports.push_back({node, Component::axial});
   return supports;
 }
+
+/// What of a material the flexibilities depend on.
+Material elastic(const Material& m) { return {m.youngs_modulus, m.poisson_ratio, {}, {}}; }
 
 /// Axial force of each load [N].
 Eigen::RowVectorXd axial_resultants(const Eigen::MatrixXd& loads) {
@@ -110,20 +112,20 @@ fe::HarmonicSpring sideways_spring(const GroovedBody& body,
 }
 
 /// What holds the roller sideways, on whole sections that stay round.
-void add_guidance(const GroovedBody& body, const Structure::Roller& roller,
+void add_guidance(const GroovedBody& body, const Guidance& guidance,
                   std::vector<fe::HarmonicSupport>& supports,
                   std::vector<fe::HarmonicSpring>& springs) {
   const GroovedShape& s = body.shape;
   const double l = s.plain_end->length;
   std::vector<double> sections{s.start - l, s.end + l};
-  if (roller.guidance.kind != Guidance::Kind::outer_node) {
+  if (guidance.kind != Guidance::Kind::outer_node) {
     sections.push_back(s.start);
     sections.push_back(s.end);
   }
   for (const double z : sections) {
     const std::vector<fe::MeridianEdge> edges = within(body, body.section(z), s.plain_end->radius);
-    if (roller.guidance.kind == Guidance::Kind::ring) {
-      springs.push_back(sideways_spring(body, edges, roller.guidance.ring_stiffness));
+    if (guidance.kind == Guidance::Kind::ring) {
+      springs.push_back(sideways_spring(body, edges, guidance.ring_stiffness));
       continue;
     }
     for (const fe::MeridianEdge& e : edges) {
@@ -135,16 +137,39 @@ void add_guidance(const GroovedBody& body, const Structure::Roller& roller,
 
 /// Teeth of a body that all rollers touch alike.
 Teeth teeth_around(const BodyGeometry& b, const Groove& groove, double far_radius,
-                   const Material& material, const LoadedFlank& flank) {
-  return {groove, far_radius, material, {flank}, {false}, b.rollers, b.rollers, b.contacts};
+                   const Material& material, const LoadedFlank& flank,
+                   const FlexibilityOptions& options) {
+  return {groove,    far_radius, elastic(material), {flank}, {false},
+          b.rollers, b.rollers,  b.contacts,        options};
 }
 
 /// Adds what the harmonics that die out along the body leave.
-void add_teeth(Flexibility& f, const Teeth& teeth, bool centred, const FlexibilityOptions& options,
-               MatrixCache& cache) {
-  const TeethFlexibility of_teeth = teeth_flexibility(teeth, options, cache);
+void add_teeth(Flexibility& f, const Teeth& teeth, bool centred, MatrixCache& cache) {
+  const TeethFlexibility of_teeth = teeth_flexibility(teeth, cache);
   add_teeth(of_teeth, teeth, centred, f.matrix);
   f.half_space = of_teeth.half_space[0];
+}
+
+/// A body under unit loads on its flanks.
+struct LoadedBody {
+  GroovedShape shape;
+  std::vector<LoadedFlank> flanks;
+  Material material;
+  MeshDensity density;
+
+  GroovedBody meshed() const { return mesh_grooved_body(shape, flanks, density); }
+};
+auto members(const LoadedBody& b) {
+  const auto& [shape, flanks, material, density] = b;
+  return std::tie(shape, flanks, material, density);
+}
+
+/// Held where it starts.
+MatrixCache::Matrices held_at_start(const LoadedBody& b) {
+  const GroovedBody body = b.meshed();
+  fe::HarmonicBody solver(body.mesh, isotropic(b.material), 0,
+                          axial_supports(nodes_of(body.section(b.shape.start))));
+  return {flexibility_of(solver, 0, patch_loads(body, 0))};
 }
 
 }  // namespace
@@ -186,47 +211,74 @@ Flexibility screw_flexibility(const BodyGeometry& b, Direction direction,
   const Groove& g = b.grooves.screw;
   const Structure::Screw& screw = b.structure.screw;
   const FlankSide side = pushing_flank(direction);
-  const auto whole = [&]() -> MatrixCache::Matrices {
-    const double first = screw.free_length;
-    GroovedShape shape;
-    shape.groove = g;
-    shape.ridge = first - g.position(side, 0.0);
-    const double last = shape.ridge + (b.contacts - 1) * g.pitch;
-    // The first ridge must be whole: a shorter free length is lengthened to half a pitch before it.
-    shape.start = std::min(0.0, shape.ridge - 0.5 * g.pitch);
-    if (b.endless_screw) {
-      shape.end = first + (b.contacts + 2) * g.pitch;
-    } else {
-      shape.ridges = {shape.ridge, last};
-      shape.end = last + 0.5 * g.pitch;
-    }
-    shape.far_radius = 0.5 * screw.bore;
-    const GroovedBody body = mesh_grooved_body(
-        shape, loaded_flanks(g, first, b.contacts, side, b.patches.screw, options.mesh.patch_cells),
-        options.mesh);
-    fe::HarmonicBody solver(body.mesh, isotropic(b.materials.screw), 0,
-                            axial_supports(nodes_of(body.section(shape.start))));
-    return {flexibility_of(solver, 0, patch_loads(body, 0))};
-  };
-  CacheKey key("screw");
-  key.add(g).add(screw.free_length).add(screw.bore).add(b.materials.screw).add(b.patches.screw);
-  key.add(direction).add(b.contacts).add(options.mesh).add(b.endless_screw);
+  const double first = screw.free_length;
+  GroovedShape shape;
+  shape.groove = g;
+  shape.ridge = first - g.position(side, 0.0);
+  const double last = shape.ridge + (b.contacts - 1) * g.pitch;
+  // The first ridge must be whole: a shorter free length is lengthened to half a pitch before it.
+  shape.start = std::min(0.0, shape.ridge - 0.5 * g.pitch);
+  if (b.endless_screw) {
+    shape.end = first + (b.contacts + 2) * g.pitch;
+  } else {
+    shape.ridges = {shape.ridge, last};
+    shape.end = last + 0.5 * g.pitch;
+  }
+  shape.far_radius = 0.5 * screw.bore;
+  const LoadedBody whole{
+      shape, loaded_flanks(g, first, b.contacts, side, b.patches.screw, options.mesh.patch_cells),
+      elastic(b.materials.screw), options.mesh};
   Flexibility f;
-  f.matrix = b.rollers * cache.get(key.text(), whole)->front();
+  f.matrix = b.rollers * cached(cache, "screw", whole, held_at_start)->front();
   const LoadedFlank flank{0.0, side, b.patches.screw, options.mesh.patch_cells};
-  add_teeth(f, teeth_around(b, g, 0.5 * screw.bore, b.materials.screw, flank), false, options,
+  add_teeth(f, teeth_around(b, g, shape.far_radius, b.materials.screw, flank, options), false,
             cache);
   return f;
 }
 
 namespace {
 
-/// The whole nut under harmonic 0 on its shoulder; `on_face` says whether that is a free face,
-/// which can lift off, or a section inside, which is held both ways.
-ThrustFace nut_on_shoulder(const BodyGeometry& b, FlankSide side, double thrust, double position,
-                           const FlexibilityOptions& options, bool& on_face) {
+/// A nut, held at a section; with a shoulder on what it reaches of a free face there, `radii` of
+/// the shape.
+struct HeldNut {
+  LoadedBody body;
+  double thrust = 0.0;
+  bool shoulder = false;
+};
+auto members(const HeldNut& n) {
+  const auto& [body, thrust, shoulder] = n;
+  return std::tie(body, thrust, shoulder);
+}
+
+/// Harmonic 0; the last matrix says whether the section is a free face, which can lift off, or one
+/// inside, which is held both ways.
+MatrixCache::Matrices on_shoulder(const HeldNut& nut) {
+  const GroovedBody body = nut.body.meshed();
+  const std::vector<fe::MeridianEdge>& face = body.free_face(nut.thrust);
+  const bool on_face = !face.empty();
+  std::vector<int> held = by_radius(body, nodes_of(on_face ? face : body.section(nut.thrust)));
+  if (nut.shoulder && on_face) {
+    const GroovedShape& shape = nut.body.shape;
+    const double same = 1e-6 * shape.groove.pitch;
+    std::erase_if(held, [&](int node) {
+      const double r = body.mesh.nodes[static_cast<std::size_t>(node)].x();
+      return r < shape.radii[0] - same || r > shape.radii[1] + same;
+    });
+    if (held.empty()) throw std::invalid_argument("the shoulder does not reach the flange's face");
+  }
+  const ThrustFace t = thrust_face(body, nut.body.material, held);
+  return {t.nodes, t.coupling, t.loads, t.resultants, Eigen::MatrixXd::Constant(1, 1, on_face)};
+}
+
+}  // namespace
+
+Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double position,
+                            const FlexibilityOptions& options, MatrixCache& cache) {
   const Groove& g = b.grooves.nut;
   const Structure::Nut& nut = b.structure.nut;
+  const FlankSide side = pushed_flank(direction);
+  const double thrust =
+      direction == Direction::tension ? *nut.thrust.tension : *nut.thrust.compression;
   GroovedShape shape;
   shape.groove = g;
   shape.ridge = position - g.position(side, 0.0);
@@ -239,42 +291,12 @@ ThrustFace nut_on_shoulder(const BodyGeometry& b, FlankSide side, double thrust,
   shape.sections.push_back(thrust);
   if (nut.shoulder)
     shape.radii = {0.5 * nut.shoulder->inner_diameter, 0.5 * nut.shoulder->outer_diameter};
-  const GroovedBody body = mesh_grooved_body(
-      shape, loaded_flanks(g, position, b.contacts, side, b.patches.nut, options.mesh.patch_cells),
-      options.mesh);
-  const std::vector<fe::MeridianEdge>& face = body.free_face(thrust);
-  on_face = !face.empty();
-  std::vector<int> held = by_radius(body, nodes_of(on_face ? face : body.section(thrust)));
-  if (nut.shoulder && on_face) {
-    const double same = 1e-6 * g.pitch;
-    std::erase_if(held, [&](int node) {
-      const double r = body.mesh.nodes[static_cast<std::size_t>(node)].x();
-      return r < shape.radii[0] - same || r > shape.radii[1] + same;
-    });
-    if (held.empty()) throw std::invalid_argument("the shoulder does not reach the flange's face");
-  }
-  return thrust_face(body, b.materials.nut, held);
-}
-
-}  // namespace
-
-Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double position,
-                            const FlexibilityOptions& options, MatrixCache& cache) {
-  const Groove& g = b.grooves.nut;
-  const Structure::Nut& nut = b.structure.nut;
-  const FlankSide side = pushed_flank(direction);
-  const double thrust =
-      direction == Direction::tension ? *nut.thrust.tension : *nut.thrust.compression;
-  CacheKey key("nut");
-  key.add(g).add(nut.length).add(nut.outer_diameter).add(b.materials.nut).add(b.patches.nut);
-  for (const Structure::Flange& f : nut.flanges) key.add(f.from).add(f.to).add(f.outer_diameter);
-  if (nut.shoulder) key.add(nut.shoulder->inner_diameter).add(nut.shoulder->outer_diameter);
-  key.add(thrust).add(direction).add(position).add(b.contacts).add(options.mesh);
-  const auto whole = cache.get(key.text(), [&]() -> MatrixCache::Matrices {
-    bool on_face = false;
-    const ThrustFace t = nut_on_shoulder(b, side, thrust, position, options, on_face);
-    return {t.nodes, t.coupling, t.loads, t.resultants, Eigen::MatrixXd::Constant(1, 1, on_face)};
-  });
+  const HeldNut held{
+      {shape, loaded_flanks(g, position, b.contacts, side, b.patches.nut, options.mesh.patch_cells),
+       elastic(b.materials.nut), options.mesh},
+      thrust,
+      nut.shoulder.has_value()};
+  const auto whole = cached(cache, "nut", held, on_shoulder);
   const ThrustFace face{(*whole)[0], (*whole)[1], (*whole)[2], (*whole)[3]};
   const bool unilateral = options.unilateral_thrust && (*whole)[4](0) != 0.0;
   const ThrustFace::Touching touching =
@@ -286,8 +308,7 @@ Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double p
   f.matrix = b.rollers * face.flexibility(touching);
   if (unilateral) f.face = face;
   const LoadedFlank flank{0.0, side, b.patches.nut, options.mesh.patch_cells};
-  add_teeth(f, teeth_around(b, g, 0.5 * nut.outer_diameter, b.materials.nut, flank), false, options,
-            cache);
+  add_teeth(f, teeth_around(b, g, shape.far_radius, b.materials.nut, flank, options), false, cache);
   return f;
 }
 
@@ -310,6 +331,35 @@ void move_to_middle(Eigen::MatrixXd& loads, const GroovedBody& body,
   }
 }
 
+MatrixCache::Matrices stretched(const LoadedBody& roller) {
+  const GroovedBody body = roller.meshed();
+  const int on_axis = by_radius(body, nodes_of(body.section(body.shape.end))).front();
+  fe::HarmonicBody solver(body.mesh, isotropic(roller.material), 0, axial_supports({on_axis}));
+  return {flexibility_of(solver, 0, patch_loads(body, 0))};
+}
+
+struct GuidedRoller {
+  LoadedBody body;
+  Guidance guidance;
+  bool centred = false;
+};
+auto members(const GuidedRoller& r) {
+  const auto& [body, guidance, centred] = r;
+  return std::tie(body, guidance, centred);
+}
+
+MatrixCache::Matrices bent(const GuidedRoller& roller) {
+  const GroovedBody body = roller.body.meshed();
+  std::vector<fe::HarmonicSupport> supports;
+  std::vector<fe::HarmonicSpring> springs;
+  add_guidance(body, roller.guidance, supports, springs);
+  fe::HarmonicBody solver(body.mesh, isotropic(roller.body.material), 1, supports, springs);
+  Eigen::MatrixXd loads = patch_loads(body, 1);
+  if (roller.centred) move_to_middle(loads, body, roller.body.flanks);
+  loads.leftCols(loads.cols() / 2) *= -1.0;  // cos(theta) at theta = pi
+  return {flexibility_of(solver, 1, loads)};
+}
+
 }  // namespace
 
 Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
@@ -318,61 +368,33 @@ Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
   const Structure::Roller& roller = b.structure.roller;
   const FlankSide screw_side = pushed_flank(direction), nut_side = pushing_flank(direction);
   const bool centred = b.roller_contacts == ModelOptions::RollerContacts::opposite;
-  std::vector<LoadedFlank> flanks;
+  LoadedBody body{{}, {}, elastic(b.materials.roller), options.mesh};
   for (int k = 0; k < b.contacts; ++k)
-    flanks.push_back({k * g.pitch, screw_side, b.patches.screw, options.mesh.patch_cells});
+    body.flanks.push_back({k * g.pitch, screw_side, b.patches.screw, options.mesh.patch_cells});
   for (int k = 0; k < b.contacts; ++k)
-    flanks.push_back({k * g.pitch, nut_side, b.patches.nut, options.mesh.patch_cells});
-  const auto meshed = [&] {
-    GroovedShape shape;
-    shape.groove = g;
-    shape.start = -0.5 * g.pitch;
-    shape.end = (b.contacts - 0.5) * g.pitch;
-    shape.plain_end = PlainEnd{roller.end_length, 0.5 * roller.end_diameter};
-    for (int k = 1; k < b.contacts; ++k) shape.sections.push_back((k - 0.5) * g.pitch);
-    return mesh_grooved_body(shape, flanks, options.mesh);
-  };
-  const auto stretched = [&]() -> MatrixCache::Matrices {
-    const GroovedBody body = meshed();
-    const int on_axis = by_radius(body, nodes_of(body.section(body.shape.end))).front();
-    fe::HarmonicBody solver(body.mesh, isotropic(b.materials.roller), 0, axial_supports({on_axis}));
-    return {flexibility_of(solver, 0, patch_loads(body, 0))};
-  };
-  const auto bent = [&]() -> MatrixCache::Matrices {
-    const GroovedBody body = meshed();
-    std::vector<fe::HarmonicSupport> supports;
-    std::vector<fe::HarmonicSpring> springs;
-    add_guidance(body, roller, supports, springs);
-    fe::HarmonicBody solver(body.mesh, isotropic(b.materials.roller), 1, supports, springs);
-    Eigen::MatrixXd loads = patch_loads(body, 1);
-    if (centred) move_to_middle(loads, body, flanks);
-    loads.leftCols(b.contacts) *= -1.0;  // cos(theta) at theta = pi
-    return {flexibility_of(solver, 1, loads)};
-  };
-  const auto key = [&](std::string_view what) {
-    CacheKey k(what);
-    k.add(g).add(roller.end_length).add(roller.end_diameter).add(b.materials.roller);
-    k.add(b.patches.screw).add(b.patches.nut).add(direction).add(b.contacts);
-    return k.add(options.mesh);
-  };
-  CacheKey guided = key("bent roller");
-  guided.add(centred)
-      .add(static_cast<int>(roller.guidance.kind))
-      .add(roller.guidance.ring_stiffness);
+    body.flanks.push_back({k * g.pitch, nut_side, b.patches.nut, options.mesh.patch_cells});
+  GroovedShape& shape = body.shape;
+  shape.groove = g;
+  shape.start = -0.5 * g.pitch;
+  shape.end = (b.contacts - 0.5) * g.pitch;
+  shape.plain_end = PlainEnd{roller.end_length, 0.5 * roller.end_diameter};
+  for (int k = 1; k < b.contacts; ++k) shape.sections.push_back((k - 0.5) * g.pitch);
 
   Flexibility f;
-  f.matrix = cache.get(key("stretched roller").text(), stretched)->front() +
-             cache.get(guided.text(), bent)->front();
+  f.matrix =
+      cached(cache, "stretched roller", body, stretched)->front() +
+      cached(cache, "bent roller", GuidedRoller{body, roller.guidance, centred}, bent)->front();
   const Teeth teeth{g,
                     0.0,
-                    b.materials.roller,
+                    body.material,
                     {{0.0, screw_side, b.patches.screw, options.mesh.patch_cells},
                      {0.0, nut_side, b.patches.nut, options.mesh.patch_cells}},
                     {true, false},
                     2,
                     1,
-                    b.contacts};
-  add_teeth(f, teeth, centred, options, cache);
+                    b.contacts,
+                    options};
+  add_teeth(f, teeth, centred, cache);
   return f;
 }
 

@@ -27,13 +27,13 @@ TeethFlexibility unpacked(const MatrixCache::Matrices& m) {
   return t;
 }
 
-TeethFlexibility compute(const Teeth& t, const FlexibilityOptions& options) {
-  BlockSolver block(t.groove, t.far_radius, t.material, t.types, options);
+MatrixCache::Matrices compute(const Teeth& t) {
+  BlockSolver block(t.groove, t.far_radius, t.material, t.types, t.options);
   const double radius = t.groove.pitch_radius;
   double widest = 0.0;
   for (const LoadedFlank& flank : t.types)
     widest = std::max(widest, flank.patch.along_circumference);
-  const double last = options.largest_wave * radius / widest;
+  const double last = t.options.largest_wave * radius / widest;
   const auto count = static_cast<Index>(t.types.size());
 
   TeethFlexibility f;
@@ -60,20 +60,13 @@ TeethFlexibility compute(const Teeth& t, const FlexibilityOptions& options) {
     f.half_space[a] = half_space_compliance(patch, t.material);
     f.remainder[a] = half_space_remainder(patch, t.material, (n - 0.5 * t.step) / radius);
   }
-  return f;
+  return packed(f);
 }
 
 }  // namespace
 
-TeethFlexibility teeth_flexibility(const Teeth& t, const FlexibilityOptions& options,
-                                   MatrixCache& cache) {
-  CacheKey key("teeth");
-  key.add(t.groove).add(t.far_radius).add(t.material).add(t.first).add(t.step).add(t.contacts);
-  for (std::size_t i = 0; i < t.types.size(); ++i)
-    key.add(sign(t.types[i].side)).add(t.types[i].patch).add(t.opposite[i]);
-  key.add(options.mesh).add(options.largest_wave).add(options.block_tolerance);
-  key.add(options.neighbour_patch_cells);
-  return unpacked(*cache.get(key.text(), [&] { return packed(compute(t, options)); }));
+TeethFlexibility teeth_flexibility(const Teeth& t, MatrixCache& cache) {
+  return unpacked(*cached(cache, "teeth", t, compute));
 }
 
 void add_teeth(const TeethFlexibility& f, const Teeth& t, bool centred, Eigen::MatrixXd& matrix) {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "fe/axisymmetric.h"
+#include "prs/model/materials.h"
 #include "prs/sector/influence/flexibility_options.h"
 #include "prs/sector/influence/matrix_cache.h"
-#include "prs/model/materials.h"
 
 namespace prs {
 
@@ -52,6 +52,7 @@ struct Teeth {
   int first = 0;
   int step = 1;
   int contacts = 1;
+  FlexibilityOptions options;
 };
 
 /// What the harmonics that die out along a body add to its flexibility, the same at all threads.
@@ -61,8 +62,7 @@ struct TeethFlexibility {
   Eigen::VectorXd remainder;   ///< Of the harmonics left out, to be added to it [m/N].
 };
 
-TeethFlexibility teeth_flexibility(const Teeth& teeth, const FlexibilityOptions& options,
-                                   MatrixCache& cache);
+TeethFlexibility teeth_flexibility(const Teeth& teeth, MatrixCache& cache);
 
 /// Adds the teeth to a body's matrix, whose rows and columns are the types in blocks of `contacts`.
 /// With `centred`, contacts of different types lie at the same axial position, and not half a pitch

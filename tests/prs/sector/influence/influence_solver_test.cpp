@@ -167,6 +167,9 @@ TEST(InfluenceSolver, BodiesAreWorkedOutOnce) {
   EXPECT_EQ(once, 7);  // screw, nut, roller twice, and three sets of teeth
   bodies(c, cache);
   EXPECT_EQ(cache.computed(), once);
+  for (const Part p : kParts) c.materials[p].density = 7800.0;  // neither weight nor inertia acts
+  bodies(c, cache);
+  EXPECT_EQ(cache.computed(), once);
   c.structure.roller.guidance.kind = Guidance::Kind::outer_node;
   bodies(c, cache);
   EXPECT_EQ(cache.computed(), once + 1);  // the bent roller

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "prs/sector/influence/cache_key.h"
 #include "support/temporary_directory.h"
 
 namespace prs {
@@ -82,6 +83,33 @@ TEST(MatrixCache, DamagedFilesCountAsAbsent) {
 TEST(MatrixCache, DirectoryThatCannotBeWrittenIsNoError) {
   MatrixCache cache("/proc/no such place");
   EXPECT_EQ(cache.get("key", sample)->size(), 3u);
+}
+
+MatrixCache::Matrices size_of(const GroovedShape& shape) {
+  return {Eigen::MatrixXd::Constant(1, 1, shape.end - shape.start)};
+}
+
+TEST(CachedMatrices, EveryNumberOfWhatTheyAreMadeFromCounts) {
+  MatrixCache cache;
+  GroovedShape shape;
+  int made = 0;
+  const auto is_another = [&](auto change) {
+    change();
+    for (int i = 0; i < 2; ++i) cached(cache, "body", shape, size_of);
+    EXPECT_EQ(cache.computed(), ++made);
+  };
+  is_another([] {});
+  is_another([&] { shape.groove.dedendum = 1.0; });
+  is_another([&] { shape.far_radius = 1.0; });
+  is_another([&] { shape.ridges = {0.0, 0.0}; });
+  is_another([&] { shape.ridges->second = 1.0; });
+  is_another([&] { shape.plain_end = PlainEnd{}; });
+  is_another([&] { shape.collars = {{}}; });
+  is_another([&] { shape.collars[0].radius = 1.0; });
+  is_another([&] { shape.sections = {1.0}; });
+  is_another([&] { std::swap(shape.sections, shape.radii); });
+  cached(cache, "another body", shape, size_of);
+  EXPECT_EQ(cache.computed(), made + 1);
 }
 
 }  // namespace
