@@ -46,29 +46,20 @@ BENCHMARK(SingleSectorCholmod);
 
 /// The same to thread loads and displacement.
 void SingleSectorChain(benchmark::State& state) {
-  prs::ChainSolver solver(test::abevi().build(), static_cast<InstructionSet>(state.range(0)));
-  std::vector<double> screw(20), nut(20), displacement(1), force{kForce};
-  std::vector<int> iterations(1);
-  prs::ThreadLoads results;
-  results.normal_load = {screw, nut};
-  results.stride = 20;
-  results.axial_displacement = displacement;
-  results.iterations = iterations;
+  prs::ChainSolver solver(test::abevi().model());
+  prs::LoadDistribution result;
   solver.options.residual_tolerance = 1e-12;
-  solver.solve(force, results);
+  solver.solve(kForce, result);
   const std::size_t before = test::allocations();
   for (auto _ : state) {
-    solver.solve(force, results);
-    benchmark::DoNotOptimize(screw.data());
+    solver.solve(kForce, result);
+    benchmark::DoNotOptimize(result.normal_load.screw.data());
     benchmark::ClobberMemory();
   }
   state.counters["allocations"] = static_cast<double>(test::allocations() - before);
-  state.counters["linear_solves"] = iterations[0];
+  state.counters["linear_solves"] = result.solve.iterations();
 }
-BENCHMARK(SingleSectorChain)
-    ->ArgName("set")
-    ->Arg(static_cast<int>(InstructionSet::scalar))
-    ->Arg(static_cast<int>(InstructionSet::avx512));
+BENCHMARK(SingleSectorChain);
 
 /// Random designs of 20 threads, geometry, constants and load drawn for each, as columns; with
 /// several loads the one drawn is the last of as many equal steps.
@@ -76,7 +67,7 @@ class Study {
  public:
   Study(std::uint64_t seed, std::size_t designs, std::size_t loads = 1) : solves_(designs * loads) {
     std::mt19937_64 random(seed);
-    std::vector<prs::BarSector> sectors;
+    std::vector<prs::SectorModel> sectors;
     for (std::size_t k = 0; k < designs; ++k) {
       sectors.push_back(draw(random));
       const double force = draw_force(sectors.back(), random);
@@ -123,7 +114,7 @@ class Study {
   }
 
  private:
-  static prs::BarSector draw(std::mt19937_64& random) {
+  static prs::SectorModel draw(std::mt19937_64& random) {
     const auto about = [&](double value, double share) {
       return value * std::uniform_real_distribution<double>(1.0 - share, 1.0 + share)(random);
     };
@@ -148,65 +139,52 @@ class Study {
     }
     c.direction = std::bernoulli_distribution(0.5)(random) ? prs::Direction::tension
                                                            : prs::Direction::compression;
-    return prs::bar_sector(c.mechanism, c.structure, c.materials, c.options, c.laws, c.direction,
-                           c.position);
+    return c.model();
   }
 
   /// Log-uniform over 1 to 100 % of the load whose mean thread has a pressure of 2.5 GPa at the
   /// screw, in a contact of the same constant with equal curvatures: p^3 = 6 N E*^2/(pi^3 R^2),
   /// k_0 = 4/3 E* R^(1/2).
-  static double draw_force(const prs::BarSector& s, std::mt19937_64& random) {
+  static double draw_force(const prs::SectorModel& s, std::mt19937_64& random) {
     const double modulus = 209e9 / (2.0 * (1.0 - 0.09)), pressure = 2.5e9;
-    const double root = 0.75 * s.laws.screw.hertz_constant / modulus;  // R^(1/2)
+    const double root = 0.75 * s.hertz_constant.screw / modulus;  // R^(1/2)
     const double thread =
         std::pow(std::numbers::pi * pressure, 3) * std::pow(root, 4) / (6.0 * modulus * modulus);
     const double share =
         std::exp(std::uniform_real_distribution<double>(std::log(0.01), 0.0)(random));
-    return share * thread * std::cos(s.laws.screw.normal_angle) * s.rollers * s.contacts;
+    return share * thread * s.cosine.screw * s.rollers * s.contacts();
   }
 
-  void fill(const std::vector<prs::BarSector>& sectors) {
+  void fill(const std::vector<prs::SectorModel>& sectors) {
     const auto column = [&](auto value) -> std::span<const double> {
       std::vector<double>& c = columns_.emplace_back();
-      for (const prs::BarSector& s : sectors) c.push_back(value(s));
+      for (const prs::SectorModel& s : sectors) c.push_back(value(s));
       return c;
     };
-    using S = const prs::BarSector;
+    using S = const prs::SectorModel;
     prs::BarDesigns& d = designs_;
     d.contacts = 20;
     d.axial_force = forces_;
-    d.rollers = column([](S& s) { return static_cast<double>(s.rollers); });
-    d.sense = column([](S& s) { return sense(s.direction); });
-    d.pitch = column([](S& s) { return s.pitch; });
-    d.screw_rigidity = column([](S& s) { return s.screw_rigidity; });
-    d.free_length = column([](S& s) { return s.free_length; });
-    d.thread.axial = column([](S& s) { return s.thread.axial; });
-    d.thread.bending = column([](S& s) { return s.thread.bending; });
-    d.end.axial = column([](S& s) { return s.end.axial; });
-    d.end.bending = column([](S& s) { return s.end.bending; });
-    d.end_length = column([](S& s) { return s.end_length; });
-    d.outer_guide = column([](S& s) { return s.outer_guide; });
-    d.inner_guide = column([](S& s) { return s.inner_guide; });
-    d.roller_radius = column([](S& s) { return s.roller_radius; });
-    d.nut_rigidity = column([](S& s) { return s.nut_rigidity; });
-    d.nut_length = column([](S& s) { return s.nut_length; });
-    d.thrust = column([](S& s) { return s.thrust; });
-    d.position = column([](S& s) { return s.position; });
+    prs::SectorNumbers<std::vector<double>>& n = columns_of_numbers_;
+    for (S& s : sectors)
+      prs::for_each_number(
+          [](std::vector<double>& values, const double& number) { values.push_back(number); }, n,
+          s);
+    prs::for_each_number(
+        [](prs::BarDesigns::Values& view, const std::vector<double>& values) { view = values; }, d,
+        n);
+    d.compliance = {};
     for (std::size_t f = 0; f < 2; ++f)
       flanges_.push_back({column([f](S& s) { return s.flanges[f].from; }),
                           column([f](S& s) { return s.flanges[f].to; }),
                           column([f](S& s) { return s.flanges[f].axial_rigidity; })});
     d.flanges = flanges_;
-    for (const prs::Interface i : prs::kInterfaces) {
-      d.hertz_constant[i] = column([i](S& s) { return s.laws[i].hertz_constant; });
-      d.cosine[i] = column([i](S& s) { return std::cos(s.laws[i].normal_angle); });
-      d.sine[i] = column([i](S& s) { return std::sin(s.laws[i].normal_angle); });
-    }
   }
 
   std::size_t solves_;
   std::vector<double> forces_;
   std::deque<std::vector<double>> columns_;
+  prs::SectorNumbers<std::vector<double>> columns_of_numbers_;
   std::vector<prs::BarDesigns::Flange> flanges_;
   prs::BarDesigns designs_;
   std::vector<double> screw_ = std::vector<double>(20 * solves_);
@@ -301,36 +279,6 @@ BENCHMARK(MultiplyAddAvx2)->ThreadRange(1, 2)->UseRealTime();
 void MultiplyAddAvx512(benchmark::State& state) { multiply_adds<simd::Avx512>(state, 8); }
 BENCHMARK(MultiplyAddAvx512)->ThreadRange(1, 2)->UseRealTime();
 #endif
-
-/// 100 loads on the Abevi screw to thread loads and displacements.
-void SweepOf100LoadsChain(benchmark::State& state) {
-  prs::ChainSolver solver(test::abevi().build(), static_cast<InstructionSet>(state.range(0)));
-  std::vector<double> forces, screw(2000), nut(2000), displacement(100);
-  std::vector<int> iterations(100);
-  for (int k = 1; k <= 100; ++k) forces.push_back(kForce * k / 100.0);
-  prs::ThreadLoads results;
-  results.normal_load = {screw, nut};
-  results.stride = 20;
-  results.axial_displacement = displacement;
-  results.iterations = iterations;
-  solver.options.residual_tolerance = 1e-10;
-  for (auto _ : state) {
-    solver.solve(forces, results);
-    benchmark::ClobberMemory();
-  }
-  double sum = 0.0;
-  for (const int i : iterations) sum += i;
-  state.counters["iterations"] = sum / 100.0;
-  state.counters["time/load"] =
-      benchmark::Counter(100.0 * static_cast<double>(state.iterations()),
-                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-}
-BENCHMARK(SweepOf100LoadsChain)
-    ->ArgName("set")
-    ->Arg(static_cast<int>(InstructionSet::scalar))
-    ->Arg(static_cast<int>(InstructionSet::avx2))
-    ->Arg(static_cast<int>(InstructionSet::avx512))
-    ->Unit(benchmark::kMicrosecond);
 
 /// 100 ascending loads on each of 64 random designs, one design a lane, to thread loads and
 /// displacements.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fe/chain.h"
+#include "fe/chain_station.h"
 
 namespace fe {
 

@@ -82,25 +82,22 @@ class NewtonMethod {
       const double before = summary.relative_residual;
       summary.energy = iteration.energy;
       summary.relative_residual = iteration.relative_residual;
-      if (-slope > options.energy_tolerance * std::abs(summary.energy)) continue;
+      if (!options.settled(-slope, summary.energy)) continue;
       const bool energy_is_rounding = -slope <= numbers_.energy_rounding(q, f, energy);
 
-      const bool stalled = summary.relative_residual > 0.1 * before;
-      const bool small = summary.relative_residual <= options.residual_tolerance;
+      const bool stalled = options.stalled(summary.relative_residual, before);
+      const bool small = options.small(summary.relative_residual);
       if (!small && !stalled) continue;
       const double change = numbers_.force_change(q, step_);
-      const double left = change * (before > 0.0 ? summary.relative_residual / before : 0.0);
-      if (small && left <= options.force_tolerance)
-        return stop(numbers_.force_rounding(q) <= options.force_tolerance
-                        ? NewtonStatus::converged
-                        : NewtonStatus::line_search_failed);
+      const bool exact = before == 0.0 || options.exact(change, summary.relative_residual, before);
+      const auto told = [&] { return numbers_.force_rounding(q) <= options.force_tolerance; };
+      if (small && exact)
+        return stop(told() ? NewtonStatus::converged : NewtonStatus::line_search_failed);
       if (stalled && energy_is_rounding) ++stalls;
       if (stalls > Numbers::kMostStalls ||
           (stalled && numbers_.residual_is_rounding(q, residual_))) {
         summary.at_rounding = true;
-        return stop(summary.relative_residual <= options.rounding_tolerance &&
-                            change <= options.force_tolerance &&
-                            numbers_.force_rounding(q) <= options.force_tolerance
+        return stop(options.rounded(change, summary.relative_residual) && told()
                         ? NewtonStatus::converged
                         : NewtonStatus::line_search_failed);
       }

@@ -3,6 +3,8 @@
 #include <string_view>
 #include <vector>
 
+#include "fe/lanes.h"
+
 namespace fe {
 
 struct NewtonOptions {
@@ -17,8 +19,8 @@ struct NewtonOptions {
   /// A state this close to equilibrium takes one step with the last factorization, at a third of
   /// the cost: its error shrinks as much as the last step changed the tangent, about 1e-3.
   double reuse_factorization_below = 1e-8;
-  /// Largest change, relative to the largest force of a spring, that one more step may still bring to
-  /// a spring's force. It is estimated: what the last step changed, times what it left of the
+  /// Largest change, relative to the largest force of a spring, that one more step may still bring
+  /// to a spring's force. It is estimated: what the last step changed, times what it left of the
   /// residual.
   double force_tolerance = 1e-10;
   int max_iterations = 500;
@@ -38,6 +40,35 @@ struct NewtonOptions {
   /// those that open do so one after the other, a few in a step: one more for every 20 beyond 200.
   int iteration_limit(int springs) const {
     return max_iterations + (springs > 200 ? (springs - 200) / 20 : 0);
+  }
+
+  // When to stop, for numbers and batches of them, inlined since kernels compile them for several
+  // instruction sets. Residuals are relative to the force scale;
+  // `change` is what the last step changed in a spring's force, relative to the largest.
+
+  /// Whether a step that gains d'r along the slope hardly changes the energy any more.
+  template <class Real>
+  [[gnu::always_inline]] Lanes<Real> settled(const Real& slope, const Real& energy) const {
+    return slope <= energy_tolerance * abs(energy);
+  }
+  template <class Real>
+  [[gnu::always_inline]] Lanes<Real> small(const Real& residual) const {
+    return residual <= residual_tolerance;
+  }
+  /// Whether one more step would hardly change a force.
+  template <class Real>
+  [[gnu::always_inline]] Lanes<Real> exact(const Real& change, const Real& residual,
+                                           const Real& before) const {
+    return change * residual <= force_tolerance * before;
+  }
+  template <class Real>
+  [[gnu::always_inline]] Lanes<Real> stalled(const Real& residual, const Real& before) const {
+    return residual > 0.1 * before;
+  }
+  /// Whether a residual that rounding keeps from falling will do.
+  template <class Real>
+  [[gnu::always_inline]] Lanes<Real> rounded(const Real& change, const Real& residual) const {
+    return (residual <= rounding_tolerance) & (change <= force_tolerance);
   }
 };
 

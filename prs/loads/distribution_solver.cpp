@@ -22,10 +22,10 @@ DistributionSolver distribution_solver(const Conditions& c, const Contacts& cont
   if (c.model.bodies == ModelOptions::Bodies::influence)
     return shared(std::make_shared<InfluenceSolver>(
         influence_solver(c, contacts, laws, direction, position)));
-  Sector sector = build_sector(contacts.mechanism, *c.structure, *c.materials, c.model, laws,
-                               direction, position, c.deviations);
-  if (solver == Solver::chain) return shared(std::make_shared<FallbackSolver>(std::move(sector)));
-  return shared(std::make_shared<SectorSolver>(std::move(sector)));
+  SectorModel model = sector_model(contacts.mechanism, *c.structure, *c.materials, c.model, laws,
+                                   direction, position, c.deviations);
+  if (solver == Solver::chain) return shared(std::make_shared<FallbackSolver>(std::move(model)));
+  return shared(std::make_shared<SectorSolver>(build_sector(model)));
 }
 
 }  // namespace prs

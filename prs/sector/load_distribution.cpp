@@ -11,18 +11,17 @@ SectorSolver::SectorSolver(Sector sector)
     : sector_(std::move(sector)),
       equations_(sector_.model),
       solver_(equations_),
-      unit_load_(equations_.load_vector({{sector_.loaded_node, Dof::u, sense(sector_.direction)}})),
+      unit_load_(equations_.load_vector({{sector_.loaded_node, Dof::u, sector_.sense}})),
       rate_(equations_.size()) {}
 
 Eigen::VectorXd SectorSolver::equal_shares(double axial_force) const {
   const double thread_load = axial_force / (sector_.rollers * sector_.contacts());
   // Axial shift of the pushing body against the pushed one.
   const auto shift = [&](Interface i) {
-    const ContactLaw& law = sector_.laws[i];
-    const double cosine = std::cos(law.normal_angle);
-    const double approach = std::pow(thread_load / (cosine * law.hertz_constant), 2.0 / 3.0);
+    const double cosine = sector_.cosine[i];
+    const double approach = std::pow(thread_load / (cosine * sector_.hertz_constant[i]), 2.0 / 3.0);
     const double widest = *std::max_element(sector_.gaps[i].begin(), sector_.gaps[i].end());
-    return sense(sector_.direction) * (approach + widest) / cosine;
+    return sector_.sense * (approach + widest) / cosine;
   };
   const double roller = shift(Interface::nut);
   const double screw = roller + shift(Interface::screw);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "prs/model/materials.h"
+#include "prs/sector/sector_numbers.h"
 
 namespace prs {
 
@@ -13,18 +14,12 @@ inline double disc_area(double diameter) { return std::numbers::pi / 4.0 * diame
 /// Between two diameters [m^2].
 inline double ring_area(double outer, double inner) { return disc_area(outer) - disc_area(inner); }
 
-/// What a full round section resists.
-struct DiscRigidity {
-  double axial = 0.0;    ///< E A [N]
-  double bending = 0.0;  ///< E pi d^4/64 [N m^2]
-  double shear = 0.0;    ///< kappa G A [N], kappa = 6 (1 + nu)/(7 + 6 nu) (Cowper 1966).
-};
-
-/// Of a solid disc; 0 for `shear` where shear is left out, as fe::Beam takes it.
-inline DiscRigidity disc_rigidity(const Material& material, double diameter, bool shear) {
+/// A full round section: I = pi d^4/64, kappa = 6 (1 + nu)/(7 + 6 nu) (Cowper 1966).
+inline RollerSection<double> disc_rigidity(const Material& material, double diameter, bool shear) {
   const double modulus = material.youngs_modulus, nu = material.poisson_ratio;
   const double area = disc_area(diameter);
-  DiscRigidity r{modulus * area, modulus * (std::numbers::pi / 64.0 * std::pow(diameter, 4)), 0.0};
+  RollerSection<double> r{modulus * area,
+                          modulus * (std::numbers::pi / 64.0 * std::pow(diameter, 4)), 0.0};
   if (shear) r.shear = 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu) * (modulus / (2.0 * (1.0 + nu))) * area;
   return r;
 }

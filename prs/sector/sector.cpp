@@ -1,11 +1,6 @@
 #include "prs/sector/sector.h"
 
-#include <algorithm>
-#include <cassert>
 #include <cmath>
-
-#include "prs/sector/refined/refinement.h"
-#include "prs/sector/section_properties.h"
 
 namespace prs {
 namespace {
@@ -13,104 +8,53 @@ namespace {
 using fe::Dof;
 
 /// Bars from the loaded section through the contacts.
-void add_screw(Sector& s, const Mechanism& m, double bore, double free_length, double free_diameter,
-               double diameter, double modulus) {
-  const auto rigidity = [&](double d) { return modulus * ring_area(d, bore) / m.rollers; };
+void add_screw(Sector& s) {
   s.loaded_node = s.model.add_node();
-  const bool at_first_contact = free_length == 0.0;
-  int previous = s.loaded_node;
-  for (int k = 0; k < m.contacts_per_roller; ++k) {
-    if (k == 0 && at_first_contact) {
-      s.screw_nodes.push_back(s.loaded_node);
-      continue;
-    }
-    const int node = s.model.add_node();
-    const fe::Bar bar = k == 0 ? fe::Bar{rigidity(free_diameter), free_length}
-                               : fe::Bar{rigidity(diameter), axial_pitch(m)};
-    s.model.bars.push_back({previous, node, bar});
-    s.screw_nodes.push_back(node);
-    previous = node;
-  }
-}
-
-/// Nodes at the ends, the flange faces, the thrust section of the load's direction and the
-/// contacts.
-NutLine nut_line(const Mechanism& m, const Structure::Nut& nut, Direction direction,
-                 double position) {
-  const double thrust =
-      direction == Direction::tension ? *nut.thrust.tension : *nut.thrust.compression;
-  NutLine line;
-  std::vector<double>& sections = line.sections;
-  sections = {0.0, nut.length, thrust};
-  for (const Structure::Flange& flange : nut.flanges) {
-    sections.push_back(flange.from);
-    sections.push_back(flange.to);
-  }
-  const auto contact = [&](int k) { return position + k * axial_pitch(m); };
-  for (int k = 0; k < m.contacts_per_roller; ++k) sections.push_back(contact(k));
-  std::sort(sections.begin(), sections.end());
-  const double same = kSamePlace * nut.length;
-  const auto end = std::unique(sections.begin(), sections.end(),
-                               [&](double a, double b) { return b - a < same; });
-  sections.erase(end, sections.end());
-
-  const auto node_at = [&](double x) {
-    const auto next = std::lower_bound(sections.begin(), sections.end(), x - same);
-    return static_cast<int>(next - sections.begin());
+  const auto extend = [&](int from, const fe::Bar& bar) {
+    const int next = s.model.add_node();
+    s.model.bars.push_back({from, next, bar});
+    return next;
   };
-  for (std::size_t i = 1; i < sections.size(); ++i)
-    line.outer_radius.push_back(0.5 * nut_diameter(nut, 0.5 * (sections[i - 1] + sections[i])));
-  for (int k = 0; k < m.contacts_per_roller; ++k) line.contacts.push_back(node_at(contact(k)));
-  line.thrust = node_at(thrust);
-  return line;
+  s.screw_nodes = {s.free_length == 0.0
+                       ? s.loaded_node
+                       : extend(s.loaded_node, {s.plain_screw_rigidity, s.free_length})};
+  for (int k = 1; k < s.contacts(); ++k)
+    s.screw_nodes.push_back(extend(s.screw_nodes.back(), {s.screw_rigidity, s.pitch}));
 }
 
-/// Nodes of the nut, the thrust section held.
-int add_nut_nodes(Sector& s, const NutLine& line) {
-  const int first = s.model.nodes;
-  s.model.nodes += static_cast<int>(line.sections.size());
+/// Bars or shells along the nut, the thrust section held.
+void add_nut(Sector& s) {
+  const NutLine line = nut_line(s);
+  const int first = s.model.nodes, last = first + static_cast<int>(line.outer_radius.size());
+  s.model.nodes = last + 1;
   for (const int node : line.contacts) s.nut_nodes.push_back(first + node);
-  s.model.fixed_supports.push_back({first + line.thrust, Dof::u});
-  return first;
-}
-
-void add_nut_bars(Sector& s, const NutLine& line, const std::vector<double>& bore, double modulus) {
-  int node = add_nut_nodes(s, line);
-  for (std::size_t i = 0; i < line.outer_radius.size(); ++i, ++node) {
-    const double area = ring_area(2.0 * line.outer_radius[i], 2.0 * bore[i]);
-    const double rigidity = modulus * area / s.rollers;
-    s.model.bars.push_back({node, node + 1, {rigidity, line.length(i)}});
+  const auto hold = [&](int node, Dof dof) { s.model.fixed_supports.push_back({node, dof}); };
+  hold(first + line.thrust, Dof::u);
+  for (int node = first; node < last; ++node) {
+    const auto i = static_cast<std::size_t>(node - first);
+    if (s.nut_shell)
+      s.model.shells.push_back({node, node + 1, s.nut_shell->segments[i]});
+    else
+      s.model.bars.push_back({node, node + 1, {line.axial_rigidity[i], line.length(i)}});
   }
-}
-
-void add_nut_shell(Sector& s, const NutLine& line, const NutShell& shell, bool radially_rigid) {
-  const int first = add_nut_nodes(s, line);
-  int node = first;
-  for (const fe::ShellMatrix& stiffness : shell.segments) {
-    s.model.shells.push_back({node, node + 1, stiffness});
-    ++node;
-  }
-  if (shell.straight_thrust_section)
-    s.model.fixed_supports.push_back({first + line.thrust, Dof::theta});
-  if (radially_rigid)
-    for (int i = first; i <= node; ++i) s.model.fixed_supports.push_back({i, Dof::v});
+  if (!s.nut_shell) return;
+  if (s.nut_shell->straight_thrust_section) hold(first + line.thrust, Dof::theta);
+  if (s.nut_shell->radially_rigid)
+    for (int node = first; node <= last; ++node) hold(node, Dof::v);
 }
 
 /// Beams from end to end: end element, half a pitch of thread run-out, the pitches between the
-/// teeth, run-out, end element. The contacts of a tooth stand at its middle, or `half_distance` to
-/// both sides of it.
-void add_roller(Sector& s, const Mechanism& m, const Structure::Roller& roller,
-                double thread_diameter, double half_distance, const Material& material,
-                bool shear) {
-  const auto beam = [&](double diameter, double length) {
-    const DiscRigidity r = disc_rigidity(material, diameter, shear);
-    return fe::Beam{r.axial, r.bending, r.shear, length};
+/// teeth, run-out, end element. The contacts of a tooth stand at its middle, or at equal distances
+/// to both sides of it.
+void add_roller(Sector& s) {
+  const auto beam = [](const RollerSection<double>& section, double length) {
+    return fe::Beam{section.axial, section.bending, section.shear, length};
   };
-  const double pitch = axial_pitch(m);
-  const fe::Beam end = beam(roller.end_diameter, roller.end_length);
-  const fe::Beam run_out = beam(thread_diameter, 0.5 * pitch - half_distance);
-  const fe::Beam tooth = beam(thread_diameter, 2.0 * half_distance);
-  const fe::Beam thread = beam(thread_diameter, pitch - 2.0 * half_distance);
+  const double half_distance = s.contact_half_distance;
+  const fe::Beam end = beam(s.end, s.end_length);
+  const fe::Beam run_out = beam(s.thread, 0.5 * s.pitch - half_distance);
+  const fe::Beam tooth = beam(s.thread, 2.0 * half_distance);
+  const fe::Beam thread = beam(s.thread, s.pitch - 2.0 * half_distance);
 
   int last = s.model.add_node();
   const auto extend = [&](const fe::Beam& b) {
@@ -120,38 +64,31 @@ void add_roller(Sector& s, const Mechanism& m, const Structure::Roller& roller,
   };
   s.roller_end_nodes.push_back(last);
   s.roller_end_nodes.push_back(extend(end));
-  for (int k = 0; k < m.contacts_per_roller; ++k) {
+  for (int k = 0; k < s.contacts(); ++k) {
     s.roller_nodes.push_back(extend(k == 0 ? run_out : thread));
-    if (half_distance > 0.0) s.roller_nodes.push_back(extend(tooth));
+    if (s.contacts_apart()) s.roller_nodes.push_back(extend(tooth));
   }
   s.roller_end_nodes.push_back(extend(run_out));
   s.roller_end_nodes.push_back(extend(end));
 }
 
-/// What holds the roller radially (Abevi's BC3 and its alternatives).
-void add_guidance(Sector& s, const Guidance& guidance, ModelOptions::Roller bending) {
-  if (bending == ModelOptions::Roller::rigid_bending) {
-    const auto hold = [&](int node) {
-      s.model.fixed_supports.push_back({node, Dof::v});
-      s.model.fixed_supports.push_back({node, Dof::theta});
-    };
-    for (const int node : s.roller_end_nodes) hold(node);
-    for (const int node : s.roller_nodes) hold(node);
+void add_guidance(Sector& s) {
+  if (!s.bends()) {
+    for (const auto* nodes : {&s.roller_end_nodes, &s.roller_nodes})
+      for (const int node : *nodes)
+        for (const Dof dof : {Dof::v, Dof::theta}) s.model.fixed_supports.push_back({node, dof});
     return;
   }
-  switch (guidance.kind) {
-    case Guidance::Kind::both_end_nodes:
-      for (const int node : s.roller_end_nodes) s.model.fixed_supports.push_back({node, Dof::v});
-      break;
-    case Guidance::Kind::outer_node:
-      s.model.fixed_supports.push_back({s.roller_end_nodes.front(), Dof::v});
-      s.model.fixed_supports.push_back({s.roller_end_nodes.back(), Dof::v});
-      break;
-    case Guidance::Kind::ring:
-      for (const int node : s.roller_end_nodes)
-        s.model.elastic_supports.push_back({node, Dof::v, guidance.ring_stiffness});
-      break;
-  }
+  const auto guide = [&](int node, double stiffness) {
+    if (stiffness == kHeld)
+      s.model.fixed_supports.push_back({node, Dof::v});
+    else if (stiffness > 0.0)
+      s.model.elastic_supports.push_back({node, Dof::v, stiffness});
+  };
+  guide(s.roller_end_nodes[0], s.outer_guide);
+  guide(s.roller_end_nodes[1], s.inner_guide);
+  guide(s.roller_end_nodes[2], s.inner_guide);
+  guide(s.roller_end_nodes[3], s.outer_guide);
 }
 
 /// Hertz springs between the rigid arms: N = k_0 <w - g - c N>^1.5 with
@@ -159,58 +96,35 @@ void add_guidance(Sector& s, const Guidance& guidance, ModelOptions::Roller bend
 /// nut   w = s cos(psi)(u_R - theta r_R - u_N + theta_N y) + sin(psi) (v_R - v_N),
 /// y the radius of the nut's contacts less that of its nodes. Where the contacts of a tooth do not
 /// lie opposite each other, its flank at the screw faces against the load, the other one along it.
-void add_contacts(Sector& s, double nut_arm, const PerInterface<std::vector<double>>& compliance) {
-  const double sense = prs::sense(s.direction);
-  const auto n = static_cast<std::size_t>(s.contacts());
-  const bool apart = s.roller_nodes.size() > n;
+void add_contacts(Sector& s) {
   const auto roller_node = [&](Interface i, std::size_t k) {
-    const bool second = (i == Interface::screw) == (sense < 0.0);
-    return s.roller_nodes[apart ? 2 * k + (second ? 1 : 0) : k];
+    const bool second = (i == Interface::screw) == (s.sense < 0.0);
+    return s.roller_nodes[s.contacts_apart() ? 2 * k + (second ? 1 : 0) : k];
   };
-  const auto spring = [&](fe::RigidArm from, fe::RigidArm to, Interface i, std::size_t k) {
-    const ContactLaw& law = s.laws[i];
-    s.model.springs.push_back(
-        {from,
-         to,
-         sense * std::cos(law.normal_angle),
-         std::sin(law.normal_angle),
-         {law.hertz_constant, 1.5, s.gaps[i][k], law.compliance + compliance[i][k]}});
-  };
-  for (std::size_t k = 0; k < n; ++k)
-    spring({s.screw_nodes[k]}, {roller_node(Interface::screw, k), 0.0, -s.roller_radius},
-           Interface::screw, k);
-  for (std::size_t k = 0; k < n; ++k)
-    spring({roller_node(Interface::nut, k), 0.0, s.roller_radius}, {s.nut_nodes[k], 0.0, nut_arm},
-           Interface::nut, k);
+  const double nut_arm = s.nut_shell ? s.nut_shell->contact_arm : 0.0;
+  for (const Interface i : kInterfaces)
+    for (std::size_t k = 0; k < s.screw_nodes.size(); ++k) {
+      const bool at_screw = i == Interface::screw;
+      const fe::RigidArm roller{roller_node(i, k), 0.0,
+                                at_screw ? -s.roller_radius : s.roller_radius};
+      s.model.springs.push_back(
+          {at_screw ? fe::RigidArm{s.screw_nodes[k]} : roller,
+           at_screw ? roller : fe::RigidArm{s.nut_nodes[k], 0.0, nut_arm},
+           s.sense * s.cosine[i],
+           s.sine[i],
+           {s.hertz_constant[i], 1.5, s.gaps[i][k], s.contact_compliance(i, k)}});
+    }
 }
 
 }  // namespace
 
-Sector build_sector(const Mechanism& m, const Structure& structure, const Materials& materials,
-                    const ModelOptions& options, const PerInterface<ContactLaw>& laws,
-                    Direction direction, double position, const Deviations& deviations) {
-  Sector s;
-  s.laws = laws;
-  s.direction = direction;
-  s.rollers = m.rollers;
-  s.roller_radius = 0.5 * *m.pitch_diameter.roller;
-  s.gaps = initial_gaps(m, deviations, materials, {laws.screw.normal_angle, laws.nut.normal_angle},
-                        direction);
-
-  const NutLine line = nut_line(m, structure.nut, direction, position);
-  const Refinement refined = refinement(m, structure, materials, options, laws, direction, line);
-  s.offset_compliance = refined.offset_compliance;
-
-  add_screw(s, m, structure.screw.bore, free_length(structure), refined.plain_screw_diameter,
-            refined.screw_diameter, materials.screw.youngs_modulus);
-  add_roller(s, m, structure.roller, refined.roller_diameter, refined.roller_half_distance,
-             materials.roller, refined.roller_shear);
-  if (refined.nut)
-    add_nut_shell(s, line, *refined.nut, refined.nut_radially_rigid);
-  else
-    add_nut_bars(s, line, refined.nut_bore, materials.nut.youngs_modulus);
-  add_guidance(s, structure.roller.guidance, options.roller);
-  add_contacts(s, refined.nut ? refined.nut->contact_arm : 0.0, refined.compliance);
+Sector build_sector(const SectorModel& model) {
+  Sector s{model, {}, 0, {}, {}, {}, {}};
+  add_screw(s);
+  add_roller(s);
+  add_nut(s);
+  add_guidance(s);
+  add_contacts(s);
   return s;
 }
 

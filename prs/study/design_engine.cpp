@@ -276,7 +276,7 @@ struct DesignEngine::Parts {
 
   /// Adds the sectors of one design of a batch, whose contacts are found.
   DesignStatus prepare(const Conditions& c, Pending& design, std::size_t index,
-                       std::vector<PendingSector>& sectors, std::vector<BarSector>& bars,
+                       std::vector<PendingSector>& sectors, std::vector<SectorModel>& bars,
                        std::vector<double>& forces) const {
     design.laws = contact_laws(c, design.contacts);
     for (const std::size_t k : load_cases) {
@@ -286,8 +286,8 @@ struct DesignEngine::Parts {
         design.load_cases.push_back(equal_share_result(load, design.contacts, design.laws));
         continue;
       }
-      bars.push_back(bar_sector(design.contacts.mechanism, *c.structure, *c.materials, c.model,
-                                design.laws, *load.direction, *load.position, c.deviations));
+      bars.push_back(sector_model(design.contacts.mechanism, *c.structure, *c.materials, c.model,
+                                  design.laws, *load.direction, *load.position, c.deviations));
       forces.push_back(load.axial_force);
       sectors.push_back({index, design.load_cases.size()});
       design.load_cases.emplace_back().load_case = load;
@@ -317,7 +317,7 @@ struct DesignEngine::Parts {
                       RowBlock& block) {
     std::vector<Pending> designs;
     std::vector<PendingSector> sectors;
-    std::vector<BarSector> bars;
+    std::vector<SectorModel> bars;
     std::vector<double> forces;
     designs.reserve(to - from);
     for (std::size_t row = from; row < to; ++row) {

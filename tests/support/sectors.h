@@ -8,7 +8,7 @@
 
 namespace test {
 
-/// Everything that `build_sector` needs, as one value.
+/// Everything that `sector_model` needs, as one value.
 struct SectorCase {
   prs::Mechanism mechanism;
   prs::Structure structure;
@@ -19,10 +19,11 @@ struct SectorCase {
   double position = 0.0;
   prs::Deviations deviations = {};
 
-  prs::Sector build() const {
-    return prs::build_sector(mechanism, structure, materials, options, laws, direction, position,
+  prs::SectorModel model() const {
+    return prs::sector_model(mechanism, structure, materials, options, laws, direction, position,
                              deviations);
   }
+  prs::Sector build() const { return prs::build_sector(model()); }
 };
 
 inline constexpr double kDegree = std::numbers::pi / 180.0;

@@ -1,15 +1,12 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
-#include "prs/sector/chain/roller_beam.h"
 #include "prs/model/part.h"
+#include "prs/sector/chain/roller_chain.h"
+#include "prs/sector/sector_numbers.h"
 
 namespace prs {
-
-/// Stiffness of a support that does not give.
-inline constexpr double kHeld = std::numeric_limits<double>::infinity();
 
 /// Freedoms of a nut node are u, v and r theta, r the radius that rotations are scaled by.
 struct NutSegment {
@@ -33,23 +30,11 @@ struct ChainSector {
 
   Kind kind = Kind::bars;
   int contacts = 0;
-  double rollers = 1.0;
-  double sense = 1.0;              ///< s
-  double free_compliance = 0.0;    ///< Of the screw before the first contact [m/N].
-  double offset_compliance = 0.0;  ///< As in `Sector` [m/N].
-
-  PerInterface<double> axial_part;   ///< s cos(psi)
-  PerInterface<double> radial_part;  ///< sin(psi)
-  double nut_rotation_part = 0.0;    ///< Of r theta of the nut in its approach.
-  PerInterface<double> hertz_constant;
+  SectorNumbers<double> numbers;
+  RollerChain<double> roller{};
+  double nut_rotation_part = 0.0;                ///< Of r theta of the nut in its approach.
   PerInterface<std::vector<double>> compliance;  ///< In series; bars: empty for zeros.
   PerInterface<std::vector<double>> gaps;
-
-  double screw = 0.0;  ///< Between contacts [N/m].
-  RollerBeam<double> thread{};
-  RollerBeam<double> tooth{};  ///< Between the two contacts of a tooth.
-  RollerEnd<double> ends[2] = {};
-  double bending_support = 0.0;  ///< Infinite where the roller does not bend.
 
   std::vector<double> nut;     ///< Bars: to the next contact [N/m].
   std::vector<double> ground;  ///< Bars: to the thrust section; infinite: held [N/m].

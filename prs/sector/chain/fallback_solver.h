@@ -5,6 +5,7 @@
 #include "prs/sector/chain/chain_solver.h"
 #include "prs/sector/load_distribution.h"
 #include "prs/sector/sector.h"
+#include "prs/sector/sector_model.h"
 
 namespace prs {
 
@@ -12,12 +13,12 @@ namespace prs {
 /// the speed of the one, the verdict of the other.
 class FallbackSolver {
  public:
-  explicit FallbackSolver(Sector sector) : sector_(std::move(sector)), chain_(sector_) {}
+  explicit FallbackSolver(SectorModel model) : model_(std::move(model)), chain_(model_) {}
 
   LoadDistribution solve(double axial_force) {
     LoadDistribution result = chain_.solve(axial_force);
     if (complete(result)) return result;
-    if (!sparse_) sparse_ = std::make_unique<SectorSolver>(sector_);
+    if (!sparse_) sparse_ = std::make_unique<SectorSolver>(build_sector(model_));
     return sparse_->solve(axial_force);
   }
 
@@ -27,7 +28,7 @@ class FallbackSolver {
   }
 
  private:
-  Sector sector_;
+  SectorModel model_;
   ChainSolver chain_;
   std::unique_ptr<SectorSolver> sparse_;
 };

@@ -4,11 +4,11 @@
 #include <cstring>
 #include <span>
 
-#include "fe/chain.h"
+#include "fe/lanes.h"
 
 namespace prs {
 
-using fe::any, fe::max, fe::min, fe::select;  // of single numbers, beside those of batches
+using fe::abs, fe::any, fe::max, fe::min, fe::select;  // of single numbers, beside those of batches
 
 /// Numbers side by side in a batch.
 template <class Real>

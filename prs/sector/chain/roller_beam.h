@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fe/chain.h"
+#include "fe/lanes.h"
 
 namespace prs {
 

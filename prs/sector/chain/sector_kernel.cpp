@@ -39,12 +39,108 @@ using Half = xsimd::batch<double, Halves>;
 // the same for another.
 template <class Real>
 struct Bars : BarStation<Real> {};
+struct FoldedBars : BarStation<Half> {
+  static constexpr bool kFolded = true;
+};
 template <class Real, ChainSector::Kind kKind>
 struct Shell : ShellStation<Real, kKind> {};
 template <class Real>
 struct Hertz : fe::ChainHertz<Real> {};
 template <class Real>
 struct HertzInSeries : fe::ChainHertzInSeries<Real> {};
+template <class Real>
+struct Numbers : SectorNumbers<Real> {};
+
+/// A batch of chains in the workspace.
+template <class Real, class Station>
+struct Batch {
+  fe::ChainRecord<Real, Station>* records;
+  Real* nut;
+  Real* ground;
+  Real* compliance[2];
+  Real* history;
+  Numbers<Real> numbers;
+  Station station;
+  bool compliant;
+
+  Batch(double* memory, int contacts) {
+    records = reinterpret_cast<fe::ChainRecord<Real, Station>*>(memory);
+    nut = reinterpret_cast<Real*>(records + contacts);
+    ground = nut + contacts;
+    compliance[0] = ground + contacts;
+    compliance[1] = compliance[0] + contacts;
+    history = compliance[1] + contacts;
+  }
+
+  /// What stations of bars take from the numbers.
+  void set_bars(int stations) {
+    station.stations = stations;
+    station.screw = numbers.screw_rigidity / numbers.pitch;
+    for (const Interface i : kInterfaces) {
+      station.axial_part[static_cast<int>(i)] = numbers.sense * numbers.cosine[i];
+      station.radial_part[static_cast<int>(i)] = numbers.sine[i];
+    }
+    station.nut = nut;
+    station.ground = ground;
+  }
+
+  /// As many loads a lane, from those at `first` on; gap(i, k) are the initial gaps.
+  template <class Gap>
+  void solve(int contacts, const Gap& gap, std::span<const double> forces, const LaneRange& first,
+             std::size_t loads, const fe::NewtonOptions& options, const ThreadLoads& results) {
+    const Real stiffness[2] = {numbers.hertz_constant.screw, numbers.hertz_constant.nut};
+    const auto under = [&](const auto& law) {
+      Sweep<Real, Station, std::remove_cvref_t<decltype(law)>> sweep(numbers, contacts, station,
+                                                                     law, records, history);
+      for (std::size_t k = 0; k < loads; ++k) {
+        const LaneRange range{first.first + k, first.step, first.size};
+        sweep.solve(range.load<Real>(forces), gap, k + 1 < loads, options, range, results);
+      }
+    };
+    if constexpr (Station::kFreedoms == Bars<Real>::kFreedoms)
+      if (!compliant) return under(Hertz<Real>{{{stiffness[0], stiffness[1]}}});
+    if constexpr (!fe::kFolded<Station>)
+      under(HertzInSeries<Real>{{{stiffness[0], stiffness[1]}, {compliance[0], compliance[1]}}});
+  }
+};
+
+template <class Real>
+void solve_designs(const BarDesigns& designs, const fe::NewtonOptions& options,
+                   const ThreadLoads& results, double* workspace) {
+  const int n = designs.contacts;
+  Batch<Real, Bars<Real>> batch(workspace, n);
+  const std::size_t loads = designs.loads, size = designs.axial_force.size() / loads;
+  for (std::size_t first = 0; first < size; first += kLanes<Real>) {
+    const LaneRange range{first, 1, size};
+    for_each_number(
+        [&](Real & number, const BarDesigns::Values& column)
+            __attribute__((always_inline)) { number = range.load<Real>(column); },
+        batch.numbers, designs);
+    batch.set_bars(n);
+    batch.station.roller = roller_chain<Real>(batch.numbers);
+    const auto flange = [&](std::size_t i) {
+      struct Flange {
+        Real from, to, axial_rigidity;
+      };
+      const BarDesigns::Flange& f = designs.flanges[i];
+      return Flange{range.load<Real>(f.from), range.load<Real>(f.to),
+                    range.load<Real>(f.axial_rigidity)};
+    };
+    NutOfBars<Real, decltype(flange)>(batch.numbers, designs.flanges.size(), flange)
+        .set(n, batch.nut, batch.ground);
+    batch.compliant = !designs.compliance.screw.empty() || !designs.compliance.nut.empty();
+    if (batch.compliant)
+      for (const Interface i : kInterfaces)
+        for (int k = 0; k < n; ++k)
+          batch.compliance[static_cast<int>(i)][k] = batch.numbers.compliance[i];
+    const auto gap = [&](int i, int k) {
+      return range.load<Real>(designs.gaps[kInterfaces[i]], static_cast<std::size_t>(n),
+                              static_cast<std::size_t>(k));
+    };
+    batch.solve(n, gap, designs.axial_force, {first * loads, loads, size * loads}, loads, options,
+                results);
+  }
+}
 
 template <class Real>
 RollerBeam<Real> to_all(const RollerBeam<double>& b) {
@@ -56,180 +152,110 @@ RollerEnd<Real> to_all(const RollerEnd<double>& e) {
   return {Real(e.vv), Real(e.vt), Real(e.tt)};
 }
 
-/// What both kinds of stations share.
+/// A sector's chain with the same numbers in all lanes.
 template <class Real, class Station>
-Station common_station(const ChainSector& sector) {
-  Station s;
+void set_all(Batch<Real, Station>& batch, const ChainSector& sector) {
+  for_each_number([](Real& number, const double& of_sector) { number = Real(of_sector); },
+                  batch.numbers, sector.numbers);
+  const RollerChain<double>& roller = sector.roller;
+  batch.station.roller = {to_all<Real>(roller.thread),
+                          to_all<Real>(roller.tooth),
+                          {to_all<Real>(roller.ends[0]), to_all<Real>(roller.ends[1])},
+                          Real(roller.bending_support)};
+  batch.compliant = !sector.compliance.screw.empty();
+}
+
+void set_station(Batch<double, Bars<double>>& batch, const ChainSector& sector) {
+  batch.set_bars(sector.contacts);
+  batch.station.nut = sector.nut.data();
+  batch.station.ground = sector.ground.data();
+}
+
+template <ChainSector::Kind kKind>
+void set_station(Batch<double, Shell<double, kKind>>& batch, const ChainSector& sector) {
+  Shell<double, kKind>& s = batch.station;
   s.stations = sector.contacts;
-  s.screw = Real(sector.screw);
-  for (int i = 0; i < 2; ++i) s.ends[i] = to_all<Real>(sector.ends[i]);
-  s.bending_support = Real(sector.bending_support);
-  return s;
-}
-
-template <class Real>
-Bars<Real> make_station(const ChainSector& sector, Real* memory, Bars<Real>*) {
-  auto s = common_station<Real, Bars<Real>>(sector);
+  s.screw = sector.numbers.screw_rigidity / sector.numbers.pitch;
   for (const Interface i : kInterfaces) {
-    s.axial_part[static_cast<int>(i)] = Real(sector.axial_part[i]);
-    s.radial_part[static_cast<int>(i)] = Real(sector.radial_part[i]);
+    double* const part = s.part[static_cast<int>(i)];
+    part[0] = sector.numbers.sense * sector.numbers.cosine[i];
+    part[1] = sector.numbers.sine[i];
+    part[2] = sector.nut_rotation_part;
   }
-  s.roller = to_all<Real>(sector.thread);
-  Real* const nut = memory;
-  Real* const ground = memory + sector.contacts;
-  for (int k = 0; k < sector.contacts; ++k) {
-    nut[k] = Real(k + 1 < sector.contacts ? sector.nut[static_cast<std::size_t>(k)] : 0.0);
-    ground[k] = Real(sector.ground[static_cast<std::size_t>(k)]);
-  }
-  s.nut = nut;
-  s.ground = ground;
-  return s;
-}
-
-template <class Real, ChainSector::Kind kKind>
-Shell<Real, kKind> make_station(const ChainSector& sector, Real*, Shell<Real, kKind>*) {
-  auto s = common_station<Real, Shell<Real, kKind>>(sector);
-  for (const Interface i : kInterfaces) {
-    Real* const part = s.part[static_cast<int>(i)];
-    part[0] = Real(sector.axial_part[i]);
-    part[1] = Real(sector.radial_part[i]);
-    part[2] = Real(sector.nut_rotation_part);
-  }
-  s.thread = to_all<Real>(sector.thread);
-  s.tooth = to_all<Real>(sector.tooth);
   s.segments = sector.segments.data();
   s.supports = sector.supports.data();
-  return s;
 }
 
-template <class Real>
-SweptSector<Real> swept_sector(const ChainSector& sector) {
-  SweptSector<Real> s{.contacts = sector.contacts,
-                      .stations = sector.contacts,
-                      .rollers = Real(sector.rollers),
-                      .sense = Real(sector.sense),
-                      .cosine = {},
-                      .hertz_constant = {},
-                      .free_compliance = Real(sector.free_compliance),
-                      .offset_compliance = Real(sector.offset_compliance)};
-  for (const Interface i : kInterfaces) {
-    s.cosine[static_cast<int>(i)] = Real(sector.sense * sector.axial_part[i]);
-    s.hertz_constant[static_cast<int>(i)] = Real(sector.hertz_constant[i]);
-  }
-  return s;
-}
-
-template <class Real, class Station>
-void solve_sector(const ChainSector& sector, std::span<const double> axial_forces,
-                  const fe::NewtonOptions& options, const ThreadLoads& results, double* workspace) {
-  using Record = fe::ChainRecord<Real, Station>;
-  const int n = sector.contacts;
-  auto* const records = reinterpret_cast<Record*>(workspace);
-  auto* const arrays = reinterpret_cast<Real*>(records + n);
-  Real* const history = arrays + 4 * n;
-  const auto station = make_station(sector, arrays, static_cast<Station*>(nullptr));
-  const Real stiffness[2] = {Real(sector.hertz_constant.screw), Real(sector.hertz_constant.nut)};
-  const SweptSector<Real> swept = swept_sector<Real>(sector);
+template <class Station>
+void solve_one(const ChainSector& sector, std::span<const double> axial_force,
+               const fe::NewtonOptions& options, const ThreadLoads& results, double* workspace) {
+  Batch<double, Station> batch(workspace, sector.contacts);
+  set_all(batch, sector);
+  set_station(batch, sector);
+  for (std::size_t k = 0; k < sector.compliance.screw.size(); ++k)
+    for (int i = 0; i < 2; ++i) batch.compliance[i][k] = sector.compliance[kInterfaces[i]][k];
   const auto gap = [&](int i, int k) {
-    return Real(sector.gaps[kInterfaces[i]][static_cast<std::size_t>(k)]);
+    return sector.gaps[kInterfaces[i]][static_cast<std::size_t>(k)];
   };
-  const auto solve = [&](const auto& law) {
-    Sweep<Real, Station, std::remove_cvref_t<decltype(law)>> sweep(swept, station, law, records,
-                                                                   history);
-    const std::size_t size = axial_forces.size();
-    const std::size_t batches = (size + kLanes<Real> - 1) / kLanes<Real>;
-    for (std::size_t batch = 0; batch < batches; ++batch) {
-      const LaneRange range{batch, batches, size};
-      sweep.solve(range.load<Real>(axial_forces), gap, batch + 1 < batches, options, range,
-                  results);
-    }
-  };
-  if constexpr (std::is_same_v<Station, Bars<Real>>)
-    if (sector.compliance.screw.empty()) return solve(Hertz<Real>{{{stiffness[0], stiffness[1]}}});
-  Real* const compliance[2] = {arrays + 2 * n, arrays + 3 * n};
-  for (int k = 0; k < n; ++k)
-    for (int i = 0; i < 2; ++i)
-      compliance[i][k] = Real(sector.compliance[kInterfaces[i]][static_cast<std::size_t>(k)]);
-  solve(HertzInSeries<Real>{{{stiffness[0], stiffness[1]}, {compliance[0], compliance[1]}}});
+  batch.solve(sector.contacts, gap, axial_force, {0, 1, 1}, 1, options, results);
 }
-
-struct FoldedBars : BarStation<Half> {
-  static constexpr bool kFolded = true;
-};
 
 /// One load on a sector of bars with an even number of threads.
-void solve_folded(const ChainSector& sector, double axial_force, const fe::NewtonOptions& options,
-                  const ThreadLoads& results, double* workspace) {
+void solve_folded(const ChainSector& sector, std::span<const double> axial_force,
+                  const fe::NewtonOptions& options, const ThreadLoads& results, double* workspace) {
   const int n = sector.contacts;
-  const auto at = [&](const std::vector<double>& values, int first, int second) {
+  const auto at = [](const std::vector<double>& values, int first, int second) {
     return both(values[static_cast<std::size_t>(first)], values[static_cast<std::size_t>(second)]);
   };
-  auto* const records = reinterpret_cast<fe::ChainRecord<Half, FoldedBars>*>(workspace);
-  Half* const nut = reinterpret_cast<Half*>(records + n / 2);
-  Half* const ground = nut + n / 2;
-  auto station = common_station<Half, FoldedBars>(sector);
-  for (const Interface i : kInterfaces) {
-    station.axial_part[static_cast<int>(i)] = Half(sector.axial_part[i]);
-    station.radial_part[static_cast<int>(i)] = Half(sector.radial_part[i]);
-  }
-  station.roller = to_all<Half>(sector.thread);
-  station.roller.slope = both(sector.thread.slope, -sector.thread.slope);
-  station.ends[0] = {both(sector.ends[0].vv, sector.ends[1].vv),
-                     both(sector.ends[0].vt, sector.ends[1].vt),
-                     both(sector.ends[0].tt, sector.ends[1].tt)};
+  Batch<Half, FoldedBars> batch(workspace, n / 2);
+  set_all(batch, sector);
+  batch.set_bars(n / 2);
+  RollerChain<Half>& roller = batch.station.roller;
+  roller.thread.slope = both(sector.roller.thread.slope, -sector.roller.thread.slope);
+  roller.ends[0].vt = both(sector.roller.ends[0].vt, sector.roller.ends[1].vt);
   for (int k = 0; k < n / 2; ++k) {
-    nut[k] = at(sector.nut, k, n - 2 - k);
-    ground[k] = at(sector.ground, k, n - 1 - k);
+    batch.nut[k] = at(sector.nut, k, n - 2 - k);
+    batch.ground[k] = at(sector.ground, k, n - 1 - k);
   }
-  station.nut = nut;
-  station.ground = ground;
-  const Hertz<Half> law{{{Half(sector.hertz_constant.screw), Half(sector.hertz_constant.nut)}}};
-  SweptSector<Half> swept = swept_sector<Half>(sector);
-  swept.stations = n / 2;
   const auto gap = [&](int i, int k) { return at(sector.gaps[kInterfaces[i]], k, n - 1 - k); };
-  Sweep<Half, FoldedBars, Hertz<Half>>(swept, station, law, records, nullptr)
-      .solve(Half(axial_force), gap, false, options, {0, 1, 1}, results);
-}
-
-/// Stations with two roller nodes a tooth go load by load and without the wider instruction sets,
-/// in lanes they take minutes to compile.
-template <class Real, bool kBaseline>
-void solve_sector(const ChainSector& sector, std::span<const double> axial_forces,
-                  const fe::NewtonOptions& options, const ThreadLoads& results, double* workspace) {
-  const auto solve = [&]<class Station>(Station*, auto number) {
-    solve_sector<decltype(number), Station>(sector, axial_forces, options, results, workspace);
-  };
-  using enum ChainSector::Kind;
-  if constexpr (std::is_same_v<Real, double> && !kBaseline)
-    if (sector.kind == bars && sector.compliance.screw.empty() && axial_forces.size() == 1 &&
-        sector.contacts % 2 == 0)
-      return solve_folded(sector, axial_forces[0], options, results, workspace);
-  if (sector.kind == bars) return solve(static_cast<Bars<Real>*>(nullptr), Real());
-  if (sector.kind == shell) return solve(static_cast<Shell<Real, shell>*>(nullptr), Real());
-  if constexpr (kBaseline) {
-    if (sector.kind == apart_nut_first)
-      return solve(static_cast<Shell<double, apart_nut_first>*>(nullptr), double());
-    solve(static_cast<Shell<double, apart_screw_first>*>(nullptr), double());
-  }
+  batch.solve(n, gap, axial_force, {0, 1, 1}, 1, options, results);
 }
 
 }  // namespace
 
 template <class Arch>
-void SectorKernel::operator()(Arch, bool scalar, const ChainSector& sector,
-                              std::span<const double> axial_forces,
+void SectorKernel::operator()(Arch, bool scalar, const BarDesigns& designs,
                               const fe::NewtonOptions& options, const ThreadLoads& results,
                               double* workspace) const {
-  constexpr bool kBaseline = std::is_same_v<Arch, simd::Baseline>;
   if (scalar)
-    solve_sector<double, kBaseline>(sector, axial_forces, options, results, workspace);
+    solve_designs<double>(designs, options, results, workspace);
   else
-    solve_sector<xsimd::batch<double, Arch>, kBaseline>(sector, axial_forces, options, results,
-                                                        workspace);
+    solve_designs<xsimd::batch<double, Arch>>(designs, options, results, workspace);
 }
 
-template void SectorKernel::operator()(PRS_SIMD_ARCHITECTURE, bool, const ChainSector&,
-                                       std::span<const double>, const fe::NewtonOptions&,
-                                       const ThreadLoads&, double*) const;
+/// Stations with two roller nodes a tooth are compiled once, which takes long.
+template <class Arch>
+void SectorKernel::operator()(Arch, bool, const ChainSector& sector, double axial_force,
+                              const fe::NewtonOptions& options, const ThreadLoads& results,
+                              double* workspace) const {
+  using enum ChainSector::Kind;
+  const auto solve = [&](auto function) {
+    function(sector, {&axial_force, 1}, options, results, workspace);
+  };
+  if constexpr (!std::is_same_v<Arch, simd::Baseline>)
+    if (sector.kind == bars && sector.compliance.screw.empty() && sector.contacts % 2 == 0)
+      return solve(solve_folded);
+  if (sector.kind == bars) return solve(solve_one<Bars<double>>);
+  if (sector.kind == shell) return solve(solve_one<Shell<double, shell>>);
+  if constexpr (std::is_same_v<Arch, simd::Baseline>) {
+    if (sector.kind == apart_nut_first) return solve(solve_one<Shell<double, apart_nut_first>>);
+    solve(solve_one<Shell<double, apart_screw_first>>);
+  }
+}
+
+template void SectorKernel::operator()(PRS_SIMD_ARCHITECTURE, bool, const BarDesigns&,
+                                       const fe::NewtonOptions&, const ThreadLoads&, double*) const;
+template void SectorKernel::operator()(PRS_SIMD_ARCHITECTURE, bool, const ChainSector&, double,
+                                       const fe::NewtonOptions&, const ThreadLoads&, double*) const;
 
 }  // namespace prs

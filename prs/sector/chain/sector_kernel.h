@@ -1,21 +1,26 @@
 #pragma once
 
-#include <span>
-
 #include "fe/newton_types.h"
+#include "prs/sector/chain/bar_columns.h"
 #include "prs/sector/chain/chain_sector.h"
 #include "prs/sector/chain/thread_loads.h"
 #include "simd/architectures.h"
 
 namespace prs {
 
-/// Solves ascending loads on one sector; with `scalar` one after another. Each lane of the batches
-/// takes a run of neighbouring loads, so that its start can be extrapolated from those before it.
+/// Solves chains. The workspace holds, for each contact and number of a batch, a record of its
+/// station, four numbers, and the history of `Sweep` where designs have several loads.
 struct SectorKernel {
+  /// All loads of all designs, one design a lane; with `scalar` one design after the other.
   template <class Arch>
-  void operator()(Arch, bool scalar, const ChainSector& sector,
-                  std::span<const double> axial_forces, const fe::NewtonOptions& options,
+  void operator()(Arch, bool scalar, const BarDesigns& designs, const fe::NewtonOptions& options,
                   const ThreadLoads& results, double* workspace) const;
+
+  /// One load on one sector.
+  template <class Arch>
+  void operator()(Arch, bool, const ChainSector& sector, double axial_force,
+                  const fe::NewtonOptions& options, const ThreadLoads& results,
+                  double* workspace) const;
 };
 
 }  // namespace prs

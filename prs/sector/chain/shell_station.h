@@ -2,10 +2,9 @@
 
 #include <array>
 
-#include "fe/chain.h"
+#include "fe/chain_station.h"
 #include "prs/sector/chain/chain_sector.h"
 #include "prs/sector/chain/lane_access.h"
-#include "prs/sector/chain/roller_beam.h"
 
 namespace prs {
 
@@ -43,9 +42,7 @@ struct ShellStation {
   int stations;
   Real part[2][3];  ///< Coefficients of the approach of screw and nut.
   Real screw;
-  RollerBeam<Real> thread, tooth;
-  RollerEnd<Real> ends[2];
-  Real bending_support;
+  RollerChain<Real> roller;
   const NutSegment* segments;
   const ChainSector::NutSupport* supports;
 
@@ -57,25 +54,27 @@ struct ShellStation {
   [[gnu::always_inline]] fe::Lanes<Real> held(int k, fe::Index<I>) const {
     constexpr int kDiagonal[3] = {0, 3, 5};
     if constexpr (I >= N && I < U) return Real(supports[k].stiffness[kDiagonal[I - N]]) > 1e300;
-    if constexpr (I > U && I != kLast) return bending_support > 1e300;
+    if constexpr (I > U && I != kLast) return roller.bending_support > 1e300;
     return Real(0.0) > 1.0;
   }
 
   template <class Add>
   [[gnu::always_inline]] void add_station(int k, Add add) const {
     add_triangle<N>(supports[k].stiffness, add);
-    const auto hold = [&](auto i) __attribute__((always_inline)) { add(i, i, bending_support); };
+    const auto hold = [&](auto i) __attribute__((always_inline)) {
+      add(i, i, roller.bending_support);
+    };
     hold(fe::Index<U + 1>{});
     hold(fe::Index<U + 2>{});
     if constexpr (kApart) {
       hold(fe::Index<kLast + 1>{});
       hold(fe::Index<kLast + 2>{});
-      tooth.template add_first<U>(add);
-      tooth.template add_coupling<U, kLast>(add);
-      tooth.template add_second<kLast>(add);
+      roller.tooth.template add_first<U>(add);
+      roller.tooth.template add_coupling<U, kLast>(add);
+      roller.tooth.template add_second<kLast>(add);
     }
-    if (k == 0) ends[0].template add<U + 1>(add);
-    if (k == stations - 1) ends[1].template add<kLast + 1>(add);
+    if (k == 0) roller.ends[0].template add<U + 1>(add);
+    if (k == stations - 1) roller.ends[1].template add<kLast + 1>(add);
   }
 
   template <class Add>
@@ -89,15 +88,15 @@ struct ShellStation {
             Real(segments[k].coupling[3 * i + j]));
       });
     });
-    thread.template add_first<kLast>(add);
-    thread.template add_coupling<kLast, kFreedoms + U>(add);
+    roller.thread.template add_first<kLast>(add);
+    roller.thread.template add_coupling<kLast, kFreedoms + U>(add);
   }
 
   template <class Add>
   [[gnu::always_inline]] void add_interval_end(int k, Add add) const {
     add(fe::Index<S>{}, fe::Index<S>{}, screw);
     add_triangle<N>(segments[k].second, add);
-    thread.template add_second<U>(add);
+    roller.thread.template add_second<U>(add);
   }
 
   using State = fe::ChainState<Real, kFreedoms>;
@@ -110,9 +109,9 @@ struct ShellStation {
         force[N + i] += *stiffness * (here.head[N + j] + here.tail[N + j]);
         if (i != j) force[N + j] += *stiffness * (here.head[N + i] + here.tail[N + i]);
       }
-    if constexpr (kApart) tooth.template add_forces<U, kLast>(here, here, force, force);
-    if (k == 0) ends[0].template add_forces<U + 1>(here, force);
-    if (k == stations - 1) ends[1].template add_forces<kLast + 1>(here, force);
+    if constexpr (kApart) roller.tooth.template add_forces<U, kLast>(here, here, force, force);
+    if (k == 0) roller.ends[0].template add_forces<U + 1>(here, force);
+    if (k == stations - 1) roller.ends[1].template add_forces<kLast + 1>(here, force);
   }
 
   [[gnu::always_inline]] void add_forces(int k, const State& here, const State& next, Real* force,
@@ -120,7 +119,7 @@ struct ShellStation {
     const Real tension = screw * next.difference(S, here);
     force[S] -= tension;
     next_force[S] += tension;
-    thread.template add_forces<kLast, U>(here, next, force, next_force);
+    roller.thread.template add_forces<kLast, U>(here, next, force, next_force);
 
     Real deformation[6], f[6];
     for (int i = 0; i < 3; ++i) {

@@ -3,20 +3,9 @@
 #include "fe/chain.h"
 #include "prs/sector/chain/deliver.h"
 #include "prs/sector/chain/lane_access.h"
+#include "prs/sector/sector_numbers.h"
 
 namespace prs {
-
-/// What a sweep knows of its sectors, one a lane, beside their stations. SI units.
-template <class Real>
-struct SweptSector {
-  int contacts;
-  int stations;  ///< As many; half as many where the chain is folded.
-  Real rollers;
-  Real sense;                         ///< s
-  Real cosine[2], hertz_constant[2];  ///< Of psi, and k_0, of screw and nut.
-  Real free_compliance;               ///< Of the screw before the first contact [m/N].
-  Real offset_compliance;             ///< As in `Sector` [m/N].
-};
 
 /// Loads F one after the other on one sector a lane. Displacements grow as F^(2/3) while Hertz's
 /// contacts are softer than the bodies, by a factor that is smooth in s = F^(1/3): as far as the
@@ -33,15 +22,21 @@ class Sweep {
   using Record = fe::ChainRecord<Real, Station>;
   static constexpr int M = Station::kFreedoms;
   static constexpr int kAges = 3;
+  /// Of a contact and lane in a kernel's workspace: record, nut, ground, two compliances, history.
+  static constexpr std::size_t kWorkspaceNumbers = sizeof(Record) / sizeof(Real) + 4 + kAges * M;
 
   /// `history` has room for kAges M numbers a station, unless no state is to be remembered.
-  Sweep(const SweptSector<Real>& sector, const Station& station, const Law& law, Record* records,
-        Real* history)
+  Sweep(const SectorNumbers<Real>& sector, int contacts, const Station& station, const Law& law,
+        Record* records, Real* history)
       : sector_(sector),
+        contacts_(contacts),
+        stations_(station.stations),
+        free_compliance_(sector.free_length / sector.plain_screw_rigidity),
+        station_(station),
         law_(law),
         records_(records),
-        chain_(station, law, sector.stations, records) {
-    for (int age = 0; age < kAges; ++age) ages_[age] = history + age * sector.stations * M;
+        chain_(station, law, stations_, records) {
+    for (int age = 0; age < kAges; ++age) ages_[age] = history + age * stations_ * M;
   }
 
   /// Solves under the axial forces on the mechanisms; gap(i, k) are the initial gaps. `remember`:
@@ -59,10 +54,10 @@ class Sweep {
     fe::ChainSummary<Real> summary = chain_.solve(load, force, options, !any(extrapolated));
     if constexpr (!fe::kFolded<Station>)
       if (remember) this->remember(force, summary.converged);
-    summary.energy -= 0.5 * sector_.free_compliance * force * force;
-    deliver<fe::kFolded<Station>>(summary, law_, sector_.contacts, records_, range, results);
+    summary.energy -= 0.5 * free_compliance_ * force * force;
+    deliver<fe::kFolded<Station>>(summary, law_, contacts_, records_, range, results);
     const auto& loaded = records_[0].state;
-    const Real compliance = sector_.free_compliance + sector_.offset_compliance;
+    const Real compliance = free_compliance_ + sector_.offset_compliance;
     range.store(sector_.sense * (loaded.head[0] + loaded.tail[0]) + compliance * force,
                 results.axial_displacement);
     if (!results.tangent_stiffness.empty())
@@ -74,16 +69,17 @@ class Sweep {
   void start_from_rest(const Real& force, const Gap& gap) {
     Real shift[2];
     for (int i = 0; i < 2; ++i) {
-      const Real root = cbrt(force / (static_cast<double>(sector_.contacts) * sector_.cosine[i] *
-                                      sector_.hertz_constant[i]));
+      const Real &cosine = sector_.cosine[kInterfaces[i]],
+                 &constant = sector_.hertz_constant[kInterfaces[i]];
+      const Real root = cbrt(force / (static_cast<double>(contacts_) * cosine * constant));
       Real widest = gap(i, 0);
-      for (int k = 1; k < sector_.stations; ++k) widest = fe::largest(widest, Real(gap(i, k)));
+      for (int k = 1; k < stations_; ++k) widest = fe::largest(widest, Real(gap(i, k)));
       if constexpr (fe::kFolded<Station>) widest = fe::largest(widest, mirrored(widest));
-      for (int k = 0; k < sector_.stations; ++k)
+      for (int k = 0; k < stations_; ++k)
         records_[k].contact[i].closure = root * root + (widest - gap(i, k));
-      shift[i] = sector_.sense * (root * root + widest) / sector_.cosine[i];
+      shift[i] = sector_.sense * (root * root + widest) / cosine;
     }
-    for (int k = 0; k < sector_.stations; ++k) {
+    for (int k = 0; k < stations_; ++k) {
       auto& state = records_[k].state;
       for (int i = 0; i < M; ++i) state.head[i] = state.tail[i] = Real(0.0);
       state.head[Station::S] = shift[0] + shift[1];
@@ -101,13 +97,13 @@ class Sweep {
     root_[0] = cbrt(force);
     ages_[0] = oldest;
     known_ = select(converged, min(known_ + 1.0, Real(double{kAges})), Real(0.0));
-    for (int k = 0; k < sector_.stations; ++k) {
+    for (int k = 0; k < stations_; ++k) {
       const Record& record = records_[k];
       Real* kept = ages_[0] + k * M;
       for (int i = 0; i < M; ++i) *kept++ = select(converged, record.state.head[i], Real(0.0));
     }
     if (first_)  // numbers, whatever weight they get
-      for (int i = 0; i < M * sector_.stations; ++i) ages_[1][i] = ages_[2][i] = ages_[0][i];
+      for (int i = 0; i < M * stations_; ++i) ages_[1][i] = ages_[2][i] = ages_[0][i];
     first_ = false;
   }
 
@@ -144,7 +140,7 @@ class Sweep {
   /// Weighted sum of the states in the history, as far as `choose(sum, start there)` takes it.
   template <class Gap, class Choose>
   void combine(const Real* weight, const Gap& gap, Choose choose) {
-    for (int k = 0; k < sector_.stations; ++k) {
+    for (int k = 0; k < stations_; ++k) {
       const Real *a = ages_[0] + k * M, *b = ages_[1] + k * M, *c = ages_[2] + k * M;
       Record& record = records_[k];
       for (int i = 0; i < M; ++i) {
@@ -154,12 +150,16 @@ class Sweep {
       }
       fe::unroll<2>([&](auto i) __attribute__((always_inline)) {
         Real& closure = record.contact[i].closure;
-        closure = choose(chain_.template along<i>(record.state.head) - gap(i, k), closure);
+        closure = choose(fe::along<i>(station_, record.state.head) - gap(i, k), closure);
       });
     }
   }
 
-  const SweptSector<Real>& sector_;
+  const SectorNumbers<Real>& sector_;
+  int contacts_;
+  int stations_;          ///< As many; half as many where the chain is folded.
+  Real free_compliance_;  ///< Of the screw before the first contact [m/N].
+  const Station& station_;
   const Law& law_;
   Record* records_;
   Real* ages_[kAges];  ///< Of the history, the youngest first.

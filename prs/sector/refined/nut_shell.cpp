@@ -52,10 +52,10 @@ std::vector<fe::ShellMatrix> segments(const NutLine& line, const NutBore& bore, 
     std::size_t k = 0;
     while (k < i && !same(k)) ++k;
     const Wall wall{bore.root[i], bore.pitch, line.outer_radius[i]};
-    shells.push_back(k < i ? shells[k]
-                           : fe::stiffness_matrix(
-                                 wall_rigidity(wall, reference, material, rollers, effects),
-                                 line.length(i)));
+    shells.push_back(
+        k < i ? shells[k]
+              : fe::stiffness_matrix(wall_rigidity(wall, reference, material, rollers, effects),
+                                     line.length(i)));
   }
   return shells;
 }
@@ -169,7 +169,8 @@ NutShell nut_shell(const NutLine& line, const std::optional<ThrustRing>& ring, c
   const double middle = 0.5 * (bore.root[before] + line.outer_radius[before]);
   const double reference = ring ? ring->inner_radius : middle;
   NutShell nut{segments(line, bore, reference, material, rollers, effects),
-               effects.flange ? bore.pitch - reference : 0.0, effects.flange && !ring};
+               effects.flange ? bore.pitch - reference : 0.0, effects.flange && !ring,
+               !effects.hoop};
   if (!ring || !effects.flange) return nut;
 
   const double axial = std::cos(load.normal_angle), radial = std::sin(load.normal_angle);

@@ -13,10 +13,11 @@ namespace prs {
 
 /// Nodes along the nut and what lies between them.
 struct NutLine {
-  std::vector<double> sections;      ///< Ascending axial positions of the nodes [m].
-  std::vector<double> outer_radius;  ///< Between a node and the next [m].
-  std::vector<int> contacts;         ///< Nodes of the contacts, thread 1 first.
-  int thrust = 0;                    ///< Node of the thrust section.
+  std::vector<double> sections;        ///< Ascending axial positions of the nodes [m].
+  std::vector<double> outer_radius;    ///< Between a node and the next [m].
+  std::vector<double> axial_rigidity;  ///< E A likewise, of a nut of bars [N].
+  std::vector<int> contacts;           ///< Nodes of the contacts, thread 1 first.
+  int thrust = 0;                      ///< Node of the thrust section.
 
   double length(std::size_t segment) const { return sections[segment + 1] - sections[segment]; }
 };
@@ -53,6 +54,7 @@ struct NutShell {
   /// From the radius of the nodes, at which the thrust section is held, to the contacts [m].
   double contact_arm = 0.0;
   bool straight_thrust_section = false;  ///< The thrust section does not tilt.
+  bool radially_rigid = false;           ///< v = 0 at all nodes.
 };
 
 /// One shell between neighbouring nodes, its freedoms at the radius where the housing pushes: the

@@ -100,7 +100,7 @@ ShareCurve::Solve sector_shares(SectorSolver& solver) {
     Shares shares;
     for (const Interface i : kInterfaces)
       for (const double n : loads.normal_load[i])
-        shares.push_back(n * std::cos(s.laws[i].normal_angle) * s.contacts() * s.rollers / force);
+        shares.push_back(n * s.cosine[i] * s.contacts() * s.rollers / force);
     return shares;
   };
 }

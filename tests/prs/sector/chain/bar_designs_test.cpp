@@ -14,18 +14,13 @@ namespace {
 
 using test::SectorCase;
 
-BarSector numbers(const SectorCase& c) {
-  return bar_sector(c.mechanism, c.structure, c.materials, c.options, c.laws, c.direction,
-                    c.position, c.deviations);
-}
-
 struct Designs {
-  std::vector<BarSector> sectors;
+  std::vector<SectorModel> sectors;
   std::vector<double> forces;
   std::vector<std::string> names;
 
   void add(const SectorCase& c, double force, const std::string& name) {
-    sectors.push_back(numbers(c));
+    sectors.push_back(c.model());
     forces.push_back(force);
     names.push_back(name);
   }
@@ -80,7 +75,7 @@ TEST(BarDesigns, SweepsAgreeWithSparseSolver) {
     const SectorCase c = test::random_sector(random);
     const Sector sector = c.build();
     const double force = test::random_force(c, random);
-    designs.sectors.push_back(numbers(c));
+    designs.sectors.push_back(c.model());
     for (const double share : shares) {
       designs.forces.push_back(share * force);
       designs.names.push_back(std::to_string(k) + ' ' + std::to_string(share));
@@ -100,7 +95,7 @@ TEST(BarDesigns, SweepsAgreeWithSparseSolver) {
 TEST(BarDesigns, SweepTakesOneIterationALoadBehindTheFirst) {
   std::vector<double> forces;
   for (int k = 1; k <= 100; ++k) forces.push_back(450.0 * k);
-  const BarSector sector = numbers(test::abevi());
+  const SectorModel sector = test::abevi().model();
   std::vector<LoadDistribution> results(forces.size());
   BarDesignSolver solver;
   solver.options.residual_tolerance = 1e-10;
@@ -114,7 +109,7 @@ TEST(BarDesigns, SweepsDoNotDependOnTheDesignsBeside) {
   for (int k = 0; k < 12; ++k) {
     SectorCase c = test::random_sector(random);
     c.mechanism.contacts_per_roller = 5;
-    designs.sectors.push_back(numbers(c));
+    designs.sectors.push_back(c.model());
     const double force = test::random_force(c, random);
     for (int i = 1; i <= 10; ++i)
       designs.forces.push_back(k == 3 && i == 6 ? std::numeric_limits<double>::quiet_NaN()
@@ -172,7 +167,7 @@ TEST(BarDesigns, OneThatFailsLeavesTheOthersAlone) {
     const std::vector<LoadDistribution> expected = designs.solve(set);
     Designs bad = designs;
     bad.sectors[1].screw_rigidity = nan;
-    bad.sectors[2].laws.nut.hertz_constant = nan;
+    bad.sectors[2].hertz_constant.nut = nan;
     bad.sectors[3].position = nan;
     bad.sectors[4].gaps.screw.assign(20, nan);
     bad.forces[6] = nan;

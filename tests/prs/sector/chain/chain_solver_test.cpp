@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <numeric>
 
 #include "prs/sector/chain/solves.h"
 #include "support/allocations.h"
@@ -79,63 +78,6 @@ TEST(ChainSolver, AgreesWithSparseSolverOnRandomRefinedSectors) {
   agree_on_random_sectors(test::count(60, 2000), true);
 }
 
-TEST(ChainSolver, EveryInstructionSetSweepsLikeSingleSolves) {
-  std::vector<double> forces(37);
-  for (std::size_t k = 0; k < forces.size(); ++k)
-    forces[k] = 10.0 * static_cast<double>((k * 23) % forces.size() * 120 + 1);
-  forces[5] = forces[6];
-  for (const bool refined : {false, true})
-    for (const InstructionSet set : test::instruction_sets()) {
-      SectorCase c = test::abevi();
-      if (refined) c.options.bodies = ModelOptions::Bodies::refined;
-      const Sector sector = c.build();
-      ChainSolver chain(sector, set);
-      std::vector<LoadDistribution> results(forces.size());
-      chain.solve(forces, results);
-      for (std::size_t k = 0; k < forces.size(); ++k)
-        test::expect_same(test::sparse(sector, forces[k]), results[k],
-                          std::string(name(set)) + ' ' + std::to_string(forces[k]));
-    }
-}
-
-TEST(ChainSolver, SweepTakesFewerIterationsThanSingleSolves) {
-  ChainSolver chain(test::abevi().build());
-  std::vector<double> forces(100);
-  for (std::size_t k = 0; k < forces.size(); ++k) forces[k] = 450.0 * static_cast<double>(k + 1);
-  std::vector<LoadDistribution> results(forces.size());
-  chain.solve(forces, results);
-  int swept = 0, single = 0;
-  for (std::size_t k = 0; k < forces.size(); ++k) {
-    swept += results[k].solve.iterations();
-    single += chain.solve(forces[k]).solve.iterations();
-  }
-  EXPECT_LT(swept, 0.6 * single);
-}
-
-TEST(ChainSolver, ArraysHoldTheDistributions) {
-  ChainSolver chain(test::short_screw().build());
-  const std::vector<double> forces{3e3, 1e3, 9e3};
-  std::vector<LoadDistribution> expected(3);
-  chain.solve(forces, expected);
-  std::vector<double> screw(30, -1.0), nut(30, -1.0), displacement(3);
-  std::vector<fe::NewtonStatus> status(3);
-  ThreadLoads arrays;
-  arrays.normal_load = {screw, nut};
-  arrays.stride = 10;
-  arrays.axial_displacement = displacement;
-  arrays.status = status;
-  chain.solve(forces, arrays);
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t i = 0; i < 6; ++i) {
-      EXPECT_EQ(screw[10 * k + i], expected[k].normal_load.screw[i]);
-      EXPECT_EQ(nut[10 * k + i], expected[k].normal_load.nut[i]);
-    }
-    EXPECT_EQ(screw[10 * k + 6], -1.0);
-    EXPECT_EQ(displacement[k], expected[k].axial_displacement);
-    EXPECT_EQ(status[k], fe::NewtonStatus::converged);
-  }
-}
-
 /// With rigid bodies every thread carries the same, and the displacement is that of two contacts.
 TEST(ChainSolver, RigidBodiesShareEqually) {
   SectorCase c = test::abevi();
@@ -175,15 +117,8 @@ TEST(ChainSolver, RepeatedSolvesAllocateNothing) {
   ChainSolver chain(test::abevi().build());
   LoadDistribution result;
   chain.solve(45e3, result);
-  std::vector<double> forces(20), loads(400);
-  std::iota(forces.begin(), forces.end(), 1.0);
-  ThreadLoads arrays;
-  arrays.normal_load.screw = loads;
-  arrays.stride = 20;
-  chain.solve(forces, arrays);
   const std::size_t before = test::allocations();
   chain.solve(44e3, result);
-  chain.solve(forces, arrays);
   EXPECT_EQ(test::allocations(), before);
 }
 
@@ -195,15 +130,7 @@ TEST(ChainSolver, SaysWhyItStopped) {
   EXPECT_EQ(limit.solve.iterations(), 1);
   EXPECT_GT(limit.solve.relative_residual, 1e-12);
   chain.options.max_iterations = 100;
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(chain.solve(nan).solve.converged());
-  // Loads beside it in the batch are solved.
-  std::vector<double> forces{45e3, nan, 1e3};
-  std::vector<LoadDistribution> results(3);
-  chain.solve(forces, results);
-  EXPECT_TRUE(results[0].solve.converged());
-  EXPECT_FALSE(results[1].solve.converged());
-  EXPECT_TRUE(results[2].solve.converged());
+  EXPECT_FALSE(chain.solve(std::numeric_limits<double>::quiet_NaN()).solve.converged());
 }
 
 }  // namespace

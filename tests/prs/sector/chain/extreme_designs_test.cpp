@@ -59,8 +59,7 @@ void expect_agreement(const LoadDistribution& solve, const LoadDistribution& stu
 
 /// What a study makes of one design.
 LoadDistribution study(const SectorCase& c, const Sector& sector, double force) {
-  const BarSector numbers = bar_sector(c.mechanism, c.structure, c.materials, c.options, c.laws,
-                                       c.direction, c.position, c.deviations);
+  const SectorModel numbers = c.model();
   LoadDistribution result;
   BarDesignSolver().solve({&numbers, 1}, {&force, 1}, {&result, 1});
   return FallbackSolver::complete(result) ? result : FallbackSolver(sector).solve(force);

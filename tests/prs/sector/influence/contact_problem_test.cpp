@@ -43,7 +43,7 @@ Eigen::MatrixXd bar_flexibility(const Sector& sector) {
 
 ContactSolution solve_bars(const SectorCase& c, double force) {
   const Sector sector = c.build();
-  return solve(contact_problem(bar_flexibility(sector), sector.laws, sector.gaps),
+  return solve(contact_problem(bar_flexibility(sector), c.laws, sector.gaps),
                force / sector.rollers);
 }
 
@@ -94,7 +94,7 @@ TEST(ContactProblem, RigidBodiesShareEqually) {
   const Sector sector = c.build();
   const int n = 2 * sector.contacts();
   const ContactSolution s =
-      solve(contact_problem(Eigen::MatrixXd::Zero(n, n), sector.laws, sector.gaps), 4e3);
+      solve(contact_problem(Eigen::MatrixXd::Zero(n, n), c.laws, sector.gaps), 4e3);
   ASSERT_TRUE(s.converged());
   EXPECT_EQ(s.iterations(), 0);
   const double cosine = std::cos(c.laws.screw.normal_angle);

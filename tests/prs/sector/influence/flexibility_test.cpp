@@ -147,7 +147,7 @@ TEST(Flexibility, DefaultsHaveWorkingAccuracy) {
   const double force = 45e3 / 11;
   const auto solved_with = [&](const FlexibilityOptions& options) {
     const BodyFlexibilities f = body_flexibilities(geometry(c), c.direction, c.position, options);
-    return solve(contact_problem(f.joined(), sector.laws, sector.gaps), force);
+    return solve(contact_problem(f.joined(), c.laws, sector.gaps), force);
   };
   FlexibilityOptions fine;
   fine.mesh.patch_cells = 12;

@@ -467,6 +467,18 @@ TEST(LocalCompliance, EndsOfABandTakeTheirShareAway) {
   EXPECT_NEAR(band_shares(1, 2e-9, r, 0.0, 0.3)[0], 0.0, 1e-6);
 }
 
+TEST(SectorModel, RefinedWithoutEffectsIsBars) {
+  SectorCase c = test::abevi();
+  const SectorModel bars = c.model();
+  c.options.bodies = ModelOptions::Bodies::refined;
+  c.options.refined = {false, false, false, false, false, false, false};
+  c.options.roller_contacts = ModelOptions::RollerContacts::opposite;
+  const SectorModel refined = c.model();
+  for_each_number([](const double& a, const double& b) { EXPECT_EQ(a, b); }, bars, refined);
+  EXPECT_FALSE(refined.nut_shell);
+  EXPECT_TRUE(refined.body_compliance.nut.empty());
+}
+
 TEST(NutShell, CentreOfPressureOfATiltedFace) {
   const double w = 8e-3, modulus = 2.3e11, force = 3e5, limit = 4.0 * force / (pi * modulus * w);
   const auto centre = [&](double tilt) { return centre_of_pressure(force, tilt, w, modulus); };

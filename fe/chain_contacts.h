@@ -1,0 +1,93 @@
+#pragma once
+
+#include "fe/chain_elimination.h"
+
+namespace fe {
+
+/// Of a full step d, over the contacts: energy E, force N, tangent t, change of closure delta.
+template <class Real>
+struct ChainStepSums {
+  Real energy{0.0};     ///< E after the step [J]
+  Real work{0.0};       ///< N delta
+  Real stiffness{0.0};  ///< t delta^2
+  Real slope{0.0};      ///< d'r, r the residual before the step
+  Real left{0.0};       ///< Largest difference of a force from its tangent after the step [N].
+};
+
+/// Backward half of the solve for the residual; the contacts that are active after the full step.
+template <class Real, class Station, class Law>
+ChainStepSums<Real> full_step(const ChainElimination<Real, Station>& elimination,
+                              const ChainStations<Real, Station>& chain, const Law& law,
+                              const ChainResidual<Real>& residual, const Lanes<Real>& active) {
+  constexpr int M = Station::kFreedoms;
+  ChainStepSums<Real> s;
+  Real d[M];
+  set_zero(d);
+  for (int k = chain.count - 1; k >= 0; --k) {
+    auto& record = chain.records[k];
+    elimination.substitute_back(k, d);
+    unroll<2>([&](auto i) __attribute__((always_inline)) {
+      auto& c = record.contact[i];
+      const Real change = along<i>(chain.station, d);
+      const Real closure = c.closure - change;
+      const ChainResponse<Real> r = law.evaluate(i, k, closure);
+      s.energy += r.energy;
+      s.work += c.force * change;
+      s.stiffness += c.tangent * change * change;
+      s.slope += c.remainder * change;
+      const Real remainder = (r.force - c.force) + c.tangent * change;
+      s.left = max(s.left, abs(remainder));
+      c.closure = select(active, closure, c.closure);
+      c.force = select(active, r.force, c.force);
+      c.tangent = select(active, r.tangent, c.tangent);
+      c.remainder = select(active, remainder, c.remainder);
+    });
+    if (residual.corrections)
+      unroll<M>([&](auto i)
+                    __attribute__((always_inline)) { s.slope += record.correction[i] * d[i]; });
+  }
+  s.slope -= residual.load * d[0];
+  return {total<Station>(s.energy), total<Station>(s.work), total<Station>(s.stiffness),
+          total<Station>(s.slope), of_both<Station>(s.left)};
+}
+
+/// Takes the contacts marked back by a share of the last step; their energies there.
+template <class Real, class Station, class Law>
+Real take_back(const ChainStations<Real, Station>& chain, const Law& law, const Real& share,
+               const Lanes<Real>& marked) {
+  Real energy(0.0);
+  for (int k = 0; k < chain.count; ++k) {
+    auto& record = chain.records[k];
+    unroll<2>([&](auto i) __attribute__((always_inline)) {
+      auto& c = record.contact[i];
+      const Real closure = c.closure + share * along<i>(chain.station, record.step);
+      const ChainResponse<Real> r = law.evaluate(i, k, closure);
+      energy += r.energy;
+      c.closure = select(marked, closure, c.closure);
+      c.force = select(marked, r.force, c.force);
+      c.tangent = select(marked, r.tangent, c.tangent);
+    });
+  }
+  return total<Station>(energy);
+}
+
+/// What rounding of the displacements can change in a contact's force, relative to the largest.
+template <class Real, class Station>
+Real approach_rounding(const ChainStations<Real, Station>& chain) {
+  constexpr int M = Station::kFreedoms;
+  Real largest_change(0.0), largest_force(0.0);
+  for (int k = 0; k < chain.count; ++k) {
+    const auto& record = chain.records[k];
+    Real size(0.0);
+    unroll<M>([&](auto i)
+                  __attribute__((always_inline)) { size = max(size, abs(record.state.head[i])); });
+    unroll<2>([&](auto i) __attribute__((always_inline)) {
+      largest_change = max(largest_change, record.contact[i].tangent * size);
+      largest_force = max(largest_force, record.contact[i].force);
+    });
+  }
+  return 4.0 * 2.220446049250313e-16 * of_both<Station>(largest_change) /
+         of_both<Station>(largest_force);
+}
+
+}  // namespace fe

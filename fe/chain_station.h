@@ -1,0 +1,174 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "fe/lanes.h"
+
+/// A chain of equal stations, each with two unilateral contacts, solved station by station. `Real`
+/// is a number or a batch of numbers: several chains side by side, each with its own convergence.
+///
+/// A `Station` tells the linear part and the contacts:
+///
+/// - `kFreedoms`: M, freedoms of a station
+///
+/// - `couples(i, j)`: whether the interval to the next station couples freedom i with j there
+///
+/// - `form<contact>()`: the approaches of the two contacts as linear forms of the freedoms
+///
+/// - `coefficient(contact, kind)`: of the forms
+///
+/// - `held(k, Index<i>)`: whether freedom i of station k cannot move
+///
+/// - `add_station(k, add)`: stiffness of supports and elements within station k
+///
+/// - `add_interval_start(k, add)`: what the interval from k to k + 1 adds to k and couples
+///
+/// - `add_interval_end(k, add)`: what it adds to k + 1
+///
+/// - `add_forces(k, here, force)`: the forces of elements within a station, by what deforms them
+///
+/// - `add_forces(k, here, next, force, next_force)`: those of the interval
+///
+/// with add(Index<i>, Index<j>, value) for i <= j, j >= M meaning freedom j - M of the next
+/// station. A held freedom has a support of infinite stiffness: its inverse pivot is 0, and with it
+/// all that it passes on, exactly.
+///
+/// A `Law` tells the contacts' force: evaluate(contact, k, closure) -> ChainResponse.
+namespace fe {
+
+/// sign * coefficient(kind) times a freedom.
+struct ChainTerm {
+  int freedom = 0;
+  int kind = 0;
+  bool negative = false;
+};
+
+template <class Real>
+struct ChainResponse {
+  Real energy;   ///< [J]
+  Real force;    ///< [N]
+  Real tangent;  ///< [N/m]
+};
+
+/// Displacements of one station as unevaluated sums head + tail (see State).
+template <class Real, int M>
+struct ChainState {
+  Real head[M];
+  Real tail[M];
+
+  /// Of a freedom here less the same one at `from`.
+  [[gnu::always_inline]] Real difference(int i, const ChainState& from) const {
+    return (head[i] - from.head[i]) + (tail[i] - from.tail[i]);
+  }
+
+  /// this -= step where `move`.
+  template <class Mask>
+  [[gnu::always_inline]] void move_back(int i, const Real& step, const Mask& move) {
+    const Real change = tail[i] - step;
+    const Real sum = head[i] + change;
+    const Real rounded = sum - head[i];
+    tail[i] = select(move, (head[i] - (sum - rounded)) + (change - rounded), tail[i]);
+    head[i] = select(move, sum, head[i]);
+  }
+};
+
+/// Which freedoms each pivot of a station meets, its own station first, when those before it are
+/// eliminated.
+template <class Station>
+struct ChainFill {
+  static constexpr int M = Station::kFreedoms;
+  std::array<std::array<bool, 2 * M>, M> meets{};
+  std::array<std::array<int, 2 * M>, M> place{};  ///< Of the multiplier in storage.
+  int multipliers = 0;
+
+  constexpr ChainFill() {
+    std::array<std::array<bool, 2 * M>, 2 * M> filled{};
+    for (std::size_t i = 0; i < M; ++i)
+      for (std::size_t j = i + 1; j < 2 * M; ++j)
+        filled[i][j] = j < M || Station::couples(static_cast<int>(i), static_cast<int>(j) - M);
+    for (std::size_t p = 0; p < M; ++p)
+      for (std::size_t j = p + 1; j < 2 * M; ++j) {
+        if (!filled[p][j]) continue;
+        meets[p][j] = true;
+        place[p][j] = multipliers++;
+        for (std::size_t i = p + 1; i < j; ++i) filled[i][j] = filled[i][j] || filled[p][i];
+      }
+  }
+};
+
+template <class Station>
+inline constexpr ChainFill<Station> kChainFill{};
+
+/// All that a solve keeps of a station.
+template <class Real, class Station>
+struct ChainRecord {
+  static constexpr int M = Station::kFreedoms;
+  struct Contact {
+    Real closure;    ///< w - g [m]
+    Real force;      ///< At this closure [N].
+    Real tangent;    ///< [N/m]
+    Real remainder;  ///< Of the residual, along the contact [N].
+  };
+  Real multiplier[static_cast<std::size_t>(kChainFill<Station>.multipliers)];
+  Real step[M];
+  ChainState<Real, M> state;
+  Contact contact[2];
+  Real correction[M];  ///< What else of the residual, of the linear elements [N].
+};
+
+/// The chain that is solved.
+template <class Real, class Station>
+struct ChainStations {
+  const Station& station;
+  int count;
+  ChainRecord<Real, Station>* records;
+};
+
+/// Approach b'd of contact C, b its form.
+template <int C, class Station, class Real>
+[[gnu::always_inline]] inline Real along(const Station& station, const Real* d) {
+  static constexpr auto form = Station::template form<C>();
+  Real sum(0.0);
+  unroll<static_cast<int>(form.size())>([&](auto i) __attribute__((always_inline)) {
+    if constexpr (form[i].negative)
+      sum -= station.coefficient(C, form[i].kind) * d[form[i].freedom];
+    else
+      sum += station.coefficient(C, form[i].kind) * d[form[i].freedom];
+  });
+  return sum;
+}
+
+/// right += b force.
+template <int C, class Station, class Real>
+[[gnu::always_inline]] inline void add_along(const Station& station, Real* right,
+                                             const Real& force) {
+  static constexpr auto form = Station::template form<C>();
+  unroll<static_cast<int>(form.size())>([&](auto i) __attribute__((always_inline)) {
+    if constexpr (form[i].negative)
+      right[form[i].freedom] -= station.coefficient(C, form[i].kind) * force;
+    else
+      right[form[i].freedom] += station.coefficient(C, form[i].kind) * force;
+  });
+}
+
+/// a += t b b', upper triangle.
+template <int C, class Station, class Real, std::size_t N>
+[[gnu::always_inline]] inline void add_tangent(const Station& station, Real (&a)[N][N],
+                                               const Real& t) {
+  static constexpr auto form = Station::template form<C>();
+  unroll<static_cast<int>(form.size())>([&](auto i) __attribute__((always_inline)) {
+    const Real row = t * station.coefficient(C, form[i].kind);
+    unroll<static_cast<int>(form.size())>([&](auto j) __attribute__((always_inline)) {
+      if constexpr (form[i].freedom <= form[j].freedom) {
+        Real& entry = a[form[i].freedom][form[j].freedom];
+        if constexpr (form[i].negative != form[j].negative)
+          entry -= row * station.coefficient(C, form[j].kind);
+        else
+          entry += row * station.coefficient(C, form[j].kind);
+      }
+    });
+  });
+}
+
+}  // namespace fe

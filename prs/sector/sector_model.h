@@ -1,0 +1,67 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "prs/model/deviations.h"
+#include "prs/model/load_case.h"
+#include "prs/model/materials.h"
+#include "prs/model/mechanism.h"
+#include "prs/model/model_options.h"
+#include "prs/model/structure.h"
+#include "prs/sector/refined/nut_shell.h"
+#include "prs/sector/sector_numbers.h"
+#include "prs/threads/contact_law.h"
+
+namespace prs {
+
+/// Stiffness of a support that does not give.
+inline constexpr double kHeld = std::numeric_limits<double>::infinity();
+
+/// One roller with its share of screw and nut as numbers, all that a solver of bars or refined
+/// bodies reads.
+struct SectorModel : SectorNumbers<double> {
+  /// Stretch of the nut with an outer radius of its own. Flanges do not overlap.
+  struct Flange {
+    double from = 0.0;            ///< As in `Structure` [m].
+    double to = 0.0;              ///< [m]
+    double outer_radius = 0.0;    ///< [m]
+    double axial_rigidity = 0.0;  ///< E A of the nut there [N]
+  };
+  double nut_radius = 0.0;  ///< Outer, between the flanges [m].
+  std::vector<Flange> flanges;
+  std::optional<NutShell> nut_shell;  ///< In place of the nut's bars.
+
+  PerInterface<std::vector<double>> gaps;  ///< Initial gap of each thread along the normal [m].
+  /// In series with each contact beside `compliance`, of refined bodies; empty: none [m/N].
+  PerInterface<std::vector<double>> body_compliance;
+
+  int contacts() const { return static_cast<int>(gaps.screw.size()); }
+  bool bends() const { return rigid_bending == 0.0; }
+  bool contacts_apart() const { return contact_half_distance > 0.0; }
+  /// In series with the Hertz contact of thread k [m/N].
+  double contact_compliance(Interface i, std::size_t k) const {
+    return compliance[i] + (body_compliance[i].empty() ? 0.0 : body_compliance[i][k]);
+  }
+  bool has_compliance() const {
+    return !body_compliance.screw.empty() || compliance.screw != 0.0 || compliance.nut != 0.0;
+  }
+};
+
+/// The sector for one direction of the load and one position of the first contact on the nut,
+/// refined where the options say so (docs/refined.md). The case must have passed `check_case`.
+///
+/// With `refined.core`, roots lie by the dedendum of `mechanism.thread` from the pitch radius, by
+/// default that of `default_groove`. Where the nut is thin they are less deep: they leave
+/// `kLeastWall`, or half of what lies outside the pitch radius where that is less. The thread of an
+/// inverted screw begins at its first contact, that of a standard one at the loaded section.
+SectorModel sector_model(const Mechanism& mechanism, const Structure& structure,
+                         const Materials& materials, const ModelOptions& options,
+                         const PerInterface<ContactLaw>& laws, Direction direction, double position,
+                         const Deviations& deviations = {});
+
+/// Nodes at the ends, the flange faces, the thrust section and the contacts.
+NutLine nut_line(const SectorModel& model);
+
+}  // namespace prs

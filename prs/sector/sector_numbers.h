@@ -1,0 +1,85 @@
+#pragma once
+
+#include "prs/model/part.h"
+
+namespace prs {
+
+/// What a roller's section resists.
+template <class Number>
+struct RollerSection {
+  Number axial{};    ///< E A [N]
+  Number bending{};  ///< E I [N m^2]
+  Number shear{};    ///< kappa G A [N]; 0 leaves shear out.
+};
+
+/// The numbers of one sector (Abevi 2015, section 3) that do not belong to a single thread or
+/// flange. `Number` is a number, a batch of numbers, one per design, or a column of designs.
+/// Rigidities of screw and nut are those of the mechanism divided by the rollers. SI units.
+template <class Number>
+struct SectorNumbers {
+  Number rollers{};
+  Number sense{};  ///< s, -1 in tension and +1 in compression.
+  Number pitch{};  ///< Between neighbouring contacts [m].
+
+  Number plain_screw_rigidity{};  ///< E A from the loaded section to the first contact [N]
+  Number free_length{};           ///< Between these two; 0 where they are one place [m].
+  Number screw_rigidity{};        ///< E A between the contacts [N]
+
+  RollerSection<Number> thread;  ///< Of the roller between its ends.
+  RollerSection<Number> end;     ///< Of its end elements.
+  Number end_length{};           ///< [m]
+  Number outer_guide{};          ///< Radial stiffness at the outermost nodes; infinite: held [N/m].
+  Number inner_guide{};          ///< At the inner nodes of the end elements [N/m].
+  Number rigid_bending{};        ///< 1 where v = theta = 0 everywhere, else 0.
+  Number roller_radius{};        ///< Rigid arms of the contacts [m].
+  Number contact_half_distance{};  ///< Of the two contacts of a roller tooth, along x [m].
+
+  Number nut_rigidity{};  ///< E A between the flanges [N]
+  Number nut_length{};    ///< [m]
+  Number thrust{};        ///< Held section [m].
+  Number position{};      ///< Of the first contact [m].
+
+  PerInterface<Number> hertz_constant;  ///< k_0 [N/m^1.5]
+  PerInterface<Number> cosine, sine;    ///< Of psi.
+  PerInterface<Number> compliance;      ///< Of the teeth, in series with the contact [m/N].
+  Number offset_compliance{};           ///< As in `Sector`.
+};
+
+/// f(a.n, b.n, ..) for every number n of sectors side by side.
+template <class F, class... Sectors>
+[[gnu::always_inline]] inline void for_each_number(F f, Sectors&... s) {
+  const auto section = [&](auto&... r) __attribute__((always_inline)) {
+    f(r.axial...);
+    f(r.bending...);
+    f(r.shear...);
+  };
+  const auto interfaces = [&](auto&... i) __attribute__((always_inline)) {
+    f(i.screw...);
+    f(i.nut...);
+  };
+  f(s.rollers...);
+  f(s.sense...);
+  f(s.pitch...);
+  f(s.plain_screw_rigidity...);
+  f(s.free_length...);
+  f(s.screw_rigidity...);
+  section(s.thread...);
+  section(s.end...);
+  f(s.end_length...);
+  f(s.outer_guide...);
+  f(s.inner_guide...);
+  f(s.rigid_bending...);
+  f(s.roller_radius...);
+  f(s.contact_half_distance...);
+  f(s.nut_rigidity...);
+  f(s.nut_length...);
+  f(s.thrust...);
+  f(s.position...);
+  interfaces(s.hertz_constant...);
+  interfaces(s.cosine...);
+  interfaces(s.sine...);
+  interfaces(s.compliance...);
+  f(s.offset_compliance...);
+}
+
+}  // namespace prs
