@@ -9,6 +9,7 @@
 #include "prs/input/schema.h"
 #include "prs/output/measures_table.h"
 #include "prs/quantities/measures_json.h"
+#include "prs/quantities/results_schema.h"
 #include "prs/run/analyses.h"
 
 namespace prs::cli {
@@ -35,8 +36,10 @@ int list_commands(const Options& options) {
 }
 
 int schema(const Options& options) {
-  const std::string document = json_text(input::schema());
-  if (options.output) write_files(*options.output, {{"prs.schema.json", document}});
+  const bool of_results = options.schema_of == "results";
+  const std::string document = json_text(of_results ? results_schema() : input::schema());
+  if (options.output)
+    write_files(*options.output, {{of_results ? "prs.results.json" : "prs.schema.json", document}});
   if (!options.quiet || options.json) print(document);
   return kDone;
 }

@@ -146,8 +146,11 @@ int run_command(int argc, char** argv) {
                   prs::cli::configurations);
   add_configurations_options(*configurations, options.configurations);
   add_output_options(*configurations, options);
-  add_output_options(*add_command("schema", "Print the JSON Schema of the input", prs::cli::schema),
-                     options);
+  CLI::App* schema = add_command(
+      "schema", "Print the JSON Schema of the input, or the table of results", prs::cli::schema);
+  schema->add_option("of", options.schema_of, "input or results; default: input")
+      ->check(CLI::IsMember({"input", "results"}));
+  add_output_options(*schema, options);
   CLI::App* list =
       add_command("list", "List what there is to choose from", prs::cli::list_commands);
   std::string listed;

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "prs/model/units.h"
+#include "prs/quantities/contact_quantities.h"
+#include "prs/quantities/record_table.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -41,13 +43,13 @@ std::string check_table(const std::vector<input::EchoEntry>& fields, const Conta
     text += fmt::format("  {:<42} {:.8g}\n", key, value);
   };
   for (const auto& [key, value] : lengths(contacts.mechanism)) line(key, value);
-  const Json json = contacts_json(contacts);
+  const Json json = object_of(contacts);
   line("centre_distance_mm", json["centre_distance_mm"]);
   for (const char* key : {"pitch_diameter_mm", "helix_angle_deg"})
     for (const auto& [part, value] : json[key].items())
       line(fmt::format("{}.{}", key, part), value);
   line("max_rollers", json["max_rollers"]);
-  const Json threads = threads_json(contacts);
+  const Json threads = object_of(contacts.threads);
   for (const auto& [part, widths] : threads.items())
     for (const auto& [key, value] : widths.items())
       line(fmt::format("threads.{}.{}", part, key), value);

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +17,7 @@
 #include "prs/model/units.h"
 #include "prs/output/warnings.h"
 #include "prs/quantities/case_groups.h"
+#include "prs/quantities/contact_quantities.h"
 #include "prs/quantities/quantities.h"
 #include "prs/text.h"
 #include "prs/threads/thread_clearance.h"
@@ -21,7 +25,6 @@
 namespace prs {
 namespace {
 
-using contact::InterfaceGeometry;
 using contact::Thread;
 using contact::ThreadSurface;
 
@@ -67,12 +70,6 @@ struct PartRow {
   std::optional<double> (*value)(const Thread&);
 };
 
-template <auto width>
-std::optional<double> of_widths(const Thread& thread) {
-  const std::optional<ThreadWidths> widths = thread_widths(thread);
-  return widths ? (*widths).*width : std::nullopt;
-}
-
 constexpr PartRow kPartRows[] = {
     {"  pitch diameter, mm",
      {per_si::millimetre, 4},
@@ -86,8 +83,12 @@ constexpr PartRow kPartRows[] = {
     {"  flank to radius, mm",
      {per_si::millimetre, 4},
      [](const Thread& t) { return std::optional(contact::flank_limits(t).largest); }},
-    {"  crest width, mm", {per_si::millimetre, 4}, of_widths<&ThreadWidths::crest>},
-    {"  root width, mm", {per_si::millimetre, 4}, of_widths<&ThreadWidths::root>},
+    {"  crest width, mm",
+     {per_si::millimetre, 4},
+     [](const Thread& t) { return thread_widths(t).value_or(ThreadWidths{}).crest; }},
+    {"  root width, mm",
+     {per_si::millimetre, 4},
+     [](const Thread& t) { return thread_widths(t).value_or(ThreadWidths{}).root; }},
 };
 
 std::string part_rows(const contact::MechanismGeometry& threads) {
@@ -103,81 +104,53 @@ std::string part_rows(const contact::MechanismGeometry& threads) {
 // The contacts, a column an interface.
 
 struct ContactRow {
-  std::string_view label;
-  Shown shown;
-  std::optional<double> (*value)(const Contacts&, Interface);
+  std::string_view key;
+  int decimals;
 };
 
-/// Reads a value of the contact point and the curvatures there.
-template <auto value>
-std::optional<double> of_geometry(const Contacts& contacts, Interface i) {
-  const InterfaceGeometry& geometry = contacts.interfaces[i].geometry;
-  return geometry.ok() ? std::optional<double>(value(geometry)) : std::nullopt;
-}
-
-template <double contact::HertzConstants::*value>
-std::optional<double> of_hertz(const Contacts& contacts, Interface i) {
-  const InterfaceContact& c = contacts.interfaces[i];
-  return c.has_hertz() ? std::optional<double>(c.hertz.*value) : std::nullopt;
-}
-
-template <auto clearance>
-std::optional<double> of_clearance(const Contacts& contacts, Interface i) {
-  const std::optional<ThreadClearance>& c = contacts.interfaces[i].clearance;
-  return c ? std::optional<double>((*c).*clearance) : std::nullopt;
-}
-
-std::optional<double> backlash(const Contacts& contacts, Interface i) {
-  const contact::MechanismGeometry& threads = contacts.threads;
-  const Thread& body = i == Interface::screw ? threads.screw : threads.nut;
-  const contact::ContactPoint& point = contacts.interfaces[i].geometry.point;
-  const bool has_meaning = point.ok() && contact::same_pitch(body, threads.roller);
-  return has_meaning ? std::optional<double>(point.backlash) : std::nullopt;
-}
-
-using G = InterfaceGeometry;
-constexpr Shown kLength{per_si::millimetre, 4};
-constexpr Shown kAngle{per_si::degree, 4};
-constexpr Shown kCurvature{per_si::per_millimetre, 6};
-
-const ContactRow kContactRows[] = {
-    {"  radius on the body, mm", kLength,
-     of_geometry<[](const G& g) { return g.point.radius_on_body; }>},
-    {"  radius on the roller, mm", kLength,
-     of_geometry<[](const G& g) { return g.point.radius_on_roller; }>},
-    {"  angle on the body, deg", kAngle,
-     of_geometry<[](const G& g) { return g.point.angle_on_body; }>},
-    {"  angle on the roller, deg", kAngle,
-     of_geometry<[](const G& g) { return g.point.angle_on_roller; }>},
-    {"  normal against the axis, deg", kAngle,
-     of_geometry<[](const G& g) { return g.point.normal_angle(); }>},
-    {"  backlash, mm", kLength, backlash},
-    {"  flank to flank when centred, mm", kLength, of_clearance<&ThreadClearance::flank>},
-    {"  crest of the body to flank, mm", kLength, of_clearance<&ThreadClearance::body_crest>},
-    {"  crest of the roller to flank, mm", kLength, of_clearance<&ThreadClearance::roller_crest>},
-    {"  curvatures of the body, 1/mm", kCurvature,
-     of_geometry<[](const G& g) { return g.body.first; }>},
-    {"", kCurvature, of_geometry<[](const G& g) { return g.body.second; }>},
-    {"  curvatures of the roller, 1/mm", kCurvature,
-     of_geometry<[](const G& g) { return g.roller.first; }>},
-    {"", kCurvature, of_geometry<[](const G& g) { return g.roller.second; }>},
-    {"  relative curvatures, 1/mm", kCurvature,
-     of_geometry<[](const G& g) { return g.relative.first; }>},
-    {"", kCurvature, of_geometry<[](const G& g) { return g.relative.second; }>},
-    {"  their sum, 1/mm", kCurvature, of_geometry<[](const G& g) { return g.curvature_sum(); }>},
-    {"  angle of the first directions, deg", kAngle,
-     of_geometry<[](const G& g) { return g.first_directions_angle(); }>},
-    {"  ellipticity b/a", {1.0, 6}, of_hertz<&contact::HertzConstants::ellipticity>},
-    {"  Hertz constant, N/mm^1.5",
-     {per_si::newton_per_millimetre1_5, 1},
-     of_hertz<&contact::HertzConstants::hertz_constant>},
+constexpr ContactRow kContactRows[] = {
+    {"radius_on_body_mm", 4},
+    {"radius_on_roller_mm", 4},
+    {"angle_on_body_deg", 4},
+    {"angle_on_roller_deg", 4},
+    {"normal_angle_deg", 4},
+    {"backlash_mm", 4},
+    {"flank_clearance_mm", 4},
+    {"body_crest_clearance_mm", 4},
+    {"roller_crest_clearance_mm", 4},
+    {"body_curvatures_per_mm", 6},
+    {"roller_curvatures_per_mm", 6},
+    {"relative_curvatures_per_mm", 6},
+    {"curvature_sum_per_mm", 6},
+    {"first_directions_angle_deg", 4},
+    {"ellipticity", 6},
+    {"hertz_constant_N_per_mm1_5", 1},
 };
+
+/// One number or both of a pair, as documents show them.
+std::array<std::optional<double>, 2> shown_values(const Contacts& contacts, Interface i,
+                                                  const Quantity<ContactAt>& q) {
+  const ContactAt contact{&contacts, i};
+  if (!contact.contact().geometry.ok()) return {};
+  if (q.value.number) return {shown_number(q, contact), {}};
+  const auto pair = q.value.json(contact, q.unit);
+  return {pair[0].get<double>(), pair[1].get<double>()};
+}
 
 std::string contact_rows(const Contacts& contacts) {
   std::string rows = table_row("Contacts", {label(Interface::screw), label(Interface::nut)});
-  for (const auto& [label, shown, value] : kContactRows) {
-    const auto screw = value(contacts, Interface::screw), nut = value(contacts, Interface::nut);
-    if (screw || nut) rows += table_row(label, {shown(screw), shown(nut)});
+  for (const auto& [key, decimals] : kContactRows) {
+    const auto& q = quantity<ContactAt>(key);
+    const Shown shown{1.0, decimals};
+    std::string label =
+        fmt::format("  {}{}{}", title_of(q), q.unit.text.empty() ? "" : ", ", q.unit.text);
+    const auto screw = shown_values(contacts, Interface::screw, q),
+               nut = shown_values(contacts, Interface::nut, q);
+    for (std::size_t k = 0; k < screw.size(); ++k) {
+      if (!screw[k] && !nut[k]) continue;
+      rows += table_row(label, {shown(screw[k]), shown(nut[k])});
+      label.clear();
+    }
   }
   return rows;
 }
@@ -187,20 +160,21 @@ std::string contact_rows(const Contacts& contacts) {
 /// A thread's value under load; all threads of such a case have the same.
 struct LoadColumn {
   std::string_view title;
-  std::string_view unit;
-  std::vector<double> InterfaceLoads::*values;
-  Shown shown;
+  std::string_view key;
+  int decimals;
+
+  const Quantity<InterfaceLoads>& of() const { return quantity<InterfaceLoads>(key); }
 };
 
 constexpr LoadColumn kLoadColumns[] = {
-    {"thread", "N", &InterfaceLoads::axial_load, {1.0, 2}},
-    {"normal", "N", &InterfaceLoads::normal_load, {1.0, 2}},
-    {"a", "mm", &InterfaceLoads::semi_major, {per_si::millimetre, 4}},
-    {"b", "mm", &InterfaceLoads::semi_minor, {per_si::millimetre, 4}},
-    {"peak", "MPa", &InterfaceLoads::peak_pressure, {per_si::megapascal, 1}},
-    {"approach", "µm", &InterfaceLoads::approach, {per_si::micrometre, 3}},
-    {"shear", "MPa", &InterfaceLoads::max_shear_stress, {per_si::megapascal, 1}},
-    {"depth", "mm", &InterfaceLoads::max_shear_depth, {per_si::millimetre, 4}},
+    {"thread", "axial_load_N", 2},
+    {"normal", "normal_load_N", 2},
+    {"a", "semi_major_mm", 4},
+    {"b", "semi_minor_mm", 4},
+    {"peak", "peak_pressure_MPa", 1},
+    {"approach", "approach_um", 3},
+    {"shear", "max_shear_stress_MPa", 1},
+    {"depth", "max_shear_depth_mm", 4},
 };
 
 using Cases = std::vector<const LoadCaseResult*>;
@@ -210,7 +184,7 @@ bool has_equal_shares(const LoadCaseResult& result) {
 }
 
 std::optional<double> value(const LoadCaseResult& result, Interface i, const LoadColumn& column) {
-  const std::vector<double>& values = (*result.threads)[i].*column.values;
+  const std::span<const double> values = column.of().value.series((*result.threads)[i]);
   return values.empty() ? std::nullopt : std::optional<double>(values.front());
 }
 
@@ -256,7 +230,7 @@ std::string load_rows(const LoadCaseResult& result, const std::vector<LoadColumn
   for (const Interface i : kInterfaces) {
     std::vector<std::string> cells;
     for (const LoadColumn& column : columns)
-      cells.push_back(column.shown(value(result, i, column)));
+      cells.push_back(Shown{column.of().unit.factor, column.decimals}(value(result, i, column)));
     rows += case_row(name, prs::name(i), cells);
     name.clear();
   }
@@ -271,7 +245,7 @@ std::string load_table(const std::vector<LoadCaseResult>& results) {
   std::vector<std::string> titles, units;
   for (const LoadColumn& column : columns) {
     titles.emplace_back(column.title);
-    units.emplace_back(column.unit);
+    units.emplace_back(column.of().unit.text);
   }
   std::string table = "\nEqual shares of all threads\n";
   table += case_row("", "", titles) + case_row("load case", "", units);

@@ -2,18 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "prs/model/units.h"
+#include "prs/output/quantity_csv.h"
 #include "prs/quantities/quantities.h"
-#include "prs/output/csv_writer.h"
 
 namespace prs {
 namespace {
-
-void solve_fields(CsvWriter& csv, const LoadCaseResult& result) {
-  csv.text(result.converged() ? "true" : "false");
-  csv.text(status_name(result));
-  csv.text(result.solve ? fmt::to_string(result.solve->iterations()) : std::string());
-  csv.number(result.solve ? std::optional(result.solve->relative_residual) : std::nullopt);
-}
 
 void most_loaded_fields(CsvWriter& csv, const LoadCaseResult& result, Interface i) {
   const InterfaceLoads loads = result.threads ? (*result.threads)[i] : InterfaceLoads{};
@@ -28,8 +22,7 @@ void most_loaded_fields(CsvWriter& csv, const LoadCaseResult& result, Interface 
 std::string load_cases_csv(const Result& result) {
   CsvWriter csv;
   load_header(csv);
-  for (const char* key : {"converged", "status", "iterations", "relative_residual"}) csv.text(key);
-  for (const CaseQuantity& quantity : kCaseQuantities) csv.text(quantity.key);
+  scalar_header<LoadCaseResult>(csv, "", "converged");
   for (const Interface i : kInterfaces)
     for (const char* key :
          {"most_loaded_thread", "largest_load_rate_percent", "largest_peak_pressure_MPa"})
@@ -38,8 +31,7 @@ std::string load_cases_csv(const Result& result) {
 
   for (const LoadCaseResult& load_case : result.load_cases) {
     load_fields(csv, load_case.load_case);
-    solve_fields(csv, load_case);
-    for (const auto& [key, value, factor] : kCaseQuantities) csv.number(load_case.*value, factor);
+    scalar_fields<LoadCaseResult>(csv, &load_case, "converged");
     for (const Interface i : kInterfaces) most_loaded_fields(csv, load_case, i);
     csv.end_row();
   }
@@ -51,8 +43,7 @@ std::string load_distribution_csv(const Result& result) {
   load_header(csv);
   csv.text("thread");
   for (const Interface i : kInterfaces)
-    for (const ThreadQuantity& quantity : kThreadQuantities)
-      csv.text(fmt::format("{}_{}", name(i), quantity.key));
+    series_header<InterfaceLoads>(csv, fmt::format("{}_", name(i)));
   csv.end_row();
 
   for (const LoadCaseResult& load_case : result.load_cases) {
@@ -60,9 +51,7 @@ std::string load_distribution_csv(const Result& result) {
     for (std::size_t k = 0; k < load_case.threads->screw.axial_load.size(); ++k) {
       load_fields(csv, load_case.load_case);
       csv.integer(k + 1);
-      for (const Interface i : kInterfaces)
-        for (const auto& [key, values, factor] : kThreadQuantities)
-          csv.number(entry((*load_case.threads)[i].*values, k), factor);
+      for (const Interface i : kInterfaces) series_fields(csv, (*load_case.threads)[i], k);
       csv.end_row();
     }
   }

@@ -1,13 +1,13 @@
-#include "prs/output/csv_writer.h"
 #include "prs/output/life_files.h"
+#include "prs/output/quantity_csv.h"
+#include "prs/quantities/life_quantities.h"
 
 namespace prs {
 
 std::string life_threads_csv(const LifeResult& r) {
   CsvWriter csv;
-  for (const char* key : {"direction", "interface", "thread", "equivalent_load_N",
-                          "l10_revolutions", "largest_load_N", "equivalent_range_N"})
-    csv.text(key);
+  for (const char* key : {"direction", "interface", "thread"}) csv.text(key);
+  series_header<ThreadLives>(csv);
   csv.end_row();
   for (const Direction d : kDirections) {
     if (!r.flanks[d]) continue;
@@ -17,11 +17,7 @@ std::string life_threads_csv(const LifeResult& r) {
         csv.text(name(d));
         csv.text(name(i));
         csv.integer(k + 1);
-        csv.number(t.equivalent_load[k]);
-        csv.number(t.life[k]);
-        csv.number(t.largest_load[k]);
-        csv.number(t.equivalent_range.empty() ? std::nullopt
-                                              : std::optional(t.equivalent_range[k]));
+        series_fields(csv, t, k);
         csv.end_row();
       }
     }

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "prs/loads/analyze.h"
-#include "prs/quantities/life_units.h"
-#include "prs/quantities/model_summary.h"
 #include "prs/model/units.h"
 #include "prs/output/case_table.h"
+#include "prs/quantities/life_quantities.h"
+#include "prs/quantities/model_summary.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -33,8 +33,8 @@ std::string columns(const std::string& first, std::initializer_list<std::string>
 
 std::string life_row(const LifeResult& r, const std::string& what, double revolutions) {
   const LifeInUse life = in_use(r, revolutions);
-  return columns(what, {cell(life.revolutions, 1e-6), cell(life.hours), cell(life.travel, 1e-3),
-                        cell(life.passes)});
+  return columns(what, {cell(life.revolutions, 1e-6), cell(life.hours),
+                        cell(life.travel, per_si::kilometre), cell(life.passes)});
 }
 
 std::string lives(const LifeResult& r) {
@@ -81,12 +81,10 @@ std::string capacities(const LifeResult& r) {
                              r.dynamic_capacity / kCapacityOverMakers.least * per_si::kilonewton,
                              kCapacityOverMakers.least, kCapacityOverMakers.greatest));
   if (r.lemor && std::isfinite(r.system_life)) {
-    const auto scaled = [&](double capacity) {
-      return 1e-6 * r.system_life * std::pow(capacity / r.dynamic_capacity, kLifeExponent);
-    };
-    text += line("life of the mechanism by the readings",
-                 fmt::format("{:.4g} to {:.4g} million revolutions", scaled(range.least),
-                             scaled(range.greatest)));
+    const auto [least, greatest] = in_use(r, r.system_life).revolutions_range;
+    text +=
+        line("life of the mechanism by the readings",
+             fmt::format("{:.4g} to {:.4g} million revolutions", 1e-6 * least, 1e-6 * greatest));
   }
   text += line("mean load F_m", kilonewtons(r.mean_load));
   text += line("largest force", kilonewtons(r.largest_force));

@@ -4,15 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <vector>
 
-#include "prs/quantities/measure_quantities.h"
 #include "prs/model/units.h"
 #include "prs/output/case_table.h"
 #include "prs/output/csv_writer.h"
-#include "prs/quantities/response_title.h"
-#include "prs/text.h"
 #include "prs/output/warnings.h"
+#include "prs/quantities/measure_quantities.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {
@@ -21,58 +22,57 @@ constexpr std::size_t kTitleWidth = 62;
 constexpr std::size_t kCellWidth = 16;
 constexpr std::size_t kMostCases = 3;  ///< That fit beside each other.
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 /// Five digits, of large numbers all before the point.
-std::string cell(double shown) {
-  if (!std::isfinite(shown)) return std::string(kAbsent);
-  return std::abs(shown) >= 1e4 && std::abs(shown) < 1e9 ? fmt::format("{:.0f}", shown)
-                                                         : fmt::format("{:.5g}", shown);
+std::string five_digits(std::optional<double> shown) {
+  if (!shown) return std::string(kAbsent);
+  return std::abs(*shown) >= 1e4 && std::abs(*shown) < 1e9 ? fmt::format("{:.0f}", *shown)
+                                                           : fmt::format("{:.5g}", *shown);
 }
 
-/// What documents show; not finite where the measure is absent.
-template <class Quantity, class Owner>
-double shown_value(const Quantity& q, const Owner& measures) {
-  return q.value(measures).value_or(kNone) * q.factor;
-}
-
-std::string titled(std::string_view title, std::string_view key) {
-  const std::string unit = response_title(key).unit;
-  return fmt::format("  {}{}{}", title, unit.empty() ? "" : ", ", unit);
-}
-
-/// Starts the group of a measure where the one before belongs to another.
-void add_group(std::string& text, std::string_view& group, std::string_view next) {
-  if (group == next) return;
-  group = next;
-  text += fmt::format("{}{}\n", text.empty() ? "" : "\n", group);
-}
-
-std::string mechanism_table(const Measures& measures) {
-  std::string text;
-  std::string_view group;
-  for (const DesignMeasure& q : kDesignMeasures) {
-    const double value = shown_value(q, measures);
-    if (!std::isfinite(value)) continue;
-    add_group(text, group, q.group);
-    text += padded(titled(q.title, q.key), kTitleWidth, true) +
-            padded(cell(value), kCellWidth, false) + '\n';
+/// A number or a text; none where the measure is absent.
+template <class Owner>
+std::optional<std::string> measure_cell(const Quantity<Owner>& q,
+                                        const std::optional<Owner>& measures) {
+  if (!measures) return std::nullopt;
+  if (q.value.number) {
+    const std::optional<double> shown = shown_number(q, *measures);
+    return shown ? std::optional(five_digits(shown)) : std::nullopt;
   }
-  return text;
+  const auto json = q.value.json(*measures, q.unit);
+  return json.is_null() ? std::nullopt : std::optional(json.template get<std::string>());
 }
 
-std::string limit_rows(const MeasuresResult& result, std::size_t first, std::size_t last) {
+/// The headings in the order of the table.
+template <class Owner>
+std::vector<std::string_view> groups_of() {
+  std::vector<std::string_view> groups;
+  for (const Quantity<Owner>& q : record_of<Owner>().quantities)
+    if (std::ranges::find(groups, q.group) == groups.end()) groups.push_back(q.group);
+  return groups;
+}
+
+/// Numbers and words group by group, `owners` beside each other; what none of them has is left out.
+template <class Owner>
+std::string group_rows(std::span<const std::optional<Owner>> owners) {
   std::string text;
-  for (const LimitMeasure& q : kLimitMeasures) {
-    std::string cells;
-    bool any = false;
-    for (std::size_t k = first; k < last; ++k) {
-      const std::optional<LoadMeasures>& measures = result.load_measures[k];
-      const std::optional<StaticLimit> limit = measures ? (*measures).*q.value : std::nullopt;
-      any = any || limit;
-      cells += padded(limit ? name(*limit) : std::string(kAbsent), kCellWidth, false);
+  for (const std::string_view group : groups_of<Owner>()) {
+    std::string rows;
+    for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
+      if (q.group != group || q.value.series) continue;
+      std::string cells;
+      bool any = false;
+      for (const std::optional<Owner>& owner : owners) {
+        const std::optional<std::string> shown = measure_cell(q, owner);
+        any = any || shown;
+        cells += padded(shown.value_or(std::string(kAbsent)), kCellWidth, false);
+      }
+      const std::string_view unit = q.unit.text;
+      if (any)
+        rows += padded(fmt::format("  {}{}{}", q.title, unit.empty() ? "" : ", ", unit),
+                       kTitleWidth, true) +
+                cells + '\n';
     }
-    if (any) text += padded(fmt::format("  {}", q.title), kTitleWidth, true) + cells + '\n';
+    if (!rows.empty()) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", group) + rows;
   }
   return text;
 }
@@ -86,26 +86,12 @@ std::string load_table(const MeasuresResult& result, std::size_t first, std::siz
                          kCellWidth - 1, false);
   text += '\n' + padded("  force, kN", kTitleWidth, true);
   for (std::size_t k = first; k < last; ++k)
-    text += padded(cell(result.analysis.load_cases[k].load_case.axial_force * per_si::kilonewton),
-                   kCellWidth, false);
+    text += padded(
+        five_digits(result.analysis.load_cases[k].load_case.axial_force * per_si::kilonewton),
+        kCellWidth, false);
   text += '\n';
-  std::string_view group;
-  for (const LoadMeasure& q : kLoadMeasures) {
-    std::string cells;
-    bool any = false;
-    for (std::size_t k = first; k < last; ++k) {
-      const std::optional<LoadMeasures>& measures = result.load_measures[k];
-      const double value = measures ? shown_value(q, *measures) : kNone;
-      any = any || std::isfinite(value);
-      cells += padded(cell(value), kCellWidth, false);
-    }
-    if (!any) continue;
-    if (group == measure_text::kStrength && q.group != group)
-      text += limit_rows(result, first, last);
-    add_group(text, group, q.group);
-    text += padded(titled(q.title, q.key), kTitleWidth, true) + cells + '\n';
-  }
-  return text;
+  const std::string rows = group_rows(std::span(result.load_measures).subspan(first, last - first));
+  return rows.empty() ? text : text + '\n' + rows;
 }
 
 /// A paragraph behind a word; its later lines stand below the first.
@@ -115,15 +101,34 @@ std::string paragraph(std::string_view word, std::string_view text) {
   return lines.replace(4, word.size(), word);
 }
 
-std::string explanation(const auto& q) {
-  return fmt::format("{}\n", q.key) + paragraph("", q.title) + paragraph("formula: ", q.formula) +
-         paragraph("valid: ", q.validity) + paragraph("source: ", q.source);
+template <class Owner>
+std::string explanations() {
+  std::string text;
+  for (const Quantity<Owner>& q : record_of<Owner>().quantities)
+    text += fmt::format("{}\n", q.key) + paragraph("", q.title) +
+            paragraph("formula: ", q.meaning) + paragraph("valid: ", q.validity) +
+            paragraph("source: ", q.source);
+  return text;
+}
+
+template <class Owner>
+void add_rows(CsvWriter& csv, std::string_view load_case, const Owner& measures) {
+  for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
+    const std::optional<double> value = q.value.number ? shown_number(q, measures) : std::nullopt;
+    if (!value) continue;
+    csv.text(load_case);
+    csv.text(q.key);
+    csv.text(q.unit.text);
+    csv.number(value);
+    csv.end_row();
+  }
 }
 
 }  // namespace
 
 std::string measures_table(const MeasuresResult& result) {
-  std::string text = mechanism_table(result.measures);
+  const std::optional<Measures> measures[] = {result.measures};
+  std::string text = group_rows<Measures>(measures);
   const std::size_t cases = result.load_measures.size();
   for (std::size_t first = 0; first < cases; first += kMostCases)
     text += '\n' + load_table(result, first, std::min(first + kMostCases, cases));
@@ -133,33 +138,19 @@ std::string measures_table(const MeasuresResult& result) {
 }
 
 std::string measure_explanations() {
-  std::string text = "Measures of the mechanism: `measures` in documents\n\n";
-  for (const DesignMeasure& q : kDesignMeasures) text += explanation(q);
-  text += "\nMeasures of a load case: `load_cases[].measures` in documents\n\n";
-  for (const LoadMeasure& q : kLoadMeasures) text += explanation(q);
-  for (const LimitMeasure& q : kLimitMeasures) text += explanation(q);
-  for (const ThreadMeasure& q : kThreadMeasures) text += explanation(q);
-  return text;
+  return "Measures of the mechanism: `measures` in documents\n\n" + explanations<Measures>() +
+         "\nMeasures of a load case: `load_cases[].measures` in documents\n\n" +
+         explanations<LoadMeasures>();
 }
 
 std::string measures_csv(const MeasuresResult& result) {
   CsvWriter csv;
   for (const std::string_view name : {"load_case", "measure", "unit", "value"}) csv.text(name);
   csv.end_row();
-  const auto row = [&](std::string_view load_case, std::string_view key, double value) {
-    if (!std::isfinite(value)) return;
-    csv.text(load_case);
-    csv.text(key);
-    csv.text(response_title(key).unit);
-    csv.number(value);
-    csv.end_row();
-  };
-  for (const DesignMeasure& q : kDesignMeasures) row("", q.key, shown_value(q, result.measures));
+  add_rows(csv, "", result.measures);
   for (std::size_t k = 0; k < result.load_measures.size(); ++k)
     if (result.load_measures[k])
-      for (const LoadMeasure& q : kLoadMeasures)
-        row(result.analysis.load_cases[k].load_case.name, q.key,
-            shown_value(q, *result.load_measures[k]));
+      add_rows(csv, result.analysis.load_cases[k].load_case.name, *result.load_measures[k]);
   return csv.take();
 }
 

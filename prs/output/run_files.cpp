@@ -30,15 +30,15 @@ constexpr std::size_t kLongestList = std::size_t{16} << 20;
 constexpr std::size_t kMostNamed = 3;
 
 /// What the process wrote since its run began.
-struct Record {
+struct RunRecord {
   std::mutex mutex;
   bool active = false;
   std::vector<fs::path> files;
   std::string case_digest;
 };
 
-Record& record() {
-  static Record only;
+RunRecord& record() {
+  static RunRecord only;
   return only;
 }
 
@@ -206,13 +206,13 @@ std::string files_text(std::size_t count) {
 }  // namespace
 
 void record_written(const fs::path& file) {
-  Record& r = record();
+  RunRecord& r = record();
   const std::lock_guard guard(r.mutex);
   if (r.active) r.files.push_back(file);
 }
 
 void record_case(const std::string& text, const std::vector<std::string>& overrides) {
-  Record& r = record();
+  RunRecord& r = record();
   const std::lock_guard guard(r.mutex);
   r.case_digest = digest_of_case(text, overrides);
 }
@@ -220,7 +220,7 @@ void record_case(const std::string& text, const std::vector<std::string>& overri
 RunFiles::RunFiles(fs::path folder, std::string command, fs::path case_file,
                    const std::vector<std::string>& overrides)
     : folder_(std::move(folder)), command_(std::move(command)), case_file_(std::move(case_file)) {
-  Record& r = record();
+  RunRecord& r = record();
   const std::lock_guard guard(r.mutex);
   r.active = true;
   r.files.clear();
@@ -245,7 +245,7 @@ std::vector<std::string> RunFiles::update(bool complete) {
   Listed own{command_, {}, {}};
   std::vector<fs::path> written;
   {
-    Record& r = record();
+    RunRecord& r = record();
     const std::lock_guard guard(r.mutex);
     r.active = false;
     own.case_digest = r.case_digest;

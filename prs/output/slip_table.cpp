@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
-#include "prs/quantities/slip_quantities.h"
+#include "prs/model/units.h"
 #include "prs/output/bar_chart.h"
 #include "prs/output/case_table.h"
-#include "prs/text.h"
 #include "prs/output/warnings.h"
+#include "prs/quantities/slip_quantities.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {
@@ -101,31 +103,31 @@ std::string power_lines(const SlipResult& slip) {
 /// What the block shows of the threads as a range.
 struct RangeLine {
   std::string_view label;
-  std::vector<double> InterfaceSlip::*values;
-  double factor;
+  std::string_view key;
   int decimals;
 };
 
 constexpr RangeLine kRangeLines[] = {
-    {"friction coefficient", &InterfaceSlip::friction_coefficient, 1.0, 4},
-    {"sliding, largest, mm/s", &InterfaceSlip::max_sliding_speed, per_si::millimetre, 2},
-    {"film by Sandu, nm", &InterfaceSlip::film_thickness, per_si::nanometre, 0},
-    {"central film, nm", &InterfaceSlip::central_film, per_si::nanometre, 0},
-    {"film over roughness", &InterfaceSlip::film_ratio, 1.0, 2},
+    {"friction coefficient", "friction_coefficient", 4},
+    {"sliding, largest, mm/s", "max_sliding_speed_mm_per_s", 2},
+    {"film by Sandu, nm", "film_thickness_nm", 0},
+    {"central film, nm", "central_film_nm", 0},
+    {"film over roughness", "film_ratio", 2},
 };
 
 /// `0.0812–0.0934` over the threads that carry load.
 std::string range(const InterfaceSlip& slip, const RangeLine& line) {
   double least = HUGE_VAL, largest = -HUGE_VAL;
-  const std::vector<double>& values = slip.*line.values;
+  const Quantity<InterfaceSlip>& q = quantity<InterfaceSlip>(line.key);
+  const std::span<const double> values = q.value.series(slip);
   for (std::size_t k = 0; k < values.size(); ++k)
     if (entry(slip.dynamic_normal_load, k).value_or(0.0) > 0.0) {
       least = std::min(least, values[k]);
       largest = std::max(largest, values[k]);
     }
   if (least > largest) return std::string(kAbsent);
-  const std::string from = fixed(least, line.factor, line.decimals);
-  const std::string to = fixed(largest, line.factor, line.decimals);
+  const std::string from = fixed(least, q.unit.factor, line.decimals);
+  const std::string to = fixed(largest, q.unit.factor, line.decimals);
   return from == to ? to : from + "–" + to;
 }
 
@@ -136,20 +138,19 @@ std::string range_lines(const SlipResult& slip) {
                         four_digits(*slip.viscosity * per_si::millipascal_second));
   lines += block_line("over the threads", "screw", padded("nut", kValueWidth, false));
   for (const RangeLine& line : kRangeLines)
-    if (!(slip.threads.screw.*line.values).empty())
+    if (!quantity<InterfaceSlip>(line.key).value.series(slip.threads.screw).empty())
       lines += block_line(fmt::format("  {}", line.label), range(slip.threads.screw, line),
                           padded(range(slip.threads.nut, line), kValueWidth, false));
   return lines;
 }
 
 std::string hottest_line(const SlipResult& slip) {
-  const auto density = at_hottest(slip, &InterfaceSlip::power_density);
-  const auto power = at_hottest(slip, &InterfaceSlip::power);
-  if (!density || !power || *power == 0.0) return {};
-  return block_line("hottest thread",
-                    fmt::format("{} {}", name(slip.hottest.interface), slip.hottest.thread + 1),
-                    fmt::format("{} W, {} W/mm²", four_digits(*power),
-                                four_digits(*density * per_si::per_square_millimetre)));
+  const std::optional<HottestThread> hottest = hottest_thread(slip);
+  if (!hottest || !hottest->power || *hottest->power == 0.0) return {};
+  return block_line(
+      "hottest thread", fmt::format("{} {}", name(hottest->interface), hottest->thread),
+      fmt::format("{} W, {} W/mm²", four_digits(*hottest->power),
+                  four_digits(hottest->power_density * per_si::per_square_millimetre)));
 }
 
 double largest(const SlipResult& slip, std::vector<double> InterfaceSlip::*values) {
@@ -216,11 +217,10 @@ std::string share(const LoadCaseResult& result) {
 }
 
 std::string hottest_cell(const LoadCaseResult& result) {
-  const auto density = at_hottest(*result.slip, &InterfaceSlip::power_density);
-  if (!density) return std::string(kAbsent);
-  return fmt::format("{} {}: {}", name(result.slip->hottest.interface),
-                     result.slip->hottest.thread + 1,
-                     four_digits(*density * per_si::per_square_millimetre));
+  const std::optional<HottestThread> hottest = hottest_thread(*result.slip);
+  if (!hottest) return std::string(kAbsent);
+  return fmt::format("{} {}: {}", name(hottest->interface), hottest->thread,
+                     four_digits(hottest->power_density * per_si::per_square_millimetre));
 }
 
 constexpr CaseColumn kColumns[] = {

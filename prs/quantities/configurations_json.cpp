@@ -1,8 +1,8 @@
 #include "prs/quantities/configurations_json.h"
 
-#include "prs/quantities/json_values.h"
-#include "prs/model/units.h"
 #include "prs/configurations/roller_spacing.h"
+#include "prs/model/units.h"
+#include "prs/quantities/json_values.h"
 
 namespace prs {
 namespace {

@@ -20,13 +20,8 @@ struct DocumentInfo {
 nlohmann::ordered_json document_head(const DocumentInfo& info,
                                      const std::vector<std::string>& warnings);
 
-/// What every document says of the mechanism's contacts, under `contact`.
-nlohmann::ordered_json contacts_json(const Contacts& contacts);
-
-/// What it says of the threads by themselves, under `threads`; null where no heights are given.
-nlohmann::ordered_json threads_json(const Contacts& contacts);
-
-/// Adds both to a document.
+/// Adds what every document says of the contacts, under `contact`, and of the threads by
+/// themselves, under `threads`; nothing of these where no heights are given.
 void put_contacts(nlohmann::ordered_json& document, const Contacts& contacts);
 
 /// The document of `--json`: units stand in the keys, arrays start at the thread next to the loaded

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "prs/quantities/json.h"
 #include "prs/life/analyze_life.h"
+#include "prs/quantities/json.h"
 
 namespace prs {
 

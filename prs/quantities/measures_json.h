@@ -2,8 +2,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "prs/quantities/json.h"
 #include "prs/measures/analyze_measures.h"
+#include "prs/quantities/json.h"
 
 namespace prs {
 

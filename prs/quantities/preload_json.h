@@ -2,8 +2,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "prs/quantities/json.h"
 #include "prs/preload/analyze_preload.h"
+#include "prs/quantities/json.h"
 
 namespace prs {
 

@@ -6,44 +6,18 @@
 #include <string_view>
 #include <vector>
 
-#include "prs/model/units.h"
 #include "prs/loads/result.h"
+#include "prs/model/units.h"
+#include "prs/quantities/record.h"
 
 namespace prs {
 
-/// A result with one value a thread, as documents and files show it: key with unit, shown = SI *
-/// factor.
-struct ThreadQuantity {
-  std::string_view key;
-  std::vector<double> InterfaceLoads::*values;
-  double factor;
-};
-
-inline constexpr ThreadQuantity kThreadQuantities[] = {
-    {"axial_load_N", &InterfaceLoads::axial_load, 1.0},
-    {"normal_load_N", &InterfaceLoads::normal_load, 1.0},
-    {"load_rate_percent", &InterfaceLoads::load_rate, per_si::percent},
-    {"approach_um", &InterfaceLoads::approach, per_si::micrometre},
-    {"semi_major_mm", &InterfaceLoads::semi_major, per_si::millimetre},
-    {"semi_minor_mm", &InterfaceLoads::semi_minor, per_si::millimetre},
-    {"peak_pressure_MPa", &InterfaceLoads::peak_pressure, per_si::megapascal},
-    {"max_shear_stress_MPa", &InterfaceLoads::max_shear_stress, per_si::megapascal},
-    {"max_shear_depth_mm", &InterfaceLoads::max_shear_depth, per_si::millimetre},
-};
-
-/// A result with one value a load case, absent where the case does not define it.
-struct CaseQuantity {
-  std::string_view key;
-  std::optional<double> LoadCaseResult::*value;
-  double factor;
-};
-
-inline constexpr CaseQuantity kCaseQuantities[] = {
-    {"axial_displacement_um", &LoadCaseResult::axial_displacement, per_si::micrometre},
-    {"axial_stiffness_N_per_um", &LoadCaseResult::axial_stiffness, per_si::newton_per_micrometre},
-    {"tangent_stiffness_N_per_um", &LoadCaseResult::tangent_stiffness,
-     per_si::newton_per_micrometre},
-};
+template <>
+Record<InterfaceLoads> record_of();
+template <>
+Record<fe::NewtonIteration> record_of();
+template <>
+Record<LoadCaseResult> record_of();
 
 /// How the solve of a case ended; equal shares need no solve and count as converged.
 inline std::string_view status_name(const LoadCaseResult& result) {

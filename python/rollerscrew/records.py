@@ -1,6 +1,7 @@
 """What stands inside the result documents; names and units are those of `prs --json`.
 
 A quantity that a case does not define is absent: attribute access raises, `get` gives its default.
+What each is: docs/reference. Written by scripts/reference.py from the program's table.
 """
 
 from __future__ import annotations
@@ -8,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from rollerscrew.record import Record, Values
+from rollerscrew.record import Record
 
 Array = npt.NDArray[np.float64]  #: Read-only.
 
@@ -32,13 +33,16 @@ class PerPartRange(Record):
 
 
 class InterfaceContact(Record):
-    """Where two threads touch: Sandu, chapter 1. `body` is the screw or the nut."""
+    """Where two threads touch: Sandu 2018, chapter 1. `body` is the screw or the nut."""
 
     __slots__ = ()
     radius_on_body_mm: float
     radius_on_roller_mm: float
     angle_on_body_deg: float
     angle_on_roller_deg: float
+    flank_clearance_mm: float
+    body_crest_clearance_mm: float
+    roller_crest_clearance_mm: float
     body_curvatures_per_mm: Array
     roller_curvatures_per_mm: Array
     relative_curvatures_per_mm: Array
@@ -54,9 +58,6 @@ class InterfaceContact(Record):
     semi_minor_mm_per_N1_3: float
     max_shear_over_peak_pressure: float
     max_shear_depth_over_semi_minor: float
-    flank_clearance_mm: float
-    body_crest_clearance_mm: float
-    roller_crest_clearance_mm: float
 
 
 class Contacts(Record):
@@ -70,6 +71,23 @@ class Contacts(Record):
     max_rollers: int
     screw: InterfaceContact
     nut: InterfaceContact
+
+
+class ThreadWidths(Record):
+    """Axial widths of a truncated thread."""
+
+    __slots__ = ()
+    crest_width_mm: float
+    root_width_mm: float
+
+
+class Threads(Record):
+    """Threads of the parts by themselves; needs their heights."""
+
+    __slots__ = ()
+    screw: ThreadWidths
+    roller: ThreadWidths
+    nut: ThreadWidths
 
 
 class InterfaceLoads(Record):
@@ -89,8 +107,71 @@ class InterfaceLoads(Record):
     max_shear_depth_mm: Array
 
 
+class SlipRatioEstimates(Record):
+    """Slip ratios by formulas of geometry alone."""
+
+    __slots__ = ()
+    simple: float
+    jones: float
+
+
+class PowerShares(Record):
+    """Where power is lost."""
+
+    __slots__ = ()
+    screw: float
+    nut: float
+    carrier_roller: float
+    carrier_screw: float
+    carrier_nut: float
+
+
+class RollerMoments(Record):
+    """Moments on one roller about its axis; they add up to zero in equilibrium. Sandu 2018, (3.39) to (3.42)."""
+
+    __slots__ = ()
+    contacts: float
+    spin: float
+    carrier: float
+    gears: float
+
+
+class RollerForces(Record):
+    """Forces on one roller across its axis, x away from the screw's axis, y along the orbit."""
+
+    __slots__ = ()
+    contacts_x: float
+    contacts_y: float
+    gears_x: float
+    gears_y: float
+    carrier_x: float
+    carrier_y: float
+    centrifugal: float
+
+
+class HottestThread(Record):
+    """The thread of the largest power density."""
+
+    __slots__ = ()
+    interface: str
+    thread: int
+    power_W: float
+    power_density_W_per_mm2: float
+
+
+class EqualShareSlip(Record):
+    """Slip if all threads carried the same load."""
+
+    __slots__ = ()
+    slip_ratio: float
+    power_loss_W: float
+    efficiency: float
+    max_thread_power_W: float
+    max_power_density_W_per_mm2: float
+
+
 class InterfaceSlip(Record):
-    """Threads of one interface of one roller: slip, friction, film and power, Sandu chapter 3."""
+    """Threads of one interface of one roller: slip, friction, film and power; Sandu 2018, chapter 3."""
 
     __slots__ = ()
     power_W: Array
@@ -106,7 +187,7 @@ class InterfaceSlip(Record):
 
 
 class Slip(Record):
-    """Stationary slip of a load case: Sandu, chapters 2 and 3."""
+    """Stationary slip of a load case: Sandu 2018, chapters 2 and 3."""
 
     __slots__ = ()
     converged: bool
@@ -126,12 +207,12 @@ class Slip(Record):
     torque_nut_Nm: float
     viscosity_mPas: float
     bearing_eccentricity_ratio: float
-    slip_ratio_estimates: Values
-    share_percent: Values
-    roller_moments_Nmm: Values
-    roller_forces_N: Values
-    hottest_thread: Values
-    equal_shares: Values
+    slip_ratio_estimates: SlipRatioEstimates
+    share_percent: PowerShares
+    roller_moments_Nmm: RollerMoments
+    roller_forces_N: RollerForces
+    hottest_thread: HottestThread
+    equal_shares: EqualShareSlip
     screw: InterfaceSlip
     nut: InterfaceSlip
 
@@ -144,6 +225,40 @@ class NewtonIteration(Record):
     relative_residual: float
     step_length: float
     shift: float
+
+
+class LoadMeasures(Record):
+    """Design measures under one load."""
+
+    __slots__ = ()
+    hertz_stiffness_screw_N_per_um: float
+    hertz_stiffness_nut_N_per_um: float
+    thread_stiffness_N_per_um: float
+    yang_largest_load_rate_percent: float
+    largest_load_rate_screw_percent: float
+    largest_load_rate_nut_percent: float
+    largest_load_rate_percent: float
+    mean_peak_pressure_screw_MPa: float
+    mean_peak_pressure_nut_MPa: float
+    largest_peak_pressure_screw_MPa: float
+    largest_peak_pressure_nut_MPa: float
+    root_shear_stress_screw_MPa: float
+    root_shear_stress_roller_MPa: float
+    root_shear_stress_nut_MPa: float
+    root_bending_stress_screw_MPa: float
+    root_bending_stress_roller_MPa: float
+    root_bending_stress_nut_MPa: float
+    static_safety: float
+    thread_static_safety: float
+    buckling_safety: float
+    l10_revolutions: float
+    l10_hours: float
+    l10_travel_km: float
+    drive_torque_Nm: float
+    speed_safety: float
+    static_safety_limit: str
+    thread_static_safety_limit: str
+    yang_load_rate_percent: Array
 
 
 class LoadCase(Record):
@@ -164,18 +279,79 @@ class LoadCase(Record):
     screw: InterfaceLoads
     nut: InterfaceLoads
     slip: Slip
-    measures: Values
     warnings: list[str]
     newton_history: list[NewtonIteration]
+    measures: LoadMeasures
 
 
-class InputValue(Record):
-    """One value of the resolved case."""
+class Measures(Record):
+    """Design measures of the mechanism that no load changes."""
 
     __slots__ = ()
-    path: str
-    value: str
-    default: bool
+    velocity_ratio_mm_per_rad: float
+    roller_ratio: float
+    carrier_ratio: float
+    efficiency: float
+    back_driving_efficiency: float
+    section_stiffness_screw_N_per_um: float
+    section_stiffness_roller_N_per_um: float
+    section_stiffness_nut_N_per_um: float
+    tooth_stiffness_screw_N_per_um: float
+    tooth_stiffness_roller_N_per_um: float
+    tooth_stiffness_nut_N_per_um: float
+    geometry_factor: float
+    element_diameter_mm: float
+    dynamic_capacity_N: float
+    dynamic_capacity_low_N: float
+    dynamic_capacity_high_N: float
+    static_capacity_N: float
+    deformation_capacity_screw_N: float
+    deformation_capacity_nut_N: float
+    pressure_capacity_screw_N: float
+    pressure_capacity_nut_N: float
+    flank_edge_load_N: float
+    flank_edge_load_screw_N: float
+    flank_edge_load_nut_N: float
+    roller_weight_kg: float
+    nut_weight_kg: float
+    weight_kg: float
+    screw_weight_kg_per_m: float
+    material_volume_cm3: float
+    envelope_volume_cm3: float
+    force_density_kN_per_kg: float
+    roller_inertia_kg_mm2: float
+    travel_inertia_kg_mm2: float
+    screw_inertia_kg_mm2: float
+    nut_inertia_kg_mm2: float
+    equivalent_inertia_kg_mm2: float
+    shaft_stiffness_N_per_um: float
+    buckling_load_N: float
+    critical_speed_rpm: float
+
+
+class PerDirection(Record):
+    """One number for each sense of the load."""
+
+    __slots__ = ()
+    tension: float
+    compression: float
+
+
+class PreloadSide(Record):
+    """Contacts that carry one sense of the load."""
+
+    __slots__ = ()
+    axial_load_N: float
+    max_normal_load_N: float
+    peak_pressure_MPa: float
+
+
+class PreloadSides(Record):
+    """Contacts by the sense of the load that they carry."""
+
+    __slots__ = ()
+    tension: PreloadSide
+    compression: PreloadSide
 
 
 class PreloadPoint(Record):
@@ -189,14 +365,14 @@ class PreloadPoint(Record):
     relative_residual: float
     axial_displacement_um: float
     tangent_stiffness_N_per_um: float
-    sides: Values
+    sides: PreloadSides
 
 
 class WithoutPreload(Record):
     """The same nut without preload."""
 
     __slots__ = ()
-    stiffness_at_zero_N_per_um: Values
+    stiffness_at_zero_N_per_um: PerDirection
     lost_motion_um: float
     loads: list[PreloadPoint]
 
@@ -207,16 +383,100 @@ class Preload(Record):
     __slots__ = ()
     arrangement: str
     position_mm: float
-    held_at_mm: Values
+    held_at_mm: PerDirection
     preload_force_N: float
     interference_um: float
     backlash_um: float
-    opening_force_N: Values
+    opening_force_N: PerDirection
     lost_motion_load_N: float
-    stiffness_at_zero_N_per_um: Values
+    stiffness_at_zero_N_per_um: PerDirection
     lost_motion_um: float
     loads: list[PreloadPoint]
     without_preload: WithoutPreload
+
+
+class PerInterface(Record):
+    """One number each of the roller's contacts with screw and nut."""
+
+    __slots__ = ()
+    screw: float
+    nut: float
+
+
+class Capacity(Record):
+    """What the mechanism can carry."""
+
+    __slots__ = ()
+    dynamic_capacity_N: float
+    dynamic_capacity_range_N: Array
+    source: str
+    geometry_factor: float
+    geometry_factor_range: Array
+    diameter_ratio: float
+    element_diameter_mm: float
+    failure_share: PerInterface
+    static_capacity_equal_shares_N: float
+    flank_edge_load_equal_shares_N: float
+    static_capacity_given_N: float
+
+
+class LifeLoads(Record):
+    """The history or the spectrum."""
+
+    __slots__ = ()
+    samples: int
+    revolutions: float
+    travel_m: float
+    duration_h: float
+    mean_load_N: float
+    largest_force_N: float
+
+
+class CycleMatrix(Record):
+    """Load cycles by range and mean."""
+
+    __slots__ = ()
+    range_to_N: float
+    mean_from_N: float
+    mean_to_N: float
+    count: Array
+
+
+class Cycles(Record):
+    """Load cycles of a history: rainflow, ASTM E1049-85."""
+
+    __slots__ = ()
+    count: float
+    fatigue_slope: float
+    equivalent_range_N: float
+    largest_range_N: float
+    matrix: CycleMatrix
+
+
+class LifeInUse(Record):
+    """A life L10 at the value of the dynamic capacity."""
+
+    __slots__ = ()
+    l10_revolutions: float
+    l10_revolutions_range: Array
+    l10_hours: float
+    l10_travel_km: float
+    l10_passes: float
+
+
+class WeakestThread(Record):
+    """The thread that fails first, of those that turn under load."""
+
+    __slots__ = ()
+    l10_revolutions: float
+    l10_revolutions_range: Array
+    l10_hours: float
+    l10_travel_km: float
+    l10_passes: float
+    direction: str
+    interface: str
+    thread: int
+    equivalent_load_N: float
 
 
 class InterfaceLife(Record):
@@ -259,14 +519,14 @@ class Life(Record):
     converged: bool
     status: str
     share: str
-    capacity: Values
-    loads: Values
-    cycles: Values
-    system: Values
-    equal_shares: Values
-    catalogue: Values
+    capacity: Capacity
+    loads: LifeLoads
+    cycles: Cycles
+    system: LifeInUse
+    equal_shares: LifeInUse
+    catalogue: LifeInUse
     static_safety: float
     static_safety_limit: str
-    weakest_thread: Values
+    weakest_thread: WeakestThread
     tension: DirectionLife
     compression: DirectionLife

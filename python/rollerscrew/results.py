@@ -15,7 +15,7 @@ import pandas as pd
 from rollerscrew import _engine, plots
 from rollerscrew.designs import Designs, designs_of, study_inputs
 from rollerscrew.record import Record, Result, Values
-from rollerscrew.records import Contacts, InputValue, Life, LoadCase, Preload
+from rollerscrew.records import Contacts, Life, LoadCase, Measures, Preload, Threads
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -66,6 +66,15 @@ def _interfaces(record: Record) -> pd.DataFrame:
     return pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
 
 
+class InputValue(Record):
+    """One value of the resolved case."""
+
+    __slots__ = ()
+    path: str
+    value: str
+    default: bool
+
+
 class CheckResult(Result):
     """Every value of a case, what follows from it, what is unusual."""
 
@@ -74,7 +83,7 @@ class CheckResult(Result):
     input: list[InputValue]
     derived: Values
     contact: Contacts
-    threads: Values
+    threads: Threads
 
     def to_frame(self) -> pd.DataFrame:
         """Path, value and whether it is a default, a row each."""
@@ -90,7 +99,7 @@ class LoadCasesResult(Result):
 
     __slots__ = ()
     contact: Contacts
-    threads: Values
+    threads: Threads
     model: Values
     load_cases: list[LoadCase]
 
@@ -251,7 +260,7 @@ class MeasuresResult(SolveResult):
 
     __slots__ = ()
     _block = "measures"
-    measures: Values
+    measures: Measures
 
     def measures_frame(self) -> pd.DataFrame:
         """Measures of the mechanism, and of each load case under its name; units in the names."""
@@ -272,7 +281,7 @@ class PreloadResult(Result):
     __slots__ = ()
     _block = "preload"
     contact: Contacts
-    threads: Values
+    threads: Threads
     preload: Preload
 
     def to_frame(self) -> pd.DataFrame:
@@ -299,7 +308,7 @@ class LifeResult(Result):
     __slots__ = ()
     _block = "life"
     contact: Contacts
-    threads: Values
+    threads: Threads
     life: Life
 
     def threads_frame(self) -> pd.DataFrame:

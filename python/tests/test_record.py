@@ -57,6 +57,7 @@ VARIANTS: list[tuple[int, str, dict[str, Any]]] = [
         },
     ),
     (14, "life", {"mechanism.thread": _THREADS}),
+    (14, "life", {"life.static_capacity": "200 kN"}),
     (
         22,
         "optimize",

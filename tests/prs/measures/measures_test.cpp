@@ -14,6 +14,7 @@
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/quantities/measure_quantities.h"
+#include "prs/quantities/record_table.h"
 #include "support/plain_contact.h"
 #include "tests/prs/input/abevi.h"
 
@@ -62,22 +63,20 @@ std::vector<std::string> load_warnings(const Case& c, double force) {
   return unusual_load_measures(c, m, load_measures_of(c, contacts, m, result), result);
 }
 
-std::size_t defined(const Measures& m) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      kDesignMeasures, [&](const DesignMeasure& q) { return q.value(m).has_value(); }));
-}
+std::size_t defined(const Measures& m) { return object_of(m).size(); }
 
 TEST(Measures, AreAllThereForACompleteCase) {
   // The screw of an inverted mechanism does not turn and has no critical speed.
-  EXPECT_EQ(defined(measures(abevi())), std::size(kDesignMeasures) - 1);
+  EXPECT_EQ(defined(measures(abevi())), record_of<Measures>().quantities.size() - 1);
   Case standard = abevi();
   standard.mechanism.type = Mechanism::Type::standard;
   standard.mechanism.starts.screw = 5;
-  EXPECT_EQ(defined(measures(standard)), std::size(kDesignMeasures));
+  EXPECT_EQ(defined(measures(standard)), record_of<Measures>().quantities.size());
   const LoadMeasures pull = load_measures(abevi(), 0);
   const std::set<std::string_view> lacking = {"l10_hours", "buckling_safety", "speed_safety"};
-  for (const LoadMeasure& q : kLoadMeasures)
-    EXPECT_EQ(q.value(pull).has_value(), !lacking.contains(q.key)) << q.key;
+  const auto json = object_of(pull);
+  for (const Quantity<LoadMeasures>& q : record_of<LoadMeasures>().quantities)
+    EXPECT_EQ(json.contains(q.key), !lacking.contains(q.key)) << q.key;
 }
 
 TEST(Measures, AreAbsentWithoutWhatTheyNeed) {
@@ -459,39 +458,40 @@ TEST(LoadMeasures, ACaseThatDidNotConvergeKeepsItsMeanValues) {
 }
 
 TEST(MeasureQuantities, EveryMeasureHasOneKey) {
-  // Measures and the scalars of LoadMeasures are optional numbers, but for the static limits; one
-  // key is of two of them.
+  // Measures and the scalars of LoadMeasures are optional numbers, but for the static limits and
+  // the load rates of the threads; one key is of two numbers.
   using Number = std::optional<double>;
-  static_assert(sizeof(Measures) == std::size(kDesignMeasures) * sizeof(Number));
-  static_assert(sizeof(LoadMeasures) ==
-                (std::size(kLoadMeasures) - 1) * sizeof(Number) +
-                    std::size(kLimitMeasures) * sizeof(std::optional<StaticLimit>) +
-                    std::size(kThreadMeasures) * sizeof(std::vector<double>));
+  const auto design = record_of<Measures>().quantities;
+  const auto load = record_of<LoadMeasures>().quantities;
+  const auto count = [&](Kind kind) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        load, [&](const Quantity<LoadMeasures>& q) { return q.value.kind == kind; }));
+  };
+  EXPECT_EQ(sizeof(Measures), design.size() * sizeof(Number));
+  EXPECT_EQ(sizeof(LoadMeasures), (count(Kind::number) - 1) * sizeof(Number) +
+                                      count(Kind::text) * sizeof(std::optional<StaticLimit>) +
+                                      count(Kind::series) * sizeof(std::vector<double>));
   std::set<std::string_view> keys;
-  for (const DesignMeasure& q : kDesignMeasures) keys.insert(q.key);
-  for (const LoadMeasure& q : kLoadMeasures) keys.insert(q.key);
-  for (const LimitMeasure& q : kLimitMeasures) keys.insert(q.key);
-  for (const ThreadMeasure& q : kThreadMeasures) keys.insert(q.key);
-  EXPECT_EQ(keys.size(), std::size(kDesignMeasures) + std::size(kLoadMeasures) +
-                             std::size(kLimitMeasures) + std::size(kThreadMeasures));
+  for (const Quantity<Measures>& q : design) keys.insert(q.key);
+  for (const Quantity<LoadMeasures>& q : load) keys.insert(q.key);
+  EXPECT_EQ(keys.size(), design.size() + load.size());
 
   // No two keys show the same number.
   Measures m;
   auto* const numbers = reinterpret_cast<Number*>(&m);
-  for (std::size_t i = 0; i < std::size(kDesignMeasures); ++i)
-    numbers[i] = static_cast<double>(i + 1);
+  for (std::size_t i = 0; i < design.size(); ++i) numbers[i] = static_cast<double>(i + 1);
   std::set<double> shown;
-  for (const DesignMeasure& q : kDesignMeasures) shown.insert(*q.value(m));
-  EXPECT_EQ(shown.size(), std::size(kDesignMeasures));
+  for (const Quantity<Measures>& q : design) shown.insert(*q.value.number(m));
+  EXPECT_EQ(shown.size(), design.size());
 }
 
 TEST(MeasureQuantities, SayWhatTheyAre) {
   const auto complete = [](const auto& q) {
-    return !q.title.empty() && !q.formula.empty() && !q.validity.empty() && !q.source.empty();
+    return !q.title.empty() && !q.group.empty() && !q.meaning.empty() && !q.validity.empty() &&
+           !q.source.empty();
   };
-  EXPECT_TRUE(std::ranges::all_of(kDesignMeasures, complete));
-  EXPECT_TRUE(std::ranges::all_of(kLoadMeasures, complete));
-  EXPECT_TRUE(std::ranges::all_of(kThreadMeasures, complete));
+  EXPECT_TRUE(std::ranges::all_of(record_of<Measures>().quantities, complete));
+  EXPECT_TRUE(std::ranges::all_of(record_of<LoadMeasures>().quantities, complete));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "prs/quantities/slip_json.h"
+#include "prs/quantities/slip_quantities.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/quantities/json.h"
+#include "prs/quantities/record_table.h"
 #include "tests/support/sample_slip.h"
 
 namespace prs {
@@ -22,7 +23,7 @@ SlipResult sample() { return sample_slip(solved_case("a", 45e3, Direction::tensi
 
 TEST(SlipJson, ValuesHaveTheUnitOfTheirKey) {
   const SlipResult slip = sample();
-  const auto json = slip_json(slip);
+  const auto json = object_of(slip);
   EXPECT_EQ(json.at("converged"), true);
   EXPECT_EQ(json.at("status"), "converged");
   EXPECT_EQ(json.at("evaluations"), 41);
@@ -53,7 +54,7 @@ TEST(SlipJson, ValuesHaveTheUnitOfTheirKey) {
 TEST(SlipJson, ThreadsHaveTheUnitOfTheirKey) {
   const SlipResult slip = sample();
   const InterfaceSlip& threads = slip.threads.nut;
-  const auto json = slip_json(slip);
+  const auto json = object_of(slip);
   const auto& nut = json.at("nut");
   EXPECT_EQ(nut.at("power_W").size(), 20);
   EXPECT_EQ(nut.at("power_W")[1], threads.power[1]);
@@ -70,7 +71,7 @@ TEST(SlipJson, ThreadsHaveTheUnitOfTheirKey) {
 
 TEST(SlipJson, SharesSumToAHundred) {
   double sum = 0.0;
-  const auto json = slip_json(sample()).at("share_percent");
+  const auto json = object_of(sample()).at("share_percent");
   for (const char* key : {"screw", "nut", "carrier_roller", "carrier_screw", "carrier_nut"})
     sum += json.at(key).get<double>();
   EXPECT_NEAR(sum, 100.0, 1e-12);
@@ -79,7 +80,7 @@ TEST(SlipJson, SharesSumToAHundred) {
 
 TEST(SlipJson, HottestThreadCountsFromOne) {
   const SlipResult slip = sample();
-  const auto json = slip_json(slip).at("hottest_thread");
+  const auto json = object_of(slip).at("hottest_thread");
   EXPECT_EQ(json.at("interface"), "screw");
   EXPECT_EQ(json.at("thread"), 1);
   EXPECT_EQ(json.at("power_W"), slip.threads.screw.power[0]);
@@ -95,7 +96,7 @@ TEST(SlipJson, WhatTheCaseDoesNotDefineIsAbsent) {
   slip.equal_shares->efficiency = std::numeric_limits<double>::quiet_NaN();
   slip.power = {};
   for (const Interface i : kInterfaces) slip.threads[i].film_thickness.clear();
-  const auto json = slip_json(slip);
+  const auto json = object_of(slip);
   for (const char* key : {"efficiency", "efficiency_fit", "bearing_eccentricity_ratio",
                           "share_percent", "not_computed"})
     EXPECT_FALSE(json.contains(key)) << key;
@@ -105,20 +106,20 @@ TEST(SlipJson, WhatTheCaseDoesNotDefineIsAbsent) {
   EXPECT_FALSE(json.at("screw").contains("film_thickness_nm"));
   EXPECT_EQ(json_text(json).find("null"), std::string::npos);
   slip.equal_shares.reset();
-  EXPECT_FALSE(slip_json(slip).contains("equal_shares"));
+  EXPECT_FALSE(object_of(slip).contains("equal_shares"));
 }
 
 TEST(SlipJson, ImposedSlipRatioCountsAsConverged) {
   SlipResult slip = sample();
   slip.status = SlipStatus::imposed;
-  const auto json = slip_json(slip);
+  const auto json = object_of(slip);
   EXPECT_EQ(json.at("converged"), true);
   EXPECT_EQ(json.at("status"), "imposed");
 }
 
 TEST(SlipJson, SlipWithoutEquilibriumKeepsHowItEnded) {
   const auto json =
-      slip_json(*without_equilibrium(solved_case("a", 45e3, Direction::tension)).slip);
+      object_of(*without_equilibrium(solved_case("a", 45e3, Direction::tension)).slip);
   EXPECT_EQ(json.at("converged"), false);
   EXPECT_EQ(json.at("status"), "no_equilibrium");
   EXPECT_EQ(json.at("evaluations"), 2);

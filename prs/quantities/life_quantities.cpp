@@ -1,0 +1,336 @@
+#include "prs/quantities/life_quantities.h"
+
+#include <cmath>
+
+#include "prs/model/units.h"
+#include "prs/quantities/contact_quantities.h"
+#include "prs/quantities/record_table.h"
+#include "prs/quantities/sources.h"
+
+namespace prs {
+namespace {
+
+/// What is told together with the whole result.
+struct InterfaceLife {
+  const ThreadLives* threads = nullptr;
+  std::optional<double> peak_pressure;
+};
+
+struct DirectionLife {
+  const LifeResult* life = nullptr;
+  const FlankLife* flank = nullptr;
+};
+
+struct WeakestLife {
+  const LifeResult* life = nullptr;
+};
+
+struct Capacity {
+  const LifeResult* life = nullptr;
+};
+
+struct Loads {
+  const LifeResult* life = nullptr;
+};
+
+struct Cycles {
+  const LifeResult* life = nullptr;
+};
+
+}  // namespace
+
+template <>
+Record<InterfaceLife> record_of();
+template <>
+Record<DirectionLife> record_of();
+template <>
+Record<WeakestLife> record_of();
+template <>
+Record<Capacity> record_of();
+template <>
+Record<Loads> record_of();
+template <>
+Record<Cycles> record_of();
+template <>
+Record<CycleMatrix> record_of();
+
+namespace {
+
+constexpr std::string_view kMiner = "FKM; Miner elementary", kPalmgrenMean = "ISO 281; cubic mean",
+                           kLemorCapacity = "Lemor, in Jung 2017, (6.1) to (6.3)";
+
+using Range = std::array<double, 2>;
+Range range_of(const Interval& i) { return {i.least, i.greatest}; }
+
+bool is_finite(const LifeInUse& life) { return std::isfinite(life.revolutions); }
+
+constexpr Quantity<LifeInUse> kLifeInUse[] = {
+    {"l10_revolutions", of<&LifeInUse::revolutions, is_finite>, "that 90 % reach", source::kLife},
+    {"l10_revolutions_range", of<&LifeInUse::revolutions_range, is_finite>,
+     "by the range of the dynamic capacity", source::kLife},
+    {"l10_hours", of<&LifeInUse::hours, is_finite>, "needs a speed", source::kLife},
+    {"l10_travel_km", of<&LifeInUse::travel, is_finite>, "revolutions times lead", source::kLife},
+    {"l10_passes", of<&LifeInUse::passes, is_finite>, "of the history or the spectrum",
+     source::kLife},
+};
+
+constexpr Quantity<ThreadLives> kThreadLives[] = {
+    {"equivalent_load_N", of<&ThreadLives::equivalent_load>,
+     "axial, cubic mean over all revolutions", kPalmgrenMean},
+    {"l10_revolutions", of<&ThreadLives::life>,
+     "of the thread on all rollers; null where it is never loaded", source::kLife},
+    {"largest_load_N", of<&ThreadLives::largest_load>, "axial, under the largest force"},
+    {"equivalent_range_N", of<&ThreadLives::equivalent_range>,
+     "of the axial load over the cycles of the history", kMiner},
+};
+
+constexpr Quantity<InterfaceLife> kInterfaceLife[] = {
+    {"", of<&InterfaceLife::threads>},
+    {"peak_pressure_MPa", of<&InterfaceLife::peak_pressure>, "under the largest force",
+     source::kHertz},
+};
+
+template <auto get>
+constexpr auto of_flank = of<[](const DirectionLife& d) { return std::invoke(get, *d.flank); }>;
+
+template <Interface i>
+constexpr auto threads_of = of<[](const DirectionLife& d) {
+  return InterfaceLife{&d.flank->threads[i], d.flank->peak_pressure[i]};
+}>;
+
+constexpr Quantity<DirectionLife> kDirectionLife[] = {
+    {"", of<[](const DirectionLife& d) { return in_use(*d.life, d.flank->life); }>},
+    {"share_of_revolutions",
+     of<[](const DirectionLife& d) { return d.flank->revolutions / d.life->revolutions; }>,
+     "under loads of this direction"},
+    {"mean_load_N", of_flank<&FlankLife::mean_load>,
+     "cubic mean over the revolutions of both directions", kPalmgrenMean},
+    {"largest_force_N", of_flank<&FlankLife::largest_force>, "of this direction"},
+    {"static_capacity_N", of_flank<&FlankLife::static_capacity>,
+     "force at which the first thread has a peak pressure of 4.0 GPa", "ISO 76:2006"},
+    {"flank_edge_load_N", of_flank<&FlankLife::flank_edge_load>,
+     "force at which the first ellipse reaches a crest or root", source::kHertz},
+    {"static_safety", of_flank<&FlankLife::static_safety>,
+     "force at which the first thread reaches a limit over the largest force", "ISO 76"},
+    {"static_safety_limit", of<[](const DirectionLife& d) {
+       const auto& rating = d.flank->static_rating;
+       return rating ? std::optional(rating->limit) : std::nullopt;
+     }>,
+     "pressure | deformation | flank_edge | given"},
+    {"equilibria", of_flank<&FlankLife::solves>, "that were solved"},
+    {"interpolation_error", of_flank<&FlankLife::interpolation_error>,
+     "of thread loads between the equilibria, relative"},
+    {"screw", threads_of<Interface::screw>, "threads of one roller at the screw"},
+    {"nut", threads_of<Interface::nut>, "threads of one roller at the nut"},
+};
+
+constexpr Quantity<WeakestLife> kWeakestLife[] = {
+    {"", of<[](const WeakestLife& w) { return in_use(*w.life, w.life->weakest->life); }>},
+    {"direction", of<[](const WeakestLife& w) { return w.life->weakest->direction; }>,
+     "tension | compression"},
+    {"interface", of<[](const WeakestLife& w) { return w.life->weakest->interface; }>,
+     "screw | nut"},
+    {"thread", of<[](const WeakestLife& w) { return w.life->weakest->thread + 1; }>,
+     "from 1, next to the loaded end of the screw"},
+    {"equivalent_load_N", of<[](const WeakestLife& w) { return w.life->weakest->equivalent_load; }>,
+     "axial, cubic mean over all revolutions", kPalmgrenMean},
+};
+
+template <auto get>
+constexpr auto of_lemor = of<[](const Capacity& c) {
+  return c.life->lemor ? std::optional(std::invoke(get, *c.life->lemor)) : std::nullopt;
+}>;
+
+constexpr Quantity<Capacity> kCapacity[] = {
+    {"dynamic_capacity_N", of<[](const Capacity& c) { return c.life->dynamic_capacity; }>,
+     "C_a; life.dynamic_capacity where stated", kLemorCapacity},
+    {"dynamic_capacity_range_N",
+     of<[](const Capacity& c) { return range_of(c.life->dynamic_capacity_range); }>,
+     "by the readings of the diameter ratio", "docs/life.md"},
+    {"source", of<[](const Capacity& c) { return c.life->lemor ? "lemor" : "given"; }>,
+     "lemor | given"},
+    {"geometry_factor", of_lemor<&LemorCapacity::factor>, "f_c", kLemorCapacity},
+    {"geometry_factor_range",
+     of_lemor<[](const LemorCapacity& l) { return range_of(l.factor_range); }>,
+     "by the readings of the diameter ratio", "docs/life.md"},
+    {"diameter_ratio", of_lemor<&LemorCapacity::ratio>, "d_r cos(alpha)/d_n", kLemorCapacity},
+    {"element_diameter_mm", of_lemor<&LemorCapacity::element_diameter>,
+     "diameter of the equivalent ball", kLemorCapacity},
+    {"failure_share", of < [](const Capacity& c) -> const auto& {return c.life->failure_shares;
+}  // namespace
+>, "share of each interface in the failures under equal loads"
+}  // namespace prs
+,
+    {"static_capacity_equal_shares_N",
+     of<[](const Capacity& c) { return c.life->equal_shares_static_capacity; }>,
+     "force at which equal thread loads have a peak pressure of 4.0 GPa", "ISO 76:2006"},
+    {"flank_edge_load_equal_shares_N",
+     of<[](const Capacity& c) { return c.life->equal_shares_flank_edge_load; }>,
+     "force at which ellipses of equal loads reach a crest or root", source::kHertz},
+    {"static_capacity_given_N", of<[](const Capacity& c) { return c.life->life.static_capacity; }>,
+     "life.static_capacity"},
+}
+;
+
+template <auto get>
+constexpr auto where_revolutions_are_known =
+    of<[](const Loads& l) { return std::invoke(get, *l.life); },
+       [](const Loads& l) { return l.life->revolutions_known; }>;
+
+constexpr Quantity<Loads> kLoads[] = {
+    {"samples", of<[](const Loads& l) { return l.life->steps.size(); }>,
+     "of the history or the spectrum"},
+    {"revolutions", where_revolutions_are_known<&LifeResult::revolutions>, "of one pass"},
+    {"travel_m", where_revolutions_are_known<[](const LifeResult& r) {
+       return r.revolutions * std::abs(r.contacts.mechanism.lead);
+     }>,
+     "of one pass"},
+    {"duration_h", of<[](const Loads& l) { return l.life->duration; }>, "of one pass"},
+    {"mean_load_N", of<[](const Loads& l) { return l.life->mean_load; }>,
+     "cubic mean over the revolutions", kPalmgrenMean},
+    {"largest_force_N", of<[](const Loads& l) { return l.life->largest_force; }>,
+     "of either direction"},
+};
+
+constexpr Quantity<CycleMatrix> kCycleMatrix[] = {
+    {"range_to_N", of<&CycleMatrix::range_to>, "end of the last class of ranges, from 0"},
+    {"mean_from_N", of<&CycleMatrix::mean_from>, "start of the first class of means"},
+    {"mean_to_N", of<&CycleMatrix::mean_to>, "end of the last class of means"},
+    {"count", of<[](const CycleMatrix& matrix) {
+       std::vector<std::vector<double>> rows(static_cast<std::size_t>(matrix.bins));
+       for (int i = 0; i < matrix.bins; ++i)
+         for (int k = 0; k < matrix.bins; ++k)
+           rows[static_cast<std::size_t>(i)].push_back(matrix.at(i, k));
+       return rows;
+     }>,
+     "of cycles, by range and mean"},
+};
+
+constexpr Quantity<Cycles> kCycles[] = {
+    {"count", of<[](const Cycles& c) { return count(c.life->cycles->cycles); }>,
+     "half cycles as halves", "ASTM E1049-85"},
+    {"fatigue_slope", of<[](const Cycles& c) { return c.life->life.fatigue_slope; }>,
+     "of the S-N curve", "FKM"},
+    {"equivalent_range_N", of<[](const Cycles& c) { return c.life->cycles->equivalent_range; }>,
+     "constant range that does the same damage in as many cycles", kMiner},
+    {"largest_range_N", of<[](const Cycles& c) { return c.life->cycles->matrix.range_to; }>,
+     "of a cycle"},
+    {"matrix", of < [](const Cycles& c) -> const auto& {return c.life->cycles->matrix;
+}
+>, "cycles by range and mean"
+}
+,
+}
+;
+
+bool converged(const LifeResult& r) { return r.converged(); }
+
+template <auto get>
+constexpr auto life_at =
+    of<[](const LifeResult& r) { return in_use(r, std::invoke(get, r)); }, converged>;
+
+template <Direction d>
+constexpr auto flank_of = of<[](const LifeResult& r) {
+  return r.flanks[d] ? std::optional(DirectionLife{&r, &*r.flanks[d]}) : std::nullopt;
+},
+                             converged>;
+
+constexpr Quantity<LifeResult> kLife[] = {
+    {"converged", of<converged>, "whether every load has an equilibrium"},
+    {"status", of<&LifeResult::failure>, "why there are no lives"},
+    {"share", of<[](const LifeResult& r) {
+       return r.life.share == LoadCase::Share::equal ? "equal" : "solved";
+     }>,
+     "solved | equal: thread loads"},
+    {"capacity", of<[](const LifeResult& r) { return Capacity{&r}; }>, "of the mechanism"},
+    {"loads", of<[](const LifeResult& r) { return Loads{&r}; }>, "of the history or the spectrum"},
+    {"cycles",
+     of<[](const LifeResult& r) { return r.cycles ? std::optional(Cycles{&r}) : std::nullopt; }>,
+     "counted from a history (rainflow)"},
+    {"system", life_at<&LifeResult::system_life>, "of the mechanism, real thread loads"},
+    {"equal_shares", life_at<&LifeResult::equal_shares_life>,
+     "of the mechanism, equal thread loads"},
+    {"catalogue", life_at<&LifeResult::catalogue_life>, "(C_a/F_m)^3"},
+    {"static_safety", of<&LifeResult::static_safety, converged>, "the smaller of both directions",
+     "ISO 76"},
+    {"static_safety_limit", of<&LifeResult::static_safety_limit, converged>,
+     "pressure | deformation | flank_edge | given"},
+    {"weakest_thread",
+     of<[](const LifeResult& r) {
+       return r.weakest ? std::optional(WeakestLife{&r}) : std::nullopt;
+     },
+        converged>,
+     "that fails first"},
+    {"tension", flank_of<Direction::tension>, "flanks that carry tension"},
+    {"compression", flank_of<Direction::compression>, "flanks that carry compression"},
+};
+
+}  // namespace
+
+LifeInUse in_use(const LifeResult& r, double revolutions) {
+  const auto scaled = [&](double capacity) {
+    return revolutions * std::pow(capacity / r.dynamic_capacity, kLifeExponent);
+  };
+  const Interval& range = r.dynamic_capacity_range;
+  LifeInUse life{revolutions,
+                 {scaled(range.least), scaled(range.greatest)},
+                 {},
+                 revolutions * std::abs(r.contacts.mechanism.lead),
+                 {}};
+  if (r.revolution_rate) life.hours = revolutions / *r.revolution_rate / 3600.0;
+  if (r.revolutions_known) life.passes = revolutions / r.revolutions;
+  return life;
+}
+
+template <>
+Record<LifeInUse> record_of() {
+  return {"LifeInUse", "A life L10 at the value of the dynamic capacity.", kLifeInUse};
+}
+
+template <>
+Record<ThreadLives> record_of() {
+  return {"ThreadLives", "Lives of the threads of one interface.", kThreadLives};
+}
+
+template <>
+Record<InterfaceLife> record_of() {
+  return {"InterfaceLife", "Lives of the threads of one interface.", kInterfaceLife};
+}
+
+template <>
+Record<DirectionLife> record_of() {
+  return {"DirectionLife", "Lives under the loads of one direction.", kDirectionLife};
+}
+
+template <>
+Record<WeakestLife> record_of() {
+  return {"WeakestThread", "The thread that fails first, of those that turn under load.",
+          kWeakestLife};
+}
+
+template <>
+Record<Capacity> record_of() {
+  return {"Capacity", "What the mechanism can carry.", kCapacity};
+}
+
+template <>
+Record<Loads> record_of() {
+  return {"LifeLoads", "The history or the spectrum.", kLoads};
+}
+
+template <>
+Record<Cycles> record_of() {
+  return {"Cycles", "Load cycles of a history: rainflow, ASTM E1049-85.", kCycles};
+}
+
+template <>
+Record<CycleMatrix> record_of() {
+  return {"CycleMatrix", "Load cycles by range and mean.", kCycleMatrix};
+}
+
+template <>
+Record<LifeResult> record_of() {
+  return {"Life", "Lives of mechanism and threads.", kLife};
+}
+
+}  // namespace prs

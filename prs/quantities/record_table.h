@@ -1,0 +1,258 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+
+#include "prs/quantities/record.h"
+
+namespace prs {
+
+/// The document of an object: what is absent or not finite is left out.
+template <class Owner>
+nlohmann::ordered_json object_of(const Owner& owner, const ShownUnit& inherited = kNoUnit);
+
+/// The number at a path of this document: `slip.screw.power_W.max`.
+template <class Owner>
+std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& inherited = kNoUnit);
+
+/// The table as text.
+template <class Owner>
+const RecordInfo& describe();
+
+namespace detail {
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+template <class T>
+inline constexpr bool is_vector = false;
+template <class T>
+inline constexpr bool is_vector<std::vector<T>> = true;
+
+template <class T>
+concept Text = std::convertible_to<T, std::string_view> || std::is_enum_v<T>;
+template <class T>
+concept Numbers = requires(const T& values) {
+  { *values.begin() } -> std::convertible_to<double>;
+}
+&&!Text<T>;
+
+/// Null where there is none.
+template <class T>
+const auto* pointer_to(const T& value) {
+  if constexpr (is_optional<T>)
+    return value ? &*value : nullptr;
+  else if constexpr (std::is_pointer_v<T> && !Text<T>)
+    return value;
+  else
+    return &value;
+}
+
+inline nlohmann::ordered_json array_of(const auto& si, const ShownUnit& unit) {
+  auto array = nlohmann::ordered_json::array();
+  for (const double value : si)
+    if (std::isfinite(value))
+      array.push_back(value * unit.factor);
+    else
+      array.push_back(nullptr);
+  return array;
+}
+
+template <class T>
+nlohmann::ordered_json json_of(const T& value, const ShownUnit& unit) {
+  if constexpr (std::is_same_v<T, nlohmann::ordered_json> || std::is_integral_v<T> ||
+                std::is_same_v<T, std::vector<std::string>>) {
+    return value;
+  } else if constexpr (std::is_enum_v<T>) {
+    return std::string(name(value));
+  } else if constexpr (Text<T>) {
+    return std::string(value);
+  } else if constexpr (Numbers<T>) {
+    return array_of(value, unit);
+  } else if constexpr (is_vector<T>) {
+    auto array = nlohmann::ordered_json::array();
+    for (const auto& item : value) array.push_back(json_of(item, unit));
+    return array;
+  } else {
+    return object_of(value, unit);
+  }
+}
+
+template <class T>
+constexpr Kind kind_of() {
+  if constexpr (std::is_same_v<T, bool>)
+    return Kind::flag;
+  else if constexpr (std::is_integral_v<T>)
+    return Kind::count;
+  else if constexpr (std::is_floating_point_v<T>)
+    return Kind::number;
+  else if constexpr (Text<T>)
+    return Kind::text;
+  else if constexpr (std::is_same_v<T, nlohmann::ordered_json>)
+    return Kind::values;
+  else if constexpr (std::is_same_v<T, std::vector<std::string>>)
+    return Kind::texts;
+  else if constexpr (Numbers<T>)
+    return Kind::series;
+  else if constexpr (is_vector<T>)
+    return Numbers<typename T::value_type> ? Kind::matrix : Kind::records;
+  else
+    return Kind::record;
+}
+
+/// What `get` gives of an owner of which `guard` is true.
+template <auto get, auto guard, class Owner>
+struct Access {
+  using Given = std::invoke_result_t<decltype(get), const Owner&>;
+  using Item =
+      std::remove_cvref_t<decltype(*pointer_to(std::declval<const std::remove_cvref_t<Given>&>()))>;
+
+  static bool defined(const Owner& owner) {
+    if constexpr (std::is_null_pointer_v<decltype(guard)>)
+      return true;
+    else
+      return std::invoke(guard, owner);
+  }
+
+  /// What `use` makes of the item; `otherwise` where there is none.
+  template <class T>
+  static T used(const Owner& owner, T otherwise, const auto& use) {
+    if (!defined(owner)) return otherwise;
+    const auto& given = std::invoke(get, owner);
+    const auto* item = pointer_to(given);
+    return item ? use(*item) : otherwise;
+  }
+
+  static std::optional<double> number(const Owner& owner) {
+    return used(owner, std::optional<double>(), [](double value) { return std::optional(value); });
+  }
+
+  static std::span<const double> series(const Owner& owner) {
+    return used(owner, std::span<const double>(),
+                [](const std::vector<double>& values) { return std::span(values); });
+  }
+
+  static nlohmann::ordered_json json(const Owner& owner, const ShownUnit& unit) {
+    return used(owner, nlohmann::ordered_json(),
+                [&](const Item& item) { return json_of(item, unit); });
+  }
+
+  static std::optional<Reader<Owner>> reader(std::string_view path, const ShownUnit& unit) {
+    const std::optional<Reader<Item>> inner = reader_of<Item>(path, unit);
+    if (!inner) return std::nullopt;
+    return Reader<Owner>{[read = inner->read](const Owner& owner) {
+                           return used(owner, std::optional<double>(), read);
+                         },
+                         inner->delivery};
+  }
+
+  static constexpr Getter<Owner> getter() {
+    constexpr Kind kind = kind_of<Item>();
+    // An array that lives on is read in place.
+    constexpr bool in_place =
+        std::is_same_v<Item, std::vector<double>> && std::is_reference_v<Given>;
+    Getter<Owner> getter{kind};
+    if constexpr (kind == Kind::number) {
+      getter.number = number;
+    } else if constexpr (kind == Kind::series && in_place) {
+      getter.series = series;
+    } else {
+      getter.json = json;
+      if constexpr (kind == Kind::record) {
+        getter.record = describe<Item>;
+        getter.reader = reader;
+      } else if constexpr (kind == Kind::records) {
+        getter.record = describe<typename Item::value_type>;
+      }
+    }
+    return getter;
+  }
+};
+
+template <auto get, auto guard>
+struct Of {
+  template <class Owner>
+  constexpr operator Getter<Owner>() const {
+    return Access<get, guard, Owner>::getter();
+  }
+};
+
+}  // namespace detail
+
+/// `of<&InterfaceLoads::axial_load>`, or of a function of the owner; what `guard` is false of has
+/// none. The type says what it is: a number in SI, a vector with one number per thread, a text, an
+/// enum that has a `name`, a result type with a list of its own, std::optional of these, ..
+template <auto get, auto guard = nullptr>
+inline constexpr detail::Of<get, guard> of;
+
+/// Of one part, interface or direction.
+template <auto member, auto side>
+inline constexpr auto of_side = of<[](const auto& owner) { return (owner.*member)[side]; }>;
+
+template <class Owner>
+nlohmann::ordered_json object_of(const Owner& owner, const ShownUnit& inherited) {
+  auto object = nlohmann::ordered_json::object();
+  for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
+    if (q.value.number) {
+      if (const auto value = shown_number(q, owner, inherited)) object[q.key] = *value;
+    } else if (q.value.series) {
+      if (const auto series = q.value.series(owner); !series.empty())
+        object[q.key] = detail::array_of(series, q.shown_in(inherited));
+    } else if (nlohmann::ordered_json json = q.value.json(owner, q.shown_in(inherited));
+               q.key.empty()) {
+      object.update(json);
+    } else if (!json.is_null()) {
+      object[q.key] = std::move(json);
+    }
+  }
+  return object;
+}
+
+template <class Owner>
+std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& inherited) {
+  for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
+    const ShownUnit& unit = q.shown_in(inherited);
+    if (q.key.empty()) {
+      if (auto reader = q.value.reader(path, unit)) return reader;
+      continue;
+    }
+    if (!path.starts_with(q.key)) continue;
+    std::string_view rest = path.substr(q.key.size());
+    if (!rest.empty() && rest.front() != '.' && rest.front() != '[') continue;
+    if (q.value.number && rest.empty())
+      return Reader<Owner>{
+          [&q, &inherited](const Owner& owner) { return shown_number(q, owner, inherited); },
+          q.delivery};
+    if (q.value.series)
+      if (auto summary = summary_named(rest, unit.factor))
+        return Reader<Owner>{
+            [&q, summary](const Owner& owner) { return summary(q.value.series(owner)); },
+            q.delivery};
+    if (q.value.reader && rest.starts_with('.')) return q.value.reader(rest.substr(1), unit);
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+template <class Owner>
+const RecordInfo& describe() {
+  static const RecordInfo info = [] {
+    const Record<Owner> record = record_of<Owner>();
+    RecordInfo made{record.name, record.meaning, {}};
+    for (const Quantity<Owner>& q : record.quantities)
+      if (q.key.empty()) {
+        const std::vector<QuantityInfo>& among = q.value.record().quantities;
+        made.quantities.insert(made.quantities.end(), among.begin(), among.end());
+      } else {
+        made.quantities.push_back({q.key, q.value.kind, title_of(q), q.unit.text, q.meaning,
+                                   q.source, q.group, q.validity, q.value.record});
+      }
+    return made;
+  }();
+  return info;
+}
+
+}  // namespace prs

@@ -1,0 +1,145 @@
+#include "prs/quantities/record.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "prs/quantities/json.h"
+#include "prs/quantities/record_table.h"
+#include "prs/quantities/results_schema.h"
+#include "prs/quantities/slip_quantities.h"
+#include "prs/study/response.h"
+#include "prs/study/result_number.h"
+#include "support/sample_result.h"
+#include "support/sample_slip.h"
+
+namespace prs {
+
+namespace sample {
+
+struct Inner {
+  double angle = 0.5;
+  std::vector<double> loads;
+};
+
+struct Outer {
+  std::optional<double> length;
+  Inner inner;
+  std::optional<Inner> absent;
+  bool good = true;
+  int count = 3;
+  std::string text = "a";
+};
+
+constexpr Quantity<Inner> kInner[] = {
+    {"angle", of<&Inner::angle>, "takes the unit of the key above"},
+    {"loads_N", of<&Inner::loads>, "one per thread"},
+};
+
+constexpr Quantity<Outer> kOuter[] = {
+    {"length_mm", of<&Outer::length>, "a length", "a paper", "how long"},
+    {"inner_deg", of<&Outer::inner>},
+    {"absent", of<&Outer::absent>},
+    {"good", of<&Outer::good>},
+    {"count", of<&Outer::count>},
+    {"text", of<&Outer::text, [](const Outer& o) { return o.good; }>},
+    {"", of<[](const Outer& o) -> const Inner& { return o.inner; }>},
+};
+
+}  // namespace sample
+
+template <>
+Record<sample::Inner> record_of() {
+  return {"Inner", "Of a test.", sample::kInner};
+}
+template <>
+Record<sample::Outer> record_of() {
+  return {"Outer", "Of a test.", sample::kOuter};
+}
+
+namespace {
+
+using sample::Inner;
+using sample::Outer;
+
+const Outer kSample{0.002, {0.5, {1.0, 4.0}}, {}, true, 3, "a"};
+
+TEST(Record, DocumentHasWhatIsDefinedInTheUnitOfItsKey) {
+  const auto json = object_of(kSample);
+  EXPECT_EQ(json.at("length_mm"), 2.0);
+  EXPECT_DOUBLE_EQ(json.at("inner_deg").at("angle"), 0.5 * 180.0 / std::numbers::pi);
+  EXPECT_EQ(json.at("inner_deg").at("loads_N"), nlohmann::json({1.0, 4.0}));
+  EXPECT_FALSE(json.contains("absent"));
+  EXPECT_EQ(json.at("good"), true);
+  EXPECT_EQ(json.at("count"), 3);
+  EXPECT_EQ(json.at("text"), "a");
+  EXPECT_EQ(json.at("angle"), 0.5);  // Of the record without a key.
+}
+
+TEST(Record, WhatIsNotFiniteOrGuardedIsAbsent) {
+  Outer outer = kSample;
+  outer.length = std::numeric_limits<double>::infinity();
+  outer.good = false;
+  const auto json = object_of(outer);
+  EXPECT_FALSE(json.contains("length_mm"));
+  EXPECT_FALSE(json.contains("text"));
+}
+
+TEST(Record, ReaderAgreesWithTheDocument) {
+  const auto read = [](std::string_view path) {
+    const auto reader = reader_of<Outer>(path);
+    return reader ? reader->read(kSample) : std::nullopt;
+  };
+  EXPECT_EQ(read("length_mm"), 2.0);
+  EXPECT_DOUBLE_EQ(*read("inner_deg.angle"), 0.5 * 180.0 / std::numbers::pi);
+  EXPECT_EQ(read("inner_deg.loads_N.max"), 4.0);
+  EXPECT_EQ(read("inner_deg.loads_N.mean"), 2.5);
+  EXPECT_EQ(read("inner_deg.loads_N[0]"), 1.0);
+  EXPECT_EQ(read("loads_N.min"), 1.0);
+  for (const char* path : {"inner_deg.loads_N[2]", "absent.angle", "length_mm.max", "text",
+                           "inner_deg", "inner_deg.loads_N", "length", "loads_N[1", "loads_N[1]x"})
+    EXPECT_FALSE(read(path)) << path;
+}
+
+TEST(Record, RowsAreDescribedWithThoseOfRecordsWithoutKey) {
+  const RecordInfo& info = describe<Outer>();
+  ASSERT_EQ(info.quantities.size(), 8);
+  EXPECT_EQ(info.quantities[0].title, "how long");
+  EXPECT_EQ(info.quantities[0].unit, "mm");
+  EXPECT_EQ(info.quantities[1].kind, Kind::record);
+  EXPECT_EQ(info.quantities[1].record().name, "Inner");
+  EXPECT_EQ(info.quantities[1].title, "inner");
+  EXPECT_EQ(info.quantities[7].kind, Kind::series);
+}
+
+/// Every number that documents show as a response is what studies read without them.
+TEST(Record, ResponsesWithoutADocumentAreThoseOfTheDocument) {
+  LoadCaseResult load_case = test::solved_case("a", 45e3, Direction::tension);
+  load_case.slip = test::sample_slip(load_case);
+  Result result;
+  result.load_cases = {load_case};
+  const auto document = to_json(result, {});
+  std::size_t read = 0;
+  for (const std::string& path : response_paths(document)) {
+    const std::optional<ResultNumber> number = result_number(path);
+    if (!number) continue;
+    ++read;
+    EXPECT_EQ(number->value({result.contacts, &result.load_cases[0]}), response(document, path))
+        << path;
+  }
+  EXPECT_GT(read, 60);
+}
+
+TEST(ResultsSchema, SaysEveryQuantityWithAMeaning) {
+  const auto schema = results_schema();
+  const auto& records = schema.at("records");
+  for (const auto& [name, record] : records.items())
+    for (const auto& q : record.at("quantities")) {
+      EXPECT_TRUE(!q.contains("record") || records.contains(q.at("record"))) << q;
+      const bool needs_none = name.starts_with("Per") || name == "Threads";
+      EXPECT_TRUE(needs_none || q.contains("meaning")) << name << q;
+    }
+}
+
+}  // namespace
+}  // namespace prs
