@@ -15,7 +15,7 @@ PAGES = ROOT / "docs/reference"
 NOTE = "<!-- Written by scripts/reference.py from the program's own tables. -->\n\n"
 KINDS = {
     "number": "float", "series": "Array", "matrix": "Array", "count": "int", "flag": "bool",
-    "text": "str", "texts": "list[str]", "values": "Values",
+    "text": "str", "texts": "list[str]",
 }  # fmt: skip
 
 

@@ -27,7 +27,6 @@ enum class Kind {
   texts,
   record,   ///< An object with quantities of its own.
   records,  ///< An array of them.
-  values,   ///< An object whose keys depend on the case.
 };
 
 /// Who can read a quantity as a response.

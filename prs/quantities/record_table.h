@@ -63,8 +63,7 @@ inline nlohmann::ordered_json array_of(const auto& si, const ShownUnit& unit) {
 
 template <class T>
 nlohmann::ordered_json json_of(const T& value, const ShownUnit& unit) {
-  if constexpr (std::is_same_v<T, nlohmann::ordered_json> || std::is_integral_v<T> ||
-                std::is_same_v<T, std::vector<std::string>>) {
+  if constexpr (std::is_integral_v<T> || std::is_same_v<T, std::vector<std::string>>) {
     return value;
   } else if constexpr (std::is_enum_v<T>) {
     return std::string(name(value));
@@ -91,8 +90,6 @@ constexpr Kind kind_of() {
     return Kind::number;
   else if constexpr (Text<T>)
     return Kind::text;
-  else if constexpr (std::is_same_v<T, nlohmann::ordered_json>)
-    return Kind::values;
   else if constexpr (std::is_same_v<T, std::vector<std::string>>)
     return Kind::texts;
   else if constexpr (Numbers<T>)

@@ -48,11 +48,9 @@ std::string_view name(Kind kind) {
     case Kind::record:
       return "record";
     case Kind::records:
-      return "records";
-    case Kind::values:
       break;
   }
-  return "values";
+  return "records";
 }
 
 Json quantity_json(const QuantityInfo& q) {
