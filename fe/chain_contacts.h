@@ -7,11 +7,11 @@ namespace fe {
 /// Of a full step d, over the contacts: energy E, force N, tangent t, change of closure delta.
 template <class Real>
 struct ChainStepSums {
-  Real energy{0.0};     ///< E after the step [J]
-  Real work{0.0};       ///< N delta
-  Real stiffness{0.0};  ///< t delta^2
-  Real slope{0.0};      ///< d'r, r the residual before the step
-  Real left{0.0};       ///< Largest difference of a force from its tangent after the step [N].
+  Real energy = Real(0.0);     ///< E after the step [J]
+  Real work = Real(0.0);       ///< N delta
+  Real stiffness = Real(0.0);  ///< t delta^2
+  Real slope = Real(0.0);      ///< d'r, r the residual before the step
+  Real left = Real(0.0);  ///< Largest difference of a force from its tangent after the step [N].
 };
 
 /// Backward half of the solve for the residual; the contacts that are active after the full step.

@@ -201,8 +201,9 @@ void solve_one(const ChainSector& sector, std::span<const double> axial_force,
 }
 
 /// One load on a sector of bars with an even number of threads.
-void solve_folded(const ChainSector& sector, std::span<const double> axial_force,
-                  const fe::NewtonOptions& options, const ThreadLoads& results, double* workspace) {
+[[maybe_unused]] void solve_folded(const ChainSector& sector, std::span<const double> axial_force,
+                                   const fe::NewtonOptions& options, const ThreadLoads& results,
+                                   double* workspace) {
   const int n = sector.contacts;
   const auto at = [](const std::vector<double>& values, int first, int second) {
     return both(values[static_cast<std::size_t>(first)], values[static_cast<std::size_t>(second)]);
