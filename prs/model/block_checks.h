@@ -29,6 +29,8 @@ void check_thrust(Direction direction, std::string_view load, const Structure::N
                   Problems& problems);
 
 void check_deviations(const Case& c, Problems& problems);
+/// An axial or radial offset of threads must lie within `kMostDeviation`.
+void check_offset(const char* path, double offset, const Mechanism& m, Problems& problems);
 
 /// The viscosity as it stands, or as it follows from the temperature.
 void check_lubricant(const Lubricant& l, Problems& problems);

@@ -28,6 +28,14 @@ void check_pitch_error(const PitchError& e, Part part, const Mechanism& m, Probl
 
 }  // namespace
 
+void check_offset(const char* path, double offset, const Mechanism& m, Problems& problems) {
+  const double most = kMostDeviation * axial_pitch(m);
+  if (std::abs(offset) > most)
+    problems.add(path, fmt::format("got {}; expected at most {}, a quarter of the pitch; check "
+                                   "the unit",
+                                   mm(offset), mm(most)));
+}
+
 void check_deviations(const Case& c, Problems& problems) {
   const Deviations& d = c.deviations;
   const Mechanism& m = c.mechanism;
@@ -36,11 +44,7 @@ void check_deviations(const Case& c, Problems& problems) {
       {"deviations.roller_diameter", d.roller_diameter},
       {"deviations.crowning", d.crowning},
       {"deviations.end_relief.drop", d.end_relief ? d.end_relief->drop : 0.0}};
-  for (const auto& [path, value] : drops)
-    if (std::abs(value) > kMostDeviation * axial_pitch(m))
-      problems.add(path, fmt::format("got {}; expected at most {}, a quarter of the pitch; check "
-                                     "the unit",
-                                     mm(value), mm(kMostDeviation * axial_pitch(m))));
+  for (const auto& [path, value] : drops) check_offset(path, value, m, problems);
   if (d.end_relief && 2 * d.end_relief->threads > m.contacts_per_roller)
     problems.add("deviations.end_relief.threads",
                  fmt::format("got {}; expected at most {}, half of the contacts of a roller",

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
-#include <utility>
 
 #include "prs/model/quantity_text.h"
 
@@ -55,14 +53,8 @@ void check_distance(const Preload& p, const Structure& s, const Mechanism& m, Pr
 void check_preload(const Case& c, Problems& problems) {
   const Preload& p = *c.preload;
   const Mechanism& m = c.mechanism;
-  const std::pair<const char*, double> fits[] = {
-      {"preload.interference", p.interference.value_or(0.0)},
-      {"preload.backlash", p.backlash.value_or(0.0)}};
-  for (const auto& [path, value] : fits)
-    if (value > kMostDeviation * axial_pitch(m))
-      problems.add(path, fmt::format("got {}; expected at most {}, a quarter of the pitch; check "
-                                     "the unit",
-                                     mm(value), mm(kMostDeviation * axial_pitch(m))));
+  check_offset("preload.interference", p.interference.value_or(0.0), m, problems);
+  check_offset("preload.backlash", p.backlash.value_or(0.0), m, problems);
   if (!(p.load.from < p.load.to))
     problems.add("preload.load.to", fmt::format("got {}; expected more than `from`, {}; swap the "
                                                 "two",
