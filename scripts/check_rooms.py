@@ -37,13 +37,15 @@ def add_links(room: Room, words: list[str]) -> None:
 def read_rooms() -> dict[str, Room]:
     """Rooms by their name: those of add_room, and other libraries that share headers."""
     rooms: dict[str, Room] = {}
-    call = r"((?:^#.*\n)*)^(add_room|share_headers|target_link_libraries)\(prs_(\w+)([^)]*)\)"
+    call = r"((?:^#.*\n)*)^(add_\w+|share_headers|target_link_libraries)\(prs_(\w+)([^)]*)\)"
     lists = [ROOT / name / "CMakeLists.txt" for name in ("simd", "contact", "fe")]
     lists += sorted(set(ROOT.glob("*/CMakeLists.txt")) - set(lists))
     text = "".join(path.read_text() for path in lists).replace("add_room(", "add_room(prs_")
     calls = [(*found[:3], found[3].split()) for found in re.findall(call, text, re.M)]
+    purposes: dict[str, str] = {}
     for comment, verb, name, words in calls:
-        purpose = " ".join(line.lstrip("# ") for line in comment.splitlines())
+        text = " ".join(line.lstrip("# ") for line in comment.splitlines())
+        purpose = purposes[name] = text or purposes.get(name, "")
         if verb == "add_room":
             folder = "prs" if words[0] == "." else f"prs/{words[0]}"
             rooms[name] = Room(folder, [], [], purpose)
