@@ -214,6 +214,7 @@ void solve_one(const ChainSector& sector, std::span<const double> axial_force,
   RollerChain<Half>& roller = batch.station.roller;
   roller.thread.slope = both(sector.roller.thread.slope, -sector.roller.thread.slope);
   roller.ends[0].vt = both(sector.roller.ends[0].vt, sector.roller.ends[1].vt);
+  roller.ends[1] = {Half(0.0), Half(0.0), Half(0.0)};  // none in the middle
   for (int k = 0; k < n / 2; ++k) {
     batch.nut[k] = at(sector.nut, k, n - 2 - k);
     batch.ground[k] = at(sector.ground, k, n - 1 - k);

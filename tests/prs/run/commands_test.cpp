@@ -46,9 +46,10 @@ TEST(Commands, LackNothingWhereTheyReadTheCase) {
     const input::Source source = lesson(file.path().filename());
     const input::CaseInput in = read(source);
     for (const CommandRow& row : commands())
-      if (row.run)
+      if (row.run) {
         EXPECT_EQ(input::missing(in, row.command).empty(), accepts(source, row.command))
             << file.path() << ' ' << name(row.command);
+      }
   }
 }
 
