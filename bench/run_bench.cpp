@@ -5,24 +5,24 @@
 
 #include "prs/input/reader.h"
 #include "prs/input/source.h"
-#include "prs/run/analyses.h"
+#include "prs/run/commands.h"
 
 namespace {
 
-template <auto run>
 void measure(benchmark::State& state, prs::Command command, const char* file) {
+  const prs::CommandRow& row = prs::row_of(command);
   const prs::input::Source source = prs::input::load_source(file, {});
-  const prs::Case c = prs::input::read_case_input(source, command).values;
-  for (auto _ : state) benchmark::DoNotOptimize(run(source, c));
+  const prs::input::CaseInput in = prs::input::read_case_input(source, command);
+  for (auto _ : state) benchmark::DoNotOptimize(row.run(source, in));
 }
 
 void RunContact(benchmark::State& state) {
-  measure<prs::run_contact>(state, prs::Command::contact, "configs/08_design_by_backlash.yaml");
+  measure(state, prs::Command::contact, "configs/08_design_by_backlash.yaml");
 }
 BENCHMARK(RunContact);
 
 void RunSolve(benchmark::State& state) {
-  measure<prs::run_solve>(state, prs::Command::solve, "configs/05_standard_screw.yaml");
+  measure(state, prs::Command::solve, "configs/05_standard_screw.yaml");
 }
 BENCHMARK(RunSolve);
 

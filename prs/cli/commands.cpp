@@ -10,7 +10,6 @@
 #include "prs/output/measures_table.h"
 #include "prs/quantities/measures_json.h"
 #include "prs/quantities/results_schema.h"
-#include "prs/run/analyses.h"
 
 namespace prs::cli {
 

@@ -19,7 +19,7 @@
 #include "prs/output/optimize_json.h"
 #include "prs/output/optimize_table.h"
 #include "prs/output/plots.h"
-#include "prs/run/analyses.h"
+#include "prs/run/commands.h"
 #include "prs/run/optimization.h"
 #include "prs/study/schedule.h"
 #include "prs/study/study_folder.h"

@@ -22,7 +22,7 @@
 #include "prs/output/study_files.h"
 #include "prs/output/study_json.h"
 #include "prs/output/study_table.h"
-#include "prs/run/analyses.h"
+#include "prs/run/commands.h"
 #include "prs/run/study.h"
 #include "prs/study/analysis.h"
 #include "prs/study/derivatives.h"

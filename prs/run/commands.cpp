@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <type_traits>
+#include <optional>
 #include <utility>
 
 #include "prs/figures/contact_figures.h"
@@ -12,6 +12,14 @@
 #include "prs/figures/preload_figures.h"
 #include "prs/figures/result_figures.h"
 #include "prs/figures/slip_figures.h"
+#include "prs/input/compute_from.h"
+#include "prs/input/force_history.h"
+#include "prs/input/optimize_reader.h"
+#include "prs/input/study_reader.h"
+#include "prs/life/analyze_life.h"
+#include "prs/loads/analyze.h"
+#include "prs/measures/analyze_measures.h"
+#include "prs/model/void_inputs.h"
 #include "prs/output/check.h"
 #include "prs/output/contact_table.h"
 #include "prs/output/csv.h"
@@ -24,10 +32,14 @@
 #include "prs/output/slip_table.h"
 #include "prs/output/table.h"
 #include "prs/output/warnings.h"
+#include "prs/preload/analyze_preload.h"
 #include "prs/quantities/life_json.h"
 #include "prs/quantities/measures_json.h"
 #include "prs/quantities/preload_json.h"
-#include "prs/run/analyses.h"
+#include "prs/sha256.h"
+#include "prs/slip/slip.h"
+#include "prs/threads/geometry_warnings.h"
+#include "prs/version.h"
 
 namespace prs {
 namespace {
@@ -47,16 +59,13 @@ struct Forms {
   bool (*converged)(const R&) = nullptr;
 };
 
-/// `run` takes the values of the case, or all that was read of it.
-template <class R, class Run>
-CommandRow row(Command command, std::string_view help, Run run, const Forms<R>& forms) {
+/// What `run` finds wrong with the case is reported where it stands.
+template <class R>
+CommandRow row(Command command, std::string_view help,
+               R (*run)(const input::Source&, const input::CaseInput&), const Forms<R>& forms) {
   return {command, help, [=](const input::Source& source, const input::CaseInput& in) {
-            const auto result = std::make_shared<const R>([&] {
-              if constexpr (std::is_invocable_v<Run, const input::Source&, const Case&>)
-                return run(source, in.values);
-              else
-                return run(source, in);
-            }());
+            const auto result = std::make_shared<const R>(
+                input::compute_from(source, [&] { return run(source, in); }));
             Delivery d{forms.file,
                        [=](const DocumentInfo& info) { return forms.document(*result, info); },
                        [=] { return forms.table(*result); }, forms.notes(*result)};
@@ -70,6 +79,70 @@ CommandRow row(Command command, std::string_view help, Run run, const Forms<R>& 
             return d;
           }};
 }
+
+// What each computes, with the warnings that belong to the command.
+
+struct CheckResult {
+  std::vector<input::EchoEntry> fields;
+  Contacts contacts;
+  std::vector<std::string> warnings;
+};
+
+/// Reads and checks the study and the optimization of the source too.
+CheckResult run_check(const input::Source& source, const input::CaseInput& in) {
+  if (in.study) input::read_study_input(source);
+  if (in.optimize) input::read_optimize_input(source);
+  CheckResult result{in.fields, find_contacts(in.values.mechanism, in.values.materials), {}};
+  result.warnings = geometry_warnings(in.values, result.contacts, in.values.load_cases);
+  for (std::string& note : void_input_notes(in.values)) result.warnings.push_back(std::move(note));
+  return result;
+}
+
+Result run_contact(const input::Source&, const input::CaseInput& in) {
+  return analyze_contacts(in.values);
+}
+
+/// Load cases are solved one by one, each on the contacts that it closes.
+void warn_of_preload(const Case& c, Result& result) {
+  if (c.preload)
+    result.warnings.push_back(
+        "the load cases are solved without preload; `prs preload` takes the block `preload`");
+}
+
+Result run_solve(const input::Source&, const input::CaseInput& in) {
+  Result result = analyze(in.values);
+  warn_of_preload(in.values, result);
+  return result;
+}
+
+Result run_slip(const input::Source&, const input::CaseInput& in) {
+  Result result = analyze_slip(in.values);
+  warn_of_preload(in.values, result);
+  return result;
+}
+
+PreloadResult run_preload(const input::Source&, const input::CaseInput& in) {
+  return analyze_preload(in.values);
+}
+
+/// Reads the force history that the case refers to.
+LifeResult run_life(const input::Source& source, const input::CaseInput& in) {
+  std::optional<LoadHistory> history;
+  if (in.values.life->history)
+    history = input::read_force_history(*in.values.life->history, source);
+  LifeResult result = analyze_life(in.values, std::move(history));
+  if (in.values.preload)
+    result.warnings.push_back("lives are those without preload, whose loads come on top");
+  return result;
+}
+
+MeasuresResult run_measures(const input::Source&, const input::CaseInput& in) {
+  MeasuresResult result = analyze_measures(in.values);
+  warn_of_preload(in.values, result.analysis);
+  return result;
+}
+
+// The forms of their results.
 
 std::vector<std::string> as_warnings(const std::vector<std::string>& texts) {
   std::vector<std::string> notes;
@@ -231,6 +304,10 @@ const CommandRow& row_of(Command command) {
 
 Delivery run(const CommandRow& row, const input::Source& source) {
   return row.run(source, input::read_case_input(source, row.command));
+}
+
+DocumentInfo document_info(const input::Source& source) {
+  return {kVersion, kSchemaVersion, sha256(source.text), source.overrides};
 }
 
 }  // namespace prs

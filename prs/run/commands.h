@@ -15,8 +15,9 @@ namespace prs {
 struct CommandRow {
   Command command = Command::check;
   std::string_view help;
-  /// Runs it on a case that was read from the source for it. Throws InputError. Empty for `study`
-  /// and `optimize`, which continue what was interrupted.
+  /// Runs it on a case that was read from the source for it. Throws InputError, also for what the
+  /// case turns out to have wrong. Empty for `study` and `optimize`, which continue what was
+  /// interrupted.
   std::function<Delivery(const input::Source&, const input::CaseInput&)> run = {};
 };
 
@@ -27,5 +28,8 @@ const CommandRow& row_of(Command command);
 
 /// Reads a case for a command and runs it. Throws InputError, also where the case lacks something.
 Delivery run(const CommandRow& row, const input::Source& source);
+
+/// What the documents of a source say of their origin.
+DocumentInfo document_info(const input::Source& source);
 
 }  // namespace prs

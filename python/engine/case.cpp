@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "prs/input/reader.h"
-#include "prs/run/analyses.h"
+#include "prs/run/commands.h"
 #include "python/engine/beside.h"
 
 namespace nb = nanobind;

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "prs/output/optimize_json.h"
-#include "prs/run/analyses.h"
+#include "prs/run/commands.h"
 #include "prs/run/optimization.h"
 #include "python/engine/beside.h"
 #include "python/engine/document.h"

@@ -21,7 +21,7 @@
 #include "prs/output/derivatives_files.h"
 #include "prs/output/study_columns.h"
 #include "prs/output/study_json.h"
-#include "prs/run/analyses.h"
+#include "prs/run/commands.h"
 #include "prs/run/study.h"
 #include "prs/study/analysis.h"
 #include "prs/study/designs.h"
