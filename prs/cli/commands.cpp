@@ -6,6 +6,7 @@
 
 #include "prs/cli/deliver.h"
 #include "prs/cli/starting_case.h"
+#include "prs/figures/figure_json.h"
 #include "prs/input/schema.h"
 #include "prs/output/measures_table.h"
 #include "prs/quantities/measures_json.h"
@@ -35,10 +36,16 @@ int list_commands(const Options& options) {
 }
 
 int schema(const Options& options) {
-  const bool of_results = options.schema_of == "results";
-  const std::string document = json_text(of_results ? results_schema() : input::schema());
+  const bool of_results = options.schema_of == "results",
+             of_figures = options.schema_of == "figures";
+  const std::string document = json_text(of_results   ? results_schema()
+                                         : of_figures ? figure_schema()
+                                                      : input::schema());
   if (options.output)
-    write_files(*options.output, {{of_results ? "prs.results.json" : "prs.schema.json", document}});
+    write_files(*options.output, {{of_results   ? "prs.results.json"
+                                   : of_figures ? "prs.figures.json"
+                                                : "prs.schema.json",
+                                   document}});
   if (!options.quiet || options.json) print(document);
   return kDone;
 }

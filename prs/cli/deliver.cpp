@@ -8,16 +8,18 @@
 #include <utility>
 #include <vector>
 
+#include "prs/figures/figure_json.h"
+
 namespace prs::cli {
 namespace {
 
 /// The document first; false where a picture is missing.
-bool write(const Delivery& delivery, const std::string& document, const OutputOptions& options) {
+bool write(const Delivery& delivery, const std::string& document, const Figures& shown,
+           const OutputOptions& options) {
   std::vector<OutputFile> files{{delivery.file, document}};
   if (delivery.files) std::ranges::move(delivery.files(), std::back_inserter(files));
   write_files(*options.output, files);
-  if (!delivery.figures) return true;
-  Undrawn undrawn = draw_figures(delivery.figures(), *options.output);
+  Undrawn undrawn = draw_figures(shown, *options.output);
   for (const std::string& note : delivery.without_figure) undrawn.notes.push_back(note);
   return report(undrawn, options);
 }
@@ -25,15 +27,22 @@ bool write(const Delivery& delivery, const std::string& document, const OutputOp
 }  // namespace
 
 int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOptions& options) {
+  Figures shown;
+  if (delivery.pictures && (options.output || (options.figures && options.json)))
+    shown = figures(delivery.pictures());
   std::string document;
-  if (options.json || options.output) document = json_text(delivery.document(info));
-  const bool written = !options.output || write(delivery, document, options);
+  if (options.json || options.output) {
+    nlohmann::ordered_json json = delivery.document(info);
+    if (options.figures) json["figures"] = to_json(shown);
+    document = json_text(json);
+  }
+  const bool written = !options.output || write(delivery, document, shown, options);
   if (options.json) {
     print(document);
     for (const std::string& text : delivery.notes) note(options, text);
   } else if (!options.quiet) {
     print(delivery.table());
-    const bool more_than_document = delivery.files || delivery.figures;
+    const bool more_than_document = delivery.files || delivery.pictures;
     if (options.output && more_than_document)
       print(fmt::format("\nFiles: {}\n", options.output->string()));
   }

@@ -28,6 +28,7 @@ void add_case_options(CLI::App& command, Options& options) {
       ->take_all()
       ->allow_extra_args(false);
   add_output_options(command, options);
+  command.add_flag("--figures", options.figures, "Put the pictures into the document, as data");
 }
 
 void add_threads_option(CLI::App& command, Options& options) {
@@ -147,9 +148,10 @@ int run_command(int argc, char** argv) {
   add_configurations_options(*configurations, options.configurations);
   add_output_options(*configurations, options);
   CLI::App* schema = add_command(
-      "schema", "Print the JSON Schema of the input, or the table of results", prs::cli::schema);
-  schema->add_option("of", options.schema_of, "input or results; default: input")
-      ->check(CLI::IsMember({"input", "results"}));
+      "schema", "Print the JSON Schema of the input or of pictures, or the table of results",
+      prs::cli::schema);
+  schema->add_option("of", options.schema_of, "input, results or figures; default: input")
+      ->check(CLI::IsMember({"input", "results", "figures"}));
   add_output_options(*schema, options);
   CLI::App* list =
       add_command("list", "List what there is to choose from", prs::cli::list_commands);

@@ -12,7 +12,7 @@
 #include "prs/cli/interruption.h"
 #include "prs/cli/printing.h"
 #include "prs/cli/progress_line.h"
-#include "prs/figures/optimize_figures.h"
+#include "prs/figures/pictures.h"
 #include "prs/input/optimize_reader.h"
 #include "prs/output/files.h"
 #include "prs/output/optimize_csv.h"
@@ -48,7 +48,7 @@ Delivery delivery_of(const OptimizationResult& result, const input::Source& sour
                   files.push_back({"best.yaml", *chosen});
                 return files;
               },
-          .figures = [&] { return optimize_figures(result); },
+          .pictures = [&] { return optimization_pictures(result); },
           .converged = result.compromise.has_value()};
 }
 

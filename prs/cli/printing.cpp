@@ -6,10 +6,12 @@
 
 #include <cerrno>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "prs/file_descriptor.h"
 #include "prs/printable.h"
+#include "prs/quantities/json.h"
 
 namespace prs::cli {
 namespace {

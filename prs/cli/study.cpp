@@ -14,7 +14,7 @@
 #include "prs/cli/interruption.h"
 #include "prs/cli/printing.h"
 #include "prs/cli/progress_line.h"
-#include "prs/figures/study_figures.h"
+#include "prs/figures/pictures.h"
 #include "prs/input/study_reader.h"
 #include "prs/output/derivatives_files.h"
 #include "prs/output/files.h"
@@ -81,7 +81,7 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
   const Delivery delivery{.file = "study.json",
                           .document = [&](const DocumentInfo& i) { return study_json(result, i); },
                           .table = [&] { return study_table(result); },
-                          .figures = [&] { return study_figures(result); },
+                          .pictures = [&] { return study_pictures(result); },
                           .converged = result.failed == 0};
   return deliver(delivery, info, options);
 }
@@ -100,7 +100,7 @@ int derivatives(const input::StudyInput& in, const Options& options) {
           [&] {
             return std::vector<OutputFile>{{"derivatives.csv", derivatives_csv(result)}};
           },
-      .figures = [&] { return derivatives_figures(result); }};
+      .pictures = [&] { return derivatives_pictures(result); }};
   return deliver(delivery, document_info(in.source), options);
 }
 

@@ -2,67 +2,107 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 namespace prs {
 
+// A picture as data: what it shows, not how it is drawn. Renderers draw it, each in its own style:
+// prs/output by gnuplot, python/rollerscrew/plots by matplotlib.
+
 using Polyline = std::vector<std::array<double, 2>>;
 
-/// How a line is drawn. Numbers are gnuplot's dash types and point types, 0 for none.
-struct LineStyle {
-  std::string_view colour;  ///< #rrggbb
-  int dash = 1;
-  int point = 0;
-  double width = 1.5;
-  int point_interval = 1;  ///< Every how many points one is marked.
-  bool filled = false;     ///< The parts of the line are polygons, filled and without outline.
-  bool arrows = false;     ///< The parts of the line are two points, from tail to head.
-  /// Of polygons: filled with the colour of this value on the figure's scale, not with `colour`.
-  std::optional<double> value = std::nullopt;
+/// A colour of the palette, which any colour vision tells apart (Okabe and Ito), or a role.
+enum class Colour : int {
+  blue,
+  vermillion,
+  green,
+  purple,
+  orange,
+  sky,
+  ink,  ///< Black on paper.
+  grey,
+  reference,  ///< Of what stands behind the others: a mean, zero, an axis.
+  muted,      ///< Of many points behind others.
+  bad,        ///< Of designs that break a limit.
 };
 
-constexpr LineStyle fill_of(std::string_view colour) { return {colour, 1, 0, 0.0, 1, true}; }
-constexpr LineStyle points_of(std::string_view colour, int point, double width) {
-  return {colour, 0, point, width};
+constexpr std::size_t kPaletteSize = 8;
+
+/// The k-th line's colour.
+constexpr Colour palette(std::size_t k) { return static_cast<Colour>(k % kPaletteSize); }
+
+enum class Dash { none, solid, dashed, dotted, dash_dotted };
+enum class Mark { none, circle, square, triangle, diamond, down, plus, cross, star };
+enum class Weight { thin, normal, strong };
+
+/// What the parts of a series are.
+enum class Shape {
+  line,    ///< Lines through their points, points marked; `Dash::none`: points alone.
+  area,    ///< Polygons.
+  arrows,  ///< Two points each, from tail to head.
+};
+
+/// How a series looks, as far as that tells it from the others.
+struct Style {
+  Colour colour = Colour::ink;
+  Dash dash = Dash::solid;
+  Mark mark = Mark::none;
+  Weight weight = Weight::normal;
+  Shape shape = Shape::line;
+  bool open = false;  ///< Marks are outlined, not filled.
+  bool pale = false;  ///< Areas in a light shade of the colour.
+};
+
+constexpr Style line_of(Colour colour, Dash dash = Dash::solid, Weight weight = Weight::normal) {
+  return {colour, dash, Mark::none, weight};
+}
+constexpr Style points_of(Colour colour, Mark mark, Weight weight = Weight::normal) {
+  return {colour, Dash::none, mark, weight};
+}
+constexpr Style area_of(Colour colour) {
+  return {colour, Dash::solid, Mark::none, Weight::normal, Shape::area};
+}
+constexpr Style arrows_of(Colour colour) {
+  return {colour, Dash::solid, Mark::none, Weight::thin, Shape::arrows};
 }
 
-constexpr LineStyle fill_of_value(double value) {
-  return {"#ffffff", 1, 0, 0.0, 1, true, false, value};
-}
-constexpr LineStyle arrows_of(std::string_view colour, double width) {
-  return {colour, 1, 0, width, 1, false, true};
-}
-
-struct Line {
+struct Series {
   std::size_t style = 0;  ///< Index into the figure's styles.
-  std::vector<Polyline> parts;
+  std::vector<Polyline> parts = {};
+  /// One per part, whose colour on the figure's scale it then has; empty: that of the style.
+  std::vector<double> values = {};
 };
+
+/// A line across the whole panel: a mean, zero.
+struct ReferenceLine {
+  std::size_t style = 0;
+  double at = 0.0;
+  bool vertical = false;  ///< At this x, else at this y.
+};
+
+struct Tick {
+  double at = 0.0;
+  std::string text = {};  ///< Empty: the number.
+};
+
+constexpr double kFree = std::numeric_limits<double>::quiet_NaN();
 
 struct Axis {
-  std::string label;  ///< With the unit.
-  double from = 0.0;
-  double to = 1.0;
-  std::vector<int> tics = {};  ///< Empty: gnuplot chooses.
-  bool logarithmic = false;    ///< The range must lie above 0.
+  std::string label;
+  std::string unit = {};
+  double from = kFree;  ///< Free: the renderer fits it to what the panel shows.
+  double to = kFree;
+  bool logarithmic = false;      ///< All that is shown lies above 0.
+  bool whole = false;            ///< Ticks at whole numbers alone.
+  std::vector<Tick> ticks = {};  ///< Empty: the renderer chooses.
+  bool hidden = false;           ///< Neither ticks nor label.
 };
 
-/// A rectangle filled with the colour of its value.
-struct Cell {
-  double x = 0.0;  ///< Its middle.
-  double y = 0.0;
-  double value = 0.0;
-};
-
-/// Cells of one size, below the lines of a panel.
-struct CellMap {
-  double width = 0.0;
-  double height = 0.0;
-  std::vector<Cell> cells = {};
-};
+/// `Lead (mm)`
+std::string text_of(const Axis& axis);
 
 /// Numbers at the nodes (x_i, y_j) of a grid, both ascending; those along y are consecutive. NaN
 /// where there is none.
@@ -72,6 +112,15 @@ struct GridData {
   std::vector<double> values = {};
 
   double at(std::size_t i, std::size_t j) const { return values[i * y.size() + j]; }
+  bool empty() const { return values.empty(); }
+};
+
+/// A grid in the colours of the figure, below the lines of a panel.
+struct Map {
+  GridData grid = {};
+  /// Each node is a rectangle of one colour; else filled contours, with labelled lines at the
+  /// colour scale's levels.
+  bool cells = false;
 };
 
 /// A point with its name, drawn over the surface.
@@ -89,31 +138,36 @@ struct Surface {
   std::vector<SurfacePoint> points = {};
 };
 
-/// Which colours the cells and surfaces of all panels have: from pale to dark orange.
+/// Which colours values have.
 struct ColourScale {
-  std::string label;  ///< With the unit.
+  std::string label;
+  std::string unit = {};
   double from = 0.0;
   double to = 1.0;
-  int bands = 0;  ///< So many equal ones of one colour each; 0: continuous.
+  std::vector<double> levels = {};  ///< One colour between two of them; empty: continuous.
+  bool logarithmic = false;
+  bool whole = false;  ///< The values are whole numbers.
 };
 
 /// A text inside a panel.
 struct Label {
+  enum class Anchor { left, centre, right };
   std::string text;
   double x = 0.0;
   double y = 0.0;
   bool in_panel = false;  ///< x, y are shares of the panel from its lower left, else coordinates.
-  bool centred = false;   ///< Else the text starts at x.
+  Anchor anchor = Anchor::left;  ///< Of the text at x; its middle lies at y.
 };
 
 struct Panel {
-  std::string title;
-  std::vector<Line> lines = {};
+  std::string title = {};
+  std::vector<Series> series = {};
+  std::vector<ReferenceLine> references = {};
   std::vector<Label> labels = {};
   std::optional<Axis> x = std::nullopt;  ///< In place of the figure's.
   std::optional<Axis> y = std::nullopt;
-  CellMap map = {};
-  std::optional<Surface> surface = std::nullopt;  ///< In place of lines, labels and map.
+  Map map = {};
+  std::optional<Surface> surface = std::nullopt;  ///< In place of everything else.
 };
 
 struct LegendEntry {
@@ -121,36 +175,51 @@ struct LegendEntry {
   std::size_t style = 0;
 };
 
-/// Panels in a grid, filled row by row, that share one legend below and, unless they have their
-/// own, both axes.
+/// Panels in a grid, filled row by row, that share one legend and, unless they have their own, both
+/// axes.
 struct Figure {
   std::string name;  ///< Of its files.
   std::string title;
-  Axis x;
-  Axis y;
+  Axis x = {};
+  Axis y = {};
   std::size_t columns = 1;
-  std::vector<Panel> panels;
-  std::vector<LineStyle> styles;
-  std::vector<LegendEntry> legend;
-  std::optional<ColourScale> colours = std::nullopt;  ///< Of the cells; drawn above the legend.
+  std::vector<Panel> panels = {};
+  std::vector<Style> styles = {};
+  std::vector<LegendEntry> legend = {};
+  std::optional<ColourScale> colours = std::nullopt;
 
-  int panel_height = 235;          ///< [pixels], where an image is 900 wide.
-  double first_column = 1.0;       ///< Width of the first column over that of the others.
-  bool first_is_overview = false;  ///< The first panel fills the first column.
-  /// A drawing: ranges are widened about their middle until a unit is as long on both axes.
-  bool to_scale = false;
+  double aspect = 0.0;    ///< Height of a panel over its width; 0: the renderer chooses.
+  double overview = 0.0;  ///< The first panel fills the first column, so many times as wide as the
+                          ///< others; 0: it is one like the others.
+  bool to_scale =
+      false;  ///< A unit is as long on both axes: ranges are widened about their middle.
+
+  /// Appends a style; returns its index.
+  std::size_t add(const Style& style);
+  /// The same, named in the legend.
+  std::size_t add(std::string title, const Style& style);
 };
 
-/// Those figures for which there was something to draw.
-template <class... Figures>
-std::vector<Figure> drawable(Figures... figures) {
-  std::vector<Figure> all;
-  ((figures ? all.push_back(std::move(*figures)) : void()), ...);
-  return all;
-}
+/// From the least to the largest of some values.
+struct Range {
+  double from = std::numeric_limits<double>::infinity();
+  double to = -from;
 
-/// Sets the range of y: from zero, unless the values fill less than half of that, to a little above
-/// the largest.
+  void include(double value);  ///< Unless it is not finite.
+  void include(const Range& other);
+  void widen(double share);  ///< At both ends, by a share of its length.
+  bool empty() const { return from > to; }
+};
+Range range_of_y(const std::vector<Series>& series);
+
+/// Puts y from zero, unless the values fill less than half of that, to a little above the largest.
 void fit_y_range(Figure& figure);
+
+/// A figure of one of its panels.
+Figure only_panel(Figure figure, std::size_t panel);
+
+/// All lines in one panel, told apart by their dashes as the panels were, whose titles go into the
+/// legend. Panels with other axes than the first are left out, as are others beside a map.
+Figure folded(const Figure& figure);
 
 }  // namespace prs

@@ -1,12 +1,10 @@
-#include "prs/figures/life_figures.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "prs/figures/figure_parts.h"
 #include "prs/model/units.h"
-#include "prs/figures/figure_style.h"
 
 namespace prs {
 namespace {
@@ -16,11 +14,10 @@ constexpr std::size_t kOverviewColumns = 600;
 constexpr double kBillionth = 1e-9;
 
 Polyline bar(double middle, double from, double to, double half_width) {
-  return {{middle - half_width, from},
-          {middle + half_width, from},
-          {middle + half_width, to},
-          {middle - half_width, to}};
+  return rectangle(middle - half_width, middle + half_width, from, to);
 }
+
+bool has_lives(const LifeResult& r) { return r.converged() && r.weakest; }
 
 /// Flanks that are loaded, with both interfaces beside each other.
 template <class Draw>
@@ -29,78 +26,10 @@ void thread_panels(const LifeResult& r, Figure& figure, Draw draw) {
     for (const Interface i : kInterfaces)
       if (r.flanks[d]) {
         figure.panels.push_back({fmt::format("{}, {}", interface_title(i), name(d))});
-        draw(figure.panels.back(), r.flanks[d]->threads[i]);
+        draw(figure.panels.back(), *r.flanks[d], i);
       }
-  const auto threads = r.contacts.mechanism.contacts_per_roller;
-  figure.x = {"Thread, from the loaded end of the screw", 0.4, threads + 0.6, {1}};
-  const int step = threads <= 10 ? 1 : threads <= 30 ? 5 : 10 * ((threads + 99) / 100);
-  for (int tic = step; tic <= threads; tic += step)
-    if (tic > 1) figure.x.tics.push_back(tic);
+  figure.x = thread_axis(static_cast<std::size_t>(r.contacts.mechanism.contacts_per_roller));
   figure.columns = 2;
-}
-
-Figure load_figure(const LifeResult& r) {
-  Figure figure;
-  figure.name = "thread_loads";
-  figure.title = "Equivalent axial load of a thread";
-  figure.y.label = "Axial load (N)";
-  add_to_legend(figure, "equivalent load, cubic mean", fill_of("#88aadd"));
-  const std::size_t range =
-      r.cycles
-          ? add_to_legend(figure, fmt::format("equivalent range, slope {:g}", r.life.fatigue_slope),
-                          points_of("#bb5566", 7, 1.6))
-          : 0;
-  double greatest = 0.0;
-  thread_panels(r, figure, [&](Panel& panel, const ThreadLives& t) {
-    Line bars{0, {}}, ranges{range, {{}}};
-    for (std::size_t k = 0; k < t.equivalent_load.size(); ++k) {
-      const double x = static_cast<double>(k + 1);
-      bars.parts.push_back(bar(x, 0.0, t.equivalent_load[k], 0.38));
-      greatest = std::max(greatest, t.equivalent_load[k]);
-      if (t.equivalent_range.empty()) continue;
-      ranges.parts[0].push_back({x, t.equivalent_range[k]});
-      greatest = std::max(greatest, t.equivalent_range[k]);
-    }
-    panel.lines.push_back(std::move(bars));
-    if (r.cycles) panel.lines.push_back(std::move(ranges));
-  });
-  figure.y.from = 0.0;
-  figure.y.to = 1.08 * greatest;
-  return figure;
-}
-
-Figure life_figure(const LifeResult& r) {
-  Figure figure;
-  figure.name = "thread_lives";
-  figure.title = "Life of a thread on all rollers";
-  figure.y.label = "L10 (10⁹ revolutions)";
-  figure.y.logarithmic = true;
-  add_to_legend(figure, "thread", points_of("#004488", 7, 2.0));
-  add_to_legend(figure, "all threads of this sense", {"#bb5566", 2, 0, 1.8});
-  double least = HUGE_VAL, greatest = 0.0;
-  for (const Direction d : kDirections)
-    if (r.flanks[d]) least = std::min(least, r.flanks[d]->life * kBillionth);
-  thread_panels(r, figure, [&](Panel& panel, const ThreadLives& t) {
-    Line points{0, {{}}};
-    for (std::size_t k = 0; k < t.life.size(); ++k) {
-      if (!std::isfinite(t.life[k])) continue;
-      points.parts[0].push_back({static_cast<double>(k + 1), t.life[k] * kBillionth});
-      greatest = std::max(greatest, t.life[k] * kBillionth);
-    }
-    if (!points.parts[0].empty()) panel.lines.push_back(std::move(points));
-  });
-  std::size_t panel = 0;
-  for (const Direction d : kDirections)
-    if (r.flanks[d])
-      for (std::size_t k = 0; k < std::size(kInterfaces); ++k, ++panel)
-        if (std::isfinite(r.flanks[d]->life))
-          figure.panels[panel].lines.push_back({1,
-                                                {{{figure.x.from, r.flanks[d]->life * kBillionth},
-                                                  {figure.x.to, r.flanks[d]->life * kBillionth}}}});
-  figure.y.from = 0.7 * least;
-  // Threads that hardly ever carry would press the others together.
-  figure.y.to = std::min(1.4 * greatest, 1e5 * least);
-  return figure;
 }
 
 /// Smallest and largest force of each column, as bars.
@@ -114,7 +43,7 @@ Panel course_panel(const LoadHistory& h) {
     return static_cast<double>(k + 1);
   };
   const std::size_t columns = std::min(kOverviewColumns, count);
-  Line envelope{0, {}};
+  Series envelope{0, {}};
   double least = 0.0, greatest = 0.0;
   for (std::size_t c = 0; c < columns; ++c) {
     const std::size_t first = c * count / columns;
@@ -128,10 +57,10 @@ Panel course_panel(const LoadHistory& h) {
     least = std::min(least, *low * per_si::kilonewton);
     greatest = std::max(greatest, *high * per_si::kilonewton);
   }
-  panel.x = Axis{clock ? "Time (h)" : "Sample", time(0), time(count - 1)};
+  panel.x = Axis{clock ? "Time" : "Sample", clock ? "h" : "", time(0), time(count - 1)};
   const double margin = 0.05 * (greatest - least);
-  panel.y = Axis{"Axial force (kN), tension > 0", least - margin, greatest + margin};
-  panel.lines.push_back(std::move(envelope));
+  panel.y = Axis{std::string(kSignedForce), "kN", least - margin, greatest + margin};
+  panel.series.push_back(std::move(envelope));
   return panel;
 }
 
@@ -155,7 +84,7 @@ Panel travel_panel(const LifeResult& r) {
     damage[bin] += done;
     all_damage += done;
   }
-  Line shares{0, {}}, damages{1, {{}}};
+  Series shares{0, {}}, damages{1, {{}}};
   double top = 0.0;
   for (std::size_t k = 0; k < share.size(); ++k) {
     const double x = (least + width * (static_cast<double>(k) + 0.5)) * per_si::kilonewton;
@@ -165,66 +94,106 @@ Panel travel_panel(const LifeResult& r) {
     damages.parts[0].push_back({x, per_si::percent * part});
     top = std::max({top, share[k], part});
   }
-  panel.lines = {std::move(shares), std::move(damages)};
-  panel.x = Axis{"Axial force (kN), tension > 0", least * per_si::kilonewton,
+  panel.series = {std::move(shares), std::move(damages)};
+  panel.x = Axis{std::string(kSignedForce), "kN", least * per_si::kilonewton,
                  greatest * per_si::kilonewton};
-  panel.y = Axis{"Share (%)", 0.0, 1.08 * top * per_si::percent};
+  panel.y = Axis{"Share", "%", 0.0, 1.08 * top * per_si::percent};
   return panel;
 }
 
-Figure history_figure(const LifeResult& r) {
-  Figure figure;
-  figure.name = "loads";
-  figure.title = r.history ? "Load history" : "Load spectrum";
-  figure.columns = r.history ? 2 : 1;
-  figure.panel_height = 330;
-  add_to_legend(figure, r.history ? "load, revolutions" : "revolutions", fill_of("#88aadd"));
-  add_to_legend(figure, "damage, |F|³ times revolutions", {"#bb5566", 1, 7, 1.4});
-  if (r.history) figure.panels.push_back(course_panel(*r.history));
-  figure.panels.push_back(travel_panel(r));
-  return figure;
-}
-
-Figure rainflow_figure(const LoadCycles& cycles) {
-  const CycleMatrix& m = cycles.matrix;
-  Figure figure;
-  figure.name = "rainflow";
-  figure.title = fmt::format("Load cycles, rainflow: {:.0f}", count(cycles.cycles));
-  figure.panel_height = 470;
-  figure.x = {"Mean (kN), tension > 0", m.mean_from * per_si::kilonewton,
-              m.mean_to * per_si::kilonewton};
-  figure.y = {"Range (kN)", 0.0, m.range_to * per_si::kilonewton};
-  Panel panel{""};
-  panel.map.width = m.mean_width() * per_si::kilonewton;
-  panel.map.height = m.range_width() * per_si::kilonewton;
-  ColourScale colours{"log10 of the cycles", HUGE_VAL, -HUGE_VAL};
-  for (int i = 0; i < m.bins; ++i)
-    for (int k = 0; k < m.bins; ++k) {
-      if (m.at(i, k) == 0.0) continue;
-      const double value = std::log10(m.at(i, k));
-      panel.map.cells.push_back({(m.mean_from + (k + 0.5) * m.mean_width()) * per_si::kilonewton,
-                                 (i + 0.5) * m.range_width() * per_si::kilonewton, value});
-      colours.from = std::min(colours.from, value);
-      colours.to = std::max(colours.to, value);
-    }
-  if (!(colours.from < colours.to)) colours.from = colours.to - 1.0;
-  figure.colours = colours;
-  figure.panels = {std::move(panel)};
-  return figure;
-}
-
-bool spreads(const CycleMatrix& m) { return m.range_to > 0.0 && m.mean_to > m.mean_from; }
-
 }  // namespace
 
-std::vector<Figure> life_figures(const LifeResult& r) {
-  std::vector<Figure> figures;
-  figures.push_back(history_figure(r));
-  if (r.cycles && spreads(r.cycles->matrix)) figures.push_back(rainflow_figure(*r.cycles));
-  if (!r.converged() || !r.weakest) return figures;
-  figures.push_back(load_figure(r));
-  figures.push_back(life_figure(r));
-  return figures;
+/// Equivalent axial load of each thread.
+Figures thread_loads(const LifeResult& r) {
+  if (!has_lives(r)) return {};
+  Figure figure{"thread_loads", "Equivalent axial load of a thread"};
+  figure.y = {"Axial load", "N"};
+  figure.add("equivalent load, cubic mean", area_of(Colour::sky));
+  if (r.cycles)
+    figure.add(fmt::format("equivalent range, slope {:g}", r.life.fatigue_slope),
+               points_of(Colour::vermillion, Mark::circle));
+  thread_panels(r, figure, [&](Panel& panel, const auto& flank, Interface i) {
+    const ThreadLives& t = flank.threads[i];
+    Series bars{0};
+    for (std::size_t k = 0; k < t.equivalent_load.size(); ++k)
+      bars.parts.push_back(bar(static_cast<double>(k + 1), 0.0, t.equivalent_load[k], 0.38));
+    panel.series.push_back(std::move(bars));
+    if (r.cycles) panel.series.push_back({1, {over_threads(t.equivalent_range, 1.0)}});
+  });
+  fit_y_range(figure);
+  return {std::move(figure)};
+}
+
+/// Basic rating life of each thread on all rollers.
+Figures thread_lives(const LifeResult& r) {
+  if (!has_lives(r)) return {};
+  Figure figure{"thread_lives", "Life of a thread on all rollers"};
+  figure.y = {"L10", "10⁹ revolutions"};
+  figure.y.logarithmic = true;
+  figure.add("thread", points_of(Colour::blue, Mark::circle));
+  figure.add("all threads of this sense", line_of(Colour::vermillion, Dash::dashed));
+  Range lives;
+  thread_panels(r, figure, [&](Panel& panel, const auto& flank, Interface i) {
+    Series points{0, {{}}};
+    const std::vector<double>& life = flank.threads[i].life;
+    for (std::size_t k = 0; k < life.size(); ++k)
+      if (std::isfinite(life[k])) {
+        points.parts[0].push_back({static_cast<double>(k + 1), life[k] * kBillionth});
+        lives.include(life[k] * kBillionth);
+      }
+    if (!points.parts[0].empty()) panel.series.push_back(std::move(points));
+    if (std::isfinite(flank.life)) panel.references.push_back({1, flank.life * kBillionth});
+    lives.include(flank.life * kBillionth);
+  });
+  // Threads that hardly ever carry would press the others together.
+  constexpr double kLargestRatio = 1e5;
+  figure.y.from = 0.7 * lives.from;
+  figure.y.to = std::min(1.4 * lives.to, kLargestRatio * lives.from);
+  return {std::move(figure)};
+}
+
+/// Course of the load, and revolutions and damage over it.
+Figures load_history(const LifeResult& r) {
+  Figure figure{"loads", r.history ? "Load history" : "Load spectrum"};
+  figure.columns = r.history ? 2 : 1;
+  figure.add(r.history ? "load, revolutions" : "revolutions", area_of(Colour::sky));
+  figure.add("damage, |F|³ times revolutions",
+             {Colour::vermillion, Dash::solid, Mark::circle, Weight::thin});
+  if (r.history) figure.panels.push_back(course_panel(*r.history));
+  figure.panels.push_back(travel_panel(r));
+  return {std::move(figure)};
+}
+
+/// Rainflow matrix: how many load cycles have which mean and range.
+Figures rainflow(const LifeResult& r) {
+  if (!r.cycles) return {};
+  const CycleMatrix& m = r.cycles->matrix;
+  if (!(m.range_to > 0.0 && m.mean_to > m.mean_from)) return {};
+  Figure figure{"rainflow", fmt::format("Load cycles, rainflow: {:.0f}", count(r.cycles->cycles))};
+  figure.x = {"Mean, tension > 0", "kN", m.mean_from * per_si::kilonewton,
+              m.mean_to * per_si::kilonewton};
+  figure.y = {"Range", "kN", 0.0, m.range_to * per_si::kilonewton};
+  Panel panel;
+  panel.map.cells = true;
+  GridData& grid = panel.map.grid;
+  const auto bins = static_cast<std::size_t>(m.bins);
+  grid.values.assign(bins * bins, kFree);
+  Range cycles;
+  for (std::size_t k = 0; k < bins; ++k) {
+    const double middle = static_cast<double>(k) + 0.5;
+    grid.x.push_back((m.mean_from + middle * m.mean_width()) * per_si::kilonewton);
+    grid.y.push_back(middle * m.range_width() * per_si::kilonewton);
+    for (std::size_t i = 0; i < bins; ++i)
+      if (const double n = m.at(static_cast<int>(i), static_cast<int>(k)); n > 0.0) {
+        grid.values[k * bins + i] = n;
+        cycles.include(n);
+      }
+  }
+  if (cycles.empty()) return {};
+  figure.colours = ColourScale{"Cycles", "", cycles.from, std::max(cycles.to, 10.0 * cycles.from)};
+  figure.colours->logarithmic = true;
+  figure.panels.push_back(std::move(panel));
+  return {std::move(figure)};
 }
 
 }  // namespace prs

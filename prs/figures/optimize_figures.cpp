@@ -1,14 +1,12 @@
-#include "prs/figures/optimize_figures.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "prs/figures/figure_style.h"
+#include "prs/figures/figure_parts.h"
+#include "prs/figures/study_parts.h"
 #include "prs/quantities/response_title.h"
-#include "prs/figures/study_figure_parts.h"
 #include "prs/study/study_text.h"
 
 namespace prs {
@@ -17,51 +15,49 @@ namespace {
 constexpr std::size_t kMostPanels = 6;
 constexpr std::size_t kMostPoints = 20'000;  // Of a cloud; more designs are thinned evenly.
 constexpr double kMargin = 0.06;
-constexpr double kInfeasibleRoom = 1.0;  // Spans of the feasible designs to each side.
 
-constexpr LineStyle kInfeasibleStyle = points_of("#cc3311", 7, 0.8);
-constexpr LineStyle kFeasibleStyle = points_of("#222222", 7, 0.7);
-constexpr LineStyle kInitialStyle = points_of("#0077bb", 5, 2.0);
-constexpr LineStyle kChosenStyle = points_of("#009944", 9, 2.8);
+constexpr Style kInfeasibleStyle = points_of(Colour::bad, Mark::circle, Weight::thin);
+constexpr Style kFeasibleStyle = points_of(Colour::ink, Mark::circle, Weight::thin);
+constexpr Style kInitialStyle = points_of(Colour::sky, Mark::square);
+constexpr Style kChosenStyle = points_of(Colour::green, Mark::triangle, Weight::strong);
 
-struct Range {
-  double from = std::numeric_limits<double>::infinity();
-  double to = -from;
-
-  void include(double value) {
-    if (!std::isfinite(value)) return;
-    from = std::min(from, value);
-    to = std::max(to, value);
-  }
-  bool empty() const { return from > to; }
-};
-
-/// The feasible designs and the file's own, and of the others, if they count, as many as lie near.
-Range range_of(const OptimizationResult& result, std::size_t response, bool with_infeasible) {
-  Range inner, all;
-  inner.include(result.initial.responses[response]);
-  const auto add = [&](const Search& search) {
-    for (const EvaluatedDesign& design : search.designs) {
-      if (with_infeasible) all.include(design.responses[response]);
-      if (design.is_feasible()) inner.include(design.responses[response]);
-    }
-  };
-  add(result.search);
-  if (result.check && !with_infeasible) add(*result.check);
+/// All of `inner`, and of `all` what lies within so many spans of it.
+Range about(Range inner, Range all, double spans) {
   if (inner.empty()) inner = all;
   if (inner.empty()) return {0.0, 1.0};
   if (all.empty()) all = inner;
-  const double room = kInfeasibleRoom * (inner.to - inner.from);
+  const double room = spans * (inner.to - inner.from);
   Range range{std::min(inner.from, std::max(all.from, inner.from - room)),
               std::max(inner.to, std::min(all.to, inner.to + room))};
-  const double span = range.to - range.from;
-  const double margin = span > 0.0 ? kMargin * span : 0.5 * std::max(std::abs(range.to), 1e-3);
-  return {range.from - margin, range.to + margin};
+  range.widen(kMargin);
+  return range;
 }
 
-Axis axis_of(const OptimizationResult& result, std::size_t response, bool with_infeasible) {
+/// The feasible designs and the file's own, and of the others as many as lie near.
+Range history_range(const OptimizationResult& result, std::size_t response) {
+  Range inner, all;
+  inner.include(result.initial.responses[response]);
+  for (const EvaluatedDesign& design : result.search.designs)
+    (design.is_feasible() ? inner : all).include(design.responses[response]);
+  return about(inner, all, 1.0);
+}
+
+/// The fronts and the file's own design, and of the feasible designs as many as lie near.
+Range front_range(const OptimizationResult& result, std::size_t response) {
+  Range inner, all;
+  inner.include(result.initial.responses[response]);
+  const auto add = [&](const Search& search) {
+    for (const std::size_t k : search.front) inner.include(search.designs[k].responses[response]);
+    for (const EvaluatedDesign& design : search.designs)
+      if (design.is_feasible()) all.include(design.responses[response]);
+  };
+  add(result.search);
+  if (result.check) add(*result.check);
+  return about(inner, all, 0.3);
+}
+
+Axis axis_of(const OptimizationResult& result, std::size_t response, const Range& range) {
   Axis axis = response_axis(result.optimization.study.responses[response]);
-  const Range range = range_of(result, response, with_infeasible);
   axis.from = range.from;
   axis.to = range.to;
   return axis;
@@ -75,8 +71,8 @@ enum HistoryStyle : std::size_t { kInfeasible, kFeasible, kBest, kInitial, kChos
 Panel history_panel(const OptimizationResult& result, const Objective& objective) {
   const std::vector<EvaluatedDesign>& designs = result.search.designs;
   Panel panel;
-  panel.y = axis_of(result, objective.response, true);
-  Line infeasible{kInfeasible, {{}}}, feasible{kFeasible, {{}}}, best{kBest, {{}}};
+  panel.y = axis_of(result, objective.response, history_range(result, objective.response));
+  Series infeasible{kInfeasible, {{}}}, feasible{kFeasible, {{}}}, best{kBest, {{}}};
   std::optional<double> so_far;
   const std::size_t step = designs.size() / kMostPoints + 1;
   for (std::size_t k = 0; k < designs.size(); ++k) {
@@ -92,32 +88,15 @@ Panel history_panel(const OptimizationResult& result, const Objective& objective
       (counts ? feasible : infeasible).parts[0].push_back({at, value});
   }
   if (so_far) best.parts[0].push_back({static_cast<double>(designs.size()), *so_far});
-  panel.lines = {std::move(infeasible), std::move(feasible), std::move(best)};
+  panel.series = {std::move(infeasible), std::move(feasible), std::move(best)};
   const double initial = result.initial.responses[objective.response];
-  if (std::isfinite(initial)) panel.lines.push_back({kInitial, {{{0.0, initial}}}});
-  if (result.compromise) {
-    const std::size_t k = *result.compromise;
-    panel.lines.push_back(
+  if (std::isfinite(initial)) panel.series.push_back({kInitial, {{{0.0, initial}}}});
+  if (const auto shown = result.compromise ? result.compromise : result.nearest) {
+    const std::size_t k = *shown;
+    panel.series.push_back(
         {kChosen, {{{static_cast<double>(k + 1), designs[k].responses[objective.response]}}}});
   }
   return panel;
-}
-
-Figure history_figure(const OptimizationResult& result) {
-  const Optimization& optimization = result.optimization;
-  Figure figure;
-  figure.name = "history";
-  figure.title = fmt::format("Designs of {} in their order", name(optimization.algorithm));
-  figure.x = {"design", 0.0, static_cast<double>(result.search.designs.size())};
-  add_to_legend(figure, "infeasible", kInfeasibleStyle);
-  add_to_legend(figure, "feasible", kFeasibleStyle);
-  add_to_legend(figure, "best so far", {"#3366cc", 1, 0, 1.6});
-  add_to_legend(figure, "as in the file", kInitialStyle);
-  add_to_legend(figure, "compromise", kChosenStyle);
-  for (const Objective& objective : optimization.objectives)
-    if (figure.panels.size() < kMostPanels)
-      figure.panels.push_back(history_panel(result, objective));
-  return figure;
 }
 
 // Of the fronts.
@@ -132,57 +111,72 @@ Polyline points_of_front(const Search& search, std::size_t x, std::size_t y) {
 
 Panel front_panel(const OptimizationResult& result, std::size_t x, std::size_t y) {
   Panel panel;
-  panel.x = axis_of(result, x, false);
-  panel.y = axis_of(result, y, false);
+  panel.x = axis_of(result, x, front_range(result, x));
+  panel.y = axis_of(result, y, front_range(result, y));
   const std::vector<EvaluatedDesign>& designs = result.search.designs;
   Polyline cloud;
   const std::size_t step = designs.size() / kMostPoints + 1;
   for (std::size_t k = 0; k < designs.size(); k += step)
     if (designs[k].is_feasible())
       cloud.push_back({designs[k].responses[x], designs[k].responses[y]});
-  panel.lines = {{kCloud, {std::move(cloud)}}};
-  if (result.check) panel.lines.push_back({kCheckFront, {points_of_front(*result.check, x, y)}});
-  panel.lines.push_back({kFront, {points_of_front(result.search, x, y)}});
+  panel.series = {{kCloud, {std::move(cloud)}}};
+  if (result.check) panel.series.push_back({kCheckFront, {points_of_front(*result.check, x, y)}});
+  panel.series.push_back({kFront, {points_of_front(result.search, x, y)}});
   const auto mark = [&](FrontStyle style, const EvaluatedDesign& design) {
     if (std::isfinite(design.responses[x]) && std::isfinite(design.responses[y]))
-      panel.lines.push_back({style, {{{design.responses[x], design.responses[y]}}}});
+      panel.series.push_back({style, {{{design.responses[x], design.responses[y]}}}});
   };
   mark(kFileDesign, result.initial);
-  if (result.compromise) mark(kCompromise, designs[*result.compromise]);
+  if (const EvaluatedDesign* chosen = result.chosen()) mark(kCompromise, *chosen);
   return panel;
 }
 
-Figure front_figure(const OptimizationResult& result) {
+}  // namespace
+
+/// Each objective over the designs in their order, feasible and infeasible, the best so far and the
+/// chosen one (as Yao et al. 2023, fig. 12).
+Figures optimization_history(const OptimizationResult& result) {
+  const Optimization& optimization = result.optimization;
+  Figure figure{"history",
+                fmt::format("Designs of {} in their order", name(optimization.algorithm))};
+  figure.x = {"Design", "", 0.0, static_cast<double>(result.search.designs.size())};
+  figure.add("infeasible", kInfeasibleStyle);
+  figure.add("feasible", kFeasibleStyle);
+  figure.add("best so far", line_of(Colour::blue));
+  figure.add("as in the file", kInitialStyle);
+  figure.add(result.compromise ? "compromise" : "nearest to the limits", kChosenStyle);
+  for (const Objective& objective : optimization.objectives)
+    if (figure.panels.size() < kMostPanels)
+      figure.panels.push_back(history_panel(result, objective));
+  figure.aspect = 0.3;
+  return {std::move(figure)};
+}
+
+/// The designs and the fronts of both searches, a panel for each pair of objectives, with the
+/// file's own design and the compromise.
+Figures pareto_front(const OptimizationResult& result) {
   const std::vector<Objective>& objectives = result.optimization.objectives;
-  Figure figure;
-  figure.name = "front";
-  figure.title = "Pareto front";
-  figure.panel_height = objectives.size() == 2 ? 420 : 300;
-  add_to_legend(figure, "feasible designs", points_of("#bbbbbb", 7, 0.5));
-  if (result.check)
-    add_to_legend(figure, fmt::format("front of {}", name(result.check->algorithm)),
-                  points_of("#ee7733", 4, 1.0));
-  else
-    figure.styles.push_back({"#ee7733"});
-  add_to_legend(figure, fmt::format("front of {}", name(result.search.algorithm)),
-                points_of("#004488", 7, 1.0));
-  add_to_legend(figure, "as in the file", kInitialStyle);
-  add_to_legend(figure, "compromise", kChosenStyle);
+  if (objectives.size() < 2) return {};
+  Figure figure{"front", "Pareto front"};
+  figure.add("feasible designs", points_of(Colour::muted, Mark::circle, Weight::thin));
+  if (result.check) {
+    Style check = points_of(Colour::orange, Mark::square, Weight::thin);
+    check.open = true;
+    figure.add(fmt::format("front of {}", name(result.check->algorithm)), check);
+  } else {
+    figure.add(points_of(Colour::orange, Mark::square));
+  }
+  figure.add(fmt::format("front of {}", name(result.search.algorithm)),
+             points_of(Colour::blue, Mark::circle, Weight::thin));
+  figure.add("as in the file", kInitialStyle);
+  figure.add(result.compromise ? "compromise" : "nearest to the limits", kChosenStyle);
   for (std::size_t i = 0; i < objectives.size(); ++i)
     for (std::size_t j = i + 1; j < objectives.size(); ++j)
       if (figure.panels.size() < kMostPanels)
         figure.panels.push_back(
             front_panel(result, objectives[i].response, objectives[j].response));
   figure.columns = std::min<std::size_t>(figure.panels.size(), 2);
-  return figure;
-}
-
-}  // namespace
-
-std::vector<Figure> optimize_figures(const OptimizationResult& result) {
-  std::vector<Figure> figures{history_figure(result)};
-  if (result.optimization.objectives.size() > 1) figures.push_back(front_figure(result));
-  return figures;
+  return {std::move(figure)};
 }
 
 }  // namespace prs

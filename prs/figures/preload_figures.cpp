@@ -1,89 +1,93 @@
-#include "prs/figures/preload_figures.h"
-
-#include <algorithm>
 #include <cmath>
 
+#include "prs/figures/figure_parts.h"
 #include "prs/model/units.h"
-#include "prs/figures/figure_style.h"
 
 namespace prs {
 namespace {
 
-enum StyleIndex : std::size_t { kWithout, kWith, kTensionSide, kCompressionSide, kOpening };
+enum CurveStyle : std::size_t { kWithout, kWith, kTensionSide, kCompressionSide, kOpening };
 
 /// (load, value) of the points that converged, interrupted at the others.
-Line line_of(std::size_t style, const PreloadCurve& curve, const auto& value) {
-  Line line{style, {{}}};
+Series curve_of(std::size_t style, const PreloadCurve& curve, const auto& value) {
+  Series line{style, {{}}};
   for (const PreloadPoint& point : curve.points) {
-    if (point.solve.converged())
-      line.parts.back().push_back({point.axial_force * per_si::kilonewton, value(point)});
+    const std::optional<double> y =
+        point.solve.converged() ? std::optional<double>(value(point)) : std::nullopt;
+    if (y)
+      line.parts.back().push_back({point.axial_force * per_si::kilonewton, *y});
     else if (!line.parts.back().empty())
       line.parts.emplace_back();
   }
   return line;
 }
 
-Axis axis_over(const std::string& label, const std::vector<Line>& lines) {
-  Axis axis{label, HUGE_VAL, -HUGE_VAL};
-  for (const Line& line : lines)
-    for (const Polyline& part : line.parts)
-      for (const auto& [x, y] : part) {
-        axis.from = std::min(axis.from, y);
-        axis.to = std::max(axis.to, y);
-      }
-  if (!(axis.from < axis.to)) return {label};
-  const double margin = 0.06 * (axis.to - axis.from);
-  return {label, axis.from == 0.0 ? 0.0 : axis.from - margin, axis.to + margin};
-}
-
-Panel displacement_panel(const PreloadResult& r) {
-  const auto displacement = [](const PreloadPoint& p) {
-    return p.axial_displacement * per_si::micrometre;
-  };
-  Panel panel{"Displacement"};
-  if (r.without_preload) panel.lines.push_back(line_of(kWithout, *r.without_preload, displacement));
-  panel.lines.push_back(line_of(kWith, r.curve, displacement));
-  panel.y = axis_over("Displacement (µm), tension > 0", panel.lines);
+/// With preload, and without where that is known.
+Panel curve_panel(const PreloadResult& r, std::string title, Axis axis, const auto& value) {
+  Panel panel{std::move(title)};
+  if (r.without_preload) panel.series.push_back(curve_of(kWithout, *r.without_preload, value));
+  panel.series.push_back(curve_of(kWith, r.curve, value));
+  Range range = range_of_y(panel.series);
+  if (range.empty()) range = {0.0, 1.0};
+  const bool from_zero = range.from >= 0.0;
+  if (from_zero) range.from = 0.0;
+  range.widen(0.06);
+  axis.from = from_zero ? 0.0 : range.from;
+  axis.to = range.to;
+  panel.y = std::move(axis);
   return panel;
 }
 
 Panel side_panel(const PreloadResult& r) {
   Panel panel{"Load of each side"};
   for (const Direction d : kDirections)
-    panel.lines.push_back(line_of(
+    panel.series.push_back(curve_of(
         d == Direction::tension ? kTensionSide : kCompressionSide, r.curve,
         [d](const PreloadPoint& p) { return p.sides[d].axial_load.screw * per_si::kilonewton; }));
-  panel.y = axis_over("Axial load (kN)", panel.lines);
+  Range range = range_of_y(panel.series);
+  if (range.empty()) range = {0.0, 1.0};
+  range.widen(0.06);
+  panel.y = Axis{"Axial load", "kN", range.from, range.to};
   for (const Direction d : kDirections) {
     if (!r.opening_force[d]) continue;
-    const double load = (d == Direction::tension ? 1.0 : -1.0) * *r.opening_force[d];
+    const double load = sense(d) * -*r.opening_force[d];
     if (load >= r.preload.load.from && load <= r.preload.load.to)
-      panel.lines.push_back({kOpening, {{{load * per_si::kilonewton, 0.0}}}});
+      panel.series.push_back({kOpening, {{{load * per_si::kilonewton, 0.0}}}});
   }
   return panel;
 }
 
 }  // namespace
 
-std::vector<Figure> preload_figures(const PreloadResult& r) {
+/// Displacement and tangent stiffness over the external load, with preload and without, beside what
+/// each side carries.
+Figures preload_curves(const PreloadResult& r) {
   if (!r.at_rest.solve.converged()) return {};
-  Figure figure;
-  figure.name = "preload";
-  figure.title = r.preload.backlash ? "Axial play" : "Preload";
-  figure.x = {"Axial force (kN), tension > 0", r.preload.load.from * per_si::kilonewton,
+  Figure figure{"preload", r.preload.backlash ? "Axial play" : "Preload"};
+  figure.x = {std::string(kSignedForce), "kN", r.preload.load.from * per_si::kilonewton,
               r.preload.load.to * per_si::kilonewton};
-  figure.columns = 2;
-  figure.panel_height = 330;
-  figure.styles = {{"#777777", 2, 0, 1.8}};
+  figure.columns = 3;
+  figure.aspect = 1.1;
+  figure.add(line_of(Colour::grey, Dash::dashed));
   if (r.without_preload) figure.legend.push_back({"without preload", kWithout});
-  add_to_legend(figure, r.preload.backlash ? "with play" : "with preload", {"#004488", 1, 0, 2.4});
+  figure.add(r.preload.backlash ? "with play" : "with preload",
+             line_of(Colour::blue, Dash::solid, Weight::strong));
   const bool single = r.preload.arrangement == Preload::Arrangement::single_nut;
-  add_to_legend(figure, single ? "tension flanks" : "second nut", {"#bb5566", 1, 0, 2.0});
-  add_to_legend(figure, single ? "compression flanks" : "first nut", {"#ddaa33", 1, 0, 2.0});
+  figure.add(single ? "tension flanks" : "second nut", line_of(Colour::vermillion));
+  figure.add(single ? "compression flanks" : "first nut", line_of(Colour::orange, Dash::dashed));
   if (r.opening_force.tension || r.opening_force.compression)
-    add_to_legend(figure, "a side opens", points_of("#000000", 6, 2.0));
-  figure.panels = {displacement_panel(r), side_panel(r)};
-  return {figure};
+    figure.add("a side opens", points_of(Colour::ink, Mark::circle));
+  figure.panels = {curve_panel(r, "Displacement", {"Displacement", "µm"},
+                               [](const PreloadPoint& p) -> std::optional<double> {
+                                 return p.axial_displacement * per_si::micrometre;
+                               }),
+                   curve_panel(r, "Stiffness", {"Tangent stiffness", "N/µm"},
+                               [](const PreloadPoint& p) -> std::optional<double> {
+                                 if (!p.tangent_stiffness) return std::nullopt;
+                                 return *p.tangent_stiffness * per_si::newton_per_micrometre;
+                               }),
+                   side_panel(r)};
+  return {std::move(figure)};
 }
 
 }  // namespace prs

@@ -4,24 +4,42 @@
 #include <cmath>
 #include <iterator>
 
-#include "prs/quantities/quantities.h"
+#include "prs/figures/figure_parts.h"
 #include "prs/quantities/case_groups.h"
-#include "prs/figures/figure_style.h"
-#include "prs/figures/result_figures.h"
-#include "prs/figures/thread_figure.h"
+#include "prs/quantities/quantities.h"
+#include "prs/quantities/slip_quantities.h"
 
 namespace prs {
 namespace {
 
-bool is_solved(const LoadCaseResult& result) { return result.solve && result.threads; }
-
-bool has_pressure(const LoadCaseResult& result) {
-  return result.threads && !(result.threads->screw.peak_pressure.empty() &&
-                             result.threads->nut.peak_pressure.empty());
-}
+/// What the threads are compared by.
+struct ThreadPlot {
+  const char* name;
+  const char* title;
+  const char* label;
+  const char* unit;
+  const std::vector<double>& (*values)(const LoadCaseResult&, Interface);
+  double factor;
+  bool (*keep)(const LoadCaseResult&);
+  /// A dashed level of the colour of its line, where a case has one.
+  std::optional<double> (*level)(const LoadCaseResult&, Interface) = nullptr;
+};
 
 /// The case that stands for a group: the last, which has the full load of a range.
 const LoadCaseResult& representative(const CaseGroup& group) { return *group.cases.back(); }
+
+/// Those that the options name, each by itself; else all, ranges by their largest loads.
+std::vector<LoadedConfiguration> configurations(const Result& result, const FigureOptions& options,
+                                                bool (*keep)(const LoadCaseResult&)) {
+  if (options.load_cases.empty()) return loaded_configurations(result.load_cases, 1, keep);
+  std::vector<LoadedConfiguration> all;
+  for (const LoadCaseResult* load_case : chosen(result, options))
+    if (keep(*load_case)) {
+      const std::string name = shown_name(load_case->load_case.name);
+      all.push_back({name, {{name, load_case->load_case.direction, {load_case}}}});
+    }
+  return all;
+}
 
 /// Names the force where all lines have the same.
 std::string common_force(const std::vector<LoadedConfiguration>& all) {
@@ -33,72 +51,43 @@ std::string common_force(const std::vector<LoadedConfiguration>& all) {
   return fmt::format(", {:.4g} kN", first * per_si::kilonewton);
 }
 
-std::size_t thread_count(const std::vector<LoadedConfiguration>& all) {
-  return representative(all.front().groups.front()).threads->screw.axial_load.size();
-}
-
-Axis thread_axis(std::size_t threads) {
-  const int count = static_cast<int>(threads);
-  const int step = count <= 10 ? 1 : count <= 30 ? 5 : 10 * ((count + 99) / 100);
-  Axis axis{"Thread, from the loaded end of the screw", 0.4, count + 0.6, {1}};
-  for (int tic = step; tic <= count; tic += step)
-    if (tic > 1) axis.tics.push_back(tic);
-  return axis;
-}
-
-std::vector<std::optional<Direction>> directions(const std::vector<LoadedConfiguration>& all) {
-  const std::optional<Direction> kAll[] = {Direction::tension, Direction::compression, {}};
-  std::vector<std::optional<Direction>> present;
-  for (const auto d : kAll)
-    if (std::any_of(all.begin(), all.end(), [&](const auto& c) { return c.group(d); }))
-      present.push_back(d);
-  return present;
-}
-
-Polyline over_threads(const std::vector<double>& values, double factor) {
-  Polyline points;
-  for (const double value : values)
-    points.push_back({static_cast<double>(points.size() + 1), value * factor});
-  return points;
-}
-
-Panel thread_panel(const ThreadPlot& plot, const std::vector<LoadedConfiguration>& all,
-                   std::optional<Direction> direction, Interface i) {
-  Panel panel;
-  panel.title = interface_title(i);
-  if (direction) panel.title += fmt::format(", {}", name(*direction));
+/// A row of panels a direction, a column an interface, a line a configuration.
+std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result,
+                                    const FigureOptions& options) {
+  std::vector<LoadedConfiguration> all = configurations(result, options, plot.keep);
+  if (all.empty()) return std::nullopt;
+  Figure figure{plot.name, plot.title + common_force(all)};
+  keep_first(all, kMostLines, figure.title);
+  figure.y = {plot.label, plot.unit};
+  figure.columns = std::size(kInterfaces);
+  for (std::size_t c = 0; c < all.size(); ++c) figure.add(all[c].name, marked_line(c));
+  const std::size_t levels = figure.styles.size();
   for (std::size_t c = 0; c < all.size(); ++c)
-    if (const CaseGroup* group = all[c].group(direction))
-      panel.lines.push_back(
-          {c, {over_threads(plot.values(representative(*group), i), plot.factor)}});
-  return panel;
-}
-
-/// Where a direction of a configuration stands in the figure.
-Panel& panel_at(Figure& figure, std::size_t row, Interface i) {
-  return figure.panels[row * std::size(kInterfaces) + (i == Interface::screw ? 0 : 1)];
-}
-
-/// The levels of all lines, behind them.
-void add_levels(Figure& figure, const ThreadPlot& plot,
-                const std::vector<LoadedConfiguration>& all) {
-  const std::size_t first_style = figure.styles.size();
-  for (std::size_t c = 0; c < all.size(); ++c)
-    figure.styles.push_back({kConfigurationStyles[c].colour, 2, 0, 1.2});
-  bool any = false;
-  const auto rows = directions(all);
-  for (std::size_t row = 0; row < rows.size(); ++row)
-    for (std::size_t c = 0; c < all.size(); ++c)
-      if (const CaseGroup* group = all[c].group(rows[row]))
-        for (const Interface i : kInterfaces)
-          if (const auto level = plot.level(representative(*group), i)) {
-            const double y = *level * plot.factor;
-            std::vector<Line>& lines = panel_at(figure, row, i).lines;
-            lines.insert(lines.begin(),
-                         {first_style + c, {{{figure.x.from, y}, {figure.x.to, y}}}});
-            any = true;
-          }
-  if (any) add_to_legend(figure, plot.level_title, {"#555555", 2, 0, 1.2});
+    figure.add(line_of(palette(c), Dash::dashed, Weight::thin));
+  std::size_t threads = 0;
+  bool has_level = false;
+  for (const std::optional<Direction> direction :
+       {std::optional(Direction::tension), std::optional(Direction::compression), {}}) {
+    if (std::ranges::none_of(all, [&](const auto& c) { return c.group(direction); })) continue;
+    for (const Interface i : kInterfaces) {
+      Panel& panel = figure.panels.emplace_back();
+      panel.title = interface_title(i);
+      if (direction) panel.title += fmt::format(", {}", name(*direction));
+      for (std::size_t c = 0; c < all.size(); ++c) {
+        const CaseGroup* group = all[c].group(direction);
+        if (!group) continue;
+        const std::vector<double>& values = plot.values(representative(*group), i);
+        threads = std::max(threads, values.size());
+        panel.series.push_back({c, {over_threads(values, plot.factor)}});
+        const auto level = plot.level ? plot.level(representative(*group), i) : std::nullopt;
+        if (level) panel.references.push_back({levels + c, *level * plot.factor});
+        has_level = has_level || level;
+      }
+    }
+  }
+  if (has_level) figure.add("every thread with equal shares", kMeanStyle);
+  figure.x = thread_axis(threads);
+  return figure;
 }
 
 template <std::vector<double> InterfaceLoads::*values>
@@ -106,46 +95,92 @@ const std::vector<double>& loads_of(const LoadCaseResult& result, Interface i) {
   return (*result.threads)[i].*values;
 }
 
+template <std::vector<double> InterfaceSlip::*values>
+const std::vector<double>& slip_of(const LoadCaseResult& result, Interface i) {
+  return result.slip->threads[i].*values;
+}
+
+bool has_shares(const LoadCaseResult& result) { return result.threads.has_value(); }
+
+bool has_pressure(const LoadCaseResult& result) {
+  return result.threads && !(result.threads->screw.peak_pressure.empty() &&
+                             result.threads->nut.peak_pressure.empty());
+}
+
+bool has_thread_slip(const LoadCaseResult& result) { return has_slip(result) && result.threads; }
+
+std::optional<double> with_equal_shares(const LoadCaseResult& result, Interface i) {
+  const std::optional<EqualShareSlip>& equal = result.slip->equal_shares;
+  return equal ? std::optional(equal->thread_power[i]) : std::nullopt;
+}
+
+Figures fitted(std::optional<Figure> figure) {
+  if (!figure) return {};
+  fit_y_range(*figure);
+  return {std::move(*figure)};
+}
+
 }  // namespace
 
-std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result) {
-  std::vector<LoadedConfiguration> all = loaded_configurations(result.load_cases, 1, plot.keep);
-  if (all.empty()) return std::nullopt;
-  Figure figure;
-  figure.name = plot.name;
-  figure.title = plot.title + common_force(all);
-  keep_first(all, std::size(kConfigurationStyles), figure.title);
-  figure.x = thread_axis(thread_count(all));
-  figure.y.label = plot.y_label;
-  figure.columns = std::size(kInterfaces);
-  for (std::size_t c = 0; c < all.size(); ++c)
-    add_to_legend(figure, all[c].name, kConfigurationStyles[c]);
-  for (const auto direction : directions(all))
-    for (const Interface i : kInterfaces)
-      figure.panels.push_back(thread_panel(plot, all, direction, i));
-  if (plot.level) add_levels(figure, plot, all);
-  return figure;
-}
-
-std::optional<Figure> load_distribution_figure(const Result& result) {
+Figures load_distribution(const Result& result, const FigureOptions& options) {
   std::optional<Figure> figure =
-      thread_figure({"load_distribution", "Load distribution", "Load rate (%)",
-                     loads_of<&InterfaceLoads::load_rate>, per_si::percent, is_solved},
-                    result);
-  if (!figure) return figure;
+      thread_figure({"load_distribution", "Load distribution", "Share of the load", "%",
+                     loads_of<&InterfaceLoads::load_rate>, per_si::percent, has_shares},
+                    result, options);
+  if (!figure) return {};
   // The threads of a panel's first line share 100 %.
-  add_mean(*figure, figure->panels.front().lines.front().parts.front().size());
-  fit_y_range(*figure);
-  return figure;
+  const Polyline& shares = figure->panels.front().series.front().parts.front();
+  add_mean(*figure, per_si::percent / static_cast<double>(shares.size()));
+  return fitted(std::move(figure));
 }
 
-std::optional<Figure> peak_pressure_figure(const Result& result) {
-  std::optional<Figure> figure =
-      thread_figure({"peak_pressure", "Peak contact pressure", "Peak pressure (GPa)",
-                     loads_of<&InterfaceLoads::peak_pressure>, per_si::gigapascal, has_pressure},
-                    result);
-  if (figure) fit_y_range(*figure);
-  return figure;
+Figures peak_pressure(const Result& result, const FigureOptions& options) {
+  return fitted(
+      thread_figure({"peak_pressure", "Peak contact pressure", "Peak pressure", "MPa",
+                     loads_of<&InterfaceLoads::peak_pressure>, per_si::megapascal, has_pressure},
+                    result, options));
+}
+
+Figures thread_power(const Result& result, const FigureOptions& options) {
+  FigureOptions one = options;
+  if (options.load_case) one.load_cases = {*options.load_case};
+  return fitted(
+      thread_figure({"thread_power", "Power lost at each thread of a roller", "Power", "W",
+                     slip_of<&InterfaceSlip::power>, 1.0, has_thread_slip, with_equal_shares},
+                    result, one));
+}
+
+/// Friction coefficient and sliding speed of each thread, a panel each.
+Figures friction(const Result& result, const FigureOptions& options) {
+  const LoadCaseResult* shown = chosen_case(result, options, has_thread_slip);
+  if (!shown) return {};
+  Figure figure{"friction",
+                "Friction and sliding of each thread, " + shown_name(shown->load_case.name)};
+  figure.columns = 2;
+  struct Shown {
+    const char* title;
+    const char* unit;
+    std::vector<double> InterfaceSlip::*values;
+    double factor;
+  };
+  constexpr Shown kShown[] = {
+      {"Friction coefficient", "", &InterfaceSlip::friction_coefficient, 1.0},
+      {"Sliding speed", "mm/s", &InterfaceSlip::sliding_speed, per_si::millimetre}};
+  for (std::size_t k = 0; k < std::size(kInterfaces); ++k)
+    figure.add(interface_title(kInterfaces[k]), marked_line(k));
+  for (const Shown& s : kShown) {
+    Panel& panel = figure.panels.emplace_back();
+    panel.title = s.title;
+    for (std::size_t k = 0; k < std::size(kInterfaces); ++k)
+      panel.series.push_back(
+          {k, {over_threads(shown->slip->threads[kInterfaces[k]].*s.values, s.factor)}});
+    Range range = range_of_y(panel.series);
+    range.include(0.0);
+    range.widen(0.06);
+    panel.y = Axis{s.title, s.unit, 0.0, range.to};
+  }
+  figure.x = thread_axis(shown->threads->screw.axial_load.size());
+  return {std::move(figure)};
 }
 
 }  // namespace prs

@@ -10,9 +10,7 @@
 #include "prs/quantities/json_values.h"
 #include "prs/output/case_table.h"
 #include "prs/output/csv_writer.h"
-#include "prs/figures/figure_style.h"
 #include "prs/quantities/response_title.h"
-#include "prs/figures/study_figure_parts.h"
 #include "prs/study/study_text.h"
 #include "prs/text.h"
 #include "prs/output/warnings.h"
@@ -57,41 +55,6 @@ Json factor_json(const Factor& factor, const std::optional<Derivative>& d,
 
 std::string label_of(const Factor& factor) {
   return shortened(printable(factor.label), kFactorWidth);
-}
-
-/// What 1 % of each factor does, as bars from above to below with the labels on their left.
-Figure elasticity_figure(const CaseDerivatives& result, std::size_t response,
-                         std::vector<std::size_t> order) {
-  order.resize(std::min(order.size(), kMostBars));
-  const std::string name = response_title(result.study.responses[response]).name;
-  Figure figure;
-  figure.name = "derivatives_" + study_figure_name(response, result.study.responses[response]);
-  figure.title = fmt::format("{}: change by 1 % of each factor", capitalised(name));
-  Line grows{add_to_legend(figure, "grows with the factor", fill_of("#004488")), {}};
-  Line falls{add_to_legend(figure, "falls", fill_of("#bb5566")), {}};
-  double least = 0.0, most = 0.0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const double elasticity = *result.factors[order[i]].responses[response]->elasticity;
-    const double at = static_cast<double>(i + 1);
-    (elasticity < 0.0 ? falls : grows)
-        .parts.push_back(
-            rectangle(std::min(elasticity, 0.0), std::max(elasticity, 0.0), at - 0.35, at + 0.35));
-    least = std::min(least, elasticity);
-    most = std::max(most, elasticity);
-  }
-  const double span = most > least ? most - least : 1.0;
-  const double label = least - 0.75 * span;
-  figure.x = {"Change of the response (%)", label - 0.02 * span, most + 0.04 * span};
-  figure.y = {
-      "", static_cast<double>(order.size()) + 0.5, 0.5, {0}};  // No tic, nor line, in sight.
-  figure.panel_height = 50 + 26 * static_cast<int>(order.size());
-  Panel panel;
-  for (std::size_t i = 0; i < order.size(); ++i)
-    panel.labels.push_back(
-        {label_of(result.study.factors[order[i]]), label, static_cast<double>(i + 1)});
-  panel.lines = {std::move(grows), std::move(falls)};
-  figure.panels.push_back(std::move(panel));
-  return figure;
 }
 
 /// The responses that have no derivative by a factor, by name.
@@ -172,14 +135,6 @@ std::string derivatives_table(const CaseDerivatives& result) {
                                          printable(result.factors[f].reason)),
                              "  ", kTableWidth);
   return text + warning_section(result.warnings);
-}
-
-std::vector<Figure> derivatives_figures(const CaseDerivatives& result) {
-  std::vector<Figure> figures;
-  for (std::size_t k = 0; k < std::min(result.values.size(), kMostStudyFigures); ++k)
-    if (const std::vector<std::size_t> order = ranked(result, k); !order.empty())
-      figures.push_back(elasticity_figure(result, k, order));
-  return figures;
 }
 
 }  // namespace prs

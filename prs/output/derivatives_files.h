@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "prs/quantities/json.h"
-#include "prs/figures/figure.h"
 #include "prs/study/derivatives.h"
 
 namespace prs {
@@ -19,8 +18,5 @@ std::string derivatives_csv(const CaseDerivatives& result);
 
 /// A table a response: what 1 % of each factor does to it, the strongest first.
 std::string derivatives_table(const CaseDerivatives& result);
-
-/// One figure a response, at most 24: what 1 % of each factor does to it, as bars.
-std::vector<Figure> derivatives_figures(const CaseDerivatives& result);
 
 }  // namespace prs

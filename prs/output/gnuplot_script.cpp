@@ -6,236 +6,137 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/output/gnuplot_script_parts.h"
-#include "prs/text.h"
+#include "prs/output/gnuplot_parts.h"
 
 namespace prs {
 namespace {
 
-// Layout in pixels of the SVG; the PNG has twice as many. Printed 170 mm wide, the text has 8 pt.
-constexpr int kWidth = 900;
 constexpr int kFontSize = 15;
-constexpr int kLeft = 92, kRight = 20, kColumnGap = 68;
-constexpr int kTop = 70, kRowGap = 76, kLabelledRowGap = 104, kBottom = 76;
-constexpr int kTicWidth = 55, kTicHeight = 36;   // Room for a number, in drawings.
-constexpr int kMostTics = 7, kTicCharacter = 8;  // In panels beside each other.
-constexpr int kLegendRow = 25, kLegendMargin = 14;
-constexpr int kLegendSymbol = 75, kCharacter = 10;
-constexpr int kColourBarHeight = 14, kColourBarRoom = 74;  // The room with numbers and label.
-constexpr double kColourBarWidth = 0.4;                    // Share of the image.
 constexpr double kCellOverlap = 1.02;  // Hides the seams that smoothed edges leave.
+constexpr std::string_view kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                         "#e69f00", "#56b4e9", "#000000", "#7f7f7f",
+                                         "#555555", "#aaaaaa", "#cc3311"};
+constexpr std::string_view kPaleColours[] = {"#c9dfef", "#f6d9c6", "#cdebdf", "#f3dfe9",
+                                             "#f9e7c3", "#d9edfa", "#d0d0d0", "#dddddd",
+                                             "#d5d5d5", "#eeeeee", "#f3cfc8"};
+constexpr int kMarks[] = {0, 7, 5, 9, 13, 11, 1, 2, 3};      // Point types of gnuplot.
+constexpr int kOpenMarks[] = {0, 6, 4, 8, 12, 10, 1, 2, 3};  // Those that are outlined.
+constexpr double kWidths[] = {1.0, 1.6, 2.4};
+constexpr double kSizes[] = {0.4, 0.75, 1.1};
 
-int longest_title(const std::vector<LegendEntry>& legend) {
-  std::size_t longest = 0;
-  for (const LegendEntry& entry : legend)
-    longest = std::max(longest, width(panel_title(entry.title)));
-  return static_cast<int>(longest);
+template <class Table, class Value>
+const auto& look(const Table& table, Value value) {
+  return table[static_cast<std::size_t>(value)];
 }
 
-/// Pixels from the upper left of the image.
-struct Box {
-  int left = 0, right = 0, top = 0, bottom = 0;
-
-  int width() const { return right - left; }
-  int height() const { return bottom - top; }
-};
-
-bool has_own(const Figure& figure, std::optional<Axis> Panel::*axis) {
-  return std::any_of(figure.panels.begin(), figure.panels.end(),
-                     [&](const Panel& panel) { return (panel.*axis).has_value(); });
+std::string margins(const Box& box, int height) {
+  const double w = kImageWidth, h = height;
+  return fmt::format(
+      "set lmargin at screen {:.4f}; set rmargin at screen {:.4f}; "
+      "set bmargin at screen {:.4f}; set tmargin at screen {:.4f}\n",
+      box.left / w, box.right / w, 1 - box.bottom / h, 1 - box.top / h);
 }
 
-/// Where panels and legend lie in the image.
-class Layout {
- public:
-  explicit Layout(const Figure& figure)
-      : columns_(static_cast<int>(figure.columns)),
-        overviews_(figure.first_is_overview ? 1 : 0),
-        panel_height_(figure.panel_height),
-        column_gap_(has_own(figure, &Panel::y) ? kLeft : kColumnGap),
-        row_gap_(has_own(figure, &Panel::x) ? kLabelledRowGap : kRowGap) {
-    const int cells = static_cast<int>(figure.panels.size()) - overviews_;
-    const int cell_columns = columns_ - overviews_;
-    rows_ = (cells + cell_columns - 1) / cell_columns;
-    const double widths = kWidth - kLeft - kRight - (columns_ - 1) * column_gap_;
-    other_width_ = static_cast<int>(widths / (figure.first_column + columns_ - 1));
-    first_width_ = static_cast<int>(other_width_ * figure.first_column);
-    const int entry_width = kLegendSymbol + kCharacter * longest_title(figure.legend);
-    const int entries = static_cast<int>(figure.legend.size());
-    legend_columns_ = std::clamp((kWidth - 2 * kRight) / entry_width, 1, std::max(1, entries));
-    const int legend_rows = (entries + legend_columns_ - 1) / legend_columns_;
-    legend_height_ = legend_rows * kLegendRow + kLegendMargin;
-    colour_bar_room_ = figure.colours ? kColourBarRoom : 0;
-  }
-
-  int height() const {
-    return bottom_of_row(rows_ - 1) + kBottom + colour_bar_room_ + legend_height_;
-  }
-  /// Share of the height, from below.
-  double colour_bar_from() const {
-    const int below = legend_height_ + colour_bar_room_ - kColourBarHeight;
-    return below / static_cast<double>(height());
-  }
-  int legend_columns() const { return legend_columns_; }
-
-  std::string legend_margins() const {
-    return margins({0, kWidth, height() - legend_height_, height()});
-  }
-
-  Box panel(std::size_t index) const {
-    const int c = column(index);
-    const int left = kLeft + (c > 0 ? first_width_ + column_gap_ : 0) +
-                     std::max(0, c - 1) * (other_width_ + column_gap_);
-    const int last_row = is_overview(index) ? rows_ - 1 : row(index);
-    return {left, left + (c == 0 ? first_width_ : other_width_), top_of_row(row(index)),
-            bottom_of_row(last_row)};
-  }
-  std::string panel_margins(std::size_t index) const { return margins(panel(index)); }
-
-  /// With the room of tics and labels.
-  ScreenBox surface_box(std::size_t index) const {
-    const Box box = panel(index);
-    const double below = box.bottom + kBottom, left = box.left - 0.4 * kColumnGap;
-    return {left / kWidth, 1.0 - below / height(), (box.right + kRight - left) / kWidth,
-            (below - box.top + kTop / 2.0) / height()};
-  }
-
-  bool is_leftmost(std::size_t index) const { return column(index) == 0; }
-  bool is_lowest(std::size_t index) const { return is_overview(index) || row(index) == rows_ - 1; }
-
- private:
-  bool is_overview(std::size_t index) const { return static_cast<int>(index) < overviews_; }
-  /// Index among the panels that are no overview.
-  int cell(std::size_t index) const { return static_cast<int>(index) - overviews_; }
-  int column(std::size_t index) const {
-    return is_overview(index) ? 0 : overviews_ + cell(index) % (columns_ - overviews_);
-  }
-  int row(std::size_t index) const {
-    return is_overview(index) ? 0 : cell(index) / (columns_ - overviews_);
-  }
-  int top_of_row(int row) const { return kTop + row * (panel_height_ + row_gap_); }
-  int bottom_of_row(int row) const { return top_of_row(row) + panel_height_; }
-
-  std::string margins(const Box& box) const {
-    const double w = kWidth;
-    const double h = height();
-    return fmt::format(
-        "set lmargin at screen {:.4f}; set rmargin at screen {:.4f}; "
-        "set bmargin at screen {:.4f}; set tmargin at screen {:.4f}\n",
-        box.left / w, box.right / w, 1 - box.bottom / h, 1 - box.top / h);
-  }
-
-  int columns_ = 1;
-  int overviews_ = 0;
-  int panel_height_ = 0;
-  int column_gap_ = 0;
-  int row_gap_ = 0;
-  int first_width_ = 0;
-  int other_width_ = 0;
-  int rows_ = 1;
-  int legend_columns_ = 1;
-  int legend_height_ = 0;
-  int colour_bar_room_ = 0;
-};
-
-std::string style_lines(const std::vector<LineStyle>& styles) {
+std::string style_lines(const std::vector<Style>& styles) {
   std::string script;
   for (std::size_t k = 0; k < styles.size(); ++k) {
-    const LineStyle& s = styles[k];
-    script += fmt::format("set style line {} lc rgb '{}' dt {} lw {} pt {} ps {} pi {}\n", k + 1,
-                          s.colour, std::max(1, s.dash), s.width, s.point,
-                          s.point == 0 ? 0.0 : 0.25 + 0.25 * s.width, s.point_interval);
+    const Style& s = styles[k];
+    script += fmt::format("set style line {} lc rgb '{}' dt {} lw {} pt {} ps {}\n", k + 1,
+                          look(kColours, s.colour), std::max(1, static_cast<int>(s.dash)),
+                          look(kWidths, s.weight), look(s.open ? kOpenMarks : kMarks, s.mark),
+                          s.mark == Mark::none ? 0.0 : look(kSizes, s.weight));
   }
   return script;
 }
 
-/// Tail and head of each arrow.
-std::string arrow_data(const Line& line) {
+std::string number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.7g}", value) : "NaN";
+}
+
+/// The parts, an empty text line between them: points with the value of their part or, of arrows,
+/// tail and way to the head.
+std::string series_data(const Series& series, bool arrows) {
   std::string data;
-  for (const Polyline& part : line.parts)
-    data += fmt::format("{:.7g} {:.7g} {:.7g} {:.7g}\n", part[0][0], part[0][1],
-                        part[1][0] - part[0][0], part[1][1] - part[0][1]);
+  for (std::size_t k = 0; k < series.parts.size(); ++k) {
+    const Polyline& part = series.parts[k];
+    if (part.empty()) continue;
+    if (arrows) {
+      data += fmt::format("{:.7g} {:.7g} {:.7g} {:.7g}\n", part[0][0], part[0][1],
+                          part[1][0] - part[0][0], part[1][1] - part[0][1]);
+      continue;
+    }
+    if (!data.empty()) data += '\n';
+    for (const auto& [x, y] : part)
+      data += fmt::format("{} {} {}\n", number(x), number(y),
+                          series.values.empty() ? "0" : number(series.values[k]));
+  }
   return data.empty() ? "NaN NaN NaN NaN\n" : data;
 }
 
-/// Points of a line; an empty text line interrupts it.
-std::string line_data(const Line& line) {
+std::string grid_data(const GridData& grid) {
   std::string data;
-  for (const Polyline& part : line.parts) {
-    if (part.empty()) continue;
-    if (!data.empty()) data += '\n';
-    for (const auto& [x, y] : part) data += fmt::format("{:.7g} {:.7g}\n", x, y);
-  }
-  return data.empty() ? "NaN NaN\n" : data;
-}
-
-std::string cell_data(const CellMap& map) {
-  std::string data;
-  for (const Cell& cell : map.cells)
-    data += fmt::format("{:.7g} {:.7g} {:.7g}\n", cell.x, cell.y, cell.value);
+  for (std::size_t i = 0; i < grid.x.size(); ++i, data += '\n')
+    for (std::size_t j = 0; j < grid.y.size(); ++j)
+      data += fmt::format("{:.7g} {:.7g} {}\n", grid.x[i], grid.y[j], number(grid.at(i, j)));
   return data;
 }
 
-/// One block of data a panel, its cells after its lines; two empty text lines separate them.
-std::string data_block(std::size_t index, const Figure& figure) {
+/// A block of data for the series of a panel, and one for its grid.
+std::string data_blocks(std::size_t index, const Figure& figure) {
   const Panel& panel = figure.panels[index];
-  std::string script = fmt::format("$panel_{} << END\n", index + 1);
-  for (const Line& line : panel.lines)
-    script += (figure.styles[line.style].arrows ? arrow_data(line) : line_data(line)) + "\n\n";
-  script += cell_data(panel.map) + "END\n";
-  return panel.surface ? script + surface_data(index, *panel.surface) : script;
+  std::string script;
+  if (!panel.series.empty()) script += fmt::format("$panel_{} << END\n", index + 1);
+  for (const Series& series : panel.series)
+    script += series_data(series, figure.styles[series.style].shape == Shape::arrows) + "\n\n";
+  if (!panel.series.empty()) script += "END\n";
+  const GridData& grid = panel.surface ? panel.surface->grid : panel.map.grid;
+  if (!grid.empty()) script += fmt::format("$grid_{} << END\n{}END\n", index + 1, grid_data(grid));
+  return script;
 }
 
-std::string drawn_with(const Figure& figure, std::size_t style) {
-  const LineStyle& s = figure.styles[style];
-  if (s.arrows) return fmt::format("vectors filled head size screen 0.008,20 ls {}", style + 1);
-  if (s.filled && s.value)
-    return fmt::format("filledcurves closed fs solid noborder fc palette cb {:.7g}", *s.value);
-  if (s.filled) return fmt::format("filledcurves closed fs solid noborder fc rgb '{}'", s.colour);
-  const char* kind = s.point == 0 ? "lines" : s.dash == 0 ? "points" : "linespoints";
-  return fmt::format("{} ls {}", kind, style + 1);
+std::string drawn_with(const Style& s, std::size_t style, std::size_t longest_part) {
+  if (s.shape == Shape::arrows)
+    return fmt::format("vectors filled head size screen 0.008,20 ls {}", style + 1);
+  if (s.shape == Shape::area)
+    return fmt::format("filledcurves closed fs solid noborder fc rgb '{}'",
+                       look(s.pale ? kPaleColours : kColours, s.colour));
+  if (s.mark == Mark::none) return fmt::format("lines ls {}", style + 1);
+  if (s.dash == Dash::none) return fmt::format("points ls {}", style + 1);
+  return fmt::format("linespoints ls {} pi {}", style + 1, (longest_part + 11) / 12);
 }
 
-std::string axis_lines(char axis, const Axis& a, std::string_view label, std::string_view tics) {
-  return fmt::format(
-      "{5} logscale {0}\n"
-      "set {0}range [{1:.7g}:{2:.7g}]\n"
-      "set {0}tics {3}\n"
-      "set {0}label {4}\n",
-      axis, a.from, a.to, tics, gnuplot_string(label), a.logarithmic ? "set" : "unset");
+/// What draws series k of a panel.
+void add_plots(std::vector<std::string>& plots, const Figure& figure, std::size_t index,
+               std::size_t k) {
+  const Series& series = figure.panels[index].series[k];
+  const Style& style = figure.styles[series.style];
+  const bool is_over_map =
+      !figure.panels[index].map.grid.empty() && !figure.panels[index].map.cells;
+  std::size_t longest = 0;
+  for (const Polyline& part : series.parts) longest = std::max(longest, part.size());
+  const std::string with = drawn_with(style, series.style, longest);
+  const std::string data = fmt::format("$panel_{} index {}", index + 1, k);
+  if (is_over_map)
+    plots.push_back(fmt::format("{} using 1:2:(0) with {} nocontour", data, with));
+  else if (series.values.empty())
+    plots.push_back(fmt::format("{} with {}", data, with));
+  else if (style.shape != Shape::area)
+    plots.push_back(fmt::format("{} using 1:2:3 with {} lc palette", data, with));
+  else
+    for (std::size_t part = 0; part < series.parts.size(); ++part)
+      plots.push_back(
+          fmt::format("{0} every :::{1}::{1} with filledcurves closed fs solid border rgb "
+                      "'#000000' fc palette cb {2:.7g}",
+                      data, part, series.values[part]));
 }
 
-/// Tics as the axis has them, or those that gnuplot chooses.
-std::string tics_of(const Axis& axis) {
-  return axis.tics.empty() ? "autofreq" : fmt::format("({})", fmt::join(axis.tics, ", "));
-}
-
-/// Tics with room for their numbers. (gnuplot's own choice runs together in narrow panels.)
-std::string tics_with_room(const Axis& axis, int count) {
-  return fmt::format("{:.7g}", tic_distance(axis.to - axis.from, std::max(1, count)));
-}
-
-/// As many tics as have their numbers side by side.
-std::string tics_side_by_side(const Axis& axis, int width) {
-  const double length = axis.to - axis.from;
-  double distance = length;
-  for (int count = kMostTics; count > 1; --count) {
-    distance = tic_distance(length, count);
-    std::size_t characters = 0;
-    for (const double end : {axis.from, axis.to})
-      characters =
-          std::max(characters, fmt::format("{:g}", distance * std::round(end / distance)).size());
-    if (length / distance * kTicCharacter * (static_cast<double>(characters) + 0.8) <= width) break;
-  }
-  return fmt::format("{:.7g}", distance);
-}
-
-/// The range, or a little more about its middle where gnuplot would see none.
+/// A little more about its middle where gnuplot would see no range.
 Axis with_length(Axis axis) {
   constexpr double kLeast = 2e-6;  // Of the numbers, which are written with seven digits.
+  if (!(std::isfinite(axis.from) && std::isfinite(axis.to)) || axis.logarithmic) return axis;
   const double size = std::max(std::abs(axis.from), std::abs(axis.to));
   const double margin = size > 0.0 ? kLeast * size : 1.0;
-  if (axis.to - axis.from > margin) return axis;
+  if (std::abs(axis.to - axis.from) > margin) return axis;
   axis.from -= margin;
   axis.to += margin;
   return axis;
@@ -248,35 +149,53 @@ void widen(Axis& axis, double length) {
   axis.to += margin;
 }
 
-void bring_to_scale(Axis& x, Axis& y, const Box& box) {
-  const double unit = std::min(box.width() / (x.to - x.from), box.height() / (y.to - y.from));
-  widen(x, box.width() / unit);
-  widen(y, box.height() / unit);
+std::string range_end(double value) {
+  return std::isfinite(value) ? fmt::format("{:.7g}", value) : "*";
+}
+
+std::string axis_lines(char name, const Axis& a, bool labelled, int pixels) {
+  const bool horizontal = name == 'x';
+  std::string script =
+      fmt::format("{1} logscale {0}\nset {0}range [{2}:{3}]\n", name,
+                  a.logarithmic ? "set" : "unset", range_end(a.from), range_end(a.to));
+  script += a.hidden
+                ? fmt::format("unset {}tics\n", name)
+                : fmt::format("set {}tics out nomirror scale 0.5 {} {}\n", name,
+                              horizontal && is_crowded(a, pixels) ? "rotate by -35" : "norotate",
+                              gnuplot_ticks(a, pixels, horizontal));
+  return script + fmt::format("set {}label {}\n", name,
+                              labelled && !a.hidden ? gnuplot_fitted(text_of(a), pixels) : "''");
 }
 
 std::string axes_lines(const Figure& figure, const Layout& layout, std::size_t index) {
   const Panel& panel = figure.panels[index];
-  Axis x = with_length(panel.x.value_or(figure.x));
-  Axis y = with_length(panel.y.value_or(figure.y));
-  const std::string x_label = panel.x || layout.is_lowest(index) ? x.label : "";
-  const std::string y_label = panel.y || layout.is_leftmost(index) ? y.label : "";
   const Box box = layout.panel(index);
-  if (!figure.to_scale) {
-    const bool chosen = figure.columns == 1 || x.logarithmic || !x.tics.empty();
-    return axis_lines('x', x, x_label, chosen ? tics_of(x) : tics_side_by_side(x, box.width())) +
-           axis_lines('y', y, y_label, tics_of(y));
+  Axis x = with_length(x_axis(figure, panel)), y = with_length(y_axis(figure, panel));
+  if (figure.to_scale) {
+    const double unit = std::min(box.width() / (x.to - x.from), box.height() / (y.to - y.from));
+    widen(x, box.width() / unit);
+    widen(y, box.height() / unit);
   }
-  bring_to_scale(x, y, box);
-  return axis_lines('x', x, x_label, tics_with_room(x, box.width() / kTicWidth)) +
-         axis_lines('y', y, y_label, tics_with_room(y, box.height() / kTicHeight));
+  return axis_lines('x', x, panel.x || layout.is_lowest(index), box.width()) +
+         axis_lines('y', y, panel.y || layout.is_leftmost(index), box.height());
 }
 
-std::string label_lines(const std::vector<Label>& labels) {
-  std::string script = "unset label\n";
-  for (const Label& label : labels)
+std::string label_lines(const Panel& panel) {
+  constexpr std::string_view kAnchors[] = {"left", "center", "right"};
+  std::string script = "unset label; unset arrow\n";
+  for (const Label& label : panel.labels)
     script += fmt::format("set label {0} at {1}{2:.7g}, {1}{3:.7g} {4} front\n",
-                          gnuplot_string(panel_title(label.text)), label.in_panel ? "graph " : "",
-                          label.x, label.y, label.centred ? "center" : "left");
+                          gnuplot_string(label.text), label.in_panel ? "graph " : "", label.x,
+                          label.y, look(kAnchors, label.anchor));
+  for (const ReferenceLine& r : panel.references)
+    script += r.vertical ? fmt::format(
+                               "set arrow from {0:.7g}, graph 0 to {0:.7g}, graph 1 nohead "
+                               "ls {1} back\n",
+                               r.at, r.style + 1)
+                         : fmt::format(
+                               "set arrow from graph 0, first {0:.7g} to graph 1, first "
+                               "{0:.7g} nohead ls {1} back\n",
+                               r.at, r.style + 1);
   return script;
 }
 
@@ -284,60 +203,126 @@ std::string label_lines(const std::vector<Label>& labels) {
 std::string palette_lines(const ColourScale& colours) {
   return fmt::format(
       "set palette defined (0 '#ffffe5', 1 '#fee391', 2 '#fec44f', 3 '#ec7014', 4 '#cc4c02')\n"
-      "set cbrange [{:.7g}:{:.7g}]\n"
-      "unset colorbox\n{}",
-      colours.from, colours.to,
-      colours.bands > 0 ? fmt::format("set palette maxcolors {}\n", colours.bands) : "");
+      "{} logscale cb\nset cbrange [{:.7g}:{:.7g}]\nunset colorbox\nset palette maxcolors {}\n",
+      colours.logarithmic ? "set" : "unset", colours.from, colours.to,
+      colours.levels.empty() ? 0 : colours.levels.size() - 1);
 }
 
-/// A box around a drawing, two axes and a grid for reading values of other plots.
-std::string_view frame_lines(bool is_drawing) {
-  return is_drawing ? "set border 15 lw 0.7; set clip two\n"
-                    : "set border 3\n"
-                      "set grid y lc rgb '#d9d9d9' lt 1 lw 0.6\n";
+/// Turn about the vertical that brings the lowest corner to the front, so that the surface rises
+/// away from the eye [deg].
+double turn(const GridData& grid) {
+  const std::size_t i = grid.x.size() - 1, j = grid.y.size() - 1;
+  const double corners[] = {grid.at(0, 0), grid.at(i, 0), grid.at(i, j), grid.at(0, j)};
+  const auto lowest = std::ranges::min_element(corners) - std::begin(corners);
+  return std::fmod(30.0 + 90.0 * static_cast<double>(lowest), 360.0);
+}
+
+std::string space_axis_lines(char name, const Axis& a) {
+  return axis_lines(name, a, true, name == 'z' ? 200 : 240) +
+         fmt::format("set {}tics offset 0,0\nset {}label rotate parallel\n", name, name);
+}
+
+/// A surface, drawn into its box with the room of ticks and labels.
+std::string surface_lines(const Figure& figure, const Layout& layout, std::size_t index) {
+  const Panel& panel = figure.panels[index];
+  const Surface& surface = *panel.surface;
+  const Box box = layout.panel(index);
+  const double h = layout.height();
+  std::string script = fmt::format(
+      "set lmargin -1; set rmargin -1; set tmargin -1; set bmargin -1\n"
+      "set border 31 lc rgb '#777777'; set xyplane relative 0\n"
+      "set grid x y z vertical lc rgb '#d9d9d9' lt 1 lw 0.6\n"
+      "set pm3d scansautomatic interpolate 1,1 border lc rgb '#8c510a' lw 0.2; set palette "
+      "maxcolors 0\n"
+      "set origin {:.4f},{:.4f}; set size {:.4f},{:.4f}\n"
+      "set view 60,{},1,0.9\nset title {}\nunset label; unset arrow\n",
+      (box.left - 10.0) / kImageWidth, 1.0 - (box.bottom + 70.0) / h,
+      (box.width() + 40.0) / kImageWidth, (box.height() + 100.0) / h, turn(surface.grid),
+      gnuplot_fitted(panel.title, box.width()));
+  script += space_axis_lines('x', x_axis(figure, panel)) +
+            space_axis_lines('y', y_axis(figure, panel)) + space_axis_lines('z', surface.z);
+  for (const SurfacePoint& point : surface.points)
+    script += fmt::format(
+        "set label {} at {:.7g},{:.7g},{:.7g} point pt 7 ps 0.7 lc rgb 'black' offset 0.6,0.5 "
+        "front\n",
+        gnuplot_string(point.name), point.x, point.y, point.z);
+  return script + fmt::format(
+                      "splot $grid_{} using 1:2:3 with pm3d\n"
+                      "set origin 0,0; set size 1,1; unset grid; unset label; unset zlabel\n"
+                      "unset logscale; set border lc rgb 'black'\n"
+                      "set xlabel norotate; set ylabel rotate by 90\n",
+                      index + 1);
+}
+
+/// A map in bands with labelled lines between them, seen from above.
+std::string map_lines(const Figure& figure, std::size_t index) {
+  constexpr std::size_t kFineNodes = 80;  // So many along an axis show no steps.
+  const bool lined = figure.colours && !figure.colours->levels.empty();
+  const GridData& grid = figure.panels[index].map.grid;
+  std::string script = fmt::format(
+      "set view map; set pm3d explicit corners2color mean border retrace interpolate {},{}\n",
+      kFineNodes / grid.y.size() + 1, kFineNodes / grid.x.size() + 1);
+  std::vector<std::string> plots = {
+      fmt::format("$grid_{} using 1:2:3 with pm3d nocontour", index + 1)};
+  if (lined) {
+    script += fmt::format(
+        "set contour base; set cntrparam levels discrete {:.7g}\n"
+        "set cntrlabel onecolor format '%.7g' start 5 interval 10000\n",
+        fmt::join(figure.colours->levels, ", "));
+    plots.push_back(fmt::format("$grid_{} using 1:2:3 with lines nosurface lc rgb '#8c510a' lw 0.5",
+                                index + 1));
+    plots.push_back(fmt::format("$grid_{} using 1:2:3 with labels nosurface", index + 1));
+  }
+  for (std::size_t k = 0; k < figure.panels[index].series.size(); ++k)
+    add_plots(plots, figure, index, k);
+  return script + fmt::format("splot {}\nunset contour\n", fmt::join(plots, ", \\\n     "));
+}
+
+/// Half the distance of neighbouring nodes.
+double half_step(const std::vector<double>& at) {
+  return at.size() < 2 ? 0.5 : 0.5 * (at.back() - at.front()) / static_cast<double>(at.size() - 1);
 }
 
 std::string panel_lines(const Figure& figure, const Layout& layout, std::size_t index) {
   const Panel& panel = figure.panels[index];
-  if (panel.surface)
-    return surface_lines(index, panel, panel.x.value_or(figure.x), panel.y.value_or(figure.y),
-                         layout.surface_box(index)) +
-           std::string(frame_lines(figure.to_scale)) +
-           (figure.colours ? palette_lines(*figure.colours) : "");
-  std::string script = layout.panel_margins(index);
-  script += fmt::format("set title {}\n", gnuplot_string(panel_title(panel.title)));
-  script += axes_lines(figure, layout, index) + label_lines(panel.labels);
+  const Box box = layout.panel(index);
+  std::string script =
+      figure.to_scale || !panel.map.grid.empty()
+          ? "set border 15 lw 0.7; set clip two; unset grid\n"
+          : "set border 3 lw 1; unset clip two; set grid y lc rgb '#d9d9d9' lt 1 lw 0.6\n";
+  if (figure.colours) script += palette_lines(*figure.colours);
+  if (panel.surface) return script + surface_lines(figure, layout, index);
+  script += margins(box, layout.height());
+  script += fmt::format("set title {}\n", gnuplot_fitted(panel.title, box.width()));
+  script += axes_lines(figure, layout, index) + label_lines(panel);
+  if (!panel.map.grid.empty() && !panel.map.cells) return script + map_lines(figure, index);
   std::vector<std::string> plots;
-  if (!panel.map.cells.empty())
+  if (!panel.map.grid.empty())
     plots.push_back(fmt::format(
-        "$panel_{} index {} using 1:2:({:.7g}):({:.7g}):3 with boxxyerror fs solid noborder fc "
-        "palette",
-        index + 1, panel.lines.size(), 0.5 * kCellOverlap * panel.map.width,
-        0.5 * kCellOverlap * panel.map.height));
-  for (std::size_t k = 0; k < panel.lines.size(); ++k)
-    plots.push_back(fmt::format("$panel_{} index {} with {}", index + 1, k,
-                                drawn_with(figure, panel.lines[k].style)));
+        "$grid_{} using 1:2:({:.7g}):({:.7g}):3 with boxxyerror fs solid noborder fc palette",
+        index + 1, kCellOverlap * half_step(panel.map.grid.x),
+        kCellOverlap * half_step(panel.map.grid.y)));
+  for (std::size_t k = 0; k < panel.series.size(); ++k) add_plots(plots, figure, index, k);
   if (plots.empty()) plots.push_back("NaN");
   return script + fmt::format("plot {}\n", fmt::join(plots, ", \\\n     "));
 }
 
 std::string colour_bar_lines(const ColourScale& colours, const Layout& layout) {
+  const Box box = layout.colour_bar();
+  const double w = kImageWidth, h = layout.height();
+  Axis axis{colours.label, colours.unit,        colours.from,
+            colours.to,    colours.logarithmic, colours.whole};
   return fmt::format(
       "set colorbox user horizontal origin screen {:.4f},{:.4f} size screen {:.4f},{:.4f}\n"
-      "set cblabel {} offset 0,0.4\n",
-      0.5 * (1.0 - kColourBarWidth), layout.colour_bar_from(), kColourBarWidth,
-      static_cast<double>(kColourBarHeight) / layout.height(), gnuplot_string(colours.label));
-}
-
-/// What draws nothing but the sample in the legend.
-std::string_view nothing(const LineStyle& style) {
-  return style.arrows ? "'+' using (NaN):(NaN):(0):(0)" : "NaN";
+      "set cbtics {}\nset cblabel {} offset 0,0.4\n",
+      box.left / w, 1.0 - box.bottom / h, box.width() / w, box.height() / h,
+      gnuplot_ticks(axis, box.width(), true), gnuplot_fitted(text_of(axis), kImageWidth - 200));
 }
 
 std::string legend_lines(const Figure& figure, const Layout& layout) {
-  std::string script = layout.legend_margins();
+  std::string script = margins(layout.legend(), layout.height());
   script +=
-      "unset logscale; unset title; unset xlabel; unset ylabel; unset label\n"
+      "unset logscale xy; unset title; unset xlabel; unset ylabel; unset label; unset arrow\n"
       "unset grid; unset border; unset xtics; unset ytics\n";
   script += fmt::format("set key center horizontal Left reverse maxcols {} samplen 3\n",
                         layout.legend_columns());
@@ -346,11 +331,14 @@ std::string legend_lines(const Figure& figure, const Layout& layout) {
     script += colour_bar_lines(*figure.colours, layout);
     plots.emplace_back("NaN lc palette notitle");
   }
-  for (std::size_t k = 0; k < figure.legend.size(); ++k) {
-    const std::size_t style = figure.legend[k].style;
-    plots.push_back(fmt::format("{} with {} title legend_{}", nothing(figure.styles[style]),
-                                drawn_with(figure, style), k + 1));
+  for (const LegendEntry& entry : figure.legend) {
+    const Style& style = figure.styles[entry.style];
+    plots.push_back(
+        fmt::format("{} with {} title {}",
+                    style.shape == Shape::arrows ? "'+' using (NaN):(NaN):(0):(0)" : "NaN",
+                    drawn_with(style, entry.style, 1), gnuplot_string(entry.title)));
   }
+  if (plots.empty()) return {};
   return script + fmt::format("plot [0:1] [0:1] {}\n", fmt::join(plots, ", \\\n     "));
 }
 
@@ -362,7 +350,7 @@ std::string terminal_lines(const Figure& figure, int height) {
       "set terminal pngcairo size {3},{4} noenhanced font 'Sans,{5}' linewidth 2 pointscale 2\n"
       "}}\n"
       "set output '{6}.'.format\n",
-      kWidth, height, kFontSize, 2 * kWidth, 2 * height, 1.5 * kFontSize, figure.name);
+      kImageWidth, height, kFontSize, 2 * kImageWidth, 2 * height, 1.5 * kFontSize, figure.name);
 }
 
 }  // namespace
@@ -371,24 +359,13 @@ std::string gnuplot_script(const Figure& figure) {
   const Layout layout(figure);
   std::string script = fmt::format(
       "# Draws {0}.svg and {0}.png: gnuplot {0}.gp\n"
-      "set encoding utf8\n"
-      "set minussign\n"
-      "set format '%g'\n"
-      "set title offset 0,-0.8\n",
+      "set encoding utf8\nset minussign\nset format '%g'\nset title offset 0,-0.8\n",
       figure.name);
   script += style_lines(figure.styles);
-  for (std::size_t k = 0; k < figure.legend.size(); ++k)
-    script +=
-        fmt::format("legend_{} = {}\n", k + 1, gnuplot_string(panel_title(figure.legend[k].title)));
-  for (std::size_t k = 0; k < figure.panels.size(); ++k) script += data_block(k, figure);
-
+  for (std::size_t k = 0; k < figure.panels.size(); ++k) script += data_blocks(k, figure);
   script += "do for [format in 'svg png'] {\n" + terminal_lines(figure, layout.height());
-  script += fmt::format("set multiplot title {}\n", gnuplot_string(figure.title));
-  script +=
-      "set xtics out nomirror scale 0.5; set ytics out nomirror scale 0.5\n"
-      "unset key\n";
-  script += frame_lines(figure.to_scale);
-  if (figure.colours) script += palette_lines(*figure.colours);
+  script += fmt::format("set multiplot title {}\nunset key\n",
+                        gnuplot_fitted(figure.title, kImageWidth - 60));
   for (std::size_t k = 0; k < figure.panels.size(); ++k) script += panel_lines(figure, layout, k);
   script += legend_lines(figure, layout);
   return script + "unset multiplot\nunset output\n}\n";

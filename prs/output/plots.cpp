@@ -10,9 +10,6 @@
 #include <string_view>
 #include <system_error>
 
-#include "prs/figures/contact_figures.h"
-#include "prs/figures/result_figures.h"
-#include "prs/figures/slip_figures.h"
 #include "prs/output/files.h"
 #include "prs/output/gnuplot.h"
 #include "prs/output/gnuplot_script.h"
@@ -129,23 +126,6 @@ Undrawn draw_figures(const std::vector<Figure>& figures, const fs::path& directo
     if (error.code() == std::errc::no_such_file_or_directory) return {{text}, {}};
     return {{}, {text}};
   }
-}
-
-Undrawn draw_plots(const Result& result, const fs::path& directory) {
-  return draw_figures(result_figures(result), directory);
-}
-
-Undrawn draw_contact_plots(const Result& result, const fs::path& directory) {
-  Undrawn undrawn = draw_figures(contact_figures(result), directory);
-  for (std::string& note : contacts_without_figure(result))
-    undrawn.notes.push_back(std::move(note));
-  return undrawn;
-}
-
-Undrawn draw_slip_plots(const Result& result,
-                        const std::vector<std::pair<std::size_t, SlipPictures>>& pictures,
-                        const fs::path& directory) {
-  return draw_figures(slip_figures(result, pictures), directory);
 }
 
 }  // namespace prs

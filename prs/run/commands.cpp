@@ -1,17 +1,14 @@
 #include "prs/run/commands.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
-#include "prs/figures/contact_figures.h"
-#include "prs/figures/life_figures.h"
-#include "prs/figures/measures_figures.h"
-#include "prs/figures/preload_figures.h"
-#include "prs/figures/result_figures.h"
-#include "prs/figures/slip_figures.h"
+#include "prs/figures/pictures.h"
 #include "prs/input/compute_from.h"
 #include "prs/input/force_history.h"
 #include "prs/input/optimize_reader.h"
@@ -54,7 +51,7 @@ struct Forms {
   std::string (*table)(const R&);
   std::vector<std::string> (*notes)(const R&);
   std::vector<OutputFile> (*files)(const R&) = nullptr;
-  std::vector<Figure> (*figures)(const R&, const Case&) = nullptr;
+  Pictures (*pictures)(const R&, const Case&) = nullptr;
   std::vector<std::string> (*without_figure)(const R&) = nullptr;
   bool (*converged)(const R&) = nullptr;
 };
@@ -70,9 +67,9 @@ CommandRow row(Command command, std::string_view help,
                        [=](const DocumentInfo& info) { return forms.document(*result, info); },
                        [=] { return forms.table(*result); }, forms.notes(*result)};
             if (forms.files) d.files = [=] { return forms.files(*result); };
-            if (forms.figures)
-              d.figures = [=, c = std::make_shared<const Case>(in.values)] {
-                return forms.figures(*result, *c);
+            if (forms.pictures)
+              d.pictures = [=, c = std::make_shared<const Case>(in.values)] {
+                return forms.pictures(*result, *c);
               };
             if (forms.without_figure) d.without_figure = forms.without_figure(*result);
             if (forms.converged) d.converged = forms.converged(*result);
@@ -84,7 +81,7 @@ CommandRow row(Command command, std::string_view help,
 
 struct CheckResult {
   std::vector<input::EchoEntry> fields;
-  Contacts contacts;
+  Result geometry;  ///< Contacts alone.
   std::vector<std::string> warnings;
 };
 
@@ -92,8 +89,9 @@ struct CheckResult {
 CheckResult run_check(const input::Source& source, const input::CaseInput& in) {
   if (in.study) input::read_study_input(source);
   if (in.optimize) input::read_optimize_input(source);
-  CheckResult result{in.fields, find_contacts(in.values.mechanism, in.values.materials), {}};
-  result.warnings = geometry_warnings(in.values, result.contacts, in.values.load_cases);
+  CheckResult result{in.fields, {}, {}};
+  result.geometry.contacts = find_contacts(in.values.mechanism, in.values.materials);
+  result.warnings = geometry_warnings(in.values, result.geometry.contacts, in.values.load_cases);
   for (std::string& note : void_input_notes(in.values)) result.warnings.push_back(std::move(note));
   return result;
 }
@@ -192,15 +190,14 @@ std::vector<OutputFile> slip_files(const Result& result) {
 
 bool has_converged_slip(const LoadCaseResult& r) { return r.slip && r.slip->converged(); }
 
-/// The cases whose patches and residue are drawn.
-constexpr std::size_t kMostPatches = 4;
-
-std::vector<Figure> all_slip_figures(const Result& result, const Case& c) {
-  std::vector<std::pair<std::size_t, SlipPictures>> pictures;
-  for (std::size_t k = 0; k < result.load_cases.size() && pictures.size() < kMostPatches; ++k)
-    if (has_converged_slip(result.load_cases[k]))
-      pictures.emplace_back(k, slip_pictures(c, result, k));
-  return slip_figures(result, pictures);
+std::vector<std::string> contacts_without_figure(const Result& result) {
+  std::vector<std::string> notes;
+  for (const Interface i : kInterfaces)
+    if (!result.contacts.interfaces[i].geometry.ok())
+      notes.push_back(fmt::format(
+          "pictures of the contacts were not drawn: the {} threads have no contact point ({})",
+          label(i), failure(result.contacts, i).reason));
+  return notes;
 }
 
 std::vector<OutputFile> life_files(const LifeResult& result) {
@@ -214,23 +211,31 @@ std::vector<OutputFile> life_files(const LifeResult& result) {
 
 const std::vector<CommandRow>& table() {
   static const std::vector<CommandRow> rows = {
-      row<CheckResult>(
-          Command::check, "Validate a case; print every value, default and derived", run_check,
-          {.file = "check.json",
-           .document =
-               [](const CheckResult& r, const DocumentInfo& info) {
-                 return check_json(r.fields, r.contacts, r.warnings, info);
-               },
-           .table =
-               [](const CheckResult& r) { return check_table(r.fields, r.contacts, r.warnings); },
-           .notes = [](const CheckResult& r) { return as_warnings(r.warnings); }}),
+      row<CheckResult>(Command::check, "Validate a case; print every value, default and derived",
+                       run_check,
+                       {.file = "check.json",
+                        .document =
+                            [](const CheckResult& r, const DocumentInfo& info) {
+                              return check_json(r.fields, r.geometry.contacts, r.warnings, info);
+                            },
+                        .table =
+                            [](const CheckResult& r) {
+                              return check_table(r.fields, r.geometry.contacts, r.warnings);
+                            },
+                        .notes = [](const CheckResult& r) { return as_warnings(r.warnings); },
+                        .pictures =
+                            [](const CheckResult& r, const Case&) {
+                              Pictures pictures = contact_pictures(r.geometry);
+                              for (Picture& picture : pictures) picture.is_drawn = false;
+                              return pictures;
+                            }}),
       row<Result>(Command::contact, "Contact points, backlash, curvatures, ellipses, pictures",
                   run_contact,
                   {.file = "contact.json",
                    .document = to_json,
                    .table = contact_table,
                    .notes = summary,
-                   .figures = [](const Result& r, const Case&) { return contact_figures(r); },
+                   .pictures = [](const Result& r, const Case&) { return contact_pictures(r); },
                    .without_figure = contacts_without_figure}),
       row<Result>(Command::solve, "Load distribution, pressures, displacement and stiffness",
                   run_solve,
@@ -239,7 +244,7 @@ const std::vector<CommandRow>& table() {
                    .table = solve_text,
                    .notes = summary,
                    .files = solve_files,
-                   .figures = [](const Result& r, const Case&) { return result_figures(r); },
+                   .pictures = [](const Result& r, const Case&) { return solve_pictures(r); },
                    .converged = all_converged}),
       row<Result>(
           Command::slip, "Slip, friction, dissipated power, efficiency and torques", run_slip,
@@ -248,7 +253,7 @@ const std::vector<CommandRow>& table() {
            .table = slip_text,
            .notes = summary,
            .files = slip_files,
-           .figures = all_slip_figures,
+           .pictures = [](const Result& r, const Case& c) { return slip_pictures(c, r); },
            .converged =
                [](const Result& r) {
                  return all_converged(r) && std::ranges::all_of(r.load_cases, has_converged_slip);
@@ -263,17 +268,17 @@ const std::vector<CommandRow>& table() {
                [](const PreloadResult& r) {
                  return std::vector<OutputFile>{{"preload.csv", preload_csv(r)}};
                },
-           .figures = [](const PreloadResult& r, const Case&) { return preload_figures(r); },
+           .pictures = [](const PreloadResult& r, const Case&) { return preload_pictures(r); },
            .converged = [](const PreloadResult& r) { return r.converged(); }}),
-      row<LifeResult>(Command::life, "Life under a load history or spectrum, static safety",
-                      run_life,
-                      {.file = "life.json",
-                       .document = life_json,
-                       .table = life_table,
-                       .notes = [](const LifeResult& r) { return as_warnings(r.warnings); },
-                       .files = life_files,
-                       .figures = [](const LifeResult& r, const Case&) { return life_figures(r); },
-                       .converged = [](const LifeResult& r) { return r.converged(); }}),
+      row<LifeResult>(
+          Command::life, "Life under a load history or spectrum, static safety", run_life,
+          {.file = "life.json",
+           .document = life_json,
+           .table = life_table,
+           .notes = [](const LifeResult& r) { return as_warnings(r.warnings); },
+           .files = life_files,
+           .pictures = [](const LifeResult& r, const Case&) { return life_pictures(r); },
+           .converged = [](const LifeResult& r) { return r.converged(); }}),
       row<MeasuresResult>(
           Command::measures,
           "Capacity, life, weight, stiffness, inertia and the other design measures", run_measures,
@@ -286,7 +291,7 @@ const std::vector<CommandRow>& table() {
                  return std::vector<OutputFile>{{"measures.csv", measures_csv(r)},
                                                 {"yang.csv", yang_csv(r)}};
                },
-           .figures = [](const MeasuresResult& r, const Case&) { return measures_figures(r); },
+           .pictures = [](const MeasuresResult& r, const Case&) { return measures_pictures(r); },
            .converged = [](const MeasuresResult& r) { return all_converged(r.analysis); }}),
       {Command::study, "Run the study of the file: many designs, a row each"},
       {Command::optimize, "Search the designs that the file aims at"},

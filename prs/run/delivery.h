@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/figures/figure.h"
+#include "prs/figures/pictures.h"
 #include "prs/output/files.h"
 #include "prs/quantities/json.h"
 
@@ -19,7 +19,7 @@ struct Delivery {
   std::function<std::string()> table;                   ///< On a terminal.
   std::vector<std::string> notes = {};                  ///< To whom the document is printed.
   std::function<std::vector<OutputFile>()> files = {};  ///< Beside the document.
-  std::function<std::vector<Figure>()> figures = {};
+  std::function<Pictures()> pictures = {};       ///< They may refer to what the other forms hold.
   std::vector<std::string> without_figure = {};  ///< Why some are missing, a line each.
   bool converged = true;
 };

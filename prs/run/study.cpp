@@ -13,10 +13,10 @@
 #include "prs/input/compute_from.h"
 #include "prs/input/fail_at.h"
 #include "prs/input/force_history.h"
+#include "prs/model/void_inputs.h"
 #include "prs/study/idle_factors.h"
 #include "prs/study/journal.h"
 #include "prs/version.h"
-#include "prs/model/void_inputs.h"
 
 namespace prs {
 namespace {

@@ -42,10 +42,10 @@ std::shared_ptr<const input::CaseInput> CaseSource::input(Command command) const
 std::shared_ptr<Document> CaseSource::run(const CommandRow& row) const {
   const std::shared_ptr<const input::CaseInput> input = this->input(row.command);
   const WithoutInterpreter without;
+  const auto delivery = std::make_shared<const Delivery>(row.run(*source_, *input));
   return std::make_shared<Document>(
-      [document = row.run(*source_, *input).document, source = source_] {
-        return document(document_info(*source));
-      });
+      [delivery, source = source_] { return delivery->document(document_info(*source)); },
+      delivery->pictures ? keeping(delivery->pictures(), delivery) : Pictures{});
 }
 
 void bind_case(nb::module_& module) {

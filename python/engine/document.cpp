@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "prs/figures/figure_json.h"
 #include "prs/quantities/json.h"
 #include "prs/study/row_block.h"
 #include "python/engine/beside.h"
@@ -115,6 +116,33 @@ std::string Document::text() const {
   return json_text(written);
 }
 
+std::string Document::figure(const std::string& name, const std::string& options,
+                             bool one_panel) const {
+  if (pictures_.empty()) {
+    const Json& written = json();
+    if (written.contains("figures"))
+      for (const Json& drawn : written["figures"])
+        if (drawn.value("name", "") == name) return drawn.dump();
+    throw std::invalid_argument(
+        "a result that was read from JSON has no picture " + name +
+        "; run the case again, or write the result with `prs --figures --json`");
+  }
+  const WithoutInterpreter without;
+  try {
+    FigureOptions chosen = figure_options(options);
+    chosen.one_panel = one_panel;
+    return to_json(prs::figure(pictures_, name, chosen)).dump();
+  } catch (const NoFigure& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+std::string Document::figures() const {
+  if (pictures_.empty() && json().contains("figures")) return json()["figures"].dump();
+  const WithoutInterpreter without;
+  return to_json(prs::figures(pictures_)).dump();
+}
+
 std::shared_ptr<const std::vector<double>> Document::numbers(const Json& array) const {
   std::shared_ptr<const std::vector<double>>& kept = numbers_[&array];
   if (!kept) kept = std::make_shared<const std::vector<double>>(numbers_of(array));
@@ -165,6 +193,10 @@ void bind_document(nb::module_& module) {
           },
           nb::arg("text"), "Reads what `text` gave. ValueError where the text is no document.")
       .def("text", &Document::text)
+      .def("figure", &Document::figure, nb::arg("name"), nb::arg("options") = "{}",
+           nb::arg("one_panel") = false,
+           "Description of a picture as JSON. ValueError where the result has none.")
+      .def("figures", &Document::figures, "Descriptions of all pictures, a list as JSON.")
       .def_prop_ro("root", [](const std::shared_ptr<Document>& document) {
         return Node{document, &document->json()};
       });

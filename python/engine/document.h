@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "prs/figures/pictures.h"
+
 namespace prs::python {
 
 /// A result document: made when it is first looked at, and kept. Threads may share it: what it
@@ -17,7 +19,9 @@ class Document : public std::enable_shared_from_this<Document> {
  public:
   using Json = nlohmann::ordered_json;
 
-  explicit Document(std::function<Json()> make) : make_(std::move(make)) {}
+  /// `pictures` keep what they show.
+  explicit Document(std::function<Json()> make, Pictures pictures = {})
+      : make_(std::move(make)), pictures_(std::move(pictures)) {}
 
   /// A document of the program. Throws std::invalid_argument where the text is none.
   static std::shared_ptr<Document> from_text(const std::string& text);
@@ -27,14 +31,32 @@ class Document : public std::enable_shared_from_this<Document> {
   /// As `--json` prints it.
   std::string text() const;
 
+  /// Description of one picture as JSON text, see prs/figures/pictures.h; of a document that was
+  /// read, one of those that it holds. Throws std::invalid_argument where there is none.
+  std::string figure(const std::string& name, const std::string& options, bool one_panel) const;
+
+  /// Those that a command writes, as a list.
+  std::string figures() const;
+
   /// Numbers of an array within the document, null as NaN; they live as long as anyone uses them.
   std::shared_ptr<const std::vector<double>> numbers(const Json& array) const;
 
  private:
   mutable std::function<Json()> make_;
+  Pictures pictures_;
   mutable std::unique_ptr<const Json> json_;
   mutable std::map<const Json*, std::shared_ptr<const std::vector<double>>> numbers_;
 };
+
+/// Pictures that keep the result that they show.
+template <class Kept>
+Pictures keeping(Pictures pictures, const std::shared_ptr<Kept>& kept) {
+  for (Picture& picture : pictures)
+    picture.make = [make = std::move(picture.make), kept](const FigureOptions& options) {
+      return make(options);
+    };
+  return pictures;
+}
 
 /// An object within a document.
 struct Node {

@@ -71,7 +71,8 @@ class StudySource : public std::enable_shared_from_this<StudySource> {
   std::shared_ptr<Document> derivatives() const {
     auto result = std::make_shared<const CaseDerivatives>(run_derivatives(in_));
     return std::make_shared<Document>(
-        [result, info = info_] { return derivatives_json(*result, info); });
+        [result, info = info_] { return derivatives_json(*result, info); },
+        keeping(derivatives_pictures(*result), result));
   }
 
   JournalHeader header() const {
@@ -112,7 +113,8 @@ class StudyRows {
     result->warnings = study_warnings(
         source_->input(), *result, [this]() -> const DesignEngine& { return source_->engine(); });
     return std::make_shared<Document>(
-        [result, source = source_] { return study_json(*result, source->info()); });
+        [result, source = source_] { return study_json(*result, source->info()); },
+        keeping(study_pictures(*result), result));
   }
 
   Designs designs() const {

@@ -6,17 +6,18 @@
 #include <cmath>
 #include <utility>
 
-#include "prs/figures/figure_style.h"
+#include "prs/figures/figure_parts.h"
 #include "prs/model/units.h"
 
 namespace prs::reference_fe {
 namespace {
 
 /// Told apart by dash in grey print; the thinner ones lie on top.
-constexpr LineStyle kModelStyles[] = {
-    {"#ddaa33", 4, 0, 2.2}, {"#bb5566", 2, 0, 2.2}, {"#004488", 1, 0, 1.6}};
-constexpr LineStyle kPointStyle = points_of("#000000", 7, 1.2);
-constexpr LineStyle kBarStyle{"#000000", 1, 0, 1.0};
+constexpr Style kModelStyles[] = {line_of(Colour::orange, Dash::dash_dotted, Weight::strong),
+                                  line_of(Colour::vermillion, Dash::dashed, Weight::strong),
+                                  line_of(Colour::blue)};
+constexpr Style kPointStyle = points_of(Colour::ink, Mark::circle, Weight::thin);
+constexpr Style kBarStyle = line_of(Colour::ink, Dash::solid, Weight::thin);
 
 bool is_drawn(const Setup& setup) {
   return setup.contacts == ModelOptions::RollerContacts::opposite;
@@ -34,24 +35,24 @@ std::string case_title(const Setup& setup) {
 }
 
 /// Styles and legend: the models by their indices, then points and bars of the reference.
-struct Styles {
+struct StyleIndices {
   std::size_t points = 0;
   std::size_t bars = 0;
 };
 
-Styles add_styles(Figure& figure, const std::vector<Model>& models) {
+StyleIndices add_styles(Figure& figure, const std::vector<Model>& models) {
   for (std::size_t m = 0; m < models.size(); ++m)
-    add_to_legend(figure, models[m].name, kModelStyles[m % std::size(kModelStyles)]);
-  Styles styles;
-  styles.points = add_to_legend(figure, "reference with its error bar", kPointStyle);
-  styles.bars = figure.styles.size();
-  figure.styles.push_back(kBarStyle);
+    figure.add(models[m].name, kModelStyles[m % std::size(kModelStyles)]);
+  StyleIndices styles;
+  styles.points = figure.add("reference with its error bar", kPointStyle);
+  styles.bars = figure.add(kBarStyle);
   return styles;
 }
 
 /// A vertical stroke at each point, as long as its half widths say.
-Line error_bars(std::size_t style, const Polyline& points, const std::vector<double>& half_widths) {
-  Line line{style, {}};
+Series error_bars(std::size_t style, const Polyline& points,
+                  const std::vector<double>& half_widths) {
+  Series line{style};
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto [x, y] = points[k];
     line.parts.push_back({{x, y - half_widths[k]}, {x, y + half_widths[k]}});
@@ -60,7 +61,7 @@ Line error_bars(std::size_t style, const Polyline& points, const std::vector<dou
 }
 
 /// Load rates less those of `base`, in %.
-Polyline over_threads(const std::vector<double>& rates, const std::vector<double>& base) {
+Polyline differences(const std::vector<double>& rates, const std::vector<double>& base) {
   Polyline points;
   for (std::size_t k = 0; k < rates.size(); ++k)
     points.push_back({static_cast<double>(k + 1), (rates[k] - base[k]) * per_si::percent});
@@ -69,28 +70,26 @@ Polyline over_threads(const std::vector<double>& rates, const std::vector<double
 
 /// Rates of all models and the reference, less those of `base`.
 Panel rate_panel(const std::vector<Model>& models, std::size_t curve, const CurvePoint& reference,
-                 Interface i, const std::vector<double>& base, const Styles& styles,
+                 Interface i, const std::vector<double>& base, const StyleIndices& styles,
                  const ErrorBar& error) {
   Panel panel;
   for (std::size_t m = 0; m < models.size(); ++m) {
     const CurvePoint& point = models[m].curves[curve].points.back();
-    if (point.is_solved()) panel.lines.push_back({m, {over_threads(point.load_rate[i], base)}});
+    if (point.is_solved()) panel.series.push_back({m, {differences(point.load_rate[i], base)}});
   }
-  const Polyline points = over_threads(reference.load_rate[i], base);
-  panel.lines.push_back(error_bars(
+  const Polyline points = differences(reference.load_rate[i], base);
+  panel.series.push_back(error_bars(
       styles.bars, points, std::vector<double>(points.size(), error.load_rate * per_si::percent)));
-  panel.lines.push_back({styles.points, {points}});
+  panel.series.push_back({styles.points, {points}});
   return panel;
 }
 
 /// As wide as its lines on both sides of zero.
-Axis difference_axis(const std::vector<const Panel*>& panels, std::string label) {
-  double widest = 0.0;
-  for (const Panel* panel : panels)
-    for (const Line& line : panel->lines)
-      for (const Polyline& part : line.parts)
-        for (const auto& [x, y] : part) widest = std::max(widest, std::abs(y));
-  return {std::move(label), -1.08 * widest, 1.08 * widest};
+Axis difference_axis(const std::vector<const Panel*>& panels) {
+  Range range;
+  for (const Panel* panel : panels) range.include(range_of_y(panel->series));
+  const double widest = std::max(std::abs(range.from), std::abs(range.to));
+  return {"Less the reference", "%", -1.08 * widest, 1.08 * widest};
 }
 
 Figure load_rate_figure(const std::vector<Model>& models, std::size_t curve, const Curve& reference,
@@ -102,12 +101,10 @@ Figure load_rate_figure(const std::vector<Model>& models, std::size_t curve, con
   figure.name = fmt::format("load_rate_config{}_{}_{}", w[0], w[1], w[2]);
   figure.title = fmt::format("{}, {:.4g} kN, guidance: {}", case_title(reference.setup),
                              point.load * per_si::kilonewton, guidance_title(reference.setup));
-  figure.x = {
-      "Thread, from the loaded end of the screw", 0.4, static_cast<double>(threads) + 0.6, {1}};
-  for (int tic = 5; tic <= static_cast<int>(threads); tic += 5) figure.x.tics.push_back(tic);
-  figure.y.label = "Load rate (%)";
+  figure.x = thread_axis(threads);
+  figure.y = {"Share of the load", "%"};
   figure.columns = std::size(kInterfaces);
-  const Styles styles = add_styles(figure, models);
+  const StyleIndices styles = add_styles(figure, models);
   for (const Interface i : kInterfaces) {
     figure.panels.push_back(
         rate_panel(models, curve, point, i, std::vector<double>(threads, 0.0), styles, error));
@@ -116,8 +113,7 @@ Figure load_rate_figure(const std::vector<Model>& models, std::size_t curve, con
   fit_y_range(figure);
   for (const Interface i : kInterfaces)
     figure.panels.push_back(rate_panel(models, curve, point, i, point.load_rate[i], styles, error));
-  const Axis difference =
-      difference_axis({&figure.panels[2], &figure.panels[3]}, "Less the reference (%)");
+  const Axis difference = difference_axis({&figure.panels[2], &figure.panels[3]});
   for (std::size_t k : {2u, 3u}) figure.panels[k].y = difference;
   figure.panels[3].y->label.clear();
   return figure;
@@ -132,18 +128,19 @@ Polyline over_load(const Curve& curve) {
 }
 
 Panel displacement_panel(const std::vector<Model>& models, std::size_t curve,
-                         const Curve& reference, const Styles& styles, const ErrorBar& error) {
+                         const Curve& reference, const StyleIndices& styles,
+                         const ErrorBar& error) {
   Panel panel;
   panel.title = case_title(reference.setup);
   for (std::size_t m = 0; m < models.size(); ++m)
-    panel.lines.push_back({m, {over_load(models[m].curves[curve])}});
+    panel.series.push_back({m, {over_load(models[m].curves[curve])}});
   Polyline points = over_load(reference);
   points.erase(points.begin());
   std::vector<double> half_widths;
   for (const auto& [load, displacement] : points)
     half_widths.push_back(error.stiffness * displacement);
-  panel.lines.push_back(error_bars(styles.bars, points, half_widths));
-  panel.lines.push_back({styles.points, {std::move(points)}});
+  panel.series.push_back(error_bars(styles.bars, points, half_widths));
+  panel.series.push_back({styles.points, {std::move(points)}});
   return panel;
 }
 
@@ -168,10 +165,10 @@ std::vector<Figure> displacement_figures(const std::vector<Model>& models,
     const Setup shown{1, Direction::tension, guidance, {}};
     figure.name = "displacement_" + words(shown)[2];
     figure.title = "Axial displacement, guidance: " + guidance_title(shown);
-    figure.x.label = "Axial force (kN)";
-    figure.y.label = "Axial displacement (µm)";
+    figure.x = {"Axial load", "kN", 0.0};
+    figure.y = {"Axial displacement", "µm"};
     figure.columns = 2;
-    const Styles styles = add_styles(figure, models);
+    const StyleIndices styles = add_styles(figure, models);
     for (std::size_t k = 0; k < reference.size(); ++k) {
       const Setup& setup = reference[k].setup;
       if (!is_drawn(setup) || setup.guidance != guidance) continue;

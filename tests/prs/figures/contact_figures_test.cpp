@@ -1,4 +1,3 @@
-#include "prs/figures/contact_figures.h"
 #include "prs/output/gnuplot_script.h"
 
 #include <gtest/gtest.h>
@@ -12,6 +11,7 @@
 #include "prs/output/plots.h"
 #include "support/contact_cases.h"
 #include "support/drawn.h"
+#include "support/shown.h"
 #include "support/temporary_directory.h"
 #include "tests/contact/mechanisms.h"
 
@@ -50,21 +50,20 @@ std::vector<Case> variants() {
           truncated()};
 }
 
-std::vector<Figure> all_figures(const Result& result) {
-  std::vector<Figure> figures;
-  for (const auto make : {contact_section_figure, contact_xy_figure, contact_ellipse_figure})
-    if (auto figure = make(result)) figures.push_back(std::move(*figure));
-  return figures;
+std::optional<Figure> picture(const Result& result, const char* name) {
+  return test::shown(contact_pictures(result), name);
 }
 
+Figures all_figures(const Result& result) { return figures(contact_pictures(result)); }
+
 /// The line of the panel whose legend entry is `title`.
-const Line& line_of(const Figure& figure, const Panel& panel, const std::string& title) {
+const Series& series_of(const Figure& figure, const Panel& panel, const std::string& title) {
   const auto entry = std::find_if(figure.legend.begin(), figure.legend.end(),
                                   [&](const LegendEntry& e) { return e.title == title; });
   EXPECT_NE(entry, figure.legend.end()) << title;
-  const auto line = std::find_if(panel.lines.begin(), panel.lines.end(),
-                                 [&](const Line& l) { return l.style == entry->style; });
-  EXPECT_NE(line, panel.lines.end()) << title;
+  const auto line = std::find_if(panel.series.begin(), panel.series.end(),
+                                 [&](const Series& l) { return l.style == entry->style; });
+  EXPECT_NE(line, panel.series.end()) << title;
   return *line;
 }
 
@@ -77,7 +76,7 @@ struct Outlines {
 };
 
 Outlines outlines_at(const Figure& section, Interface i) {
-  const std::vector<Line>& lines = section.panels[0].lines;
+  const std::vector<Series>& lines = section.panels[0].series;
   return i == Interface::screw
              ? Outlines{lines[kOutlines].parts[0], lines[kOutlines + 1].parts[0]}
              : Outlines{lines[kOutlines + 2].parts[0], lines[kOutlines + 1].parts[1]};
@@ -101,10 +100,10 @@ double gap(const Outlines& outlines, Interface i, double z) {
 TEST(ContactSection, LoadedFlanksTouchAtTheMarksAndNowhereInterpenetrate) {
   for (const Case& c : variants()) {
     const Result result = analyze_contacts(c);
-    const auto figure = contact_section_figure(result);
+    const auto figure = picture(result, "contact_axial_section");
     ASSERT_TRUE(figure);
     const double pitch = result.contacts.threads.roller.pitch / mm;
-    const Line& marks = line_of(*figure, figure->panels[0], "contact points I, J");
+    const Series& marks = series_of(*figure, figure->panels[0], "contact points I, J");
     for (const Interface i : kInterfaces) {
       const Outlines outlines = outlines_at(*figure, i);
       const Polyline& points = marks.parts[i == Interface::screw ? 0 : 1];
@@ -127,7 +126,8 @@ TEST(ContactSection, ThreadsStandWhereTheirAxialPositionsAre) {
   const auto positions = contact::axial_positions(
       threads, contact::mechanism_contact(threads, contact::Configuration::i1_j2),
       contact::Configuration::i1_j2);
-  const Polyline screw = outlines_at(*contact_section_figure(result), Interface::screw).body;
+  const Polyline screw =
+      outlines_at(*picture(result, "contact_axial_section"), Interface::screw).body;
   const auto root = std::min_element(screw.begin(), screw.end(), [](const auto& a, const auto& b) {
     return std::lround(a[1] * 1e6) < std::lround(b[1] * 1e6);
   });
@@ -138,10 +138,10 @@ TEST(ContactSection, ThreadsStandWhereTheirAxialPositionsAre) {
 TEST(ContactSection, PartsOfDifferentPitchTouchAtOneThread) {
   Case c = abevi_contacts();
   c.mechanism.pitch.screw = c.mechanism.pitch.nut = 1.67 * mm;
-  const auto figure = contact_section_figure(analyze_contacts(c));
+  const auto figure = picture(analyze_contacts(c), "contact_axial_section");
   ASSERT_TRUE(figure);
   for (const Interface i : kInterfaces) {
-    const Line& marks = line_of(*figure, figure->panels[0], "contact points I, J");
+    const Series& marks = series_of(*figure, figure->panels[0], "contact points I, J");
     const Polyline& points = marks.parts[i == Interface::screw ? 0 : 1];
     ASSERT_EQ(points.size(), 1);
     EXPECT_NEAR(gap(outlines_at(*figure, i), i, points[0][0]), 0.0, kChord);
@@ -154,9 +154,9 @@ TEST(ContactSection, PartsOfDifferentPitchTouchAtOneThread) {
 TEST(ContactXy, MarksStandAtTheContactPoints) {
   for (const Case& c : variants()) {
     const Result result = analyze_contacts(c);
-    const auto figure = contact_xy_figure(result);
+    const auto figure = picture(result, "contact_xy");
     ASSERT_TRUE(figure);
-    const Line& marks = line_of(*figure, figure->panels[0], "contact points I, J");
+    const Series& marks = series_of(*figure, figure->panels[0], "contact points I, J");
     for (const Interface i : kInterfaces) {
       const auto& point = result.contacts.interfaces[i].geometry.point;
       const auto& [x, y] = marks.parts[i == Interface::screw ? 0 : 1].at(0);
@@ -168,21 +168,21 @@ TEST(ContactXy, MarksStandAtTheContactPoints) {
 
 TEST(ContactXy, AllRollersAreDrawn) {
   const Result result = analyze_contacts(abevi_contacts());
-  const auto figure = contact_xy_figure(result);
+  const auto figure = picture(result, "contact_xy");
   ASSERT_TRUE(figure);
-  EXPECT_EQ(line_of(*figure, figure->panels[0], "pitch circle, roller").parts.size(), 11);
+  EXPECT_EQ(series_of(*figure, figure->panels[0], "pitch circle, roller").parts.size(), 11);
 }
 
 TEST(ContactEllipses, AreThoseOfTheLargestLoad) {
   const Result result = analyze_contacts(abevi_contacts(
       {equal_share("small", 5e3), equal_share("large", -45e3), equal_share("some", 20e3)}));
-  const auto figure = contact_ellipse_figure(result);
+  const auto figure = picture(result, "contact_ellipses");
   ASSERT_TRUE(figure);
   EXPECT_EQ(figure->title, "Contact ellipses, load case large");
   for (const Interface i : kInterfaces) {
     const std::size_t index = i == Interface::screw ? 0 : 1;
     const Polyline& ellipse =
-        line_of(*figure, figure->panels[index], "contact ellipse").parts.at(0);
+        series_of(*figure, figure->panels[index], "contact ellipse").parts.at(0);
     const InterfaceLoads& loads = (*result.load_cases[1].threads)[i];
     const double angle = result.contacts.interfaces[i].geometry.relative.angle;
     EXPECT_NEAR(std::hypot(ellipse[0][0], ellipse[0][1]) * mm, loads.semi_major[0], 1e-12);
@@ -194,11 +194,11 @@ TEST(ContactEllipses, HaveUnitMajorAxesWithoutMaterials) {
   Case c = abevi_contacts({equal_share("equal", 45e3)});
   const contact::HertzConstants hertz = analyze_contacts(c).contacts.interfaces.nut.hertz;
   c.materials.reset();
-  const auto figure = contact_ellipse_figure(analyze_contacts(c));
+  const auto figure = picture(analyze_contacts(c), "contact_ellipses");
   ASSERT_TRUE(figure);
   EXPECT_EQ(figure->title, "Contact ellipses, shape without load");
   double least = 1.0;
-  const Line& ellipse = line_of(*figure, figure->panels[1], "contact ellipse");
+  const Series& ellipse = series_of(*figure, figure->panels[1], "contact ellipse");
   for (const auto& [x, y] : ellipse.parts[0]) least = std::min(least, std::hypot(x, y));
   EXPECT_NEAR(least, hertz.ellipticity, 1e-12);
 }
@@ -216,7 +216,7 @@ Result contacts_of(const contact::MechanismGeometry& threads) {
 
 void expect_finite(const Figure& figure) {
   for (const Panel& panel : figure.panels)
-    for (const Line& line : panel.lines)
+    for (const Series& line : panel.series)
       for (const Polyline& part : line.parts)
         for (const auto& [x, y] : part)
           ASSERT_TRUE(std::isfinite(x) && std::isfinite(y)) << figure.name;
@@ -239,10 +239,6 @@ TEST(ContactFigures, NeedBothContactPoints) {
   Result result = analyze_contacts(abevi_contacts());
   result.contacts.interfaces.nut.geometry.point.status = contact::ContactPointStatus::outside_flank;
   EXPECT_TRUE(all_figures(result).empty());
-  const TemporaryDirectory temporary;
-  const auto notes = draw_contact_plots(result, temporary.path()).notes;
-  ASSERT_EQ(notes.size(), 1);
-  EXPECT_NE(notes[0].find("roller-nut"), std::string::npos) << notes[0];
 }
 
 /// Lengths of the ranges of x and y in the order of the panels.
@@ -260,8 +256,8 @@ TEST(ContactFigures, DrawingsAreToScale) {
   Figure figure;
   figure.to_scale = true;
   figure.columns = 2;
-  figure.panels = {{.title = "wide", .x = Axis{"x", 0.0, 10.0}, .y = Axis{"y", 0.0, 1.0}},
-                   {.title = "high", .x = Axis{"x", 0.0, 1.0}, .y = Axis{"y", 0.0, 10.0}}};
+  figure.panels = {{.title = "wide", .x = Axis{"x", "", 0.0, 10.0}, .y = Axis{"y", "", 0.0, 1.0}},
+                   {.title = "high", .x = Axis{"x", "", 0.0, 1.0}, .y = Axis{"y", "", 0.0, 10.0}}};
   const std::string script = gnuplot_script(figure);
   const auto x = ranges(script, 'x'), y = ranges(script, 'y');
   ASSERT_EQ(x.size(), 2);
@@ -273,7 +269,7 @@ TEST(ContactFigures, DrawingsAreToScale) {
 TEST(ContactPlots, EveryFigureIsDrawnBesideItsScript) {
   const TemporaryDirectory temporary;
   ASSERT_NO_FATAL_FAILURE(
-      expect_drawn(draw_contact_plots(analyze_contacts(truncated()), temporary.path())));
+      expect_drawn(draw_figures(all_figures(analyze_contacts(truncated())), temporary.path())));
   if (IsSkipped()) return;
   for (const char* name : {"contact_axial_section", "contact_xy", "contact_ellipses"}) {
     const fs::path base = temporary.path() / "plots" / name;
@@ -287,8 +283,9 @@ TEST(ContactPlots, NamesAreDrawnAsTheyStandAndNeverRun) {
   for (const std::string name : {"'; system('touch run'); '", "\"; system('touch run'); \"",
                                  "`touch run`", "}\n!touch run\n", "\xff\x01", ""}) {
     const TemporaryDirectory temporary;
-    ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_contact_plots(
-        analyze_contacts(abevi_contacts({equal_share(name, 45e3)})), temporary.path())));
+    ASSERT_NO_FATAL_FAILURE(expect_drawn(
+        draw_figures(all_figures(analyze_contacts(abevi_contacts({equal_share(name, 45e3)}))),
+                     temporary.path())));
     if (IsSkipped()) return;
     EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "contact_ellipses.png")) << name;
     EXPECT_FALSE(fs::exists(temporary.path() / "plots" / "run")) << name;

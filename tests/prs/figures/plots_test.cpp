@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 
-#include "prs/figures/result_figures.h"
+#include <nlohmann/json.hpp>
+
+#include "prs/figures/figure_json.h"
 #include "prs/output/files.h"
 #include "support/drawn.h"
 #include "support/sample_result.h"
+#include "support/shown.h"
 #include "support/temporary_directory.h"
 
 namespace prs {
@@ -46,14 +49,32 @@ Result sweeps() {
   return result;
 }
 
+std::optional<Figure> picture(const Result& result, const char* name,
+                              const FigureOptions& options = {}) {
+  return test::shown(solve_pictures(result), name, options);
+}
+
+Figure figure_of(const Result& result, const char* name, const FigureOptions& options) {
+  return figure(solve_pictures(result), name, options);
+}
+
+Undrawn draw_plots(const Result& result, const std::filesystem::path& folder) {
+  return draw_figures(figures(solve_pictures(result)), folder);
+}
+
+/// As many as `single_case` gives rise to.
+std::size_t pictures_of_one_case();
+
 Result single_case(std::string name) {
   Result result;
   result.load_cases = {solved_case(std::move(name), 45e3, Direction::tension)};
   return result;
 }
 
+std::size_t pictures_of_one_case() { return figures(solve_pictures(single_case("a"))).size(); }
+
 TEST(Figures, DirectionsOfOneConfigurationShareALine) {
-  const auto figure = load_distribution_figure(sweeps());
+  const auto figure = picture(sweeps(), "load_distribution");
   ASSERT_TRUE(figure);
   ASSERT_EQ(figure->panels.size(), 4);
   EXPECT_EQ(figure->panels[0].title, "Screw–roller, tension");
@@ -65,47 +86,90 @@ TEST(Figures, DirectionsOfOneConfigurationShareALine) {
 
 TEST(Figures, RangeIsRepresentedByItsFullLoad) {
   const Result result = sweeps();
-  const auto figure = load_distribution_figure(result);
+  const auto figure = picture(result, "load_distribution");
   ASSERT_TRUE(figure);
   EXPECT_EQ(figure->title, "Load distribution, 45 kN");
-  const Polyline& drawn = figure->panels[0].lines[1].parts[0];
+  const Polyline& drawn = figure->panels[0].series[0].parts[0];
   const auto& rates = result.load_cases[8].threads->screw.load_rate;
   ASSERT_EQ(drawn.size(), rates.size());
   EXPECT_EQ(drawn[0][0], 1.0);
   EXPECT_DOUBLE_EQ(drawn[0][1], 100 * rates[0]);
 }
 
-TEST(Figures, ButterflyHasTensionOnTheNegativeSide) {
-  const auto figure = butterfly_figure(sweeps());
+TEST(Figures, ButterflyHasTensionOnThePositiveSideAndSharesOfTheMean) {
+  const auto figure = picture(sweeps(), "butterfly");
   ASSERT_TRUE(figure);
   EXPECT_EQ(figure->panels.size(), 4);
   EXPECT_DOUBLE_EQ(figure->x.from, -45.0);
   EXPECT_DOUBLE_EQ(figure->x.to, 45.0);
+  EXPECT_EQ(figure->x.label, "Axial force, tension > 0");
+  EXPECT_EQ(figure->y.unit, "% of the mean");
+  const Result result = sweeps();
+  const auto& rates = result.load_cases[8].threads->screw.load_rate;
+  const Polyline& first = figure->panels[0].series[3].parts[0];  // In tension.
+  EXPECT_DOUBLE_EQ(first.back()[0], 45.0);
+  EXPECT_DOUBLE_EQ(first.back()[1], 100.0 * rates[0] * static_cast<double>(rates.size()));
+  FigureOptions nut;
+  nut.interface = Interface::nut;
+  EXPECT_EQ(picture(sweeps(), "butterfly", nut)->panels.size(), 2);
 }
 
-TEST(Figures, StiffnessNeedsThreePoints) {
+TEST(Figures, SweepsOfLoadsComeBeforeSingleOnes) {
   Result result;
   add_sweep(result, "short", Direction::tension, 2);
-  EXPECT_FALSE(stiffness_figure(result));
+  EXPECT_EQ(picture(result, "stiffness")->legend[0].title, "short");
   add_sweep(result, "long", Direction::tension, 3);
-  const auto figure = stiffness_figure(result);
+  const auto figure = picture(result, "stiffness");
   ASSERT_TRUE(figure);
   EXPECT_EQ(figure->legend[0].title, "long");
   EXPECT_EQ(figure->panels.size(), 1);
 }
 
-TEST(Figures, EqualSharesAreNoLoadDistribution) {
+TEST(Figures, EqualSharesAreTheMean) {
   Result result;
   result.load_cases = {equal_share_case("equal")};
-  EXPECT_FALSE(load_distribution_figure(result));
-  EXPECT_FALSE(peak_pressure_figure(result));
+  const auto figure = picture(result, "load_distribution");
+  ASSERT_TRUE(figure);
+  for (const auto& [thread, share] : figure->panels[0].series[0].parts[0])
+    EXPECT_NEAR(share, figure->panels[0].references[0].at, 1e-9);
+  EXPECT_FALSE(picture(result, "butterfly"));
+}
+
+TEST(Figures, OptionsChooseLoadCasesAndPanels) {
+  FigureOptions options;
+  options.load_cases = {3, 12};
+  const auto figure = picture(sweeps(), "load_distribution", options);
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->legend[0].title, "config1-tension[3]");
+  options.one_panel = true;
+  const auto folded = picture(sweeps(), "load_distribution", options);
+  ASSERT_EQ(folded->panels.size(), 1);
+  EXPECT_EQ(folded->panels[0].series.size(), 4);
+  options.load_cases = {99};
+  EXPECT_THROW(figure_of(sweeps(), "load_distribution", options), NoFigure);
+  EXPECT_THROW(figure_of(sweeps(), "no such", {}), NoFigure);
+}
+
+TEST(Figures, DescriptionsStateUnitsAndLeaveOutDefaults) {
+  const nlohmann::ordered_json json = to_json(*picture(sweeps(), "stiffness"));
+  EXPECT_EQ(json["y"]["label"], "Axial stiffness");
+  EXPECT_EQ(json["y"]["unit"], "N/µm");
+  EXPECT_EQ(json["x"]["unit"], "kN");
+  EXPECT_FALSE(json["x"].contains("logarithmic"));
+  EXPECT_EQ(json["panels"].size(), 2);
+  EXPECT_EQ(json["styles"][0]["colour"], "blue");
+  EXPECT_TRUE(to_json(*picture(sweeps(), "convergence"))["y"]["logarithmic"]);
+  const nlohmann::ordered_json schema = figure_schema();
+  for (const auto& [key, value] : json.items()) EXPECT_TRUE(schema["properties"].contains(key));
+  for (const auto& [key, value] : json["panels"][0].items())
+    EXPECT_TRUE(schema["$defs"]["panel"]["properties"].contains(key)) << key;
 }
 
 TEST(Figures, MoreConfigurationsThanStylesAreLimited) {
   Result result;
   for (int k = 0; k < 12; ++k)
     result.load_cases.push_back(solved_case("case " + std::to_string(k), 45e3, Direction::tension));
-  const auto figure = load_distribution_figure(result);
+  const auto figure = picture(result, "load_distribution");
   ASSERT_TRUE(figure);
   EXPECT_NE(figure->title.find("first 8 of 12"), std::string::npos);
 }
@@ -114,7 +178,8 @@ TEST(Plots, EveryFigureIsDrawnBesideItsScript) {
   const TemporaryDirectory temporary;
   ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_plots(sweeps(), temporary.path())));
   if (IsSkipped()) return;
-  for (const char* name : {"load_distribution", "peak_pressure", "stiffness", "butterfly"}) {
+  for (const char* name :
+       {"load_distribution", "peak_pressure", "stiffness", "displacement", "butterfly"}) {
     const fs::path base = temporary.path() / "plots" / name;
     EXPECT_GT(content_of(base.string() + ".gp").size(), 1000);
     EXPECT_NE(content_of(base.string() + ".svg").find("</svg>"), std::string::npos);
@@ -196,7 +261,7 @@ void expect_scripts_only(const fs::path& plots) {
 TEST(Plots, FailingGnuplotIsAnErrorAndLeavesNoImage) {
   const TemporaryDirectory temporary;
   const Undrawn undrawn = drawn_by(": > \"$name.png\"\necho out of order >&2\nexit 3\n", temporary);
-  ASSERT_EQ(undrawn.errors.size(), 2);
+  ASSERT_EQ(undrawn.errors.size(), pictures_of_one_case());
   EXPECT_NE(undrawn.errors[0].find("out of order"), std::string::npos) << undrawn.errors[0];
   EXPECT_TRUE(undrawn.notes.empty());
   expect_scripts_only(temporary.path() / "plots");
@@ -205,7 +270,7 @@ TEST(Plots, FailingGnuplotIsAnErrorAndLeavesNoImage) {
 TEST(Plots, GnuplotThatIsKilledIsAnError) {
   const TemporaryDirectory temporary;
   const Undrawn undrawn = drawn_by("kill -9 $$\n", temporary);
-  ASSERT_EQ(undrawn.errors.size(), 2);
+  ASSERT_EQ(undrawn.errors.size(), pictures_of_one_case());
   EXPECT_NE(undrawn.errors[0].find("signal 9"), std::string::npos) << undrawn.errors[0];
 }
 
@@ -217,7 +282,7 @@ TEST(Plots, HalfAPictureIsAnErrorAlthoughGnuplotSaysNothing) {
         svg + "printf '\\0\\0\\0\\0IEND\\256B`' > $name.png\n"}) {
     const TemporaryDirectory temporary;
     const Undrawn undrawn = drawn_by(script, temporary);
-    ASSERT_EQ(undrawn.errors.size(), 2) << script;
+    ASSERT_EQ(undrawn.errors.size(), pictures_of_one_case()) << script;
     EXPECT_NE(undrawn.errors[0].find("/plots/load_distribution."), std::string::npos)
         << undrawn.errors[0];
     expect_scripts_only(temporary.path() / "plots");

@@ -1,4 +1,4 @@
-#include "prs/figures/slip_figures.h"
+#include "prs/figures/slip_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include "prs/output/plots.h"
 #include "support/drawn.h"
 #include "support/sample_slip.h"
+#include "support/shown.h"
 #include "support/temporary_directory.h"
 
 namespace prs {
@@ -35,25 +36,44 @@ Result slip_sweeps() {
   return result;
 }
 
+std::optional<Figure> picture(const Result& result, const char* name) {
+  return test::shown(slip_pictures(Case{}, result), name);
+}
+
+/// Without the patches, which need a case.
+Figures of_powers(const Result& result) {
+  Figures all;
+  for (const Picture& picture : slip_pictures(Case{}, result))
+    if (picture.is_drawn && !picture.name.starts_with("slip_"))
+      for (Figure& figure : picture.make({})) all.push_back(std::move(figure));
+  return all;
+}
+
 bool has_style(const Figure& figure, const Panel& panel, const std::string& title) {
   for (const LegendEntry& entry : figure.legend)
     if (entry.title == title)
-      return std::any_of(panel.lines.begin(), panel.lines.end(),
-                         [&](const Line& line) { return line.style == entry.style; });
+      return std::any_of(panel.series.begin(), panel.series.end(),
+                         [&](const Series& line) { return line.style == entry.style; });
   return false;
+}
+
+Figures with_patches(const Result& result, const SlipPictures& pictures = sample_pictures()) {
+  Figures all = of_powers(result);
+  all.push_back(slip_patch_figure(result.load_cases.back(), pictures));
+  all.push_back(slip_residue_figure(result.load_cases.back(), pictures));
+  return all;
 }
 
 TEST(SlipFigures, ThreadPowersStandBesideTheLevelOfEqualShares) {
   const Result result = slip_sweeps();
-  const auto figure = thread_power_figure(result);
+  const auto figure = picture(result, "thread_power");
   ASSERT_TRUE(figure);
   ASSERT_EQ(figure->panels.size(), 4);
-  const std::vector<Line>& lines = figure->panels[0].lines;
-  ASSERT_EQ(lines.size(), 2);
+  const Panel& panel = figure->panels[0];
   const SlipResult& full = *result.load_cases[8].slip;
-  EXPECT_DOUBLE_EQ(lines[0].parts[0][0][1], full.equal_shares->thread_power.screw);
-  EXPECT_DOUBLE_EQ(lines[1].parts[0][3][1], full.threads.screw.power[3]);
-  EXPECT_EQ(figure->panels[1].lines.size(), 2);
+  ASSERT_EQ(panel.references.size(), 1);
+  EXPECT_DOUBLE_EQ(panel.references[0].at, full.equal_shares->thread_power.screw);
+  EXPECT_DOUBLE_EQ(panel.series.at(0).parts[0][3][1], full.threads.screw.power[3]);
   EXPECT_EQ(figure->legend.back().title, "every thread with equal shares");
 }
 
@@ -61,18 +81,18 @@ TEST(SlipFigures, ThreadPowersWithoutEqualSharesHaveNoLevel) {
   Result result;
   result.load_cases = {with_slip(solved_case("a", 45e3, Direction::tension))};
   result.load_cases[0].slip->equal_shares.reset();
-  const auto figure = thread_power_figure(result);
+  const auto figure = picture(result, "thread_power");
   ASSERT_TRUE(figure);
   EXPECT_EQ(figure->legend.size(), 1);
-  EXPECT_EQ(figure->panels[0].lines.size(), 1);
+  EXPECT_EQ(figure->panels[0].series.size(), 1);
 }
 
 TEST(SlipFigures, CasesWithoutAnAnswerHaveNone) {
   Result result;
   result.load_cases = {without_equilibrium(solved_case("a", 45e3, Direction::tension)),
                        failed_case("b"), equal_share_case("c")};
-  EXPECT_FALSE(thread_power_figure(result));
-  EXPECT_TRUE(power_over_load_figures(result).empty());
+  EXPECT_FALSE(picture(result, "thread_power"));
+  EXPECT_FALSE(picture(result, "power_by_source"));
 }
 
 TEST(SlipFigures, ArrowsOfThePatchFollowTheVelocityAndDoNotOverlap) {
@@ -83,8 +103,9 @@ TEST(SlipFigures, ArrowsOfThePatchFollowTheVelocityAndDoNotOverlap) {
   for (const Interface i : kInterfaces) {
     const PatchField& field = pictures.most_loaded_thread[i];
     const Panel& panel = figure.panels[i == Interface::screw ? 0 : 1];
-    EXPECT_EQ(panel.map.cells.size(), field.friction_coefficient.size());
-    const auto& arrows = panel.lines[1].parts;
+    EXPECT_EQ(std::ranges::count_if(panel.map.grid.values, [](double v) { return v == v; }),
+              static_cast<std::ptrdiff_t>(field.friction_coefficient.size()));
+    const auto& arrows = panel.series[1].parts;
     ASSERT_GT(arrows.size(), 60);
     EXPECT_LT(arrows.size(), 11 * 11);
     const double spacing = 2e3 * 2.0 * field.semi_minor / field.points;
@@ -95,7 +116,7 @@ TEST(SlipFigures, ArrowsOfThePatchFollowTheVelocityAndDoNotOverlap) {
     EXPECT_GT(longest, 0.8 * spacing);
   }
   // Pure spin, counterclockwise: upwards on the right.
-  const auto& spin = figure.panels[1].lines[1].parts;
+  const auto& spin = figure.panels[1].series[1].parts;
   const auto right = std::max_element(
       spin.begin(), spin.end(), [](const auto& a, const auto& b) { return a[0][0] < b[0][0]; });
   EXPECT_GT((*right)[1][1], (*right)[0][1]);
@@ -116,26 +137,27 @@ TEST(SlipFigures, ResidueCurvesAddUpToTheirSum) {
       slip_residue_figure(with_slip(solved_case("a", 45e3, Direction::tension)), sample_pictures());
   ASSERT_EQ(figure.panels.size(), 2);
   for (const Panel& panel : figure.panels) {
-    ASSERT_EQ(panel.lines.size(), 3 + 5);
-    for (std::size_t k = 0; k < panel.lines.back().parts[0].size(); ++k) {
+    ASSERT_EQ(panel.series.size(), 5);
+    EXPECT_EQ(panel.references.size(), 3);
+    for (std::size_t k = 0; k < panel.series.back().parts[0].size(); ++k) {
       double sum = 0.0;
-      for (std::size_t c = 3; c < 7; ++c) sum += panel.lines[c].parts[0][k][1];
-      EXPECT_NEAR(panel.lines[7].parts[0][k][1], sum, 1e-9);
+      for (std::size_t c = 0; c < 4; ++c) sum += panel.series[c].parts[0][k][1];
+      EXPECT_NEAR(panel.series[4].parts[0][k][1], sum, 1e-9);
     }
   }
 }
 
 TEST(SlipFigures, AreasOfPowerStackUpToTheTotal) {
   const Result result = slip_sweeps();
-  const auto figures = power_over_load_figures(result);
-  ASSERT_EQ(figures.size(), 2);
+  const Figures figures = of_powers(result);
+  ASSERT_GE(figures.size(), 2);
   EXPECT_EQ(figures[0].name, "power_by_source");
   EXPECT_EQ(figures[1].name, "power_by_source_2");
   const Panel& power = figures[0].panels[0];
   EXPECT_TRUE(has_style(figures[0], power, "roller-carrier"));
   EXPECT_FALSE(has_style(figures[0], power, "carrier-nut"));
-  const std::size_t top = power.lines.size() - 2;
-  const Polyline& area = power.lines[top].parts[0];
+  const std::size_t top = power.series.size() - 2;
+  const Polyline& area = power.series[top].parts[0];
   ASSERT_EQ(area.size(), 2 * 9);
   EXPECT_DOUBLE_EQ(area[9][0], 45.0);
   EXPECT_DOUBLE_EQ(area[9][1], result.load_cases[8].slip->power.total());
@@ -145,10 +167,11 @@ TEST(SlipFigures, SweepIsSortedAndBrokenWhereThereIsNoAnswer) {
   const SlipResult good = *with_slip(solved_case("a", 45e3, Direction::tension)).slip;
   SlipResult bad = good;
   bad.status = SlipStatus::no_equilibrium;
-  const Figure figure = power_by_source_figure({5, 4, 3, 2, 1}, "x", {good, good, bad, good, good});
+  const Figure figure =
+      power_by_source_figure({5, 4, 3, 2, 1}, {"x"}, {good, good, bad, good, good}, {});
   EXPECT_EQ(figure.x.from, 1.0);
   EXPECT_EQ(figure.x.to, 5.0);
-  EXPECT_EQ(figure.panels[1].lines[0].parts.size(), 2);
+  EXPECT_EQ(figure.panels[1].series[0].parts.size(), 2);
 }
 
 TEST(SlipFigures, ReferencesStandInBothPanels) {
@@ -159,16 +182,16 @@ TEST(SlipFigures, ReferencesStandInBothPanels) {
   options.comparison_title = "other model";
   options.comparison = {{10.0, 0.7}, {30.0, 0.8}};
   const Figure figure =
-      power_by_source_figure({10, 20, 30}, "Screw diameter (mm)", {slip, slip, slip}, options);
+      power_by_source_figure({10, 20, 30}, {"Screw diameter", "mm"}, {slip, slip, slip}, options);
   for (const Panel& panel : figure.panels) EXPECT_TRUE(has_style(figure, panel, "reference"));
   EXPECT_TRUE(has_style(figure, figure.panels[1], "other model"));
-  EXPECT_NEAR(figure.panels[0].lines.back().parts[0][0][1], 100.0, 1e-9);
+  EXPECT_NEAR(figure.panels[0].series.back().parts[0][0][1], 100.0, 1e-9);
 }
 
 TEST(SlipPlots, EveryFigureIsDrawnBesideItsScript) {
   const TemporaryDirectory temporary;
   ASSERT_NO_FATAL_FAILURE(
-      expect_drawn(draw_slip_plots(slip_sweeps(), {{8, sample_pictures()}}, temporary.path())));
+      expect_drawn(draw_figures(with_patches(slip_sweeps()), temporary.path())));
   if (IsSkipped()) return;
   for (const char* name :
        {"thread_power", "slip_patches", "slip_residue", "power_by_source", "power_by_source_2"}) {
@@ -177,15 +200,6 @@ TEST(SlipPlots, EveryFigureIsDrawnBesideItsScript) {
     EXPECT_NE(content_of(base.string() + ".svg").find("</svg>"), std::string::npos) << name;
     EXPECT_EQ(content_of(base.string() + ".png").substr(1, 3), "PNG") << name;
   }
-}
-
-TEST(SlipPlots, PicturesOfSeveralCasesAreNumbered) {
-  const TemporaryDirectory temporary;
-  ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_slip_plots(
-      slip_sweeps(), {{0, sample_pictures()}, {8, sample_pictures()}}, temporary.path())));
-  if (IsSkipped()) return;
-  EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "slip_patches_1.png"));
-  EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "slip_residue_2.png"));
 }
 
 TEST(SlipPlots, DegenerateValuesAreDrawn) {
@@ -200,14 +214,14 @@ TEST(SlipPlots, DegenerateValuesAreDrawn) {
   }
   pictures.residue_near_root = {{0.373, 0.373}, {{}, {}}};
   const TemporaryDirectory temporary;
-  expect_drawn(draw_slip_plots(result, {{0, pictures}}, temporary.path()));
+  expect_drawn(draw_figures(with_patches(result, pictures), temporary.path()));
 }
 
 TEST(SlipPlots, NamesAreDrawnAsTheyStandAndNeverRun) {
   Result result;
   result.load_cases = {with_slip(equal_share_case("\"; system('touch run'); \""))};
   const TemporaryDirectory temporary;
-  expect_drawn(draw_slip_plots(result, {{0, sample_pictures()}}, temporary.path()));
+  expect_drawn(draw_figures(with_patches(result), temporary.path()));
   EXPECT_FALSE(fs::exists(temporary.path() / "plots" / "run"));
 }
 

@@ -1,11 +1,11 @@
-#include "prs/figures/study_figures.h"
-#include "prs/output/gnuplot_script.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "prs/output/gnuplot_script.h"
+#include "support/shown.h"
 #include "tests/support/sample_study.h"
 
 namespace prs {
@@ -17,16 +17,14 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-std::vector<std::string> names(const std::vector<Figure>& figures) {
-  std::vector<std::string> names;
-  for (const Figure& figure : figures) names.push_back(figure.name);
-  return names;
-}
+using test::names;
+
+Figures study_figures(const StudyResult& result) { return figures(study_pictures(result)); }
 
 TEST(StudyFigures, OfOneFactorAtATimeLeaveGaps) {
   const std::vector<Figure> figures = study_figures(sample::counting());
   EXPECT_THAT(names(figures), ElementsAre("01_y", "02_z_max"));
-  const std::vector<Line>& lines = figures[0].panels.at(0).lines;
+  const std::vector<Series>& lines = figures[0].panels.at(0).series;
   ASSERT_THAT(lines, SizeIs(2));
   EXPECT_THAT(lines[0].parts,
               ElementsAre(Polyline{{1.0, 10.0}, {2.0, 20.0}}, Polyline{{4.0, 40.0}}));
@@ -56,7 +54,7 @@ TEST(StudyFigures, ShowPowerBySourceWhereItIsRecorded) {
   const Figure& figure = figures[0];
   ASSERT_THAT(figure.panels, SizeIs(2));
   // Of the 200 W in the file the screw takes 3/4: 37.5, 75 and 150 % at 1, 2 and 4.
-  const Polyline& screw = figure.panels[0].lines.at(0).parts.at(0);
+  const Polyline& screw = figure.panels[0].series.at(0).parts.at(0);
   EXPECT_THAT(screw,
               ElementsAre(ElementsAre(1.0, 0.0), ElementsAre(2.0, 0.0), ElementsAre(4.0, 0.0),
                           ElementsAre(4.0, 150.0), ElementsAre(2.0, 75.0), ElementsAre(1.0, 37.5)));
@@ -76,20 +74,20 @@ TEST(StudyFigures, ParetoGraphAddsUpTheRankedContributions) {
                                           "designs_01_screw_peak_pressure_MPa_max",
                                           "designs_02_nut_peak_pressure_MPa_max", "histograms"));
   const Panel& panel = figures[0].panels.at(0);
-  ASSERT_THAT(panel.labels, SizeIs(3));
-  EXPECT_EQ(panel.labels[0].text, " 1  flank angle");
-  const Line &grows = panel.lines.at(0), &falls = panel.lines.at(1), &sum = panel.lines.at(2);
+  EXPECT_THAT(panel.labels, SizeIs(3));
+  const std::vector<Tick>& ticks = figures[0].y.ticks;
+  ASSERT_THAT(ticks, SizeIs(3));
+  EXPECT_EQ(ticks[0].text, "Flank angle");
+  EXPECT_EQ(ticks[0].at, 3.0);  // From above.
+  const Series &grows = panel.series.at(0), &falls = panel.series.at(1);
   EXPECT_NEAR(grows.parts.at(0).at(1)[0], 75.0, 1e-9);
-  EXPECT_NEAR(falls.parts.at(0).at(1)[0], 25.0, 1e-9);
-  ASSERT_THAT(sum.parts.at(0), SizeIs(3));
-  EXPECT_NEAR(sum.parts[0][0][0], 75.0, 1e-9);
-  EXPECT_NEAR(sum.parts[0][2][0], 100.0, 1e-9);
+  EXPECT_NEAR(falls.parts.at(0).at(0)[0], -25.0, 1e-9);
   // The surface passes through the designs' middle: 5 + 3 x_a.
   const Panel& cloud = figures[2].panels.at(0);
-  EXPECT_THAT(cloud.lines.at(0).parts.at(0), SizeIs(500));
-  const Polyline& line = cloud.lines.at(1).parts.at(0);
+  EXPECT_THAT(cloud.series.at(0).parts.at(0), SizeIs(500));
+  const Polyline& line = cloud.series.at(1).parts.at(0);
   EXPECT_NEAR(line[0][1], 5.0 + 3.0 * (line[0][0] - 2.0), 1e-9);
-  EXPECT_EQ(figures[2].panels[0].x->label, "Flank angle (deg)");
+  EXPECT_EQ(text_of(*figures[2].panels[0].x), "Flank angle (deg)");
 }
 
 TEST(StudyFigures, HistogramHasAllDesigns) {
@@ -97,18 +95,18 @@ TEST(StudyFigures, HistogramHasAllDesigns) {
   const Figure histograms = study_figures(result).back();
   ASSERT_THAT(histograms.panels, SizeIs(2));
   double count = 0.0;
-  for (const Polyline& bar : histograms.panels[0].lines.at(0).parts) count += bar.at(2)[1];
+  for (const Polyline& bar : histograms.panels[0].series.at(0).parts) count += bar.at(2)[1];
   EXPECT_EQ(count, 500.0);
-  EXPECT_EQ(histograms.panels[0].lines.at(2).parts.at(0).at(0)[0], 5.0);  // As in the file.
+  EXPECT_EQ(histograms.panels[0].references.back().at, 5.0);  // As in the file.
 }
 
 TEST(StudyFigures, SharesOfTheVarianceCarryTheirIntervals) {
   const Figure figure = study_figures(sample::sampled(Plan::sobol_indices, 1024)).front();
   EXPECT_EQ(figure.name, "variance_01_screw_peak_pressure_MPa_max");
   const Panel& panel = figure.panels.at(0);
-  EXPECT_NEAR(panel.lines.at(0).parts.at(0).at(1)[0], 90.0, 2.0);
+  EXPECT_NEAR(panel.series.at(0).parts.at(0).at(1)[0], 90.0, 2.0);
   // A line and two caps for each of two estimates of three factors.
-  EXPECT_THAT(panel.lines.at(2).parts, SizeIs(18));
+  EXPECT_THAT(panel.series.at(2).parts, SizeIs(18));
 }
 
 Study grid(std::vector<Factor> factors) {
@@ -136,16 +134,16 @@ TEST(StudyFigures, GridHasALineForEachLevelAndAPanelForEachOther) {
   const std::vector<Figure> figures = study_figures(sample::run(study, answer));
   ASSERT_THAT(figures, SizeIs(1));
   const Figure& figure = figures[0];
-  EXPECT_EQ(figure.x.label, "force");
+  EXPECT_EQ(figure.x.label, "Force");
   ASSERT_THAT(figure.panels, SizeIs(2));
-  EXPECT_EQ(figure.panels[0].title, "direction tension");
-  EXPECT_EQ(figure.panels[1].title, "direction compression");
+  EXPECT_EQ(figure.panels[0].title, "Direction tension");
+  EXPECT_EQ(figure.panels[1].title, "Direction compression");
   ASSERT_THAT(figure.legend, SizeIs(3));
-  EXPECT_EQ(figure.legend[1].title, "position 2");
+  EXPECT_EQ(figure.legend[1].title, "Position 2");
   EXPECT_THAT(
-      figure.panels[1].lines.at(1).parts,
+      figure.panels[1].series.at(1).parts,
       ElementsAre(Polyline{{10.0, 1210.0}, {20.0, 1220.0}, {30.0, 1230.0}, {40.0, 1240.0}}));
-  EXPECT_THAT(figure.panels[0].lines.at(0).parts,
+  EXPECT_THAT(figure.panels[0].series.at(0).parts,
               ElementsAre(Polyline{{10.0, 110.0}}, Polyline{{30.0, 130.0}, {40.0, 140.0}}));
 }
 
@@ -155,16 +153,20 @@ TEST(StudyFigures, GridOfTwoLongFactorsIsAMap) {
   Study study = grid({sample::counted("x", many), sample::counted("y", many)});
   const auto product = [](const std::vector<double>& x) { return std::vector{x[0] * x[1]}; };
   const Figure map = study_figures(sample::run(study, product)).at(0);
-  ASSERT_THAT(map.panels.at(0).map.cells, SizeIs(144));
-  EXPECT_EQ(map.panels[0].map.cells[13].value, 1.5 * 1.5);
-  EXPECT_EQ(map.panels[0].map.width, 0.5);
-  EXPECT_EQ(map.colours->to, 6.5 * 6.5);
-  EXPECT_EQ(map.x.from, 0.75);
-  study.factors[1].levels.back() = {"9", 9.0};  // Uneven: eight lines of the twelve.
-  const Figure lines = study_figures(sample::run(study, product)).at(0);
-  EXPECT_FALSE(lines.colours);
-  EXPECT_THAT(lines.panels.at(0).lines, SizeIs(8));
-  EXPECT_EQ(lines.legend.back().title, "y 9");
+  const GridData& nodes = map.panels.at(0).map.grid;
+  ASSERT_THAT(nodes.values, SizeIs(144));
+  EXPECT_EQ(nodes.at(1, 2), 1.5 * 2.0);
+  EXPECT_FALSE(map.panels[0].map.cells);
+  EXPECT_GE(map.colours->to, 6.5 * 6.5);
+  EXPECT_EQ(map.colours->levels.front(), map.colours->from);
+  EXPECT_EQ(map.x.from, 1.0);
+  // Asked for, the same as lines: eight of the twelve.
+  const StudyResult result = sample::run(study, product);
+  const auto lines = test::shown(study_pictures(result), "lines");
+  ASSERT_TRUE(lines);
+  EXPECT_FALSE(lines->colours);
+  EXPECT_THAT(lines->panels.at(0).series, SizeIs(8));
+  EXPECT_EQ(lines->legend.back().title, "Y 6.5");
 }
 
 TEST(StudyFigures, EnvelopeIsAMapAndASurfaceWithItsPoints) {
@@ -185,14 +187,14 @@ TEST(StudyFigures, EnvelopeIsAMapAndASurfaceWithItsPoints) {
   ASSERT_TRUE(y.colours && y.panels[1].surface);
   EXPECT_LE(y.colours->from, 1.0);
   EXPECT_GE(y.colours->to, 6.5 * 6.5);
-  EXPECT_THAT(y.panels[0].lines.back().parts, ElementsAre(Polyline{{1.25, 3.0}}));
+  EXPECT_THAT(y.panels[0].series.back().parts, ElementsAre(Polyline{{1.25, 3.0}}));
   ASSERT_THAT(y.panels[1].surface->points, SizeIs(1));  // B is nowhere.
   EXPECT_NEAR(y.panels[1].surface->points[0].z, 3.75, 1e-12);
   EXPECT_NEAR(figures[0].panels[1].surface->points[0].z, 3.75 * 3.75, 1e-12);
   EXPECT_EQ(y.panels[1].surface->grid.at(11, 0), 6.5);
   const std::string script = gnuplot_script(y);
-  EXPECT_THAT(script, AllOf(HasSubstr("splot $surface_2"), HasSubstr("fc palette cb"),
-                            HasSubstr("set label \"A\" at 1.25,3,3.75")));
+  EXPECT_THAT(script, HasSubstr("set label \"A\" at 1.25,3,3.75"));
+  EXPECT_EQ(y.panels[1].surface->z.label, "Y");
 }
 
 TEST(StudyFigures, NoneWithoutAnAnswer) {

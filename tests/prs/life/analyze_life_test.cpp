@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "prs/figures/life_figures.h"
+#include "prs/figures/pictures.h"
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
@@ -237,7 +237,7 @@ TEST(AnalyzeLife, LoadsAtRestAloneWearNothing) {
   EXPECT_FALSE(r.weakest);
   EXPECT_GT(*r.static_safety(), 1.0);
   EXPECT_FALSE(life_json(r, {})["life"]["system"].contains("l10_revolutions"));
-  EXPECT_EQ(life_figures(r).size(), 2u);
+  EXPECT_EQ(figures(life_pictures(r)).size(), 2u);
 }
 
 TEST(AnalyzeLife, EquivalentRangesAreThoseOfTheThreadLoads) {
@@ -383,7 +383,7 @@ TEST(LifeOutput, SaysTheSameInEveryForm) {
     EXPECT_LE(width(table.substr(begin, end - begin)), 110u);
     begin = end + 1;
   }
-  EXPECT_EQ(life_figures(r).size(), 4u);
+  EXPECT_EQ(figures(life_pictures(r)).size(), 4u);
 }
 
 TEST(AnalyzeLife, StaticSafetyNamesItsLimit) {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "known_problems.h"
-#include "prs/figures/optimize_figures.h"
+#include "prs/figures/pictures.h"
 #include "prs/output/optimize_csv.h"
 #include "prs/output/optimize_json.h"
 #include "prs/output/optimize_table.h"
@@ -84,12 +84,12 @@ TEST(OptimizeJson, CompromiseIsOneOfTheFront) {
 
 TEST(OptimizeFigures, HistoryAndFrontShowEveryDesignOnce) {
   const OptimizationResult result = problem().run();
-  const std::vector<Figure> figures = optimize_figures(result);
+  const Figures figures = prs::figures(optimization_pictures(result));
   ASSERT_THAT(figures, SizeIs(2));
   EXPECT_EQ(figures[0].name, "history");
   EXPECT_EQ(figures[1].name, "front");
   ASSERT_THAT(figures[0].panels, SizeIs(2));
-  const std::vector<Line>& lines = figures[0].panels[0].lines;
+  const std::vector<Series>& lines = figures[0].panels[0].series;
   const auto feasible = static_cast<std::size_t>(
       std::ranges::count_if(result.search.designs, &EvaluatedDesign::is_feasible));
   EXPECT_THAT(lines[1].parts.at(0), SizeIs(feasible));
@@ -98,7 +98,7 @@ TEST(OptimizeFigures, HistoryAndFrontShowEveryDesignOnce) {
   EXPECT_TRUE(std::ranges::is_sorted(best, std::ranges::greater{}, [](auto& p) { return p[1]; }));
   EXPECT_EQ(best.back()[1], result.search.designs[result.search.front[0]].responses[0]);
   EXPECT_EQ(best.back()[0], 200.0);
-  const std::vector<Line>& front = figures[1].panels.at(0).lines;
+  const std::vector<Series>& front = figures[1].panels.at(0).series;
   EXPECT_THAT(front[0].parts.at(0), SizeIs(feasible));
   EXPECT_THAT(front[1].parts.at(0), SizeIs(result.check->front.size()));
   EXPECT_THAT(front[2].parts.at(0), SizeIs(result.search.front.size()));

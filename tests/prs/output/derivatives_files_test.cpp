@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "prs/figures/pictures.h"
+
 namespace prs {
 namespace {
 
@@ -69,15 +71,15 @@ TEST(DerivativesFiles, TableNamesTheResponsesThatHaveNoDerivative) {
 }
 
 TEST(DerivativesFiles, FigureHasABarAFactor) {
-  const std::vector<Figure> figures = derivatives_figures(sample_derivatives());
-  ASSERT_THAT(figures, SizeIs(1));
-  const Panel& panel = figures[0].panels.at(0);
+  const CaseDerivatives derivatives = sample_derivatives();
+  const Figures shown = figures(derivatives_pictures(derivatives));
+  ASSERT_THAT(shown, SizeIs(1));
+  const Panel& panel = shown[0].panels.at(0);
   EXPECT_THAT(panel.labels, SizeIs(2));
-  EXPECT_THAT(panel.lines.at(0).parts, SizeIs(1));
-  EXPECT_THAT(panel.lines.at(1).parts, SizeIs(1));
-  EXPECT_LT(figures[0].x.from, panel.labels[0].x);
-  EXPECT_LT(panel.labels[0].x, -0.075);
-  EXPECT_GT(figures[0].x.to, 2.0);
+  EXPECT_THAT(panel.series.at(0).parts, SizeIs(1));
+  EXPECT_THAT(panel.series.at(1).parts, SizeIs(1));
+  EXPECT_LT(shown[0].x.from, -0.075);
+  EXPECT_GT(shown[0].x.to, 2.0);
 }
 
 }  // namespace

@@ -376,7 +376,7 @@ TEST(FidelityFigures, ShowEveryCaseWithOppositeContacts) {
   for (const Figure& figure : load_rate_figures(models(), reference(), kReferenceError)) {
     names.insert(figure.name);
     ASSERT_EQ(figure.panels.size(), 4u);
-    for (const Panel& panel : figure.panels) EXPECT_EQ(panel.lines.size(), 4u);
+    for (const Panel& panel : figure.panels) EXPECT_EQ(panel.series.size(), 4u);
   }
   EXPECT_EQ(names.size(), 12u);
   EXPECT_TRUE(names.contains("load_rate_config2_compression_outer_node"));
@@ -390,16 +390,16 @@ TEST(FidelityFigures, ShowEveryCaseWithOppositeContacts) {
 TEST(FidelityFigures, DrawTheErrorBarAboutTheReference) {
   const Figure figure = load_rate_figures(models(), reference(), kReferenceError).front();
   const Panel& differences = figure.panels[3];
-  const std::vector<Polyline>& strokes = differences.lines[2].parts;
+  const std::vector<Polyline>& strokes = differences.series[2].parts;
   ASSERT_EQ(strokes.size(), 20u);
   for (const Polyline& stroke : strokes) {
     EXPECT_DOUBLE_EQ(stroke[0][1], -100 * kReferenceError.load_rate);
     EXPECT_DOUBLE_EQ(stroke[1][1], 100 * kReferenceError.load_rate);
   }
-  for (const auto& [x, y] : differences.lines[3].parts.front()) EXPECT_EQ(y, 0.0);
+  for (const auto& [x, y] : differences.series[3].parts.front()) EXPECT_EQ(y, 0.0);
   const double expected = 100 * (bar_curves()[0].points.back().load_rate.nut[0] -
                                  reference()[0].points.back().load_rate.nut[0]);
-  EXPECT_DOUBLE_EQ(differences.lines[0].parts.front()[0][1], expected);
+  EXPECT_DOUBLE_EQ(differences.series[0].parts.front()[0][1], expected);
 }
 
 }  // namespace

@@ -5,10 +5,7 @@
 
 #include "contact/contact_point.h"
 #include "contact/thread_surface.h"
-#include "prs/model/units.h"
-#include "prs/figures/contact_figures.h"
-#include "prs/figures/contact_figures_style.h"
-#include "prs/figures/figure_style.h"
+#include "prs/figures/contact_parts.h"
 
 namespace prs {
 namespace {
@@ -134,17 +131,17 @@ Section section_of(const Contacts& contacts) {
   return section;
 }
 
-Line polygons(Figure& figure, Part part, std::vector<Polyline> parts) {
-  return {add_to_legend(figure, std::string(title(part)), fill_of(kPartColours[part].fill)),
-          std::move(parts)};
+Series polygons(Figure& figure, Part part, std::vector<Polyline> parts) {
+  Style style = area_of(colour_of(part));
+  style.pale = true;
+  return {figure.add(std::string(title(part)), style), std::move(parts)};
 }
 
-Line outlines(Figure& figure, Part part, std::vector<Polyline> parts) {
-  figure.styles.push_back({kPartColours[part].outline, 1, 0, 1.4});
-  return {figure.styles.size() - 1, std::move(parts)};
+Series outlines(Figure& figure, Part part, std::vector<Polyline> parts) {
+  return {figure.add(line_of(colour_of(part))), std::move(parts)};
 }
 
-std::vector<Line> section_lines(Figure& figure, const Section& section) {
+std::vector<Series> section_lines(Figure& figure, const Section& section) {
   // Enough for panels up to twice as wide as high, and the material goes on beyond them.
   const double length = 2.0 * (section.outside - section.inside);
   const auto& [at_screw, at_nut] = section.cuts;
@@ -153,7 +150,7 @@ std::vector<Line> section_lines(Figure& figure, const Section& section) {
   const std::vector<Polyline> roller = {outline(at_screw.roller, length),
                                         outline(at_nut.roller, length)};
   const double axis = at_screw.roller.axis;
-  std::vector<Line> lines;
+  std::vector<Series> lines;
   lines.push_back(polygons(figure, Part::screw, {filled_to(screw, section.inside - length)}));
   lines.push_back(
       polygons(figure, Part::roller, {filled_to(roller[0], axis), filled_to(roller[1], axis)}));
@@ -161,16 +158,11 @@ std::vector<Line> section_lines(Figure& figure, const Section& section) {
   lines.push_back(outlines(figure, Part::screw, {screw}));
   lines.push_back(outlines(figure, Part::roller, roller));
   lines.push_back(outlines(figure, Part::nut, {nut}));
-  lines.push_back({add_to_legend(figure, "roller axis", kAxisLine),
+  lines.push_back({figure.add("roller axis", kAxisLine),
                    {{point_mm(-2.0 * length, axis), point_mm(2.0 * length, axis)}}});
-  lines.push_back({add_to_legend(figure, "contact points I, J", kContactMark),
+  lines.push_back({figure.add("contact points I, J", kContactMark),
                    {contact_points(at_screw, length), contact_points(at_nut, length)}});
   return lines;
-}
-
-Axis axis_about(std::string label, double middle, double half) {
-  return {std::move(label), (middle - half) * per_si::millimetre,
-          (middle + half) * per_si::millimetre};
 }
 
 /// The other two faces come closest on the other side of the plane of the axes, by symmetry; the
@@ -185,44 +177,44 @@ void add_backlash(Panel& panel, const InterfaceCut& cut, double backlash) {
 }
 
 Panel contact_panel(const Contacts& contacts, const InterfaceCut& cut, Interface i,
-                    const std::vector<Line>& lines) {
+                    const std::vector<Series>& lines) {
   const double half = 0.45 * cut.roller.thread.pitch;
   Panel panel;
   panel.title = fmt::format("{} at {}, y = {} mm", interface_title(i), letter(i),
                             number(cut.body.plane * per_si::millimetre, 3));
-  panel.lines = lines;
-  panel.labels.push_back({std::string(letter(i)),
-                          (cut.contact_z + 0.12 * half) * per_si::millimetre,
+  panel.series = lines;
+  panel.labels.push_back({letter(i), (cut.contact_z + 0.12 * half) * per_si::millimetre,
                           cut.contact_x * per_si::millimetre});
   add_backlash(panel, cut, contacts.interfaces[i].geometry.point.backlash);
-  panel.x = axis_about("z (mm)", cut.contact_z, half);
-  panel.y = axis_about("x (mm)", cut.contact_x, half);
+  panel.x = axis_about("z", cut.contact_z, half);
+  panel.y = axis_about("x", cut.contact_x, half);
   return panel;
 }
 
 }  // namespace
 
-std::optional<Figure> contact_section_figure(const Result& result) {
-  const Contacts& contacts = result.contacts;
-  if (!has_contact_points(contacts)) return std::nullopt;
+/// The three threads cut parallel to their axes: the section is stepped at the roller's axis and
+/// passes through the contact points on both sides, so that the loaded flanks touch where they do
+/// in space. An overview and each contact enlarged (Sandu 2018, figs. 1.8, 1.9). Parts of different
+/// pitch touch at one thread.
+Figures contact_axial_section(const Contacts& contacts) {
+  if (!has_contact_points(contacts)) return {};
   const Section section = section_of(contacts);
-  Figure figure;
-  figure.name = "contact_axial_section";
-  figure.title = "Section through I and J, configuration I1J2, " + mechanism_title(contacts);
+  Figure figure{"contact_axial_section",
+                "Section through I and J, configuration I1J2, " + mechanism_title(contacts)};
   figure.columns = 2;
-  figure.first_is_overview = true;
-  figure.first_column = 1.1;
+  figure.overview = 1.1;
   figure.to_scale = true;
-  const std::vector<Line> lines = section_lines(figure, section);
+  const std::vector<Series> lines = section_lines(figure, section);
   const double half = 0.5 * (section.outside - section.inside);
-  figure.panels.push_back({"Section stepped at the roller axis",
-                           lines,
-                           {},
-                           axis_about("z (mm)", 0.0, 0.1 * half),
-                           axis_about("x from the screw axis (mm)", section.inside + half, half)});
+  Panel& whole = figure.panels.emplace_back();
+  whole.title = "Section stepped at the roller axis";
+  whole.series = lines;
+  whole.x = axis_about("z", 0.0, 0.1 * half);
+  whole.y = axis_about("x from the screw axis", section.inside + half, half);
   for (const Interface i : {Interface::nut, Interface::screw})
     figure.panels.push_back(contact_panel(contacts, section.cuts[i], i, lines));
-  return figure;
+  return {std::move(figure)};
 }
 
 }  // namespace prs

@@ -5,12 +5,8 @@
 #include <numbers>
 
 #include "contact/hertz.h"
+#include "prs/figures/contact_parts.h"
 #include "prs/quantities/quantities.h"
-#include "prs/model/units.h"
-#include "prs/figures/contact_figures.h"
-#include "prs/figures/contact_figures_style.h"
-#include "prs/figures/figure_style.h"
-#include "prs/text.h"
 
 namespace prs {
 namespace {
@@ -18,7 +14,7 @@ namespace {
 constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 
 /// An ellipse as it is drawn: in mm, or with the major semi-axis 1 where there is no load.
-struct Ellipse {
+struct DrawnEllipse {
   double semi_major = 1.0;
   double semi_minor = 1.0;
   std::string state;  ///< Load and pressure, or the ellipticity.
@@ -45,7 +41,7 @@ std::optional<LoadedThread> most_loaded(const Result& result, Interface i) {
   return most;
 }
 
-Ellipse loaded_ellipse(const LoadedThread& at, Interface i) {
+DrawnEllipse loaded_ellipse(const LoadedThread& at, Interface i) {
   const InterfaceLoads& loads = (*at.load_case->threads)[i];
   const std::size_t k = at.thread;
   return {loads.semi_major[k] * per_si::millimetre, loads.semi_minor[k] * per_si::millimetre,
@@ -54,11 +50,11 @@ Ellipse loaded_ellipse(const LoadedThread& at, Interface i) {
 }
 
 /// Absent where the relative curvatures give no ellipse.
-std::optional<Ellipse> unit_ellipse(const contact::InterfaceGeometry& geometry) {
+std::optional<DrawnEllipse> unit_ellipse(const contact::InterfaceGeometry& geometry) {
   const double ratio = geometry.relative.first / geometry.relative.second;
   if (!(ratio > 0.0 && ratio <= 1.0)) return std::nullopt;
   const double ellipticity = contact::ellipticity(ratio);
-  return Ellipse{1.0, ellipticity, fmt::format("b/a = {:.4f}", ellipticity)};
+  return DrawnEllipse{1.0, ellipticity, fmt::format("b/a = {:.4f}", ellipticity)};
 }
 
 /// Point of the tangent plane in its frame (helix tangent, n x helix tangent), `angle` from the
@@ -71,41 +67,37 @@ Polyline diameter(double angle, double half_length) {
   return {polar(-half_length, angle), polar(half_length, angle)};
 }
 
-Polyline outline(const Ellipse& ellipse, double major_angle) {
-  constexpr int kPoints = 120;
-  const double c = std::cos(major_angle), s = std::sin(major_angle);
-  Polyline points;
-  for (int k = 0; k <= kPoints; ++k) {
-    const double t = 2.0 * std::numbers::pi * k / kPoints;
-    const double u = ellipse.semi_major * std::cos(t), v = ellipse.semi_minor * std::sin(t);
-    points.push_back({c * u - s * v, s * u + c * v});
-  }
-  return points;
-}
-
 /// Styles of the figure in the order of their legend; of the directions, the second follows.
-enum Style : std::size_t { kInside, kOutline, kScrew, kRoller = kScrew + 2, kNut = kRoller + 2 };
+enum EllipseStyle : std::size_t {
+  kInside,
+  kOutline,
+  kScrew,
+  kRoller = kScrew + 2,
+  kNut = kRoller + 2
+};
 
 void add_styles(Figure& figure) {
-  add_to_legend(figure, "contact ellipse", fill_of("#dddddd"));
-  add_to_legend(figure, "semi-axes", {"#000000", 1, 0, 1.6});
+  Style inside = area_of(Colour::grey);
+  inside.pale = true;
+  figure.add("contact ellipse", inside);
+  figure.add("semi-axes", line_of(Colour::ink));
   for (const Part part : kParts) {
-    const std::string_view colour = kPartColours[part].outline;
-    add_to_legend(figure, fmt::format("{}, direction 1", title(part)), {colour, 1, 0, 2.0});
-    add_to_legend(figure, fmt::format("{}, direction 2", title(part)), {colour, 2, 0, 1.4});
+    const Colour colour = colour_of(part);
+    figure.add(fmt::format("{}, direction 1", title(part)), line_of(colour));
+    figure.add(fmt::format("{}, direction 2", title(part)), line_of(colour, Dash::dashed));
   }
 }
 
 void add_directions(Panel& panel, std::size_t style, double first_angle, double half_length) {
-  panel.lines.push_back({style, {diameter(first_angle, half_length)}});
-  panel.lines.push_back({style + 1, {diameter(first_angle + kQuarterTurn, half_length)}});
+  panel.series.push_back({style, {diameter(first_angle, half_length)}});
+  panel.series.push_back({style + 1, {diameter(first_angle + kQuarterTurn, half_length)}});
 }
 
-void add_semi_axis_labels(Panel& panel, const Ellipse& ellipse, double major, bool loaded) {
+void add_semi_axis_labels(Panel& panel, const DrawnEllipse& ellipse, double major, bool loaded) {
   const double a = ellipse.semi_major, b = ellipse.semi_minor;
-  const auto letter_at = [&](const char* letter, double radius, double angle) {
+  const auto letter_at = [&](const char* name, double radius, double angle) {
     const auto [x, y] = polar(radius + 0.1 * a, angle);
-    panel.labels.push_back({letter, x, y, false, true});
+    panel.labels.push_back({name, x, y, false, Label::Anchor::centre});
   };
   letter_at("a", a, major);
   letter_at("b", b, major + kQuarterTurn);
@@ -113,17 +105,17 @@ void add_semi_axis_labels(Panel& panel, const Ellipse& ellipse, double major, bo
     panel.labels.push_back({fmt::format("a = {:.4f} mm, b = {:.4f} mm", a, b), 0.03, 0.04, true});
 }
 
-Panel ellipse_panel(const contact::InterfaceGeometry& geometry, const Ellipse& ellipse, Interface i,
-                    bool loaded) {
+Panel ellipse_panel(const contact::InterfaceGeometry& geometry, const DrawnEllipse& ellipse,
+                    Interface i, bool loaded) {
   const double a = ellipse.semi_major, b = ellipse.semi_minor;
   const double major = geometry.relative.angle;
-  const Polyline ellipse_line = outline(ellipse, major);
+  const Polyline ellipse_line = prs::ellipse(0.0, 0.0, a, b, major);
   Panel panel;
   panel.title = fmt::format("{}: {}", interface_title(i), ellipse.state);
-  panel.lines.push_back({kInside, {ellipse_line}});
+  panel.series.push_back({kInside, {ellipse_line}});
   add_directions(panel, i == Interface::screw ? kScrew : kNut, geometry.body.angle, 1.35 * a);
   add_directions(panel, kRoller, geometry.roller.angle, 1.2 * a);
-  panel.lines.push_back(
+  panel.series.push_back(
       {kOutline, {ellipse_line, diameter(major, a), diameter(major + kQuarterTurn, b)}});
   add_semi_axis_labels(panel, ellipse, major, loaded);
   return panel;
@@ -133,52 +125,39 @@ std::string state_title(const PerInterface<std::optional<LoadedThread>>& at) {
   if (!at.screw || !at.nut) return "shape without load";
   const LoadCaseResult* load_case = at.screw->load_case;
   if (load_case != at.nut->load_case) return "largest normal loads";
-  return "load case " + shortened(printable(load_case->load_case.name), kMaxCaseName);
+  return "load case " + shown_name(load_case->load_case.name);
 }
 
 }  // namespace
 
-std::optional<Figure> contact_ellipse_figure(const Result& result) {
+/// Both contact ellipses with the principal directions of both bodies, in the tangent planes and
+/// seen from outside the roller (Sandu 2018, fig. 1.16; Yao 2023, fig. 5): under the largest normal
+/// load of the cases, or of unit major semi-axes where no case has ellipses. Absent also where the
+/// relative curvatures give no ellipse.
+Figures contact_ellipses(const Result& result, const FigureOptions&) {
   const Contacts& contacts = result.contacts;
-  if (!has_contact_points(contacts)) return std::nullopt;
+  if (!has_contact_points(contacts)) return {};
   const PerInterface<std::optional<LoadedThread>> at = {most_loaded(result, Interface::screw),
                                                         most_loaded(result, Interface::nut)};
   const bool loaded = at.screw && at.nut;
-  Figure figure;
-  figure.name = "contact_ellipses";
-  figure.title = "Contact ellipses, " + state_title(at);
+  Figure figure{"contact_ellipses", "Contact ellipses, " + state_title(at)};
   figure.columns = std::size(kInterfaces);
-  figure.panel_height = 345;
   figure.to_scale = true;
+  figure.aspect = 0.9;
   add_styles(figure);
   double largest = 0.0;
   for (const Interface i : kInterfaces) {
     const contact::InterfaceGeometry& geometry = contacts.interfaces[i].geometry;
-    const std::optional<Ellipse> ellipse =
+    const std::optional<DrawnEllipse> drawn =
         loaded ? loaded_ellipse(*at[i], i) : unit_ellipse(geometry);
-    if (!ellipse) return std::nullopt;
-    figure.panels.push_back(ellipse_panel(geometry, *ellipse, i, loaded));
-    largest = std::max(largest, ellipse->semi_major);
+    if (!drawn) return {};
+    figure.panels.push_back(ellipse_panel(geometry, *drawn, i, loaded));
+    largest = std::max(largest, drawn->semi_major);
   }
-  const char* unit = loaded ? " (mm)" : " (semi-major axes)";
-  figure.x = {fmt::format("along the roller helix{}", unit), -1.55 * largest, 1.55 * largest};
-  figure.y = {fmt::format("across the flank{}", unit), -1.55 * largest, 1.55 * largest};
-  return figure;
-}
-
-std::vector<Figure> contact_figures(const Result& result) {
-  return drawable(contact_section_figure(result), contact_xy_figure(result),
-                  contact_ellipse_figure(result));
-}
-
-std::vector<std::string> contacts_without_figure(const Result& result) {
-  std::vector<std::string> notes;
-  for (const Interface i : kInterfaces)
-    if (!result.contacts.interfaces[i].geometry.ok())
-      notes.push_back(fmt::format(
-          "pictures of the contacts were not drawn: the {} threads have no contact point ({})",
-          label(i), failure(result.contacts, i).reason));
-  return notes;
+  const char* unit = loaded ? "mm" : "semi-major axes";
+  figure.x = {"along the roller helix", unit, -1.55 * largest, 1.55 * largest};
+  figure.y = {"across the flank", unit, -1.55 * largest, 1.55 * largest};
+  return {std::move(figure)};
 }
 
 }  // namespace prs

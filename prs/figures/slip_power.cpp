@@ -5,29 +5,19 @@
 #include <iterator>
 #include <numeric>
 
-#include "prs/figures/figure_style.h"
-#include "prs/figures/result_figures.h"
-#include "prs/figures/slip_figures.h"
+#include "prs/figures/figure_parts.h"
+#include "prs/figures/slip_parts.h"
 #include "prs/quantities/case_groups.h"
 #include "prs/quantities/slip_quantities.h"
-#include "prs/text.h"
 
 namespace prs {
 namespace {
 
 constexpr std::size_t kMostFigures = 4;
 
-/// P. Tol's "medium contrast" scheme, from dark to pale and back.
-constexpr std::string_view kSourceColours[] = {"#004488", "#6699cc", "#eecc66", "#997700",
-                                               "#994455"};
+constexpr Colour kSourceColours[] = {Colour::blue, Colour::sky, Colour::orange, Colour::green,
+                                     Colour::purple};
 static_assert(std::size(kSourceColours) == std::size(kPowerSources));
-
-constexpr LineStyle kReferenceStyles[] = {
-    points_of("#cc2211", 7, 3.2),
-    points_of("#000000", 5, 3.2),
-    points_of("#117733", 9, 3.2),
-    points_of("#aa4499", 13, 3.2),
-};
 
 /// A result and where it stands on the axis.
 struct SweepPoint {
@@ -94,30 +84,25 @@ bool has_power(const std::vector<std::vector<SweepPoint>>& runs, const PowerSour
 }
 
 /// From zero or, of efficiencies, so that the curve fills the panel.
-Axis fitted(std::string label, const Panel& panel, bool from_zero) {
-  double least = HUGE_VAL, largest = -HUGE_VAL;
-  for (const Line& line : panel.lines)
-    for (const Polyline& part : line.parts)
-      for (const auto& [x, y] : part) {
-        least = std::min(least, y);
-        largest = std::max(largest, y);
-      }
-  if (least > largest) return {std::move(label), 0.0, 1.0};
-  if (from_zero) least = 0.0;
-  const double margin = largest > least ? 0.08 * (largest - least) : 1.0;
-  return {std::move(label), from_zero ? 0.0 : least - margin, largest + margin};
+Axis fitted_axis(std::string label, std::string unit, const Panel& panel, bool from_zero) {
+  Range range = range_of_y(panel.series);
+  if (range.empty()) range = {0.0, 1.0};
+  if (from_zero) range.from = 0.0;
+  range.widen(0.08);
+  return {std::move(label), std::move(unit), from_zero ? 0.0 : range.from, range.to};
 }
 
 /// The points of the options in both panels.
 void add_references(Figure& figure, const PowerFigureOptions& options, double factor) {
-  const std::size_t count = std::min(options.references.size(), std::size(kReferenceStyles));
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < options.references.size(); ++k) {
     const ReferencePoint& point = options.references[k];
-    const std::size_t style = add_to_legend(figure, point.title, kReferenceStyles[k]);
+    const std::size_t style = figure.add(
+        point.title, points_of(palette(1 + k), static_cast<Mark>(1 + k % 8), Weight::strong));
     if (point.power_loss)
-      figure.panels[0].lines.push_back({style, {{{point.x, *point.power_loss * factor}}}});
+      figure.panels[0].series.push_back({style, {{{point.x, *point.power_loss * factor}}}});
     if (point.efficiency)
-      figure.panels[1].lines.push_back({style, {{{point.x, *point.efficiency * per_si::percent}}}});
+      figure.panels[1].series.push_back(
+          {style, {{{point.x, *point.efficiency * per_si::percent}}}});
   }
 }
 
@@ -126,60 +111,95 @@ void add_comparison(Figure& figure, const PowerFigureOptions& options) {
   Polyline line;
   for (const auto& [x, efficiency] : options.comparison)
     line.push_back({x, efficiency * per_si::percent});
-  const std::size_t style = add_to_legend(figure, options.comparison_title, {"#555555", 2, 0, 1.6});
-  figure.panels[1].lines.push_back({style, {std::move(line)}});
+  const std::size_t style =
+      figure.add(options.comparison_title, line_of(Colour::reference, Dash::dashed));
+  figure.panels[1].series.push_back({style, {std::move(line)}});
 }
 
-Line line_of(std::size_t style, const std::vector<std::vector<SweepPoint>>& runs, auto part) {
-  Line line{style, {}};
+Series series_of(std::size_t style, const std::vector<std::vector<SweepPoint>>& runs, auto part) {
+  Series line{style};
   for (const auto& run : runs) line.parts.push_back(part(run));
   return line;
 }
 
+/// A bar for each load case, stacked.
+Figure power_bars(std::vector<const LoadCaseResult*> cases) {
+  constexpr std::size_t kMostBars = 12;
+  Figure figure{"power_by_source", "Power lost by source"};
+  keep_first(cases, kMostBars, figure.title);
+  figure.y = {"Power lost", "W", 0.0};
+  figure.x = {"", "", 0.4, std::max(static_cast<double>(cases.size()) + 0.6, 2.6)};
+  Panel& panel = figure.panels.emplace_back();
+  for (std::size_t k = 0; k < std::size(kPowerSources); ++k) {
+    Series bars;
+    bool any = false;
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      const SlipResult& slip = *cases[c]->slip;
+      const double at = static_cast<double>(c + 1), power = slip.power.*kPowerSources[k].value;
+      const double below = power_below(slip, k);
+      any = any || power > 0.0;
+      bars.parts.push_back(rectangle(at - 0.3, at + 0.3, below, below + power));
+    }
+    if (!any) continue;
+    bars.style = figure.add(std::string(kPowerSources[k].title), area_of(kSourceColours[k]));
+    panel.series.push_back(std::move(bars));
+  }
+  for (const LoadCaseResult* c : cases)
+    figure.x.ticks.push_back(
+        {static_cast<double>(figure.x.ticks.size() + 1), shown_name(c->load_case.name)});
+  fit_y_range(figure);
+  return figure;
+}
+
 }  // namespace
 
-Figure power_by_source_figure(const std::vector<double>& x, const std::string& x_label,
+Figure power_by_source_figure(const std::vector<double>& x, const Axis& axis,
                               const std::vector<SlipResult>& results,
                               const PowerFigureOptions& options) {
   const auto runs = unbroken(sweep(x, results));
   const double factor = options.relative_to ? per_si::percent / *options.relative_to : 1.0;
-  Figure figure;
-  figure.name = options.name;
-  figure.title = options.title;
+  Figure figure{options.name, options.title};
   figure.columns = 2;
-  figure.panel_height = 330;
   figure.panels.resize(2);
   Panel& power = figure.panels[0];
   power.title = "Power lost";
   for (std::size_t k = 0; k < std::size(kPowerSources); ++k) {
     if (!has_power(runs, kPowerSources[k])) continue;
     const std::size_t style =
-        add_to_legend(figure, std::string(kPowerSources[k].title), fill_of(kSourceColours[k]));
-    power.lines.push_back(line_of(style, runs, [&](const auto& r) { return area(r, k, factor); }));
+        figure.add(std::string(kPowerSources[k].title), area_of(kSourceColours[k]));
+    power.series.push_back(
+        series_of(style, runs, [&](const auto& r) { return area(r, k, factor); }));
   }
-  const std::size_t total = figure.styles.size();
-  figure.styles.push_back({"#000000", 1, 0, 1.2});
-  power.lines.push_back(line_of(total, runs, [&](const auto& r) { return total_line(r, factor); }));
-
+  power.series.push_back(series_of(figure.add(line_of(Colour::ink, Dash::solid, Weight::thin)),
+                                   runs, [&](const auto& r) { return total_line(r, factor); }));
   Panel& efficiency = figure.panels[1];
   efficiency.title = "Efficiency";
-  const std::size_t style = add_to_legend(figure, "efficiency", {"#000000", 1, 0, 2.2});
-  efficiency.lines.push_back(line_of(style, runs, efficiency_line));
+  const std::size_t style =
+      figure.add("efficiency", line_of(Colour::ink, Dash::solid, Weight::strong));
+  efficiency.series.push_back(series_of(style, runs, efficiency_line));
   add_comparison(figure, options);
   add_references(figure, options, factor);
-
-  figure.x.label = x_label;
+  figure.x = axis;
   figure.x.from = runs.front().front().x;
   figure.x.to = runs.back().back().x;
-  power.y = fitted(options.relative_to ? "Power lost (% of the reference)" : "Power lost (W)",
-                   power, true);
-  efficiency.y = fitted("Efficiency (%)", efficiency, false);
+  power.y = fitted_axis("Power lost", options.relative_to ? "% of the file's" : "W", power, true);
+  efficiency.y = fitted_axis("Efficiency", "%", efficiency, false);
   return figure;
 }
 
-std::vector<Figure> power_over_load_figures(const Result& result) {
-  std::vector<Figure> figures;
-  const auto sweeps = loaded_configurations(result.load_cases, kMinSweepPoints, has_slip);
+/// Power of each source and efficiency over the load of each range (Sandu 2018, fig. 3.9), at most
+/// four; else a bar for each load case.
+Figures power_by_source(const Result& result, const FigureOptions& options) {
+  Figures figures;
+  std::vector<const LoadCaseResult*> cases;
+  for (const LoadCaseResult* load_case : chosen(result, options))
+    if (has_slip(*load_case)) cases.push_back(load_case);
+  if (cases.empty()) return {};
+  std::vector<LoadCaseResult> kept;
+  if (!options.load_cases.empty())
+    for (const LoadCaseResult* load_case : cases) kept.push_back(*load_case);
+  const auto sweeps = loaded_configurations(options.load_cases.empty() ? result.load_cases : kept,
+                                            kMinSweepPoints, has_slip);
   for (const LoadedConfiguration& configuration : sweeps)
     for (const CaseGroup& group : configuration.groups) {
       if (figures.size() == kMostFigures) return figures;
@@ -189,11 +209,12 @@ std::vector<Figure> power_over_load_figures(const Result& result) {
         force.push_back(load_case->load_case.axial_force * per_si::kilonewton);
         slips.push_back(*load_case->slip);
       }
-      PowerFigureOptions options;
-      if (!figures.empty()) options.name += fmt::format("_{}", figures.size() + 1);
-      options.title += ", " + shortened(printable(group.name), kMaxCaseName);
-      figures.push_back(power_by_source_figure(force, "Axial force (kN)", slips, options));
+      PowerFigureOptions shown;
+      if (!figures.empty()) shown.name += fmt::format("_{}", figures.size() + 1);
+      shown.title += ", " + shown_name(group.name);
+      figures.push_back(power_by_source_figure(force, {"Axial load", "kN"}, slips, shown));
     }
+  if (figures.empty()) figures.push_back(power_bars(std::move(cases)));
   return figures;
 }
 

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
+#include "prs/figures/figure_parts.h"
+#include "prs/figures/slip_parts.h"
 #include "prs/quantities/slip_quantities.h"
-#include "prs/figures/figure_style.h"
-#include "prs/figures/slip_figures.h"
-#include "prs/text.h"
 
 namespace prs {
 namespace {
@@ -16,26 +14,29 @@ namespace {
 constexpr int kMostArrows = 11;  // Along each axis.
 
 /// Styles of the figure in the order of their legend.
-enum Style : std::size_t { kSliding, kOutline };
+enum PatchStyle : std::size_t { kSliding, kOutline };
 
-Polyline outline(const PatchField& field) {
-  constexpr int kPoints = 120;
-  Polyline points;
-  for (int k = 0; k <= kPoints; ++k) {
-    const double t = 2.0 * std::numbers::pi * k / kPoints;
-    points.push_back({field.semi_major * std::cos(t) * per_si::millimetre,
-                      field.semi_minor * std::sin(t) * per_si::millimetre});
-  }
-  return points;
-}
-
-CellMap friction_map(const PatchField& field) {
-  CellMap map;
-  map.width = 2.0 * field.semi_major / field.points * per_si::millimetre;
-  map.height = 2.0 * field.semi_minor / field.points * per_si::millimetre;
+/// Cells of the ellipse, those outside without a value.
+Map friction_map(const PatchField& field) {
+  Map map;
+  map.cells = true;
+  const auto count = static_cast<std::size_t>(field.points);
+  const auto middles = [&](double semi_axis) {
+    std::vector<double> at;
+    for (std::size_t k = 0; k < count; ++k)
+      at.push_back(semi_axis * (2.0 * static_cast<double>(k) + 1.0 - field.points) / field.points *
+                   per_si::millimetre);
+    return at;
+  };
+  map.grid = {middles(field.semi_major), middles(field.semi_minor),
+              std::vector<double>(count * count, kFree)};
+  const auto place = [&](double position, double semi_axis) {
+    return static_cast<std::size_t>(
+        std::lround((position / semi_axis * field.points + field.points - 1.0) / 2.0));
+  };
   for (std::size_t k = 0; k < field.friction_coefficient.size(); ++k)
-    map.cells.push_back({field.along_major[k] * per_si::millimetre,
-                         field.along_minor[k] * per_si::millimetre, field.friction_coefficient[k]});
+    map.grid.values[place(field.along_major[k], field.semi_major) * count +
+                    place(field.along_minor[k], field.semi_minor)] = field.friction_coefficient[k];
   return map;
 }
 
@@ -57,8 +58,8 @@ bool has_arrow(double position, double semi_axis, const PatchField& field) {
 }
 
 /// Sliding velocities, the middle of each arrow at its point.
-Line arrows(const PatchField& field) {
-  Line line{kSliding, {}};
+Series arrows(const PatchField& field) {
+  Series line{kSliding};
   const double largest = largest_speed(field);
   if (!(largest > 0.0)) return line;
   const double spacing = 2.0 * field.semi_minor / field.points * arrow_step(field);
@@ -88,7 +89,10 @@ Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interfa
   Panel panel;
   panel.title = thread_title(result, i);
   panel.map = friction_map(field);
-  panel.lines = {{kOutline, {outline(field)}}, arrows(field)};
+  panel.series = {{kOutline,
+                   {ellipse(0.0, 0.0, field.semi_major * per_si::millimetre,
+                            field.semi_minor * per_si::millimetre, 0.0)}},
+                  arrows(field)};
   panel.labels.push_back(
       {fmt::format("longest arrow {:.3g} mm/s", largest_speed(field) * per_si::millimetre), 0.03,
        0.05, true});
@@ -104,30 +108,31 @@ ColourScale friction_scale(const PerInterface<PatchField>& fields) {
       largest = std::max(largest, value);
     }
   const bool is_even = least > 0.5 * largest && largest - least > 1e-3 * largest;
-  return {"Friction coefficient", is_even ? least : 0.0, largest > 0.0 ? largest : 1.0};
+  return {"Friction coefficient", "", is_even ? least : 0.0, largest > 0.0 ? largest : 1.0};
 }
 
 }  // namespace
 
+/// Friction coefficient and sliding velocity over the patch of the most loaded thread at both
+/// interfaces, in the frame of the ellipse's axes (Sandu 2018, figs. 2.8, 2.9). The longest arrow
+/// of each patch is as long as two of them lie apart.
 Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictures) {
   const PerInterface<PatchField>& fields = pictures.most_loaded_thread;
-  Figure figure;
-  figure.name = "slip_patches";
-  figure.title = "Friction and sliding at the contacts, load case " +
-                 shortened(printable(result.load_case.name), kMaxCaseName);
+  Figure figure{"slip_patches", "Friction and sliding at the contacts, load case " +
+                                    shown_name(result.load_case.name)};
   figure.columns = std::size(kInterfaces);
-  figure.panel_height = 345;
+  figure.aspect = 0.9;
   figure.to_scale = true;
   figure.colours = friction_scale(fields);
-  add_to_legend(figure, "sliding velocity", arrows_of("#000000", 1.0));
-  add_to_legend(figure, "contact ellipse", {"#555555", 1, 0, 1.4});
+  figure.add("sliding velocity", arrows_of(Colour::ink));
+  figure.add("contact ellipse", line_of(Colour::reference));
   double half = 0.0;
   for (const Interface i : kInterfaces) {
     figure.panels.push_back(patch_panel(result, fields[i], i));
     half = std::max(half, 1.2 * fields[i].semi_major * per_si::millimetre);
   }
-  figure.x = {"along the major axis (mm)", -half, half};
-  figure.y = {"along the minor axis (mm)", -half, half};
+  figure.x = {"along the major axis", "mm", -half, half};
+  figure.y = {"along the minor axis", "mm", -half, half};
   return figure;
 }
 

@@ -4,10 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "prs/model/units.h"
-#include "prs/figures/contact_figures.h"
-#include "prs/figures/contact_figures_style.h"
-#include "prs/figures/figure_style.h"
+#include "prs/figures/contact_parts.h"
 
 namespace prs {
 namespace {
@@ -61,15 +58,14 @@ std::array<double, 2> contact_mm(const Contacts& contacts, Interface i) {
 }
 
 /// Styles of the figure in the order of their legend.
-enum Style : std::size_t { kScrew, kRoller, kNut, kCentres, kRadii, kMarks };
+enum CircleStyle : std::size_t { kScrew, kRoller, kNut, kCentres, kRadii, kMarks };
 
 void add_styles(Figure& figure) {
   for (const Part part : kParts)
-    add_to_legend(figure, fmt::format("pitch circle, {}", title(part)),
-                  {kPartColours[part].outline, 1, 0, 1.8});
-  add_to_legend(figure, "line of centres", kAxisLine);
-  add_to_legend(figure, "radii to the contact", {"#000000", 2, 0, 1.0});
-  add_to_legend(figure, "contact points I, J", kContactMark);
+    figure.add(fmt::format("pitch circle, {}", title(part)), line_of(colour_of(part)));
+  figure.add("line of centres", kAxisLine);
+  figure.add("radii to the contact", line_of(Colour::ink, Dash::dashed, Weight::thin));
+  figure.add("contact points I, J", kContactMark);
 }
 
 std::size_t style_of(Part part) { return static_cast<std::size_t>(part); }
@@ -78,7 +74,7 @@ std::size_t style_of(Part part) { return static_cast<std::size_t>(part); }
 Label mark_label(const Contacts& contacts, Interface i, double distance) {
   const auto [x, y] = contact_mm(contacts, i);
   const double up = distance * per_si::millimetre;
-  return {std::string(letter(i)), x + (i == Interface::screw ? up : -up), y + up, false, true};
+  return {letter(i), x + (i == Interface::screw ? up : -up), y + up, false, Label::Anchor::centre};
 }
 
 Panel mechanism_panel(const Contacts& contacts) {
@@ -86,22 +82,22 @@ Panel mechanism_panel(const Contacts& contacts) {
   Panel panel;
   panel.title = "Projection along the axis";
   for (const Part part : {Part::screw, Part::nut})
-    panel.lines.push_back({style_of(part), {whole(body_circle(threads, part))}});
-  Line rollers{kRoller, {}};
+    panel.series.push_back({style_of(part), {whole(body_circle(threads, part))}});
+  Series rollers{kRoller, {}};
   const int count = std::max(1, contacts.mechanism.rollers);
   for (int k = 0; k < count; ++k)
     rollers.parts.push_back(whole(roller_circle(threads, 2.0 * std::numbers::pi * k / count)));
-  panel.lines.push_back(std::move(rollers));
+  panel.series.push_back(std::move(rollers));
   const double reach = 1.06 * threads.nut.pitch_radius;
-  panel.lines.push_back({kCentres,
-                         {{point_mm(-reach, 0.0), point_mm(reach, 0.0)},
-                          {point_mm(0.0, -reach), point_mm(0.0, reach)}}});
-  panel.lines.push_back(
+  panel.series.push_back({kCentres,
+                          {{point_mm(-reach, 0.0), point_mm(reach, 0.0)},
+                           {point_mm(0.0, -reach), point_mm(0.0, reach)}}});
+  panel.series.push_back(
       {kMarks, {{contact_mm(contacts, Interface::screw)}, {contact_mm(contacts, Interface::nut)}}});
   for (const Interface i : kInterfaces)
     panel.labels.push_back(mark_label(contacts, i, 0.3 * threads.roller.pitch_radius));
-  panel.x = {"x (mm)", -reach * per_si::millimetre, reach * per_si::millimetre};
-  panel.y = {"y (mm)", -reach * per_si::millimetre, reach * per_si::millimetre};
+  panel.x = axis_about("x", 0.0, reach);
+  panel.y = axis_about("y", 0.0, reach);
   return panel;
 }
 
@@ -120,40 +116,34 @@ Panel contact_panel(const Contacts& contacts, Interface i) {
   panel.title = fmt::format("{}: {}° {}, {}° roller", letter(i),
                             number(point.angle_on_body * per_si::degree, 2), title(body.part),
                             number(point.angle_on_roller * per_si::degree, 2));
-  panel.lines.push_back({style_of(body.part), {near_line_of_centres(body, 1.0, reach)}});
-  panel.lines.push_back(
+  panel.series.push_back({style_of(body.part), {near_line_of_centres(body, 1.0, reach)}});
+  panel.series.push_back(
       {kRoller, {near_line_of_centres(roller, i == Interface::screw ? -1.0 : 1.0, reach)}});
-  panel.lines.push_back(
+  panel.series.push_back(
       {kCentres, {{point_mm(0.0, 0.0), point_mm(threads.nut.pitch_radius + reach, 0.0)}}});
   const auto at = contact_mm(contacts, i);
-  panel.lines.push_back({kRadii, {{point_mm(0.0, 0.0), at}, {point_mm(roller.x, 0.0), at}}});
-  panel.lines.push_back({kMarks, {{at}}});
+  panel.series.push_back({kRadii, {{point_mm(0.0, 0.0), at}, {point_mm(roller.x, 0.0), at}}});
+  panel.series.push_back({kMarks, {{at}}});
   panel.labels.push_back(mark_label(contacts, i, 0.15 * half));
-  const auto axis = [&](const char* name, double middle) {
-    return Axis{name, (middle - half) * per_si::millimetre, (middle + half) * per_si::millimetre};
-  };
-  panel.x = axis("x (mm)", body.radius + 0.5 * dx);
-  panel.y = axis("y (mm)", 0.5 * dy);
+  panel.x = axis_about("x", body.radius + 0.5 * dx, half);
+  panel.y = axis_about("y", 0.5 * dy, half);
   return panel;
 }
 
 }  // namespace
 
-std::optional<Figure> contact_xy_figure(const Result& result) {
-  const Contacts& contacts = result.contacts;
-  if (!has_contact_points(contacts)) return std::nullopt;
-  Figure figure;
-  figure.name = "contact_xy";
-  figure.title = "Contact points seen along the axis, " + mechanism_title(contacts);
+/// Pitch circles of all parts along the axis and each contact point enlarged, with the angles
+/// between the line of centres and the point about both axes.
+Figures contact_xy(const Contacts& contacts) {
+  if (!has_contact_points(contacts)) return {};
+  Figure figure{"contact_xy", "Contact points seen along the axis, " + mechanism_title(contacts)};
   figure.columns = 2;
-  figure.first_is_overview = true;
-  figure.first_column = 1.75;
-  figure.panel_height = 190;
+  figure.overview = 1.75;
   figure.to_scale = true;
   add_styles(figure);
   figure.panels = {mechanism_panel(contacts), contact_panel(contacts, Interface::nut),
                    contact_panel(contacts, Interface::screw)};
-  return figure;
+  return {std::move(figure)};
 }
 
 }  // namespace prs

@@ -4,13 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "prs/quantities/slip_quantities.h"
-#include "prs/figures/figure_style.h"
+#include "prs/figures/slip_parts.h"
+#include "prs/figures/study_pictures.h"
 #include "prs/quantities/response_title.h"
-#include "prs/figures/slip_figures.h"
-#include "prs/figures/study_figure_parts.h"
-#include "prs/study/study_text.h"
-#include "prs/text.h"
+#include "prs/quantities/slip_quantities.h"
 
 namespace prs {
 namespace {
@@ -76,7 +73,8 @@ std::string share_path(const PowerSource& source) {
   return fmt::format("slip.share_percent.{}", source.key);
 }
 
-/// Whether the study records what a figure of power by source shows.
+}  // namespace
+
 bool has_power(const StudyResult& result) {
   const auto is_recorded = [&](const std::string& path) {
     return std::ranges::find(result.study.responses, path) != result.study.responses.end();
@@ -86,6 +84,8 @@ bool has_power(const StudyResult& result) {
            return is_recorded(share_path(source));
          });
 }
+
+namespace {
 
 /// Power by source and efficiency of a row; not converged where it has none.
 SlipResult slip_of(const StudyResult& result, const StudyRow& row) {
@@ -114,74 +114,104 @@ std::optional<Figure> power_figure(const StudyResult& result, std::size_t index)
   }
   if (std::ranges::none_of(slips, &SlipResult::converged)) return std::nullopt;
   options.name = study_figure_name(index, sweep.factor->label);
-  options.title = fmt::format("{}: power lost by source, efficiency", factor_title(*sweep.factor));
+  options.title = fmt::format("{}: power lost by source, efficiency", factor_name(*sweep.factor));
   options.comparison_title = "efficiency by the fit (3.55)";
   const SlipResult base = slip_of(result, result.base());
   if (base.converged() && base.power.total() > 0.0) {
     options.relative_to = base.power.total();
     if (sweep.base)
-      options.references = {{"as in the file", *sweep.base, base.power.total(), base.efficiency}};
+      options.references = {{kBaseTitle, *sweep.base, base.power.total(), base.efficiency}};
   }
   const Axis axis = axis_of(sweep);
-  Figure figure = power_by_source_figure(x, axis.label, slips, options);
+  Figure figure = power_by_source_figure(x, axis, slips, options);
   figure.x = axis;
   if (std::optional<Axis>& efficiency = figure.panels[1].y)
     widen(*efficiency, kLeastEfficiencySpan);
   return figure;
 }
 
-// Of the figures of responses.
-enum StyleIndex : std::size_t { kLineStyle, kWordStyle, kBaseStyle };
-
 /// The line of a response over a factor, interrupted where a design has none, and the base case.
-Panel response_panel(const StudyResult& result, std::size_t factor, std::size_t response) {
+Panel factor_panel(const StudyResult& result, std::size_t factor, std::size_t response) {
   const Sweep sweep = sweep_of(result, factor);
   Panel panel;
   panel.x = axis_of(sweep);
-  Line line{sweep.factor->is_numeric() ? kLineStyle : kWordStyle, {{}}};
+  Series line{sweep.factor->is_numeric() ? 0u : 1u, {{}}};
   for (const Point& point : sweep.points) {
     if (const std::optional<double>& value = point.row->responses[response])
       line.parts.back().push_back({point.x, *value});
     else if (!line.parts.back().empty())
       line.parts.emplace_back();
   }
-  panel.lines.push_back(std::move(line));
+  panel.series.push_back(std::move(line));
   const std::optional<double>& base = result.base().responses[response];
-  if (sweep.base && base) panel.lines.push_back({kBaseStyle, {{{*sweep.base, *base}}}});
+  if (sweep.base && base) panel.series.push_back({2, {{{*sweep.base, *base}}}});
   return panel;
 }
 
-std::optional<Figure> response_figure(const StudyResult& result, std::size_t response) {
-  const std::string& path = result.study.responses[response];
-  Figure figure;
-  figure.name = study_figure_name(response, path);
-  figure.title = capitalised(response_title(path).name);
-  figure.y = response_axis(path);
-  figure.styles = {{"#004488", 1, 7, 1.6}, points_of("#004488", 7, 2.4)};
-  add_to_legend(figure, "as in the file", points_of("#cc2211", 7, 3.2));
+Figure panels_of_factors(const StudyResult& result, std::size_t response) {
+  Figure figure = response_figure(result.study.responses, response);
+  figure.add(kDesignStyle);
+  figure.add(points_of(Colour::blue, Mark::circle));
+  figure.add(kBaseTitle, kBaseStyle);
   const std::size_t factors = result.study.factors.size();
   const std::size_t panels = std::min(factors, kMostStudyPanels);
   if (panels < factors) figure.title += fmt::format(", first {} of {} factors", panels, factors);
   figure.columns = columns_for(panels);
-  bool has_data = false;
-  for (std::size_t k = 0; k < panels; ++k) {
-    figure.panels.push_back(response_panel(result, k, response));
-    for (const Polyline& part : figure.panels.back().lines[0].parts)
-      has_data = has_data || !part.empty();
-  }
-  if (!has_data) return std::nullopt;
+  for (std::size_t k = 0; k < panels; ++k)
+    figure.panels.push_back(factor_panel(result, k, response));
   fit_y_range(figure);
+  return figure;
+}
+
+/// Change of the response over the change of each numeric factor, both in percent of the file's.
+std::optional<Figure> changes_of_factors(const StudyResult& result, std::size_t response) {
+  const std::optional<double>& base = result.base().responses[response];
+  if (!base || *base == 0.0) return std::nullopt;
+  const std::string& path = result.study.responses[response];
+  Figure figure = response_figure(result.study.responses, response);
+  figure.x = {"Change of the factor", "%"};
+  figure.y = {fmt::format("Change of {}", response_title(path).name), "%"};
+  Panel panel;
+  panel.references = {{0, 0.0}, {0, 0.0, true}};
+  figure.add(kZeroStyle);
+  for (std::size_t k = 0; k < result.study.factors.size(); ++k) {
+    const Sweep sweep = sweep_of(result, k);
+    const auto& own = sweep.factor->base ? sweep.factor->base->number : std::nullopt;
+    if (!own || *own == 0.0 || !sweep.factor->is_numeric() || figure.legend.size() == 12) continue;
+    Polyline line;
+    for (const Point& point : sweep.points)
+      if (const std::optional<double>& value = point.row->responses[response])
+        line.push_back({100.0 * (point.x / *own - 1.0), 100.0 * (*value / *base - 1.0)});
+    if (line.size() > 1)
+      panel.series.push_back(
+          {figure.add(factor_name(*sweep.factor), marked_line(figure.legend.size())), {line}});
+  }
+  if (panel.series.empty()) return std::nullopt;
+  figure.panels.push_back(std::move(panel));
   return figure;
 }
 
 }  // namespace
 
-std::vector<Figure> one_at_a_time_figures(const StudyResult& result) {
-  const bool power = has_power(result);
-  const std::size_t count = power ? result.study.factors.size() : result.study.responses.size();
-  std::vector<Figure> figures;
-  for (std::size_t k = 0; k < std::min(count, kMostStudyFigures); ++k)
-    if (std::optional<Figure> figure = power ? power_figure(result, k) : response_figure(result, k))
+Figures one_at_a_time_lines(const StudyResult& result, const FigureOptions& options) {
+  Figures figures;
+  for (const std::size_t k : chosen_responses(result.study.responses, options)) {
+    std::optional<Figure> figure;
+    if (options.one_panel && result.study.factors.size() > 1)
+      figure = changes_of_factors(result, k);
+    if (!figure) figure = panels_of_factors(result, k);
+    if (has_data(*figure)) figures.push_back(std::move(*figure));
+  }
+  return figures;
+}
+
+/// With slip, for each factor: power by source, stacked, and efficiency beside its fit (Sandu 2018,
+/// fig. 3.9 and appendix C).
+Figures study_power(const StudyResult& result, const FigureOptions&) {
+  Figures figures;
+  if (!varies_one_at_a_time(result.study) || !has_power(result)) return figures;
+  for (std::size_t k = 0; k < std::min(result.study.factors.size(), kMostStudyFigures); ++k)
+    if (std::optional<Figure> figure = power_figure(result, k))
       figures.push_back(std::move(*figure));
   return figures;
 }

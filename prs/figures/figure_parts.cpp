@@ -1,0 +1,130 @@
+#include "prs/figures/figure_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "prs/model/units.h"
+#include "prs/text.h"
+
+namespace prs {
+
+Style marked_line(std::size_t k) {
+  Style style{palette(k)};
+  style.mark = static_cast<Mark>(1 + k % 8);
+  return style;
+}
+
+std::string interface_title(Interface i) {
+  return i == Interface::screw ? "Screw–roller" : "Nut–roller";
+}
+
+std::string shown_name(std::string_view name) {
+  constexpr std::size_t kMost = 30;
+  return shortened(printable(name), kMost);
+}
+
+double signed_kN(const LoadCaseResult& result) {
+  const auto& direction = result.load_case.direction;
+  const double sign = direction == Direction::compression ? -1.0 : 1.0;
+  return sign * result.load_case.axial_force * per_si::kilonewton;
+}
+
+std::vector<const LoadCaseResult*> chosen(const Result& result, const FigureOptions& options) {
+  std::vector<const LoadCaseResult*> cases;
+  for (const std::size_t k : options.load_cases) {
+    if (k >= result.load_cases.size())
+      throw NoFigure(fmt::format("no load case {}; there are {}", k, result.load_cases.size()));
+    cases.push_back(&result.load_cases[k]);
+  }
+  if (options.load_cases.empty())
+    for (const LoadCaseResult& load_case : result.load_cases) cases.push_back(&load_case);
+  return cases;
+}
+
+const LoadCaseResult* chosen_case(const Result& result, const FigureOptions& options,
+                                  bool (*has)(const LoadCaseResult&)) {
+  FigureOptions one = options;
+  if (options.load_case) one.load_cases = {*options.load_case};
+  for (const LoadCaseResult* load_case : chosen(result, one))
+    if (has(*load_case)) return load_case;
+  return nullptr;
+}
+
+Axis thread_axis(std::size_t threads) {
+  const std::size_t step = threads <= 10 ? 1 : threads <= 30 ? 5 : 10 * ((threads + 99) / 100);
+  Axis axis{"Thread, from the loaded end of the screw", "", 0.4,
+            static_cast<double>(threads) + 0.6};
+  axis.whole = true;
+  axis.ticks.push_back({1.0});
+  for (std::size_t tick = step; tick <= threads; tick += step)
+    if (tick > 1) axis.ticks.push_back({static_cast<double>(tick)});
+  return axis;
+}
+
+Polyline over_threads(const std::vector<double>& values, double factor) {
+  Polyline points;
+  for (const double value : values)
+    points.push_back({static_cast<double>(points.size() + 1), value * factor});
+  return points;
+}
+
+Polyline rectangle(double left, double right, double bottom, double top) {
+  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
+
+Polyline ellipse(double x, double y, double semi_major, double semi_minor, double angle) {
+  constexpr int kPoints = 72;
+  const double c = std::cos(angle), s = std::sin(angle);
+  Polyline points;
+  for (int k = 0; k <= kPoints; ++k) {
+    const double t = 2.0 * std::numbers::pi * k / kPoints;
+    const double u = semi_major * std::cos(t), v = semi_minor * std::sin(t);
+    points.push_back({x + c * u - s * v, y + s * u + c * v});
+  }
+  return points;
+}
+
+std::string number(double value, int decimals) {
+  const bool is_negative = value < -0.5 * std::pow(10.0, -decimals);
+  return fmt::format("{}{:.{}f}", is_negative ? "−" : "", std::abs(value), decimals);
+}
+
+double rank_position(std::size_t k, std::size_t count) { return static_cast<double>(count - k); }
+
+Axis ranked_axis(const std::vector<std::string>& names) {
+  Axis axis{"", "", 0.5, static_cast<double>(names.size()) + 0.5};
+  for (std::size_t k = 0; k < names.size(); ++k)
+    axis.ticks.push_back({rank_position(k, names.size()), names[k]});
+  return axis;
+}
+
+void add_mean(Figure& figure, double mean) {
+  const std::size_t style = figure.add("equal shares", kMeanStyle);
+  for (Panel& panel : figure.panels) panel.references.push_back({style, mean});
+}
+
+std::vector<double> round_levels(const Range& range, std::size_t most_steps) {
+  if (range.empty()) return {};
+  const double least = range.from, largest = range.to;
+  const double magnitude = std::max(std::abs(least), std::abs(largest));
+  if (largest - least <= 1e-9 * magnitude || largest == least) {
+    const double margin = magnitude > 0.0 ? 0.05 * magnitude : 1.0;
+    return {least - margin, largest + margin};
+  }
+  const double most = static_cast<double>(most_steps);
+  for (double power = std::pow(10.0, std::floor(std::log10((largest - least) / most)));;
+       power *= 10.0)
+    for (const double digit : {1.0, 2.0, 5.0}) {
+      const double step = digit * power;
+      const double first = std::floor(least / step), last = std::ceil(largest / step);
+      if (last - first > most) continue;
+      std::vector<double> levels;
+      for (double k = first; k <= last; k += 1.0) levels.push_back(k * step);
+      return levels;
+    }
+}
+
+}  // namespace prs

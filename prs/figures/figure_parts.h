@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "prs/figures/figure.h"
+#include "prs/figures/pictures.h"
+#include "prs/loads/result.h"
+#include "prs/model/part.h"
+
+namespace prs {
+
+/// Lines that can be told apart.
+inline constexpr std::size_t kMostLines = kPaletteSize;
+
+/// Points that a curve over loads needs.
+inline constexpr std::size_t kMinSweepPoints = 3;
+
+/// The k-th of several lines with marks.
+Style marked_line(std::size_t k);
+
+constexpr Style kMeanStyle = line_of(Colour::reference, Dash::dashed, Weight::thin);
+constexpr Style kZeroStyle = line_of(Colour::reference, Dash::solid, Weight::thin);
+
+constexpr Colour colour_of(Part part) {
+  return part == Part::screw    ? Colour::blue
+         : part == Part::roller ? Colour::green
+                                : Colour::vermillion;
+}
+
+constexpr std::string_view title(Part part) {
+  return part == Part::screw ? "screw" : part == Part::roller ? "roller" : "nut";
+}
+
+/// `Screw–roller` or `Nut–roller`.
+std::string interface_title(Interface i);
+
+/// What users named, in one line that is not too long.
+std::string shown_name(std::string_view name);
+
+/// Load of a case [kN], tension > 0 > compression.
+double signed_kN(const LoadCaseResult& result);
+inline constexpr std::string_view kSignedForce = "Axial force, tension > 0";
+
+/// The load cases that the options choose. Throws NoFigure.
+std::vector<const LoadCaseResult*> chosen(const Result& result, const FigureOptions& options);
+
+/// The case that the options choose, else the first that `has` what is needed, else none.
+const LoadCaseResult* chosen_case(const Result& result, const FigureOptions& options,
+                                  bool (*has)(const LoadCaseResult&));
+
+Axis thread_axis(std::size_t threads);
+
+/// (1, value), (2, value), .. in shown units.
+Polyline over_threads(const std::vector<double>& values, double factor);
+
+Polyline rectangle(double left, double right, double bottom, double top);
+
+/// A closed line, with the major semi-axis at an angle from x.
+Polyline ellipse(double x, double y, double semi_major, double semi_minor, double angle);
+
+/// A number with a typographic minus, as the axes have it.
+std::string number(double value, int decimals);
+
+/// Names along y, from above, for bars at 1, 2, ..
+Axis ranked_axis(const std::vector<std::string>& names);
+/// Where the k-th stands, from 0.
+double rank_position(std::size_t k, std::size_t count);
+
+/// A dashed line where all threads would share the load equally, at `mean`, in every panel.
+void add_mean(Figure& figure, double mean);
+
+/// Round numbers around all values, at most so many steps; empty where there is none.
+std::vector<double> round_levels(const Range& range, std::size_t most_steps);
+
+/// Drops what is beyond the first `count` and says so in the title.
+template <class Item>
+void keep_first(std::vector<Item>& items, std::size_t count, std::string& title) {
+  if (items.size() <= count) return;
+  title += ", first " + std::to_string(count) + " of " + std::to_string(items.size());
+  items.resize(count);
+}
+
+}  // namespace prs

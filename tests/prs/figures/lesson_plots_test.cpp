@@ -1,0 +1,107 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+
+#include "prs/input/reader.h"
+#include "prs/output/plots.h"
+#include "prs/run/analyses.h"
+#include "support/drawn.h"
+#include "support/shown.h"
+#include "support/temporary_directory.h"
+#include "tests/support/sample_study.h"
+
+namespace prs {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a command says on standard error.
+std::string said_by(const std::string& command) {
+  std::string all;
+  std::array<char, 256> buffer;
+  std::FILE* pipe = ::popen((command + " 2>&1 >/dev/null").c_str(), "r");
+  while (pipe && std::fgets(buffer.data(), buffer.size(), pipe)) all += buffer.data();
+  if (pipe) ::pclose(pipe);
+  return all;
+}
+
+/// Draws them, and once more by hand: gnuplot has nothing to say.
+void expect_silent(const Figures& all) {
+  ASSERT_FALSE(all.empty());
+  const test::TemporaryDirectory temporary;
+  ASSERT_NO_FATAL_FAILURE(test::expect_drawn(draw_figures(all, temporary.path())));
+  if (testing::Test::IsSkipped()) return;
+  const fs::path plots = temporary.path() / "plots";
+  for (const std::string& name : test::names(all)) {
+    EXPECT_TRUE(fs::exists(plots / (name + ".svg"))) << name;
+    EXPECT_TRUE(fs::exists(plots / (name + ".png"))) << name;
+    EXPECT_EQ(said_by("cd " + plots.string() + " && gnuplot -d " + name + ".gp"), "") << name;
+  }
+}
+
+struct Lesson {
+  input::Source source;
+  Case values;
+};
+
+Lesson lesson(const char* file, Command command) {
+  input::Source source = input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + file, {});
+  Case values = input::read_case_input(source, command).values;
+  return {std::move(source), std::move(values)};
+}
+
+TEST(LessonPlots, GnuplotDrawsLoadsAndSaysNothing) {
+  const Lesson l = lesson("03_load_sweep.yaml", Command::solve);
+  const Result result = run_solve(l.source, l.values);
+  expect_silent(figures(solve_pictures(result)));
+}
+
+TEST(LessonPlots, GnuplotDrawsContactsAndSaysNothing) {
+  const Lesson l = lesson("07_contact_geometry.yaml", Command::contact);
+  const Result result = run_contact(l.source, l.values);
+  expect_silent(figures(contact_pictures(result)));
+}
+
+TEST(LessonPlots, GnuplotDrawsSlipAndSaysNothing) {
+  const Lesson l = lesson("09_slip_and_dissipation.yaml", Command::slip);
+  const Result result = run_slip(l.source, l.values);
+  expect_silent(figures(slip_pictures(l.values, result)));
+}
+
+TEST(LessonPlots, GnuplotDrawsPreloadAndSaysNothing) {
+  const Lesson l = lesson("12_preload.yaml", Command::preload);
+  const PreloadResult result = run_preload(l.source, l.values);
+  const Figures shown = figures(preload_pictures(result));
+  ASSERT_EQ(shown.front().panels.size(), 3);
+  EXPECT_EQ(shown.front().panels[1].y->unit, "N/µm");
+  expect_silent(shown);
+}
+
+TEST(LessonPlots, GnuplotDrawsMeasuresAndSaysNothing) {
+  const Lesson l = lesson("18_design_measures.yaml", Command::measures);
+  const MeasuresResult result = run_measures(l.source, l.values);
+  expect_silent(figures(measures_pictures(result)));
+}
+
+TEST(LessonPlots, GnuplotDrawsStudiesAndSaysNothing) {
+  const StudyResult sampled = sample::sampled(Plan::latin_hypercube);
+  expect_silent(figures(study_pictures(sampled)));
+  const StudyResult counting = sample::counting();
+  expect_silent(figures(study_pictures(counting)));
+  std::vector<double> many;
+  for (int k = 0; k < 12; ++k) many.push_back(1.0 + 0.5 * k);
+  Study study;
+  study.plan = Plan::grid;
+  study.factors = {sample::counted("x", many), sample::counted("y", many)};
+  study.responses = {"y"};
+  for (Factor& factor : study.factors) factor.continuous = true;
+  study.envelope = Envelope{.measures = {{"y", 2.0}}, .points = {{"A", {{1.25, 3.0}}, {}}}};
+  const StudyResult maps =
+      sample::run(study, [](const std::vector<double>& x) { return std::vector{x[0] * x[1]}; });
+  expect_silent(figures(study_pictures(maps)));
+}
+
+}  // namespace
+}  // namespace prs
