@@ -131,6 +131,33 @@ Panel front_panel(const OptimizationResult& result, std::size_t x, std::size_t y
   return panel;
 }
 
+/// The fronts alone, where the other designs squeeze them into a corner.
+std::optional<Panel> enlarged_front(const OptimizationResult& result, Panel panel, std::size_t x,
+                                    std::size_t y) {
+  constexpr double kSqueezed = 0.25;  // Share of an axis.
+  Range at_x, at_y;
+  const auto add = [&](const Search& search) {
+    for (const std::size_t k : search.front) {
+      at_x.include(search.designs[k].responses[x]);
+      at_y.include(search.designs[k].responses[y]);
+    }
+  };
+  add(result.search);
+  if (result.check) add(*result.check);
+  const auto is_squeezed = [&](const Range& range, const Axis& axis) {
+    return !range.empty() && range.to - range.from < kSqueezed * (axis.to - axis.from);
+  };
+  if (!is_squeezed(at_x, *panel.x) || !is_squeezed(at_y, *panel.y)) return std::nullopt;
+  at_x.widen(0.1);
+  at_y.widen(0.1);
+  panel.title = "The front, enlarged";
+  panel.x->from = at_x.from;
+  panel.x->to = at_x.to;
+  panel.y->from = at_y.from;
+  panel.y->to = at_y.to;
+  return panel;
+}
+
 }  // namespace
 
 /// Each objective over the designs in their order, feasible and infeasible, the best so far and the
@@ -172,9 +199,12 @@ Figures pareto_front(const OptimizationResult& result) {
   figure.add(result.compromise ? "compromise" : "nearest to the limits", kChosenStyle);
   for (std::size_t i = 0; i < objectives.size(); ++i)
     for (std::size_t j = i + 1; j < objectives.size(); ++j)
-      if (figure.panels.size() < kMostPanels)
-        figure.panels.push_back(
-            front_panel(result, objectives[i].response, objectives[j].response));
+      if (figure.panels.size() < kMostPanels) {
+        const std::size_t x = objectives[i].response, y = objectives[j].response;
+        figure.panels.push_back(front_panel(result, x, y));
+        if (auto large = enlarged_front(result, figure.panels.back(), x, y))
+          figure.panels.push_back(std::move(*large));
+      }
   figure.columns = std::min<std::size_t>(figure.panels.size(), 2);
   return {std::move(figure)};
 }
