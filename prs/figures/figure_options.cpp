@@ -9,7 +9,8 @@ FigureOptions figure_options(const std::string& text) {
   using Json = nlohmann::ordered_json;
   FigureOptions options;
   try {
-    for (const auto& [key, value] : Json::parse(text).items()) {
+    const Json given = Json::parse(text);
+    for (const auto& [key, value] : given.items()) {
       if (key == "load_cases") {
         options.load_cases = value.get<std::vector<std::size_t>>();
       } else if (key == "load_case") {
