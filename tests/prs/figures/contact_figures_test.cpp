@@ -50,7 +50,7 @@ std::vector<Case> variants() {
           truncated()};
 }
 
-std::optional<Figure> picture(const Result& result, const char* name) {
+std::optional<Figure> contact_picture(const Result& result, const char* name) {
   return test::shown(contact_pictures(result), name);
 }
 
@@ -100,7 +100,7 @@ double gap(const Outlines& outlines, Interface i, double z) {
 TEST(ContactSection, LoadedFlanksTouchAtTheMarksAndNowhereInterpenetrate) {
   for (const Case& c : variants()) {
     const Result result = analyze_contacts(c);
-    const auto figure = picture(result, "contact_axial_section");
+    const auto figure = contact_picture(result, "contact_axial_section");
     ASSERT_TRUE(figure);
     const double pitch = result.contacts.threads.roller.pitch / mm;
     const Series& marks = series_of(*figure, figure->panels[0], "contact points I, J");
@@ -127,7 +127,7 @@ TEST(ContactSection, ThreadsStandWhereTheirAxialPositionsAre) {
       threads, contact::mechanism_contact(threads, contact::Configuration::i1_j2),
       contact::Configuration::i1_j2);
   const Polyline screw =
-      outlines_at(*picture(result, "contact_axial_section"), Interface::screw).body;
+      outlines_at(*contact_picture(result, "contact_axial_section"), Interface::screw).body;
   const auto root = std::min_element(screw.begin(), screw.end(), [](const auto& a, const auto& b) {
     return std::lround(a[1] * 1e6) < std::lround(b[1] * 1e6);
   });
@@ -138,7 +138,7 @@ TEST(ContactSection, ThreadsStandWhereTheirAxialPositionsAre) {
 TEST(ContactSection, PartsOfDifferentPitchTouchAtOneThread) {
   Case c = abevi_contacts();
   c.mechanism.pitch.screw = c.mechanism.pitch.nut = 1.67 * mm;
-  const auto figure = picture(analyze_contacts(c), "contact_axial_section");
+  const auto figure = contact_picture(analyze_contacts(c), "contact_axial_section");
   ASSERT_TRUE(figure);
   for (const Interface i : kInterfaces) {
     const Series& marks = series_of(*figure, figure->panels[0], "contact points I, J");
@@ -154,7 +154,7 @@ TEST(ContactSection, PartsOfDifferentPitchTouchAtOneThread) {
 TEST(ContactXy, MarksStandAtTheContactPoints) {
   for (const Case& c : variants()) {
     const Result result = analyze_contacts(c);
-    const auto figure = picture(result, "contact_xy");
+    const auto figure = contact_picture(result, "contact_xy");
     ASSERT_TRUE(figure);
     const Series& marks = series_of(*figure, figure->panels[0], "contact points I, J");
     for (const Interface i : kInterfaces) {
@@ -168,7 +168,7 @@ TEST(ContactXy, MarksStandAtTheContactPoints) {
 
 TEST(ContactXy, AllRollersAreDrawn) {
   const Result result = analyze_contacts(abevi_contacts());
-  const auto figure = picture(result, "contact_xy");
+  const auto figure = contact_picture(result, "contact_xy");
   ASSERT_TRUE(figure);
   EXPECT_EQ(series_of(*figure, figure->panels[0], "pitch circle, roller").parts.size(), 11);
 }
@@ -176,7 +176,7 @@ TEST(ContactXy, AllRollersAreDrawn) {
 TEST(ContactEllipses, AreThoseOfTheLargestLoad) {
   const Result result = analyze_contacts(abevi_contacts(
       {equal_share("small", 5e3), equal_share("large", -45e3), equal_share("some", 20e3)}));
-  const auto figure = picture(result, "contact_ellipses");
+  const auto figure = contact_picture(result, "contact_ellipses");
   ASSERT_TRUE(figure);
   EXPECT_EQ(figure->title, "Contact ellipses, load case large");
   for (const Interface i : kInterfaces) {
@@ -194,7 +194,7 @@ TEST(ContactEllipses, HaveUnitMajorAxesWithoutMaterials) {
   Case c = abevi_contacts({equal_share("equal", 45e3)});
   const contact::HertzConstants hertz = analyze_contacts(c).contacts.interfaces.nut.hertz;
   c.materials.reset();
-  const auto figure = picture(analyze_contacts(c), "contact_ellipses");
+  const auto figure = contact_picture(analyze_contacts(c), "contact_ellipses");
   ASSERT_TRUE(figure);
   EXPECT_EQ(figure->title, "Contact ellipses, shape without load");
   double least = 1.0;

@@ -36,7 +36,7 @@ Result slip_sweeps() {
   return result;
 }
 
-std::optional<Figure> picture(const Result& result, const char* name) {
+std::optional<Figure> slip_picture(const Result& result, const char* name) {
   return test::shown(slip_pictures(Case{}, result), name);
 }
 
@@ -66,7 +66,7 @@ Figures with_patches(const Result& result, const SlipPictures& pictures = sample
 
 TEST(SlipFigures, ThreadPowersStandBesideTheLevelOfEqualShares) {
   const Result result = slip_sweeps();
-  const auto figure = picture(result, "thread_power");
+  const auto figure = slip_picture(result, "thread_power");
   ASSERT_TRUE(figure);
   ASSERT_EQ(figure->panels.size(), 4);
   const Panel& panel = figure->panels[0];
@@ -81,7 +81,7 @@ TEST(SlipFigures, ThreadPowersWithoutEqualSharesHaveNoLevel) {
   Result result;
   result.load_cases = {with_slip(solved_case("a", 45e3, Direction::tension))};
   result.load_cases[0].slip->equal_shares.reset();
-  const auto figure = picture(result, "thread_power");
+  const auto figure = slip_picture(result, "thread_power");
   ASSERT_TRUE(figure);
   EXPECT_EQ(figure->legend.size(), 1);
   EXPECT_EQ(figure->panels[0].series.size(), 1);
@@ -91,8 +91,8 @@ TEST(SlipFigures, CasesWithoutAnAnswerHaveNone) {
   Result result;
   result.load_cases = {without_equilibrium(solved_case("a", 45e3, Direction::tension)),
                        failed_case("b"), equal_share_case("c")};
-  EXPECT_FALSE(picture(result, "thread_power"));
-  EXPECT_FALSE(picture(result, "power_by_source"));
+  EXPECT_FALSE(slip_picture(result, "thread_power"));
+  EXPECT_FALSE(slip_picture(result, "power_by_source"));
 }
 
 TEST(SlipFigures, ArrowsOfThePatchFollowTheVelocityAndDoNotOverlap) {

@@ -82,7 +82,7 @@ TEST(Delivery, OutlivesWhatItWasMadeOf) {
   EXPECT_EQ(delivery.file, "contact.json");
   EXPECT_TRUE(delivery.document(info).contains("contact"));
   EXPECT_NE(delivery.table(), "");
-  EXPECT_FALSE(delivery.figures().empty());
+  EXPECT_FALSE(figures(delivery.pictures()).empty());
 }
 
 }  // namespace
