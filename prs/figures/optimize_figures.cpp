@@ -187,14 +187,14 @@ Figures pareto_front(const OptimizationResult& result) {
   Figure figure{"front", "Pareto front"};
   figure.add("feasible designs", points_of(Colour::muted, Mark::circle, Weight::thin));
   if (result.check) {
-    Style check = points_of(Colour::orange, Mark::square, Weight::thin);
+    Style check = points_of(Colour::orange, Mark::square);
     check.open = true;
     figure.add(fmt::format("front of {}", name(result.check->algorithm)), check);
   } else {
     figure.add(points_of(Colour::orange, Mark::square));
   }
   figure.add(fmt::format("front of {}", name(result.search.algorithm)),
-             points_of(Colour::blue, Mark::circle, Weight::thin));
+             points_of(Colour::blue, Mark::circle));
   figure.add("as in the file", kInitialStyle);
   figure.add(result.compromise ? "compromise" : "nearest to the limits", kChosenStyle);
   for (std::size_t i = 0; i < objectives.size(); ++i)

@@ -156,7 +156,10 @@ std::optional<Figure> marked_map(const StudyResult& result, Figure figure, Axis 
     if (!point.reason.empty()) continue;
     const double x = maps.axes[0].number(point.place[0]), y = maps.axes[1].number(point.place[1]);
     marks.parts.push_back({{x, y}});
-    figure.panels[0].labels.push_back({"  " + point.name, x, y});
+    const bool at_right = x > 0.2 * grid.x.front() + 0.8 * grid.x.back();
+    figure.panels[0].labels.push_back({at_right ? point.name + "  " : "  " + point.name, x, y,
+                                       false,
+                                       at_right ? Label::Anchor::right : Label::Anchor::left});
     const double z =
         &values == &envelope.values ? point.envelope : map_value(maps, values, point.place);
     if (std::isfinite(z)) surface.points.push_back({point.name, x, y, z});

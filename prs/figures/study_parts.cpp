@@ -17,6 +17,13 @@ constexpr std::size_t kMaxName = 36;
 constexpr std::size_t kMostWholeTicks = 13;
 constexpr double kLargestWholeTick = 9999.0;
 
+/// `µm` for `um`, in whatever stands with it.
+std::string shown_unit(const std::string& unit) {
+  std::string shown = printable(unit);
+  if (const std::size_t at = shown.find("um"); at != std::string::npos) shown.replace(at, 2, "µm");
+  return shown;
+}
+
 }  // namespace
 
 std::string study_figure_name(std::size_t index, const std::string& label) {
@@ -60,7 +67,7 @@ std::string factor_name(const Factor& factor) {
 }
 
 Axis factor_axis(const Factor& factor, const std::vector<double>& values) {
-  Axis axis{factor_name(factor), factor.is_numeric() ? printable(factor.unit) : ""};
+  Axis axis{factor_name(factor), factor.is_numeric() ? shown_unit(factor.unit) : ""};
   Range range;
   for (const double value : values) range.include(value);
   if (range.empty()) return axis;

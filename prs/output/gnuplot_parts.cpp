@@ -70,12 +70,6 @@ std::vector<double> logarithmic_ticks(const Axis& axis, int pixels, bool is_hori
   return ticks;
 }
 
-std::size_t longest_text(const Axis& axis) {
-  std::size_t longest = 0;
-  for (const Tick& tick : axis.ticks) longest = std::max(longest, width(tick.text));
-  return longest;
-}
-
 template <class AxisOf>
 int room_left(const Figure& figure, AxisOf axis_of, bool first_column, bool labelled) {
   int room = 0;
@@ -84,7 +78,11 @@ int room_left(const Figure& figure, AxisOf axis_of, bool first_column, bool labe
     const Axis& axis = axis_of(figure, figure.panels[k]);
     if (axis.hidden) continue;
     const bool has_label = (labelled || figure.panels[k].y) && !axis.label.empty();
-    room = std::max(room, kCharacter * longest_tick(axis, 240, false) + (has_label ? 50 : 18));
+    // Two lines where the panel is too low for one.
+    const int height = figure.columns == 1 ? 400 : figure.columns == 2 ? 270 : 180;
+    const bool wraps = kCharacter * static_cast<int>(width(text_of(axis))) > height;
+    const int label = !has_label ? 18 : wraps ? 70 : 50;
+    room = std::max(room, kCharacter * longest_tick(axis, 240, false) + label);
   }
   return room;
 }
@@ -110,6 +108,12 @@ std::string gnuplot_fitted(std::string_view text, int pixels) {
   if (first.size() + 1 >= whole.size()) return gnuplot_string(shortened(whole, most));
   return gnuplot_string(shortened(first, most)) + ".\"\\n\"." +
          gnuplot_string(shortened(whole.substr(first.size() + 1), most));
+}
+
+std::size_t longest_text(const Axis& axis) {
+  std::size_t longest = 0;
+  for (const Tick& tick : axis.ticks) longest = std::max(longest, width(tick.text));
+  return longest;
 }
 
 bool is_crowded(const Axis& axis, int pixels) {
@@ -170,6 +174,8 @@ Layout::Layout(const Figure& figure)
       std::ranges::any_of(figure.panels, [](const Panel& p) { return !p.title.empty(); });
   left_ = std::max(40, room_left(figure, y_axis, true, true));
   gap_ = columns_ > 1 ? std::max(34, room_left(figure, y_axis, false, false) + 12) : 0;
+  if (std::ranges::any_of(figure.panels, [](const Panel& p) { return p.surface.has_value(); }))
+    gap_ += 40;  // A title of z.
   const double first = overview_ ? figure.overview : 1.0;
   const double widths = kImageWidth - left_ - kRight - (columns_ - 1) * gap_;
   other_width_ = static_cast<int>(widths / (first + columns_ - 1));

@@ -25,6 +25,9 @@ std::string gnuplot_fitted(std::string_view text, int pixels);
 /// Ticks as `set xtics` takes them, with room for their numbers in a panel of that size.
 std::string gnuplot_ticks(const Axis& axis, int pixels, bool is_horizontal);
 
+/// Characters of the longest text of a tick; 0 where all are numbers.
+std::size_t longest_text(const Axis& axis);
+
 /// Characters of the longest tick.
 int longest_tick(const Axis& axis, int pixels, bool is_horizontal);
 

@@ -117,7 +117,8 @@ void add_plots(std::vector<std::string>& plots, const Figure& figure, std::size_
   const std::string with = drawn_with(style, series.style, longest);
   const std::string data = fmt::format("$panel_{} index {}", index + 1, k);
   if (is_over_map)
-    plots.push_back(fmt::format("{} using 1:2:(0) with {} nocontour", data, with));
+    plots.push_back(fmt::format("{} using 1:2:({:.7g}) with {} nocontour", data,
+                                figure.colours ? figure.colours->from : 0.0, with));
   else if (series.values.empty())
     plots.push_back(fmt::format("{} with {}", data, with));
   else if (style.shape != Shape::area)
@@ -217,9 +218,11 @@ double turn(const GridData& grid) {
   return std::fmod(30.0 + 90.0 * static_cast<double>(lowest), 360.0);
 }
 
-std::string space_axis_lines(char name, const Axis& a) {
-  return axis_lines(name, a, true, name == 'z' ? 200 : 240) +
-         fmt::format("set {}tics offset 0,0\nset {}label rotate parallel\n", name, name);
+std::string space_axis_lines(char name, Axis a) {
+  if (!longest_text(a)) a.ticks.clear();  // There is room for few.
+  return axis_lines(name, a, true, name == 'z' ? 200 : 120) +
+         fmt::format("set {0}tics offset 0,0\nset {0}label rotate parallel offset {1},0\n", name,
+                     name == 'z' ? 3 - longest_tick(a, 200, false) : 0);
 }
 
 /// A surface, drawn into its box with the room of ticks and labels.
@@ -250,7 +253,7 @@ std::string surface_lines(const Figure& figure, const Layout& layout, std::size_
                       "splot $grid_{} using 1:2:3 with pm3d\n"
                       "set origin 0,0; set size 1,1; unset grid; unset label; unset zlabel\n"
                       "unset logscale; set border lc rgb 'black'\n"
-                      "set xlabel norotate; set ylabel rotate by 90\n",
+                      "set xlabel norotate offset 0,0; set ylabel rotate by 90 offset 0,0\n",
                       index + 1);
 }
 
@@ -260,7 +263,8 @@ std::string map_lines(const Figure& figure, std::size_t index) {
   const bool lined = figure.colours && !figure.colours->levels.empty();
   const GridData& grid = figure.panels[index].map.grid;
   std::string script = fmt::format(
-      "set view map; set pm3d explicit corners2color mean border retrace interpolate {},{}\n",
+      "set ylabel offset -2,0; set view map; set pm3d explicit corners2color mean border retrace "
+      "interpolate {},{}\n",
       kFineNodes / grid.y.size() + 1, kFineNodes / grid.x.size() + 1);
   std::vector<std::string> plots = {
       fmt::format("$grid_{} using 1:2:3 with pm3d nocontour", index + 1)};
@@ -275,7 +279,8 @@ std::string map_lines(const Figure& figure, std::size_t index) {
   }
   for (std::size_t k = 0; k < figure.panels[index].series.size(); ++k)
     add_plots(plots, figure, index, k);
-  return script + fmt::format("splot {}\nunset contour\n", fmt::join(plots, ", \\\n     "));
+  return script + fmt::format("splot {}\nunset contour; set ylabel offset 0,0\n",
+                              fmt::join(plots, ", \\\n     "));
 }
 
 /// Half the distance of neighbouring nodes.

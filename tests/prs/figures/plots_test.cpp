@@ -292,11 +292,15 @@ TEST(Plots, HalfAPictureIsAnErrorAlthoughGnuplotSaysNothing) {
   EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "load_distribution.png"));
 }
 
-TEST(Plots, ResultWithoutAnswersDrawsNothing) {
-  const TemporaryDirectory temporary;
+TEST(Plots, ResultWithoutAnswersShowsHowItsSolvesWentAlone) {
   Result result;
   result.load_cases = {failed_case("hopeless")};
-  const Undrawn undrawn = draw_plots(result, temporary.path());
+  EXPECT_EQ(test::names(figures(solve_pictures(result))), std::vector<std::string>{"convergence"});
+}
+
+TEST(Plots, NoPicturesMakeNoFolder) {
+  const TemporaryDirectory temporary;
+  const Undrawn undrawn = draw_figures({}, temporary.path());
   EXPECT_TRUE(undrawn.notes.empty() && undrawn.errors.empty());
   EXPECT_FALSE(fs::exists(temporary.path() / "plots"));
 }

@@ -166,7 +166,7 @@ TEST(StudyFigures, GridOfTwoLongFactorsIsAMap) {
   ASSERT_TRUE(lines);
   EXPECT_FALSE(lines->colours);
   EXPECT_THAT(lines->panels.at(0).series, SizeIs(8));
-  EXPECT_EQ(lines->legend.back().title, "Y 6.5");
+  EXPECT_EQ(lines->legend.back().title, "y 6.5");
 }
 
 TEST(StudyFigures, EnvelopeIsAMapAndASurfaceWithItsPoints) {
@@ -194,7 +194,7 @@ TEST(StudyFigures, EnvelopeIsAMapAndASurfaceWithItsPoints) {
   EXPECT_EQ(y.panels[1].surface->grid.at(11, 0), 6.5);
   const std::string script = gnuplot_script(y);
   EXPECT_THAT(script, HasSubstr("set label \"A\" at 1.25,3,3.75"));
-  EXPECT_EQ(y.panels[1].surface->z.label, "Y");
+  EXPECT_EQ(y.panels[1].surface->z.label, "y");
 }
 
 TEST(StudyFigures, NoneWithoutAnAnswer) {
