@@ -220,7 +220,7 @@ double turn(const GridData& grid) {
 
 std::string space_axis_lines(char name, Axis a) {
   if (!longest_text(a)) a.ticks.clear();  // There is room for few.
-  return axis_lines(name, a, true, name == 'z' ? 200 : 120) +
+  return axis_lines(name, a, true, name == 'z' ? 200 : 160) +
          fmt::format("set {0}tics offset 0,0\nset {0}label rotate parallel offset {1},0\n", name,
                      name == 'z' ? 3 - longest_tick(a, 200, false) : 0);
 }
@@ -263,7 +263,7 @@ std::string map_lines(const Figure& figure, std::size_t index) {
   const bool lined = figure.colours && !figure.colours->levels.empty();
   const GridData& grid = figure.panels[index].map.grid;
   std::string script = fmt::format(
-      "set ylabel offset -2,0; set view map; set pm3d explicit corners2color mean border retrace "
+      "set ylabel offset -1.4,0; set view map; set pm3d explicit corners2color mean border retrace "
       "interpolate {},{}\n",
       kFineNodes / grid.y.size() + 1, kFineNodes / grid.x.size() + 1);
   std::vector<std::string> plots = {
