@@ -120,11 +120,13 @@ std::string Document::figure(const std::string& name, const std::string& options
                              bool one_panel) const {
   if (pictures_.empty()) {
     const Json& written = json();
-    if (written.contains("figures"))
+    const bool is_plain = options == "{}";
+    if (is_plain && written.contains("figures"))
       for (const Json& drawn : written["figures"])
         if (drawn.value("name", "") == name) return drawn.dump();
     throw std::invalid_argument(
         "a result that was read from JSON has no picture " + name +
+        (is_plain ? "" : " " + options) +
         "; run the case again, or write the result with `prs --figures --json`");
   }
   const WithoutInterpreter without;

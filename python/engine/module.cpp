@@ -1,12 +1,16 @@
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
+
+#include <utility>
 
 #include "prs/input/schema.h"
 #include "prs/input/source.h"
 #include "prs/input/units.h"
 #include "prs/quantities/measures_json.h"
+#include "prs/quantities/response_title.h"
 #include "prs/sector/influence/matrix_cache.h"
 #include "prs/version.h"
 #include "python/engine/beside.h"
@@ -31,6 +35,13 @@ NB_MODULE(_engine, module) {
   module.def(
       "measure_explanations", [] { return json_text(measure_explanations_json()); },
       "Formula, validity and source of every measure.");
+  module.def(
+      "response_title",
+      [](const std::string& path) {
+        const ResponseTitle title = response_title(path);
+        return std::pair(title.name, title.unit);
+      },
+      nb::arg("path"), "What a person calls a response, and its unit.");
 #ifdef NDEBUG
   nb::set_leak_warnings(false);  // Objects of daemon threads outlive the interpreter.
 #endif

@@ -79,13 +79,52 @@ class Designs:
         """Converged designs as points: an input or response over another, coloured by a third."""
         from rollerscrew import plots
 
-        return plots.designs(self, x, y, colour, ax)
+        return plots.draw(_cloud(self, x, y, colour), ax)
 
     def to_frame(self) -> pd.DataFrame:
         """Inputs, status, reason and responses, a row a design: the columns of `study.csv`."""
         outcome = pd.DataFrame({"status": self.status, "reason": self.reason})
         answers = pd.DataFrame(self.values, columns=list(self.responses))
         return pd.concat([self.inputs, outcome, answers], axis=1)
+
+
+def _cloud(answers: Designs, x: str, y: str, colour: str | None) -> dict[str, Any]:
+    """The description of converged designs as points."""
+    names = [name for name in (x, y, colour) if name is not None]
+    values = np.column_stack([_numbers(answers, name) for name in names])
+    values = values[answers.converged & np.isfinite(values).all(axis=1)]
+    if not len(values):
+        raise ValueError("no design converged with numbers in all of these columns")
+    series: dict[str, Any] = {"style": 0, "parts": [values[:, :2]]}
+    described: dict[str, Any] = {
+        "name": "designs",
+        "styles": [{"colour": "blue", "dash": "none", "mark": "circle", "weight": "thin"}],
+        "x": _axis(x),
+        "y": _axis(y),
+        "panels": [{"series": [series]}],
+    }
+    if colour is not None:
+        series |= {"parts": values[:, None, :2], "values": values[:, 2]}
+        ends = {"from": values[:, 2].min(), "to": values[:, 2].max()}
+        described["colours"] = _axis(colour) | ends
+    return described
+
+
+def _axis(name: str) -> dict[str, Any]:
+    label, unit = _engine.response_title(name)
+    return {"label": label[:1].upper() + label[1:], "unit": unit}
+
+
+def _numbers(answers: Designs, name: str) -> npt.NDArray[np.float64]:
+    if name in answers.responses:
+        return answers[name]
+    if name not in answers.inputs:
+        known = ", ".join([*answers.inputs.columns, *answers.responses])
+        raise KeyError(f"no column {name!r}; there is {known}")
+    column = answers.inputs[name]
+    if column.dtype.kind not in "fiu":
+        raise ValueError(f"{name} holds words; expected a column of numbers")
+    return column.to_numpy(dtype=np.float64)
 
 
 def designs_of(inputs: pd.DataFrame, answers: _engine.Designs) -> Designs:

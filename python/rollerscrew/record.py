@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import reprlib
 import typing
 from collections.abc import Iterator
@@ -10,6 +11,9 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from rollerscrew import _engine
 from rollerscrew.values import checked_text
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 class Record:
@@ -185,6 +189,26 @@ class Result(Record):
     def to_json(self) -> str:
         """The document as the command line prints it with `--json`, byte for byte."""
         return self._document.text()
+
+    def figures(self) -> list[dict[str, Any]]:
+        """Descriptions of the pictures of the result, for `rollerscrew.plots.draw`.
+
+        Those that `prs --figures --json` writes; none of a result that was read from other JSON.
+        """
+        described: list[dict[str, Any]] = json.loads(self._document.figures())
+        return described
+
+    def plot_figure(self, name: str, ax: Axes | None = None, **options: Any) -> Axes:
+        """Draws one of the pictures by its name: `slip.plot_figure("slip_patches", load_case=1)`.
+
+        All its panels into a new figure, or what they have in common into the axes given. Raises
+        ValueError where the result has no such picture, or nothing to draw.
+        """
+        from rollerscrew import plots
+
+        chosen = {option: value for option, value in options.items() if value is not None}
+        described = self._document.figure(name, json.dumps(chosen), ax is not None)
+        return plots.draw(json.loads(described), ax)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self).from_json, (self.to_json(),)

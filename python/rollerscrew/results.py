@@ -1,6 +1,7 @@
 """What the commands answer: documents with data frames and pictures.
 
-Every `plot_` method draws into `ax`, or into a new figure, and returns the axes.
+Every `plot_` method draws into `ax`, or all panels into a new figure, and returns the (first) axes.
+`figures()` describes the pictures for other tools.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pandas as pd
 
-from rollerscrew import _engine, plots
+from rollerscrew import _engine
 from rollerscrew.designs import Designs, designs_of, study_inputs
 from rollerscrew.record import Record, Result, Values
 from rollerscrew.records import Contacts, Life, LoadCase, Measures, Preload, Threads
@@ -91,7 +92,7 @@ class CheckResult(Result):
 
     def plot_contact_points(self, ax: Axes | None = None) -> Axes:
         """The contacts seen along the axis."""
-        return plots.contact_points(self.contact, ax)
+        return self.plot_figure("contact_xy", ax)
 
 
 class LoadCasesResult(Result):
@@ -111,13 +112,21 @@ class LoadCasesResult(Result):
 
     def load_case(self, which: int | str = 0) -> LoadCase:
         """A load case by its place or its name."""
-        if isinstance(which, str):
-            for load_case in self._load_cases:
-                if load_case.name == which:
-                    return load_case
-            names = ", ".join(load_case.name for load_case in self._load_cases)
-            raise KeyError(f"no load case {which!r}; there is {names or 'none'}")
-        return self._load_cases[which]
+        return self._load_cases[self._place(which)]
+
+    def _place(self, which: int | str) -> int:
+        names = [load_case.name for load_case in self._load_cases]
+        if not isinstance(which, str):
+            return range(len(names))[which]
+        if which not in names:
+            raise KeyError(f"no load case {which!r}; there is {', '.join(names) or 'none'}")
+        return names.index(which)
+
+    def _places(self, which: Which | None) -> list[int] | None:
+        if which is None:
+            return None
+        chosen = [which] if isinstance(which, str | int) else which
+        return [self._place(each) for each in chosen]
 
     @property
     def converged(self) -> bool:
@@ -141,27 +150,19 @@ class LoadCasesResult(Result):
         self, load_cases: Which | None = None, ax: Axes | None = None
     ) -> Axes:
         """Share of each thread in the load."""
-        return plots.load_distribution(self._chosen(load_cases), ax)
+        return self.plot_figure("load_distribution", ax, load_cases=self._places(load_cases))
 
     def plot_pressures(self, load_cases: Which | None = None, ax: Axes | None = None) -> Axes:
         """Peak pressure of each thread."""
-        return plots.pressures(self._chosen(load_cases), ax)
+        return self.plot_figure("peak_pressure", ax, load_cases=self._places(load_cases))
 
     def plot_ellipses(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
         """Contact ellipses of the threads, to scale."""
-        return plots.ellipses(self.load_case(load_case), ax)
+        return self.plot_figure("ellipses", ax, load_case=self._place(load_case))
 
     def plot_contact_points(self, ax: Axes | None = None) -> Axes:
         """The contacts seen along the axis."""
-        return plots.contact_points(self.contact, ax)
-
-    def _chosen(self, load_cases: Which | None) -> list[LoadCase]:
-        """The load cases named that have loads; without a choice all of them."""
-        if load_cases is None:
-            return [case for case in self._load_cases if "screw" in case]
-        if isinstance(load_cases, str | int):
-            load_cases = [load_cases]
-        return [self.load_case(which) for which in load_cases]
+        return self.plot_figure("contact_xy", ax)
 
     def _by_case(self, threads: Iterable[tuple[LoadCase, Record]]) -> pd.DataFrame:
         """The threads of records of load cases, one below the other, with what tells them apart."""
@@ -205,19 +206,19 @@ class SolveResult(LoadCasesResult):
 
     def plot_stiffness(self, ax: Axes | None = None) -> Axes:
         """Axial stiffness against the load, a line a sweep."""
-        return plots.stiffness(self._load_cases, ax)
+        return self.plot_figure("stiffness", ax)
 
     def plot_displacement(self, ax: Axes | None = None) -> Axes:
         """Axial displacement against the load, a line a sweep."""
-        return plots.displacement(self._load_cases, ax)
+        return self.plot_figure("displacement", ax)
 
     def plot_butterfly(self, interface: str = "screw", ax: Axes | None = None) -> Axes:
         """Share of each thread against the load: they spread like wings as the load grows."""
-        return plots.butterfly(self._load_cases, interface, ax)
+        return self.plot_figure("butterfly", ax, interface=interface)
 
     def plot_convergence(self, ax: Axes | None = None) -> Axes:
         """Residual after each linear solve."""
-        return plots.convergence(self._load_cases, ax)
+        return self.plot_figure("convergence", ax)
 
 
 class SlipResult(SolveResult):
@@ -244,15 +245,15 @@ class SlipResult(SolveResult):
 
     def plot_power(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
         """Power that each thread of a roller dissipates."""
-        return plots.power(self.load_case(load_case), ax)
+        return self.plot_figure("thread_power", ax, load_case=self._place(load_case))
 
     def plot_power_by_source(self, load_cases: Which | None = None, ax: Axes | None = None) -> Axes:
         """Where the power goes, a bar a load case."""
-        return plots.power_by_source(self._chosen(load_cases), ax)
+        return self.plot_figure("power_by_source", ax, load_cases=self._places(load_cases))
 
     def plot_friction(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
         """Friction coefficient and sliding speed of each thread."""
-        return plots.friction(self.load_case(load_case), ax)
+        return self.plot_figure("friction", ax, load_case=self._place(load_case))
 
 
 class MeasuresResult(SolveResult):
@@ -272,7 +273,7 @@ class MeasuresResult(SolveResult):
 
     def plot_stiffness_terms(self, ax: Axes | None = None) -> Axes:
         """The springs in series that make up the stiffness, by their part in the compliance."""
-        return plots.stiffness_terms(self, ax)
+        return self.plot_figure("stiffness_terms", ax)
 
 
 class PreloadResult(Result):
@@ -295,11 +296,11 @@ class PreloadResult(Result):
 
     def plot_displacement(self, ax: Axes | None = None) -> Axes:
         """Displacement over the external load, with preload and without."""
-        return plots.preload_displacement(self.preload, ax)
+        return self.plot_figure("preload", ax, panel=0)
 
     def plot_stiffness(self, ax: Axes | None = None) -> Axes:
         """Tangent stiffness over the external load, with preload and without."""
-        return plots.preload_stiffness(self.preload, ax)
+        return self.plot_figure("preload", ax, panel=1)
 
 
 class LifeResult(Result):
@@ -323,11 +324,11 @@ class LifeResult(Result):
 
     def plot_lives(self, ax: Axes | None = None) -> Axes:
         """Life of each thread."""
-        return plots.thread_lives(self.life, ax)
+        return self.plot_figure("thread_lives", ax)
 
     def plot_cycles(self, ax: Axes | None = None) -> Axes:
         """How many load cycles have which range and mean (rainflow)."""
-        return plots.cycles(self.life, ax)
+        return self.plot_figure("rainflow", ax)
 
 
 class DerivativesResult(Result):
@@ -348,7 +349,7 @@ class DerivativesResult(Result):
 
     def plot_elasticities(self, response: str | None = None, ax: Axes | None = None) -> Axes:
         """What 1 % of each factor does to a response, in percent."""
-        return plots.elasticities(self.to_frame(), response, ax)
+        return self.plot_figure("elasticities", ax, response=response)
 
 
 class StudyResult(Result):
@@ -431,7 +432,7 @@ class StudyResult(Result):
 
     def plot(self, response: str | None = None, ax: Axes | None = None) -> Axes:
         """A response over the numeric factor with most values, a line each value of the others."""
-        return plots.study_lines(self, response, ax)
+        return self.plot_figure("lines", ax, response=response)
 
     def plot_map(
         self,
@@ -441,19 +442,19 @@ class StudyResult(Result):
         ax: Axes | None = None,
     ) -> Axes:
         """A response of a grid over two factors, as filled contours."""
-        return plots.study_map(self, response, x, y, ax)
+        return self.plot_figure("map", ax, response=response, x=x, y=y)
 
     def plot_histogram(self, response: str | None = None, ax: Axes | None = None) -> Axes:
         """How often a response has which value, with its quantiles."""
-        return plots.study_histogram(self, response, ax)
+        return self.plot_figure("histogram", ax, response=response)
 
     def plot_contributions(self, response: str | None = None, ax: Axes | None = None) -> Axes:
         """Which factor moves a response, from its linear surface."""
-        return plots.study_contributions(self, response, ax)
+        return self.plot_figure("contributions", ax, response=response)
 
     def plot_envelope(self, ax: Axes | None = None) -> Axes:
         """The envelope of several measures over two factors, with its points."""
-        return plots.study_envelope(self, ax)
+        return self.plot_figure("envelope", ax)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _study_result, (self.to_json(), self.all_designs)
@@ -557,7 +558,7 @@ class OptimizationResult(Result):
 
     def plot_front(self, ax: Axes | None = None) -> Axes:
         """The front in its first two objectives, with the file's own design and the compromise."""
-        return plots.front(self, ax)
+        return self.plot_figure("front", ax)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _optimization_result, (self.to_json(), self._best)

@@ -1,51 +1,112 @@
-"""Pictures of results, one function each; `plot_` methods of the results call them.
+"""Pictures of results, drawn with matplotlib as the engine describes them.
 
-Every function draws into `ax`, which keeps its style, or into a new figure in the style of a paper,
-and returns the axes. Matplotlib is imported with the first picture.
+A description is a dictionary: panels with lines, areas, maps and labels, axes with their units, a
+legend. `Result.figures` gives those of a result, `prs COMMAND FILE --figures --json` those of a
+document; `prs schema figures` says what may stand in one. Matplotlib is imported with the first
+picture.
 """
 
-from rollerscrew.plots.contact import contact_points, ellipses
-from rollerscrew.plots.designs_cloud import designs
-from rollerscrew.plots.life import cycles, thread_lives
-from rollerscrew.plots.loads import (
-    butterfly,
-    convergence,
-    displacement,
-    load_distribution,
-    pressures,
-    stiffness,
-)
-from rollerscrew.plots.measures import stiffness_terms
-from rollerscrew.plots.optimization import front
-from rollerscrew.plots.preload import preload_displacement, preload_stiffness
-from rollerscrew.plots.sensitivity import elasticities, study_contributions, study_histogram
-from rollerscrew.plots.slip import friction, power, power_by_source
-from rollerscrew.plots.study_lines import study_lines
-from rollerscrew.plots.study_maps import study_envelope, study_map
+from __future__ import annotations
 
-__all__ = [
-    "butterfly",
-    "contact_points",
-    "convergence",
-    "cycles",
-    "designs",
-    "displacement",
-    "elasticities",
-    "ellipses",
-    "friction",
-    "front",
-    "load_distribution",
-    "power",
-    "power_by_source",
-    "preload_displacement",
-    "preload_stiffness",
-    "pressures",
-    "stiffness",
-    "stiffness_terms",
-    "study_contributions",
-    "study_envelope",
-    "study_histogram",
-    "study_lines",
-    "study_map",
-    "thread_lives",
-]
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from rollerscrew.plots._figure import keep_ticks, new_axes, panel_aspect
+from rollerscrew.plots._legend import (
+    characters,
+    colour_bar,
+    legend_of_figure,
+    legend_within,
+    shown,
+    width_of,
+)
+from rollerscrew.plots._panel import draw_panel
+from rollerscrew.plots._style import colour_scale
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+_LOW = 0.3  #: Height over width of panels whose colour bar stands below them.
+
+
+def draw(description: Mapping[str, Any], ax: Axes | None = None) -> Axes:
+    """Draws a description and returns the axes, of several panels those of the first.
+
+    Axes that are given keep their style; they take a description of one panel. Otherwise a new
+    figure in the style of a paper is made.
+    """
+    if ax is None:
+        with new_axes(description) as axes:
+            _draw_panels(list(axes), description, own=True)
+            legend_of_figure(axes[0].figure.figure, description)
+        return axes[0]
+    if not hasattr(ax, "plot"):
+        raise TypeError(f"ax: got {ax!r}; expected axes of matplotlib, or nothing")
+    if len(description["panels"]) != 1:
+        raise ValueError(
+            f"ax: the picture has {len(description['panels'])} panels; axes take one, leave `ax` "
+            "out for a figure"
+        )
+    _draw_panels([ax], description, own=False)
+    panel = description["panels"][0]
+    legend_within(ax, description, covers="map" in panel or bool(description.get("to_scale")))
+    return ax
+
+
+def _draw_panels(axes: list[Axes], description: Mapping[str, Any], own: bool) -> None:
+    panels = description["panels"]
+    colours = description.get("colours")
+    contours = any("map" in panel and not panel["map"].get("cells") for panel in panels)
+    scale = None if colours is None else colour_scale(colours, contours)
+    for place, (ax, panel) in enumerate(zip(axes, panels, strict=True)):
+        draw_panel(ax, description, place, scale)
+        if own and len(panels) > 1 and panel.get("title"):
+            ax.set_title(shown(panel["title"], characters(width_of(ax))))
+    if scale is not None and colours is not None:
+        bar = colour_bar(axes, scale, colours, contours, below=panel_aspect(description) < _LOW)
+        if own:
+            bar.outline.set_linewidth(0.6)
+            keep_ticks(bar.ax)
+
+
+#: Functions of a result and the options of its method, by their names.
+_METHODS = {
+    "butterfly": "plot_butterfly",
+    "contact_points": "plot_contact_points",
+    "convergence": "plot_convergence",
+    "cycles": "plot_cycles",
+    "designs": "plot",
+    "displacement": "plot_displacement",
+    "elasticities": "plot_elasticities",
+    "ellipses": "plot_ellipses",
+    "friction": "plot_friction",
+    "front": "plot_front",
+    "load_distribution": "plot_load_distribution",
+    "power": "plot_power",
+    "power_by_source": "plot_power_by_source",
+    "preload_displacement": "plot_displacement",
+    "preload_stiffness": "plot_stiffness",
+    "pressures": "plot_pressures",
+    "stiffness": "plot_stiffness",
+    "stiffness_terms": "plot_stiffness_terms",
+    "study_contributions": "plot_contributions",
+    "study_envelope": "plot_envelope",
+    "study_histogram": "plot_histogram",
+    "study_lines": "plot",
+    "study_map": "plot_map",
+    "thread_lives": "plot_lives",
+}
+
+
+def __getattr__(name: str) -> Callable[..., Axes]:
+    if name not in _METHODS:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+    def function(result: Any, *choice: Any, **options: Any) -> Axes:
+        ax: Axes = getattr(result, _METHODS[name])(*choice, **options)
+        return ax
+
+    return function
+
+
+__all__ = ["draw", *_METHODS]

@@ -1,0 +1,149 @@
+"""Axes of a new figure in the style of a paper, one per panel."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from rollerscrew.plots._legend import stands_beside
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+STYLE = Path(__file__).with_name("paper.mplstyle")
+
+#: Widths of a figure, mm, by the columns of its panels: one column of a paper, one and a half, two.
+_WIDTHS_MM = {1: 88.0, 2: 136.0}
+_WIDEST_MM = 180.0
+_ASPECT = 0.64
+_ASPECT_IN_SPACE = 0.85
+_LEAST, _MOST = 0.1, 1.0  #: Of what is to scale: the other axis is widened.
+_LABELS_MM = (13.0, 10.0)  #: What labels and ticks take of the width and height.
+_TITLE_MM = 4.5
+_BAR_MM = 15.0
+_LONG_TICK = 12  #: Characters.
+
+
+@contextmanager
+def new_axes(description: Mapping[str, Any]) -> Iterator[list[Axes]]:
+    """Axes for the panels; closed again where drawing them fails."""
+    import matplotlib
+    import matplotlib.pyplot as plt
+
+    with plt.style.context(STYLE):
+        figure = plt.figure(figsize=_inches(description))
+        # A notebook's backend turns it on with its first figure; the style would turn it off.
+        interactive = matplotlib.is_interactive()
+        try:
+            axes = _axes(figure, description)
+            for ax in axes:
+                keep_ticks(ax)
+            yield axes
+        except BaseException:
+            plt.close(figure)
+            raise
+    matplotlib.interactive(interactive)
+
+
+def _columns(description: Mapping[str, Any]) -> int:
+    return min(int(description.get("columns", 1)), len(description["panels"]))
+
+
+def _rows(description: Mapping[str, Any]) -> int:
+    columns, panels = _columns(description), len(description["panels"])
+    if description.get("overview") and columns > 1:
+        return -(-(panels - 1) // (columns - 1))
+    return -(-panels // columns)
+
+
+def panel_axis(description: Mapping[str, Any], panel: int, which: str) -> Mapping[str, Any]:
+    axis: Mapping[str, Any] = description["panels"][panel].get(which, description.get(which, {}))
+    return axis
+
+
+def panel_aspect(description: Mapping[str, Any]) -> float:
+    """Height of a panel over its width."""
+    if description.get("aspect"):
+        return float(description["aspect"])
+    if any("surface" in panel for panel in description["panels"]):
+        return _ASPECT_IN_SPACE
+    x, y = (panel_axis(description, 0, which) for which in "xy")
+    if description.get("to_scale") and all(
+        key in axis for axis in (x, y) for key in ("from", "to")
+    ):
+        return float(min(max(abs((y["to"] - y["from"]) / (x["to"] - x["from"])), _LEAST), _MOST))
+    return _ASPECT
+
+
+def _inches(description: Mapping[str, Any]) -> tuple[float, float]:
+    columns, rows = _columns(description), _rows(description)
+    ticks = panel_axis(description, 0, "y").get("ticks", [])
+    beside = max((len(tick.get("text", "")) for tick in ticks), default=0)
+    wide = stands_beside(description) or beside > _LONG_TICK or panel_aspect(description) < 0.4
+    width = _WIDTHS_MM.get(max(columns, 2 if wide else 1), _WIDEST_MM)
+    labelled = columns if any("y" in panel for panel in description["panels"]) else 1
+    room = width - labelled * _LABELS_MM[0] - (1.2 * beside if beside > 4 else 0.0)
+    if "colours" in description:
+        room -= _BAR_MM
+    if stands_beside(description):
+        room -= 40.0
+    panel = room / (columns - 1 + float(description.get("overview") or 1.0))
+    labelled = rows if any("x" in panel for panel in description["panels"]) else 1
+    titled = any(panel.get("title") for panel in description["panels"])
+    height = rows * (panel * panel_aspect(description) + (_TITLE_MM if titled else 0.0) + 2.0)
+    return width / 25.4, (height + labelled * _LABELS_MM[1]) / 25.4
+
+
+def _axes(figure: Any, description: Mapping[str, Any]) -> list[Axes]:
+    """Panels with the axes of the figure share them; only outer ones have labels."""
+    columns, rows, panels = _columns(description), _rows(description), description["panels"]
+    overview = float(description.get("overview") or 0.0) if columns > 1 else 0.0
+    grid = figure.add_gridspec(
+        rows, columns, width_ratios=[overview or 1.0, *[1.0] * (columns - 1)]
+    )
+    axes: list[Axes] = []
+    first: dict[str, Axes] = {}
+    for place, panel in enumerate(panels):
+        if overview:
+            row, column = divmod(place - 1, columns - 1)
+            cell = grid[row, column + 1] if place else grid[:, 0]
+        else:
+            cell = grid[divmod(place, columns)]
+        if "surface" in panel:
+            axes.append(figure.add_subplot(cell, projection="3d"))
+            continue
+        shared = {}
+        for which in "xy":
+            if which not in panel and not description.get("to_scale"):
+                shared[f"share{which}"] = first.get(which)
+        ax = figure.add_subplot(cell, **shared)
+        axes.append(ax)
+        if "sharex" in shared and place + columns < len(panels):
+            ax.tick_params(labelbottom=False)
+        if shared.get("sharey") and place % columns:
+            ax.tick_params(labelleft=False)
+        for which in "xy":
+            if f"share{which}" in shared:
+                first.setdefault(which, ax)
+    return axes
+
+
+def keep_ticks(ax: Axes) -> None:
+    """Ticks are made when a figure is drawn, by which time the style is no longer in effect."""
+    import matplotlib
+
+    style: Any = matplotlib.rcParams
+    axes: tuple[Literal["x", "y"], ...] = ("x", "y")
+    kinds: tuple[Literal["major", "minor"], ...] = ("major", "minor")
+    for axis in axes:
+        for which in kinds:
+            ax.tick_params(
+                axis=axis,
+                which=which,
+                direction=style[f"{axis}tick.direction"],
+                length=style[f"{axis}tick.{which}.size"],
+                width=style[f"{axis}tick.{which}.width"],
+                labelsize=style[f"{axis}tick.labelsize"],
+            )

@@ -1,0 +1,165 @@
+"""Legends, titles and colour bars, where they cover nothing."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rollerscrew.plots._style import legend_key, scale_levels, scale_range
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.figure import Figure
+
+_HANDLE_MM = 10.0
+_CHARACTER_MM = 1.45
+_TITLE_CHARACTER_MM = 1.55
+_POINTS = 7.5
+_ROW_MM = 3.8
+_MOST_ABOVE = 9  #: More entries than these stand beside the panel.
+
+
+def shown(text: str, most: int = 200) -> str:
+    """A text as it stands: no formula, not hidden, not too long."""
+    lines = "\n".join(textwrap.fill(line, most) for line in text.splitlines())
+    return (f" {lines}" if lines.startswith("_") else lines).replace("$", r"\$")
+
+
+def axis_text(axis: Mapping[str, Any], most: int = 200) -> str:
+    """`Lead (mm)`."""
+    label, unit = axis.get("label", ""), axis.get("unit", "")
+    return shown(f"{label} ({unit})" if unit else label, most)
+
+
+def width_of(ax: Axes) -> float:
+    """Width of axes, mm."""
+    return float(ax.get_window_extent().width) / figure_of(ax).dpi * 25.4
+
+
+def height_of(ax: Axes) -> float:
+    """Height of axes, mm."""
+    return float(ax.get_window_extent().height) / figure_of(ax).dpi * 25.4
+
+
+def figure_of(ax: Axes) -> Figure:
+    """The whole figure, also of axes in a part of one."""
+    part: Any = ax.figure
+    figure: Figure = part.figure
+    return figure
+
+
+def characters(width_mm: float) -> int:
+    """How many of a title stand in a line."""
+    return max(16, int(width_mm / _TITLE_CHARACTER_MM))
+
+
+def keys(description: Mapping[str, Any]) -> list[Artist]:
+    styles = description.get("styles", [])
+    return [
+        legend_key(styles[entry["style"]], shown(entry["title"], 44))
+        for entry in description.get("legend", [])
+    ]
+
+
+def stands_beside(description: Mapping[str, Any]) -> bool:
+    """Whether the legend of a new figure stands beside its panel, not above."""
+    return len(description["panels"]) == 1 and len(description.get("legend", [])) > _MOST_ABOVE
+
+
+def legend_of_figure(figure: Figure, description: Mapping[str, Any]) -> None:
+    """Title and legend of a new figure, which grows by what stands above its panels."""
+    handles = keys(description)
+    width = 25.4 * figure.get_figwidth()
+    title = shown(description.get("title", ""), characters(width))
+    rows: float = title.count("\n") + 1 if title else 0
+    beside = stands_beside(description)
+    if handles:
+        labels = [str(handle.get_label()) for handle in handles]
+        columns = 1 if beside else _columns(width, labels)
+        if not beside:
+            rows += -(-len(labels) // columns) * max(label.count("\n") + 1 for label in labels)
+        figure.legend(
+            handles=handles,
+            title=None if beside else title,
+            ncols=columns,
+            loc="outside right center" if beside else "outside upper center",
+        )
+    if title and (beside or not handles):
+        figure.suptitle(title)
+    figure.set_figheight(figure.get_figheight() + rows * _ROW_MM / 25.4)
+
+
+def legend_within(ax: Axes, description: Mapping[str, Any], covers: bool) -> None:
+    """Title and legend of given axes: the upper limit is moved to make room.
+
+    Of a map, or what is to scale (`covers`), limits stay.
+    """
+    import matplotlib
+    from matplotlib.font_manager import FontProperties
+
+    panel = description["panels"][0]
+    points = FontProperties(size=matplotlib.rcParams["legend.fontsize"]).get_size_in_points()
+    width = width_of(ax) * _POINTS / points
+    title = ", ".join(filter(None, (description.get("title"), panel.get("title"))))
+    ax.set_title(shown(title, characters(width)), fontsize=points)
+    handles = keys(description)
+    if not handles:
+        return
+    small = 0.75 if len(handles) > _MOST_ABOVE else 1.0
+    columns = _columns(width / small, [str(handle.get_label()) for handle in handles])
+    made = ax.legend(
+        handles=handles, loc="upper center", ncols=columns, framealpha=0.8, fontsize=small * points
+    )
+    if covers:
+        return
+    taken = 1.1 * made.get_window_extent().height / ax.get_window_extent().height + 0.03
+    scale = ax.yaxis.get_transform()
+    low, high = scale.transform(np.array(ax.get_ylim()))
+    raised = low + (high - low) / (1.0 - min(taken, 0.65))
+    ax.set_ylim(top=float(scale.inverted().transform(np.array([raised]))[0]), auto=None)
+
+
+def _columns(width_mm: float, labels: Iterable[str]) -> int:
+    lengths = [max(map(len, label.split("\n"))) for label in labels]
+    columns = max(1, int(width_mm / (_HANDLE_MM + _CHARACTER_MM * max(lengths))))
+    rows = -(-len(lengths) // columns)
+    return -(-len(lengths) // rows)
+
+
+def colour_bar(
+    axes: Sequence[Axes],
+    scale: ScalarMappable,
+    colours: Mapping[str, Any],
+    contours: bool,
+    below: bool,
+) -> Any:
+    """A colour bar beside the panels, or below them where they are low."""
+    from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullLocator
+
+    where: dict[str, Any] = {"location": "right"}
+    if below:
+        where = {"location": "bottom", "shrink": 0.5, "pad": 0.02, "aspect": 30}
+    bar = axes[0].figure.colorbar(scale, ax=list(axes), label=axis_text(colours), **where)
+    levels = scale_levels(colours, contours)
+    if colours.get("whole"):
+        first, last = round(scale_range(colours)[0]), round(scale_range(colours)[1])
+        step = 1 if last - first < 10 else 5 * -(-(last - first) // 40)
+        bar.locator = FixedLocator(
+            [first, *(k for k in range(first + 1, last + 1) if k % step == 0)]
+        )
+    elif colours.get("logarithmic"):
+        bar.locator = LogLocator(subs=(1, 2, 5))
+    elif levels:
+        step = -(-len(levels) // 12)
+        bar.locator = FixedLocator(list(levels[::step]))
+    if colours.get("logarithmic") or levels:
+        bar.formatter = FuncFormatter(lambda value, _: f"{value:.6g}".replace("-", "−"))
+    bar.ax.minorticks_off()
+    bar.long_axis.set_minor_locator(NullLocator())
+    bar.update_ticks()
+    return bar
