@@ -10,6 +10,7 @@
 #include "support/folder_watch.h"
 #include "support/processes.h"
 #include "support/program.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temporary_directory.h"
 
 namespace prs {
@@ -17,12 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
 
 Words study(const fs::path& file, const fs::path& folder) {
   return {test::program(), "study", file.string(), "--output", folder.string(), "--quiet"};
@@ -37,7 +32,7 @@ Words on_ranks(int ranks, const Words& command) {
 class Distributed : public testing::Test {
  protected:
   void SetUp() override {
-    if (kSanitized) GTEST_SKIP() << "Open MPI's own leaks would be found";
+    if (test::sanitized()) GTEST_SKIP() << "Open MPI's own leaks would be found";
     if (test::Process({"mpirun", "--version"}).wait() != 0) GTEST_SKIP() << "no mpirun";
   }
 
