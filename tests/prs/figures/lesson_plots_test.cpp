@@ -4,9 +4,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "prs/input/reader.h"
 #include "prs/output/plots.h"
-#include "prs/run/analyses.h"
+#include "prs/run/commands.h"
 #include "support/drawn.h"
 #include "support/shown.h"
 #include "support/temporary_directory.h"
@@ -41,48 +40,24 @@ void expect_silent(const Figures& all) {
   }
 }
 
-struct Lesson {
-  input::Source source;
-  Case values;
-};
-
-Lesson lesson(const char* file, Command command) {
-  input::Source source = input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + file, {});
-  Case values = input::read_case_input(source, command).values;
-  return {std::move(source), std::move(values)};
+Figures of_lesson(const char* file, Command command) {
+  const auto source = input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + file, {});
+  const Delivery delivery = run(row_of(command), source);
+  return figures(delivery.pictures());
 }
 
-TEST(LessonPlots, GnuplotDrawsLoadsAndSaysNothing) {
-  const Lesson l = lesson("03_load_sweep.yaml", Command::solve);
-  const Result result = run_solve(l.source, l.values);
-  expect_silent(figures(solve_pictures(result)));
+TEST(LessonPlots, GnuplotDrawsAndSaysNothing) {
+  expect_silent(of_lesson("03_load_sweep.yaml", Command::solve));
+  expect_silent(of_lesson("07_contact_geometry.yaml", Command::contact));
+  expect_silent(of_lesson("09_slip_and_dissipation.yaml", Command::slip));
+  expect_silent(of_lesson("18_design_measures.yaml", Command::measures));
 }
 
-TEST(LessonPlots, GnuplotDrawsContactsAndSaysNothing) {
-  const Lesson l = lesson("07_contact_geometry.yaml", Command::contact);
-  const Result result = run_contact(l.source, l.values);
-  expect_silent(figures(contact_pictures(result)));
-}
-
-TEST(LessonPlots, GnuplotDrawsSlipAndSaysNothing) {
-  const Lesson l = lesson("09_slip_and_dissipation.yaml", Command::slip);
-  const Result result = run_slip(l.source, l.values);
-  expect_silent(figures(slip_pictures(l.values, result)));
-}
-
-TEST(LessonPlots, GnuplotDrawsPreloadAndSaysNothing) {
-  const Lesson l = lesson("12_preload.yaml", Command::preload);
-  const PreloadResult result = run_preload(l.source, l.values);
-  const Figures shown = figures(preload_pictures(result));
+TEST(LessonPlots, PreloadHasItsStiffness) {
+  const Figures shown = of_lesson("12_preload.yaml", Command::preload);
   ASSERT_EQ(shown.front().panels.size(), 3);
   EXPECT_EQ(shown.front().panels[1].y->unit, "N/µm");
   expect_silent(shown);
-}
-
-TEST(LessonPlots, GnuplotDrawsMeasuresAndSaysNothing) {
-  const Lesson l = lesson("18_design_measures.yaml", Command::measures);
-  const MeasuresResult result = run_measures(l.source, l.values);
-  expect_silent(figures(measures_pictures(result)));
 }
 
 TEST(LessonPlots, GnuplotDrawsStudiesAndSaysNothing) {
