@@ -32,7 +32,7 @@ struct ChainSummary {
 ///
 ///     E(a) - E(0) = sum of the contacts' - a (d'r - sum N delta) + a^2/2 (d'r - sum t delta^2),
 ///
-/// delta the change of a contact's closure.
+/// delta the change of a contact's net approach.
 template <class Real, class Station, class Law>
 class Chain {
  public:
@@ -40,12 +40,12 @@ class Chain {
   using Mask = Lanes<Real>;
   static constexpr int M = Station::kFreedoms;
 
-  /// `records`, one a station, hold closures and states to start from.
+  /// `records`, one per station, hold net approaches and states to start from.
   Chain(const Station& station, const Law& law, int stations, Record* records)
       : chain_{station, stations, records}, elimination_(chain_), law_(law) {}
 
-  /// From the states and closures in the records. `rigid`: the states are those of rigid bodies, as
-  /// they always are of folded chains. Residuals are relative to `scale`.
+  /// From the states and net approaches in the records. `rigid`: the states are those of rigid
+  /// bodies, as they always are of folded chains. Residuals are relative to `scale`.
   ChainSummary<Real> solve(const Real& load, const Real& scale, const NewtonOptions& options,
                            bool rigid) {
     start(load, scale, rigid);
@@ -95,7 +95,7 @@ class Chain {
       if (k == 0) residual[0] -= load;
       unroll<2>([&](auto i) __attribute__((always_inline)) {
         auto& c = record.contact[i];
-        const ChainResponse<Real> r = law_.evaluate(i, k, c.closure);
+        const ChainResponse<Real> r = law_.evaluate(i, k, c.net_approach);
         c.force = c.remainder = r.force;
         c.tangent = r.tangent;
         contact_energy += r.energy;

@@ -4,7 +4,7 @@
 
 namespace fe {
 
-/// Of a full step d, over the contacts: energy E, force N, tangent t, change of closure delta.
+/// Of a full step d, over the contacts: energy E, force N, tangent t, change of net approach delta.
 template <class Real>
 struct ChainStepSums {
   Real energy = Real(0.0);     ///< E after the step [J]
@@ -29,15 +29,15 @@ ChainStepSums<Real> full_step(const ChainElimination<Real, Station>& elimination
     unroll<2>([&](auto i) __attribute__((always_inline)) {
       auto& c = record.contact[i];
       const Real change = along<i>(chain.station, d);
-      const Real closure = c.closure - change;
-      const ChainResponse<Real> r = law.evaluate(i, k, closure);
+      const Real net_approach = c.net_approach - change;
+      const ChainResponse<Real> r = law.evaluate(i, k, net_approach);
       s.energy += r.energy;
       s.work += c.force * change;
       s.stiffness += c.tangent * change * change;
       s.slope += c.remainder * change;
       const Real remainder = (r.force - c.force) + c.tangent * change;
       s.left = max(s.left, abs(remainder));
-      c.closure = select(active, closure, c.closure);
+      c.net_approach = select(active, net_approach, c.net_approach);
       c.force = select(active, r.force, c.force);
       c.tangent = select(active, r.tangent, c.tangent);
       c.remainder = select(active, remainder, c.remainder);
@@ -60,10 +60,10 @@ Real take_back(const ChainStations<Real, Station>& chain, const Law& law, const 
     auto& record = chain.records[k];
     unroll<2>([&](auto i) __attribute__((always_inline)) {
       auto& c = record.contact[i];
-      const Real closure = c.closure + share * along<i>(chain.station, record.step);
-      const ChainResponse<Real> r = law.evaluate(i, k, closure);
+      const Real net_approach = c.net_approach + share * along<i>(chain.station, record.step);
+      const ChainResponse<Real> r = law.evaluate(i, k, net_approach);
       energy += r.energy;
-      c.closure = select(marked, closure, c.closure);
+      c.net_approach = select(marked, net_approach, c.net_approach);
       c.force = select(marked, r.force, c.force);
       c.tangent = select(marked, r.tangent, c.tangent);
     });

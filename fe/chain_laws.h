@@ -9,16 +9,16 @@ template <class Real>
 struct ChainHertz {
   Real stiffness[2];  ///< k_0 [N/m^1.5]
 
-  [[gnu::always_inline]] ChainResponse<Real> evaluate(int i, int, const Real& closure) const {
-    const Real d = select(closure <= 0.0, Real(0.0), closure);
+  [[gnu::always_inline]] ChainResponse<Real> evaluate(int i, int, const Real& net_approach) const {
+    const Real d = select(net_approach <= 0.0, Real(0.0), net_approach);
     const Real root = stiffness[i] * sqrt(d);
     const Real force = root * d;
     return {0.4 * force * d, force, 1.5 * root};
   }
 
   /// Deflection of the power law alone [m].
-  Real deflection(int, int, const Real& closure) const {
-    return select(closure <= 0.0, Real(0.0), closure);
+  Real law_approach(int, int, const Real& net_approach) const {
+    return select(net_approach <= 0.0, Real(0.0), net_approach);
   }
 };
 
@@ -29,15 +29,15 @@ struct ChainHertzInSeries {
   Real stiffness[2];
   const Real* compliance[2];  ///< c of each station [m/N].
 
-  ChainResponse<Real> evaluate(int i, int k, const Real& closure) const {
+  ChainResponse<Real> evaluate(int i, int k, const Real& net_approach) const {
     const Real& k0 = stiffness[i];
     const Real& c = compliance[i][k];
     const Real a = c * k0;
-    // In x = sqrt(d), d the deflection of the power law: x^2 (1 + a x) = total, up to largest x.
+    // In x = sqrt(d), d the approach of the power law: x^2 (1 + a x) = total, up to largest x.
     const Real largest_x = select(a < 0.0, -1.0 / (3.0 * a), Real(1e100));
     const Real largest_total = largest_x * largest_x * (1.0 + a * largest_x);
-    const Lanes<Real> open = closure <= 0.0;
-    const Real closed = select(open, Real(1.0), closure);
+    const Lanes<Real> open = net_approach <= 0.0;
+    const Real closed = select(open, Real(1.0), net_approach);
     const Lanes<Real> linear = (a < 0.0) & (closed > largest_total);
     const Real total = select(linear, largest_total, closed);
     Real x = sqrt(total);
@@ -59,8 +59,8 @@ struct ChainHertzInSeries {
             select(open, none, tangent)};
   }
 
-  Real deflection(int i, int k, const Real& closure) const {
-    const Real root = cbrt(evaluate(i, k, closure).force / stiffness[i]);
+  Real law_approach(int i, int k, const Real& net_approach) const {
+    const Real root = cbrt(evaluate(i, k, net_approach).force / stiffness[i]);
     return root * root;
   }
 };

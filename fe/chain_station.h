@@ -34,7 +34,7 @@
 /// station. A held freedom has a support of infinite stiffness: its inverse pivot is 0, and with it
 /// all that it passes on, exactly.
 ///
-/// A `Law` tells the contacts' force: evaluate(contact, k, closure) -> ChainResponse.
+/// A `Law` tells the contacts' force: evaluate(contact, k, net approach) -> ChainResponse.
 namespace fe {
 
 /// sign * coefficient(kind) times a freedom.
@@ -105,10 +105,10 @@ template <class Real, class Station>
 struct ChainRecord {
   static constexpr int M = Station::kFreedoms;
   struct Contact {
-    Real closure;    ///< w - g [m]
-    Real force;      ///< At this closure [N].
-    Real tangent;    ///< [N/m]
-    Real remainder;  ///< Of the residual, along the contact [N].
+    Real net_approach;  ///< w - g [m]
+    Real force;         ///< At this approach [N].
+    Real tangent;       ///< [N/m]
+    Real remainder;     ///< Of the residual, along the contact [N].
   };
   Real multiplier[static_cast<std::size_t>(kChainFill<Station>.multipliers)];
   Real step[M];

@@ -169,7 +169,7 @@ double Equations::Spring::approach(const State& q) const {
   return w;
 }
 
-double Equations::Spring::closure(const State& q) const {
+double Equations::Spring::net_approach(const State& q) const {
   double sum = -law.gap, lost = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const double product = coefficient[i] * q.head[equation[i]];
@@ -184,16 +184,18 @@ double Equations::Spring::closure(const State& q) const {
 
 double Equations::approach(const State& q, int k) const { return at(springs_, k).approach(q); }
 
-double Equations::closure(const State& q, int k) const { return at(springs_, k).closure(q); }
+double Equations::net_approach(const State& q, int k) const {
+  return at(springs_, k).net_approach(q);
+}
 
 SpringResponse Equations::response(const State& q, int k) const {
   const Spring& s = at(springs_, k);
-  return evaluate(without_gap(s.law), s.closure(q));
+  return evaluate(without_gap(s.law), s.net_approach(q));
 }
 
-double Equations::deflection(const State& q, int k) const {
+double Equations::law_approach(const State& q, int k) const {
   const Spring& s = at(springs_, k);
-  return fe::deflection(without_gap(s.law), s.closure(q));
+  return fe::law_approach(without_gap(s.law), s.net_approach(q));
 }
 
 double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f,
@@ -267,8 +269,7 @@ void Equations::tangent_stiffness(const State& q, SparseSymmetric& tangent) cons
   std::copy(linear_.value.begin(), linear_.value.end(), tangent.value.begin());
   for (const Spring& s : springs_) {
     const double k = evaluate(s.law, s.approach(q)).tangent;
-    s.for_each_tangent(
-        k, [&](int slot, double value) { at(tangent.value, slot) += value; });
+    s.for_each_tangent(k, [&](int slot, double value) { at(tangent.value, slot) += value; });
   }
 }
 

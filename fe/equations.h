@@ -42,7 +42,7 @@ class Equations {
 
     double approach(const State& q) const;
     /// Approach less gap, to its own rounding: it may be far smaller than the displacements.
-    double closure(const State& q) const;
+    double net_approach(const State& q) const;
 
     /// Calls add(slot, value) for the tangent stiffness k times the coefficients' outer product.
     template <class Real, class Add>
@@ -59,11 +59,11 @@ class Equations {
   /// Approach w of spring k, without its gap [m].
   double approach(const State& q, int k) const;
   /// Approach of spring k less its gap, to its own rounding [m].
-  double closure(const State& q, int k) const;
+  double net_approach(const State& q, int k) const;
   /// Force, tangent and energy of spring k.
   SpringResponse response(const State& q, int k) const;
   /// Deflection of the power law alone of spring k [m].
-  double deflection(const State& q, int k) const;
+  double law_approach(const State& q, int k) const;
 
   /// A matrix with the fixed pattern, holding the linear part (bars, beams, shells, elastic
   /// supports) [N/m].
@@ -88,8 +88,8 @@ class Equations {
   /// Refills `tangent`, the Hessian of the energy, in place. Allocates nothing.
   void tangent_stiffness(const State& q, SparseSymmetric& tangent) const;
 
-  /// f - K x with the tangent K at the state q, from what x deforms: exact to rounding of the forces
-  /// however large the rigid motion in x is. Allocates nothing.
+  /// f - K x with the tangent K at the state q, from what x deforms: exact to rounding of the
+  /// forces however large the rigid motion in x is. Allocates nothing.
   void tangent_residual(const State& q, const State& x, const Eigen::VectorXd& f,
                         Eigen::VectorXd& residual) const;
 
@@ -174,14 +174,13 @@ void Equations::linear_forces(const Displacements& q, Vector& forces) const {
   }
   for (const NumberedBeam& b : beams_) {
     const auto& [u1, v1, t1, u2, v2, t2] = b.equation;
-    add_all(b.equation,
-            end_forces<Real>(b.beam, {q.difference(u1, u2), q.difference(v1, v2), q[t1], q[t2],
-                                      q.rest(t1), q.rest(t2)}));
+    add_all(b.equation, end_forces<Real>(b.beam, {q.difference(u1, u2), q.difference(v1, v2), q[t1],
+                                                  q[t2], q.compensation(t1), q.compensation(t2)}));
   }
   for (const NumberedShell& s : shells_) {
     const auto& [u1, v1, t1, u2, v2, t2] = s.equation;
     const auto mean = [&](int i, int j) -> Real {
-      return 0.5 * (q[i] + q[j]) + 0.5 * (q.rest(i) + q.rest(j));
+      return 0.5 * (q[i] + q[j]) + 0.5 * (q.compensation(i) + q.compensation(j));
     };
     add_all(s.equation,
             end_forces<Real>(s.stiffness, {q.difference(u1, u2), q.difference(v1, v2),

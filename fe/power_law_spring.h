@@ -5,7 +5,7 @@
 
 namespace fe {
 
-/// Value, slope and stored energy of a scalar force law at one deflection.
+/// Value, slope and stored energy of a scalar force law at one approach.
 struct SpringResponse {
   double energy = 0.0;   ///< Stored [J].
   double force = 0.0;    ///< d energy / d approach [N], >= 0.
@@ -20,7 +20,7 @@ struct SpringResponse {
 /// Newton direction always descends. Exponent 3/2 is Hertz's point contact (Abevi 2015, (21), with
 /// the exponent read as 3/2).
 ///
-/// What stands in series may take back part of the deflection, series_compliance < 0. The law holds
+/// What stands in series may take back part of the approach, series_compliance < 0. The law holds
 /// until it takes back half of what the power law adds, 1 + series_compliance d force/dd = 1/2;
 /// from there on the force grows along its tangent.
 struct PowerLawSpring {
@@ -30,7 +30,7 @@ struct PowerLawSpring {
   double series_compliance = 0.0;  ///< Linear spring in series [m/N]; < 0 needs exponent > 1.
 };
 
-/// Force of the power law alone, its own deflection `d` given: k d^n, n k d^(n-1), k d^(n+1)/(n+1).
+/// Force of the power law alone, its own approach `d` given: k d^n, n k d^(n-1), k d^(n+1)/(n+1).
 inline SpringResponse power_law(double stiffness, double exponent, double d) {
   if (d <= 0.0) return {};
   const double root = exponent == 1.5 ? std::sqrt(d) : std::pow(d, exponent - 1.0);
@@ -51,7 +51,7 @@ inline double largest_deflection(const PowerLawSpring& s) {
 /// Deflection d of the power law in series with the linear spring: d + c k d^n = total, for
 /// d <= `largest_deflection`. Increasing, convex for c > 0 and concave for c < 0, so that Newton
 /// from d = total never overshoots the root. For n = 3/2 it is done in x = sqrt(d).
-inline double deflection_in_series(const PowerLawSpring& s, double total) {
+inline double law_approach_in_series(const PowerLawSpring& s, double total) {
   if (s.exponent == 1.5) {
     const double a = s.series_compliance * s.stiffness;
     double x = std::sqrt(total);
@@ -73,7 +73,7 @@ inline double deflection_in_series(const PowerLawSpring& s, double total) {
   return d;
 }
 
-/// Response of both in series to a deflection `d` of the power law alone.
+/// Response of both in series to an approach `d` of the power law alone.
 inline SpringResponse response_in_series(const PowerLawSpring& s, double d) {
   SpringResponse r = power_law(s.stiffness, s.exponent, d);
   r.energy += 0.5 * s.series_compliance * r.force * r.force;
@@ -88,7 +88,7 @@ inline SpringResponse evaluate(const PowerLawSpring& s, double w) {
   if (s.series_compliance == 0.0) return power_law(s.stiffness, s.exponent, total);
 
   const double largest = largest_deflection(s);
-  // At least 1 - 1/(2 n) of it is left of the deflection there.
+  // At least 1 - 1/(2 n) of it is left of the approach there.
   if (total > (1.0 - 0.5 / s.exponent) * largest) {
     SpringResponse r = response_in_series(s, largest);
     const double beyond = total - (largest + s.series_compliance * r.force);
@@ -96,17 +96,17 @@ inline SpringResponse evaluate(const PowerLawSpring& s, double w) {
     r.force += r.tangent * beyond;
     return r;
   }
-  return response_in_series(s, deflection_in_series(s, total));
+  return response_in_series(s, law_approach_in_series(s, total));
 }
 
-/// The same spring as a function of its closure w - gap.
+/// The same spring as a function of its net approach w - gap.
 inline PowerLawSpring without_gap(PowerLawSpring s) {
   s.gap = 0.0;
   return s;
 }
 
 /// Deflection of the power law alone at the approach `w` [m].
-inline double deflection(const PowerLawSpring& s, double w) {
+inline double law_approach(const PowerLawSpring& s, double w) {
   const double total = w - s.gap;
   if (total <= 0.0) return 0.0;
   if (s.series_compliance == 0.0) return total;

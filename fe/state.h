@@ -19,7 +19,7 @@ struct State {
   double operator[](int i) const { return i < 0 ? 0.0 : head[i]; }
 
   /// What rounding took from displacement i.
-  double rest(int i) const { return i < 0 ? 0.0 : tail[i]; }
+  double compensation(int i) const { return i < 0 ? 0.0 : tail[i]; }
 
   /// Displacement j less displacement i.
   double difference(int i, int j) const {

@@ -25,7 +25,7 @@ struct WideState {
   WideVector value;
 
   Wide operator[](int i) const { return i < 0 ? Wide(0.0) : value[i]; }
-  Wide rest(int) const { return 0.0; }
+  Wide compensation(int) const { return 0.0; }
   Wide difference(int i, int j) const { return (*this)[j] - (*this)[i]; }
 };
 
@@ -51,24 +51,23 @@ struct WideNewton::Numbers {
 
   explicit Numbers(const Equations& e) : equations(e), linear(e.linear_values<Wide>()) {
     const SparseSymmetric& pattern = e.linear_stiffness();
-    matrix = Eigen::Map<const Matrix>(e.size(), e.size(),
-                                      static_cast<Eigen::Index>(linear.size()),
-                                      pattern.column_start.data(), pattern.row.data(),
-                                      linear.data());
+    matrix =
+        Eigen::Map<const Matrix>(e.size(), e.size(), static_cast<Eigen::Index>(linear.size()),
+                                 pattern.column_start.data(), pattern.row.data(), linear.data());
     factor.analyzePattern(matrix);
   }
 
   State zero_state() const { return {Vector::Zero(equations.size())}; }
 
-  Wide closure(const Equations::Spring& s, const State& q) const {
+  Wide net_approach(const Equations::Spring& s, const State& q) const {
     Wide w = -s.law.gap;
     for (std::size_t i = 0; i < s.count; ++i) w += s.coefficient[i] * q[s.equation[i]];
     return w;
   }
 
-  /// The laws themselves have the digits of a double, of the closure.
+  /// The laws themselves have the digits of a double, of the net approach.
   SpringResponse response(const Equations::Spring& s, const State& q) const {
-    return evaluate(without_gap(s.law), static_cast<double>(closure(s, q)));
+    return evaluate(without_gap(s.law), static_cast<double>(net_approach(s, q)));
   }
 
   Wide energy_and_residual(const State& q, const Eigen::VectorXd& f, Vector& residual) const {

@@ -25,7 +25,7 @@ struct ConfigurationOptions {
 struct Options : OutputOptions {
   std::string file;
   std::vector<std::string> overrides;          ///< `path=value` each.
-  std::size_t threads = 0;                     ///< Of a study; 0: one a processor.
+  std::size_t threads = 0;                     ///< Of a study; 0: one per processor.
   std::optional<Shard> shard;                  ///< `prs study --shard`: its part of the designs.
   bool restart = false;                        ///< `prs study`: discards what was computed before.
   std::vector<std::filesystem::path> folders;  ///< `prs study merge`: those of the shards.

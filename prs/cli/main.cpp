@@ -33,7 +33,7 @@ void add_case_options(CLI::App& command, Options& options) {
 
 void add_threads_option(CLI::App& command, Options& options) {
   command
-      .add_option("--threads", options.threads, "Threads to compute on; default: one a processor")
+      .add_option("--threads", options.threads, "Threads to compute on; default: one per processor")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, prs::cli::kMostThreads));
 }

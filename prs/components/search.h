@@ -12,8 +12,8 @@ namespace prs {
 
 using Points = std::vector<std::vector<double>>;
 
-/// Fitness of points of the unit cube, a row an objective, less being better. What it throws ends
-/// the search.
+/// Fitness of points of the unit cube, one row per objective, less being better. What it throws
+/// ends the search.
 using EvaluatePoints = std::function<Points(const Points&)>;
 
 /// How an algorithm searches the unit cube.

@@ -51,7 +51,7 @@ std::string common_force(const std::vector<LoadedConfiguration>& all) {
   return fmt::format(", {:.4g} kN", first * per_si::kilonewton);
 }
 
-/// A row of panels a direction, a column an interface, a line a configuration.
+/// A row of panels a direction, one column per interface, one line per configuration.
 std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result,
                                     const FigureOptions& options) {
   std::vector<LoadedConfiguration> all = configurations(result, options, plot.keep);

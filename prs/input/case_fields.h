@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "prs/model/case.h"
 #include "prs/input/field.h"
 #include "prs/input/optimize_fields.h"
+#include "prs/model/case.h"
 #include "prs/model/study.h"
 
 /// The input, described once: every key, its unit and bounds, whether it must stand, its meaning.
@@ -534,7 +534,7 @@ void fields(Io& io, CsvColumn& c) {
 template <class Io>
 void fields(Io& io, HistorySource& h) {
   io.field("file", h.file, Text{}, required,
-           "Comma-separated values with a heading, a row a sample; relative to this file");
+           "Comma-separated values with a heading, one row per sample; relative to this file");
   io.field("force", h.force, Block{}, required, "Axial force, > 0 in tension");
   io.field("position", h.position, Block{}, optional, "Axial position of the nut on the screw");
   io.field("speed", h.speed, Block{}, optional_only_if(!h.position, "in place of `position`"),

@@ -9,8 +9,9 @@
 namespace prs::input {
 
 /// Reads the columns of a history from a text of comma-separated values, see `CsvReader`: the first
-/// row is the heading, every further one a sample; numbers have a decimal point. `name` stands for
-/// the file in messages, `source` is the input that names columns and units under `life.history`.
+/// row is the heading, every further row a sample; numbers have a decimal point. `name` stands
+/// for the file in messages, `source` is the input that names columns and units under
+/// `life.history`.
 ///
 /// Throws InputError: `FILE:LINE:COLUMN: error: NAME: got VALUE; expected ..` for what is no finite
 /// number and for time that runs backwards; at the place in the input for a column that the file

@@ -200,7 +200,7 @@ struct Written {
   std::string path;
   ErrorList& errors;
 
-  /// Says what was wanted, and how to mend the value: by an example unless there is a better hint.
+  /// Says what was wanted, and how to fix the value: by an example unless there is a better hint.
   void refuse(const Wanted& w, std::string_view hint = {}) const {
     errors.add(node.place, path,
                fmt::format("got {}; expected {}; {}", got(node), w.what,
@@ -533,7 +533,8 @@ CaseInput read_case_input(const Source& source, Command command) {
 
 std::vector<std::string> missing(const CaseInput& input, Command command) {
   if (command == Command::study || command == Command::optimize) {
-    const std::optional<Command>& designs = command == Command::study ? input.study : input.optimize;
+    const std::optional<Command>& designs =
+        command == Command::study ? input.study : input.optimize;
     return designs ? missing(input, *designs) : std::vector{std::string(name(command))};
   }
   std::vector<std::string> paths;

@@ -27,11 +27,11 @@ std::string line(std::string_view key, std::string_view message) {
 
 Source load_source(const std::string& file, std::vector<std::string> overrides) {
   namespace fs = std::filesystem;
-  const auto refuse = [&](std::string_view got, std::string_view mend) {
+  const auto refuse = [&](std::string_view got, std::string_view fix) {
     return InputError(
         fmt::format("{}:1:1: error: got {}; expected a readable YAML file of at most "
                     "1 MiB; {}",
-                    file, got, mend));
+                    file, got, fix));
   };
   std::error_code error;
   const fs::file_status status = fs::status(file, error);

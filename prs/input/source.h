@@ -11,7 +11,7 @@
 namespace prs::input {
 
 /// The input is wrong. `what()` holds one line for each error, each complete in itself:
-/// `FILE:LINE:COLUMN: error: KEY: got VALUE; expected WHAT; how to mend it`, and where a `--set`
+/// `FILE:LINE:COLUMN: error: KEY: got VALUE; expected WHAT; how to fix it`, and where a `--set`
 /// argument is to blame, which.
 class InputError : public std::runtime_error {
  public:

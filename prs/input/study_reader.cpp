@@ -164,7 +164,7 @@ class FactorReader {
     set_value(base_, item().path, std::move(list), at, errors_);
   }
 
-  /// The factor, or one an entry of its list. `file` and `fields` are those of the base document.
+  /// The factor, or one per entry of its list. `file` and `fields` are those of the base document.
   std::vector<Factor> read(std::size_t index, CaseFile& file,
                            const std::vector<EchoEntry>& fields) {
     enter(index);

@@ -56,7 +56,7 @@ bool is_unit(std::string_view symbol);
 /// A number in a unit [SI]; nothing where it is beyond the magnitudes that a text may have.
 std::optional<double> to_si(double number, const Unit& unit);
 
-/// What a text says of a dimension: the value [SI], or else a hint how to mend the text.
+/// What a text says of a dimension: the value [SI], or else a hint how to fix the text.
 struct ParsedQuantity {
   std::optional<double> value;
   std::string hint;

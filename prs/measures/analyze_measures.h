@@ -12,7 +12,7 @@ namespace prs {
 struct MeasuresResult {
   Result analysis;  ///< Contacts and thread loads that the measures are taken from.
   Measures measures;
-  /// One a load case; absent where it did not converge.
+  /// One per load case; absent where it did not converge.
   std::vector<std::optional<LoadMeasures>> load_measures;
 };
 

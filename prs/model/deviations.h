@@ -21,7 +21,7 @@ struct PitchWave {
 struct PitchError {
   double linear = 0.0;  ///< At the last contact, 0 at the first [m].
   std::optional<PitchWave> periodic;
-  std::vector<double> list;  ///< One a contact, or none [m].
+  std::vector<double> list;  ///< One per contact, or none [m].
 };
 
 /// Straight taper of the roller's pitch radius at both ends.

@@ -16,8 +16,8 @@ void check_pitch_error(const PitchError& e, Part part, const Mechanism& m, Probl
   const auto contacts = static_cast<std::size_t>(m.contacts_per_roller);
   if (!e.list.empty() && e.list.size() != contacts)
     problems.add(path() + ".list",
-                 fmt::format("got {} values; expected {}, one a contact of a roller", e.list.size(),
-                             contacts));
+                 fmt::format("got {} values; expected {}, one per contact of a roller",
+                             e.list.size(), contacts));
   double largest = std::max(std::abs(e.linear), e.periodic ? std::abs(e.periodic->amplitude) : 0.0);
   for (const double value : e.list) largest = std::max(largest, std::abs(value));
   if (largest > kMostDeviation * axial_pitch(m))

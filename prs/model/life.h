@@ -16,7 +16,7 @@ struct CsvColumn {
   bool operator==(const CsvColumn&) const = default;
 };
 
-/// Loads over time or travel, from a file: a row a sample. How far the screw turns between two
+/// Loads over time or travel, from a file: one row per sample. How far the screw turns between two
 /// samples follows from `position`, from `speed` and the time, or from the operation's speed and
 /// the time.
 struct HistorySource {

@@ -12,7 +12,7 @@ namespace prs {
 /// A factor of a grid as an axis of its maps, numbers ascending.
 struct MapAxis {
   std::size_t factor = 0;           ///< Of the study's.
-  std::vector<std::size_t> levels;  ///< Of the factor, one a node.
+  std::vector<std::size_t> levels;  ///< Of the factor, one per node.
   std::vector<double> numbers;      ///< Of the levels, in the factor's unit.
   bool logarithmic = false;         ///< Equidistant in their logarithm.
   /// Whether factor and companions have values between two nodes: no words, no whole numbers.

@@ -63,7 +63,7 @@ struct Compromise {
     best,     ///< Best value of one objective.
   };
   By by = By::ideal;
-  std::vector<double> weights;  ///< One an objective.
+  std::vector<double> weights;  ///< One per objective.
   std::size_t objective = 0;
 };
 

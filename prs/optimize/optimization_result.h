@@ -12,7 +12,7 @@ namespace prs {
 
 /// A design and what came of it.
 struct EvaluatedDesign {
-  std::vector<Draw> draws;        ///< One a variable.
+  std::vector<Draw> draws;        ///< One per variable.
   std::vector<double> responses;  ///< NaN where the design has none.
   DesignStatus status;            ///< Refused where a response is missing.
   /// Sum of what is missing to each constraint, relative to its limit or the response of the file's

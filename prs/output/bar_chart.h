@@ -8,9 +8,9 @@
 
 namespace prs {
 
-/// Bars of both interfaces beside each other, a line a thread, under the names of the interfaces.
-/// Each bar is followed by its value with so many decimals and the unit; the largest value has the
-/// full length.
+/// Bars of both interfaces beside each other, one line per thread, under the names of the
+/// interfaces. Each bar is followed by its value with so many decimals and the unit; the largest
+/// value has the full length.
 std::string bar_chart(const PerInterface<std::vector<double>>& values, int decimals,
                       std::string_view unit);
 

@@ -20,7 +20,7 @@ struct CaseColumn {
   std::string (*cell)(const LoadCaseResult&);
 };
 
-/// A table with a row a load case.
+/// A table with one row per load case.
 struct CaseTable {
   std::span<const CaseColumn> columns;
   std::size_t load_columns = 0;  ///< The first say what the load is; a failed case has no others.

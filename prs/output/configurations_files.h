@@ -6,10 +6,10 @@
 
 namespace prs {
 
-/// `configurations.csv`: a row a configuration.
+/// `configurations.csv`: one row per configuration.
 std::string configurations_csv(const Configurations& all);
 
-/// `gear_pairs.csv`: a row a pair of gears, with the number of its configuration.
+/// `gear_pairs.csv`: one row per pair of gears, with the number of its configuration.
 std::string gear_pairs_csv(const Configurations& all);
 
 /// The configuration as a commented case, ready for `prs check` and `prs solve`: structure,

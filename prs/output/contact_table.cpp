@@ -51,7 +51,7 @@ std::string table_row(std::string_view label, const std::vector<std::string>& ce
   return line + '\n';
 }
 
-// The mechanism, a column a part.
+// The mechanism, one column per part.
 
 std::string mechanism_line(const Contacts& contacts) {
   const Mechanism& m = contacts.mechanism;
@@ -101,7 +101,7 @@ std::string part_rows(const contact::MechanismGeometry& threads) {
   return rows;
 }
 
-// The contacts, a column an interface.
+// The contacts, one column per interface.
 
 struct ContactRow {
   std::string_view key;
@@ -155,7 +155,7 @@ std::string contact_rows(const Contacts& contacts) {
   return rows;
 }
 
-// The load cases with equal shares, a row an interface.
+// The load cases with equal shares, one row per interface.
 
 /// A thread's value under load; all threads of such a case have the same.
 struct LoadColumn {

@@ -13,10 +13,10 @@ namespace prs {
 /// response, with its value and what each factor does to it.
 nlohmann::ordered_json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info);
 
-/// `derivatives.csv`: a row a response and factor.
+/// `derivatives.csv`: one row per response and factor.
 std::string derivatives_csv(const CaseDerivatives& result);
 
-/// A table a response: what 1 % of each factor does to it, the strongest first.
+/// One table per response: what 1 % of each factor does to it, the strongest first.
 std::string derivatives_table(const CaseDerivatives& result);
 
 }  // namespace prs

@@ -6,7 +6,7 @@
 
 namespace prs {
 
-/// `life_threads.csv`: a row a thread, interface and sense of the load.
+/// `life_threads.csv`: one row per thread, interface and sense of the load.
 std::string life_threads_csv(const LifeResult& result);
 
 /// `cycles.csv`: every cycle in the order in which it closed, its turning points by the row of the

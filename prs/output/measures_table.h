@@ -12,7 +12,7 @@ std::string measures_table(const MeasuresResult& result);
 /// Formula, validity and source of every measure.
 std::string measure_explanations();
 
-/// `measures.csv`: a row a measure and load case, that of the mechanism's own empty.
+/// `measures.csv`: one row per measure and load case, that of the mechanism's own empty.
 std::string measures_csv(const MeasuresResult& result);
 
 /// `yang.csv`: thread by thread, Yang's load rates beside those of the model.

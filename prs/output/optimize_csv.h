@@ -6,7 +6,7 @@
 
 namespace prs {
 
-/// The front, a row a design: where it stands in history.csv, whether it is the compromise, the
+/// The front, one row per design: where it stands in history.csv, whether it is the compromise, the
 /// variables and what is linked to them (`mechanism.flank_angle.screw_deg`), the responses under
 /// their paths. Numbers have all their digits.
 std::string front_csv(const OptimizationResult& result);

@@ -6,7 +6,7 @@
 
 namespace prs {
 
-/// `preload.csv`: a row a load, the curve without preload beside.
+/// `preload.csv`: one row per load, the curve without preload beside.
 std::string preload_csv(const PreloadResult& result);
 
 }  // namespace prs

@@ -6,7 +6,7 @@
 
 namespace prs {
 
-/// Slip at a glance, the warnings below: up to four load cases at length, more as a row a case.
+/// Slip at a glance, the warnings below: up to four load cases at length, more as one row per case.
 /// Within 110 columns.
 std::string slip_table(const Result& result);
 

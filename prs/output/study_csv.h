@@ -8,9 +8,9 @@
 
 namespace prs {
 
-/// `study.csv`: a row a design, the base case first, then status, reason and the responses under
-/// their paths. Before them stand the values of all factors or, where designs differ from the base
-/// case in one value, this one: `factor`, `label`, `value`, `number`, `unit`.
+/// `study.csv`: one row per design, the base case first, then status, reason and the responses
+/// under their paths. Before them stand the values of all factors or, where designs differ from the
+/// base case in one value, this one: `factor`, `label`, `value`, `number`, `unit`.
 class StudyCsv {
  public:
   /// Both must outlive the object.

@@ -183,7 +183,7 @@ std::string failures(const StudyResult& result) {
   return text;
 }
 
-/// The rows of a study whose designs differ in one value, a table a factor.
+/// The rows of a study whose designs differ in one value, one table per factor.
 std::string factor_tables(const StudyResult& result) {
   const Columns columns = columns_of(result);
   std::string text = header_lines(columns);

@@ -7,10 +7,10 @@
 
 namespace prs {
 
-/// A study within 110 columns. Where designs differ in one value: their rows, a table a factor with
-/// the base case in it. Otherwise what matters most to each response, by shares of its variance or
-/// contributions to its linear surface, then statistics and, of a grid, the extremes. What has no
-/// room stands in study.csv and study.json. Last come the designs without an answer.
+/// A study within 110 columns. Where designs differ in one value: their rows, one table per factor
+/// with the base case in it. Otherwise what matters most to each response, by shares of its
+/// variance or contributions to its linear surface, then statistics and, of a grid, the extremes.
+/// What has no room stands in study.csv and study.json. Last come the designs without an answer.
 std::string study_table(const StudyResult& result);
 
 /// `120 of 500 designs, 850 a second, 0:12 left`

@@ -139,7 +139,7 @@ class PreloadSolver::Branch {
     for (const Interface i : kInterfaces) {
       closest[i] = -std::numeric_limits<double>::infinity();
       for (const int k : sector_.sides[side].springs[i])
-        closest[i] = std::max(closest[i], equations_.closure(q, k));
+        closest[i] = std::max(closest[i], equations_.net_approach(q, k));
       closest[i] /= std::cos(sector_.laws[i].normal_angle);
     }
     return sector_.rollers_are_shared() ? std::max(closest.screw, closest.nut)

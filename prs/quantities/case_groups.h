@@ -25,7 +25,7 @@ std::vector<CaseGroup> group_cases(const std::vector<LoadCaseResult>& results);
 /// One configuration of the mechanism in one or both directions of load.
 struct LoadedConfiguration {
   std::string name;
-  std::vector<CaseGroup> groups;  ///< At most one a direction.
+  std::vector<CaseGroup> groups;  ///< At most one per direction.
 
   const CaseGroup* group(std::optional<Direction> direction) const;
 };

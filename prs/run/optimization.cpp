@@ -49,7 +49,7 @@ void check_initial(const input::OptimizeInput& input, const EvaluatedDesign& ini
     input::fail_at(
         input.start.source, input.asked_at[constraint.response],
         fmt::format("got a limit relative to the file's own design, which has no answer ({}); "
-                    "expected a design that has one; mend the file, or write the limit as a "
+                    "expected a design that has one; fix the file, or write the limit as a "
                     "number",
                     reason));
   }

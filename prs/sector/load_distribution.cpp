@@ -60,7 +60,7 @@ LoadDistribution SectorSolver::at(const fe::State& state, double axial_force) {
     for (int k = 0; k < sector_.contacts(); ++k) {
       const int spring = sector_.spring(i, k);
       result.normal_load[i].push_back(equations_.response(state, spring).force);
-      result.approach[i].push_back(equations_.deflection(state, spring));
+      result.approach[i].push_back(equations_.law_approach(state, spring));
     }
   result.axial_displacement = unit_load_.dot(state.head) + unit_load_.dot(state.tail) +
                               sector_.offset_compliance * axial_force / sector_.rollers;

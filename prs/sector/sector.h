@@ -15,7 +15,7 @@ struct Sector : SectorModel {
   /// Screw section that takes the load; its first contact without free_length.
   int loaded_node = 0;
   std::vector<int> screw_nodes;  ///< At the contacts, thread 1 first.
-  /// At the contacts, along x: one a tooth where they lie opposite each other, else two.
+  /// At the contacts, along x: one per tooth where they lie opposite each other, else two.
   std::vector<int> roller_nodes;
   std::vector<int> nut_nodes;  ///< At the contacts.
   /// Outer and inner node of the roller's first end, inner and outer node of its last.

@@ -186,7 +186,7 @@ struct StudyAnalysis::Parts {
   std::string reason;  ///< Why there is no response surface.
   LinearRegression regression;
   std::vector<double> x;                    ///< Of one design.
-  std::vector<VarianceIndices> indices;     ///< One a response, of plan sobol_indices.
+  std::vector<VarianceIndices> indices;     ///< One per response, of plan sobol_indices.
   std::vector<std::vector<double>> sample;  ///< A response of the designs of one sample.
   std::optional<GridMapCollector> maps;     ///< Of a study with an envelope.
 };

@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "prs/model/study.h"
 #include "prs/study/envelope_result.h"
 #include "prs/study/grid_maps.h"
 #include "prs/study/response_surface.h"
 #include "prs/study/row_block.h"
-#include "prs/model/study.h"
 #include "prs/study/variance_indices.h"
 
 namespace prs {
@@ -46,9 +46,9 @@ struct ResponseStatistics {
 
 /// What the rows of a study say together.
 struct StudySummary {
-  std::vector<ResponseStatistics> statistics;     ///< One a response.
+  std::vector<ResponseStatistics> statistics;     ///< One per response.
   std::optional<ResponseSurfaces> surfaces = {};  ///< Of sampled plans with numeric factors.
-  std::vector<ResponseIndices> indices = {};      ///< One a response; of plan sobol_indices.
+  std::vector<ResponseIndices> indices = {};      ///< One per response; of plan sobol_indices.
   /// Factors that no response follows, as far as designs that differ in one factor alone tell.
   std::vector<std::size_t> idle_factors = {};
   std::optional<GridMaps> maps = {};  ///< Of a study with an envelope.

@@ -20,10 +20,10 @@ namespace prs {
 namespace {
 
 /// Steps of the difference formulas over the value of the factor, each tried where the one before
-/// does not settle.
+/// does not converge.
 constexpr double kSteps[] = {2e-3, 2e-4, 2e-5};
 
-/// A derivative whose two step widths differ by more than this share does not settle.
+/// A derivative whose two step widths differ by more than this share does not converge.
 constexpr double kSettled = 1e-6;
 
 /// df/dx = sum_m c_m (f(m h) - f(-m h))/h, m = 1, 2, 3, of sixth order.

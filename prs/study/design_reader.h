@@ -4,14 +4,14 @@
 #include <memory>
 #include <vector>
 
+#include "prs/input/study_reader.h"
 #include "prs/model/case.h"
 #include "prs/study/designs.h"
-#include "prs/input/study_reader.h"
 
 namespace prs {
 
 /// Reads the cases of a study's designs one after the other, without parsing where only numbers
-/// change. One a thread.
+/// change. One per thread.
 class DesignReader {
  public:
   /// The input must outlive the reader.

@@ -11,7 +11,7 @@ namespace prs {
 /// Number of designs, the base case included.
 std::size_t design_count(const Study& study);
 
-/// Values of design k, one a factor; the base case is the first. A pure function of the study, so
+/// Values of design k, one per factor; the base case is the first. A pure function of the study, so
 /// that designs can be run in any order, in parts and again.
 std::vector<Draw> draws(const Study& study, std::size_t k);
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "prs/model/envelope.h"
-#include "prs/study/grid_maps.h"
 #include "prs/model/study.h"
+#include "prs/study/grid_maps.h"
 
 namespace prs {
 
@@ -28,7 +28,7 @@ struct EnvelopePoint {
   std::optional<std::size_t> design = {};  ///< That of the node, where it is one.
   std::vector<Level> inputs = {};          ///< Of `drawn_inputs`.
   std::vector<double> responses = {};      ///< All of the study's; NaN next to designs without.
-  std::vector<double> normalised = {};     ///< m_i / n_i, one a measure.
+  std::vector<double> normalised = {};     ///< m_i / n_i, one per measure.
   double envelope = 0.0;
 };
 

@@ -21,7 +21,7 @@ using GridMap = std::vector<double>;
 /// Responses over the two factors of a grid.
 struct GridMaps {
   std::array<MapAxis, 2> axes;
-  std::vector<GridMap> responses;  ///< One a response of the study.
+  std::vector<GridMap> responses;  ///< One per response of the study.
 
   std::size_t nodes() const { return axes[0].nodes() * axes[1].nodes(); }
   std::size_t node(std::size_t i, std::size_t j) const { return i * axes[1].nodes() + j; }

@@ -16,7 +16,7 @@
 
 namespace prs {
 
-/// A journal, or the folder of a study, does not fit the command. The message says how to mend it.
+/// A journal, or the folder of a study, does not fit the command. The message says how to fix it.
 class StudyFolderError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

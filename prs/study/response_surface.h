@@ -63,7 +63,7 @@ inline constexpr std::size_t kMostFactorsOfSurface = 100;
 struct ResponseSurfaces {
   std::size_t designs = 0;  ///< In the fit: converged, with a number for each response.
   std::string reason = {};  ///< Why there is no fit; empty where there is one.
-  /// One a response; absent where the response does not vary. Empty where there is no fit.
+  /// One per response; absent where the response does not vary. Empty where there is no fit.
   std::vector<std::optional<LinearFit>> fits = {};
 };
 
@@ -83,7 +83,7 @@ class LinearRegression {
   /// The first column of X that does not vary, or moves with those before it.
   std::optional<std::size_t> dependent_column() const;
 
-  /// One a response, absent where that does not vary, with effects in the order of the columns of
+  /// One per response, absent where that does not vary, with effects in the order of the columns of
   /// X. Needs more rows than there are factors, and no dependent column.
   std::vector<std::optional<LinearFit>> fits() const;
 

@@ -6,8 +6,8 @@
 #include "prs/model/study.h"
 
 /// Numbers of the open unit interval for sampled plans. Each is a pure function of the seed, the
-/// dimension (one a factor) and the sample's index, without a stream of states, so that samples can
-/// be drawn in any order, in parts and again.
+/// dimension (one per factor) and the sample's index, without a stream of states, so that samples
+/// can be drawn in any order, in parts and again.
 namespace prs {
 
 /// Independent numbers: the counter k of each dimension's own stream through the finaliser of

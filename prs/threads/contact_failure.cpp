@@ -60,7 +60,7 @@ ContactFailure why_no_contact(const contact::MechanismGeometry& threads,
       const double distance = distance_of_crests(pair_of(threads, i), i);
       return {"mechanism.centre_distance",
               fmt::format("the flanks of roller and {} {} by {:.4f} mm", name(i),
-                          distance > 0.0 ? "miss each other" : "pass each other",
+                          distance > 0.0 ? "miss each other" : "overlap",
                           std::abs(distance) * per_si::millimetre)};
     }
     case Status::outside_flank:

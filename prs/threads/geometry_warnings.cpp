@@ -63,9 +63,9 @@ void warn_of_pulled_faces(const Conditions& c, std::span<const LoadCase> loads,
     const auto [before, behind] = nut_diameters_at(nut, *section);
     if (before == behind || (before > behind) == (d == Direction::compression)) continue;
     warnings.push_back(
-        fmt::format("the face at {:g} mm looks away from where {} pushes the nut: it holds with a "
-                    "bolted flange, not against a housing that only pushes",
-                    *section * per_si::millimetre, name(d)));
+        fmt::format("{} lifts the nut off the face at {:g} mm: it holds with a bolted flange, not "
+                    "against a housing that only pushes",
+                    name(d), *section * per_si::millimetre));
   }
 }
 

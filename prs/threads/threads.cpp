@@ -58,7 +58,7 @@ contact::Thread thread_of(const Mechanism& m, Part part, double pitch) {
         why_no_contact(design.mechanism, geometry, contact::HertzStatus::not_computed, i);
     throw CaseError(failure.path,
                     fmt::format("the {} threads of a mechanism with the wanted backlash have no "
-                                "contact: {}; mend profiles, flank angles or the screw's diameter",
+                                "contact: {}; fix profiles, flank angles or the screw's diameter",
                                 label(i), failure.reason));
   };
   switch (design.status) {
@@ -79,7 +79,7 @@ contact::Thread thread_of(const Mechanism& m, Part part, double pitch) {
       break;
   }
   throw CaseError("mechanism.backlash",
-                  fmt::format("no mechanism with this screw has the wanted backlash ({}); mend the "
+                  fmt::format("no mechanism with this screw has the wanted backlash ({}); fix the "
                               "backlash, profiles or the screw's diameter",
                               contact::name(design.status)));
 }

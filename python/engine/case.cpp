@@ -9,7 +9,7 @@
 
 #include "prs/input/reader.h"
 #include "prs/run/commands.h"
-#include "python/engine/beside.h"
+#include "python/engine/interpreter_guard.h"
 
 namespace nb = nanobind;
 
@@ -33,7 +33,7 @@ CaseSource::CaseSource(input::Source source)
 std::shared_ptr<const input::CaseInput> CaseSource::input(Command command) const {
   if (const auto kept = inputs_.find(command); kept != inputs_.end()) return kept->second;
   const auto read = [&] {
-    const WithoutInterpreter without;
+    const GilRelease released;
     return std::make_shared<const input::CaseInput>(input::read_case_input(*source_, command));
   };
   return inputs_.try_emplace(command, read()).first->second;
@@ -41,7 +41,7 @@ std::shared_ptr<const input::CaseInput> CaseSource::input(Command command) const
 
 std::shared_ptr<Document> CaseSource::run(const CommandRow& row) const {
   const std::shared_ptr<const input::CaseInput> input = this->input(row.command);
-  const WithoutInterpreter without;
+  const GilRelease released;
   const auto delivery = std::make_shared<const Delivery>(row.run(*source_, *input));
   return std::make_shared<Document>(
       [delivery, source = source_] { return delivery->document(document_info(*source)); },

@@ -12,7 +12,7 @@
 #include "prs/figures/figure_json.h"
 #include "prs/quantities/json.h"
 #include "prs/study/row_block.h"
-#include "python/engine/beside.h"
+#include "python/engine/interpreter_guard.h"
 
 namespace nb = nanobind;
 
@@ -101,7 +101,7 @@ std::shared_ptr<Document> Document::from_text(const std::string& text) {
 const Json& Document::json() const {
   if (!json_) {
     auto made = [make = make_] {
-      const WithoutInterpreter without;
+      const GilRelease released;
       return std::make_unique<const Json>(make());
     }();
     if (!json_) json_ = std::move(made);
@@ -112,7 +112,7 @@ const Json& Document::json() const {
 
 std::string Document::text() const {
   const Json& written = json();
-  const WithoutInterpreter without;
+  const GilRelease released;
   return json_text(written);
 }
 
@@ -129,7 +129,7 @@ std::string Document::figure(const std::string& name, const std::string& options
         (is_plain ? "" : " " + options) +
         "; run the case again, or write the result with `prs --figures --json`");
   }
-  const WithoutInterpreter without;
+  const GilRelease released;
   try {
     FigureOptions chosen = figure_options(options);
     chosen.one_panel = one_panel;
@@ -141,7 +141,7 @@ std::string Document::figure(const std::string& name, const std::string& options
 
 std::string Document::figures() const {
   if (pictures_.empty() && json().contains("figures")) return json()["figures"].dump();
-  const WithoutInterpreter without;
+  const GilRelease released;
   return to_json(prs::figures(pictures_)).dump();
 }
 
@@ -190,7 +190,7 @@ void bind_document(nb::module_& module) {
       .def_static(
           "from_text",
           [](const std::string& text) {
-            const WithoutInterpreter without;
+            const GilRelease released;
             return Document::from_text(text);
           },
           nb::arg("text"), "Reads what `text` gave. ValueError where the text is no document.")

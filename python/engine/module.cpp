@@ -13,9 +13,9 @@
 #include "prs/quantities/response_title.h"
 #include "prs/sector/influence/matrix_cache.h"
 #include "prs/version.h"
-#include "python/engine/beside.h"
 #include "python/engine/case.h"
 #include "python/engine/document.h"
+#include "python/engine/interpreter_guard.h"
 #include "python/engine/optimization.h"
 #include "python/engine/study.h"
 

@@ -12,8 +12,8 @@
 #include "prs/output/optimize_json.h"
 #include "prs/run/commands.h"
 #include "prs/run/optimization.h"
-#include "python/engine/beside.h"
 #include "python/engine/document.h"
+#include "python/engine/interpreter_guard.h"
 
 namespace nb = nanobind;
 

@@ -26,8 +26,8 @@
 #include "prs/study/analysis.h"
 #include "prs/study/designs.h"
 #include "prs/study/study_run.h"
-#include "python/engine/beside.h"
 #include "python/engine/document.h"
+#include "python/engine/interpreter_guard.h"
 
 namespace nb = nanobind;
 
@@ -252,17 +252,17 @@ void bind_study(nb::module_& module) {
           nb::sig("def values(self) -> numpy.typing.NDArray[numpy.float64]"));
 
   nb::class_<StudyRows>(module, "StudyRows", "A study with the rows of all designs.")
-      .def("document", &StudyRows::document, nb::call_guard<WithoutInterpreter>())
-      .def("designs", &StudyRows::designs, nb::call_guard<WithoutInterpreter>());
+      .def("document", &StudyRows::document, nb::call_guard<GilRelease>())
+      .def("designs", &StudyRows::designs, nb::call_guard<GilRelease>());
 
   nb::class_<StudySource>(module, "Study", "A study of a file, ready to run.")
-      .def(nb::init<input::Source>(), nb::arg("source"), nb::call_guard<WithoutInterpreter>())
+      .def(nb::init<input::Source>(), nb::arg("source"), nb::call_guard<GilRelease>())
       .def_prop_ro("has_designs", &StudySource::has_designs)
       .def_prop_ro("count", &StudySource::designs)
       .def_prop_ro("chunk", [](const StudySource& s) { return s.engine().chunk(); })
       .def_prop_ro("warnings", &StudySource::warnings,
                    "Which factors overrides of the file make void.")
-      .def("derivatives", &StudySource::derivatives, nb::call_guard<WithoutInterpreter>())
+      .def("derivatives", &StudySource::derivatives, nb::call_guard<GilRelease>())
       .def("factor_names",
            [](const StudySource& s) {
              std::vector<std::string> names;
@@ -294,7 +294,7 @@ void bind_study(nb::module_& module) {
             s.require_designs(first, count);
             std::string record;
             {
-              const WithoutInterpreter without;
+              const GilRelease released;
               record = encode(s.engine().evaluate(first, count));
             }
             return bytes_of(record);
@@ -313,7 +313,7 @@ void bind_study(nb::module_& module) {
             std::vector<std::string> copies;
             for (const nb::bytes& record : records)
               copies.emplace_back(record.c_str(), record.size());
-            const WithoutInterpreter without;
+            const GilRelease released;
             return collect(s, copies);
           },
           nb::arg("records"), "ValueError where designs are missing.")

@@ -82,7 +82,7 @@ class Designs:
         return plots.draw(_cloud(self, x, y, colour), ax)
 
     def to_frame(self) -> pd.DataFrame:
-        """Inputs, status, reason and responses, a row a design: the columns of `study.csv`."""
+        """Inputs, status, reason and responses, one row per design: the columns of `study.csv`."""
         outcome = pd.DataFrame({"status": self.status, "reason": self.reason})
         answers = pd.DataFrame(self.values, columns=list(self.responses))
         return pd.concat([self.inputs, outcome, answers], axis=1)
@@ -293,7 +293,7 @@ def _with_unit(number: float, unit: str) -> Any:
 
 
 def thread_count(threads: int | None) -> int:
-    """The threads asked for, or one a processor."""
+    """The threads asked for, or one per processor."""
     if threads is None:
         return _engine.available_processors()
     if not hasattr(threads, "__index__"):

@@ -134,7 +134,7 @@ class LoadCasesResult(Result):
         return all(load_case.converged for load_case in self._load_cases)
 
     def load_cases_frame(self) -> pd.DataFrame:
-        """Force, status, displacement and stiffness, a row a load case."""
+        """Force, status, displacement and stiffness, one row per load case."""
         skipped = {"screw", "nut", "slip", "measures"}
         rows = [
             {k: v for k, v in case.items() if k not in skipped and not isinstance(v, list)}
@@ -143,7 +143,7 @@ class LoadCasesResult(Result):
         return pd.DataFrame(rows).rename(columns={"name": "case"})
 
     def threads_frame(self) -> pd.DataFrame:
-        """Loads, ellipses and pressures, a row a load case, interface and thread."""
+        """Loads, ellipses and pressures, one row per load case, interface and thread."""
         return self._by_case((case, case) for case in self._load_cases)
 
     def plot_load_distribution(
@@ -194,7 +194,7 @@ class ContactResult(LoadCasesResult):
     _block = "contact"
 
     def to_frame(self) -> pd.DataFrame:
-        """Contact quantities, a column an interface; of pairs and vectors a row each number."""
+        """Contact quantities, one column per interface; of pairs and vectors a row each number."""
         return pd.DataFrame({name: _numbers(self.contact[name]) for name in INTERFACES})
 
 
@@ -205,11 +205,11 @@ class SolveResult(LoadCasesResult):
     _block = "load_cases"
 
     def plot_stiffness(self, ax: Axes | None = None) -> Axes:
-        """Axial stiffness against the load, a line a sweep."""
+        """Axial stiffness against the load, one line per sweep."""
         return self.plot_figure("stiffness", ax)
 
     def plot_displacement(self, ax: Axes | None = None) -> Axes:
-        """Axial displacement against the load, a line a sweep."""
+        """Axial displacement against the load, one line per sweep."""
         return self.plot_figure("displacement", ax)
 
     def plot_butterfly(self, interface: str = "screw", ax: Axes | None = None) -> Axes:
@@ -227,7 +227,7 @@ class SlipResult(SolveResult):
     __slots__ = ()
 
     def slip_frame(self) -> pd.DataFrame:
-        """Slip ratio, efficiency, powers and torques, a row a load case."""
+        """Slip ratio, efficiency, powers and torques, one row per load case."""
         rows = [
             {
                 "case": case.name,
@@ -240,7 +240,7 @@ class SlipResult(SolveResult):
         return pd.DataFrame(rows)
 
     def slip_threads_frame(self) -> pd.DataFrame:
-        """Power, friction, sliding and film, a row a load case, interface and thread."""
+        """Power, friction, sliding and film, one row per load case, interface and thread."""
         return self._by_case((case, case.slip) for case in self._load_cases if "slip" in case)
 
     def plot_power(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
@@ -286,7 +286,7 @@ class PreloadResult(Result):
     preload: Preload
 
     def to_frame(self) -> pd.DataFrame:
-        """Displacement, stiffness and loads of the sides, a row an external load."""
+        """Displacement, stiffness and loads of the sides, one row per external load."""
         frame = pd.DataFrame([dict(_flat(point)) for point in self.preload.loads])
         if "without_preload" in self.preload:
             bare = pd.DataFrame([dict(_flat(p)) for p in self.preload.without_preload.loads])
@@ -313,7 +313,7 @@ class LifeResult(Result):
     life: Life
 
     def threads_frame(self) -> pd.DataFrame:
-        """Equivalent load and life, a row a direction, interface and thread."""
+        """Equivalent load and life, one row per direction, interface and thread."""
         frames = []
         for direction in ("tension", "compression"):
             if direction in self.life:
@@ -339,7 +339,7 @@ class DerivativesResult(Result):
     derivatives: list[Values]
 
     def to_frame(self) -> pd.DataFrame:
-        """Derivative, elasticity and error, a row a response and factor."""
+        """Derivative, elasticity and error, one row per response and factor."""
         rows = [
             {"response": response.response, "value": response.get("value"), **by.to_dict()}
             for response in self.derivatives
@@ -394,11 +394,11 @@ class StudyResult(Result):
         return self._designs
 
     def to_frame(self) -> pd.DataFrame:
-        """Inputs, status, reason and responses, a row a design, the base case first."""
+        """Inputs, status, reason and responses, one row per design, the base case first."""
         return self.all_designs.to_frame()
 
     def statistics_frame(self) -> pd.DataFrame:
-        """Mean, deviation, extremes and quantiles, a row a response."""
+        """Mean, deviation, extremes and quantiles, one row per response."""
         rows = {}
         for response, statistics in self.summary["statistics"].items():
             row = dict(_flat(statistics))

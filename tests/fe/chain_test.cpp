@@ -80,7 +80,7 @@ SolvedRails solve_rails(const Rails<double>& rails, double k0, int stations, dou
   for (auto& r : s.records) {
     r = {};
     r.state.head[0] = shift;
-    for (auto& c : r.contact) c.closure = shift;
+    for (auto& c : r.contact) c.net_approach = shift;
   }
   const ChainHertz<double> law{{k0, k0}};
   RailChain chain(rails, law, stations, s.records.data());
@@ -174,7 +174,7 @@ TEST(ChainLaws, AreThePowerLawSpring) {
       EXPECT_NEAR(r.force, expected.force, 1e-13 * expected.force) << compliance << ' ' << w;
       EXPECT_NEAR(r.tangent, expected.tangent, 1e-13 * expected.tangent) << compliance << ' ' << w;
       EXPECT_NEAR(r.energy, expected.energy, 1e-12 * expected.energy) << compliance << ' ' << w;
-      EXPECT_NEAR(law.deflection(0, 0, w), deflection(spring, w), 1e-13 * std::abs(w));
+      EXPECT_NEAR(law.law_approach(0, 0, w), law_approach(spring, w), 1e-13 * std::abs(w));
       if (compliance == 0.0) {
         const ChainHertz<double> hertz{{2e10, 2e10}};
         EXPECT_NEAR(hertz.evaluate(1, 0, w).force, expected.force, 1e-14 * expected.force);

@@ -100,9 +100,9 @@ TEST(PowerLawSpring, IsConvexHoweverFarItIsPushed) {
 
 TEST(PowerLawSpring, DeflectionIsThatOfThePowerLawAlone) {
   for (const PowerLawSpring& law : kLaws) {
-    EXPECT_EQ(deflection(law, law.gap), 0.0);
+    EXPECT_EQ(law_approach(law, law.gap), 0.0);
     for (const double approach : {1e-7, 3e-6}) {
-      const double w = law.gap + approach, d = deflection(law, w);
+      const double w = law.gap + approach, d = law_approach(law, w);
       const double n = evaluate(law, w).force;
       EXPECT_NEAR(power_law(law.stiffness, law.exponent, d).force / n, 1.0, 1e-12);
       EXPECT_NEAR((d + law.series_compliance * n) / (w - law.gap), 1.0, 1e-12);

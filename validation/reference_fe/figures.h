@@ -13,8 +13,8 @@ namespace prs::reference_fe {
 std::vector<Figure> load_rate_figures(const std::vector<Model>& models,
                                       const std::vector<Curve>& reference, const ErrorBar& error);
 
-/// For each guidance the displacement over the load, a row a configuration, a column a direction.
-/// Opposite contacts.
+/// For each guidance the displacement over the load, one row per configuration, one column per
+/// direction. Opposite contacts.
 std::vector<Figure> displacement_figures(const std::vector<Model>& models,
                                          const std::vector<Curve>& reference,
                                          const ErrorBar& error);

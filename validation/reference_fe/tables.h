@@ -13,7 +13,7 @@ std::vector<ValidationTable> tables(const std::vector<Model>& models,
                                     const std::vector<Curve>& reference);
 
 /// `comparison.csv`: every model at every point. `load_rates.csv`: every thread of every point.
-/// `load_rates.md`: every thread at the largest load, a table a case.
+/// `load_rates.md`: every thread at the largest load, one table per case.
 std::vector<OutputFile> files(const std::vector<Model>& models,
                               const std::vector<Curve>& reference);
 

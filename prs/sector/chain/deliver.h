@@ -53,13 +53,13 @@ void deliver(const fe::ChainSummary<Real>& summary, const Law& law, int contacts
         if (!results.normal_load[i].empty())
           results.normal_load[i][thread] = lane(contact.force, l);
         if (!results.approach[i].empty())
-          results.approach[i][thread] = lane(law.deflection(c, station, contact.closure), l);
+          results.approach[i][thread] = lane(law.law_approach(c, station, contact.net_approach), l);
       }
       continue;
     }
     if (!results.approach[i].empty())
       for (int k = 0; k < contacts; ++k)
-        range.store(law.deflection(c, k, records[k].contact[c].closure), results.approach[i],
+        range.store(law.law_approach(c, k, records[k].contact[c].net_approach), results.approach[i],
                     results.stride, static_cast<std::size_t>(k));
   }
   if (!results.status.empty()) {

@@ -34,8 +34,8 @@ template <class Real>
   return value;
 }
 
-/// A batch of solves, one a lane: `first`, `first + step`, .. of `size` solves whose numbers stand
-/// in arrays. Lanes beyond the end repeat the last solve and deliver nothing.
+/// A batch of solves, one per lane: `first`, `first + step`, .. of `size` solves whose numbers
+/// stand in arrays. Lanes beyond the end repeat the last solve and deliver nothing.
 struct LaneRange {
   std::size_t first = 0;
   std::size_t step = 1;

@@ -76,7 +76,7 @@ class Sweep {
       for (int k = 1; k < stations_; ++k) widest = fe::largest(widest, Real(gap(i, k)));
       if constexpr (fe::kFolded<Station>) widest = fe::largest(widest, mirrored(widest));
       for (int k = 0; k < stations_; ++k)
-        records_[k].contact[i].closure = root * root + (widest - gap(i, k));
+        records_[k].contact[i].net_approach = root * root + (widest - gap(i, k));
       shift[i] = sector_.sense * (root * root + widest) / cosine;
     }
     for (int k = 0; k < stations_; ++k) {
@@ -149,8 +149,8 @@ class Sweep {
         record.state.tail[i] = Real(0.0);
       }
       fe::unroll<2>([&](auto i) __attribute__((always_inline)) {
-        Real& closure = record.contact[i].closure;
-        closure = choose(fe::along<i>(station_, record.state.head) - gap(i, k), closure);
+        Real& net_approach = record.contact[i].net_approach;
+        net_approach = choose(fe::along<i>(station_, record.state.head) - gap(i, k), net_approach);
       });
     }
   }

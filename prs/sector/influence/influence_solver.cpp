@@ -11,7 +11,7 @@
 namespace prs {
 namespace {
 
-/// Loads under which the shoulder's touching part settles; each changes the next only little.
+/// Loads under which the shoulder's touching part converges; each changes the next only little.
 constexpr int kMostRounds = 10;
 /// The contact problem is not solved by its energy, and nothing is shifted.
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -103,7 +103,7 @@ InfluenceSolver influence_solver(const Conditions& c, const Contacts& contacts,
                          {laws.screw.normal_angle, laws.nut.normal_angle}, direction)};
   } catch (const std::invalid_argument& reason) {
     throw CaseError("model.bodies",
-                    fmt::format("`influence` cannot mesh these bodies: {}; take `refined` or mend "
+                    fmt::format("`influence` cannot mesh these bodies: {}; take `refined` or fix "
                                 "the geometry",
                                 reason.what()));
   }

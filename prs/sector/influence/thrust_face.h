@@ -27,7 +27,7 @@ struct ThrustFace {
   Eigen::MatrixXd flexibility(const Touching& touching) const;
   /// The nodes that touch under loads P if the shoulder can only push, found from a first guess by
   /// letting go of nodes that pull and taking up those that would sink in. The shoulder pushes
-  /// against a'P. Nothing where that does not settle.
+  /// against a'P. Nothing where that does not converge.
   std::optional<Touching> touching_under(const Eigen::VectorXd& loads, Touching guess) const;
 };
 

@@ -149,7 +149,7 @@ std::optional<ThrustRing> thrust_ring(const NutLine& line, const Structure::Nut&
           "structure.nut.shoulder",
           fmt::format("misses the face of the nut at the thrust section {:g} mm, which "
                       "reaches from a diameter of {:g} mm to {:g} mm; expected one that "
-                      "touches it; mend the diameters",
+                      "touches it; fix the diameters",
                       1e3 * line.sections[thrust], 2e3 * std::min(before, behind),
                       2e3 * std::max(before, behind)));
   }

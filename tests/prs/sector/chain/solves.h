@@ -45,7 +45,7 @@ inline prs::LoadDistribution sparse(const prs::Sector& sector, double force) {
           sector.model.springs[static_cast<std::size_t>(sector.spring(i, k))].law;
       const double w = equations.approach(q, sector.spring(i, k));
       r.normal_load[i][place] = fe::evaluate(law, w).force;
-      r.approach[i][place] = fe::deflection(law, w);
+      r.approach[i][place] = fe::law_approach(law, w);
     }
   r.axial_displacement =
       solver.unit_load().dot(q.head) + sector.offset_compliance * force / sector.rollers;

@@ -1,4 +1,4 @@
-#include "python/engine/beside.h"
+#include "python/engine/interpreter_guard.h"
 
 #include <pthread.h>
 
@@ -39,7 +39,7 @@ void unlock_after_fork() {
 
 /// A forked process has the forking thread only, and none of the work of the others. Locks that
 /// those hold would stay locked for ever.
-void survive_forks() {
+void register_fork_handlers() {
   ::pthread_atfork(lock_for_fork, unlock_after_fork, [] {
     under_way().away = 0;
     under_way().supervised.clear();
@@ -59,7 +59,7 @@ void end_all() {
 
 }  // namespace
 
-WithoutInterpreter::WithoutInterpreter() {
+GilRelease::GilRelease() {
   {
     const std::lock_guard lock(under_way().mutex);
     if (under_way().ending) return;
@@ -68,7 +68,7 @@ WithoutInterpreter::WithoutInterpreter() {
   state_ = PyEval_SaveThread();
 }
 
-WithoutInterpreter::~WithoutInterpreter() {
+GilRelease::~GilRelease() {
   if (state_ == nullptr) return;
   PyEval_RestoreThread(state_);
   const std::lock_guard lock(under_way().mutex);
@@ -88,7 +88,7 @@ Supervision::~Supervision() {
 }
 
 void end_work_with(nb::module_& module) {
-  survive_forks();
+  register_fork_handlers();
   module.def("end_work", &end_all, "Called when the interpreter ends.");
   nb::module_::import_("atexit").attr("register")(module.attr("end_work"));
 }

@@ -16,12 +16,12 @@ namespace prs::python {
 /// While it lives, this thread leaves the interpreter to others. Once the interpreter has begun to
 /// end it does nothing: a thread that comes back to an interpreter that has ended takes the process
 /// down.
-class WithoutInterpreter {
+class GilRelease {
  public:
-  WithoutInterpreter();
-  ~WithoutInterpreter();
-  WithoutInterpreter(const WithoutInterpreter&) = delete;
-  WithoutInterpreter& operator=(const WithoutInterpreter&) = delete;
+  GilRelease();
+  ~GilRelease();
+  GilRelease(const GilRelease&) = delete;
+  GilRelease& operator=(const GilRelease&) = delete;
 
  private:
   PyThreadState* state_ = nullptr;
@@ -61,7 +61,7 @@ auto beside_interpreter(Work work, const nanobind::object& show) {
   Supervision supervision;
   auto future = std::async(std::launch::async, [&] { return work(supervision); });
   const auto ended = [&](std::chrono::milliseconds wait) {
-    const WithoutInterpreter without;
+    const GilRelease released;
     return future.wait_for(wait) == std::future_status::ready;
   };
   const auto shown = [&] {
@@ -75,7 +75,7 @@ auto beside_interpreter(Work work, const nanobind::object& show) {
     shown();
   } catch (...) {
     supervision.stop();
-    const WithoutInterpreter without;
+    const GilRelease released;
     future.wait();
     throw;
   }
