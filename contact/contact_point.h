@@ -10,7 +10,7 @@
 
 namespace contact {
 
-/// A roller beside (or inside) one body, the screw or the nut. Frame of Sandu 2018, chapter 1: z
+/// A roller next to the screw or inside the nut (the body). Frame of Sandu 2018, chapter 1: z
 /// along the body's axis, x from there to the roller's axis, right-handed.
 struct ThreadPair {
   ThreadSurface body;  ///< Screw, or nut described by its air.
@@ -95,7 +95,7 @@ struct ContactPoint {
   /// too thick by that much, 0 within the radii's rounding. Means something at equal pitches only.
   double backlash = 0.0;
 
-  FlankViolations violations;  ///< Of `outside_flank`; else empty.
+  FlankViolations violations;  ///< Filled with status `outside_flank`; else empty.
 
   bool ok() const { return status == ContactPointStatus::ok; }
   double normal_angle() const;  ///< psi, between normal and axis, arccos|n_z| [rad].

@@ -21,14 +21,14 @@ struct InterfaceGeometry {
   /// first direction is the major axis of the contact ellipse.
   PrincipalValues relative;
 
-  Eigen::Vector3d helix_tangent = Eigen::Vector3d::Zero();  ///< Of the roller, growing theta.
+  Eigen::Vector3d helix_tangent = Eigen::Vector3d::Zero();  ///< Roller's; growing theta.
   Eigen::Vector3d major_axis = Eigen::Vector3d::Zero();     ///< t_1
   Eigen::Vector3d minor_axis = Eigen::Vector3d::Zero();     ///< t_2 = n x t_1 (1.60)
 
   bool ok() const { return point.ok(); }
   double curvature_sum() const { return relative.first + relative.second; }  ///< (1.77) [1/m]
-  /// Smaller relative curvature over the roller's largest one [-]: towards 0 the surfaces nestle and
-  /// Hertz's half-spaces lose their meaning.
+  /// Smaller relative curvature over the roller's largest one [-]: towards 0 the surfaces nestle
+  /// and Hertz's half-spaces lose their meaning.
   double openness() const { return relative.first / std::abs(roller.second); }
   /// Acute angle between the first directions of body and roller [rad] (1.61).
   double first_directions_angle() const;

@@ -13,7 +13,7 @@ struct PatchPoints {
   const double* along_major = nullptr;
   const double* along_minor = nullptr;
   const double* dome = nullptr;          ///< sqrt(1 - x^2 - y^2)
-  const double* inverse_dome = nullptr;  ///< Of the points inside.
+  const double* inverse_dome = nullptr;  ///< 1/dome at the points inside the patch.
   std::size_t size = 0;
 };
 
@@ -26,7 +26,7 @@ struct SlidingField {
 /// mu_D dome at a point: coefficient * dome, or scale asinh(factor viscosity_ratio |v|).
 struct PatchLaw {
   double coefficient = 0.0;
-  const double* viscosity_ratio = nullptr;  ///< Of an Eyring fluid at the points; null: Coulomb.
+  const double* viscosity_ratio = nullptr;  ///< Eyring fluid, at the points; null: Coulomb.
   double scale = 0.0;                       ///< tau_0/p_0
   double factor = 0.0;                      ///< K [s/m]
 };

@@ -18,7 +18,8 @@ struct WaltherLine {
 inline constexpr double kLeastKinematicViscosity = 0.3e-6;
 inline constexpr double kGreatestKinematicViscosity = 20.0;
 
-/// Of a mineral oil near 40 degC [kg/m^3], where only the shape of a line depends on it.
+/// Density of a mineral oil near 40 degC [kg/m^3], for uses where only the shape of the Walther
+/// line depends on it.
 inline constexpr double kTypicalOilDensity = 870.0;
 
 /// The line through two points: absolute temperatures [K], different, and kinematic viscosities

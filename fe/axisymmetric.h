@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "fe/supernodal_cholesky.h"
 #include "fe/meridian_mesh.h"
 #include "fe/sparse_symmetric.h"
+#include "fe/supernodal_cholesky.h"
 
 namespace fe {
 
@@ -128,7 +128,7 @@ class HarmonicBody {
   int kind_ = 0;
   std::vector<Freedom> freedom_;
   SparseSymmetric stiffness_;
-  std::vector<double> constant_, linear_, quadratic_;  ///< Of K(n)/c_n, on the pattern.
+  std::vector<double> constant_, linear_, quadratic_;  ///< Terms of K(n)/c_n, on the pattern.
   std::vector<double> springs_;
   std::unique_ptr<SupernodalCholesky> cholesky_;
 };

@@ -11,12 +11,12 @@
 namespace modules {
 namespace {
 
-/// Of the program, or of the library that this code is part of.
+/// Path of the program, or of the library that this code is part of.
 std::filesystem::path own_folder() {
   Dl_info info;
   void* found = nullptr;
   if (dladdr1(reinterpret_cast<const void*>(&load), &info, &found, RTLD_DL_LINKMAP) == 0) return {};
-  const char* path = static_cast<const link_map*>(found)->l_name;  // Of a program: empty.
+  const char* path = static_cast<const link_map*>(found)->l_name;  // Empty for a program.
   std::error_code none;
   return std::filesystem::canonical(*path == '\0' ? "/proc/self/exe" : path, none).parent_path();
 }

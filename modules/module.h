@@ -16,7 +16,7 @@ struct Name {
 /// it. Interfaces derive from this, name their module in `kName`, and have functions as members;
 /// the shared object has one as its symbol `prs_module`.
 struct Module {
-  const char* version = PRS_VERSION;  ///< Of the program that the module was built with.
+  const char* version = PRS_VERSION;  ///< Version of the program the module was built with.
 };
 
 /// The module is not there, or does not load.

@@ -14,7 +14,7 @@ unsigned char byte(std::string_view text, std::size_t k) {
   return k < text.size() ? static_cast<unsigned char>(text[k]) : 0;
 }
 
-/// Of a well-formed sequence.
+/// Code point of a well-formed UTF-8 sequence.
 std::uint32_t code_point(std::string_view sequence) {
   if (sequence.size() == 1) return byte(sequence, 0);
   std::uint32_t code = byte(sequence, 0) & (0x7Fu >> sequence.size());

@@ -14,7 +14,7 @@ namespace prs {
 /// A regular file that was opened, or why there is none.
 struct RegularFile {
   FileDescriptor file;
-  int error = 0;  ///< Of the system; 0 where the file is open.
+  int error = 0;  ///< System's error number; 0 where the file is open.
   std::string_view
       obstacle;  ///< What stands there in place of a file: "a symbolic link", "a pipe".
 };

@@ -3,7 +3,7 @@
 namespace prs {
 
 inline constexpr const char* kVersion = "0.1.0";
-/// Of input and output names; grows where they are extended.
+/// Version of the input and output names; raised when names are added.
 inline constexpr const char* kSchemaVersion = "1";
 
 }  // namespace prs

@@ -2,7 +2,7 @@
 
 namespace simd {
 
-/// Of the numbers of a batch: `hadd` of xsimd 8, `reduce_add` since.
+/// Sum of the numbers of a batch: `hadd` of xsimd 8, `reduce_add` since.
 template <class Batch>
 auto sum(const Batch& x) {
   if constexpr (requires { reduce_add(x); })

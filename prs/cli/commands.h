@@ -12,7 +12,7 @@
 
 namespace prs::cli {
 
-/// What `prs configurations` is told, quantities as they are written.
+/// Arguments of `prs configurations`; quantities as the user wrote them.
 struct ConfigurationOptions {
   std::string screw_diameter, lead;
   std::optional<std::string> flank_angle, gap, roller_profile_radius;
@@ -21,11 +21,11 @@ struct ConfigurationOptions {
   std::vector<std::string> write;  ///< Empty, or the number of a line and a file.
 };
 
-/// What every command is told.
+/// Arguments of all commands.
 struct Options : OutputOptions {
   std::string file;
   std::vector<std::string> overrides;          ///< `path=value` each.
-  std::size_t threads = 0;                     ///< Of a study; 0: one per processor.
+  std::size_t threads = 0;                     ///< Threads of a study; 0: one per processor.
   std::optional<Shard> shard;                  ///< `prs study --shard`: its part of the designs.
   bool restart = false;                        ///< `prs study`: discards what was computed before.
   std::vector<std::filesystem::path> folders;  ///< `prs study merge`: those of the shards.

@@ -52,7 +52,7 @@ void note(const OutputOptions& options, const std::string& text);
 /// Says which pictures are missing; false where one of them could not be written.
 [[nodiscard]] bool report(const Undrawn& undrawn, const OutputOptions& options);
 
-/// Of a command that delivered what it could.
+/// Exit status of a command that has delivered its results.
 int exit_status(bool written, bool converged);
 
 }  // namespace prs::cli

@@ -23,7 +23,7 @@ class ColumnFile {
   using Attribute = std::variant<std::string, std::vector<std::string>, double, unsigned long long,
                                  std::vector<int>>;
 
-  /// Of the file, instead of a column's number.
+  /// Stands for the file itself where a column's number is expected.
   static constexpr int kFile = -1;
 
   ColumnFile() = default;

@@ -14,7 +14,7 @@ namespace prs {
 class Communicator {
  public:
   struct Message {
-    int rank = 0;  ///< Of the sender.
+    int rank = 0;  ///< Rank of the sender.
     int tag = 0;
     std::string content;
   };

@@ -97,7 +97,7 @@ class FieldParser {
   }
 
   csv_parser parser_{};
-  std::string text_;  ///< Of all fields of a row.
+  std::string text_;  ///< Text of all fields of a row.
   std::vector<std::size_t> ends_;
   std::size_t rows_ = 0;
   bool out_of_memory_ = false;

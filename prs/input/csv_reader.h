@@ -9,13 +9,13 @@
 
 namespace prs::input {
 
-/// A text is no table of comma-separated values. `what()`: `got VALUE; expected WHAT; how to fix
-/// it`.
+/// A text that is not a table of comma-separated values. `what()`: `got VALUE; expected WHAT; how
+/// to fix it`.
 class CsvError : public std::runtime_error {
  public:
   CsvError(std::size_t offset, const std::string& message)
       : std::runtime_error(message), offset_(offset) {}
-  std::size_t offset() const { return offset_; }  ///< Of the culprit in the text.
+  std::size_t offset() const { return offset_; }  ///< Position of the error in the text.
 
  private:
   std::size_t offset_;
@@ -37,7 +37,7 @@ class CsvReader {
   /// Reads the next row; false where there is none. Throws CsvError.
   bool next();
 
-  /// Of the row; they hold until the next one is read.
+  /// Fields of the row, valid until the next row is read.
   const std::vector<std::string_view>& fields() const;
 
   /// Where the row begins in the text.

@@ -15,12 +15,12 @@ struct Node {
 
   Kind kind = Kind::null;
   bool quoted = false;    ///< A scalar in quotes or in a text block: never a number.
-  std::string text = {};  ///< Of a scalar.
+  std::string text = {};  ///< Text of a scalar.
   Place place = {};
 
-  std::string key = {};  ///< Under which the value stands in a map.
+  std::string key = {};  ///< Key of the value in its map.
   Place key_place = {};
-  std::vector<Node> children = {};  ///< Of a sequence or a map, in the order of the file.
+  std::vector<Node> children = {};  ///< Entries of a sequence or map, in file order.
 };
 
 /// The value under a key of a map, or null.

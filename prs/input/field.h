@@ -92,7 +92,7 @@ struct Number {
 struct Whole {
   std::int64_t least;
   std::int64_t greatest;
-  std::string_view reason = {};  ///< Of the limits, for the message: "as .."
+  std::string_view reason = {};  ///< Reason for the limits, for the message: "as .."
 };
 
 /// `true` or `false`

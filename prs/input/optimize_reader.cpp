@@ -176,7 +176,7 @@ class VariableReader {
   const CaseFile& file_;
   std::vector<EchoEntry> fields_;
   ErrorList& errors_;
-  std::string path_;  ///< Of the variable in the document.
+  std::string path_;  ///< Path of the variable in the document.
 };
 
 bool is_part_of(std::string_view path, std::string_view whole) {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "prs/input/echo.h"
+#include "prs/input/source.h"
 #include "prs/model/case.h"
 #include "prs/model/command.h"
 #include "prs/model/problems.h"
-#include "prs/input/echo.h"
-#include "prs/input/source.h"
 
 namespace prs::input {
 
@@ -17,7 +17,7 @@ struct CaseInput {
   Case values;
   std::vector<EchoEntry> fields;
   std::optional<Command> study;     ///< What the file's study runs, which is another's to check.
-  std::optional<Command> optimize;  ///< The same of an optimization.
+  std::optional<Command> optimize;  ///< The command that an optimization runs.
 };
 
 /// Paths of what a command needs and the file lacks, see `prs::missing`; empty where it can run.
@@ -48,7 +48,7 @@ CaseInput read_case_input(const Source& source, Command command);
 /// The same, values only. `overrides`: `path=value` each.
 Case read_case(const std::string& file, const std::vector<std::string>& overrides, Command command);
 
-/// The same from a text; `name` stands for the file in messages.
+/// Reads the case from a text; `name` stands for the file in messages.
 Case read_case_text(const std::string& text, const std::string& name,
                     const std::vector<std::string>& overrides, Command command);
 

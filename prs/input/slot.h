@@ -37,7 +37,7 @@ Slot find_slot(CaseFile& file, std::string_view path);
 /// a bare number; nothing where it refuses the text.
 std::optional<double> slot_value(const Slot& slot, double number, const Unit* unit);
 
-/// The same of a text.
+/// The value [SI] of a text for this slot; nothing where the reader refuses it.
 std::optional<double> slot_value(const Slot& slot, std::string_view text);
 
 /// Sets a slot to a value as `slot_value` gives it.

@@ -40,7 +40,7 @@ struct Source {
 /// no regular file.
 Source load_source(const std::string& file, std::vector<std::string> overrides);
 
-/// The same from a text, for which `name` stands in messages.
+/// Makes a source from a text; `name` stands for the file in messages.
 Source source_of_text(std::string name, std::string text, std::vector<std::string> overrides,
                       std::filesystem::path folder = {});
 

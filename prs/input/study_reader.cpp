@@ -479,9 +479,9 @@ class FactorReader {
   Node& base_;
   ErrorList& errors_;
   FactorItem item_;
-  std::string path_;  ///< Of the factor or companion in the document.
+  std::string path_;  ///< Path of the factor or companion in the document.
   bool one_was_fine_ = false;
-  std::vector<std::size_t> entries_;  ///< Of the list that each factor draws; empty: none does.
+  std::vector<std::size_t> entries_;  ///< Number of list entries each factor draws; empty: none.
 };
 
 bool is_part_of(std::string_view path, std::string_view whole) {

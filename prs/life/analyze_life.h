@@ -20,7 +20,7 @@ struct ThreadLives {
   std::vector<double> equivalent_load;  ///< Axial, cubic mean over all revolutions [N].
   std::vector<double> life;             ///< L10 of the thread on all rollers [revolutions].
   std::vector<double> largest_load;     ///< Axial, under the largest force [N].
-  /// Of the axial load, over the cycles of the history [N]; empty without history.
+  /// Equivalent range of the axial load over the cycles of the history [N]; empty without history.
   std::vector<double> equivalent_range;
 };
 
@@ -32,23 +32,23 @@ struct FlankLife {
   double life = 0.0;           ///< L10 with the real thread loads [revolutions of both senses].
   PerInterface<ThreadLives> threads;
   PerInterface<std::optional<double>> peak_pressure;  ///< Under the largest force [Pa].
-  /// The same under the largest force under which the screw turns [Pa].
+  /// Peak pressure under the largest force at which the screw turns [Pa].
   PerInterface<std::optional<double>> running_peak_pressure;
   /// Force at which the most loaded thread reaches `kStaticPressureLimit` [N].
   std::optional<double> static_capacity;
   /// Force at which the ellipse of the most loaded thread reaches a crest or root [N].
   std::optional<double> flank_edge_load;
-  /// What static safety stands on, see prs/life/static_limits.h.
+  /// Limit that static safety refers to, see prs/life/static_limits.h.
   std::optional<StaticRating> static_rating;
   /// The rating over the largest force.
   std::optional<double> static_safety() const {
     return static_rating ? std::optional(static_rating->force / largest_force) : std::nullopt;
   }
-  int solves = 0;                    ///< Equilibria found for it.
-  double interpolation_error = 0.0;  ///< Of thread loads between them, relative.
+  int solves = 0;                    ///< Equilibria solved for this sense.
+  double interpolation_error = 0.0;  ///< Relative error of thread loads between them.
 };
 
-/// What was counted of a history.
+/// Load cycles counted in a history.
 struct LoadCycles {
   std::vector<Cycle> cycles;
   CycleMatrix matrix;
@@ -75,13 +75,13 @@ struct LifeResult {
   PerInterface<double> failure_shares;
   double element_ratio = 0.0;  ///< gamma = d_r cos(alpha)/(2 c)
 
-  std::vector<LoadStep> steps;  ///< Of the history or the spectrum.
+  std::vector<LoadStep> steps;  ///< Steps of the history or the spectrum.
   std::optional<LoadHistory> history;
-  double revolutions = 0.0;               ///< Of all steps; 1 where they are shares.
-  bool revolutions_known = true;          ///< Not where the spectrum states shares.
-  std::optional<double> duration;         ///< Of one pass [s].
+  double revolutions = 0.0;               ///< Sum over all steps; 1 where they are shares.
+  bool revolutions_known = true;          ///< False where the spectrum states shares.
+  std::optional<double> duration;         ///< Duration of one pass [s].
   std::optional<double> revolution_rate;  ///< Mean, to turn lives into hours [1/s].
-  double mean_load = 0.0;                 ///< Cubic mean of all loads [N].
+  double mean_load = 0.0;                 ///< Cubic mean over all loads [N].
   double largest_force = 0.0;             ///< [N]
 
   double catalogue_life = 0.0;     ///< (C_a/F_m)^3, one flank, equal shares.
@@ -97,7 +97,7 @@ struct LifeResult {
   std::vector<std::string> warnings;
 
   bool converged() const { return !failure; }
-  /// Of the sense of the load whose rating is the smallest multiple of its largest force.
+  /// Static safety of the weaker sense of the load: the smaller ratio of rating to largest force.
   std::optional<double> static_safety() const;
   std::optional<StaticLimit> static_safety_limit() const;
 

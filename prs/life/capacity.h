@@ -9,7 +9,7 @@
 
 namespace prs {
 
-/// What is known of a number that no theory fixes.
+/// Range of a number that theory does not fix.
 struct Interval {
   double least = 0.0;
   double greatest = 0.0;
@@ -47,12 +47,12 @@ inline constexpr double kFactorFit = 0.0035;
 double lemor_capacity(double factor, double contact_angle, int contacts, double element_diameter,
                       double helix_angle);
 
-/// What Lemor's formula asks of a mechanism. SI.
+/// Inputs of Lemor's formula. SI units.
 struct LemorGeometry {
   double pitch = 0.0;            ///< p, axial [m]
   double roller_diameter = 0.0;  ///< d_r, pitch diameter [m]
   double nut_diameter = 0.0;     ///< d_n, pitch diameter [m]
-  double pitch_circle = 0.0;     ///< Of the rollers' axes, 2 c [m].
+  double pitch_circle = 0.0;     ///< Diameter of the circle of the rollers' axes, 2 c [m].
   double contact_angle = 0.0;    ///< alpha, from the radial plane [rad]
   double helix_angle = 0.0;      ///< beta of the screw [rad]
   int contacts = 0;              ///< N_c
@@ -62,17 +62,17 @@ struct LemorGeometry {
 /// normals and the axis: a right angle less their mean.
 double contact_angle(const PerInterface<double>& normal_angle);
 
-/// Of a mechanism with all pitch diameters and the centre distance.
+/// Inputs of Lemor's formula from a mechanism that has all pitch diameters and the centre distance.
 LemorGeometry lemor_geometry(const Mechanism& mechanism, double contact_angle);
 
 /// Lemor's capacity with the range in which its factor is known.
 struct LemorCapacity {
   double ratio = 0.0;             ///< d_r cos(alpha)/d_n
-  double factor = 0.0;            ///< f_c there.
-  Interval factor_range;          ///< By the readings of the ratio, and the fit.
+  double factor = 0.0;            ///< f_c at this ratio.
+  Interval factor_range;          ///< Spread by the readings of the ratio and the fit.
   double element_diameter = 0.0;  ///< D_c [m]
   double capacity = 0.0;          ///< C_a [N]
-  Interval capacity_range;        ///< Of the same readings [N].
+  Interval capacity_range;        ///< Capacity over the same readings [N].
 };
 
 /// The ratio of Jung 2017, section 5.1: d_r cos(alpha)/d_n.

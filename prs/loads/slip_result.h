@@ -76,7 +76,7 @@ struct EqualShareSlip {
   double slip_ratio = 0.0;
   double power_loss = 0.0;  ///< [W]
   std::optional<double> efficiency;
-  PerInterface<double> thread_power;  ///< Of every thread [W]
+  PerInterface<double> thread_power;  ///< Lost at every thread [W]
   double max_power_density = 0.0;     ///< [W/m^2]
 };
 
@@ -84,7 +84,7 @@ struct EqualShareSlip {
 /// the signs of Sandu 2018; powers are losses, > 0. SI units.
 struct SlipResult {
   SlipStatus status = SlipStatus::not_computed;
-  int evaluations = 0;                     ///< Of the roller's moment balance.
+  int evaluations = 0;                     ///< Evaluations of the roller's moment balance.
   std::optional<double> relative_residue;  ///< R_z, (3.38) over c |F_N|/N_R; none where jammed.
 
   double speed = 0.0;             ///< omega_s/n, screw against nut [rad/s]
@@ -107,8 +107,8 @@ struct SlipResult {
   std::optional<double> bearing_eccentricity;  ///< e/c of the roller heads.
   std::optional<double> viscosity;             ///< eta_0 in operation [Pa s]; none without oil.
 
-  ThreadOf hottest;                            ///< Of the largest power density.
-  std::optional<EqualShareSlip> equal_shares;  ///< Of solved cases.
+  ThreadOf hottest;                            ///< Thread with the largest power density.
+  std::optional<EqualShareSlip> equal_shares;  ///< Only for solved cases.
 
   bool converged() const {
     return status == SlipStatus::converged || status == SlipStatus::imposed;

@@ -26,7 +26,7 @@ namespace {
 
 MeasureOptions options_of(const Conditions& c) { return c.measures.value_or(MeasureOptions{}); }
 
-/// As in the load distribution: the case's angle before the geometry's.
+/// Normal angle as the load distribution takes it: the case's own, else that of the geometry.
 std::optional<double> normal_angle(const Conditions& c, const Contacts& contacts, Interface i) {
   if (c.contact.normal_angle[i]) return c.contact.normal_angle[i];
   const InterfaceContact& contact = contacts.interfaces[i];
@@ -44,7 +44,7 @@ std::optional<double> axial_hertz_coefficient(const Conditions& c, const Contact
   return prs::axial_hertz_coefficient(contact.hertz.hertz_constant, *angle);
 }
 
-/// Of all rollers at one interface.
+/// Number of contacts of all rollers at one interface.
 int contact_count(const Mechanism& m) { return m.rollers * m.contacts_per_roller; }
 
 template <class... T>
@@ -73,7 +73,7 @@ std::optional<double> largest(const std::vector<double>& values) {
                         : std::optional(*std::max_element(values.begin(), values.end()));
 }
 
-/// Of the screw against the nut [rad/s], >= 0.
+/// Speed of the screw against the nut [rad/s], >= 0.
 std::optional<double> speed_of(const Conditions& c, const LoadCase& load_case) {
   std::optional<double> speed = load_case.speed;
   if (!speed && c.operation) speed = c.operation->speed;
@@ -155,7 +155,7 @@ void find_static_capacity(const Conditions& c, const Contacts& contacts, Measure
                                   m.pressure_capacity.screw, m.pressure_capacity.nut});
 }
 
-/// Of equal shares at one interface.
+/// Static rating of one interface with equal shares.
 std::optional<StaticRating> interface_static_rating(const Conditions& c, const Measures& m,
                                                     Interface i) {
   return static_rating(
@@ -163,7 +163,7 @@ std::optional<StaticRating> interface_static_rating(const Conditions& c, const M
       stated_static_capacity(c));
 }
 
-/// Of equal shares.
+/// Static rating of the mechanism with equal shares.
 std::optional<StaticRating> equal_shares_static_rating(const Conditions& c, const Measures& m) {
   return smaller(interface_static_rating(c, m, Interface::screw),
                  interface_static_rating(c, m, Interface::nut));

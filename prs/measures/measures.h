@@ -30,28 +30,28 @@ struct Measures {
   // Capacity of all contacts under equal shares
   std::optional<double> geometry_factor, element_diameter;  ///< f_c; D_c [m].
   std::optional<double> dynamic_capacity, dynamic_capacity_low, dynamic_capacity_high;  ///< [N]
-  /// That of a catalogue where the case states it, else the least of the next four [N].
+  /// Catalogue value where the case states one, else the least of the next four [N].
   std::optional<double> static_capacity;
   PerInterface<std::optional<double>> deformation_capacity;  ///< By permanent deformation [N].
   PerInterface<std::optional<double>> pressure_capacity;     ///< By `kStaticPressureLimit` [N].
-  /// At which an ellipse reaches a crest or root; the smaller of both interfaces [N].
+  /// Axial load at which an ellipse reaches a crest or root; the smaller of both interfaces [N].
   std::optional<double> flank_edge_load;
   PerInterface<std::optional<double>> interface_flank_edge_load;  ///< [N]
   // Weight and room
   std::optional<double> roller_weight, nut_weight, weight;  ///< All rollers; nut; both [kg].
   std::optional<double> screw_weight_per_length;            ///< [kg/m]
-  std::optional<double> material_volume;                    ///< Of rollers and nut [m^3].
-  std::optional<double> envelope_volume;  ///< Of the cylinder around the nut [m^3].
+  std::optional<double> material_volume;                    ///< Material of rollers and nut [m^3].
+  std::optional<double> envelope_volume;  ///< Volume of the cylinder around the nut [m^3].
   std::optional<double> force_density;    ///< C_a over the weight of rollers and nut [N/kg].
   // Inertia as seen at the part that turns, the screw of a standard mechanism and the nut of an
   // inverted one, whose other part travels [kg m^2]
-  std::optional<double> roller_inertia;      ///< Of the rollers, spin and orbit.
-  std::optional<double> travel_inertia;      ///< Of rollers and nut, or of rollers and screw.
-  std::optional<double> screw_inertia;       ///< Of the shaft over its length, about its axis.
-  std::optional<double> nut_inertia;         ///< Of the nut about its axis.
-  std::optional<double> equivalent_inertia;  ///< Of rollers, travel and the part that turns.
+  std::optional<double> roller_inertia;      ///< Rollers: spin and orbit.
+  std::optional<double> travel_inertia;      ///< Mass that travels: rollers with nut or screw.
+  std::optional<double> screw_inertia;       ///< Shaft over its length, about its axis.
+  std::optional<double> nut_inertia;         ///< Nut about its axis.
+  std::optional<double> equivalent_inertia;  ///< Sum: rollers, travel and the part that turns.
   // Shaft
-  std::optional<double> shaft_stiffness;  ///< Of the screw over its length, held at one end [N/m].
+  std::optional<double> shaft_stiffness;  ///< Axial; screw held at one end, whole length [N/m].
   std::optional<double> buckling_load;    ///< [N]
   /// First bending of a screw that turns, that of a standard mechanism [rad/s].
   std::optional<double> critical_speed;
@@ -62,14 +62,14 @@ struct LoadMeasures {
   // Stiffness of all threads of the mechanism side by side under equal shares, secant [N/m]
   PerInterface<std::optional<double>> hertz_stiffness;
   std::optional<double> thread_stiffness;  ///< Both Hertz contacts and teeth in series.
-  // Yang's load distribution beside that of the model
+  // Yang's load distribution, for comparison with that of the model
   std::vector<double> yang_load_rate;  ///< Thread 1 first; empty where it is not defined.
   std::optional<double> yang_largest_load_rate;
-  PerInterface<std::optional<double>> largest_load_rate;  ///< Of the solved distribution.
+  PerInterface<std::optional<double>> largest_load_rate;  ///< In the solved distribution.
   // Strength
   PerInterface<std::optional<double>> mean_peak_pressure;     ///< Under equal shares [Pa].
-  PerInterface<std::optional<double>> largest_peak_pressure;  ///< Of the most loaded thread [Pa].
-  PerPart<std::optional<double>> root_shear_stress;           ///< Of the most loaded thread [Pa].
+  PerInterface<std::optional<double>> largest_peak_pressure;  ///< At the most loaded thread [Pa].
+  PerPart<std::optional<double>> root_shear_stress;           ///< At the most loaded thread [Pa].
   PerPart<std::optional<double>> root_bending_stress;         ///< [Pa]
   /// Estimates of static safety, see prs/life/static_limits.h, and what limits them.
   std::optional<double> static_safety;         ///< With equal shares.
@@ -88,10 +88,10 @@ struct LoadMeasures {
 /// Measures of a mechanism whose contacts are known. Reads nothing, throws nothing.
 Measures measures_of(const Conditions& c, const Contacts& contacts);
 
-/// What is unusual about them: outside of what the formulas were made for.
+/// Warnings on measures that lie outside the range the formulas were made for.
 std::vector<std::string> unusual_measures(const Conditions& c, const Contacts& contacts,
                                           const Measures& measures);
-/// The same of a load case that converged and its measures.
+/// What is unusual about a load case that converged and its measures.
 std::vector<std::string> unusual_load_measures(const Conditions& c, const Measures& measures,
                                                const LoadMeasures& load_measures,
                                                const LoadCaseResult& result);

@@ -40,11 +40,11 @@ PlanetaryRatios ratios_to_frame(Mechanism::Type type, const PlanetaryRatios& nut
 /// sliding contact. Small mu and no preload.
 double efficiency(double lead, double screw_diameter, double friction_coefficient);
 
-/// Of turning travel into rotation, 1 - pi d_S mu/l = 2 - 1/eta, by the same argument; absent where
-/// it is not positive: the screw is self-locking. A rough estimate: where the screw itself drives
-/// at 0.77 to 0.89, it misses a maker's values by -0.07 to +0.01 and `slip` with the lead negated
-/// by -0.06 to -0.03, as rolling and spinning contacts lose about the same share of the power both
-/// ways.
+/// Efficiency of turning travel into rotation, 1 - pi d_S mu/l = 2 - 1/eta, by the same argument.
+/// Absent where it is not positive: the screw is self-locking. A rough estimate: where the screw
+/// itself drives at 0.77 to 0.89, it misses a maker's values by -0.07 to +0.01 and `slip` with the
+/// lead negated by -0.06 to -0.03, as rolling and spinning contacts lose about the same share of
+/// the power both ways.
 std::optional<double> back_driving_efficiency(double lead, double screw_diameter,
                                               double friction_coefficient);
 

@@ -14,7 +14,7 @@ namespace prs {
 /// loads of one roller, which shares their sections with the others (p N_r/(E A)).
 struct ThreadGap {
   double screw = 0.0;
-  /// Of the nut on the side of the thrust section that faces the loaded end of the screw.
+  /// Nut, on the side of the thrust section that faces the loaded end of the screw [m/N].
   double nut_before_thrust = 0.0;
   double nut_behind_thrust = 0.0;
 };

@@ -23,7 +23,7 @@ struct ContactOverrides {
   PerInterface<std::optional<double>> normal_angle;    ///< psi, contact normal to axis [rad]
 };
 
-/// What a file states beside the mechanism: bodies, materials, loads, operation, options. Blocks
+/// What a file states besides the mechanism: bodies, materials, loads, operation, options. Blocks
 /// that the file leaves out are empty. What computes on contacts takes these conditions and the
 /// mechanism of the contacts, which is complete; that of the file is out of its reach.
 struct Conditions {

@@ -6,7 +6,7 @@
 namespace prs {
 
 /// A case that reads well and still describes no mechanism: `path` names the input that is wrong,
-/// what() says what was expected and how to fix it. Whoever read the case knows where it stands.
+/// what() says what was expected and how to fix it. The reader of the case adds file and line.
 class CaseError : public std::runtime_error {
  public:
   CaseError(std::string path, const std::string& message)

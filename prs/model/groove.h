@@ -17,10 +17,10 @@ struct Groove {
   bool internal = false;        ///< A nut, whose ridges point inwards.
   double pitch = 0.0;           ///< [m]
   double pitch_radius = 0.0;    ///< [m]
-  double addendum = 0.0;        ///< Of the crest above the pitch radius [m].
-  double dedendum = 0.0;        ///< Of the root below it [m].
+  double addendum = 0.0;        ///< Height of the crest above the pitch radius [m].
+  double dedendum = 0.0;        ///< Depth of the root below the pitch radius [m].
   double backward_angle = 0.0;  ///< Between flank normal and axis [rad], flank that looks backward.
-  double forward_angle = 0.0;   ///< The same of the other flank.
+  double forward_angle = 0.0;   ///< Between normal and axis [rad], flank that looks forward.
 
   double angle(FlankSide f) const {
     return f == FlankSide::backward ? backward_angle : forward_angle;
@@ -40,7 +40,8 @@ struct Groove {
 /// flanks of a groove meet at its root.
 inline constexpr double kCrestHeight = 0.15;
 inline constexpr double kRootDepth = 0.25;
-/// Of roots in meshes and in stated heights, which leave grooves a bottom, in pitches.
+/// Root depth, in pitches, of meshes and of stated heights, which leave a flat bottom in the
+/// groove.
 inline constexpr double kMeshedRootDepth = 0.23;
 
 /// Radial distance from the pitch line at which the flanks of ridges half a pitch wide meet [m].

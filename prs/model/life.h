@@ -27,7 +27,7 @@ struct HistorySource {
   std::optional<CsvColumn> position;
   std::optional<CsvColumn> speed;
   double hysteresis = 0.0;  ///< Ranges up to this are no load cycles [N].
-  int bins = 32;            ///< Of the cycles' matrix, along range and mean.
+  int bins = 32;            ///< Classes of the cycle matrix, along range and mean.
 
   bool operator==(const HistorySource&) const = default;
 };
@@ -36,10 +36,10 @@ struct HistorySource {
 struct SpectrumLoad {
   double force = 0.0;  ///< [N], > 0
   Direction direction = Direction::tension;
-  std::optional<double> revolutions;  ///< Of the screw against the nut.
+  std::optional<double> revolutions;  ///< Revolutions of the screw against the nut.
   std::optional<double> distance;     ///< Travel under the load [m].
-  std::optional<double> duration;     ///< At the operation's speed [s].
-  std::optional<double> share;        ///< Of all revolutions.
+  std::optional<double> duration;     ///< Time at the operation's speed [s].
+  std::optional<double> share;        ///< Share of all revolutions.
 };
 
 /// What `prs life` is asked about. One of `history` and `spectrum` is given.
@@ -47,7 +47,7 @@ struct Life {
   std::optional<HistorySource> history;
   std::vector<SpectrumLoad> spectrum;
   LoadCase::Share share = LoadCase::Share::solved;
-  std::optional<double> position;          ///< Of the first roller contact on the nut [m].
+  std::optional<double> position;          ///< First roller contact on the nut [m].
   std::optional<double> dynamic_capacity;  ///< C_a of a catalogue [N], in place of Lemor's.
   std::optional<double> static_capacity;   ///< C_0 of a catalogue [N].
   double fatigue_slope = 5.0;  ///< k of the equivalent load range: FKM, steel, normal stress.

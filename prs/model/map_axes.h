@@ -11,9 +11,9 @@ namespace prs {
 
 /// A factor of a grid as an axis of its maps, numbers ascending.
 struct MapAxis {
-  std::size_t factor = 0;           ///< Of the study's.
-  std::vector<std::size_t> levels;  ///< Of the factor, one per node.
-  std::vector<double> numbers;      ///< Of the levels, in the factor's unit.
+  std::size_t factor = 0;           ///< Index among the study's factors.
+  std::vector<std::size_t> levels;  ///< Indices of the factor's levels, one per node.
+  std::vector<double> numbers;      ///< Numbers of the levels, in the factor's unit.
   bool logarithmic = false;         ///< Equidistant in their logarithm.
   /// Whether factor and companions have values between two nodes: no words, no whole numbers.
   bool continuous = false;

@@ -4,7 +4,7 @@
 
 namespace prs {
 
-/// What the design measures ask beside the mechanism, its structure and its loads. SI units.
+/// What the design measures need besides the mechanism, its structure and its loads. SI units.
 struct MeasureOptions {
   /// How the two ends of the loaded length of the screw are held.
   enum class Ends {
@@ -18,8 +18,8 @@ struct MeasureOptions {
     Ends ends = Ends::supported_supported;
   };
 
-  std::optional<double> loaded_width;  ///< Of thread, by one contact, for Yamamoto's terms [m].
-  std::optional<double> friction_coefficient;  ///< Of the estimate of efficiency.
+  std::optional<double> loaded_width;  ///< Thread width that one contact loads, for Yamamoto [m].
+  std::optional<double> friction_coefficient;  ///< For the estimate of efficiency.
   std::optional<double> yield_strength;        ///< [Pa]
   std::optional<Shaft> shaft;
 };

@@ -36,14 +36,14 @@ struct Mechanism {
   /// or through the axis (Yao).
   enum class ProfilePlane { normal, axial };
   struct Starts {
-    int screw = 0;  ///< Also the nut's.
+    int screw = 0;  ///< Starts of the screw and of the nut.
     int roller = 1;
   };
 
   Type type = Type::inverted;
   Geometry geometry = Geometry::simulation;
   ProfilePlane profile_plane = ProfilePlane::normal;
-  double lead = 0.0;  ///< Of screw and nut [m]; > 0 right-handed.
+  double lead = 0.0;  ///< Lead of screw and nut [m]; > 0 right-handed.
   Starts starts;
   PerPart<std::optional<double>> pitch;  ///< Measured axial pitch [m] where it differs.
   PerPart<double> flank_angle;           ///< alpha_n (or axial), against the radial plane [rad].

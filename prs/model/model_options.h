@@ -35,7 +35,7 @@ struct ModelOptions {
   struct ToothCompliance {
     enum class Kind { none, yamamoto };
     Kind kind = Kind::none;
-    double width = 0.0;  ///< Of thread that a contact loads [m].
+    double width = 0.0;  ///< Width of thread that a contact loads [m].
   };
   /// Meshes of the influence model.
   enum class Accuracy { working, reference };

@@ -26,7 +26,7 @@ struct Lubricant {
   std::optional<double> temperature;  ///< In operation [K].
   std::vector<ViscosityPoint> viscosity_at;
   std::optional<contact::WaltherLine> walther;
-  std::optional<double> density;  ///< Of the oil, between dynamic and kinematic [kg/m^3].
+  std::optional<double> density;  ///< Density, from kinematic to dynamic viscosity [kg/m^3].
 };
 
 /// The lubricant at its operating temperature. The case must have passed `check_case`.

@@ -28,7 +28,7 @@ bool takes_several_objectives(Algorithm algorithm);
 
 /// A response that is made as small or as large as possible.
 struct Objective {
-  std::size_t response = 0;  ///< Of the study's.
+  std::size_t response = 0;  ///< Index among the study's responses.
   bool maximize = false;
 };
 

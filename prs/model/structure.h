@@ -14,7 +14,7 @@ struct Guidance {
     ring,            ///< A radial spring on both nodes of each end element.
   };
   Kind kind = Kind::both_end_nodes;
-  double ring_stiffness = 0.0;  ///< Of each of the four springs of one roller [N/m].
+  double ring_stiffness = 0.0;  ///< Stiffness of each of a roller's four springs [N/m].
 };
 
 /// The parts between and around the threads (one sector of Abevi 2015). Axial positions on the nut

@@ -56,7 +56,7 @@ void check_flanges(const Structure::Nut& nut, const std::optional<double>& pitch
 struct Proportion {
   std::string_view path;
   double length;
-  std::optional<double> diameter;  ///< Of the part [m].
+  std::optional<double> diameter;  ///< Diameter of the part [m].
   double least, greatest;          ///< Multiples of it.
 };
 

@@ -45,7 +45,7 @@ struct Distribution {
 struct Factor {
   std::string path;   ///< `mechanism.pitch_diameter.screw`
   std::string label;  ///< What people read; the path where none is given.
-  std::string unit;   ///< Of the numbers; empty for bare ones.
+  std::string unit;   ///< Unit of the numbers; empty for numbers without unit.
   std::vector<Level> levels;
   std::optional<Level> base;  ///< What the file says; absent where it says nothing.
   bool logarithmic = false;   ///< The levels are equidistant in their logarithm.
@@ -67,9 +67,9 @@ struct Study {
   Plan plan = Plan::one_at_a_time;
   std::vector<Factor> factors;
   std::vector<std::string> responses;  ///< Paths, see `response`; empty: those of the command.
-  std::size_t samples = 0;             ///< Of sampled plans; of each matrix for `sobol_indices`.
+  std::size_t samples = 0;             ///< For sampled plans; for `sobol_indices`: per matrix.
   std::uint64_t seed = 1;
-  std::optional<Envelope> envelope = {};  ///< Of `grid` with two factors.
+  std::optional<Envelope> envelope = {};  ///< Only for `grid` with two factors.
 };
 
 /// Whether the designs are drawn, not listed.
@@ -77,7 +77,7 @@ bool is_sampled(Plan plan);
 
 /// An input that designs set: a factor or a companion of one.
 struct DrawnInput {
-  std::size_t factor = 0;         ///< Whose draw sets it.
+  std::size_t factor = 0;         ///< Index of the factor whose draw sets the input.
   const Factor* input = nullptr;  ///< Within the study.
 };
 
@@ -100,7 +100,7 @@ struct Design {
 struct Draw {
   enum class Kind { as_in_file, level, number };
   Kind kind = Kind::as_in_file;
-  std::size_t level = 0;  ///< Of the factor's levels.
+  std::size_t level = 0;  ///< Index among the factor's levels.
   double number = 0.0;    ///< In the factor's unit.
 };
 

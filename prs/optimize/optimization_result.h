@@ -27,8 +27,8 @@ struct EvaluatedDesign {
 struct Search {
   Algorithm algorithm = Algorithm::nsga2;
   std::vector<EvaluatedDesign> designs;
-  /// Of `designs`: feasible, and no other is as good in every objective and better in one; the
-  /// first of equal ones. Ascending in the first objective.
+  /// Pareto front: indices of feasible designs for which no other is as good in every objective and
+  /// better in one; the first of equal ones. Ascending in the first objective.
   std::vector<std::size_t> front;
 };
 
@@ -48,7 +48,7 @@ struct OptimizationResult {
   Search search;
   std::optional<Search> check;
   std::optional<FrontComparison> comparison;
-  /// Of `search.designs`; absent where the front is empty.
+  /// Index of the compromise in `search.designs`; absent where the front is empty.
   std::optional<std::size_t> compromise;
   /// Where the front is empty: the design with an answer that comes nearest to the constraints.
   std::optional<std::size_t> nearest;

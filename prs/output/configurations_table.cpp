@@ -5,16 +5,16 @@
 
 #include <utility>
 
-#include "prs/quantities/configurations_json.h"
-#include "prs/model/units.h"
 #include "prs/input/units.h"
+#include "prs/model/units.h"
 #include "prs/output/case_table.h"
+#include "prs/quantities/configurations_json.h"
 #include "prs/text.h"
 
 namespace prs {
 namespace {
 
-/// Of more that are left out, only the document tells the details.
+/// Most left-out geometries that the table explains; beyond that, see the document.
 constexpr std::size_t kMostDetails = 6;
 
 struct Column {

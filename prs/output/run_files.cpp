@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Of the list that is read.
+/// Longest list that is read [bytes].
 constexpr std::size_t kLongestList = std::size_t{16} << 20;
 constexpr std::size_t kMostNamed = 3;
 

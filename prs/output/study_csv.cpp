@@ -6,7 +6,7 @@
 namespace prs {
 namespace {
 
-/// Of a design that differs from the base case in one value.
+/// Fields of a design that differs from the base case in one value.
 void setting_fields(CsvWriter& csv, const Study& study, const Design& design) {
   const Setting* setting = design.settings.empty() ? nullptr : &design.settings.front();
   const Factor* factor = setting ? &study.factors[setting->factor] : nullptr;

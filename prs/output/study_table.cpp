@@ -19,14 +19,14 @@
 namespace prs {
 namespace {
 
-constexpr std::size_t kMostRows = 24;  // Of a factor.
+constexpr std::size_t kMostRows = 24;  // Rows per factor.
 constexpr std::size_t kMostReasons = 8;
 constexpr std::size_t kMaxValueWidth = 28;
 constexpr std::size_t kMinCell = 9;
 constexpr std::string_view kGap = "  ";
 constexpr std::string_view kBaseMark = "as in the file";
-constexpr std::size_t kMostRanked = 10;  // Factors, of a response.
-constexpr double kLeastShare = 1e-3;     // Of a factor that is shown.
+constexpr std::size_t kMostRanked = 10;  // Factors per response.
+constexpr double kLeastShare = 1e-3;     // Least share of a factor that is shown.
 constexpr std::size_t kMostRankings = 6;
 constexpr std::size_t kMaxName = 33;
 constexpr std::size_t kStatistic = 10;

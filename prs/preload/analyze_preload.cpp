@@ -93,7 +93,7 @@ void warn_of_pressure(PreloadResult& result) {
   }
 }
 
-/// Of a force that no fit within the threads gives.
+/// Throws where no fit within the threads gives the preload force.
 void require_sound(double interference, const Mechanism& m) {
   const double most = kMostDeviation * axial_pitch(m);
   if (interference <= most) return;

@@ -10,8 +10,8 @@ namespace prs {
 
 /// The contacts that carry one sense of the external load. Those of the other sense oppose them.
 struct Side {
-  PerInterface<std::vector<int>> springs;  ///< Indices in the model's, thread 1 first.
-  std::vector<int> roller_nodes;           ///< Of the rollers that they touch, ends included.
+  PerInterface<std::vector<int>> springs;  ///< Indices in the model's springs, thread 1 first.
+  std::vector<int> roller_nodes;           ///< Nodes of the rollers they touch, with ends.
 };
 
 /// By how much the undeformed parts overlap; play where < 0.

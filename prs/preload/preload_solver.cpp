@@ -18,7 +18,7 @@ constexpr double kStep = 1.5;  ///< In the search for a bracket.
 
 /// A side that is still closed at half of that many times the preload stays so.
 constexpr double kMostOpening = 2000.0;
-/// Of what rigid bodies need, where bodies deform.
+/// Largest interference of deformable bodies, as a multiple of that of rigid bodies.
 constexpr double kMostInterference = 1e12;
 
 /// Root of an increasing function between two places with f(low) <= 0 <= f(high).
@@ -34,8 +34,8 @@ double root_between(const F& f, double low, double high) {
   return 0.5 * (a + b);
 }
 
-/// The same where only one place below the root is known, > 0: the first root up to so many times
-/// that. NaN where there is none.
+/// The first root between `low` > 0, a place below the root, and `times` times `low`. NaN where
+/// there is none.
 template <class F>
 double root_above(const F& f, double low, double times) {
   const double most = low * times;
@@ -109,7 +109,7 @@ class PreloadSolver::Branch {
     return fe::State(std::move(q));
   }
 
-  /// Of the loaded section, > 0 in tension [m].
+  /// Displacement of the loaded section, > 0 in tension [m].
   double displacement(const fe::State& q) const { return pull_.dot(q.head) + pull_.dot(q.tail); }
 
   std::optional<double> tangent_stiffness(const fe::State& q) {

@@ -11,7 +11,7 @@ namespace prs {
 /// What one side carries; nothing where it has opened.
 struct SideLoads {
   PerInterface<double> axial_load;       ///< [N]
-  PerInterface<double> max_normal_load;  ///< Of a thread of one roller [N].
+  PerInterface<double> max_normal_load;  ///< On one thread of one roller [N].
 };
 
 /// Equilibrium under one external load.

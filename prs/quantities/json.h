@@ -10,9 +10,9 @@ namespace prs {
 
 /// What every document says of its origin.
 struct DocumentInfo {
-  std::string version;                      ///< Of the program.
-  std::string schema_version;               ///< Of the input's schema.
-  std::string input_sha256;                 ///< Of the input file, hexadecimal.
+  std::string version;                      ///< Version of the program.
+  std::string schema_version;               ///< Version of the input's schema.
+  std::string input_sha256;                 ///< SHA-256 of the input file, hexadecimal.
   std::vector<std::string> overrides = {};  ///< `path=value` that changed it.
 };
 

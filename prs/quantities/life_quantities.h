@@ -14,7 +14,7 @@ struct LifeInUse {
   std::array<double, 2> revolutions_range{};  ///< By the range of the capacity.
   std::optional<double> hours;
   double travel = 0.0;           ///< [m]
-  std::optional<double> passes;  ///< Of the history or the spectrum.
+  std::optional<double> passes;  ///< Passes through the history or the spectrum.
 };
 
 LifeInUse in_use(const LifeResult& r, double revolutions);

@@ -102,7 +102,7 @@ constexpr std::string_view kRootValidity =
 constexpr std::string_view kRootSource =
     "Shigley, Mechanical Engineering Design, power screws (shear there: largest, 3/2 of the mean)";
 
-/// Of both interfaces.
+/// Larger load rate of both interfaces.
 std::optional<double> largest_load_rate(const LoadMeasures& m) {
   const auto& [screw, nut] = m.largest_load_rate;
   return screw && nut ? std::optional(std::max(*screw, *nut)) : std::nullopt;

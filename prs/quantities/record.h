@@ -70,7 +70,7 @@ struct Getter {
   std::span<const double> (*series)(const Owner&) = nullptr;
   /// All that is neither; null where the case does not define it.
   Json (*json)(const Owner&, const ShownUnit&) = nullptr;
-  const RecordInfo& (*record)() = nullptr;  ///< Of kinds record and records.
+  const RecordInfo& (*record)() = nullptr;  ///< For kinds record and records.
   std::optional<Reader<Owner>> (*reader)(std::string_view path, const ShownUnit&) = nullptr;
 };
 

@@ -185,7 +185,7 @@ struct Of {
 template <auto get, auto guard = nullptr>
 inline constexpr detail::Of<get, guard> of;
 
-/// Of one part, interface or direction.
+/// Column for one part, interface or direction.
 template <auto member, auto side>
 inline constexpr auto of_side = of<[](const auto& owner) { return (owner.*member)[side]; }>;
 

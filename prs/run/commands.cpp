@@ -46,7 +46,7 @@ using Json = nlohmann::ordered_json;
 /// What one command makes of its result.
 template <class R>
 struct Forms {
-  const char* file;  ///< Of the document.
+  const char* file;  ///< Name of the document.
   Json (*document)(const R&, const DocumentInfo&);
   std::string (*table)(const R&);
   std::vector<std::string> (*notes)(const R&);

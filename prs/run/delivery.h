@@ -14,7 +14,7 @@ namespace prs {
 /// What a command found, in every form in which it leaves the program. Each form is made when it is
 /// asked for.
 struct Delivery {
-  std::string file;  ///< Of the document in the output folder: `slip.json`.
+  std::string file;  ///< Name of the document in the output folder: `slip.json`.
   std::function<nlohmann::ordered_json(const DocumentInfo&)> document;
   std::function<std::string()> table;                   ///< On a terminal.
   std::vector<std::string> notes = {};                  ///< To whom the document is printed.

@@ -132,7 +132,7 @@ std::vector<std::string> void_factor_warnings(const input::StudyInput& in,
   std::vector<std::string> warnings;
   if (in.study.command == Command::contact || std::ranges::all_of(responses, is_of_geometry))
     return warnings;
-  // Of other bodies other inputs are void.
+  // Which inputs are void depends on the model of the bodies.
   const auto changes_model = [](const DrawnInput& drawn) {
     return drawn.input->path.starts_with("model");
   };

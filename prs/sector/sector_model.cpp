@@ -23,7 +23,7 @@ struct Given {
 
   double pitch_radius(Part p) const { return 0.5 * *mechanism.pitch_diameter[p]; }
 
-  /// Of the roots below the pitch radius, as far as sections are taken there [m].
+  /// Depth of the roots below the pitch radius [m]; 0 where sections are taken at the pitch radius.
   double root_depth(Part p) const {
     if (!effects.core) return 0.0;
     if (mechanism.thread[p]) return mechanism.thread[p]->dedendum;

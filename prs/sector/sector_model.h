@@ -24,23 +24,24 @@ inline constexpr double kHeld = std::numeric_limits<double>::infinity();
 struct SectorModel : SectorNumbers<double> {
   /// Stretch of the nut with an outer radius of its own. Flanges do not overlap.
   struct Flange {
-    double from = 0.0;            ///< As in `Structure` [m].
-    double to = 0.0;              ///< [m]
+    double from = 0.0;            ///< Start, as in `Structure` [m].
+    double to = 0.0;              ///< End [m].
     double outer_radius = 0.0;    ///< [m]
     double axial_rigidity = 0.0;  ///< E A of the nut there [N]
   };
-  double nut_radius = 0.0;  ///< Outer, between the flanges [m].
+  double nut_radius = 0.0;  ///< Outer radius between the flanges [m].
   std::vector<Flange> flanges;
   std::optional<NutShell> nut_shell;  ///< In place of the nut's bars.
 
   PerInterface<std::vector<double>> gaps;  ///< Initial gap of each thread along the normal [m].
-  /// In series with each contact beside `compliance`, of refined bodies; empty: none [m/N].
+  /// Compliance of refined bodies in series with each contact, added to `compliance` [m/N]; empty:
+  /// none.
   PerInterface<std::vector<double>> body_compliance;
 
   int contacts() const { return static_cast<int>(gaps.screw.size()); }
   bool bends() const { return rigid_bending == 0.0; }
   bool contacts_apart() const { return contact_half_distance > 0.0; }
-  /// In series with the Hertz contact of thread k [m/N].
+  /// Compliance in series with the Hertz contact of thread k [m/N].
   double contact_compliance(Interface i, std::size_t k) const {
     return compliance[i] + (body_compliance[i].empty() ? 0.0 : body_compliance[i][k]);
   }

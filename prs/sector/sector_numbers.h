@@ -25,23 +25,23 @@ struct SectorNumbers {
   Number free_length{};           ///< Between these two; 0 where they are one place [m].
   Number screw_rigidity{};        ///< E A between the contacts [N]
 
-  RollerSection<Number> thread;  ///< Of the roller between its ends.
-  RollerSection<Number> end;     ///< Of its end elements.
+  RollerSection<Number> thread;  ///< Roller between its end elements.
+  RollerSection<Number> end;     ///< Roller's end elements.
   Number end_length{};           ///< [m]
   Number outer_guide{};          ///< Radial stiffness at the outermost nodes; infinite: held [N/m].
   Number inner_guide{};          ///< At the inner nodes of the end elements [N/m].
   Number rigid_bending{};        ///< 1 where v = theta = 0 everywhere, else 0.
   Number roller_radius{};        ///< Rigid arms of the contacts [m].
-  Number contact_half_distance{};  ///< Of the two contacts of a roller tooth, along x [m].
+  Number contact_half_distance{};  ///< Half the distance of a tooth's two contacts, along x [m].
 
   Number nut_rigidity{};  ///< E A between the flanges [N]
   Number nut_length{};    ///< [m]
   Number thrust{};        ///< Held section [m].
-  Number position{};      ///< Of the first contact [m].
+  Number position{};      ///< First contact [m].
 
   PerInterface<Number> hertz_constant;  ///< k_0 [N/m^1.5]
-  PerInterface<Number> cosine, sine;    ///< Of psi.
-  PerInterface<Number> compliance;      ///< Of the teeth, in series with the contact [m/N].
+  PerInterface<Number> cosine, sine;    ///< cos(psi), sin(psi).
+  PerInterface<Number> compliance;      ///< Teeth, in series with the contact [m/N].
   Number offset_compliance{};           ///< As in `Sector`.
 };
 

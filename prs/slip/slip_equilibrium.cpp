@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of the slip ratio.
+/// Tolerance of the slip ratio.
 constexpr double kSlipTolerance = 1e-14;
 constexpr int kMostEvaluations = 100;
 

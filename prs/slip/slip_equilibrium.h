@@ -37,7 +37,7 @@ struct SlipModel {
   double axial_force = 0.0;    ///< F_N, signed, of the whole mechanism [N]
   int rollers = 1;
   PerInterface<LoadedThreads> threads;
-  std::optional<contact::Lubricant> lubricant;  ///< In operation; of films and bearing.
+  std::optional<contact::Lubricant> lubricant;  ///< In operation, for films and bearing.
 
   // Torques of the carrier, magnitudes [N m].
   double screw_torque = 0.0;
@@ -51,8 +51,8 @@ struct SlipModel {
 /// Friction and forces at one interface of one roller.
 struct InterfaceBalance {
   contact::PatchMotion motion;
-  std::vector<contact::PatchFriction> friction;     ///< Of each patch, over its normal load.
-  std::vector<double> normal_load;                  ///< N, dynamic (3.11), (3.12) [N]
+  std::vector<contact::PatchFriction> friction;  ///< Friction of each patch over its normal load.
+  std::vector<double> normal_load;               ///< N, dynamic (3.11), (3.12) [N]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< On the roller, -sum N m [N] (3.27)
   double spin_torque = 0.0;                         ///< sum C n . z [N m]
   double power = 0.0;                               ///< Lost [W] (3.51)
@@ -85,7 +85,7 @@ double relative_residue(const SlipModel& model, const SlipBalance& balance);
 /// the ideal one, or beyond the ideal one where the carrier is driven.
 struct SlipEquilibrium {
   SlipStatus status = SlipStatus::not_computed;
-  int evaluations = 0;  ///< Of `balance_at`.
+  int evaluations = 0;  ///< Calls of `balance_at`.
   SlipBalance balance;  ///< At the root.
 
   bool ok() const { return status == SlipStatus::converged; }

@@ -21,7 +21,8 @@ KinematicGeometry kinematic_geometry(const Contacts& contacts, double force) {
   return g;
 }
 
-/// Of the cylinder on the thread's pitch diameter and both ends; 0 without density.
+/// Mass of a roller as cylinders: thread at its pitch diameter and both ends [kg]; 0 without
+/// density.
 double roller_mass(const Conditions& c, const Mechanism& m) {
   const std::optional<double>& density = c.materials->roller.density;
   if (!density) return 0.0;

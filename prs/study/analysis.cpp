@@ -185,10 +185,10 @@ struct StudyAnalysis::Parts {
   KeptRows kept;
   std::string reason;  ///< Why there is no response surface.
   LinearRegression regression;
-  std::vector<double> x;                    ///< Of one design.
-  std::vector<VarianceIndices> indices;     ///< One per response, of plan sobol_indices.
+  std::vector<double> x;                    ///< Normalised factors of one design.
+  std::vector<VarianceIndices> indices;     ///< One per response, for plan sobol_indices.
   std::vector<std::vector<double>> sample;  ///< A response of the designs of one sample.
-  std::optional<GridMapCollector> maps;     ///< Of a study with an envelope.
+  std::optional<GridMapCollector> maps;     ///< For a study with an envelope.
 };
 
 StudyAnalysis::StudyAnalysis(const Study& study) : parts_(std::make_unique<Parts>(study)) {}

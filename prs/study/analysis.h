@@ -18,8 +18,8 @@ namespace prs {
 /// Quantiles that are reported.
 inline constexpr std::array kProbabilities{0.01, 0.05, 0.5, 0.95, 0.99};
 
-/// Up to so many converged designs, quantiles and histograms are those of all; of more designs,
-/// those of so many drawn at random among them, by a hash of the design's number.
+/// Most converged designs whose values are all kept for quantiles and histograms. Of more designs,
+/// this many are drawn at random, by a hash of the design's number.
 inline constexpr std::size_t kMostValuesKept = 65'536;
 
 /// How often values fell into each of equally wide classes.
@@ -33,7 +33,7 @@ struct Histogram {
 struct ResponseStatistics {
   std::size_t count = 0;  ///< Designs with a number; the rest holds from 1 on.
   double mean = 0.0;
-  std::optional<double> standard_deviation;  ///< Of the sample, by count - 1; from 2 on.
+  std::optional<double> standard_deviation;  ///< Sample's, divided by count - 1; from 2 designs on.
   double min = 0.0;
   double max = 0.0;
   std::size_t min_design = 0;  ///< The first with this value.
@@ -41,17 +41,17 @@ struct ResponseStatistics {
   /// At `kProbabilities`, linear between the ordered values (Hyndman & Fan 1996, type 7).
   std::array<double, kProbabilities.size()> quantiles{};
   Histogram histogram;
-  std::size_t values_kept = 0;  ///< From which quantiles and histogram come.
+  std::size_t values_kept = 0;  ///< Values behind quantiles and histogram.
 };
 
 /// What the rows of a study say together.
 struct StudySummary {
   std::vector<ResponseStatistics> statistics;     ///< One per response.
-  std::optional<ResponseSurfaces> surfaces = {};  ///< Of sampled plans with numeric factors.
-  std::vector<ResponseIndices> indices = {};      ///< One per response; of plan sobol_indices.
+  std::optional<ResponseSurfaces> surfaces = {};  ///< For sampled plans with numeric factors.
+  std::vector<ResponseIndices> indices = {};      ///< One per response, for plan sobol_indices.
   /// Factors that no response follows, as far as designs that differ in one factor alone tell.
   std::vector<std::size_t> idle_factors = {};
-  std::optional<GridMaps> maps = {};  ///< Of a study with an envelope.
+  std::optional<GridMaps> maps = {};  ///< For a study with an envelope.
   std::optional<EnvelopeResult> envelope = {};
 };
 
@@ -59,7 +59,7 @@ struct StudySummary {
 /// maps aside, and with a result that does not depend on how the rows are cut into blocks.
 class StudyAnalysis {
  public:
-  /// Of a study with the responses that are recorded.
+  /// For a study and the responses that it records.
   explicit StudyAnalysis(const Study& study);
   ~StudyAnalysis();
   StudyAnalysis(StudyAnalysis&&) noexcept;

@@ -57,7 +57,7 @@ struct Model {
   Contacts contacts;
   PerInterface<ContactLaw> laws;
   std::vector<LoadCase> load_cases;
-  std::vector<std::unique_ptr<SectorSolver>> solvers;  ///< Of a load case; null where none is.
+  std::vector<std::unique_ptr<SectorSolver>> solvers;  ///< One per load case, or null.
 };
 
 /// The load cases that responses need stand at their index, all others are left out.

@@ -128,7 +128,7 @@ struct Pending {
 /// A sector of bars that waits, and where its answer goes.
 struct PendingSector {
   std::size_t design = 0;     ///< Index of the pending design.
-  std::size_t load_case = 0;  ///< Of the design's.
+  std::size_t load_case = 0;  ///< Index among the design's load cases.
 };
 
 }  // namespace
@@ -139,9 +139,9 @@ struct DesignEngine::Parts {
   const input::StudyInput& input;
   Study study;
   std::optional<std::vector<ResultNumber>> numbers;
-  std::vector<std::size_t> load_cases;  ///< That the numbers need.
-  Bodies bodies = Bodies::bars;         ///< Of the base case.
-  std::optional<LoadHistory> history;   ///< Of the base case.
+  std::vector<std::size_t> load_cases;  ///< Load cases that the numbers need.
+  Bodies bodies = Bodies::bars;         ///< Bodies of the base case.
+  std::optional<LoadHistory> history;   ///< History of the base case.
   std::optional<HistorySource> history_source;
 
   /// What a thread needs for itself.

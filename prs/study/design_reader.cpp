@@ -66,10 +66,10 @@ struct Frame {
 
 struct DesignReader::Parts {
   const input::StudyInput& input;
-  std::vector<Values> values = {};  ///< Of `drawn_inputs`.
+  std::vector<Values> values = {};  ///< One per drawn input (`drawn_inputs`).
   std::map<Shape, std::unique_ptr<Frame>> frames = {};
   Shape shape = {};
-  Frame* frame = nullptr;  ///< Of the last shape.
+  Frame* frame = nullptr;  ///< Frame of the last shape.
   Case read_in_full = {};
 
   /// The shape of a design; false where a number must be read.

@@ -139,7 +139,7 @@ class Evaluator {
     return {static_cast<double>(node / row), static_cast<double>(node % row)};
   }
 
-  /// Of several places that with the largest envelope; any, where none has one.
+  /// The place with the largest envelope; any place where none has an envelope.
   std::optional<MapPlace> best_of(const std::vector<MapPlace>& places) const {
     std::optional<MapPlace> best;
     double largest = -HUGE_VAL;

@@ -13,7 +13,7 @@ namespace prs {
 
 /// A measure over the grid.
 struct MeasureMap {
-  std::size_t response = 0;    ///< Of the study's.
+  std::size_t response = 0;    ///< Index among the study's responses.
   double weight = 1.0;         ///< w_i
   double rms = 0.0;            ///< Root mean square of all its numbers, in its unit.
   double normalised_by = 1.0;  ///< n_i, in its unit.
@@ -26,7 +26,7 @@ struct EnvelopePoint {
   std::string reason = {};  ///< Why there is no such design; empty where there is one.
   MapPlace place = {};
   std::optional<std::size_t> design = {};  ///< That of the node, where it is one.
-  std::vector<Level> inputs = {};          ///< Of `drawn_inputs`.
+  std::vector<Level> inputs = {};          ///< One per drawn input (`drawn_inputs`).
   std::vector<double> responses = {};      ///< All of the study's; NaN next to designs without.
   std::vector<double> normalised = {};     ///< m_i / n_i, one per measure.
   double envelope = 0.0;
@@ -36,7 +36,7 @@ struct EnvelopePoint {
 struct EnvelopeResult {
   std::vector<MeasureMap> measures;
   GridMap values;    ///< E; NaN where it is not defined, as for a root of a negative measure.
-  double rms = 0.0;  ///< Of the values.
+  double rms = 0.0;  ///< Root mean square of the values.
   std::size_t without = 0;               ///< Nodes without a value.
   std::optional<std::size_t> best = {};  ///< The first node with the largest value.
   std::vector<EnvelopePoint> points;

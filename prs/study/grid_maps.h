@@ -48,7 +48,7 @@ class GridMapCollector {
 
  private:
   std::optional<GridMaps> maps_;
-  std::vector<std::size_t> nodes_;  ///< Of designs 1, 2, ..
+  std::vector<std::size_t> nodes_;  ///< Nodes of designs 1, 2, ..
 };
 
 }  // namespace prs

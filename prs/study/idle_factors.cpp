@@ -33,7 +33,7 @@ std::uint64_t hash_of(std::span<const double> row) {
   return hash;
 }
 
-/// Of all levels but the last.
+/// Weight of a level; the last level of a factor has minus the sum of the others.
 std::uint64_t level_weight(std::size_t level) { return mixed_bits(level + kGoldenStep); }
 
 /// The least and the largest value of a factor among the first designs; none where all are equal.

@@ -6,15 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "prs/model/study.h"
 #include "prs/study/response_surface.h"
 #include "prs/study/row_block.h"
-#include "prs/model/study.h"
 
 namespace prs {
 
 /// Tells which factors no response follows, from designs that differ in one factor alone: each
 /// value against the file's (`one_at_a_time`), the values of a line of a `grid`, and the pairs of
-/// `sobol_indices`. Other plans have no such designs, and no factor is told of.
+/// `sobol_indices`. Other plans have no such designs and report no factor.
 ///
 /// A grid is not kept: of each factor a sum over all designs is, of the row's hash times a random
 /// number that belongs to the values of the other factors, times weights of its own values that
@@ -30,12 +30,12 @@ class FollowedFactors {
   std::vector<std::size_t> idle() const;
 
  private:
-  /// Of one factor.
+  /// What was seen of one factor.
   struct Seen {
     bool varies = false;
     bool compared = false;  ///< A design that has numbers.
     bool followed = false;
-    std::uint64_t sum = 0;  ///< Of a grid.
+    std::uint64_t sum = 0;  ///< Sum of weights, for a grid.
     std::uint64_t last_weight = 0;
   };
   /// With the reference.

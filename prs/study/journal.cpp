@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a file: also tells the byte order and, by its last digit, the format.
+/// First word of a journal file. It also tells the byte order and, by its last digit, the format.
 constexpr std::uint64_t kMagic = 0x3141'4e4a'2d53'5250;  // "PRS-JNA1" on a little-endian machine
 constexpr std::uint64_t kLongestHeader = 1u << 26;
 
@@ -149,7 +149,7 @@ bool is_shallow(std::string_view cbor) {
     cbor.remove_prefix(1);
     const unsigned type = head >> 5u;
     std::uint64_t argument = head & 31u;
-    if (argument > 27 || type == tag) return false;  // Of no stated length, or tagged.
+    if (argument > 27 || type == tag) return false;  // No stated length, or tagged.
     if (argument >= 24) {
       const std::size_t length = std::size_t{1} << (argument - 24);
       if (length > cbor.size()) return false;

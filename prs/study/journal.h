@@ -93,7 +93,7 @@ class Journal {
   /// journal is then as it was before.
   void append(std::string_view record);
 
-  /// Of this journal. From any thread.
+  /// Rows of a record of this journal. May be called from any thread.
   RowBlock block(const Record& record) const;
 
   /// Brings to the disk what was appended.
@@ -111,7 +111,7 @@ class Journal {
   FileDescriptor file_;
   JournalHeader header_;
   std::vector<Record> records_;
-  std::uint64_t end_ = 0;  ///< Of the last record.
+  std::uint64_t end_ = 0;  ///< End of the last record [bytes].
   bool damaged_ = false;
 };
 

@@ -10,8 +10,8 @@ namespace prs {
 namespace {
 
 constexpr Eigen::Index kRowsAtOnce = 128;
-constexpr double kDependent = 1e-9;  // Of a column's length: what others leave of it.
-constexpr double kConstant = 1e-12;  // Of a response: deviations that are rounding.
+constexpr double kDependent = 1e-9;  // Share of a column's length that other columns leave.
+constexpr double kConstant = 1e-12;  // Relative deviations of a response that are rounding.
 
 /// The factor on its axis; nothing for words and for what does not vary.
 std::optional<NormalisedFactor> normalised(const Factor& factor, std::size_t index) {

@@ -31,13 +31,13 @@ struct NormalisedFactor {
 /// Those of the study's factors that are numbers and vary. Empty unless the plan is sampled.
 std::vector<NormalisedFactor> normalised_factors(const Study& study);
 
-/// Part of a factor in what a response does over the ranges.
+/// Effect of one factor on a response over the ranges.
 struct FactorEffect {
   std::size_t factor = 0;  ///< Of the study's.
   /// b_i, the change of the response from the centre to the end of the factor's range (of a normal
   /// factor: by one standard deviation), in the unit of the response.
   double coefficient = 0.0;
-  /// Of the coefficient; absent where no design is left over to judge by.
+  /// Standard error of the coefficient; absent where no design is left over to estimate it.
   std::optional<double> standard_error;
   /// |b_i| / sum |b| [%]: A_i of Yao et al. 2023, section 3.1, whose sum of signed coefficients is
   /// read as one of magnitudes, as their figures 8 and 9 draw it (bars of either sign that add up

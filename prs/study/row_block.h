@@ -21,7 +21,7 @@ struct DesignStatus {
 struct RowBlock {
   /// A design without an answer.
   struct Failure {
-    std::size_t row = 0;  ///< Of the block.
+    std::size_t row = 0;  ///< Row in the block.
     DesignStatus status;
   };
 

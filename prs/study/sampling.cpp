@@ -12,7 +12,7 @@
 namespace prs {
 namespace {
 
-constexpr unsigned kBits = 32;  // Of the index of a Sobol point.
+constexpr unsigned kBits = 32;  // Bits of the index of a Sobol point.
 
 /// What numbers are drawn for: each purpose has streams of its own.
 enum class Purpose : std::uint64_t { monte_carlo, strata, within_stratum, shift };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostBatches = 32;
 constexpr double kUpperQuantile = 0.975;
-constexpr double kConstant = 1e-12;  // Of the largest value: deviations that are rounding.
+constexpr double kConstant = 1e-12;  // Deviations from the largest value that are rounding.
 
 }  // namespace
 

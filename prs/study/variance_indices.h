@@ -15,16 +15,16 @@ struct Estimate {
 
 /// Sobol indices of one response to one factor: shares of the response's variance.
 struct FactorIndices {
-  std::size_t factor = 0;  ///< Of the study's.
+  std::size_t factor = 0;  ///< Index among the study's factors.
   Estimate first;          ///< S_i, due to the factor alone.
   Estimate total;          ///< S_Ti, due to the factor alone and with others.
 };
 
 /// Sobol indices of one response.
 struct ResponseIndices {
-  std::size_t samples = 0;   ///< That count.
-  std::size_t left_out = 0;  ///< With a design that has no number for this response.
-  double variance = 0.0;     ///< Of the response, in the square of its unit.
+  std::size_t samples = 0;   ///< Samples in the estimate.
+  std::size_t left_out = 0;  ///< Samples with a design without a number for it.
+  double variance = 0.0;     ///< Variance of the response, in its unit squared.
   /// The largest total index first; empty where the response does not vary.
   std::vector<FactorIndices> factors;
 };

@@ -9,7 +9,7 @@
 namespace prs {
 namespace {
 
-/// Of a part's threads from their nominal place, one per contact [m].
+/// Offsets of a part's threads from their nominal place, one per contact [m].
 struct Offsets {
   std::vector<double> axial;
   std::vector<double> radial;

@@ -29,7 +29,8 @@ std::optional<ThreadWidths> thread_widths(const contact::Thread& thread);
 /// How far a roller's threads are from those of one body, axially [m], while each thread stands in
 /// the middle of the other's groove; negative where they overlap. Twice that is the axial play.
 struct ThreadClearance {
-  /// Of the flanks at the contact point, epsilon_SRc, epsilon_NRc (55): half the backlash.
+  /// Clearance of the flanks at the contact point, epsilon_SRc, epsilon_NRc (55): half the
+  /// backlash.
   double flank = 0.0;
   /// From the edge of the body's crest to the roller's flank, epsilon_ST, epsilon_NT (57).
   std::optional<double> body_crest;

@@ -47,7 +47,7 @@ class CsvTable {
                             std::string_view message) const;
 
   input::Source source_;
-  input::CsvReader reader_;  ///< Of the source's text.
+  input::CsvReader reader_;  ///< Reads the source's text.
   std::vector<std::string> header_;
   std::vector<Row> rows_;
 };

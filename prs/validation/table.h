@@ -6,14 +6,14 @@
 
 namespace prs {
 
-/// Numbers that a source's code contributes beside the printed ones.
+/// Numbers that a source's code adds to the printed ones.
 struct ValidationTable {
   struct Row {
     std::string label;
     std::vector<double> values;
   };
   std::string title;
-  std::vector<std::string> columns;  ///< Of the labels, then of the values, units included.
+  std::vector<std::string> columns;  ///< Headings of labels and values, with units.
   std::vector<Row> rows;
   std::optional<int> decimals = {};  ///< In the text; six significant digits where absent.
 };

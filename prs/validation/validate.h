@@ -29,7 +29,7 @@ const char* name(Outcome outcome);
 
 /// A printed number against the computed one.
 struct Comparison {
-  std::string case_name;  ///< Of the case's file, without its ending; or of formulas.
+  std::string case_name;  ///< Case file without its ending; or name of the formulas.
   PrintedValue reference;
   std::optional<double> computed;  ///< Absent where the result does not hold the quantity.
 
@@ -39,7 +39,7 @@ struct Comparison {
   }
 };
 
-/// What the code of a source finds on its case and in the data beside it.
+/// What the code of a source finds on its case and in the data next to it.
 struct Supplement {
   std::vector<ComparedStatement> statements = {};
   std::vector<ValidationTable> tables = {};
@@ -49,7 +49,7 @@ struct Supplement {
 
 /// What the run says of one folder below `validation/`.
 struct SourceReport : Supplement {
-  std::string name;    ///< Of the folder.
+  std::string name;    ///< Name of the folder.
   std::string source;  ///< Citation.
   std::vector<Comparison> comparisons;
 };

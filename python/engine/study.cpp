@@ -63,7 +63,7 @@ class StudySource : public std::enable_shared_from_this<StudySource> {
   std::size_t designs() const { return design_count(study()); }
   const input::StudyInput& input() const { return in_; }
 
-  /// Of factors that overrides make void.
+  /// Warnings on factors that overrides make void.
   std::vector<std::string> warnings() const {
     return void_factor_warnings(in_, engine_ ? study().responses : in_.study.responses);
   }

@@ -175,7 +175,7 @@ struct DenseSector {
     bool converged = false;
     std::vector<Real> normal_load;
     Real displacement = 0.0;
-    Real tangent_stiffness = 0.0;  ///< Of one sector.
+    Real tangent_stiffness = 0.0;  ///< Stiffness of one sector.
   };
 
   Solution solve(Real sector_force) const {

@@ -17,7 +17,7 @@ struct Flank {
   Number pitch_radius = 0;
   Number lead = 0;            ///< > 0 right-handed.
   Number flank_angle = 0;     ///< Against the plane across the axis.
-  Number profile_radius = 0;  ///< Of the convex arc; 0: straight.
+  Number profile_radius = 0;  ///< Radius of the convex arc; 0: straight.
   Number axis = 0;            ///< x of the part's axis.
 };
 

@@ -47,7 +47,7 @@ struct Interface {
   Real larger_curvature = 0;      ///< rho_x of (2.31), relative [1/m].
   Real curvature_ratio = 1;       ///< lambda, smaller over larger relative curvature.
   Real relative_modulus = 0;      ///< E' = 2 E* [Pa].
-  std::vector<Thread> threads{};  ///< Of one roller.
+  std::vector<Thread> threads{};  ///< Threads of one roller.
 };
 
 struct Lubricant {
@@ -58,7 +58,7 @@ struct Lubricant {
 
 struct Case {
   bool standard = true;               ///< chi.
-  Real lead = 0;                      ///< Of screw and nut, signed [m].
+  Real lead = 0;                      ///< Lead of screw and nut, signed [m].
   Real gear_ratio = 0;                ///< Gamma of (2.1) > 0.
   Real centre_distance = 0;           ///< c [m].
   int rollers = 0;                    ///< N_R.

@@ -17,9 +17,9 @@ struct Diameters {
 struct Measures {
   double nut_thickness = 0.0;  ///< [m]
   double volume = 0.0;         ///< [m^3]
-  double stiffness = 0.0;      ///< Of one thread [N/m].
+  double stiffness = 0.0;      ///< Stiffness of one thread [N/m].
   double load_capacity = 0.0;  ///< C_a [N]
-  double weight = 0.0;         ///< Of nut and rollers [kg].
+  double weight = 0.0;         ///< Weight of nut and rollers [kg].
 
   double force_density() const { return load_capacity / weight; }  ///< [N/kg]
 };

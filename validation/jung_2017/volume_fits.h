@@ -13,8 +13,8 @@ struct VolumeFit {
   const char* equation;
   const char* measure;  ///< With its unit.
   bool of_case_2 = false;
-  double (*value)(const Measures&);    ///< Of the measure, in that unit.
-  std::array<double, 6> coefficients;  ///< Of x^5, x^4 .. 1, as printed.
+  double (*value)(const Measures&);    ///< Value of the measure, in that unit.
+  std::array<double, 6> coefficients;  ///< Factors of x^5, x^4 .. 1, as printed.
 
   double at(double x) const;
 };

@@ -47,7 +47,7 @@ struct Discrepancy {
   PerInterface<LoadDiscrepancy> loads;
 };
 
-/// Of two points at one load; absent where one has no answer.
+/// Discrepancy of two points at one load; absent where one of them has no answer.
 std::optional<Discrepancy> discrepancy(const CurvePoint& point, const CurvePoint& reference);
 
 /// A discrepancy and where it is met.
@@ -60,7 +60,7 @@ struct Extreme {
 /// What the discrepancies of many points have in common.
 struct Summary {
   int points = 0;
-  int unsolved = 0;  ///< Of them without an answer.
+  int unsolved = 0;  ///< Points without an answer.
   double mean_stiffness = 0.0;
   Extreme least_stiff;
   Extreme stiffest;

@@ -16,7 +16,7 @@ struct CatalogueScrew {
   StandardScrew screw;
   double dynamic_capacity = 0.0;  ///< C_a [N]
   double static_capacity = 0.0;   ///< C_0 [N]
-  double weight = 0.0;            ///< Of nut and rollers [kg].
+  double weight = 0.0;            ///< Weight of nut and rollers [kg].
   double weight_digit = 0.0;      ///< Half a unit of its last digit [kg].
   double nut_inertia = 0.0;       ///< [kg m^2]
   double roller_inertia = 0.0;    ///< As the screw sees it [kg m^2].

@@ -17,7 +17,7 @@ using Rows = std::vector<Ratios>;
 
 constexpr double kDensity = 7800.0;       // kg/m^3
 constexpr int kLargestDiameter = 120;     // mm
-constexpr double kRadiusInPitches = 5.0;  // Of the variant.
+constexpr double kRadiusInPitches = 5.0;  // Arc radius of the variant.
 
 /// Cylinders of steel, one of each whole diameter in mm, per metre.
 Json cylinders() {

@@ -43,7 +43,7 @@ Json derived(const Result& result) {
 /// A contact point as table 2 prints it: radius [mm] and deflection [deg] on body and roller.
 struct PrintedPoint {
   const char* label;
-  double side;  ///< Of the roller's axis on which the point lies: -1 at the screw, +1 at the nut.
+  double side;  ///< Side of the roller's axis with the point: -1 at the screw, +1 at the nut.
   double body_radius, body_angle, roller_radius, roller_angle;
 };
 

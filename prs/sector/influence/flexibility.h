@@ -25,7 +25,7 @@ namespace prs {
 struct Flexibility {
   Eigen::MatrixXd matrix;
   double half_space = 0.0;         ///< Taken from each diagonal term [m/N]; roller: screw side.
-  std::optional<ThrustFace> face;  ///< Of a nut that can lift off its shoulder.
+  std::optional<ThrustFace> face;  ///< For a nut that can lift off its shoulder.
 };
 
 /// What the flexibilities of the three bodies depend on.

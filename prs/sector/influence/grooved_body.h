@@ -15,7 +15,7 @@ namespace prs {
 /// How finely a grooved body is meshed. The defaults are those of working accuracy.
 struct MeshDensity {
   int patch_cells = 6;        ///< Across a contact patch, along the profile; even.
-  double growth = 1.5;        ///< Of a cell against its neighbour, away from the patch.
+  double growth = 1.5;        ///< Size ratio of neighbouring cells, away from the patch.
   double largest_cell = 0.5;  ///< In the core, radially, over the body's thickness there.
   double step_cell = 0.02;    ///< Radially at a step of a nut's surface, over the same.
   int plain_flank_cells = 4;  ///< On flanks without load.
@@ -31,7 +31,7 @@ struct LoadedFlank {
   int patch_cells = 4;  ///< Across the patch.
 };
 
-/// A plain length of a body beside its threads, up to a radius [m].
+/// A plain length of a body next to its threads, up to a radius [m].
 struct PlainEnd {
   double length = 0.0;
   double radius = 0.0;
@@ -54,7 +54,7 @@ struct GroovedShape {
   std::optional<std::pair<double, double>> ridges;
   double far_radius = 0.0;  ///< Bore of a screw, 0 of a solid roller; outer radius of a nut [m].
   std::optional<PlainEnd> plain_end;  ///< On both sides of an external thread.
-  std::vector<Collar> collars;        ///< Of a nut.
+  std::vector<Collar> collars;        ///< Collars of a nut.
   std::vector<double> sections;       ///< Further axial positions with a column of nodes [m].
   std::vector<double> radii;  ///< Further radii with a layer of nodes beyond the core of a nut [m].
 };

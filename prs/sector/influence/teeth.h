@@ -58,8 +58,8 @@ struct Teeth {
 /// What the harmonics that die out along a body add to its flexibility, the same at all threads.
 struct TeethFlexibility {
   BlockResponse response;      ///< Sum of the harmonics; rows and columns are types of contacts.
-  Eigen::VectorXd half_space;  ///< Of each type, to be taken from the diagonal [m/N].
-  Eigen::VectorXd remainder;   ///< Of the harmonics left out, to be added to it [m/N].
+  Eigen::VectorXd half_space;  ///< Half-space part per type, to subtract from the diagonal [m/N].
+  Eigen::VectorXd remainder;   ///< Harmonics left out, to add to the diagonal [m/N].
 };
 
 TeethFlexibility teeth_flexibility(const Teeth& teeth, MatrixCache& cache);

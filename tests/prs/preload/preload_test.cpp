@@ -90,7 +90,7 @@ PreloadCase one_thread(Arrangement arrangement) {
 struct WedgedTooth {
   const test::SectorCase& c;
   PerInterface<double> overlap;  ///< d, along the normal [m]
-  double bars = 0.0;             ///< Of screw and nut [m/N]
+  double bars = 0.0;             ///< Compliance of screw and nut [m/N]
 
   WedgedTooth(const PreloadCase& p, double interference) : c(p.c) {
     // k_s d_s^1.5 sin(psi_s) = k_n d_n^1.5 sin(psi_n), d_s/sin(psi_s) + d_n/sin(psi_n) = e.

@@ -15,7 +15,7 @@ using Eigen::Index;
 struct Plate {
   int nodes = 5;
   double compliance = 2e-9;
-  double tilt = 1e-9;  ///< Of the body about node 0, per unit moment.
+  double tilt = 1e-9;  ///< Tilt of the body about node 0, per unit moment.
 
   ThrustFace face(const Eigen::VectorXd& at) const {
     const Index n = nodes, l = at.size();
