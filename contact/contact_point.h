@@ -18,7 +18,7 @@ struct ThreadPair {
   double centre_distance = 0.0;  ///< c, between the two axes [m], > 0.
 };
 
-/// The face of the roller that touches: rain falls on the top face.
+/// The face of the roller that touches. The top face looks along +z.
 enum class RollerFace { top = -1, bottom = 1 };  // gamma of the roller's surface
 
 /// The two ways to load the mechanism (Sandu 2018, section 1.3).
@@ -51,9 +51,9 @@ enum class FlankEnd { root, crest };
 
 constexpr std::string_view name(FlankEnd end) { return end == FlankEnd::root ? "root" : "crest"; }
 
-/// Something of a contact that lies beyond the end of a flank.
+/// A contact point or ellipse that reaches beyond the end of a flank.
 struct FlankViolation {
-  bool of_roller = false;  ///< Else of the body.
+  bool of_roller = false;  ///< True: the roller's flank; false: the body's.
   FlankEnd end = FlankEnd::root;
   double by = 0.0;  ///< Radial distance beyond that end [m], > 0.
 };
@@ -61,7 +61,8 @@ struct FlankViolation {
 /// At most both ends of both flanks; a range.
 class FlankViolations {
  public:
-  /// Records what reaches from `innermost` to `outermost` radius [m] beyond the flank's ends.
+  /// Records a contact that reaches from `innermost` to `outermost` radius [m] beyond the flank's
+  /// ends.
   void add(const ThreadSurface& surface, bool of_roller, double innermost, double outermost);
 
   const FlankViolation* begin() const { return list_.data(); }
@@ -83,8 +84,8 @@ struct ContactPoint {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< x, y from the body's axis [m].
   double radius_on_body = 0.0;                         ///< [m]
   double radius_on_roller = 0.0;                       ///< [m]
-  /// Angles of the point about the two axes from x [rad]. The one on a roller beside a screw is on
-  /// the branch near -pi on the roller's top face and near +pi on its bottom face.
+  /// Angles of the point about the two axes from x [rad]. The roller's angle at the
+  /// screw is on the branch near -pi on the roller's top face and near +pi on its bottom face.
   double angle_on_body = 0.0;
   double angle_on_roller = 0.0;
   /// Unit normal, outward from the roller.
@@ -92,7 +93,7 @@ struct ContactPoint {
   /// Second derivatives of the axial clearance over x, y [1/m].
   SymmetricTensor clearance_hessian;
   /// Total axial play of the pair, both faces (Sandu 2018, (1.40)) [m]; negative: the threads are
-  /// too thick by that much, 0 within the radii's rounding. Means something at equal pitches only.
+  /// too thick by that much, 0 within the radii's rounding. Defined for equal pitches only.
   double backlash = 0.0;
 
   FlankViolations violations;  ///< Filled with status `outside_flank`; else empty.
@@ -105,7 +106,7 @@ struct ContactPoint {
 ///
 ///     C(x, y) = f_R(r_R) + s f_B(r_B) - gamma (l_B theta_B - l_R theta_R)/(2 pi) + const,
 ///
-/// s = +1 beside a screw and -1 inside a nut, gamma = -1 on the roller's top face and +1 on its
+/// s = +1 at a screw and -1 inside a nut, gamma = -1 on the roller's top face and +1 on its
 /// bottom face. There the normals are opposite, as (A.4) asks, and the point is the same by
 /// construction (A.1), so (A.9) and (A.10) hold as well; but the Jacobian is now the clearance
 /// Hessian, symmetric, regular also where the helix angles match (there the Jacobian of

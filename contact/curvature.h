@@ -49,7 +49,7 @@ struct PrincipalValues {
   double angle = 0.0;
 };
 
-/// first <= second. Closed form; a small eigenvalue beside a large one keeps its digits (product
+/// first <= second. Closed form; a small eigenvalue next to a large one keeps its digits (product
 /// of the eigenvalues = determinant). An isotropic tensor has angle 0.
 inline PrincipalValues principal_ascending(const SymmetricTensor& t) {
   const double mean = 0.5 * t.trace();

@@ -7,7 +7,7 @@ namespace contact {
 
 // Published fits of the ellipticity ratio a/b >= 1 to the ratio q = kappa_2/kappa_1 >= 1 of the
 // relative curvatures (Sandu 2018, table 1.5), for comparison with `ellipticity`, which is exact;
-// Antoine's is also where that one starts. Errors of a/b at q = 1.5, 10, 1000 beside each.
+// Antoine's is also where that one starts. Errors of a/b at q = 1.5, 10, 1000 are given with each.
 
 /// a/b = 1.03 q^0.64 (Hamrock & Dowson): +1.9 %, -0.1 %, +26 %; +3 % at the circle.
 inline double hamrock_dowson_ellipticity(double q) { return 1.03 * std::pow(q, 0.64); }

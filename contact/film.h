@@ -4,7 +4,7 @@
 
 namespace contact {
 
-/// What the film of a lubricated contact knows of its two bodies.
+/// Inputs of the film formulas for one lubricated contact of two bodies.
 struct FilmContact {
   double normal_load = 0.0;      ///< N, static [N]
   double curvature = 0.0;        ///< rho_x, the larger relative curvature [1/m]
@@ -47,7 +47,7 @@ Film sandu_film(const Lubricant& lubricant, const FilmContact& contact, double r
 ///     H_EI = 3.18 k^(-14/25) lambda^(-1/15) M^(-2/15)                  elastic, isoviscous
 ///     H_RP = 1.29 (1 + 0.691 lambda)^(-2/3) L^(2/3)                    rigid, piezoviscous
 ///     H_EP = 1.48 k^(-7/20) lambda^(-1/24) M^(-1/12) L^(3/4)           elastic, piezoviscous
-///     H_00 = 1.80 lambda^(-5/7)            what bounds the elastic, isoviscous film at small loads
+///     H_00 = 1.80 lambda^(-5/7)            bound of the elastic, isoviscous film at small loads
 struct FilmRegimes {
   double rigid_isoviscous = 0.0;
   double elastic_isoviscous = 0.0;

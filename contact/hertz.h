@@ -17,7 +17,7 @@ struct Elasticity {
 /// Yao 2023's E' (46) is E*; Sandu 2018's E' (1.78) is 2 E*.
 double contact_modulus(const Elasticity& body_1, const Elasticity& body_2);
 
-/// Why a Hertz contact could be computed or not.
+/// Whether a Hertz contact could be computed, and if not, why.
 enum class HertzStatus {
   ok,
   not_computed,
@@ -29,7 +29,7 @@ enum class HertzStatus {
 
 std::string_view name(HertzStatus status);
 
-/// What an elliptic Hertz contact is before a load is put on it.
+/// Load-independent constants of an elliptic Hertz contact.
 struct HertzConstants {
   HertzStatus status = HertzStatus::not_computed;
   double ellipticity = 0.0;               ///< b/a, 0 < b/a <= 1 [-]

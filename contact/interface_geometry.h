@@ -27,8 +27,8 @@ struct InterfaceGeometry {
 
   bool ok() const { return point.ok(); }
   double curvature_sum() const { return relative.first + relative.second; }  ///< (1.77) [1/m]
-  /// Smaller relative curvature over the roller's largest one [-]: towards 0 the surfaces nestle
-  /// and Hertz's half-spaces lose their meaning.
+  /// Smaller relative curvature over the roller's largest one [-]: towards 0 the surfaces conform
+  /// closely and Hertz's half-space assumption fails.
   double openness() const { return relative.first / std::abs(roller.second); }
   /// Acute angle between the first directions of body and roller [rad] (1.61).
   double first_directions_angle() const;
@@ -48,7 +48,7 @@ InterfaceGeometry interface_geometry(const ThreadPair& pair, RollerFace face);
 FlankViolations ellipse_beyond_flanks(const ThreadPair& pair, const InterfaceGeometry& interface,
                                       double semi_major, double semi_minor);
 
-/// The same interface on the other two faces, by symmetry.
+/// The interface on the other two faces of the pair, by symmetry.
 InterfaceGeometry on_other_faces(const InterfaceGeometry& interface);
 
 }  // namespace contact

@@ -10,7 +10,7 @@ namespace contact {
 
 enum class MechanismType {
   standard,  ///< The nut is geared to the rollers and matches their helix angle.
-  inverted,  ///< The screw is, and the roller's helix angle is opposite to the screw's.
+  inverted,  ///< The screw is geared to the rollers; their helix angles are opposite.
 };
 
 /// The three threads of a planetary roller screw and the distance of their axes.
@@ -89,13 +89,13 @@ enum class DesignStatus {
   pitches_differ,        ///< Backlash has no meaning then.
   too_few_screw_starts,  ///< Standard: (1.52) needs n_S > 2 n_R.
   no_screw_contact,      ///< No admissible contact point there; `contact.screw.point` says why.
-  no_nut_contact,        ///< The same at the nut.
+  no_nut_contact,        ///< No admissible contact point at the nut.
   not_converged,
 };
 
 std::string_view name(DesignStatus status);
 
-/// A mechanism designed for its backlash and why the design ended; born failed.
+/// A mechanism designed for its backlash, and why the design ended. Starts as failed.
 struct DesignResult {
   DesignStatus status = DesignStatus::not_solved;
   MechanismGeometry mechanism;

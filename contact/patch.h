@@ -50,7 +50,7 @@ struct PatchFriction {
   double max_sliding_speed = 0.0;  ///< Over the points [m/s]
 };
 
-/// One contact ellipse with its law of friction: all that stays while the slip ratio is sought.
+/// One contact ellipse with its law of friction: what is constant while the slip ratio is sought.
 class Patch {
  public:
   /// Coulomb friction.

@@ -13,7 +13,7 @@ enum class ProfilePlane {
   axial,   ///< Through the axis (Yao 2023, (2)-(4)).
 };
 
-/// Thread of one part as it is drawn. All of it describes the *material*, also for a nut.
+/// Thread of one part as on its drawing. It describes the *material*, for a nut too.
 struct Thread {
   bool internal = false;      ///< A nut.
   double pitch_radius = 0.0;  ///< r_T, thread as wide as gap [m], > 0.
@@ -30,7 +30,7 @@ struct Thread {
   std::optional<double> thickness = std::nullopt;
 };
 
-/// Pitches and leads that differ by a smaller share are one number, rounded in two ways.
+/// Pitches and leads that differ by a smaller share count as equal (rounding).
 inline constexpr double kSamePitch = 1e-9;
 bool same_pitch(double a, double b);
 /// Whether two threads stay together along the axis: only then do they have a backlash.
@@ -44,7 +44,7 @@ struct ProfilePoint {
   double slope_rate = 0.0;  ///< f'' [1/m]
 };
 
-/// One flank of a thread as a helicoid, with everything that its formulas share worked out once:
+/// One flank of a thread as a helicoid, with the common terms of its formulas precomputed:
 ///
 ///     z(r, theta) = gamma f(r) + theta l/(2 pi)                          (Sandu 2018, (1.22))
 ///

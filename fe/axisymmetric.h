@@ -18,7 +18,7 @@ namespace fe {
 ///
 ///     u_r = U(r, z) cos(n theta),  u_theta = V(r, z) sin(n theta),  u_z = W(r, z) cos(n theta),
 ///
-/// and harmonics do not see each other. n = 0 has no V: torsion is left out. Vectors over the mesh
+/// and harmonics are uncoupled. n = 0 has no V: torsion is left out. Vectors over the mesh
 /// hold (U, V, W) of node after node [m], nodal loads the work-conjugate forces [N]: load times
 /// displacement is the work over the whole circumference, so that the loads contain
 ///

@@ -50,15 +50,15 @@ BeamMatrix<Real> stiffness_matrix(const Beam& beam) {
   return k;
 }
 
-/// What deforms a beam, and what it only carries along: rigid translation does not appear.
+/// Deformation of a beam. Rigid translation does not appear.
 template <class Real>
 struct BeamMotion {
   Real elongation;       ///< u_2 - u_1 [m]
   Real deflection;       ///< v_2 - v_1 [m]
   Real first_rotation;   ///< theta_1 [rad]
   Real second_rotation;  ///< theta_2 [rad]
-  Real first_rest{};     ///< What rounding took from theta_1 and
-  Real second_rest{};    ///< theta_2 [rad].
+  Real first_rest{};     ///< Compensation: rounding error of theta_1
+  Real second_rest{};    ///< and of theta_2 [rad].
 };
 
 /// End forces on the beam, K q over (u_1, v_1, theta_1, u_2, v_2, theta_2), from elongation and the

@@ -4,13 +4,13 @@
 #include <limits>
 #include <utility>
 
-#include "fe/factorization_status.h"
 #include "fe/equations.h"
+#include "fe/factorization_status.h"
 #include "fe/newton_types.h"
 
 namespace fe {
 
-/// Newton's method, whatever numbers it is done in. `Numbers` holds the workspace and tells
+/// Newton's method for any number type. `Numbers` holds the workspace and provides
 ///
 /// - `Energy`, `State`, `Vector`: a number, displacements, and anything else that has an entry for
 /// each equation
@@ -21,12 +21,12 @@ namespace fe {
 ///
 /// - `set_to_step(trial, q, length, step)`: trial = q - length * step
 ///
-/// - `energy_rounding(q, f, energy)`: below which two energies do not differ
+/// - `energy_rounding(q, f, energy)`: difference below which two energies count as equal
 ///
 /// - `force_change(q, step)`, `force_rounding(q)`: as Equations has them
 ///
-/// - `residual_is_rounding(q, r)`: whether rounding can be all that is left; `kMostStalls`: so many
-/// steps that lessen neither energy nor residual say so as well
+/// - `residual_is_rounding(q, r)`: whether the residual may be rounding only; `kMostStalls`: number
+/// of steps without a decrease of energy or residual after which it counts as rounding too
 template <class Numbers>
 class NewtonMethod {
  public:
@@ -43,8 +43,8 @@ class NewtonMethod {
 
   Numbers& numbers() { return numbers_; }
 
-  /// Minimises the potential energy under the load `f`, from the state `q`, which it updates, in at
-  /// most so many linear solves, of which so many with a shift.
+  /// Minimises the potential energy under the load `f`, starting from the state `q`, which it
+  /// updates. Takes at most `limit` linear solves, at most `shifted_limit` of them with a shift.
   NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, int limit,
                       int shifted_limit, State& q) {
     NewtonSummary summary;
@@ -106,7 +106,7 @@ class NewtonMethod {
   }
 
  private:
-  /// Linear solves after which their digits are doubted.
+  /// Number of linear solves after which their accuracy is checked.
   static constexpr int kUsualIterations = 20;
 
   double relative_residual(const NewtonOptions& options) const {

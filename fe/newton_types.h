@@ -36,8 +36,8 @@ struct NewtonOptions {
   double force_scale = 1.0;   ///< [N]
   double length_scale = 1.0;  ///< [m]
 
-  /// Linear solves allowed for a model of so many springs. Along a thread of thousands of contacts
-  /// those that open do so one after the other, a few in a step: one more for every 20 beyond 200.
+  /// Linear solves allowed for a model with `springs` springs: one more for every 20 beyond 200,
+  /// since in a thread of thousands of contacts only a few open in each step.
   int iteration_limit(int springs) const {
     return max_iterations + (springs > 200 ? (springs - 200) / 20 : 0);
   }
@@ -65,7 +65,7 @@ struct NewtonOptions {
   [[gnu::always_inline]] Lanes<Real> stalled(const Real& residual, const Real& before) const {
     return residual > 0.1 * before;
   }
-  /// Whether a residual that rounding keeps from falling will do.
+  /// Whether a residual that rounding keeps from falling is small enough.
   template <class Real>
   [[gnu::always_inline]] Lanes<Real> rounded(const Real& change, const Real& residual) const {
     return (residual <= rounding_tolerance) & (change <= force_tolerance);
@@ -89,14 +89,14 @@ struct NewtonIteration {
   double shift = 0.0;              ///< Regularisation of this step's matrix; 0 as a rule.
 };
 
-/// Says why the solver stopped; born failed.
+/// Why the solver stopped. Starts as failed.
 struct NewtonSummary {
   NewtonStatus status = NewtonStatus::iteration_limit;
   double initial_relative_residual = 0.0;
   double relative_residual = 0.0;
   double energy = 0.0;
   bool at_rounding = false;  ///< Stopped by the rounding of the state, above `residual_tolerance`.
-  bool wide = false;         ///< Doubles did not do: the last steps were taken in wider numbers.
+  bool wide = false;         ///< Doubles were not enough: the last steps used wider numbers.
   std::vector<NewtonIteration> history;
 
   bool converged() const { return status == NewtonStatus::converged; }

@@ -20,7 +20,7 @@ struct SpringResponse {
 /// Newton direction always descends. Exponent 3/2 is Hertz's point contact (Abevi 2015, (21), with
 /// the exponent read as 3/2).
 ///
-/// What stands in series may take back part of the approach, series_compliance < 0. The law holds
+/// The spring in series may take back part of the approach, series_compliance < 0. The law holds
 /// until it takes back half of what the power law adds, 1 + series_compliance d force/dd = 1/2;
 /// from there on the force grows along its tangent.
 struct PowerLawSpring {
@@ -99,7 +99,7 @@ inline SpringResponse evaluate(const PowerLawSpring& s, double w) {
   return response_in_series(s, law_approach_in_series(s, total));
 }
 
-/// The same spring as a function of its net approach w - gap.
+/// Response of the spring as a function of its net approach w - gap.
 inline PowerLawSpring without_gap(PowerLawSpring s) {
   s.gap = 0.0;
   return s;

@@ -43,7 +43,7 @@ using ShellMatrix = Eigen::Matrix<double, 5, 5>;
 /// positive rigidities with H A > C^2.
 ShellMatrix stiffness_matrix(const ShellRigidity& shell, double length);
 
-/// The same with u taken at the radius r_0 + `shift`.
+/// The matrix with u taken at the radius r_0 + `shift`.
 ShellMatrix about(const ShellMatrix& stiffness, double shift);
 
 /// 6 x 6 stiffness over (u_1, v_1, theta_1, u_2, v_2, theta_2).

@@ -18,7 +18,7 @@ struct State {
   /// Displacement i; -1 stands for a freedom that does not move.
   double operator[](int i) const { return i < 0 ? 0.0 : head[i]; }
 
-  /// What rounding took from displacement i.
+  /// Compensation of displacement i: the part that rounding took from the head.
   double compensation(int i) const { return i < 0 ? 0.0 : tail[i]; }
 
   /// Displacement j less displacement i.

@@ -11,8 +11,9 @@
 
 namespace fe {
 
-/// Cholesky by dense blocks, for patterns much larger than one sector; as of `Cholesky` the pattern
-/// is fixed and its order is kept. All of it throws std::bad_alloc where memory does not suffice.
+/// Cholesky by dense blocks, for patterns much larger than one sector. As in `Cholesky`, the
+/// pattern is fixed and its order is kept. All of it throws std::bad_alloc where memory does not
+/// suffice.
 class SupernodalCholesky {
  public:
   SupernodalCholesky() = default;

@@ -37,9 +37,9 @@ struct Options : OutputOptions {
 
 inline constexpr std::size_t kMostThreads = 4096;
 
-/// A command that delivers what it finds in one go.
+/// Runs a command that computes a case and writes its results.
 int run_case(const CommandRow& row, const Options& options);
-/// What the measures are, without a file.
+/// Prints formula, validity and source of every measure. Needs no case.
 int explain_measures(const Options& options);
 int study(const Options& options);
 /// Writes the files of a study from the journals in `options.folders`.

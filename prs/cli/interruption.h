@@ -18,8 +18,8 @@ class Interruption {
   std::unique_ptr<Before> before_;
 };
 
-/// A file that may not grow further (SIGXFSZ) and a reader that is gone (SIGPIPE) become errors of
-/// whoever writes, as a full disk is, not the end of the program.
+/// A file at its size limit (SIGXFSZ) and a closed pipe (SIGPIPE) become write errors, like a full
+/// disk, and do not end the program.
 void let_writes_fail();
 
 }  // namespace prs::cli

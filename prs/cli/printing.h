@@ -25,28 +25,27 @@ struct OutputOptions {
 /// their numbers. What is written to such a stream fails. False where that does not work.
 bool reserve_standard_streams();
 
-/// Whoever read standard output, as `head`, has read enough.
+/// The reader of standard output has closed it, as `head` does.
 class ReaderGone : public std::runtime_error {
  public:
   ReaderGone() : std::runtime_error("standard output is read no further") {}
 };
 
-/// On standard output, as `printable_lines` shows it. Throws where the text does not arrive:
-/// ReaderGone or, as on a full disk, std::system_error.
+/// Prints on standard output, as `printable_lines` shows it. Throws where that fails: ReaderGone
+/// or, as on a full disk, std::system_error.
 void print(std::string_view text);
 
 /// Closes standard output. Throws what a file system held back until then, as `print` does.
 void close_output();
 
-/// On standard error, as `printable_lines` shows it; lines of visible ASCII ask for no memory.
-/// Nothing happens where that cannot be written to: the program's
-/// results and its status do not depend on it.
+/// Prints on standard error, as `printable_lines` shows it. Lines of visible ASCII allocate no
+/// memory. A failure is ignored: results and exit status do not depend on it.
 void say(std::string_view text) noexcept;
 
-/// On standard error, as it stands: what moves the cursor of a terminal, and no text of the input.
+/// Prints on standard error unchanged: for terminal control codes, never for text of the input.
 void control_terminal(std::string_view sequence) noexcept;
 
-/// A line on standard error, unless quiet.
+/// Prints a line on standard error, unless quiet.
 void note(const OutputOptions& options, const std::string& text);
 
 /// Says which pictures are missing; false where one of them could not be written.

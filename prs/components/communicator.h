@@ -30,11 +30,11 @@ class Communicator {
   virtual int processors_each() = 0;
 
   virtual void send(int rank, int tag, std::string_view content) = 0;
-  /// What has arrived and was not received yet, without waiting.
+  /// A message that has arrived and was not received yet. Does not wait.
   virtual std::optional<Message> receive() = 0;
 
-  /// Every process must call them: what the first one hands over, if anything, reaches all; whether
-  /// it is true of all.
+  /// Every process must call these two. The first sends what rank 0 hands over, if anything, to
+  /// all; the second tells whether a condition holds on all.
   virtual void broadcast(std::optional<std::string>& text) = 0;
   virtual bool all(bool own) = 0;
 

@@ -13,9 +13,9 @@ namespace prs::input {
 /// for the file in messages, `source` is the input that names columns and units under
 /// `life.history`.
 ///
-/// Throws InputError: `FILE:LINE:COLUMN: error: NAME: got VALUE; expected ..` for what is no finite
-/// number and for time that runs backwards; at the place in the input for a column that the file
-/// lacks and for a unit that does not fit.
+/// Throws InputError: `FILE:LINE:COLUMN: error: NAME: got VALUE; expected ..` for a value that is
+/// not a finite number and for time that runs backwards; at the place in the input for a column
+/// that the file lacks and for a unit that does not fit.
 LoadHistory parse_force_history(std::string_view text, const std::string& name,
                                 const HistorySource& history, const Source& source);
 

@@ -16,7 +16,7 @@ namespace prs::input {
 struct CaseInput {
   Case values;
   std::vector<EchoEntry> fields;
-  std::optional<Command> study;     ///< What the file's study runs, which is another's to check.
+  std::optional<Command> study;     ///< The command that the file's study runs.
   std::optional<Command> optimize;  ///< The command that an optimization runs.
 };
 
@@ -33,7 +33,8 @@ std::vector<LoadCase> expand(const std::vector<LoadCaseItem>& items);
 /// the items changed.
 void update_numbers(std::vector<LoadCase>& cases, const std::vector<LoadCaseItem>& items);
 
-/// What `check_case` finds wrong with a case or, where that is nothing, what the command lacks.
+/// The problems that `check_case` finds in a case or, without any, what the command needs and
+/// lacks.
 std::vector<Problem> problems_of(const Case& c, Command command);
 
 /// The case of a document that was read without an error, ranges of load cases expanded, and what

@@ -37,7 +37,7 @@ struct Source {
 };
 
 /// Reads a file of at most 1 MiB. Throws InputError where it is missing, unreadable, too large or
-/// no regular file.
+/// not a regular file.
 Source load_source(const std::string& file, std::vector<std::string> overrides);
 
 /// Makes a source from a text; `name` stands for the file in messages.
@@ -51,13 +51,13 @@ class ErrorList {
 
   void add(Place place, std::string_view key, std::string_view message);
 
-  /// An error that may be the consequence of another: told only where there is no other.
+  /// An error that may be the consequence of another: reported only where there is no other.
   void add_consequence(Place place, std::string_view key, std::string_view message);
 
   [[noreturn]] void fail(Place place, std::string_view key, std::string_view message);
 
-  /// Adds what another list on the same source would tell, each error at the place that `move`
-  /// gives for its own; one that stands there already is left out.
+  /// Adds the errors of another list on the same source, each moved to the place that `move` gives.
+  /// An error that this list already has is left out.
   void take(const ErrorList& other, const std::function<Place(Place)>& move);
 
   bool empty() const { return errors_.empty() && consequences_.empty(); }

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "prs/threads/contact_laws.h"
-#include "prs/sector/load_distribution.h"
 #include "prs/loads/result.h"
+#include "prs/sector/load_distribution.h"
+#include "prs/threads/contact_laws.h"
 
 namespace prs {
 
@@ -23,19 +23,19 @@ LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& con
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,
                                   const PerInterface<ContactLaw>& laws);
 
-/// The same with what the geometry gives; the contacts must exist.
+/// Result of equal shares with the laws that the geometry gives; the contacts must exist.
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts);
 
 /// Adds what is unusual about an answer: open threads, pressures, ellipses beyond the flanks.
 void add_warnings(LoadCaseResult& result, const Contacts& contacts);
 
-/// Contact pressure from which a note stands beside a screw that runs under it: flanks of bearing
-/// steel that turn under more than some 2.5 GPa live short, however static safety stands.
+/// Contact pressure [Pa] above which a screw that turns under load gets a note. Flanks of bearing
+/// steel that run above about 2.5 GPa have a short life, whatever their static safety.
 inline constexpr double kRunningPressureLimit = 2.5e9;
 
 /// A note where the largest peak pressure [Pa] of an interface is above `kRunningPressureLimit`;
-/// none above `kStaticPressureLimit`, of which its own warning speaks. `slip`, `life` and, with a
-/// speed, `measures` have it: `solve` does not know whether the screw turns under the load.
+/// none above `kStaticPressureLimit`, which has a warning of its own. `slip`, `life` and, with a
+/// speed, `measures` give the note: `solve` does not know whether the screw turns under the load.
 std::optional<std::string> running_pressure_note(Interface i, double peak_pressure);
 
 }  // namespace prs

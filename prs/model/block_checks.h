@@ -5,7 +5,7 @@
 #include "prs/model/case.h"
 #include "prs/model/problems.h"
 
-// Checks of the blocks of a case, each beside its block. `check_case` calls them in its order.
+// Checks of the blocks of a case, each in the file of its block. `check_case` calls them in order.
 
 namespace prs {
 

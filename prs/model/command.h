@@ -4,7 +4,7 @@
 
 namespace prs {
 
-/// What the program can be asked to do with a case.
+/// Commands that the program can run on a case.
 enum class Command { check, contact, solve, slip, preload, life, measures, study, optimize };
 
 inline constexpr std::string_view kCommandNames[] = {

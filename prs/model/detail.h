@@ -2,7 +2,7 @@
 
 namespace prs {
 
-/// How much of a result is wanted.
+/// How much of a result to compute.
 enum class Detail {
   complete,
   numbers,  ///< Without warnings and without stresses below the surface, for studies.

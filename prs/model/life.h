@@ -42,7 +42,7 @@ struct SpectrumLoad {
   std::optional<double> share;        ///< Share of all revolutions.
 };
 
-/// What `prs life` is asked about. One of `history` and `spectrum` is given.
+/// Inputs of `prs life`. One of `history` and `spectrum` is given.
 struct Life {
   std::optional<HistorySource> history;
   std::vector<SpectrumLoad> spectrum;

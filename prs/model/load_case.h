@@ -16,7 +16,7 @@ constexpr std::string_view name(Direction d) {
   return d == Direction::tension ? "tension" : "compression";
 }
 
-/// One load on the mechanism. A range in the input has been expanded to one case a point.
+/// One load on the mechanism. A range in the input has been expanded to one case per point.
 struct LoadCase {
   /// How the load spreads over the threads: solved from the structure, or equal by assumption.
   enum class Share { solved, equal };

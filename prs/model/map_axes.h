@@ -15,7 +15,8 @@ struct MapAxis {
   std::vector<std::size_t> levels;  ///< Indices of the factor's levels, one per node.
   std::vector<double> numbers;      ///< Numbers of the levels, in the factor's unit.
   bool logarithmic = false;         ///< Equidistant in their logarithm.
-  /// Whether factor and companions have values between two nodes: no words, no whole numbers.
+  /// Whether factor and companions have values between two nodes: quantities, not words or whole
+  /// numbers.
   bool continuous = false;
 
   std::size_t nodes() const { return numbers.size(); }
@@ -37,7 +38,7 @@ Between between(double place, std::size_t nodes);
 double interpolated(double from, double to, double share, bool logarithmic);
 
 /// The axes of the maps of a study: a grid over two factors of at least two different numbers each.
-/// Absent of any other.
+/// Absent for any other study.
 std::optional<std::array<MapAxis, 2>> map_axes(const Study& study);
 
 }  // namespace prs

@@ -7,7 +7,8 @@
 
 namespace prs {
 
-/// Has the engine, which must outlive the function, answer designs on so many threads.
+/// A function that evaluates designs with the engine on `threads` threads. The engine must outlive
+/// it.
 EvaluateDesigns evaluate_in_parallel(const DesignEngine& engine, std::size_t threads);
 
 }  // namespace prs

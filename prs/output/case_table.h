@@ -37,10 +37,10 @@ std::string case_name_cell(const LoadCaseResult& result);
 std::string force_cell(const LoadCaseResult& result);  ///< [kN]
 std::string direction_cell(const LoadCaseResult& result);
 
-/// SI * factor with so many decimals.
+/// SI * factor with `decimals` decimals.
 std::string fixed(std::optional<double> si, double factor, int decimals);
 
-/// The text with spaces to so many columns.
+/// The text, padded with spaces to `columns` columns.
 std::string padded(const std::string& text, std::size_t columns, bool left_aligned);
 
 }  // namespace prs

@@ -15,7 +15,7 @@ std::string measure_explanations();
 /// `measures.csv`: one row per measure and load case, that of the mechanism's own empty.
 std::string measures_csv(const MeasuresResult& result);
 
-/// `yang.csv`: thread by thread, Yang's load rates beside those of the model.
+/// `yang.csv`: thread by thread, Yang's load rates next to those of the model.
 std::string yang_csv(const MeasuresResult& result);
 
 }  // namespace prs

@@ -6,8 +6,8 @@
 
 namespace prs {
 
-/// What came of an optimization within 110 columns: variables, objectives and what is constrained,
-/// of the file's own design beside the compromise, the constraints, the check.
+/// Result of an optimization within 110 columns: variables, objectives and constrained responses of
+/// the file's own design and of the compromise, then the constraints and the check.
 std::string optimize_table(const OptimizationResult& result);
 
 }  // namespace prs

@@ -6,7 +6,7 @@
 
 namespace prs {
 
-/// `preload.csv`: one row per load, the curve without preload beside.
+/// `preload.csv`: one row per load, with the curve without preload in further columns.
 std::string preload_csv(const PreloadResult& result);
 
 }  // namespace prs

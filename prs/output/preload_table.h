@@ -6,8 +6,8 @@
 
 namespace prs {
 
-/// What the preload amounts to and the curve through zero, within 110 columns. Of many loads every
-/// so many are shown.
+/// The preload and the curve through zero, within 110 columns. Of many loads, an evenly spaced few
+/// are shown.
 std::string preload_table(const PreloadResult& result);
 
 }  // namespace prs

@@ -8,9 +8,9 @@
 
 namespace prs {
 
-/// A file under a temporary name beside its target; gone again unless it is published, so that no
-/// reader meets half a file and a full disk leaves the earlier one as it was. What cannot be
-/// written throws std::system_error that names the target.
+/// A file under a temporary name in the folder of its target; gone again unless it is published, so
+/// that no reader meets half a file and a full disk leaves the earlier one as it was. What cannot
+/// be written throws std::system_error that names the target.
 class StagedFile {
  public:
   explicit StagedFile(std::filesystem::path target);
@@ -23,11 +23,11 @@ class StagedFile {
 
   void append(std::string_view content);
 
-  /// Makes sure that the file can grow to so many bytes, for writers that do not survive a full
-  /// disk. What is not needed of it is given back by `sync`.
+  /// Reserves space for `bytes` bytes, for writers that do not survive a full disk. `sync` gives
+  /// back what was not needed.
   void reserve(std::uint64_t bytes);
 
-  /// Nothing is appended any more; errors that the system held back come now.
+  /// Closes the file. Reports write errors that the system held back.
   void close();
 
   /// Brings the content to the disk, also what others wrote under the temporary name.

@@ -9,7 +9,7 @@
 
 namespace prs {
 
-/// Tables name every case up to so many, and fold what cases share beyond.
+/// Most cases that a table names one by one; of more, it shows what they share in one line.
 inline constexpr std::size_t kMaxUnfoldedCases = 24;
 
 /// The load cases that one range of the input made (`NAME[k]`), in their order, or a single case.

@@ -29,11 +29,11 @@ enum class Kind {
   records,  ///< An array of them.
 };
 
-/// Who can read a quantity as a response.
+/// Where a quantity is available as a response.
 enum class Delivery {
-  numbers,   ///< Whoever asks for no more than numbers, with Detail::numbers.
-  complete,  ///< Only Detail::complete has it.
-  document,  ///< It is about the solution, not the design: only the document of a run says it.
+  numbers,   ///< Part of every result, also with Detail::numbers.
+  complete,  ///< Only with Detail::complete.
+  document,  ///< About the solution, not the design: only in a run's document.
 };
 
 template <class Owner>

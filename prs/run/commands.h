@@ -29,7 +29,7 @@ const CommandRow& row_of(Command command);
 /// Reads a case for a command and runs it. Throws InputError, also where the case lacks something.
 Delivery run(const CommandRow& row, const input::Source& source);
 
-/// What the documents of a source say of their origin.
+/// Origin of the documents of a source: version, schema, hash of the input, overrides.
 DocumentInfo document_info(const input::Source& source);
 
 }  // namespace prs

@@ -14,7 +14,7 @@ namespace prs {
 /// Checks limits relative to the file's own design once its responses are known. Throws InputError.
 void check_initial(const input::OptimizeInput& input, const EvaluatedDesign& initial);
 
-/// Runs the optimization of a source on so many threads: the file's own design first, on which
+/// Runs the optimization of a source on `threads` threads: the file's own design first, on which
 /// limits may depend, then the search on the journal that `open` gives for it. Absent where it was
 /// interrupted. Throws InputError, also for a response that the design does not have.
 std::optional<OptimizationResult> run_optimization(

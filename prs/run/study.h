@@ -16,19 +16,19 @@ namespace prs {
 /// stands in the file. The input must outlive the engine.
 DesignEngine study_engine(const input::StudyInput& in);
 
-/// The same for the plan that is one case with its derivatives.
+/// The base case with its derivatives, for the plan `derivatives`; errors as for `study_engine`.
 CaseDerivatives run_derivatives(const input::StudyInput& in);
 
-/// The engine, which must outlive the function, as schedules call it.
+/// The engine as a function that schedules call. The engine must outlive it.
 Evaluate evaluate_with(const DesignEngine& engine);
 
-/// Which factors of a study change neither loads nor stiffness, as overrides of the file stand in
-/// for what they would change, a sentence each, with those of the responses that do not follow.
+/// Warnings on factors that change neither loads nor stiffness because the file overrides what they
+/// would change: one sentence per factor, with the responses that do not follow it.
 std::vector<std::string> void_factor_warnings(const input::StudyInput& in,
                                               const std::vector<std::string>& responses);
 
-/// The same, and which factors moved no response. `engine` is asked for only where designs that
-/// differ in one factor alone are missing; it must have the study of the result.
+/// These warnings, and those on factors that moved no response. `engine` is called only where
+/// designs that differ in one factor alone are missing; it must be that of the result's study.
 std::vector<std::string> study_warnings(const input::StudyInput& in, const StudyResult& result,
                                         const std::function<const DesignEngine&()>& engine);
 

@@ -30,7 +30,7 @@ struct PatchField {
   std::vector<double> friction_coefficient;          ///< mu_D
 };
 
-/// What the pictures of one load case show beside its result.
+/// Data for the pictures of one load case, in addition to its result.
 struct SlipPictures {
   ResidueCurve residue;                         ///< Over the whole range of slip ratios.
   ResidueCurve residue_near_root;               ///< Around the ideal one, the root inside.

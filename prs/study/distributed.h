@@ -46,8 +46,8 @@ class Ranks {
   void lead(const NextRange& next, const TakeRecord& take, std::size_t chunk,
             const RunDesigns& run);
 
-  /// Other ranks: evaluates what the first rank gives, on so many threads, until it sends them
-  /// home. Not calling it says that this rank has nothing to give.
+  /// Other ranks: evaluates designs that the first rank gives, on `threads` threads, until it ends
+  /// the work. A rank that does not call it takes no part.
   void assist(const Evaluate& evaluate, std::size_t threads);
 
  private:

@@ -16,9 +16,10 @@ namespace prs {
 /// value against the file's (`one_at_a_time`), the values of a line of a `grid`, and the pairs of
 /// `sobol_indices`. Other plans have no such designs and report no factor.
 ///
-/// A grid is not kept: of each factor a sum over all designs is, of the row's hash times a random
-/// number that belongs to the values of the other factors, times weights of its own values that
-/// add up to 0. It is 0 where the rows of each line are equal, and else by chance once in 2^64.
+/// The rows of a grid are not stored. For each factor a sum over all designs is: the row's hash,
+/// times a random number for the values of the other factors, times a weight for the factor's own
+/// value, the weights adding up to 0. The sum is 0 where the rows of each line are equal, and by
+/// chance once in 2^64.
 class FollowedFactors {
  public:
   explicit FollowedFactors(const Study& study);
@@ -35,7 +36,7 @@ class FollowedFactors {
     bool varies = false;
     bool compared = false;  ///< A design that has numbers.
     bool followed = false;
-    std::uint64_t sum = 0;  ///< Sum of weights, for a grid.
+    std::uint64_t sum = 0;  ///< The sum above, for a grid.
     std::uint64_t last_weight = 0;
   };
   /// With the reference.
@@ -47,8 +48,8 @@ class FollowedFactors {
   std::vector<double> reference_;  ///< The row that others differ from in one factor.
 };
 
-/// The same for plans that draw all factors at once: designs with the least and the largest value
-/// that was drawn of a factor, all others as in the file, then as in design 1. Factors with a
+/// Idle factors of plans that draw all factors at once, from designs with the least and the largest
+/// value drawn of a factor, all others as in the file, then as in design 1. Factors with a
 /// tenth of the effects on a response, by `surfaces`, are not tried.
 std::vector<std::size_t> idle_drawn_factors(
     const Study& study, const ResponseSurfaces* surfaces,

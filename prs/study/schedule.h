@@ -25,8 +25,8 @@ using TakeRecord = std::function<void(const std::string& record)>;
 std::size_t available_processors();
 
 /// Evaluates `chunk` designs at a time on `threads` threads until none is left, and encodes them.
-/// Only so many blocks are on their way that a slow `take` slows the rest down. What one of the
-/// functions throws ends all of it and is thrown again.
+/// The number of blocks under way is limited, so that a slow `take` slows the rest down. An
+/// exception in one of the functions ends the run and is thrown again.
 void run_schedule(std::size_t threads, std::size_t chunk, const NextRange& next,
                   const Evaluate& evaluate, const TakeRecord& take);
 

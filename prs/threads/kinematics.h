@@ -56,7 +56,7 @@ constexpr Interface sliding_interface(Mechanism::Type type) {
 /// inverted). It does not depend on the speed.
 double ideal_slip_ratio(const KinematicGeometry& geometry);
 
-/// Slip ratios by formulas of geometry alone, beside the ideal one.
+/// Slip ratios by formulas of geometry alone, for comparison with the ideal one.
 struct SlipEstimates {
   double simple = 0.0;          ///< Contacts at the pitch points, (2.21) and its inverted analogue.
   std::optional<double> jones;  ///< (2.20), standard only.

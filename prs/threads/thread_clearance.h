@@ -39,7 +39,7 @@ struct ThreadClearance {
 };
 
 /// The clearances of Yao 2023, section 3.3, with phi(r) the half groove of the material at r, w the
-/// width of a crest, c the centre distance, upper signs beside a screw, lower ones in a nut:
+/// width of a crest, c the centre distance, upper signs for a screw, lower ones for a nut:
 ///
 ///     flank = phi_B(r_B) + phi_R(r_R) + rise of both helices - p/2,  at the contact point     (55)
 ///     body crest   = phi_R(+-(c - r_crest,B)) - w_B/2                                         (57)
@@ -48,7 +48,7 @@ struct ThreadClearance {
 /// (55) is taken at the exact contact point, where the clearance of the flanks is least (erratum:
 /// the nut's second term is -alpha_Nc l_N/(2 pi)). Crests are compared on the line of centres, as
 /// Yao does. Where the helix angles of the two parts differ, as at Yao's screw, the contact lies
-/// beside that line, and there the edge of a crest comes nearer to the flank: 0.123 mm in place of
+/// off that line, and there the edge of a crest comes nearer to the flank: 0.123 mm in place of
 /// 0.359 mm in his initial design, yet never as near as a contact point inside both flanks. Yao has
 /// phi for straight bodies and a roller's arc about its axis in the axial plane, at the radii
 /// d_R0/2 -+ h_a (59), which supposes c = r_S + r_R = r_N - r_R; any profile, plane and centre
