@@ -134,7 +134,7 @@ struct CsvReader::Parts {
         if (parser.finish()) return;
         throw CsvError(row,
                        "got a quote that never closes; expected `\"` at the end of the field; "
-                       "add it, or delete the one at its begin");
+                       "add it, or delete the one at the start of the field");
       }
       const std::string_view bytes = line();
       if (next + bytes.size() - row > kLongestRow)

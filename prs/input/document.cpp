@@ -36,7 +36,7 @@ class TreeBuilder final : public YAML::EventHandler {
   Node take_root() { return std::move(root_); }
   bool has_root() const { return has_root_; }
 
-  /// Adds what was found beside the tree; to be called when the whole text is known to be YAML.
+  /// Adds errors found outside the tree. Call it once the whole text is known to be YAML.
   void report_keys() const {
     for (const BadKey& k : bad_keys_) errors_.add(k.place, k.path, k.message);
   }
@@ -198,7 +198,7 @@ class TreeBuilder final : public YAML::EventHandler {
     };
     if (bad_keys_.size() >= kMostBadKeys) return false;
     if (key.kind != Node::Kind::scalar)
-      return refuse("got a key that is no text; expected `key: value`; write the key as a word");
+      return refuse("got a key that is not a text; expected `key: value`; write the key as a word");
     if (key.text == "<<" && !key.quoted)
       return refuse("got a merge key; expected plain keys; write the merged keys out");
     if (const auto first = f.keys.find(key.text); first != f.keys.end())
@@ -341,7 +341,7 @@ Node* descend(Node& root, const std::vector<Step>& steps, const std::string& pat
     }
     if (node->kind != Node::Kind::map)
       return refuse(
-          fmt::format("`{}` cannot be set; the value that would hold it is no map; set "
+          fmt::format("`{}` cannot be set; the value that would hold it is not a map; set "
                       "that value as a whole",
                       step.key));
     Node* child = find(*node, step.key);

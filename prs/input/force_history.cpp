@@ -202,7 +202,7 @@ std::string force_history_text(const HistorySource& history, const Source& sourc
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     refuse(
-        fmt::format("expected a file of comma-separated values; {} is none; give its path "
+        fmt::format("expected a file of comma-separated values; {} is not one; give its path "
                     "relative to this file",
                     shown(shown_path(history, source).string())));
   const std::uintmax_t size = std::filesystem::file_size(path, error);

@@ -190,10 +190,11 @@ void check_paths(const OptimizeItem& item, const Node& root, ErrorList& errors) 
   const auto add = [&](const std::string& path, const std::string& at) {
     for (const std::string& other : before)
       if (is_part_of(path, other) || is_part_of(other, path))
-        errors.add(locate(root, at), at,
-                   fmt::format("got {} beside {}; expected variables that set different values; "
-                               "delete one of them",
-                               shown(path), shown(other)));
+        errors.add(
+            locate(root, at), at,
+            fmt::format("got {} as well as {}; expected variables that set different values; "
+                        "delete one of them",
+                        shown(path), shown(other)));
     before.push_back(path);
   };
   for (std::size_t i = 0; i < item.variables.size(); ++i) {
@@ -256,7 +257,7 @@ class AimReader {
     for (const VariableItem& variable : item_.variables)
       for (const std::string_view block : {"mechanism.lead", "mechanism.starts", "mechanism.pitch"})
         if (is_part_of(variable.path, block))
-          return refuse(at, fmt::format("got true beside the variable {}; expected a pitch that "
+          return refuse(at, fmt::format("got true with the variable {}; expected a pitch that "
                                         "stays as it is; delete one of the two",
                                         shown(variable.path)));
     const double pitch = 1e3 * std::abs(mechanism.lead) / mechanism.starts.screw;

@@ -107,7 +107,7 @@ class FactorReader {
       refuse_study(item().companions[k].path, fmt::format("with[{}].path", k));
     if (!item().companions.empty() && !item().values)
       refuse("with",
-             "expected it only beside `values`, each of which sets the companions too; write "
+             "expected it only with `values`, each of which sets the companions too; write "
              "`values`, or delete it");
     for (const std::string_view key : given) {
       if (study_.plan == Plan::derivatives)
@@ -526,10 +526,10 @@ void check_paths(const StudyItem& item, const Node& root, ErrorList& errors) {
                         "one factor",
                         shown(own.path)));
       else if (together && (is_part_of(own.path, other.path) || is_part_of(other.path, own.path)))
-        refuse(
-            fmt::format("got {} beside {}; expected factors of which none is a part of another; "
-                        "delete one of them",
-                        shown(own.path), shown(other.path)));
+        refuse(fmt::format(
+            "got {} as well as {}; expected factors of which none is a part of another; "
+            "delete one of them",
+            shown(own.path), shown(other.path)));
     }
   }
 }

@@ -17,7 +17,7 @@ void check_force(const LoadCase& load, Problems& problems) {
   problems.add(load.input_path + ".axial_force",
                fmt::format("got {} in case `{}`; expected a force {}; {}", newton(written),
                            load.name, load.direction ? "> 0" : "other than 0",
-                           load.direction ? "`direction` tells its sense" : "give it a value"));
+                           load.direction ? "`direction` gives its sense" : "give it a value"));
 }
 
 }  // namespace

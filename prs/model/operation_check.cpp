@@ -125,10 +125,11 @@ void check_carrier(const Carrier& carrier, Problems& problems) {
   if (!carrier.bearing) return;
   const contact::JournalBearing& b = *carrier.bearing;
   if (carrier.roller_torque > 0.0)
-    problems.add("carrier.roller_torque",
-                 fmt::format("got {:.7g} N m beside `bearing`, from which it follows; expected one "
-                             "of the two; delete the other",
-                             carrier.roller_torque));
+    problems.add(
+        "carrier.roller_torque",
+        fmt::format("got {:.7g} N m together with `bearing`, from which it follows; expected one "
+                    "of the two; delete the other",
+                    carrier.roller_torque));
   if (!(b.radial_clearance < 0.1 * b.diameter))
     problems.add("carrier.bearing.radial_clearance",
                  fmt::format("got {}; expected less than {}, a tenth of the diameter, so that the "

@@ -782,7 +782,7 @@ const Broken kBrokenOperation[] = {
      "um}}\nmaterials:",
      "21:26",
      "carrier.roller_torque",
-     {"got 0.002 N m beside `bearing`", "one of the two"}},
+     {"got 0.002 N m together with `bearing`", "one of the two"}},
     {"BearingOfAThickFilm",
      "materials:",
      "carrier: {bearing: {length: 4 mm, diameter: 5 mm, radial_clearance: 0.5 mm}}\nmaterials:",

@@ -447,7 +447,7 @@ TEST(StudyReader, RefusesWhatCannotBeDrawn) {
        "3 %",
        "got nothing"},
       {"path: mechanism.starts, values: [{screw: 3}]}, {path: mechanism.starts.screw, values: [3]",
-       "got mechanism.starts.screw beside mechanism.starts; expected factors of which none"},
+       "got mechanism.starts.screw as well as mechanism.starts; expected factors of which none"},
   };
   for (const auto& [factor, message] : wrong)
     EXPECT_THAT(error_of_drawn(factor), HasSubstr(message)) << factor;
