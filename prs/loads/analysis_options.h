@@ -15,7 +15,7 @@ struct AnalysisOptions {
   Solver solver = Solver::sparse;
 };
 
-/// For one of many designs.
+/// Options for one of many designs.
 inline constexpr AnalysisOptions kManyDesigns{Detail::numbers, Solver::chain};
 
 }  // namespace prs

@@ -19,14 +19,14 @@ LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& con
                                   const PerInterface<double>& normal_angle,
                                   const PerInterface<std::optional<double>>& hertz_constant);
 
-/// The same with the laws of a load distribution.
+/// Equal loads with the laws of a load distribution.
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,
                                   const PerInterface<ContactLaw>& laws);
 
 /// Result of equal shares with the laws that the geometry gives; the contacts must exist.
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts);
 
-/// Adds what is unusual about an answer: open threads, pressures, ellipses beyond the flanks.
+/// Adds warnings: open threads, high pressures, ellipses beyond the flanks.
 void add_warnings(LoadCaseResult& result, const Contacts& contacts);
 
 /// Contact pressure [Pa] above which a screw that turns under load gets a note. Flanks of bearing

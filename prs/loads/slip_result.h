@@ -71,7 +71,7 @@ struct ThreadOf {
   int thread = 0;  ///< From 0.
 };
 
-/// What slip would be if all threads carried the same load.
+/// Slip if all threads carried the same load.
 struct EqualShareSlip {
   double slip_ratio = 0.0;
   double power_loss = 0.0;  ///< [W]
@@ -80,7 +80,7 @@ struct EqualShareSlip {
   double max_power_density = 0.0;     ///< [W/m^2]
 };
 
-/// Stationary slip of one load case: the roller's equilibrium and what friction takes. Torques have
+/// Stationary slip of one load case: the roller's equilibrium and the friction losses. Torques have
 /// the signs of Sandu 2018; powers are losses, > 0. SI units.
 struct SlipResult {
   SlipStatus status = SlipStatus::not_computed;

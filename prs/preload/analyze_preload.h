@@ -9,7 +9,7 @@
 
 namespace prs {
 
-/// Displacement over external load, and what it says around zero.
+/// Displacement over external load, with stiffness and lost motion around zero.
 struct PreloadCurve {
   std::vector<PreloadPoint> points;  ///< In the order of the case's loads.
   /// dF/du without external load, reached from either sense [N/m]; absent where the screw is loose.

@@ -40,7 +40,7 @@ struct PreloadSector {
   bool rollers_are_shared() const { return arrangement == Preload::Arrangement::single_nut; }
 };
 
-/// What both arrangements are built from.
+/// Inputs from which both arrangements are built.
 struct PreloadParts {
   const Mechanism& mechanism;
   const Structure& structure;

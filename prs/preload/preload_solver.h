@@ -8,7 +8,7 @@
 
 namespace prs {
 
-/// What one side carries; nothing where it has opened.
+/// Loads of one side; zero where it has opened.
 struct SideLoads {
   PerInterface<double> axial_load;       ///< [N]
   PerInterface<double> max_normal_load;  ///< On one thread of one roller [N].
@@ -35,10 +35,10 @@ class PreloadSolver {
   PreloadSolver(PreloadSolver&&) noexcept;
   ~PreloadSolver();
 
-  /// Without external load.
+  /// Equilibrium without external load.
   const PreloadPoint& at_rest() const { return rest_; }
 
-  /// Under an external load [N], > 0 in tension. Does not depend on earlier loads.
+  /// Equilibrium under an external load [N], > 0 in tension. Does not depend on earlier loads.
   PreloadPoint solve(double axial_force);
 
   /// Magnitude of the smallest external load of a sense at which the last contact of the other side
@@ -65,7 +65,7 @@ class PreloadSolver {
 /// nut so that the rollers float: without external load their guides take no radial force.
 Fit find_fit(const PreloadSector& sector, const Preload& preload);
 
-/// Interference that a fit amounts to, in the sense of `Preload::interference` [m].
+/// Interference of a fit, as defined for `Preload::interference` [m].
 double interference(const PreloadSector& sector, const Fit& fit);
 
 }  // namespace prs

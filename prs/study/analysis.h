@@ -22,7 +22,7 @@ inline constexpr std::array kProbabilities{0.01, 0.05, 0.5, 0.95, 0.99};
 /// this many are drawn at random, by a hash of the design's number.
 inline constexpr std::size_t kMostValuesKept = 65'536;
 
-/// How often values fell into each of equally wide classes.
+/// Number of values in each of several classes of equal width.
 struct Histogram {
   double from = 0.0;
   double to = 0.0;
@@ -44,7 +44,7 @@ struct ResponseStatistics {
   std::size_t values_kept = 0;  ///< Values behind quantiles and histogram.
 };
 
-/// What the rows of a study say together.
+/// Summary of the rows of a study.
 struct StudySummary {
   std::vector<ResponseStatistics> statistics;     ///< One per response.
   std::optional<ResponseSurfaces> surfaces = {};  ///< For sampled plans with numeric factors.
@@ -55,8 +55,8 @@ struct StudySummary {
   std::optional<EnvelopeResult> envelope = {};
 };
 
-/// Sums up a study block after block, in memory that does not depend on the number of designs,
-/// maps aside, and with a result that does not depend on how the rows are cut into blocks.
+/// Summarises a study block by block. Apart from maps, the memory does not depend on the number of
+/// designs. The result does not depend on how the rows are split into blocks.
 class StudyAnalysis {
  public:
   /// For a study and the responses that it records.

@@ -37,8 +37,8 @@ struct CaseDerivatives {
 /// and a response R(q, x) changes by dR/dt of R(q + t dq/dx, x + t): no equilibrium is solved
 /// again. What depends on x without an equilibrium (set-up of the sector, contact points to
 /// rounding, ellipses) is differentiated by central differences of sixth order at two step widths;
-/// their difference is the error told. A derivative that does not converge, as across the face of a
-/// flange, is absent with a reason.
+/// their difference is the reported error. A derivative that does not converge, as across the face
+/// of a flange, is absent with a reason.
 ///
 /// For `contact` and `solve` with bars or the refined model. Throws InputError and UnknownResponse
 /// as DesignEngine does, and CaseError where the command or the model has no derivatives.

@@ -23,7 +23,7 @@ class DesignReader {
   /// design's overrides. Throws InputError.
   const Case& read(std::size_t k);
 
-  /// The same of a design that is given by its values, one draw a factor.
+  /// The case of a design that is given by its values, one draw per factor.
   const Case& read(const std::vector<Draw>& draws);
 
  private:

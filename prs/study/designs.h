@@ -15,11 +15,11 @@ std::size_t design_count(const Study& study);
 /// that designs can be run in any order, in parts and again.
 std::vector<Draw> draws(const Study& study, std::size_t k);
 
-/// The same with texts.
+/// The settings of design k, with the values as texts.
 Design design(const Study& study, std::size_t k);
 Design design(const Study& study, const std::vector<Draw>& draws);
 
-/// Whether a design leaves every value as it is in the file, be it by the same value.
+/// Whether every value of a design is that of the file.
 bool is_base(const Study& study, const Design& design);
 
 /// The settings as `--set` takes them: `mechanism.rollers=9`.

@@ -23,7 +23,7 @@ class Ranks {
   /// `join` false: alone in any case. Throws modules::Missing where a launcher started several
   /// processes and this build has no MPI.
   explicit Ranks(bool join);
-  /// The first rank sends the others home; all of them wait for each other.
+  /// The first rank ends the work of the others; all ranks wait for each other.
   ~Ranks();
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;

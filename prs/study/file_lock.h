@@ -10,7 +10,7 @@ namespace prs {
 /// How often `lock_file` asks for a lock that another process holds.
 inline constexpr int kMostLockTries = 50;
 
-/// A fiftieth of a second.
+/// Waits a fiftieth of a second.
 void wait_for_lock();
 
 /// Locks an open file as flock(2) does; `operation` is LOCK_SH or LOCK_EX. False where another

@@ -32,8 +32,8 @@ struct GridMaps {
 /// A map at a place, bilinear between four nodes; NaN next to a node without a number.
 double map_value(const GridMaps& maps, const GridMap& map, MapPlace place);
 
-/// What the inputs of a study, `drawn_inputs`, are at a place: as they are written at a node, else
-/// between two nodes as far as they are continuous.
+/// Values of a study's inputs (`drawn_inputs`) at a place: as written at a node, else interpolated
+/// between two nodes where the input is continuous.
 std::vector<Level> inputs_at(const Study& study, const GridMaps& maps, MapPlace place);
 
 /// Collects the maps of a study from its rows, block after block in any order.

@@ -39,7 +39,7 @@ class FollowedFactors {
     std::uint64_t sum = 0;  ///< The sum above, for a grid.
     std::uint64_t last_weight = 0;
   };
-  /// With the reference.
+  /// Compares a row with the reference.
   void compare(Seen& seen, std::span<const double> row) const;
   void add_to_grid(std::span<const double> row, std::size_t design);
 

@@ -31,7 +31,7 @@ FileDescriptor open_study_file(const std::filesystem::path& path, int flags);
 std::string study_key(std::string_view version, const input::Source& source,
                       std::span<const std::string> referred = {});
 
-/// How a journal begins: enough to write the files of the study without its input.
+/// Header of a journal: enough to write the files of the study without its input.
 struct JournalHeader {
   std::string key;  ///< See `study_key`.
   input::Source source;
@@ -62,15 +62,15 @@ class Journal {
 
   /// Continues the journal of `header.key`, or begins one; a torn tail is cut. `afresh` discards
   /// what the file holds. Throws StudyFolderError where another process writes it or it is of
-  /// another key or no journal, and std::system_error.
+  /// another key or not a journal, and std::system_error.
   static Journal append_to(const std::filesystem::path& path, const JournalHeader& header,
                            bool afresh = false);
 
-  /// A journal that is gone with the object.
+  /// A temporary journal, removed together with the object.
   static Journal temporary(const JournalHeader& header);
 
   /// A journal as it stands, also while it grows; the header's key is empty where it has not come
-  /// that far. Throws StudyFolderError where the file is no journal, and std::system_error.
+  /// that far. Throws StudyFolderError where the file is not a journal, and std::system_error.
   static Journal read(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
@@ -83,7 +83,7 @@ class Journal {
   /// Throws StudyFolderError where it is not.
   void require(const JournalHeader& study) const;
 
-  /// Whether records were found that are not as they were written, a torn tail aside.
+  /// Whether damaged records were found, apart from a torn tail.
   bool is_damaged() const { return damaged_; }
 
   /// Whether a text is what `encode` gave for designs of this study.
@@ -96,7 +96,7 @@ class Journal {
   /// Rows of a record of this journal. May be called from any thread.
   RowBlock block(const Record& record) const;
 
-  /// Brings to the disk what was appended.
+  /// Writes appended records through to the disk.
   void sync();
 
  private:

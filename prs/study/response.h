@@ -18,7 +18,7 @@ std::optional<double> response(const nlohmann::ordered_json& document, std::stri
 /// Every path of a document that has a response, of an array `.max` only.
 std::vector<std::string> response_paths(const nlohmann::ordered_json& document);
 
-/// What is recorded of the designs of a command unless the study says so.
+/// Responses recorded for a command where the study lists none.
 std::vector<std::string> default_responses(Command command);
 
 }  // namespace prs

@@ -53,10 +53,10 @@ struct LinearFit {
   std::optional<double> adjusted_r_squared;
 };
 
-/// Below this R^2 a ranking by linear contributions misses much of what happens.
+/// Below this R^2 a ranking by linear contributions misses much of the variation.
 inline constexpr double kLowRSquared = 0.9;
 
-/// With more factors a design would cost more to sum up than to solve.
+/// Most factors; with more, the fit would cost more per design than the solve.
 inline constexpr std::size_t kMostFactorsOfSurface = 100;
 
 /// Linear response surfaces of all responses of a study.

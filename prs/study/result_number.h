@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "prs/measures/measures.h"
 #include "prs/loads/result.h"
+#include "prs/measures/measures.h"
 
 namespace prs {
 
@@ -18,8 +18,8 @@ struct Answer {
   const LoadMeasures* load_measures = nullptr;
 };
 
-/// A response that the tables of quantities know, read from results without a document. What it
-/// says is what the document would.
+/// A response in the tables of quantities, read from the results without a document. Its value is
+/// the one that the document would have.
 struct ResultNumber {
   /// Index of the load case that it belongs to; none: it is the mechanism's.
   std::optional<std::size_t> load_case;

@@ -32,7 +32,7 @@ class StudyFolder {
   const std::filesystem::path& path() const { return path_; }
   Use use() const { return use_; }
 
-  /// Once the files of the study are on the disk.
+  /// Removes the journals. Call it once the files of the study are on the disk.
   void remove_journals() const;
 
  private:

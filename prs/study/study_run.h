@@ -30,8 +30,8 @@ struct StudyRunOptions {
 };
 
 /// Computes the designs of `header.shard` that no journal in the folder holds, into the journal of
-/// that shard; without a folder into a file that is gone with the rows. All rows that there are
-/// then are returned; some are missing where the run was interrupted. The journals stay. Throws
+/// that shard; without a folder, into a temporary file. Returns all rows computed so far; some are
+/// missing where the run was interrupted. The journals stay. Throws
 /// StudyFolderError, std::system_error, and what `run` throws.
 StoredRows run_study(const JournalHeader& header, const StudyFolder* folder, const RunDesigns& run,
                      const StudyRunOptions& options);

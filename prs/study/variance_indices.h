@@ -39,7 +39,7 @@ struct ResponseIndices {
 /// with V the variance of all f_A and f_B. Consecutive samples make up to 32 batches; leaving out
 /// one after the other (jackknife) gives the standard error, Student's t the interval. The points
 /// of a quasi-random sequence are spread more evenly in the whole than in its batches, so that
-/// intervals are wider than they had to be, not narrower.
+/// intervals are wider than necessary, not narrower.
 class VarianceIndices {
  public:
   /// The number of samples to come, failed ones included.

@@ -8,7 +8,7 @@
 
 namespace prs {
 
-/// What is wrong with a contact and which input to fix.
+/// Problem of a contact, and the input to fix.
 struct ContactFailure {
   std::string path;
   std::string reason;  ///< Which surface, which limit, by how much.

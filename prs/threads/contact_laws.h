@@ -10,9 +10,9 @@ namespace prs {
 /// interfaces in one message.
 void require_contacts(const Conditions& c, const Contacts& contacts);
 
-/// What the load distribution uses at both interfaces: the case's overrides before the geometry,
-/// and the compliance of the teeth where the case asks for it. Throws CaseError for interfaces
-/// whose geometry gives no Hertz contact and that are not overridden.
+/// Force laws of both interfaces in the load distribution. The case's overrides come before the
+/// geometry; the compliance of the teeth is added where the case asks for it. Throws CaseError for
+/// interfaces whose geometry gives no Hertz contact and that are not overridden.
 PerInterface<ContactLaw> contact_laws(const Conditions& c, const Contacts& contacts);
 
 }  // namespace prs

@@ -15,8 +15,9 @@
 
 namespace prs {
 
-/// What the thread geometry says of one interface, for tension (I1J2), with its Hertz contact. In
-/// compression the other two faces touch, mirrored: curvatures, angles and constants are the same.
+/// Contact of one interface from the thread geometry, for tension (I1J2), with its Hertz contact.
+/// In compression the other two faces touch, mirrored: curvatures, angles and constants are the
+/// same.
 struct InterfaceContact {
   contact::InterfaceGeometry geometry;
   contact::HertzConstants hertz;  ///< `not_computed` without materials.
@@ -29,7 +30,7 @@ struct InterfaceContact {
   double normal_angle() const { return geometry.point.normal_angle(); }
 };
 
-/// What the threads of a mechanism say before any load.
+/// Contacts of a mechanism from its thread geometry, before any load.
 struct Contacts {
   /// With all pitch diameters and the centre distance: the one that analyses compute on.
   Mechanism mechanism;

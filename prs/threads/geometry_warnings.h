@@ -9,8 +9,8 @@
 
 namespace prs {
 
-/// What is possible and unusual: the warnings of the contacts, then those of the bodies around them
-/// and of the faces that hold the nut under the loads; each a sentence with the numbers.
+/// Warnings on geometry that is possible but unusual: first on the contacts, then on the bodies
+/// around them and the faces that hold the nut. Each is a sentence with the numbers.
 std::vector<std::string> geometry_warnings(const Conditions& c, const Contacts& contacts,
                                            std::span<const LoadCase> loads);
 

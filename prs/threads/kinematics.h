@@ -9,7 +9,7 @@
 
 namespace prs {
 
-/// What the stationary motion needs to know of a mechanism (Sandu 2018, section 2.2).
+/// Geometry of a mechanism that its stationary motion depends on (Sandu 2018, section 2.2).
 struct KinematicGeometry {
   Mechanism::Type type = Mechanism::Type::standard;
   double lead = 0.0;             ///< l_S, > 0 right-handed [m]
