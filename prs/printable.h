@@ -11,7 +11,7 @@ namespace prs {
 /// of writing U+FFFD. Makes names from files safe for terminals, scripts and SVG.
 std::string printable(std::string_view text);
 
-/// The same for a text of many lines.
+/// `printable` for a text of many lines.
 std::string printable_lines(std::string_view text);
 
 /// Whether a text is lines of visible ASCII, which `printable_lines` leaves as they are.

@@ -366,8 +366,8 @@ void fields(Io& io, Structure::Nut& n) {
 
 template <class Io>
 void fields(Io& io, Structure& s) {
-  io.field("screw", s.screw, Block{}, optional, "The screw beside its thread");
-  io.field("roller", s.roller, Block{}, required, "A roller beside its thread");
+  io.field("screw", s.screw, Block{}, optional, "Dimensions of the screw other than its thread");
+  io.field("roller", s.roller, Block{}, required, "Dimensions of a roller other than its thread");
   io.field("nut", s.nut, Block{}, required,
            "The nut; axial positions count from its end that faces the loaded end of the screw");
 }
@@ -578,7 +578,7 @@ void fields(Io& io, Life& l) {
   io.field("dynamic_capacity", l.dynamic_capacity, capacity, optional,
            "Of a catalogue, in place of Lemor's formula");
   io.field("static_capacity", l.static_capacity, capacity, optional,
-           "Of a catalogue, beside that by pressure");
+           "Catalogue value, in addition to that by pressure");
   io.field("fatigue_slope", l.fatigue_slope, Number{{.least = 1.0, .greatest = 20.0}}, optional,
            "Slope of the S-N curve, for equivalent load ranges");
 }
@@ -785,7 +785,7 @@ void fields(Io& io, CaseFile& file) {
   io.field("preload", c.preload, Block{}, optional,
            "How the play is taken out, and the curve through zero, for `prs preload`");
   io.field("life", c.life, Block{}, optional, "Load history or spectrum for `prs life`");
-  io.field("measures", c.measures, Block{}, optional, "What the design measures ask beside");
+  io.field("measures", c.measures, Block{}, optional, "Further inputs of the design measures");
   const Bounds up_to_100_um{.least = 0.0, .greatest = 1e-4, .least_excluded = true};
   io.field("roughness", c.roughness, OneOrEach{Quantity{unit::length, up_to_100_um}}, optional,
            "Rms roughness Rq of the flanks, for the film ratio");

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "prs/model/command.h"
 #include "prs/input/field.h"
+#include "prs/model/command.h"
 #include "prs/model/optimization.h"
 
 /// `optimize` as case_fields.h describes the rest of the input.
@@ -119,7 +119,7 @@ template <class Io>
 void fields(Io& io, ConstraintItem& c) {
   io.field("response", c.response, kResponsePath, required, "Path of a response");
   io.field("at_least", c.at_least, kLimit, optional,
-           "A number in the unit of the path, `{initial: 0.9}` for so many times the value of the "
+           "A number in the unit of the path, `{initial: 0.9}` for 0.9 times the value of the "
            "file's own design, or `{response: PATH}` for another response of the same design");
   io.field("at_most", c.at_most, kLimit,
            c.at_least ? optional : Presence{true, true, "where there is no `at_least`"},

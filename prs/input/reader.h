@@ -46,7 +46,7 @@ Case checked_case(const CaseFile& file, const Node& root, Command command, Error
 /// Ranges of load cases are expanded.
 CaseInput read_case_input(const Source& source, Command command);
 
-/// The same, values only. `overrides`: `path=value` each.
+/// Reads and checks the input of a command; values only. `overrides`: `path=value` each.
 Case read_case(const std::string& file, const std::vector<std::string>& overrides, Command command);
 
 /// Reads the case from a text; `name` stands for the file in messages.

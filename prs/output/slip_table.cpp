@@ -169,7 +169,7 @@ std::string comparison_line(std::string_view label, double equal, double solved,
       fmt::format("{:>{}} {:>10}", four_digits(solved * factor), kValueWidth, change));
 }
 
-/// The same for a number whose change is told as a difference.
+/// A line of comparison whose change is given as a difference.
 std::string difference_line(std::string_view label, double equal, double solved, int decimals) {
   return block_line(label, fixed(equal, 1.0, decimals),
                     fmt::format("{:>{}.{}f} {:>+10.{}f}", solved, kValueWidth, decimals,

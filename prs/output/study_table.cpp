@@ -152,7 +152,7 @@ std::string settings_text(const Study& study, const Design& design) {
   return text.empty() ? std::string(kBaseMark) : text;
 }
 
-/// The same in the words of the study.
+/// The settings of a design with the labels of the study.
 std::string labelled_settings(const Study& study, const Design& design) {
   std::string text;
   for (const Setting& setting : design.settings) {

@@ -153,7 +153,7 @@ constexpr Quantity<Contacts> kContacts[] = {
      }>,
      "radii between which there is a flank"},
     {"max_rollers", of<[](const Contacts& c) { return contact::largest_roller_count(c.threads); }>,
-     "that have room beside each other"},
+     "that fit side by side"},
     {"screw", contact_of<Interface::screw>, "of roller and screw"},
     {"nut", contact_of<Interface::nut>, "of roller and nut"},
 };

@@ -27,7 +27,7 @@ struct Sector : SectorModel {
 
 Sector build_sector(const SectorModel& model);
 
-/// The same from the parts that `sector_model` takes.
+/// Builds the sector from the arguments of `sector_model`.
 template <class... Parts>
 Sector build_sector(const Mechanism& mechanism, const Parts&... parts) {
   return build_sector(sector_model(mechanism, parts...));

@@ -43,15 +43,15 @@ double concentration_compliance(const LineReach& reach, const Material& material
 double cylinder_compliance(double radius, double bore_radius, const Material& material, int rollers,
                            double pitch, double normal_angle);
 
-/// The same at the inner surface of a tube from r to R, less what its shell has, whose wall keeps
-/// its thickness:
+/// Radial displacement of the inner surface of a tube from r to R, less that of its shell, whose
+/// wall keeps its thickness:
 ///
 ///     c = N sin^2(psi)/(2 pi p E) [(R^2 + r^2)/(R^2 - r^2) + nu - 1/ln(R/r)].
 double wall_compliance(double inner_radius, double outer_radius, const Material& material,
                        int rollers, double pitch, double normal_angle);
 
 /// Share of the displacement under an endless band of pressure that is left at each of `contacts`
-/// when the band ends half a pitch beyond the first and the last. Long waves see a cylinder as a
+/// when the band ends half a pitch beyond the first and the last. For long waves a cylinder is a
 /// beam on an elastic foundation, 1/(1 + k^4/(4 b^4)), so that an end at the distance x takes away
 ///
 ///     exp(-b x) cos(b x)/2,
