@@ -14,7 +14,7 @@ using NodalMatrix = Eigen::Matrix<double, 6, 6>;
 
 constexpr int kDegree = 7;
 constexpr int kInner = kDegree - 1;        ///< Inner functions of one displacement.
-constexpr int kOuter = 5;                  ///< As in ShellMatrix.
+constexpr int kOuter = 5;                  ///< Outer freedoms, the rows of ShellMatrix.
 constexpr int kAll = kOuter + 3 * kInner;  ///< Inner ones of u, then v, then theta.
 
 /// Strains (u', -theta', v, v' - theta) as rows, freedoms as columns.

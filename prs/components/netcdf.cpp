@@ -87,7 +87,7 @@ class NetcdfFile : public ColumnFile {
   }
 
   std::string name_;
-  int id_ = -1;  ///< Of the open file.
+  int id_ = -1;  ///< Identifier of the open file.
   int dimension_ = 0;
 };
 

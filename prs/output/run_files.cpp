@@ -93,7 +93,7 @@ std::optional<Place> place_of(const FileDescriptor& top, const std::string& path
   return place;
 }
 
-/// Of a regular file; empty where there is none.
+/// SHA-256 of a regular file; empty where there is none.
 std::string digest_of(const FileDescriptor& top, const Place& place) {
   const RegularFile opened =
       open_regular(place.parts.back().c_str(), O_RDONLY, 0, place.parent(top));

@@ -41,8 +41,8 @@ struct Ratios {
 /// many as fit at the coarsest.
 enum class Rollers { as_fit, as_at_coarsest_lead };
 
-/// Of all screws. The rollers' flanks have arcs of so many pitches, or about the roller's axis
-/// where `radius_in_pitches` is 0.
+/// Ratios of all screws. The rollers' flanks have arcs of `radius_in_pitches` pitches, or about the
+/// roller's axis where that is 0.
 std::vector<Ratios> compare(const std::vector<CatalogueScrew>& catalogue, double radius_in_pitches,
                             Rollers rollers = Rollers::as_fit);
 
