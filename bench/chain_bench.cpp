@@ -1,5 +1,5 @@
-// The chain kernel: one sector against CHOLMOD, studies of random designs and sweeps of loads, with
-// the processor's multiply-add peak in the same run. Compare ratios, not times.
+// The chain kernel: one sector against the sparse solver, studies of random designs and sweeps of
+// loads, with the processor's multiply-add peak in the same run. Compare ratios, not times.
 
 #include <benchmark/benchmark.h>
 
@@ -28,7 +28,7 @@ using prs::InstructionSet;
 constexpr double kForce = 45e3;
 
 /// Newton from equal shares to 1e-12 on the sector of the Abevi screw, 20 threads.
-void SingleSectorCholmod(benchmark::State& state) {
+void SingleSectorSparse(benchmark::State& state) {
   prs::SectorSolver solver(test::abevi().build());
   fe::NewtonSolver newton(solver.equations());
   const Eigen::VectorXd load = kForce / 11 * solver.unit_load();
@@ -42,7 +42,7 @@ void SingleSectorCholmod(benchmark::State& state) {
   }
   state.counters["linear_solves"] = solves;
 }
-BENCHMARK(SingleSectorCholmod);
+BENCHMARK(SingleSectorSparse);
 
 /// The same to thread loads and displacement.
 void SingleSectorChain(benchmark::State& state) {

@@ -3,6 +3,7 @@
 include(CMakePackageConfigHelpers)
 get_property(modules GLOBAL PROPERTY PRS_MODULES)
 install(TARGETS prs RUNTIME DESTINATION bin COMPONENT program)
+install(TARGETS prs-validate RUNTIME DESTINATION libexec/prs COMPONENT program)
 install(TARGETS ${modules} LIBRARY DESTINATION lib/prs COMPONENT program)
 
 configure_package_config_file(cmake/prsConfig.cmake.in prsConfig.cmake

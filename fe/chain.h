@@ -56,7 +56,7 @@ class Chain {
       ChainStepSums<Real> sums = full_step(elimination_, chain_, law_, residual_, active_);
       residual_ = {Real(0.0), false};
       search(options, sums);
-      judge(options, sums, shift);
+      assess(options, sums, shift);
     }
     if (any(active_)) look_at_all(active_);
     return summary_;
@@ -175,7 +175,7 @@ class Chain {
 
   /// Whether the state is that of equilibrium, by the whole residual where a step of its own would
   /// be the next.
-  void judge(const NewtonOptions& options, const ChainStepSums<Real>& s, const Real& shift) {
+  void assess(const NewtonOptions& options, const ChainStepSums<Real>& s, const Real& shift) {
     // |cos|, |sin| <= 1, and a freedom meets at most both contacts of its station.
     const Real relative = 2.0 * s.left * inverse_scale_;
     const Mask candidate =

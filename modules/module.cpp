@@ -24,10 +24,11 @@ std::filesystem::path own_folder() {
 void* open(const char* file) {
   const std::filesystem::path own = own_folder();
   std::error_code none;
-  for (const char* folder : {"", "../lib/prs", "../../lib/prs"})
-    if (const auto path = (own / folder / file).lexically_normal();
-        std::filesystem::exists(path, none))
-      return dlopen(path.c_str(), RTLD_NOW);
+  if (!own.empty())  // Else the folders would be those below the working directory.
+    for (const char* folder : {"", "lib/prs", "../lib/prs", "../../lib/prs"})
+      if (const auto path = (own / folder / file).lexically_normal();
+          std::filesystem::exists(path, none))
+        return dlopen(path.c_str(), RTLD_NOW);
   return dlopen(file, RTLD_NOW);
 }
 
@@ -47,9 +48,9 @@ const Module& load(const Name& name) {
         name.library, name.file, error, name.alternative));
   }
   const auto& loaded = *static_cast<const Module*>(symbol);
-  if (std::string_view(loaded.version) != PRS_VERSION)
+  if (std::string_view(loaded.build) != kBuild)
     throw Missing(fmt::format("{} is of prs {}, and this is prs {}; install both from one build",
-                              name.file, loaded.version, PRS_VERSION));
+                              name.file, loaded.build, kBuild));
   return loaded;
 }
 

@@ -12,11 +12,14 @@ struct Name {
   const char* alternative;  ///< `, or take --threads 1`; empty: none.
 };
 
+/// Version and compiler: a module exchanges objects with the program and must agree in both.
+inline constexpr const char* kBuild = PRS_VERSION " (compiler " __VERSION__ ")";
+
 /// A part of the program whose library few runs need: a shared object, loaded when a run asks for
 /// it. Interfaces derive from this, name their module in `kName`, and have functions as members;
 /// the shared object has one as its symbol `prs_module`.
 struct Module {
-  const char* version = PRS_VERSION;  ///< Version of the program the module was built with.
+  const char* build = kBuild;  ///< What the module was built with: that of the program.
 };
 
 /// The module is not there, or does not load.

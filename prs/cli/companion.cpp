@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<fs::path> folders() {
-  if (const char* told = std::getenv("PRS_LIBEXEC")) return {told};
+  const char* told = std::getenv("PRS_LIBEXEC");
+  if (told != nullptr && *told != '\0') return {told};
   const fs::path own = fs::read_symlink("/proc/self/exe").parent_path();
   return {own, own.parent_path() / "libexec" / "prs"};
 }
@@ -34,9 +35,12 @@ void become(const std::string& program, int argc, char** argv) {
     throw std::system_error(errno, std::generic_category(),
                             fmt::format("cannot run '{}'", file.string()));
   }
+  std::string searched;
+  for (const fs::path& folder : folders())
+    searched += (searched.empty() ? "" : " and ") + folder.string();
   throw std::runtime_error(fmt::format(
       "{0} is missing in {1}; install or build `{0}`, or name its folder in PRS_LIBEXEC", program,
-      folders().front().string()));
+      searched));
 }
 
 }  // namespace prs::cli

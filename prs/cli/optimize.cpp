@@ -65,7 +65,7 @@ int report_interruption(const Options& options) {
 int optimize(const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
   const input::OptimizeInput in = input::read_optimize_input(source);
-  const std::size_t threads = options.threads > 0 ? options.threads : available_processors();
+  const std::size_t threads = options.threads > 0 ? options.threads : default_threads();
   const std::filesystem::path journal_file =
       options.output ? *options.output / "optimize.journal" : std::filesystem::path();
   std::optional<StudyFolder> folder;

@@ -223,7 +223,7 @@ int merge_study(const Options& options) {
   record_case(header.source.text, header.source.overrides);
   std::optional<StudyFolder> folder;
   if (options.output) folder.emplace(*options.output, StudyFolder::Use::alone);
-  const std::size_t threads = options.threads > 0 ? options.threads : available_processors();
+  const std::size_t threads = options.threads > 0 ? options.threads : default_threads();
   std::optional<DesignEngine> engine;
   const auto engine_of_study = [&]() -> const DesignEngine& {
     if (!engine) engine.emplace(in);

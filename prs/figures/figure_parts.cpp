@@ -18,7 +18,7 @@ Style marked_line(std::size_t k) {
 }
 
 std::string interface_title(Interface i) {
-  return i == Interface::screw ? "Screw–roller" : "Nut–roller";
+  return i == Interface::screw ? "Roller-screw" : "Roller-nut";
 }
 
 std::string shown_name(std::string_view name) {

@@ -34,7 +34,7 @@ constexpr std::string_view title(Part part) {
   return part == Part::screw ? "screw" : part == Part::roller ? "roller" : "nut";
 }
 
-/// `Screw–roller` or `Nut–roller`.
+/// `Roller-screw` or `Roller-nut`.
 std::string interface_title(Interface i);
 
 /// What users named, in one line that is not too long.
@@ -42,7 +42,7 @@ std::string shown_name(std::string_view name);
 
 /// Load of a case [kN], tension > 0 > compression.
 double signed_kN(const LoadCaseResult& result);
-inline constexpr std::string_view kSignedForce = "Axial force, tension > 0";
+inline constexpr std::string_view kSignedForce = "Axial force, tension >\u00a00";
 
 /// The load cases that the options choose. Throws NoFigure.
 std::vector<const LoadCaseResult*> chosen(const Result& result, const FigureOptions& options);

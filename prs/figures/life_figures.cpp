@@ -170,7 +170,7 @@ Figures rainflow(const LifeResult& r) {
   const CycleMatrix& m = r.cycles->matrix;
   if (!(m.range_to > 0.0 && m.mean_to > m.mean_from)) return {};
   Figure figure{"rainflow", fmt::format("Load cycles, rainflow: {:.0f}", count(r.cycles->cycles))};
-  figure.x = {"Mean, tension > 0", "kN", m.mean_from * per_si::kilonewton,
+  figure.x = {"Mean, tension >\u00a00", "kN", m.mean_from * per_si::kilonewton,
               m.mean_to * per_si::kilonewton};
   figure.y = {"Range", "kN", 0.0, m.range_to * per_si::kilonewton};
   Panel panel;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMostYangPanels = 6;
 constexpr std::size_t kMostBarCases = 6;
+constexpr std::size_t kMostLabelledCases = 3;  ///< Bars of more are thinner than a number.
 
 constexpr double kPerMicrometrePerKilonewton = 1e9;  // From m/N.
 
@@ -69,8 +70,8 @@ Figures yang(const MeasuresResult& result) {
                     {2, {over_threads(rate, per_si::percent)}}};
   }
   if (figure.panels.empty()) return {};
-  figure.add("model, screw–roller", marked_line(0));
-  figure.add("model, nut–roller", marked_line(1));
+  figure.add("model, roller-screw", marked_line(0));
+  figure.add("model, roller-nut", marked_line(1));
   figure.add("Yang", marked_line(2));
   figure.x = thread_axis(threads);
   figure.columns = figure.panels.size() == 1 ? 1 : 2;
@@ -94,7 +95,8 @@ Figures stiffness_terms(const MeasuresResult& result) {
   const auto bar = [&](Series& series, double at, double half, double compliance) {
     const double shown = compliance * kPerMicrometrePerKilonewton;
     series.parts.push_back(rectangle(0.0, shown, at - half, at + half));
-    panel.labels.push_back({fmt::format(" {:.3g}", shown), shown, at});
+    if (cases.size() <= kMostLabelledCases)
+      panel.labels.push_back({fmt::format(" {:.3g}", shown), shown, at});
     widest = std::max(widest, shown);
   };
   const double thick = 0.8 / static_cast<double>(std::max<std::size_t>(cases.size(), 1));
@@ -109,7 +111,7 @@ Figures stiffness_terms(const MeasuresResult& result) {
     panel.series.push_back(std::move(bars));
   }
   for (std::size_t i = 0; i < contacts; ++i)
-    names.push_back(fmt::format("contacts, {}", i == 0 ? "screw–roller" : "nut–roller"));
+    names.push_back(fmt::format("contacts, {}", i == 0 ? "roller-screw" : "roller-nut"));
   Series bars{figure.add(cases.empty() ? "" : "every load case", area_of(Colour::grey))};
   if (cases.empty()) figure.legend.clear();
   for (std::size_t k = 0; k < bodies.size(); ++k) {

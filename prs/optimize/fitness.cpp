@@ -45,7 +45,7 @@ Fitness::Fitness(const Optimization& optimization, const EvaluatedDesign& initia
   }
 }
 
-void Fitness::judge(EvaluatedDesign& design) const {
+void Fitness::assess(EvaluatedDesign& design) const {
   design.violation = std::numeric_limits<double>::infinity();
   if (!design.status.converged()) return;
   const auto none = std::ranges::find_if(design.responses, [](double y) { return std::isnan(y); });

@@ -21,7 +21,7 @@ class Fitness {
   Fitness(const Optimization& optimization, const EvaluatedDesign& initial);
 
   /// Sets the violation and, where a response is missing, the status of a design that has answers.
-  void judge(EvaluatedDesign& design) const;
+  void assess(EvaluatedDesign& design) const;
 
   /// One number an objective of a judged design.
   std::vector<double> operator()(const EvaluatedDesign& design) const;

@@ -108,7 +108,7 @@ Search search(const Optimization& optimization, Algorithm algorithm, std::uint64
     for (const std::vector<double>& x : points) designs.push_back(draws_at(optimization, x));
     Points values;
     for (EvaluatedDesign& design : answers(designs)) {
-      fitness.judge(design);
+      fitness.assess(design);
       values.push_back(fitness(design));
       search.designs.push_back(std::move(design));
     }
@@ -135,7 +135,7 @@ OptimizationResult run(const Optimization& optimization, Answers& answers) {
   const std::vector<Draw> as_in_file(optimization.study.factors.size());
   result.initial = answers({as_in_file}).front();
   const Fitness fitness(optimization, result.initial);
-  fitness.judge(result.initial);
+  fitness.assess(result.initial);
   result.search = search(optimization, optimization.algorithm, optimization.seed, fitness, answers);
   if (optimization.check) {
     result.check =

@@ -81,7 +81,7 @@ int room_left(const Figure& figure, AxisOf axis_of, bool first_column, bool labe
     // Two lines where the panel is too low for one.
     const int height = figure.columns == 1 ? 400 : figure.columns == 2 ? 270 : 180;
     const bool wraps = kCharacter * static_cast<int>(width(text_of(axis))) > height;
-    const int label = !has_label ? 18 : wraps ? 70 : 50;
+    const int label = !has_label ? 18 : wraps ? 82 : 62;
     room = std::max(room, kCharacter * longest_tick(axis, 240, false) + label);
   }
   return room;

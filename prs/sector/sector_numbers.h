@@ -42,7 +42,9 @@ struct SectorNumbers {
   PerInterface<Number> hertz_constant;  ///< k_0 [N/m^1.5]
   PerInterface<Number> cosine, sine;    ///< cos(psi), sin(psi).
   PerInterface<Number> compliance;      ///< Teeth, in series with the contact [m/N].
-  Number offset_compliance{};           ///< As in `Sector`.
+  /// Axial displacement of the loaded section per load on one roller that the contacts do not feel,
+  /// as Poisson's contraction gives it [m/N].
+  Number offset_compliance{};
 };
 
 /// f(a.n, b.n, ..) for every number n of sectors side by side.

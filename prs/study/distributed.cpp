@@ -128,7 +128,7 @@ Ranks::~Ranks() {
 }
 
 std::size_t Ranks::threads() const {
-  if (size_ == 1) return available_processors();
+  if (size_ == 1) return default_threads();
   return static_cast<std::size_t>(communicator_->processors_each());
 }
 

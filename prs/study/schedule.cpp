@@ -37,6 +37,17 @@ std::size_t available_processors() {
   return std::max(1u, std::thread::hardware_concurrency());  // More than the set can hold.
 }
 
+std::size_t default_threads() {
+  const std::size_t processors = available_processors();
+  if (processors == 1) return 1;
+  try {
+    modules::loaded<PipelineModule>();
+  } catch (const modules::Missing&) {
+    return 1;
+  }
+  return processors;
+}
+
 void run_schedule(std::size_t threads, std::size_t chunk, const NextRange& next,
                   const Evaluate& evaluate, const TakeRecord& take) {
   struct Block {

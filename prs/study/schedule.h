@@ -24,6 +24,9 @@ using TakeRecord = std::function<void(const std::string& record)>;
 /// Processors that this process may use.
 std::size_t available_processors();
 
+/// Threads of a run whose user names no number: one per processor, or one where TBB is missing.
+std::size_t default_threads();
+
 /// Evaluates `chunk` designs at a time on `threads` threads until none is left, and encodes them.
 /// The number of blocks under way is limited, so that a slow `take` slows the rest down. An
 /// exception in one of the functions ends the run and is thrown again.

@@ -19,6 +19,7 @@ file(RENAME ${folder}/prefix ${folder}/moved)
 run(_ ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${folder}/build -G ${GENERATOR}
   -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=-O0 -D CMAKE_PREFIX_PATH=${folder}/moved)
 run(_ ${CMAKE_COMMAND} --build ${folder}/build)
+run(_ ${folder}/moved/bin/prs validate ${CMAKE_CURRENT_LIST_DIR}/../../validation/sandu_2018 --quiet)
 run(by_library ${folder}/build/package ${case})
 run(by_program ${folder}/moved/bin/prs solve ${case} --json)
 string(JSON by_library GET "${by_library}" load_cases)

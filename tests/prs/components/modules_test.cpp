@@ -59,6 +59,12 @@ TEST_F(WithoutModules, StudiesOnOneThreadWriteAllButNetcdf) {
   EXPECT_FALSE(fs::exists(folder / "study.nc"));
 }
 
+TEST_F(WithoutModules, OneThreadIsTheDefaultWithoutTbb) {
+  const test::Outcome outcome = study("");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(fs::exists(folder / "study.csv"));
+}
+
 TEST_F(WithoutModules, WhatCannotDoWithoutThemSaysSo) {
   const test::Outcome threads = study("--threads 2");
   EXPECT_EQ(threads.status, 1);
@@ -78,7 +84,7 @@ TEST_F(WithoutModules, WhatCannotDoWithoutThemSaysSo) {
 }
 
 TEST_F(WithoutModules, FoundBesideTheProgramOrBelowLib) {
-  for (const fs::path below : {"some/bin", "some/lib/prs", "lib/prs"}) {
+  for (const fs::path below : {"some/bin", "some/bin/lib/prs", "some/lib/prs", "lib/prs"}) {
     const fs::path module = temporary.path() / below / "prs_tbb.so";
     fs::create_directories(module.parent_path());
     std::ofstream(module) << "no library";

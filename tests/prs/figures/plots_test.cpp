@@ -77,8 +77,8 @@ TEST(Figures, DirectionsOfOneConfigurationShareALine) {
   const auto figure = picture(sweeps(), "load_distribution");
   ASSERT_TRUE(figure);
   ASSERT_EQ(figure->panels.size(), 4);
-  EXPECT_EQ(figure->panels[0].title, "Screw–roller, tension");
-  EXPECT_EQ(figure->panels[3].title, "Nut–roller, compression");
+  EXPECT_EQ(figure->panels[0].title, "Roller-screw, tension");
+  EXPECT_EQ(figure->panels[3].title, "Roller-nut, compression");
   ASSERT_EQ(figure->legend.size(), 3);
   EXPECT_EQ(figure->legend[0].title, "config1");
   EXPECT_EQ(figure->legend[1].title, "config2");

@@ -40,7 +40,7 @@ TEST(Fitness, DominatesAsDebDefinesIt) {
   const auto number = [&] { return std::copysign(std::pow(10.0, exponent(random)), sign(random)); };
   std::vector<EvaluatedDesign> designs;
   for (int k = 0; k < 150; ++k) designs.push_back(with({number(), number(), sign(random)}));
-  for (EvaluatedDesign& design : designs) fitness.judge(design);
+  for (EvaluatedDesign& design : designs) fitness.assess(design);
   const auto reference = [&](const EvaluatedDesign& a, const EvaluatedDesign& b) {
     if (a.is_feasible() != b.is_feasible()) return a.is_feasible();
     if (!a.is_feasible()) return a.violation < b.violation;
@@ -61,7 +61,7 @@ TEST(Fitness, ViolationsAreRelative) {
   const auto violation = [&](Constraint::Sense sense, Limit limit, std::vector<double> responses) {
     optimization.constraints = {{"c", 0, sense, limit}};
     EvaluatedDesign design = with(std::move(responses));
-    Fitness(optimization, initial).judge(design);
+    Fitness(optimization, initial).assess(design);
     return design.violation;
   };
   using enum Constraint::Sense;
@@ -99,10 +99,11 @@ TEST(NonDominated, AgreesWithTheDefinition) {
 TEST(Hypervolume, OfBoxesIsTheirUnion) {
   EXPECT_EQ(modules::loaded<SearchModule>().hypervolume({}, {1.0, 1.0}), 0.0);
   EXPECT_DOUBLE_EQ(modules::loaded<SearchModule>().hypervolume({{0.2}, {0.4}}, {1.0}), 0.8);
-  EXPECT_DOUBLE_EQ(modules::loaded<SearchModule>().hypervolume({{0.0, 0.5}, {0.5, 0.0}}, {1.0, 1.0}), 0.75);
   EXPECT_DOUBLE_EQ(
-      modules::loaded<SearchModule>().hypervolume({{0.0, 0.5, 0.5}, {0.5, 0.0, 0.0}}, {1.0, 1.0, 1.0}),
-      0.25 + 0.5 - 0.125);
+      modules::loaded<SearchModule>().hypervolume({{0.0, 0.5}, {0.5, 0.0}}, {1.0, 1.0}), 0.75);
+  EXPECT_DOUBLE_EQ(modules::loaded<SearchModule>().hypervolume({{0.0, 0.5, 0.5}, {0.5, 0.0, 0.0}},
+                                                               {1.0, 1.0, 1.0}),
+                   0.25 + 0.5 - 0.125);
 }
 
 /// A front of three designs with u = (0, 1), (0.2, 0.35) and (1, 0).

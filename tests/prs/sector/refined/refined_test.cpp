@@ -467,6 +467,13 @@ TEST(LocalCompliance, EndsOfABandTakeTheirShareAway) {
   EXPECT_NEAR(band_shares(1, 2e-9, r, 0.0, 0.3)[0], 0.0, 1e-6);
 }
 
+TEST(SectorNumbers, AreAllVisited) {
+  SectorNumbers<double> numbers;
+  std::size_t count = 0;
+  for_each_number([&](double&) { ++count; }, numbers);
+  EXPECT_EQ(count * sizeof(double), sizeof numbers);
+}
+
 TEST(SectorModel, RefinedWithoutEffectsIsBars) {
   SectorCase c = test::abevi();
   const SectorModel bars = c.model();
