@@ -102,7 +102,7 @@ TEST(Figures, ButterflyHasTensionOnThePositiveSideAndSharesOfTheMean) {
   EXPECT_EQ(figure->panels.size(), 4);
   EXPECT_DOUBLE_EQ(figure->x.from, -45.0);
   EXPECT_DOUBLE_EQ(figure->x.to, 45.0);
-  EXPECT_EQ(figure->x.label, "Axial force, tension > 0");
+  EXPECT_EQ(figure->x.label, "Axial force, tension >\u00a00");
   EXPECT_EQ(figure->y.unit, "% of the mean");
   const Result result = sweeps();
   const auto& rates = result.load_cases[8].threads->screw.load_rate;
