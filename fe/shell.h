@@ -64,12 +64,8 @@ Eigen::Matrix<Real, 6, 1> end_forces(const ShellMatrix& stiffness,
                                      const Eigen::Matrix<Real, 5, 1>& deformation) {
   const Eigen::Matrix<Real, 5, 1> f = stiffness.cast<Real>() * deformation;
   const Real half(0.5);
-  return {-f[0],
-          half * f[3] - f[1],
-          half * f[4] - f[2],
-          f[0],
-          half * f[3] + f[1],
-          half * f[4] + f[2]};
+  return {-f[0], half * f[3] - f[1], half * f[4] - f[2],
+          f[0],  half * f[3] + f[1], half * f[4] + f[2]};
 }
 
 }  // namespace fe

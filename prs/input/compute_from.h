@@ -1,8 +1,8 @@
 #pragma once
 
-#include "prs/model/case_error.h"
 #include "prs/input/fail_at.h"
 #include "prs/input/source.h"
+#include "prs/model/case_error.h"
 
 namespace prs::input {
 

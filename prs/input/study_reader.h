@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "prs/model/case.h"
 #include "prs/input/case_fields.h"
 #include "prs/input/document.h"
 #include "prs/input/source.h"
+#include "prs/model/case.h"
 #include "prs/model/study.h"
 
 namespace prs::input {

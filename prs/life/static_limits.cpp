@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/loads/analyze.h"
-#include "prs/threads/contact_failure.h"
-#include "prs/model/units.h"
 #include "prs/life/capacity.h"
+#include "prs/loads/analyze.h"
+#include "prs/model/units.h"
+#include "prs/threads/contact_failure.h"
 
 namespace prs {
 namespace {

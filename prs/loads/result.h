@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "fe/newton.h"
-#include "prs/threads/contacts.h"
+#include "prs/loads/slip_result.h"
 #include "prs/model/load_case.h"
 #include "prs/model/model_options.h"
 #include "prs/model/part.h"
-#include "prs/loads/slip_result.h"
+#include "prs/threads/contacts.h"
 
 namespace prs {
 

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "prs/quantities/configurations_json.h"
+#include "prs/configurations/roller_spacing.h"
 #include "prs/model/units.h"
 #include "prs/output/configurations_files.h"
 #include "prs/output/csv_writer.h"
-#include "prs/configurations/roller_spacing.h"
+#include "prs/quantities/configurations_json.h"
 
 namespace prs {
 namespace {

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "prs/quantities/json_values.h"
 #include "prs/output/case_table.h"
 #include "prs/output/csv_writer.h"
+#include "prs/output/warnings.h"
+#include "prs/quantities/json_values.h"
 #include "prs/quantities/response_title.h"
 #include "prs/study/study_text.h"
 #include "prs/text.h"
-#include "prs/output/warnings.h"
 
 namespace prs {
 namespace {

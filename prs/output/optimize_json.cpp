@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "prs/quantities/json_values.h"
 #include "prs/output/optimize_designs.h"
+#include "prs/quantities/json_values.h"
 
 namespace prs {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "prs/quantities/model_summary.h"
-#include "prs/quantities/quantities.h"
 #include "prs/output/bar_chart.h"
 #include "prs/output/case_table.h"
 #include "prs/output/warnings.h"
+#include "prs/quantities/model_summary.h"
+#include "prs/quantities/quantities.h"
 
 namespace prs {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "prs/model/study.h"
 #include "prs/study/analysis.h"
 #include "prs/study/row_block.h"
-#include "prs/model/study.h"
 
 namespace prs {
 

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "prs/sector/influence/flexibility.h"
 #include "prs/model/part.h"
+#include "prs/sector/influence/flexibility.h"
 #include "prs/sector/sector.h"
 
 namespace prs {

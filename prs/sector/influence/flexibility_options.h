@@ -1,7 +1,7 @@
 #pragma once
 
-#include "prs/sector/influence/grooved_body.h"
 #include "prs/model/model_options.h"
+#include "prs/sector/influence/grooved_body.h"
 
 namespace prs {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "prs/threads/contacts.h"
 #include "prs/sector/influence/contact_problem.h"
 #include "prs/sector/influence/flexibility.h"
+#include "prs/threads/contacts.h"
 
 namespace prs {
 

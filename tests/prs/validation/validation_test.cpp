@@ -303,8 +303,8 @@ TEST(PrintedNumber, CountsAgreeingDigits) {
 }
 
 TEST(ValidationDocument, HoldsVerdictsDigitsAndTables) {
-  const nlohmann::ordered_json document = validation_json(
-      validate(kSources / "sandu_2018", {sandu_2018::extension()}), DocumentInfo{});
+  const nlohmann::ordered_json document =
+      validation_json(validate(kSources / "sandu_2018", {sandu_2018::extension()}), DocumentInfo{});
   const auto& source = document["sources"][0];
   EXPECT_EQ(source["name"], "sandu_2018");
   const auto& first = source["values"][0];
