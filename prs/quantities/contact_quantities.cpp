@@ -117,9 +117,9 @@ constexpr Quantity<ContactAt> kInterfaceContact[] = {
      "semi-axis b over the cube root of the normal load", source::kHertz},
     {"max_shear_over_peak_pressure", shear<&contact::SubsurfaceShear::shear_over_pressure>,
      "largest shear stress below the surface over p_0", source::kHertz, "", "", "",
-     Delivery::complete},
+     Reach::complete},
     {"max_shear_depth_over_semi_minor", shear<&contact::SubsurfaceShear::depth_over_semi_minor>,
-     "its depth over b", source::kHertz, "", "", "", Delivery::complete},
+     "its depth over b", source::kHertz, "", "", "", Reach::complete},
 };
 
 PerPart<double> of_threads(const MechanismGeometry& threads, auto value) {

@@ -25,10 +25,10 @@ constexpr Quantity<InterfaceLoads> kInterfaceLoads[] = {
     {"peak_pressure_MPa", of<&InterfaceLoads::peak_pressure>, "p_0 = 3 N/(2 pi a b)",
      source::kHertz},
     {"max_shear_stress_MPa", of<&InterfaceLoads::max_shear_stress>,
-     "largest shear stress below the surface", source::kHertz, "", "", "", Delivery::complete},
+     "largest shear stress below the surface", source::kHertz, "", "", "", Reach::complete},
     {"max_shear_depth_mm", of<&InterfaceLoads::max_shear_depth>,
      "where the largest shear stress acts, for the depth of hardening", source::kHertz, "", "", "",
-     Delivery::complete},
+     Reach::complete},
 };
 
 using fe::NewtonIteration;
@@ -65,7 +65,7 @@ constexpr Quantity<LoadCaseResult> kLoadCase[] = {
     {"status", of<status_name>, "how the solve ended; equal shares need none"},
     {"iterations", of_solve<&fe::NewtonSummary::iterations>, "linear solves"},
     {"relative_residual", of_solve<&fe::NewtonSummary::relative_residual>,
-     "largest force out of balance over the load", "", "", "", "", Delivery::document},
+     "largest force out of balance over the load", "", "", "", "", Reach::document},
     {"axial_displacement_um", of<&LoadCaseResult::axial_displacement, &LoadCaseResult::converged>,
      "of the loaded section; > 0 along the load"},
     {"axial_stiffness_N_per_um", of<&LoadCaseResult::axial_stiffness, &LoadCaseResult::converged>,

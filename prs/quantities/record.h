@@ -30,7 +30,7 @@ enum class Kind {
 };
 
 /// Where a quantity is available as a response.
-enum class Delivery {
+enum class Reach {
   numbers,   ///< Part of every result, also with Detail::numbers.
   complete,  ///< Only with Detail::complete.
   document,  ///< About the solution, not the design: only in a run's document.
@@ -55,7 +55,7 @@ Record<Owner> record_of();
 template <class Owner>
 struct Reader {
   std::function<std::optional<double>(const Owner&)> read;
-  Delivery delivery = Delivery::numbers;
+  Reach delivery = Reach::numbers;
 };
 
 /// How a quantity is got from its owner: made by `of`, see record_table.h.
@@ -86,7 +86,7 @@ struct Quantity {
   std::string_view title = {};     ///< In tables; by default the words of the key.
   std::string_view group = {};     ///< Heading above neighbouring quantities.
   std::string_view validity = {};  ///< What a reader must know to trust it.
-  Delivery delivery = Delivery::numbers;
+  Reach delivery = Reach::numbers;
   const ShownUnit& unit = unit_of(key);  ///< kNoUnit: that of the record it stands in, if any.
 
   const ShownUnit& shown_in(const ShownUnit& inherited) const {

@@ -108,7 +108,7 @@ constexpr Quantity<SlipResult> kSlip[] = {
     {"evaluations", of<&SlipResult::evaluations>, "of the roller's moment balance"},
     {"relative_residue", of<&SlipResult::relative_residue>,
      "moment on a roller over radius and normal load", "Sandu 2018, (3.38)", "", "", "",
-     Delivery::document},
+     Reach::document},
     {"speed_rpm", found<&SlipResult::speed>, "screw against nut"},
     {"gear_ratio", found<&SlipResult::gear_ratio>, "Gamma = |l_R/l_S|", "Sandu 2018, (2.1)"},
     {"slip_ratio", found<&SlipResult::slip_ratio>,

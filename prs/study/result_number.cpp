@@ -16,8 +16,8 @@ template <class Owner>
 std::optional<ResultNumber> number_of(std::string_view path, std::optional<std::size_t> load_case,
                                       const Owner* (*part)(const Answer&)) {
   std::optional<Reader<Owner>> reader = reader_of<Owner>(path);
-  if (!reader || reader->delivery == Delivery::document) return std::nullopt;
-  return ResultNumber{load_case, reader->delivery == Delivery::complete,
+  if (!reader || reader->delivery == Reach::document) return std::nullopt;
+  return ResultNumber{load_case, reader->delivery == Reach::complete,
                       [part, read = std::move(reader->read)](const Answer& answer) {
                         const Owner* owner = part(answer);
                         return owner ? read(*owner) : std::nullopt;
