@@ -178,8 +178,9 @@ class Chain {
   void assess(const NewtonOptions& options, const ChainStepSums<Real>& s, const Real& shift) {
     // |cos|, |sin| <= 1, and a freedom meets at most both contacts of its station.
     const Real relative = 2.0 * s.left * inverse_scale_;
-    const Mask candidate =
-        active_ & options.settled(s.slope, summary_.energy) & options.small(relative);
+    const Mask settled = options.settled(s.slope, summary_.energy);
+    const Mask small = options.small(relative);
+    const Mask candidate = active_ & settled & small;
     const Mask unusual = active_ & ((length_ < 1.0) | (shift > 0.0));
     const Real before = summary_.relative_residual;
     summary_.relative_residual = select(moved_, relative, before);
@@ -193,8 +194,9 @@ class Chain {
     const Real change = sqrt(1.2 * static_cast<double>(contacts()) * length_ * length_ *
                              s.stiffness / contact_energy_);
     const Mask told = approach_rounding(chain_) <= options.force_tolerance;
-    const Mask done =
-        candidate & told & options.exact(change, whole, before) & options.small(whole);
+    const Mask exact = options.exact(change, whole, before);
+    const Mask small_in_all = options.small(whole);
+    const Mask done = candidate & told & exact & small_in_all;
     // A whole residual that its own step does not lessen is that of rounding.
     const Mask stalled = candidate & checked_before & !done & options.stalled(whole, before);
     const Mask rounded = stalled & told & options.rounded(change, whole);

@@ -68,7 +68,7 @@ TEST(Record, DocumentHasWhatIsDefinedInTheUnitOfItsKey) {
   const auto json = object_of(kSample);
   EXPECT_EQ(json.at("length_mm"), 2.0);
   EXPECT_DOUBLE_EQ(json.at("inner_deg").at("angle"), 0.5 * 180.0 / std::numbers::pi);
-  EXPECT_EQ(json.at("inner_deg").at("loads_N"), nlohmann::json({1.0, 4.0}));
+  EXPECT_EQ(json.at("inner_deg").at("loads_N"), nlohmann::ordered_json({1.0, 4.0}));
   EXPECT_FALSE(json.contains("absent"));
   EXPECT_EQ(json.at("good"), true);
   EXPECT_EQ(json.at("count"), 3);
