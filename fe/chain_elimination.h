@@ -140,8 +140,8 @@ class ChainElimination {
     station_.add_interval_end(k, adder<kShifted>(shift, front));
   }
 
-  /// Leaves in each lane the station beside the middle with what the other lane's elimination of
-  /// its own has for it.
+  /// Joins both halves in the middle: each lane's last station gets what the elimination of the
+  /// other lane's last station adds to it.
   [[gnu::always_inline]] static void meet(Record& record, Front& front, Real& smallest) {
     Front own;
     unroll<M>([&](auto i) __attribute__((always_inline)) {

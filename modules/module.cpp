@@ -41,7 +41,7 @@ const Module& load(const Name& name) {
     const std::string error = dlerror();
     if (error.starts_with(name.file))
       throw Missing(fmt::format(
-          "this needs {0}, and {1} is not beside the program; install {2} and build prs again{3}",
+          "this needs {0}, and {1} is not next to the program; install {2} and build prs again{3}",
           name.library, name.file, name.package, name.alternative));
     throw Missing(fmt::format(
         "this needs {0}, and {1} does not load: {2}; install {0}, or build prs again{3}",

@@ -28,8 +28,8 @@ class Missing : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Searched beside the program, or the library that this function is part of; in `lib/prs` one or
-/// two folders further up; and where the system searches libraries.
+/// Searches the folder of the program (or of the library that this function is part of), the folder
+/// `lib/prs` there and in the two folders above, and the system's library folders.
 const Module& load(const Name& name);
 
 /// Loads it once. Throws Missing.

@@ -27,11 +27,14 @@ bool write(const Delivery& delivery, const std::string& document, const Figures&
 }  // namespace
 
 int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOptions& options) {
+  const bool has_document = options.json || options.output;
+  if (options.figures && !has_document)
+    note(options, "--figures has no effect without a document; add --json or --output DIR");
   Figures shown;
   if (delivery.pictures && (options.output || (options.figures && options.json)))
     shown = figures(delivery.pictures());
   std::string document;
-  if (options.json || options.output) {
+  if (has_document) {
     nlohmann::ordered_json json = delivery.document(info);
     if (options.figures) json["figures"] = to_json(shown);
     document = json_text(json);

@@ -28,7 +28,8 @@ void add_case_options(CLI::App& command, Options& options) {
       ->take_all()
       ->allow_extra_args(false);
   add_output_options(command, options);
-  command.add_flag("--figures", options.figures, "Put the pictures into the document, as data");
+  command.add_flag("--figures", options.figures, "Put the pictures into the document, as data")
+      ->disable_flag_override();
 }
 
 void add_threads_option(CLI::App& command, Options& options) {

@@ -76,7 +76,7 @@ enum EllipseStyle : std::size_t {
   kNut = kRoller + 2
 };
 
-void add_styles(Figure& figure) {
+void add_ellipse_styles(Figure& figure) {
   Style inside = area_of(Colour::grey);
   inside.pale = true;
   figure.add("contact ellipse", inside);
@@ -144,7 +144,7 @@ Figures contact_ellipses(const Result& result, const FigureOptions&) {
   figure.columns = std::size(kInterfaces);
   figure.to_scale = true;
   figure.aspect = 0.9;
-  add_styles(figure);
+  add_ellipse_styles(figure);
   double largest = 0.0;
   for (const Interface i : kInterfaces) {
     const contact::InterfaceGeometry& geometry = contacts.interfaces[i].geometry;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <array>
 
 #include <cmath>
 #include <string>
@@ -37,6 +38,11 @@ inline std::string mechanism_title(const Contacts& contacts) {
 inline Axis axis_about(std::string label, double middle, double half) {
   return {std::move(label), "mm", (middle - half) * per_si::millimetre,
           (middle + half) * per_si::millimetre};
+}
+
+/// A point of a drawing [mm], from its coordinates [m].
+inline std::array<double, 2> point_mm(double x, double y) {
+  return {x * per_si::millimetre, y * per_si::millimetre};
 }
 
 }  // namespace prs

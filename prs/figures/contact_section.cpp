@@ -12,10 +12,6 @@ namespace {
 
 constexpr int kFlankPoints = 24;
 
-std::array<double, 2> point_mm(double z, double x) {
-  return {z * per_si::millimetre, x * per_si::millimetre};
-}
-
 /// One side of a thread, cut by a plane parallel to the axes. The thread's material or, for a nut,
 /// the air inside it lies between axis and outline. SI units.
 struct Cut {

@@ -17,10 +17,6 @@ struct Circle {
   double radius = 0.0;
 };
 
-std::array<double, 2> point_mm(double x, double y) {
-  return {x * per_si::millimetre, y * per_si::millimetre};
-}
-
 /// The circle from the angle `from` to `to` [rad].
 Polyline arc(const Circle& circle, double from, double to) {
   constexpr int kPoints = 180;
@@ -58,9 +54,16 @@ std::array<double, 2> contact_mm(const Contacts& contacts, Interface i) {
 }
 
 /// Styles of the figure in the order of their legend.
-enum CircleStyle : std::size_t { kScrew, kRoller, kNut, kCentres, kRadii, kMarks };
+enum CircleStyle : std::size_t {
+  kScrewCircle,
+  kRollerCircle,
+  kNutCircle,
+  kCentres,
+  kRadii,
+  kMarks
+};
 
-void add_styles(Figure& figure) {
+void add_circle_styles(Figure& figure) {
   for (const Part part : kParts)
     figure.add(fmt::format("pitch circle, {}", title(part)), line_of(colour_of(part)));
   figure.add("line of centres", kAxisLine);
@@ -140,7 +143,7 @@ Figures contact_xy(const Contacts& contacts) {
   figure.columns = 2;
   figure.overview = 1.75;
   figure.to_scale = true;
-  add_styles(figure);
+  add_circle_styles(figure);
   figure.panels = {mechanism_panel(contacts), contact_panel(contacts, Interface::nut),
                    contact_panel(contacts, Interface::screw)};
   return {std::move(figure)};

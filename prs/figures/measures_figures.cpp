@@ -52,9 +52,9 @@ std::vector<std::size_t> cases_with_contacts(const MeasuresResult& result) {
 
 }  // namespace
 
-/// Yang's load rates beside those of the model, a panel for each load case, at most six.
+/// Load rates by Yang's formula and by the model, one panel per load case, at most six.
 Figures yang(const MeasuresResult& result) {
-  Figure figure{"yang", "Load distribution: Yang's formula beside the model"};
+  Figure figure{"yang", "Load distribution: Yang's formula and the model"};
   figure.y = {"Share of the load", "%"};
   std::size_t threads = 0;
   for (std::size_t k = 0; k < result.load_measures.size(); ++k) {

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
 
 #include "prs/figures/contact_parts.h"
 #include "prs/figures/slip_parts.h"
@@ -69,10 +72,13 @@ Pictures with(Pictures own, Pictures others) {
   return own;
 }
 
+/// Fields of the load cases, by their index: integrated once for all pictures of them.
+using SlipFields = std::map<std::size_t, SlipPictures>;
+
 /// For the load cases whose slip converged, at most four; of several, names end in `_1`, `_2`, ..
-auto of_slip(const Case& c, const Result& result,
+auto of_slip(const Case& c, const Result& result, std::shared_ptr<SlipFields> fields,
              Figure (*make)(const LoadCaseResult&, const SlipPictures&)) {
-  return [&c, &result, make](const FigureOptions& options) {
+  return [&c, &result, fields = std::move(fields), make](const FigureOptions& options) {
     constexpr std::size_t kMost = 4;
     std::vector<std::size_t> cases;
     for (std::size_t k = 0; k < result.load_cases.size() && cases.size() < kMost; ++k)
@@ -80,8 +86,9 @@ auto of_slip(const Case& c, const Result& result,
         cases.push_back(k);
     Figures figures;
     for (std::size_t k = 0; k < cases.size(); ++k) {
-      const SlipPictures shown = slip_pictures(c, result, cases[k]);
-      figures.push_back(make(result.load_cases[cases[k]], shown));
+      if (!fields->contains(cases[k]))
+        fields->emplace(cases[k], slip_pictures(c, result, cases[k]));
+      figures.push_back(make(result.load_cases[cases[k]], fields->at(cases[k])));
       if (cases.size() > 1) figures.back().name += fmt::format("_{}", k + 1);
     }
     return figures;
@@ -113,11 +120,12 @@ Pictures contact_pictures(const Result& r) {
 Pictures solve_pictures(const Result& r) { return with(load_pictures(r), contact_pictures(r)); }
 
 Pictures slip_pictures(const Case& c, const Result& r) {
+  const auto fields = std::make_shared<SlipFields>();
   return with({{"power_by_source", kSlip, of(r, power_by_source)},
                {"thread_power", kSlip, of(r, thread_power)},
                {"friction", kSlip, of(r, friction)},
-               {"slip_patches", kSlip, of_slip(c, r, slip_patch_figure)},
-               {"slip_residue", kSlip, of_slip(c, r, slip_residue_figure)}},
+               {"slip_patches", kSlip, of_slip(c, r, fields, slip_patch_figure)},
+               {"slip_residue", kSlip, of_slip(c, r, fields, slip_residue_figure)}},
               solve_pictures(r));
 }
 

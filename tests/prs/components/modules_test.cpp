@@ -49,7 +49,7 @@ TEST_F(WithoutModules, StudiesOnOneThreadWriteAllButNetcdf) {
   const test::Outcome loud =
       run("study '" + file.string() + "' --threads 1 --output '" + folder.string() + "'");
   EXPECT_THAT(loud.err, HasSubstr("prs: study.nc is not written: this needs netCDF, and "
-                                  "prs_netcdf.so is not beside the program; install libnetcdf-dev "
+                                  "prs_netcdf.so is not next to the program; install libnetcdf-dev "
                                   "and build prs again\n"));
   const fs::path other = temporary.path() / "other";
   const test::Outcome whole = test::run_prs("study '" + file.string() + "' --threads 1 --output '" +
@@ -69,17 +69,17 @@ TEST_F(WithoutModules, WhatCannotDoWithoutThemSaysSo) {
   const test::Outcome threads = study("--threads 2");
   EXPECT_EQ(threads.status, 1);
   EXPECT_EQ(threads.err,
-            "prs: error: this needs TBB, and prs_tbb.so is not beside the program; install "
+            "prs: error: this needs TBB, and prs_tbb.so is not next to the program; install "
             "libtbb-dev and build prs again, or take --threads 1\n");
   const test::Outcome ranks = study("", "OMPI_COMM_WORLD_SIZE=2");
   EXPECT_EQ(ranks.status, 1);
   EXPECT_EQ(ranks.err,
-            "prs: error: this needs MPI, and prs_mpi.so is not beside the program; install "
+            "prs: error: this needs MPI, and prs_mpi.so is not next to the program; install "
             "libopenmpi-dev and build prs again, or compute parts by --shard i/n\n");
   const test::Outcome optimum = run("optimize configs/23_crowning.yaml --threads 1 --quiet");
   EXPECT_EQ(optimum.status, 1);
   EXPECT_EQ(optimum.err,
-            "prs: error: this needs pagmo, and prs_pagmo.so is not beside the program; install "
+            "prs: error: this needs pagmo, and prs_pagmo.so is not next to the program; install "
             "libpagmo-dev and build prs again\n");
 }
 

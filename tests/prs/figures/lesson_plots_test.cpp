@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -58,6 +59,14 @@ TEST(LessonPlots, PreloadHasItsStiffness) {
   ASSERT_EQ(shown.front().panels.size(), 3);
   EXPECT_EQ(shown.front().panels[1].y->unit, "N/µm");
   expect_silent(shown);
+}
+
+TEST(LessonPlots, PicturesOfSeveralLoadCasesAreNumbered) {
+  const std::vector<std::string> names =
+      test::names(of_lesson("09_slip_and_dissipation.yaml", Command::slip));
+  for (const char* kind : {"slip_patches", "slip_residue"})
+    for (const char* number : {"_1", "_2", "_3"})
+      EXPECT_THAT(names, testing::Contains(std::string(kind) + number));
 }
 
 TEST(LessonPlots, GnuplotDrawsStudiesAndSaysNothing) {

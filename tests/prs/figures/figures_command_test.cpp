@@ -1,0 +1,67 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "support/program.h"
+#include "support/temporary_directory.h"
+
+namespace prs {
+namespace {
+
+using testing::HasSubstr;
+
+/// Whether each picture of the document is as the schema says; jsonschema's verdict.
+bool agree(const std::filesystem::path& schema, const std::filesystem::path& document) {
+  const std::string command =
+      "python3 -c 'import json, sys; from jsonschema import Draft202012Validator as V\n"
+      "V.check_schema(schema := json.load(open(sys.argv[1])))\n"
+      "for figure in json.load(open(sys.argv[2]))[\"figures\"]: V(schema).validate(figure)' '" +
+      schema.string() + "' '" + document.string() + "'";
+  return std::system(command.c_str()) == 0;
+}
+
+TEST(FiguresCommand, DocumentsHoldThemAsTheirSchemaSays) {
+  const test::TemporaryDirectory temporary;
+  ASSERT_EQ(
+      test::run_prs("schema figures --quiet --output '" + temporary.path().string() + "'").status,
+      0);
+  const auto expect = [&](const std::string& arguments, const std::set<std::string>& wanted) {
+    const test::Outcome run = test::run_prs(arguments + " --figures --json --quiet");
+    ASSERT_EQ(run.status, 0) << run.err;
+    std::set<std::string> names;
+    for (const auto& figure : nlohmann::json::parse(run.out).at("figures"))
+      names.insert(figure.at("name"));
+    for (const std::string& name : wanted) EXPECT_TRUE(names.contains(name)) << name;
+    const auto document = temporary.path() / "document.json";
+    std::ofstream(document) << run.out;
+    EXPECT_TRUE(agree(temporary.path() / "prs.figures.json", document)) << arguments;
+  };
+  expect("contact configs/07_contact_geometry.yaml", {"contact_xy", "contact_ellipses"});
+  expect("solve configs/03_load_sweep.yaml", {"load_distribution", "stiffness", "butterfly"});
+  expect("slip configs/09_slip_and_dissipation.yaml", {"power_by_source", "slip_patches_1"});
+  expect("preload configs/12_preload.yaml", {"preload"});
+  expect("life configs/14_flight_spectrum.yaml", {"rainflow", "thread_lives"});
+  expect("measures configs/18_design_measures.yaml", {"yang", "stiffness_terms"});
+  expect("study configs/17_derivatives.yaml", {});
+}
+
+TEST(FiguresCommand, WithoutTheFlagDocumentsHoldNone) {
+  const test::Outcome run = test::run_prs("solve configs/01_config_1_to_3.yaml --json --quiet");
+  EXPECT_FALSE(nlohmann::json::parse(run.out).contains("figures"));
+}
+
+TEST(FiguresCommand, TheFlagNeedsADocumentAndTakesNoValue) {
+  const test::Outcome table = test::run_prs("solve configs/01_config_1_to_3.yaml --figures");
+  EXPECT_EQ(table.status, 0);
+  EXPECT_THAT(table.err, HasSubstr("--figures has no effect without a document; add --json or"));
+  EXPECT_EQ(test::run_prs("solve configs/01_config_1_to_3.yaml --json --figures=no").status, 2);
+  EXPECT_EQ(test::run_prs("schema result").status, 2);
+}
+
+}  // namespace
+}  // namespace prs
