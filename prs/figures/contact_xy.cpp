@@ -60,7 +60,7 @@ enum CircleStyle : std::size_t {
   kNutCircle,
   kCentres,
   kRadii,
-  kMarks
+  kContactPoints
 };
 
 void add_circle_styles(Figure& figure) {
@@ -96,7 +96,8 @@ Panel mechanism_panel(const Contacts& contacts) {
                           {{point_mm(-reach, 0.0), point_mm(reach, 0.0)},
                            {point_mm(0.0, -reach), point_mm(0.0, reach)}}});
   panel.series.push_back(
-      {kMarks, {{contact_mm(contacts, Interface::screw)}, {contact_mm(contacts, Interface::nut)}}});
+      {kContactPoints,
+       {{contact_mm(contacts, Interface::screw)}, {contact_mm(contacts, Interface::nut)}}});
   for (const Interface i : kInterfaces)
     panel.labels.push_back(mark_label(contacts, i, 0.3 * threads.roller.pitch_radius));
   panel.x = axis_about("x", 0.0, reach);
@@ -126,7 +127,7 @@ Panel contact_panel(const Contacts& contacts, Interface i) {
       {kCentres, {{point_mm(0.0, 0.0), point_mm(threads.nut.pitch_radius + reach, 0.0)}}});
   const auto at = contact_mm(contacts, i);
   panel.series.push_back({kRadii, {{point_mm(0.0, 0.0), at}, {point_mm(roller.x, 0.0), at}}});
-  panel.series.push_back({kMarks, {{at}}});
+  panel.series.push_back({kContactPoints, {{at}}});
   panel.labels.push_back(mark_label(contacts, i, 0.15 * half));
   panel.x = axis_about("x", body.radius + 0.5 * dx, half);
   panel.y = axis_about("y", 0.5 * dy, half);
