@@ -86,7 +86,7 @@ Panel mechanism_panel(const Contacts& contacts) {
   panel.title = "Projection along the axis";
   for (const Part part : {Part::screw, Part::nut})
     panel.series.push_back({style_of(part), {whole(body_circle(threads, part))}});
-  Series rollers{kRoller, {}};
+  Series rollers{kRollerCircle, {}};
   const int count = std::max(1, contacts.mechanism.rollers);
   for (int k = 0; k < count; ++k)
     rollers.parts.push_back(whole(roller_circle(threads, 2.0 * std::numbers::pi * k / count)));
@@ -122,7 +122,7 @@ Panel contact_panel(const Contacts& contacts, Interface i) {
                             number(point.angle_on_roller * per_si::degree, 2));
   panel.series.push_back({style_of(body.part), {near_line_of_centres(body, 1.0, reach)}});
   panel.series.push_back(
-      {kRoller, {near_line_of_centres(roller, i == Interface::screw ? -1.0 : 1.0, reach)}});
+      {kRollerCircle, {near_line_of_centres(roller, i == Interface::screw ? -1.0 : 1.0, reach)}});
   panel.series.push_back(
       {kCentres, {{point_mm(0.0, 0.0), point_mm(threads.nut.pitch_radius + reach, 0.0)}}});
   const auto at = contact_mm(contacts, i);

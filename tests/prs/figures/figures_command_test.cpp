@@ -34,8 +34,8 @@ TEST(FiguresCommand, DocumentsHoldThemAsTheirSchemaSays) {
     const test::Outcome run = test::run_prs(arguments + " --figures --json --quiet");
     ASSERT_EQ(run.status, 0) << run.err;
     std::set<std::string> names;
-    for (const auto& figure : nlohmann::json::parse(run.out).at("figures"))
-      names.insert(figure.at("name"));
+    const auto parsed = nlohmann::json::parse(run.out);
+    for (const auto& figure : parsed.at("figures")) names.insert(figure.at("name"));
     for (const std::string& name : wanted) EXPECT_TRUE(names.contains(name)) << name;
     const auto document = temporary.path() / "document.json";
     std::ofstream(document) << run.out;
