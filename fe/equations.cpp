@@ -22,16 +22,17 @@ std::array<int, 6> globals(const Element& e) {
           global(e.second, Dof::u), global(e.second, Dof::v), global(e.second, Dof::theta)};
 }
 
-/// Calls visit(freedom, coefficient) for the approach of a spring as a linear form.
-template <class Visit>
-void for_each_coefficient(const SpringElement& e, Visit visit) {
+/// The approach of a spring as a linear form.
+LinearForm approach_of(const SpringElement& e) {
+  LinearForm form;
   const auto end = [&](const RigidArm& arm, double sign) {
-    visit(global(arm.node, Dof::u), sign * e.nx);
-    visit(global(arm.node, Dof::v), sign * e.ny);
-    visit(global(arm.node, Dof::theta), sign * (e.ny * arm.dx - e.nx * arm.dy));
+    form.push_back({arm.node, Dof::u, sign * e.nx});
+    form.push_back({arm.node, Dof::v, sign * e.ny});
+    form.push_back({arm.node, Dof::theta, sign * (e.ny * arm.dx - e.nx * arm.dy)});
   };
   end(e.from, 1.0);
   end(e.to, -1.0);
+  return form;
 }
 
 SparseSymmetric compress(std::vector<Column> columns) {
@@ -48,25 +49,37 @@ SparseSymmetric compress(std::vector<Column> columns) {
 }
 
 /// Pattern of the upper triangle over the equations that `number` gives to the freedoms.
+/// A follower is coupled by the freedoms that it follows.
 SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, int size) {
   std::vector<Column> columns(static_cast<std::size_t>(size));
+  std::vector<int> coupled;
   const auto couple = [&](const auto& freedoms) {
-    for (const int a : freedoms)
-      for (const int b : freedoms) {
-        const int i = at(number, a), j = at(number, b);
+    coupled.clear();
+    for (const int freedom : freedoms) {
+      const int n = at(number, freedom);
+      if (n >= size)
+        for (const Term& term : at(model.constraints, n - size).form)
+          coupled.push_back(at(number, global(term.node, term.dof)));
+      else
+        coupled.push_back(n);
+    }
+    for (const int i : coupled)
+      for (const int j : coupled)
         if (i >= 0 && j >= 0 && i <= j) at(columns, j).push_back(i);
-      }
+  };
+  const auto couple_form = [&](const LinearForm& form) {
+    std::vector<int> freedoms;
+    for (const Term& term : form) freedoms.push_back(global(term.node, term.dof));
+    couple(freedoms);
   };
   for (int i = 0; i < size; ++i) at(columns, i).push_back(i);
   for (const BarElement& e : model.bars)
     couple(std::array{global(e.first, Dof::u), global(e.second, Dof::u)});
   for (const BeamElement& e : model.beams) couple(globals(e));
   for (const ShellElement& e : model.shells) couple(globals(e));
-  for (const SpringElement& e : model.springs) {
-    std::vector<int> freedoms;
-    for_each_coefficient(e, [&](int freedom, double) { freedoms.push_back(freedom); });
-    couple(freedoms);
-  }
+  for (const SpringElement& e : model.springs) couple_form(approach_of(e));
+  for (const FormSpring& e : model.form_springs) couple_form(e.approach);
+  for (const ElasticLink& e : model.elastic_links) couple_form(e.form);
   return compress(std::move(columns));
 }
 
@@ -75,6 +88,11 @@ SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, i
 Equations::Equations(const Model& model) {
   number_freedoms(model);
   linear_ = pattern_of(model, number_, size());
+  for (const Constraint& c : model.constraints) {
+    Follower follower{{}, c.offset};
+    follower.terms = terms_of(c.form, follower.offset);
+    followers_.push_back(std::move(follower));
+  }
   add_linear_elements(model);
   add_springs(model);
 }
@@ -94,9 +112,16 @@ void Equations::number_freedoms(const Model& model) {
   for (const ElasticSupport& s : model.elastic_supports) activate(global(s.node, s.dof));
   for (const FixedSupport& s : model.fixed_supports) at(number_, global(s.node, s.dof)) = kOut;
 
+  constexpr int kFollows = -2;
+  for (const Constraint& c : model.constraints) at(number_, global(c.node, c.dof)) = kFollows;
+
   int size = 0;
   for (int& n : number_)
     if (n == kFree) n = size++;
+  for (std::size_t k = 0; k < model.constraints.size(); ++k) {
+    const Constraint& c = model.constraints[k];
+    at(number_, global(c.node, c.dof)) = size + static_cast<int>(k);
+  }
 
   const std::vector<int> order = fill_reducing_order(pattern_of(model, number_, size));
   std::vector<int> place(order.size());
@@ -105,7 +130,7 @@ void Equations::number_freedoms(const Model& model) {
   kind_.resize(order.size());
   for (std::size_t freedom = 0; freedom < number_.size(); ++freedom) {
     int& n = number_[freedom];
-    if (n < 0) continue;
+    if (n < 0 || n >= size) continue;
     n = at(place, n);
     at(kind_, n) = static_cast<Dof>(freedom % kDofsPerNode);
   }
@@ -122,26 +147,55 @@ void Equations::add_linear_elements(const Model& model) {
   for (const ShellElement& e : model.shells) shells_.push_back({numbered(globals(e)), e.stiffness});
   for (const ElasticSupport& s : model.elastic_supports)
     supports_.push_back({number(s.node, s.dof), s.stiffness});
+  for (const ElasticLink& e : model.elastic_links) {
+    NumberedLink link{{}, e.rest, e.stiffness};
+    double offset = 0.0;
+    link.terms = terms_of(e.form, offset);
+    link.rest -= offset;
+    links_.push_back(std::move(link));
+  }
   linear_.value = linear_values<double>();
 }
 
+std::vector<std::pair<int, double>> Equations::terms_of(const LinearForm& form,
+                                                        double& offset) const {
+  std::vector<std::pair<int, double>> terms;
+  const auto add = [&](int equation, double c) {
+    const auto same =
+        std::ranges::find(terms, equation, [](const auto& term) { return term.first; });
+    if (same != terms.end())
+      same->second += c;
+    else if (c != 0.0)
+      terms.emplace_back(equation, c);
+  };
+  for (const Term& term : form) {
+    const int n = number(term.node, term.dof);
+    for_each_term(n, [&](int equation, double c) { add(equation, term.coefficient * c); });
+    if (n >= size()) offset += term.coefficient * at(followers_, n - size()).offset;
+  }
+  return terms;
+}
+
 void Equations::add_springs(const Model& model) {
-  springs_.reserve(model.springs.size());
-  for (const SpringElement& e : model.springs) {
+  springs_.reserve(model.springs.size() + model.form_springs.size());
+  const auto add = [&](const LinearForm& approach, const PowerLawSpring& law) {
     Spring s;
-    s.law = e.law;
-    for_each_coefficient(e, [&](int freedom, double coefficient) {
-      const int n = at(number_, freedom);
-      if (n < 0 || coefficient == 0.0) return;
-      s.equation[s.count] = n;
+    s.law = law;
+    double offset = 0.0;
+    for (const auto& [equation, coefficient] : terms_of(approach, offset)) {
+      assert(s.count < Spring::kMost);
+      s.equation[s.count] = equation;
       s.coefficient[s.count] = coefficient;
       ++s.count;
-    });
+    }
+    s.law.gap -= offset;
     std::size_t next = 0;
     for (std::size_t i = 0; i < s.count; ++i)
       for (std::size_t j = i; j < s.count; ++j) s.slot[next++] = slot(s.equation[i], s.equation[j]);
     springs_.push_back(s);
-  }
+  };
+  for (const SpringElement& e : model.springs) add(approach_of(e), e.law);
+  for (const FormSpring& e : model.form_springs) add(e.approach, e.law);
 }
 
 int Equations::slot(int i, int j) const {
@@ -200,8 +254,8 @@ double Equations::law_approach(const State& q, int k) const {
 
 double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f,
                                       Eigen::VectorXd& residual) const {
-  linear_forces(q, residual);
-  double energy = q.head.dot(0.5 * residual - f);
+  double energy = 0.5 * linear_forces(q, residual);
+  energy += q.head.dot(0.5 * residual - f);
   residual -= f;
   for (const Spring& s : springs_) {
     const SpringResponse r = evaluate(s.law, s.approach(q));
@@ -213,12 +267,23 @@ double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f,
 
 void Equations::tangent_residual(const State& q, const State& x, const Eigen::VectorXd& f,
                                  Eigen::VectorXd& residual) const {
-  linear_forces(x, residual);
+  forces_of(Displacements{*this, x, 0.0}, residual);
   residual = f - residual;
   for (const Spring& s : springs_) {
     const double force = evaluate(s.law, s.approach(q)).tangent * s.approach(x);
     for (std::size_t i = 0; i < s.count; ++i) residual[s.equation[i]] -= force * s.coefficient[i];
   }
+}
+
+std::vector<double> Equations::nodal_forces(const State& q) const {
+  std::vector<double> forces(static_cast<std::size_t>(size()) + followers_.size());
+  for_each_force(
+      Displacements{*this, q, 1.0},
+      [&](int equation, double force) {
+        if (equation >= 0) at(forces, equation) += force;
+      },
+      [](const NumberedLink&, double) {});
+  return forces;
 }
 
 double Equations::force_change(const State& q, const Eigen::VectorXd& x) const {
@@ -265,10 +330,46 @@ Eigen::VectorXd Equations::rounding_residual(const State& q) const {
   return std::numeric_limits<double>::epsilon() * r;
 }
 
-void Equations::tangent_stiffness(const State& q, SparseSymmetric& tangent) const {
+void Equations::secant_stiffness(const std::vector<double>& stiffness,
+                                 SparseSymmetric& matrix) const {
+  std::copy(linear_.value.begin(), linear_.value.end(), matrix.value.begin());
+  for (std::size_t k = 0; k < springs_.size(); ++k)
+    springs_[k].for_each_tangent(stiffness[k],
+                                 [&](int slot, double value) { at(matrix.value, slot) += value; });
+}
+
+void Equations::secant_residual(const std::vector<double>& stiffness, const Eigen::VectorXd& f,
+                                Eigen::VectorXd& residual) const {
+  linear_forces(State(Eigen::VectorXd::Zero(size())), residual);
+  residual = f - residual;
+  for (std::size_t k = 0; k < springs_.size(); ++k) {
+    const Spring& s = springs_[k];
+    for (std::size_t i = 0; i < s.count; ++i)
+      residual[s.equation[i]] += stiffness[k] * s.law.gap * s.coefficient[i];
+  }
+}
+
+void Equations::secant_residual(const std::vector<double>& stiffness, const State& x,
+                                const Eigen::VectorXd& f, Eigen::VectorXd& residual) const {
+  forces_of(Displacements{*this, x, 0.0}, residual);
+  residual = f - residual;
+  for (std::size_t k = 0; k < springs_.size(); ++k) {
+    const Spring& s = springs_[k];
+    const double force = stiffness[k] * s.approach(x);
+    for (std::size_t i = 0; i < s.count; ++i) residual[s.equation[i]] -= force * s.coefficient[i];
+  }
+}
+
+double Equations::largest_approach(const State& q) const {
+  double largest = 0.0;
+  for (const Spring& s : springs_) largest = std::max(largest, std::abs(s.approach(q)));
+  return largest;
+}
+
+void Equations::tangent_stiffness(const State& q, SparseSymmetric& tangent, double least) const {
   std::copy(linear_.value.begin(), linear_.value.end(), tangent.value.begin());
   for (const Spring& s : springs_) {
-    const double k = evaluate(s.law, s.approach(q)).tangent;
+    const double k = std::max(evaluate(s.law, s.approach(q)).tangent, least);
     s.for_each_tangent(k, [&](int slot, double value) { at(tangent.value, slot) += value; });
   }
 }

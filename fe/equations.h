@@ -1,7 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "fe/model.h"
@@ -18,22 +22,25 @@ class Equations {
   explicit Equations(const Model& model);
 
   int size() const { return static_cast<int>(kind_.size()); }
-  /// Number of the equation of a freedom, or -1 where it is fixed or not stiffened by anything.
+  /// Number of the equation of a freedom, or -1 where it is fixed or not stiffened by anything. From
+  /// `size()` on, freedoms that follow others.
   int number(int node, Dof dof) const {
     return number_[static_cast<std::size_t>(kDofsPerNode * node + static_cast<int>(dof))];
   }
   Dof kind(int equation) const { return kind_[static_cast<std::size_t>(equation)]; }
 
   /// Displacement of a freedom [m or rad]; 0 where fixed.
-  double displacement(const State& q, int node, Dof dof) const { return q[number(node, dof)]; }
+  double displacement(const State& q, int node, Dof dof) const {
+    return Displacements{*this, q, 1.0}[number(node, dof)];
+  }
 
   /// Load vector over the free freedoms; loads on fixed ones go into the support.
   Eigen::VectorXd load_vector(const std::vector<NodalLoad>& loads) const;
 
-  /// A spring by its approach w = sum_i coefficient[i] q[equation[i]] over at most six freedoms;
+  /// A spring by its approach w = sum_i coefficient[i] q[equation[i]] over at most kMost freedoms;
   /// `slot` leads to the values of the tangent for each pair i <= j.
   struct Spring {
-    static constexpr int kMost = 2 * kDofsPerNode;
+    static constexpr int kMost = 13;
     PowerLawSpring law;
     std::size_t count = 0;
     std::array<int, kMost> equation{};
@@ -71,10 +78,13 @@ class Equations {
   /// Its values in numbers of another kind.
   template <class Real>
   std::vector<Real> linear_values() const;
-  /// Forces K q of the linear part, element by element from what deforms them. `Displacements`
-  /// reads as State does.
-  template <class Displacements, class Vector>
-  void linear_forces(const Displacements& q, Vector& forces) const;
+  /// Forces of the linear part at the state q, element by element from what deforms them: K q where
+  /// nothing is displaced by the supports. Returns 2 E - q'forces, with E the energy stored.
+  /// `StateOf` reads as State does.
+  template <class StateOf, class Vector>
+  auto linear_forces(const StateOf& q, Vector& forces) const {
+    return forces_of(Displacements{*this, q, 1.0}, forces);
+  }
 
   /// Potential energy 1/2 q'Kq + sum of the springs' - f'q [J], and its gradient, the residual
   /// [N, N m]. Allocates nothing.
@@ -85,8 +95,21 @@ class Equations {
   /// sum of |K_ij q_j| over the elements [N, N m].
   Eigen::VectorXd rounding_residual(const State& q) const;
 
-  /// Refills `tangent`, the Hessian of the energy, in place. Allocates nothing.
-  void tangent_stiffness(const State& q, SparseSymmetric& tangent) const;
+  /// Refills `tangent`, the Hessian of the energy, in place; a spring counts at least as `least`
+  /// [N/m]. Allocates nothing.
+  void tangent_stiffness(const State& q, SparseSymmetric& tangent, double least = 0.0) const;
+
+  /// The same with linear springs of these stiffnesses in place of the contacts [N/m].
+  void secant_stiffness(const std::vector<double>& stiffness, SparseSymmetric& matrix) const;
+  /// f less the forces of such springs and of the linear part where nothing is displaced.
+  void secant_residual(const std::vector<double>& stiffness, const Eigen::VectorXd& f,
+                       Eigen::VectorXd& residual) const;
+  /// f - K x with such springs, without their gaps.
+  void secant_residual(const std::vector<double>& stiffness, const State& x,
+                       const Eigen::VectorXd& f, Eigen::VectorXd& residual) const;
+
+  /// Largest approach of a spring, of either sign [m].
+  double largest_approach(const State& q) const;
 
   /// f - K x with the tangent K at the state q, from what x deforms: exact to rounding of the
   /// forces however large the rigid motion in x is. Allocates nothing.
@@ -98,7 +121,86 @@ class Equations {
   /// What rounding of `Spring::approach` at the state q can change in a force, likewise.
   double force_rounding(const State& q) const;
 
+  /// Force of an elastic link of the model [N or N m].
+  double link_force(const State& q, int k) const {
+    const NumberedLink& link = links_[static_cast<std::size_t>(k)];
+    return link.stiffness * Displacements{*this, q, 1.0}.stretch(link);
+  }
+  /// Forces that hold each freedom against the elements other than links, followers included, in
+  /// the order of `number` [N, N m].
+  std::vector<double> nodal_forces(const State& q) const;
+
  private:
+  /// A freedom that follows others, as the equations that its form names.
+  struct Follower {
+    std::vector<std::pair<int, double>> terms;
+    double offset = 0.0;
+  };
+  struct NumberedLink {
+    std::vector<std::pair<int, double>> terms;
+    double rest;
+    double stiffness;
+  };
+
+  /// Displacements of all freedoms, those included that follow others. Offsets and rests count
+  /// `affine` times: once in a state, not at all in a rate.
+  template <class StateOf>
+  struct Displacements {
+    const Equations& equations;
+    const StateOf& q;
+    double affine;
+
+    using Real = std::decay_t<decltype(std::declval<StateOf>().compensation(0))>;
+    struct Sum {
+      Real head, tail;
+    };
+    Sum sum(const std::vector<std::pair<int, double>>& terms, double offset) const {
+      Sum s{Real(affine * offset), Real(0.0)};
+      for (const auto& [i, c] : terms) {
+        const Real product = c * q[i];
+        if constexpr (std::is_same_v<Real, double>)
+          s.tail += std::fma(c, q[i], -product) + c * q.compensation(i);
+        const Real next = s.head + product, rounded = next - s.head;
+        s.tail += (s.head - (next - rounded)) + (product - rounded);
+        s.head = next;
+      }
+      return s;
+    }
+    Sum at(int i) const {
+      if (i < equations.size()) return {q[i], q.compensation(i)};
+      const Follower& f = equations.followers_[static_cast<std::size_t>(i - equations.size())];
+      return sum(f.terms, f.offset);
+    }
+    Real operator[](int i) const { return i < equations.size() ? q[i] : at(i).head; }
+    Real compensation(int i) const {
+      return i < equations.size() ? q.compensation(i) : at(i).tail;
+    }
+    Real difference(int i, int j) const {
+      if (std::max(i, j) < equations.size()) return q.difference(i, j);
+      const Sum a = at(i), b = at(j);
+      return (b.head - a.head) + (b.tail - a.tail);
+    }
+    Real stretch(const NumberedLink& link) const {
+      const Sum s = sum(link.terms, -link.rest);
+      return s.head + s.tail;
+    }
+  };
+
+  /// Calls visit(equation, coefficient) for what a freedom is made of.
+  template <class Visit>
+  void for_each_term(int equation, Visit visit) const {
+    if (equation < 0) return;
+    if (equation < size()) return visit(equation, 1.0);
+    for (const auto& [i, c] : followers_[static_cast<std::size_t>(equation - size())].terms)
+      visit(i, c);
+  }
+  template <class Read, class Vector>
+  typename Vector::Scalar forces_of(const Read& q, Vector& forces) const;
+  /// Calls add(equation, force on it) and link(link, its force) for every element.
+  template <class Read, class Add, class Link>
+  void for_each_force(const Read& q, Add add, Link link) const;
+  std::vector<std::pair<int, double>> terms_of(const LinearForm& form, double& offset) const;
+
   struct NumberedBar {
     std::array<int, 2> equation;
     double stiffness;
@@ -127,6 +229,8 @@ class Equations {
   std::vector<NumberedBeam> beams_;
   std::vector<NumberedShell> shells_;
   std::vector<NumberedSupport> supports_;
+  std::vector<NumberedLink> links_;
+  std::vector<Follower> followers_;
   std::vector<Spring> springs_;
   SparseSymmetric linear_;
 };
@@ -135,7 +239,13 @@ template <class Real>
 std::vector<Real> Equations::linear_values() const {
   std::vector<Real> value(linear_.row.size(), Real(0.0));
   const auto add = [&](int i, int j, const Real& k) {
-    if (i >= 0 && j >= 0) value[static_cast<std::size_t>(slot(i, j))] += k;
+    for_each_term(i, [&](int a, double c) {
+      for_each_term(j, [&](int b, double d) {
+        if (i == j && a > b) return;
+        const double twice = i != j && a == b ? 2.0 : 1.0;
+        value[static_cast<std::size_t>(slot(a, b))] += twice * c * d * k;
+      });
+    });
   };
   const auto add_all = [&](const std::array<int, 6>& equation, const auto& k) {
     for (std::size_t i = 0; i < 6; ++i)
@@ -153,16 +263,17 @@ std::vector<Real> Equations::linear_values() const {
   for (const NumberedBeam& b : beams_) add_all(b.equation, stiffness_matrix<Real>(b.beam));
   for (const NumberedShell& s : shells_) add_all(s.equation, nodal_stiffness<Real>(s.stiffness));
   for (const NumberedSupport& s : supports_) add(s.equation, s.equation, Real(s.stiffness));
+  for (const NumberedLink& link : links_)
+    for (std::size_t a = 0; a < link.terms.size(); ++a)
+      for (std::size_t b = a; b < link.terms.size(); ++b)
+        value[static_cast<std::size_t>(slot(link.terms[a].first, link.terms[b].first))] +=
+            Real(link.stiffness) * link.terms[a].second * link.terms[b].second;
   return value;
 }
 
-template <class Displacements, class Vector>
-void Equations::linear_forces(const Displacements& q, Vector& forces) const {
-  using Real = typename Vector::Scalar;
-  forces.setZero();
-  const auto add = [&](int equation, const Real& force) {
-    if (equation >= 0) forces[equation] += force;
-  };
+template <class Read, class Add, class Link>
+void Equations::for_each_force(const Read& q, Add add, Link link) const {
+  using Real = typename Read::Real;
   const auto add_all = [&](const std::array<int, 6>& equation, const BeamVector<Real>& f) {
     for (std::size_t i = 0; i < 6; ++i) add(equation[i], f[static_cast<Eigen::Index>(i)]);
   };
@@ -186,7 +297,32 @@ void Equations::linear_forces(const Displacements& q, Vector& forces) const {
             end_forces<Real>(s.stiffness, {q.difference(u1, u2), q.difference(v1, v2),
                                            q.difference(t1, t2), mean(v1, v2), mean(t1, t2)}));
   }
-  for (const NumberedSupport& s : supports_) add(s.equation, s.stiffness * q[s.equation]);
+  for (const NumberedSupport& s : supports_) add(s.equation, Real(s.stiffness * q[s.equation]));
+  for (const NumberedLink& l : links_) link(l, Real(l.stiffness * q.stretch(l)));
+}
+
+template <class Read, class Vector>
+typename Vector::Scalar Equations::forces_of(const Read& q, Vector& forces) const {
+  using Real = typename Vector::Scalar;
+  forces.setZero();
+  Real work(0.0);
+  for_each_force(
+      q,
+      [&](int equation, const Real& force) {
+        if (equation < 0) return;
+        if (equation < size()) {
+          forces[equation] += force;
+          return;
+        }
+        const Follower& f = followers_[static_cast<std::size_t>(equation - size())];
+        for (const auto& [i, c] : f.terms) forces[i] += c * force;
+        work += q.affine * f.offset * force;
+      },
+      [&](const NumberedLink& link, const Real& force) {
+        for (const auto& [i, c] : link.terms) forces[i] += c * force;
+        work -= q.affine * link.rest * force;
+      });
+  return work;
 }
 
 }  // namespace fe

@@ -70,6 +70,36 @@ struct NodalLoad {
   double value = 0.0;
 };
 
+/// A freedom in a linear form.
+struct Term {
+  int node = 0;
+  Dof dof = Dof::u;
+  double coefficient = 1.0;
+};
+using LinearForm = std::vector<Term>;
+
+/// A power-law spring whose approach is a linear form of freedoms. A spatial node is two plane
+/// ones: (u, y, y') and (held, z, z').
+struct FormSpring {
+  LinearForm approach;
+  PowerLawSpring law;
+};
+
+/// A linear spring over a linear form of freedoms, with the energy k/2 (form - rest)^2.
+struct ElasticLink {
+  LinearForm form;
+  double rest = 0.0;       ///< [m or rad]
+  double stiffness = 0.0;  ///< k [N/m or N m/rad]
+};
+
+/// A freedom that follows others: it is the form plus `offset`. The form names free freedoms only.
+struct Constraint {
+  int node = 0;
+  Dof dof = Dof::u;
+  LinearForm form;
+  double offset = 0.0;  ///< [m or rad]
+};
+
 /// A plane structure of bars, beams, shells and unilateral springs: what stays constant in a solve.
 /// Bars carry u only; a freedom that no element stiffens takes no part in the equations.
 struct Model {
@@ -78,8 +108,11 @@ struct Model {
   std::vector<BeamElement> beams;
   std::vector<ShellElement> shells;
   std::vector<SpringElement> springs;
+  std::vector<FormSpring> form_springs;  ///< Behind `springs` in their numbering.
   std::vector<ElasticSupport> elastic_supports;
+  std::vector<ElasticLink> elastic_links;
   std::vector<FixedSupport> fixed_supports;
+  std::vector<Constraint> constraints;
 
   int add_node() { return nodes++; }
 };

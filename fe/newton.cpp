@@ -37,7 +37,12 @@ class DoubleNumbers {
   double energy_and_residual(const State& q, const Vector& f, Vector& residual) const {
     return equations_->energy_and_residual(q, f, residual);
   }
-  void tangent(const State& q) { equations_->tangent_stiffness(q, tangent_); }
+  void tangent(const State& q, double least) {
+    equations_->tangent_stiffness(q, tangent_, least);
+  }
+  void secant(const std::vector<double>& stiffness) {
+    equations_->secant_stiffness(stiffness, tangent_);
+  }
   void shift_by(double change) {
     const SparseSymmetric& linear = equations_->linear_stiffness();
     for (int j = 0; j < tangent_.size(); ++j) {
@@ -60,6 +65,7 @@ class DoubleNumbers {
   double force_change(const State& q, const Vector& x) const {
     return equations_->force_change(q, x);
   }
+  double largest_approach(const State& q) const { return equations_->largest_approach(q); }
   double force_rounding(const State& q) const { return equations_->force_rounding(q); }
   bool residual_is_rounding(const State& q, const Vector& residual) const {
     return (residual.array().abs() <= equations_->rounding_residual(q).array()).all();
@@ -91,6 +97,10 @@ std::string_view name(NewtonStatus status) {
       return "line_search_failed";
     case NewtonStatus::not_positive_definite:
       return "not_positive_definite";
+    case NewtonStatus::no_equilibrium:
+      return "no_equilibrium";
+    case NewtonStatus::mechanism:
+      return "mechanism";
   }
   return "unknown";
 }
@@ -130,9 +140,43 @@ NewtonSummary NewtonSolver::solve(const Eigen::VectorXd& f, const NewtonOptions&
   return further;
 }
 
+bool NewtonSolver::start(const Eigen::VectorXd& f, const std::vector<double>& stiffness, State& q) {
+  DoubleNumbers& numbers = doubles_->method.numbers();
+  Eigen::VectorXd& residual = doubles_->residual;
+  q = State(Eigen::VectorXd::Zero(equations_->size()));
+  equations_->secant_residual(stiffness, f, residual);
+  numbers.secant(stiffness);
+  if (numbers.factorize() != FactorizationStatus::ok) return false;
+  numbers.solve(residual, doubles_->correction);
+  q.set_to_step(State(q), -1.0, doubles_->correction);
+  return true;
+}
+
+bool NewtonSolver::solve_linear(const std::vector<double>& stiffness,
+                                const std::vector<Eigen::VectorXd>& loads,
+                                std::vector<Eigen::VectorXd>& displacements) {
+  constexpr int kRefinements = 2;
+  DoubleNumbers& numbers = doubles_->method.numbers();
+  numbers.secant(stiffness);
+  if (numbers.factorize() != FactorizationStatus::ok) return false;
+  Eigen::VectorXd& correction = doubles_->correction;
+  for (const Eigen::VectorXd& load : loads) {
+    Eigen::VectorXd x;
+    numbers.solve(load, x);
+    State refined(std::move(x));
+    for (int k = 0; k < kRefinements; ++k) {
+      equations_->secant_residual(stiffness, refined, load, doubles_->residual);
+      numbers.solve(doubles_->residual, correction);
+      refined.set_to_step(State(refined), -1.0, correction);
+    }
+    displacements.push_back(std::move(refined.head));
+  }
+  return true;
+}
+
 bool NewtonSolver::solve_tangent(const State& q, const Eigen::VectorXd& rate, Eigen::VectorXd& x) {
   DoubleNumbers& numbers = doubles_->method.numbers();
-  numbers.tangent(q);
+  numbers.tangent(q, 0.0);
   if (numbers.factorize() != FactorizationStatus::ok) return wide().solve_tangent(q, rate, x);
   Eigen::VectorXd& residual = doubles_->residual;
   Eigen::VectorXd& correction = doubles_->correction;

@@ -25,6 +25,15 @@ class NewtonSolver {
   /// always descends.
   NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, State& q);
 
+  /// State of bilateral linear springs of the given stiffnesses in place of the contacts, gaps
+  /// included. False where the structure is singular even so.
+  bool start(const Eigen::VectorXd& f, const std::vector<double>& stiffness, State& q);
+
+  /// Displacements of the loads on linear springs of the given stiffnesses in place of the contacts,
+  /// each refined to rounding. False where the structure is singular.
+  bool solve_linear(const std::vector<double>& stiffness, const std::vector<Eigen::VectorXd>& loads,
+                    std::vector<Eigen::VectorXd>& displacements);
+
   /// Displacement rate dq/dt at the state `q` for the load rate df/dt = `rate`: tangent x = rate,
   /// refined until rate'x is known to 1e-11. False where the tangent is singular.
   bool solve_tangent(const State& q, const Eigen::VectorXd& rate, Eigen::VectorXd& x);

@@ -63,7 +63,7 @@ class NewtonMethod {
       NewtonIteration iteration;
       fresh = !(fresh && summary.relative_residual <= options.reuse_factorization_below);
       if (fresh) {
-        numbers_.tangent(q);
+        numbers_.tangent(q, options.least_tangent);
         if (factorize_shifted(options, iteration.shift) != FactorizationStatus::ok)
           return stop(NewtonStatus::not_positive_definite);
         if (iteration.shift > 0.0 && ++shifted > shifted_limit)
@@ -79,6 +79,8 @@ class NewtonMethod {
       if (!descended) return stop(NewtonStatus::line_search_failed);
 
       std::swap(q, trial_);
+      if (numbers_.largest_approach(q) > options.largest_approach)
+        return stop(NewtonStatus::no_equilibrium);
       const double before = summary.relative_residual;
       summary.energy = iteration.energy;
       summary.relative_residual = iteration.relative_residual;

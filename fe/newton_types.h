@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +34,11 @@ struct NewtonOptions {
   /// residual never contains the shift, so no regularisation is left in a converged state.
   double first_shift = 1e-10;
   double last_shift = 1.0;
+  /// Least tangent of a spring in the matrix of a step, where too few springs are closed. The
+  /// residual never contains it [N/m].
+  double least_tangent = 0.0;
+  /// No equilibrium where the approach of a spring grows beyond this [m].
+  double largest_approach = std::numeric_limits<double>::infinity();
   double force_scale = 1.0;   ///< [N]
   double length_scale = 1.0;  ///< [m]
 
@@ -77,6 +83,8 @@ enum class NewtonStatus {
   iteration_limit,
   line_search_failed,
   not_positive_definite,
+  no_equilibrium,
+  mechanism,
 };
 
 std::string_view name(NewtonStatus status);

@@ -71,9 +71,9 @@ struct WideNewton::Numbers {
   }
 
   Wide energy_and_residual(const State& q, const Eigen::VectorXd& f, Vector& residual) const {
-    equations.linear_forces(q, residual);
+    Wide energy = Wide(0.5) * equations.linear_forces(q, residual);
     const Vector load = f.cast<Wide>();
-    Wide energy = q.value.dot(Wide(0.5) * residual - load);
+    energy += q.value.dot(Wide(0.5) * residual - load);
     residual -= load;
     for (const Equations::Spring& s : equations.springs()) {
       const SpringResponse r = response(s, q);
@@ -84,10 +84,10 @@ struct WideNewton::Numbers {
     return energy;
   }
 
-  void tangent(const State& q) {
+  void tangent(const State& q, double least) {
     std::copy(linear.begin(), linear.end(), matrix.valuePtr());
     for (const Equations::Spring& s : equations.springs())
-      s.for_each_tangent(Wide(response(s, q).tangent),
+      s.for_each_tangent(Wide(std::max(response(s, q).tangent, least)),
                          [&](int slot, const Wide& k) { matrix.valuePtr()[slot] += k; });
   }
 
@@ -115,6 +115,7 @@ struct WideNewton::Numbers {
     return equations.force_change(to_state(q), x.cast<double>());
   }
 
+  double largest_approach(const State& q) const { return equations.largest_approach(to_state(q)); }
   static double force_rounding(const State&) { return 0.0; }
   /// What the laws round stays.
   bool residual_is_rounding(const State& q, const Vector& residual) const {
@@ -164,7 +165,7 @@ NewtonSummary WideNewton::solve(const Eigen::VectorXd& f, const NewtonOptions& o
 
 bool WideNewton::solve_tangent(const State& q, const Eigen::VectorXd& rate, Eigen::VectorXd& x) {
   Numbers& numbers = implementation_->method.numbers();
-  numbers.tangent(to_wide(q));
+  numbers.tangent(to_wide(q), 0.0);
   if (numbers.factorize() != FactorizationStatus::ok) return false;
   WideVector wide;
   numbers.solve(rate.cast<Wide>(), wide);

@@ -23,6 +23,7 @@ struct LoadCaseItem {
   Range axial_force;
   std::optional<double> position;
   std::optional<double> speed;
+  SpatialLoad spatial;
 };
 
 /// The ends of an interval, and a normal distribution, as they are written.
@@ -129,6 +130,36 @@ void alternatives(Io& io, Guidance& g) {
   io.map("ring", g.kind, Guidance::Kind::ring, g.ring_stiffness,
          Quantity{unit::stiffness, positive},
          "a radial spring of this stiffness at both nodes of each end element");
+}
+
+/// What the word of a block that may be one word chooses.
+inline std::optional<Rings::Carrier>& selector_of(Rings& r) { return r.carrier; }
+
+template <class Io>
+void alternatives(Io& io, std::optional<Rings::Carrier>& c) {
+  using Carrier = std::optional<Rings::Carrier>;
+  io.word("housing", c, Carrier(Rings::Carrier::housing), "the rings stand still");
+  io.word("nut", c, Carrier(Rings::Carrier::nut), "the rings go with the nut");
+  io.word("screw", c, Carrier(Rings::Carrier::screw), "the rings go with the screw");
+}
+
+template <class Io>
+void alternatives(Io& io, Rings::Carrier& c) {
+  io.word("housing", c, Rings::Carrier::housing, "the rings stand still");
+  io.word("nut", c, Rings::Carrier::nut, "the rings go with the nut");
+  io.word("screw", c, Rings::Carrier::screw, "the rings go with the screw");
+}
+
+template <class Io>
+void alternatives(Io& io, ModelOptions::Mechanism& m) {
+  io.word("sector", m, ModelOptions::Mechanism::sector, "one roller with its share of both bodies");
+  io.word("full", m, ModelOptions::Mechanism::full, "all rollers on a spatial screw and nut");
+}
+
+template <class Io>
+void alternatives(Io& io, ModelOptions::ContactPhase& p) {
+  io.word("equal", p, ModelOptions::ContactPhase::equal, "all rollers touch at the same places");
+  io.word("helical", p, ModelOptions::ContactPhase::helical, "contacts follow the helix");
 }
 
 template <class Io>
@@ -313,12 +344,52 @@ void fields(Io& io, Mechanism& m) {
            "Threads of a roller in contact, at each interface");
 }
 
+/// Of a displacement or a force across the axis, or a rotation about axes across it.
+template <class Kind>
+auto lateral(Lateral& value, const Kind& kind) {
+  return Keys{[&value, kind](auto& io) {
+    io.field("y", value.y, kind, optional, "Component y");
+    io.field("z", value.z, kind, optional, "Component z");
+  }};
+}
+
+template <class Io>
+void fields(Io& io, Bearing& b) {
+  io.field("position", b.position, Quantity{unit::length}, required,
+           "Axial position, counted as positions on the nut");
+  io.field("lateral", b.lateral, Held{unit::stiffness, true}, optional, "Against displacement");
+  io.field("tilt", b.tilt, Held{unit::tilt_stiffness, true}, optional, "Against rotation");
+  io.field("offset", b.offset, lateral(b.offset, Quantity{unit::length}), optional,
+           "Displacement of its seat");
+  io.field("angle", b.angle, lateral(b.angle, Quantity{unit::angle}), optional,
+           "Rotation of its seat");
+}
+
+template <class Io>
+void fields(Io& io, Rings& r) {
+  io.field("carried_by", r.carrier, Choice{}, optional,
+           "What they are fixed to; nut of a standard mechanism, screw of an inverted one by "
+           "default");
+  io.field("stiffness", r.stiffness, Held{unit::stiffness}, optional, "Of a ring against it");
+}
+
+template <class Io>
+void fields(Io& io, Housing& h) {
+  io.field("axial", h.axial, Held{unit::stiffness}, optional, "Along the axis");
+  io.field("lateral", h.lateral, Held{unit::stiffness}, optional, "Across the axis");
+  io.field("tilt", h.tilt, Held{unit::tilt_stiffness}, optional, "Against rotation");
+}
+
 template <class Io>
 void fields(Io& io, Structure::Screw& s) {
   const Quantity length{unit::length, not_negative};
   io.field("bore", s.bore, length, optional, "Diameter of the bore");
   io.field("free_length", s.free_length, length, optional,
            "From the loaded section to the first contact");
+  io.field("far_length", s.far_length, length, optional,
+           "Behind the last contact; `mechanism: full`");
+  io.field("bearings", s.bearings, List{Block{}}, optional,
+           "What holds the screw across the axis; `mechanism: full`");
 }
 
 template <class Io>
@@ -327,6 +398,8 @@ void fields(Io& io, Structure::Roller& r) {
   io.field("end_length", r.end_length, length, required, "Length of each plain end");
   io.field("end_diameter", r.end_diameter, length, required, "Diameter of the plain ends");
   io.field("guidance", r.guidance, Choice{}, optional, "What holds the roller ends radially");
+  io.field("rings", r.rings, WordOrBlock{"carried_by"}, optional,
+           "The guide rings; `mechanism: full`");
 }
 
 template <class Io>
@@ -362,6 +435,8 @@ void fields(Io& io, Structure::Nut& n) {
            "Axial position of the constrained section, for each direction of the load");
   io.field("shoulder", n.shoulder, Block{}, optional,
            "Ring of the thrust face that the housing touches; `refined` and `influence`");
+  io.field("housing", n.housing, Block{}, optional,
+           "What holds the thrust section; `mechanism: full`");
 }
 
 template <class Io>
@@ -398,7 +473,8 @@ void fields(Io& io, PitchError& e) {
   io.field("linear", e.linear, error, optional,
            "Growing from 0 at the first contact to this at the last");
   io.field("periodic", e.periodic, Block{}, optional, "A sine over the threads");
-  io.field("list", e.list, List{error}, optional, "One value a contact");
+  OneOrMany list{e.list, e.lists};
+  io.field("list", list, ForEachRoller{List{error}}, optional, "One value a contact");
 }
 
 template <class Io>
@@ -414,7 +490,8 @@ void fields(Io& io, Deviations& d) {
   const Quantity temperature{unit::temperature, positive};
   io.field("pitch_error", d.pitch_error, Each{Block{}, optional}, optional,
            "Axial position error of the threads, > 0 away from the loaded end of the screw");
-  io.field("roller_diameter", d.roller_diameter, Quantity{unit::length}, optional,
+  OneOrMany diameter{d.roller_diameter, d.roller_diameters};
+  io.field("roller_diameter", diameter, ForEachRoller{Quantity{unit::length}}, optional,
            "Pitch diameter of the rollers above the nominal one");
   io.field("crowning", d.crowning, Quantity{unit::length, not_negative}, optional,
            "Parabolic drop of the roller's pitch radius at first and last contact");
@@ -423,6 +500,21 @@ void fields(Io& io, Deviations& d) {
            "Of the parts, uniform in each");
   io.field("reference_temperature", d.reference_temperature, temperature, optional,
            "At which the nominal geometry holds");
+  const List offsets{Quantity{unit::length}};
+  io.field("roller_position", d.roller_position, OneOrEnds{offsets}, optional,
+           "Of each roller in its rings, > 0 outwards; `mechanism: full`");
+  io.field("missing_rollers", d.missing_rollers, List{Whole{1, 1000}}, optional,
+           "Their numbers; `mechanism: full`");
+  io.field("index_error", d.index_error, Each{offsets, optional}, optional,
+           "Axial position error of each start; `mechanism: full`");
+  io.field("thread_eccentricity", d.thread_eccentricity, Keys{[&](auto& side) {
+             const Quantity length{unit::length};
+             side.field("screw", d.thread_eccentricity.screw,
+                        lateral(d.thread_eccentricity.screw, length), optional, "Of the screw");
+             side.field("nut", d.thread_eccentricity.nut,
+                        lateral(d.thread_eccentricity.nut, length), optional, "Of the nut");
+           }},
+           optional, "Of the thread against the axis of its body; `mechanism: full`");
 }
 
 template <class Io>
@@ -449,6 +541,11 @@ void fields(Io& io, RefinedEffects& e) {
 
 template <class Io>
 void fields(Io& io, ModelOptions& m) {
+  io.field("mechanism", m.mechanism, Choice{}, optional, "How much of the mechanism is modelled");
+  io.field("contact_phase", m.contact_phase, Choice{}, optional,
+           "Where the rollers touch along the axis; `mechanism: full`");
+  io.field("shear", m.shear, Flag{}, optional,
+           "Shear flexibility of screw, nut and rollers; `mechanism: full`");
   io.field("bodies", m.bodies, Choice{}, optional, "How screw, roller and nut deform");
   io.field("refined", m.refined, Block{}, optional, "Effects of `bodies: refined`, all by default");
   io.field("accuracy", m.accuracy, Choice{}, optional, "Meshes of `bodies: influence`");
@@ -480,6 +577,39 @@ void fields(Io& io, LoadCaseItem& l) {
            "Axial position of the first roller contact on the nut");
   io.field("speed", l.speed, Quantity{unit::rotational_speed}, optional,
            "In place of operation.speed");
+
+  SpatialLoad& s = l.spatial;
+  const Quantity length{unit::length}, angle{unit::angle};
+  io.field("carrier_angle", s.carrier_angle, angle, optional,
+           "Azimuth of the first roller, from y to z; `mechanism: full`");
+  io.field("eccentricity", s.eccentricity, lateral(s.eccentricity, length), optional,
+           "Where the axial force acts; `mechanism: full`");
+  const auto across = [](SpatialLoad::Across& load, const Quantity& kind) {
+    return Keys{[&load, kind](auto& keys) {
+      keys.field("y", load.value.y, kind, optional, "Component y");
+      keys.field("z", load.value.z, kind, optional, "Component z");
+      keys.field("at", load.at, Quantity{unit::length}, optional,
+               "Axial position on the screw, the loaded section by default");
+    }};
+  };
+  io.field("side_force", s.side_force, across(s.side_force, Quantity{unit::force}), optional,
+           "On the screw; `mechanism: full`");
+  io.field("moment", s.moment, across(s.moment, Quantity{unit::torque}), optional,
+           "On the screw; `mechanism: full`");
+  io.field("misalignment", s, Keys{[&](auto& seat) {
+             seat.field("nut_tilt", s.nut_tilt, lateral(s.nut_tilt, angle), optional, "Rotation");
+             seat.field("nut_offset", s.nut_offset, lateral(s.nut_offset, length), optional,
+                        "Displacement");
+           }},
+           optional, "Of the seat of the nut; `mechanism: full`");
+  io.field("orbit", s.orbit, Block{}, optional, "A turn of the carrier; `mechanism: full`");
+}
+
+template <class Io>
+void fields(Io& io, SpatialLoad::Orbit& o) {
+  io.field("steps", o.steps, Whole{1, 1000}, optional, "Positions for each spacing of the rollers");
+  io.field("exponent", o.exponent, Number{{.least = 1.0, .greatest = 20.0}}, optional,
+           "Of the equivalent loads");
 }
 
 template <class Io>

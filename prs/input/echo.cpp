@@ -69,6 +69,24 @@ class Lister : public Visitor {
   }
 
   template <class T, class Kind>
+  void list(const Node* node, const std::string& path, OneOrMany<T>& value,
+            const ForEachRoller<Kind>& kind) {
+    if (!value.many.empty())
+      list(node, path, value.many, List{kind.kind, 1});
+    else
+      list(node, path, value.one, kind.kind);
+  }
+  template <class T, class Kind>
+  void list(const Node* node, const std::string& path, PerEnd<T>& value,
+            const OneOrEnds<Kind>& kind) {
+    list_map(node && node->kind == Node::Kind::map ? node : nullptr, path, value, kind);
+  }
+  template <class T>
+  void list(const Node* node, const std::string& path, T& value, const WordOrBlock& kind) {
+    list_map(node && node->kind == Node::Kind::map ? node : nullptr, path, value, kind);
+  }
+
+  template <class T, class Kind>
   void list_map(const Node* node, const std::string& path, T& value, const Kind& kind) {
     Lister keys(node, path, entries_);
     list_keys(keys, value, kind);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "prs/input/units.h"
+#include "prs/model/lateral.h"
 #include "prs/model/part.h"
 
 /// The vocabulary in which `case_fields.h` describes the input. A description is a function
@@ -83,6 +84,12 @@ struct Quantity {
   Bounds bounds = unbounded;
 };
 
+/// `rigid`, `free` where that is allowed, or a stiffness > 0.
+struct Held {
+  const Dimension& dimension;
+  bool may_be_free = false;
+};
+
 /// `0.3`, without dimension
 struct Number {
   Bounds bounds = unbounded;
@@ -156,6 +163,32 @@ List(Kind, int) -> List<Kind>;
 template <class Kind>
 List(Kind) -> List<Kind>;
 
+/// A value for all rollers or a list with one for each, as two members.
+template <class T>
+struct OneOrMany {
+  T& one;
+  std::vector<T>& many;
+};
+template <class Kind>
+struct ForEachRoller {
+  Kind kind;
+};
+template <class Kind>
+ForEachRoller(Kind) -> ForEachRoller<Kind>;
+
+/// One value for both ends of the rollers, or a map {near, far}.
+template <class Kind>
+struct OneOrEnds {
+  Kind kind;
+};
+template <class Kind>
+OneOrEnds(Kind) -> OneOrEnds<Kind>;
+
+/// A word of the choice under `key`, or a map with the keys that `fields(io, value)` lists.
+struct WordOrBlock {
+  std::string_view key;
+};
+
 /// Equidistant values, ends included, as they are written; a single value has no `steps`.
 struct Range {
   double from = 0.0;
@@ -214,6 +247,17 @@ template <class Io, class T, class Kind>
 void list_keys(Io& io, PerInterface<T>& sides, const Each<Kind>& each) {
   io.field("screw", sides.screw, each.kind, each.presence, "At the roller-screw interface");
   io.field("nut", sides.nut, each.kind, each.presence, "At the roller-nut interface");
+}
+
+template <class Io, class T, class Kind>
+void list_keys(Io& io, PerEnd<T>& ends, const OneOrEnds<Kind>& kind) {
+  io.field("near", ends.near, kind.kind, optional, "At the end that faces the loaded end");
+  io.field("far", ends.far, kind.kind, optional, "At the other end");
+}
+
+template <class Io, class T>
+void list_keys(Io& io, T& value, const WordOrBlock&) {
+  fields(io, value);
 }
 
 template <class Io, class T>

@@ -75,6 +75,12 @@ Wanted wanted(T&, const Quantity& q) {
           example_of(q)};
 }
 template <class T>
+Wanted wanted(T&, const Held& h) {
+  return {fmt::format("rigid{} or {} > 0 with its unit", h.may_be_free ? ", free" : "",
+                      h.dimension.name),
+          std::string(h.dimension.example)};
+}
+template <class T>
 Wanted wanted(T&, const Number& n) {
   const double middle = 0.5 * (n.bounds.least + n.bounds.greatest);
   const bool usual = n.bounds.contain(0.3) || !std::isfinite(middle);
@@ -172,6 +178,12 @@ Wanted wanted(T& value, const OneOrEach<Kind>& kind) {
   const Wanted one = wanted(value.screw, kind.kind);
   return {one.what + ", or one each for {screw, roller, nut}", one.example};
 }
+template <class T, class Kind>
+Wanted wanted(T& value, const ForEachRoller<Kind>& kind);
+template <class T, class Kind>
+Wanted wanted(PerEnd<T>& value, const OneOrEnds<Kind>& kind);
+template <class T>
+Wanted wanted(T& value, const WordOrBlock& kind);
 template <class T>
 Wanted wanted(T& value, const OneOrRange& kind) {
   const Wanted one = wanted(value.from, kind.quantity);
@@ -190,6 +202,22 @@ Wanted wanted(std::vector<T>&, const List<Kind>& kind) {
   const std::vector<std::string> examples(static_cast<std::size_t>(std::max(1, kind.least)),
                                           wanted(item, kind.kind).example);
   return {what, fmt::format("[{}]", fmt::join(examples, ", "))};
+}
+
+template <class T, class Kind>
+Wanted wanted(T& value, const ForEachRoller<Kind>& kind) {
+  const Wanted one = wanted(value.one, kind.kind);
+  return {one.what + ", or a list with one for each roller", one.example};
+}
+template <class T, class Kind>
+Wanted wanted(PerEnd<T>& value, const OneOrEnds<Kind>& kind) {
+  const Wanted one = wanted(value.near, kind.kind);
+  return {one.what + ", or one each for {near, far}", one.example};
+}
+template <class T>
+Wanted wanted(T& value, const WordOrBlock& kind) {
+  const Wanted word = wanted(selector_of(value), Choice{});
+  return {fmt::format("{}, or a map with `{}`", word.what, kind.key), word.example};
 }
 
 // Reading ---------------------------------------------------------------------------------------
@@ -223,6 +251,17 @@ void read(const Written& w, double& value, const Quantity& q) {
   const ParsedQuantity parsed = parse_quantity(w.node.text, q.dimension);
   if (!parsed.value || !q.bounds.contain(*parsed.value))
     return w.refuse(wanted(value, q), parsed.hint);
+  value = *parsed.value;
+}
+
+void read(const Written& w, double& value, const Held& held) {
+  if (w.node.kind != Node::Kind::scalar) return w.refuse(wanted(value, held));
+  if (w.node.text == "rigid" || (held.may_be_free && w.node.text == "free")) {
+    value = w.node.text == "rigid" ? kRigid : 0.0;
+    return;
+  }
+  const ParsedQuantity parsed = parse_quantity(w.node.text, held.dimension);
+  if (!parsed.value || !(*parsed.value > 0.0)) return w.refuse(wanted(value, held), parsed.hint);
   value = *parsed.value;
 }
 
@@ -342,6 +381,19 @@ void read(const Written& w, T& value, const OneOrEach<Kind>& kind) {
   value.roller = value.nut = value.screw;
 }
 
+template <class T, class Kind>
+void read(const Written& w, PerEnd<T>& value, const OneOrEnds<Kind>& kind) {
+  if (w.node.kind == Node::Kind::map) return read_map(w, value, kind);
+  read(w, value.near, kind.kind);
+  value.far = value.near;
+}
+
+template <class T>
+void read(const Written& w, T& value, const WordOrBlock& kind) {
+  if (w.node.kind == Node::Kind::map) return read_map(w, value, kind);
+  read(w, selector_of(value), Choice{});
+}
+
 void read(const Written& w, Range& range, const OneOrRange& kind) {
   if (w.node.kind != Node::Kind::map) {
     read(w, range.from, kind.quantity);
@@ -364,6 +416,20 @@ void read(const Written& w, std::vector<T>& items, const List<Kind>& kind) {
   items.resize(w.node.children.size());
   for (std::size_t i = 0; i < items.size(); ++i)
     read({w.node.children[i], fmt::format("{}[{}]", w.path, i), w.errors}, items[i], kind.kind);
+}
+
+/// Whether a list has a value for each roller, and is not the value of all of them.
+template <class T>
+bool is_for_each(const OneOrMany<T>&, const Node& node) {
+  if (node.kind != Node::Kind::sequence) return false;
+  return std::is_arithmetic_v<T> ||
+         (!node.children.empty() && node.children[0].kind == Node::Kind::sequence);
+}
+
+template <class T, class Kind>
+void read(const Written& w, OneOrMany<T>& value, const ForEachRoller<Kind>& kind) {
+  if (is_for_each(value, w.node)) return read(w, value.many, List{kind.kind, 1});
+  read(w, value.one, kind.kind);
 }
 
 void read(const Written& w, WrittenValues& values, const ListOrRange& kind) {
@@ -482,6 +548,7 @@ void update_numbers(std::vector<LoadCase>& cases, const std::vector<LoadCaseItem
       c->axial_force = k == last ? force.to : force.from + (force.to - force.from) * k / last;
       c->position = item.position;
       c->speed = item.speed;
+      c->spatial = item.spatial;
     }
   }
 }

@@ -36,6 +36,14 @@ Json schema_of(T&, const Quantity& q) {
 }
 
 template <class T>
+Json schema_of(T& value, const Held& held) {
+  Json words = Json::array({"rigid"});
+  if (held.may_be_free) words.push_back("free");
+  return {{"oneOf", Json::array({Json{{"enum", words}},
+                                 schema_of(value, Quantity{held.dimension, positive})})}};
+}
+
+template <class T>
 Json schema_of(T&, const Number& number) {
   const Bounds& b = number.bounds;
   Json json{{"type", "number"}};
@@ -96,7 +104,7 @@ Json default_of(const T& value, const Kind& kind) {
 /// Whether a kind has a default of its own; that of a map is the defaults of its keys.
 template <class Kind>
 concept Simple = std::same_as<Kind, Quantity> || std::same_as<Kind, Number> ||
-    std::same_as<Kind, Whole> || std::same_as<Kind, Flag> || std::same_as<Kind, Choice>;
+    std::same_as<Kind, Whole> || std::same_as<Kind, Held> || std::same_as<Kind, Flag> || std::same_as<Kind, Choice>;
 
 /// Visits the keys of a map.
 class Properties : public Visitor {
@@ -193,6 +201,20 @@ Json schema_of(std::vector<T>&, const List<Kind>& kind) {
   Json json{{"type", "array"}, {"minItems", kind.least}, {"items", schema_of(item, kind.kind)}};
   if (kind.greatest < std::numeric_limits<int>::max()) json["maxItems"] = kind.greatest;
   return json;
+}
+template <class T, class Kind>
+Json schema_of(T& value, const ForEachRoller<Kind>& kind) {
+  return {{"oneOf", Json::array({schema_of(value.one, kind.kind),
+                                 schema_of(value.many, List{kind.kind, 1})})}};
+}
+template <class T, class Kind>
+Json schema_of(PerEnd<T>& value, const OneOrEnds<Kind>& kind) {
+  return {{"oneOf", Json::array({schema_of(value.near, kind.kind), map_schema(value, kind)})}};
+}
+template <class T>
+Json schema_of(T& value, const WordOrBlock& kind) {
+  return {{"oneOf",
+           Json::array({schema_of(selector_of(value), Choice{}), map_schema(value, kind)})}};
 }
 template <class T>
 Json schema_of(T&, const ListOrRange& kind) {

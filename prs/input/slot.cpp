@@ -69,6 +69,9 @@ class SlotFinder : public Visitor {
   void find(double& value, const Quantity& q) const {
     if (path_.ends()) add(value, &q.dimension, q.bounds);
   }
+  void find(double& value, const Held& held) const {
+    if (path_.ends()) add(value, &held.dimension, positive);
+  }
   void find(double& value, const Number& n) const {
     if (path_.ends()) add(value, nullptr, n.bounds);
   }
@@ -137,6 +140,22 @@ class SlotFinder : public Visitor {
     if (index && *index < items.size())
       SlotFinder(path_.rest(), slot_).find(items[*index], kind.kind);
     find_other();
+  }
+
+  template <class T, class Kind>
+  void find(OneOrMany<T>& value, const ForEachRoller<Kind>& kind) const {
+    if (value.many.empty())
+      find(value.one, kind.kind);
+    else
+      find(value.many, List{kind.kind, 1});
+  }
+  template <class T, class Kind>
+  void find(PerEnd<T>& value, const OneOrEnds<Kind>& kind) const {
+    find_key(value, kind);
+  }
+  template <class T>
+  void find(T& value, const WordOrBlock& kind) const {
+    find_key(value, kind);
   }
 
   template <class T, class Kind>

@@ -63,6 +63,8 @@ constexpr Unit kTorque[] = {{{"N m", "Nm", "N*m"}},
                             {{"mN m", "mNm", "mN*m"}, 1.0, 1e3},
                             {{"kN m", "kNm", "kN*m"}, 1e3}};
 
+constexpr Unit kTiltStiffness[] = {{{"N m/rad", "Nm/rad"}}, {{"kN m/rad", "kNm/rad"}, 1e3}};
+
 constexpr Unit kThermalExpansion[] = {{{"um/m/K", "ppm/K"}, 1.0, 1e6}, {{"1/K"}}};
 
 constexpr Unit kDuration[] = {
@@ -86,6 +88,7 @@ const Dimension pressure_viscosity{"a pressure-viscosity coefficient", "30 1/GPa
 const Dimension rotational_speed{"a rotational speed", "400 rpm", "rpm", kRotationalSpeed};
 const Dimension hertz_constant{"a Hertz constant", "3.6e5 N/mm^1.5", "N/mm^1.5", kHertzConstant};
 const Dimension stiffness{"a stiffness", "2e4 N/mm", "N/mm", kStiffness};
+const Dimension tilt_stiffness{"a tilting stiffness", "2e5 N m/rad", "N m/rad", kTiltStiffness};
 const Dimension torque{"a torque", "0.1 N m", "N m", kTorque};
 const Dimension temperature{"a temperature", "60 degC", "degC", kTemperature};
 const Dimension thermal_expansion{"a coefficient of thermal expansion", "11.5 um/m/K", "um/m/K",
@@ -106,6 +109,7 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::rotational_speed,
                                             &unit::hertz_constant,
                                             &unit::stiffness,
+                                            &unit::tilt_stiffness,
                                             &unit::torque,
                                             &unit::temperature,
                                             &unit::thermal_expansion,

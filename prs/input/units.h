@@ -38,6 +38,7 @@ extern const Dimension pressure_viscosity;
 extern const Dimension rotational_speed;
 extern const Dimension hertz_constant;
 extern const Dimension stiffness;
+extern const Dimension tilt_stiffness;
 extern const Dimension torque;
 extern const Dimension temperature;
 extern const Dimension thermal_expansion;

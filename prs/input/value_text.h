@@ -14,6 +14,10 @@ namespace prs::input {
 inline std::string text_of(double value, const Quantity& q) {
   return format_quantity(value, q.dimension);
 }
+inline std::string text_of(double value, const Held& held) {
+  if (value == kRigid) return "rigid";
+  return value == 0.0 ? "free" : format_quantity(value, held.dimension);
+}
 inline std::string text_of(double value, const Number&) { return fmt::format("{}", value); }
 inline std::string text_of(std::int64_t value, const Whole&) { return fmt::format("{}", value); }
 inline std::string text_of(bool value, const Flag&) { return value ? "true" : "false"; }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "prs/model/lateral.h"
 #include "prs/model/load_case.h"
 #include "prs/model/materials.h"
 #include "prs/model/mechanism.h"
@@ -22,6 +23,8 @@ struct PitchError {
   double linear = 0.0;  ///< At the last contact, 0 at the first [m].
   std::optional<PitchWave> periodic;
   std::vector<double> list;  ///< One per contact, or none [m].
+  /// In place of `list` such a list for each roller of a full mechanism, or none.
+  std::vector<std::vector<double>> lists;
 };
 
 /// Straight taper of the roller's pitch radius at both ends.
@@ -42,7 +45,30 @@ struct Deviations {
   std::optional<EndRelief> end_relief;
   std::optional<PerPart<double>> temperature;  ///< Uniform in each part [K].
   double reference_temperature = 293.15;       ///< At which the nominal geometry holds [K].
+
+  // Of a full mechanism.
+  std::vector<double> roller_diameters;  ///< One per roller in place of `roller_diameter`, or none.
+  PerEnd<std::vector<double>> roller_position;  ///< Outwards, one per roller, or none [m].
+  std::vector<int> missing_rollers;             ///< Their numbers, from 1.
+  /// Axial position error of each start, or none [m].
+  PerInterface<std::vector<double>> index_error;
+  PerInterface<Lateral> thread_eccentricity;  ///< Of the thread on screw and nut [m].
 };
+
+/// Offsets of a part's threads from their nominal place, one per contact [m].
+struct ThreadOffsets {
+  std::vector<double> axial;   ///< a_k, away from the loaded end of the screw.
+  std::vector<double> radial;  ///< rho_k of the pitch radius.
+};
+
+/// Those that `initial_gaps` is made of: measured pitch, pitch error, expansion, diameter,
+/// crowning, relief.
+ThreadOffsets thread_offsets(const Mechanism& mechanism, const Deviations& deviations,
+                             const Materials& materials, Part part);
+
+/// Gaps of an interface, the smallest not taken off [m].
+std::vector<double> gaps_between(const ThreadOffsets& body, const ThreadOffsets& roller,
+                                 Interface i, double normal_angle, Direction direction);
 
 /// Initial gaps of the threads along their contact normals for one direction of the load, the
 /// closest thread of each interface touching [m]. With axial offsets a_k of the threads (measured

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "prs/model/lateral.h"
+
 namespace prs {
 
 enum class Direction { tension, compression };
@@ -16,6 +18,27 @@ constexpr std::string_view name(Direction d) {
   return d == Direction::tension ? "tension" : "compression";
 }
 
+/// What acts on a full mechanism besides the axial force, and how its parts stand.
+struct SpatialLoad {
+  /// A side force [N] or a moment [N m] on the screw; at the loaded section where `at` is absent.
+  struct Across {
+    Lateral value;
+    std::optional<double> at;  ///< x, on the nut's axis [m].
+  };
+  /// A turn of the carrier by one spacing of the rollers.
+  struct Orbit {
+    int steps = 8;
+    double exponent = 3.0;  ///< Of equivalent loads.
+  };
+  double carrier_angle = 0.0;  ///< Azimuth of the first roller, from y towards z [rad].
+  Lateral eccentricity;        ///< Point of the loaded section where the axial force acts [m].
+  Across side_force;
+  Across moment;
+  Lateral nut_tilt;    ///< Rotation of the seat of the nut [rad].
+  Lateral nut_offset;  ///< Displacement of the seat of the nut [m].
+  std::optional<Orbit> orbit;
+};
+
 /// One load on the mechanism. A range in the input has been expanded to one case per point.
 struct LoadCase {
   /// How the load spreads over the threads: solved from the structure, or equal by assumption.
@@ -27,6 +50,7 @@ struct LoadCase {
   std::optional<double> position;  ///< First roller contact on the nut [m].
   Share share = Share::solved;
   std::optional<double> speed;  ///< [rad/s], overrides the operation's.
+  SpatialLoad spatial;
   std::string input_path;       ///< Where the case stands in the input, e.g. `load_cases[2]`.
 };
 

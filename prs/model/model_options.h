@@ -37,9 +37,17 @@ struct ModelOptions {
     Kind kind = Kind::none;
     double width = 0.0;  ///< Width of thread that a contact loads [m].
   };
+  /// One roller with its share of screw and nut, or all rollers on a spatial screw and nut.
+  enum class Mechanism { sector, full };
+  /// Where the rollers of a full mechanism touch along the axis: all at the same places, or along
+  /// the helix.
+  enum class ContactPhase { equal, helical };
   /// Meshes of the influence model.
   enum class Accuracy { working, reference };
 
+  Mechanism mechanism = Mechanism::sector;
+  ContactPhase contact_phase = ContactPhase::equal;
+  bool shear = false;  ///< Timoshenko's beams in screw, nut and rollers of a full mechanism.
   Bodies bodies = Bodies::bars;
   Roller roller = Roller::flexible;
   bool roller_shear = false;  ///< Timoshenko instead of Euler-Bernoulli beams in the roller.

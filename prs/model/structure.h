@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "prs/model/lateral.h"
+
 namespace prs {
 
 /// How the guide rings hold the roller ends radially.
@@ -17,17 +19,43 @@ struct Guidance {
   double ring_stiffness = 0.0;  ///< Stiffness of each of a roller's four springs [N/m].
 };
 
+/// What carries the guide rings of a full mechanism, one ring at each end of the rollers.
+struct Rings {
+  enum class Carrier { housing, nut, screw };
+  std::optional<Carrier> carrier;  ///< By default the part on which the rollers stay in place.
+  double stiffness = kRigid;       ///< Of a ring against its carrier [N/m]; below `kRigid` it floats.
+};
+
+/// Support of the screw of a full mechanism.
+struct Bearing {
+  double position = 0.0;     ///< x, on the nut's axis [m].
+  double lateral = kRigid;   ///< [N/m]; 0 free.
+  double tilt = 0.0;         ///< [N m/rad]; 0 free.
+  Lateral offset;            ///< Displacement of its seat [m].
+  Lateral angle;             ///< Rotation of its seat [rad].
+};
+
+/// What holds the thrust section of the nut of a full mechanism.
+struct Housing {
+  double axial = kRigid;    ///< [N/m]
+  double lateral = kRigid;  ///< [N/m]
+  double tilt = kRigid;     ///< [N m/rad]
+};
+
 /// The parts between and around the threads (one sector of Abevi 2015). Axial positions on the nut
 /// are measured from the nut's end that faces the loaded end of the screw. SI units.
 struct Structure {
   struct Screw {
     double bore = 0.0;         ///< Diameter [m].
     double free_length = 0.0;  ///< From the loaded section to the first contact [m].
+    double far_length = 0.0;   ///< Behind the last contact, full mechanism [m].
+    std::vector<Bearing> bearings;
   };
   struct Roller {
     double end_length = 0.0;    ///< [m]
     double end_diameter = 0.0;  ///< [m]
     Guidance guidance;
+    Rings rings;
   };
   struct Flange {
     double from = 0.0;
@@ -51,6 +79,7 @@ struct Structure {
     Thrust thrust;
     std::optional<Shoulder> shoulder =
         {};  ///< From the nut's to the flange's diameter where absent.
+    Housing housing;
   };
 
   Screw screw;

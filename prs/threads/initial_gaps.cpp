@@ -9,12 +9,6 @@
 namespace prs {
 namespace {
 
-/// Offsets of a part's threads from their nominal place, one per contact [m].
-struct Offsets {
-  std::vector<double> axial;
-  std::vector<double> radial;
-};
-
 double pitch_error(const PitchError& e, int k, int contacts) {
   double error = contacts > 1 ? e.linear * k / (contacts - 1) : 0.0;
   if (const auto& wave = e.periodic)
@@ -35,14 +29,17 @@ double roller_drop(const Deviations& d, int k, int contacts) {
   return drop;
 }
 
-Offsets offsets(const Mechanism& m, const Deviations& d, const Materials& materials, Part part) {
+}  // namespace
+
+ThreadOffsets thread_offsets(const Mechanism& m, const Deviations& d, const Materials& materials,
+                             Part part) {
   const int contacts = m.contacts_per_roller;
   const double nominal = axial_pitch(m);
   const double rise = d.temperature ? (*d.temperature)[part] - d.reference_temperature : 0.0;
   const double strain = materials[part].thermal_expansion.value_or(0.0) * rise;
   const double lag = axial_pitches(m)[part] - nominal + strain * nominal;
   const double radius = 0.5 * m.pitch_diameter[part].value();
-  Offsets o;
+  ThreadOffsets o;
   for (int k = 0; k < contacts; ++k) {
     o.axial.push_back(k * lag + pitch_error(d.pitch_error[part], k, contacts));
     o.radial.push_back(strain * radius);
@@ -52,23 +49,28 @@ Offsets offsets(const Mechanism& m, const Deviations& d, const Materials& materi
   return o;
 }
 
-}  // namespace
+std::vector<double> gaps_between(const ThreadOffsets& body, const ThreadOffsets& roller,
+                                 Interface i, double normal_angle, Direction direction) {
+  // The screw pushes the roller, the roller the nut; a nut that grows makes way.
+  const double ahead = i == Interface::screw ? 1.0 : -1.0;
+  std::vector<double> gaps;
+  for (std::size_t k = 0; k < body.axial.size(); ++k)
+    gaps.push_back(
+        -sense(direction) * std::cos(normal_angle) * ahead * (body.axial[k] - roller.axial[k]) -
+        std::sin(normal_angle) * (roller.radial[k] + ahead * body.radial[k]));
+  return gaps;
+}
 
 PerInterface<std::vector<double>> initial_gaps(const Mechanism& mechanism,
                                                const Deviations& deviations,
                                                const Materials& materials,
                                                const PerInterface<double>& normal_angle,
                                                Direction direction) {
-  const double s = sense(direction);
-  const Offsets roller = offsets(mechanism, deviations, materials, Part::roller);
+  const ThreadOffsets roller = thread_offsets(mechanism, deviations, materials, Part::roller);
   PerInterface<std::vector<double>> gaps;
   for (const Interface i : kInterfaces) {
-    const Offsets body = offsets(mechanism, deviations, materials, body_of(i));
-    // The screw pushes the roller, the roller the nut; a nut that grows makes way.
-    const double ahead = i == Interface::screw ? 1.0 : -1.0;
-    for (std::size_t k = 0; k < body.axial.size(); ++k)
-      gaps[i].push_back(-s * std::cos(normal_angle[i]) * ahead * (body.axial[k] - roller.axial[k]) -
-                        std::sin(normal_angle[i]) * (roller.radial[k] + ahead * body.radial[k]));
+    gaps[i] = gaps_between(thread_offsets(mechanism, deviations, materials, body_of(i)), roller, i,
+                           normal_angle[i], direction);
     const double closest = *std::min_element(gaps[i].begin(), gaps[i].end());
     for (double& gap : gaps[i]) gap -= closest;
   }

@@ -1,0 +1,281 @@
+#include "prs/sector/full/full_distribution.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "prs/sector/full/full_structure.h"
+#include "prs/sector/full/rigid_motions.h"
+#include "prs/sector/load_distribution.h"
+
+namespace prs {
+namespace {
+
+using fe::Dof;
+
+/// Approach of a spring beyond this many centre distances: nothing holds the load.
+constexpr double kRunaway = 100.0;
+
+/// Tangents count at least this share of that of equal shares.
+constexpr double kLeastTangent = 1e-7;
+
+/// Shares of the mean below which a thread or a roller carries nothing.
+constexpr double kUnloaded = 1e-6;
+
+/// k_0^(2/3) N^(1/3) with equal shares [N/m].
+PerInterface<double> equal_share_secant(const FullModel& f) {
+  const double threads = static_cast<double>(f.present.size()) * f.threads();
+  PerInterface<double> secant;
+  for (const Interface i : kInterfaces) {
+    const double k = f.sector.hertz_constant[i];
+    secant[i] = std::cbrt(k * k * f.axial_force / (threads * f.sector.cosine[i]));
+  }
+  return secant;
+}
+
+/// A value for each spring.
+template <class T>
+std::vector<T> for_each_spring(const FullModel& f, const PerInterface<T>& value) {
+  std::vector<T> values;
+  for (std::size_t r = 0; r < f.present.size(); ++r)
+    for (const Interface i : kInterfaces)
+      values.insert(values.end(), static_cast<std::size_t>(f.threads()), value[i]);
+  return values;
+}
+
+fe::NewtonOptions newton_options(const FullModel& f) {
+  fe::NewtonOptions options;
+  options.force_scale = f.axial_force;
+  options.length_scale = f.sector.roller_radius;
+  options.largest_approach = kRunaway * f.centre_distance;
+  const PerInterface<double> secant = equal_share_secant(f);
+  options.least_tangent = kLeastTangent * 1.5 * std::min(secant.screw, secant.nut);
+  return options;
+}
+
+/// A solved state with all that is read off it.
+class Solution {
+ public:
+  Solution(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
+           const fe::State& q)
+      : f_(f), s_(s), equations_(equations), q_(q) {
+    const std::vector<double> elastic = equations.nodal_forces(q);
+    needed_.assign(static_cast<std::size_t>(s.model.nodes) * fe::kDofsPerNode, 0.0);
+    for (int node = 0; node < s.model.nodes; ++node)
+      for (const Dof dof : {Dof::u, Dof::v, Dof::theta})
+        if (const int n = equations.number(node, dof); n >= 0)
+          needed(node, dof) = elastic[static_cast<std::size_t>(n)];
+    for (std::size_t k = 0; k < s.model.form_springs.size(); ++k) {
+      const double force = equations.response(q, static_cast<int>(k)).force;
+      for (const fe::Term& t : s.model.form_springs[k].approach)
+        needed(t.node, t.dof) += t.coefficient * force;
+    }
+    for (const fe::NodalLoad& load : s.loads) needed(load.node, load.dof) -= load.value;
+  }
+
+  void read(FullDistribution& d) {
+    read_loads(d);
+    read_rings(d);
+    d.nut = support(s_.nut[static_cast<std::size_t>(s_.thrust)]);
+    for (const int node : s_.bearing_nodes)
+      d.bearings.push_back(support(s_.screw[static_cast<std::size_t>(node)]));
+    const SpatialNode& end = s_.screw[static_cast<std::size_t>(s_.loaded)];
+    const auto at = [&](int node, Dof dof) { return equations_.displacement(q_, node, dof); };
+    const Lateral offset = rigid_offset(f_, end.x), slope = rigid_slope(f_);
+    d.screw_end.displacement << at(end.y_plane, Dof::u), at(end.y_plane, Dof::v) + offset.y,
+        at(end.z_plane, Dof::v) + offset.z, -(at(end.z_plane, Dof::theta) + slope.z),
+        at(end.y_plane, Dof::theta) + slope.y;
+    d.axial_displacement = f_.sense() * d.screw_end.displacement[0];
+  }
+
+ private:
+  double& needed(int node, Dof dof) {
+    return needed_[static_cast<std::size_t>(fe::kDofsPerNode * node + static_cast<int>(dof))];
+  }
+
+  void read_loads(FullDistribution& d) {
+    const auto threads = static_cast<std::size_t>(f_.threads());
+    for (const Interface i : kInterfaces)
+      d.normal_load[i] = d.approach[i] = RollerThreads(static_cast<std::size_t>(f_.rollers),
+                                                       std::vector<double>(threads, 0.0));
+    const double share = f_.axial_force / static_cast<double>(f_.present.size());
+    for (std::size_t r = 0; r < s_.rollers.size(); ++r) {
+      const auto number = static_cast<std::size_t>(f_.present[r].number);
+      double carried = 0.0;
+      for (const Interface i : kInterfaces)
+        for (std::size_t k = 0; k < threads; ++k) {
+          const int spring = s_.rollers[r].spring(i, k);
+          const double force = equations_.response(q_, spring).force;
+          d.normal_load[i][number][k] = force;
+          d.approach[i][number][k] = equations_.law_approach(q_, spring);
+          if (i == Interface::screw) carried += force * f_.sector.cosine[i];
+        }
+      if (carried <= kUnloaded * share) d.idle_rollers.push_back(f_.present[r].number);
+    }
+  }
+
+  /// Forces of the guides on the rollers; what they take is handed on to their seats.
+  void read_rings(FullDistribution& d) {
+    for (RingForce& ring : d.rings) ring.rollers.assign(static_cast<std::size_t>(f_.rollers), 0.0);
+    for (const FullStructure::Guide& guide : s_.guides) {
+      const FullModel::Roller& roller = f_.present[guide.roller];
+      double force = 0.0;  // On the roller, outwards.
+      if (guide.link >= 0) {
+        force = -equations_.link_force(q_, guide.link);
+        for (const fe::Term& t : s_.model.elastic_links[static_cast<std::size_t>(guide.link)].form)
+          needed(t.node, t.dof) -= t.coefficient * force;
+      } else if (guide.constraint >= 0) {
+        const fe::Constraint& c = s_.model.constraints[static_cast<std::size_t>(guide.constraint)];
+        force = needed(c.node, c.dof);
+        for (const fe::Term& t : c.form) needed(t.node, t.dof) += t.coefficient * force;
+      }
+      add(d.rings[guide.ring], roller, force);
+    }
+    if (!f_.sector.bends()) read_straight_rollers(d);
+  }
+
+  /// Rollers that stay straight hand their transverse forces to the middles of both rings.
+  void read_straight_rollers(FullDistribution& d) {
+    const double near = f_.roller_ends.first + 0.5 * f_.sector.end_length;
+    const double far = f_.roller_ends.last - 0.5 * f_.sector.end_length;
+    for (std::size_t r = 0; r < s_.rollers.size(); ++r) {
+      double force = 0.0, moment = 0.0;
+      for (std::size_t k = 0; k < s_.rollers[r].nodes.size(); ++k) {
+        const int node = s_.rollers[r].nodes[k];
+        force += needed(node, Dof::v);
+        moment += needed(node, Dof::v) * (s_.rollers[r].x[k] - near) + needed(node, Dof::theta);
+      }
+      const double at_far = moment / (far - near);
+      add(d.rings[0], f_.present[r], force - at_far);
+      add(d.rings[1], f_.present[r], at_far);
+    }
+  }
+
+  static void add(RingForce& ring, const FullModel::Roller& roller, double force) {
+    ring.rollers[static_cast<std::size_t>(roller.number)] += force;
+    ring.force.y += force * std::cos(roller.azimuth);
+    ring.force.z += force * std::sin(roller.azimuth);
+  }
+
+  /// What a held node needs beyond the loads on it; nothing of a freedom that is not held.
+  SupportForce support(const SpatialNode& n) {
+    const auto held = [&](int node, Dof dof) {
+      return equations_.number(node, dof) >= equations_.size() ? needed(node, dof)
+                                                               : elastic_support(node, dof);
+    };
+    SupportForce s{n.x, {held(n.y_plane, Dof::u), held(n.y_plane, Dof::v), held(n.z_plane, Dof::v)},
+                   {-held(n.z_plane, Dof::theta), held(n.y_plane, Dof::theta)}};
+    return s;
+  }
+  double elastic_support(int node, Dof dof) const {
+    for (std::size_t k = 0; k < s_.model.elastic_links.size(); ++k) {
+      const fe::LinearForm& form = s_.model.elastic_links[k].form;
+      if (form.size() == 1 && form[0].node == node && form[0].dof == dof)
+        return -equations_.link_force(q_, static_cast<int>(k));
+    }
+    return 0.0;
+  }
+
+  const FullModel& f_;
+  const FullStructure& s_;
+  const fe::Equations& equations_;
+  const fe::State& q_;
+  std::vector<double> needed_;  ///< External force that each freedom needs for equilibrium.
+};
+
+/// K and B'tB condensed to the freedoms of the loaded section; idle rollers are left out.
+void add_compliance(const FullModel& f, FullDistribution& d) {
+  FullModel loaded = f;
+  std::erase_if(loaded.present, [&](const FullModel::Roller& r) {
+    return std::ranges::find(d.idle_rollers, r.number) != d.idle_rollers.end();
+  });
+  const FullStructure s = full_structure(loaded);
+  const double share = kUnloaded * f.axial_force /
+                       (static_cast<double>(f.present.size()) * f.threads());
+  std::vector<double> tangent;
+  std::vector<bool> closed;
+  for (const FullModel::Roller& r : loaded.present)
+    for (const Interface i : kInterfaces)
+      for (const double approach : d.approach[i][static_cast<std::size_t>(r.number)]) {
+        const fe::SpringResponse at =
+            fe::evaluate({f.sector.hertz_constant[i], 1.5, 0.0, 0.0}, approach);
+        tangent.push_back(at.tangent);
+        closed.push_back(at.force * f.sector.cosine[i] > share);
+      }
+  if (free_motions(loaded, s, closed).count > 0) return;
+
+  const fe::Equations equations(s.model);
+  fe::NewtonSolver solver(equations);
+  const SpatialNode& end = s.screw[static_cast<std::size_t>(s.loaded)];
+  const std::array<fe::NodalLoad, 5> units{{{end.y_plane, Dof::u, 1.0},
+                                            {end.y_plane, Dof::v, 1.0},
+                                            {end.z_plane, Dof::v, 1.0},
+                                            {end.z_plane, Dof::theta, -1.0},
+                                            {end.y_plane, Dof::theta, 1.0}}};
+  std::vector<Eigen::VectorXd> loads;
+  for (int k = 0; k < 5; ++k) {
+    const fe::NodalLoad& unit = units[static_cast<std::size_t>(k)];
+    const int n = equations.number(unit.node, unit.dof);
+    if (n < 0 || n >= equations.size()) continue;
+    d.screw_end.freedoms.push_back(k);
+    loads.push_back(equations.load_vector({unit}));
+  }
+  std::vector<Eigen::VectorXd> rates;
+  if (!solver.solve_linear(tangent, loads, rates)) return;
+  const auto count = static_cast<Eigen::Index>(loads.size());
+  d.screw_end.compliance.resize(count, count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (Eigen::Index j = 0; j < count; ++j)
+      d.screw_end.compliance(i, j) =
+          loads[static_cast<std::size_t>(i)].dot(rates[static_cast<std::size_t>(j)]);
+  d.screw_end.stiffness = d.screw_end.compliance.inverse();
+  d.tangent_stiffness = 1.0 / d.screw_end.compliance(0, 0);
+}
+
+}  // namespace
+
+FullDistribution solve(const FullModel& f) {
+  const FullStructure s = full_structure(f);
+  FullDistribution d;
+  if (const FreeMotions free = free_motions(f, s); free.count > 0) {
+    d.solve.status = fe::NewtonStatus::mechanism;
+    d.reason = fmt::format("mechanism: {} motion{} of {} meet{} no resistance", free.count,
+                           free.count == 1 ? "" : "s", free.parts.front(),
+                           free.count == 1 ? "s" : "");
+    return d;
+  }
+  const fe::Equations equations(s.model);
+  d.freedoms = equations.size();
+  fe::NewtonSolver solver(equations);
+  fe::State q;
+  const Eigen::VectorXd load = equations.load_vector(s.loads);
+  if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q)) {
+    d.solve.status = fe::NewtonStatus::not_positive_definite;
+    return d;
+  }
+  d.solve = solver.solve(load, newton_options(f), q);
+  if (!d.solve.converged()) return d;
+  Solution(f, s, equations, q).read(d);
+  add_compliance(f, d);
+  return d;
+}
+
+SymmetricLoads symmetric_loads(const FullModel& f) {
+  SectorSolver solver(build_sector(f.sector));
+  const LoadDistribution d = solver.solve(f.axial_force);
+  SymmetricLoads s{d.axial_displacement, d.tangent_stiffness, {}};
+  if (f.housing.axial < kRigid) {
+    s.axial_displacement += f.axial_force / f.housing.axial;
+    if (s.tangent_stiffness)
+      s.tangent_stiffness = 1.0 / (1.0 / *s.tangent_stiffness + 1.0 / f.housing.axial);
+  }
+  for (const Interface i : kInterfaces)
+    s.largest_normal_load[i] = std::ranges::max(d.normal_load[i]);
+  return s;
+}
+
+}  // namespace prs

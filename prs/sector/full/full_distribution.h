@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fe/newton.h"
+#include "prs/sector/full/full_model.h"
+
+namespace prs {
+
+/// Displacement and stiffness of the loaded section of the screw, in the order x, y, z, theta_y,
+/// theta_z.
+struct ScrewEnd {
+  Eigen::Matrix<double, 5, 1> displacement;  ///< The misalignment of the nut included [m, rad].
+  std::vector<int> freedoms;                 ///< Those that no bearing holds there.
+  /// Their displacements per load and the inverse, at the load; empty where a motion is free.
+  Eigen::MatrixXd compliance, stiffness;
+};
+
+/// Force and moment of a support on the part that it holds.
+struct SupportForce {
+  double position = 0.0;                             ///< x [m]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
+  Lateral moment;                                    ///< About y and z there [N m].
+};
+
+struct RingForce {
+  Lateral force;                ///< Of the ring on the rollers [N].
+  std::vector<double> rollers;  ///< On each roller, outwards; missing ones 0 [N].
+};
+
+/// The same screw under the axial force alone: all rollers, nominal parts, aligned.
+struct SymmetricLoads {
+  double axial_displacement = 0.0;           ///< [m]
+  std::optional<double> tangent_stiffness;   ///< [N/m]
+  PerInterface<double> largest_normal_load;  ///< [N]
+};
+
+/// How a load spreads over all rollers. SI units.
+struct FullDistribution {
+  fe::NewtonSummary solve;
+  std::string reason;  ///< Of a load that has no equilibrium: which motion, or how much is left.
+  int freedoms = 0;
+  PerInterface<RollerThreads> normal_load;  ///< N [N]
+  PerInterface<RollerThreads> approach;     ///< Hertz approach delta [m]
+  double axial_displacement = 0.0;          ///< Of the loaded section, > 0 along the load [m].
+  std::optional<double> tangent_stiffness;  ///< 1/C_xx [N/m]
+  ScrewEnd screw_end;
+  std::vector<int> idle_rollers;  ///< Numbers from 0 of those that carry no load.
+  SupportForce nut;
+  std::array<RingForce, 2> rings;  ///< Near and far.
+  std::vector<SupportForce> bearings;
+};
+
+/// Equilibrium by Newton's method from the state of linear contacts with the secant stiffness of
+/// equal shares. Two outcomes are none of the solver's: `mechanism`, a motion that nothing resists,
+/// and `no_equilibrium`, a load that flanks that only push cannot hold.
+FullDistribution solve(const FullModel& model);
+
+/// By one sector.
+SymmetricLoads symmetric_loads(const FullModel& model);
+
+}  // namespace prs

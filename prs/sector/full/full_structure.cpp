@@ -1,0 +1,279 @@
+#include "prs/sector/full/full_structure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prs {
+namespace {
+
+using fe::Dof;
+using fe::LinearForm;
+
+struct Direction2 {
+  double y, z;  ///< e_j
+};
+
+/// Adds `factor` times the displacement of the axis along e, or times its slope.
+void add_along(LinearForm& form, const SpatialNode& n, Dof dof, Direction2 e, double factor) {
+  form.push_back({n.y_plane, dof, factor * e.y});
+  form.push_back({n.z_plane, dof, factor * e.z});
+}
+
+class Builder {
+ public:
+  explicit Builder(const FullModel& model)
+      : f_(model), same_(kSamePlace * model.sector.nut_length) {}
+
+  FullStructure build() {
+    s_.screw = body(screw_stations(), f_.screw);
+    s_.nut = body(nut_stations(), f_.nut);
+    s_.loaded = nearest(s_.screw, f_.loaded_section);
+    s_.thrust = nearest(s_.nut, f_.thrust);
+    add_rings();
+    add_housing();
+    add_bearings();  // Before the guides, which may follow their nodes.
+    for (const FullModel::Roller& r : f_.present) add_roller(r);
+    add_loads();
+    return std::move(s_);
+  }
+
+ private:
+  double outer(int ring) const { return ring == 0 ? f_.roller_ends.first : f_.roller_ends.last; }
+  /// x of the middle of a ring.
+  double ring_middle(int ring) const {
+    return outer(ring) + (ring == 0 ? 0.5 : -0.5) * f_.sector.end_length;
+  }
+
+  void add_contact_stations(std::vector<double>& x) const {
+    for (const FullModel::Roller& r : f_.present)
+      x.insert(x.end(), r.contact_x.begin(), r.contact_x.end());
+  }
+  void add_ring_stations(std::vector<double>& x, Rings::Carrier body,
+                         const std::vector<BodyPiece>& pieces) const {
+    if (f_.carrier != body) return;
+    for (int ring = 0; ring < 2; ++ring)
+      x.push_back(std::clamp(ring_middle(ring), pieces.front().from, pieces.back().to));
+  }
+  std::vector<double> screw_stations() const {
+    std::vector<double> x{f_.loaded_section, f_.screw.back().to};
+    add_contact_stations(x);
+    add_ring_stations(x, Rings::Carrier::screw, f_.screw);
+    for (const Bearing& b : f_.bearings) x.push_back(b.position);
+    for (const auto& at : {f_.load.side_force.at, f_.load.moment.at})
+      if (at) x.push_back(*at);
+    return x;
+  }
+  std::vector<double> nut_stations() const {
+    std::vector<double> x{f_.thrust};
+    add_contact_stations(x);
+    add_ring_stations(x, Rings::Carrier::nut, f_.nut);
+    const auto [first, last] = std::ranges::minmax(x);
+    for (const BodyPiece& piece : f_.nut)
+      if (piece.from > first && piece.from < last) x.push_back(piece.from);
+    return x;
+  }
+
+  /// Beams in both planes between stations.
+  std::vector<SpatialNode> body(std::vector<double> x, const std::vector<BodyPiece>& pieces) {
+    std::ranges::sort(x);
+    x.erase(std::unique(x.begin(), x.end(), [&](double a, double b) { return b - a < same_; }),
+            x.end());
+    std::vector<SpatialNode> nodes;
+    for (const double at : x) {
+      const int y_plane = s_.model.add_node(), z_plane = s_.model.add_node();
+      s_.model.fixed_supports.push_back({z_plane, Dof::u});
+      nodes.push_back({at, y_plane, z_plane});
+      if (nodes.size() == 1) continue;
+      const SpatialNode& before = nodes[nodes.size() - 2];
+      const double middle = 0.5 * (before.x + at);
+      const auto piece = std::ranges::find_if(
+          pieces.begin(), pieces.end() - 1, [&](const BodyPiece& p) { return middle < p.to; });
+      const RollerSection<double>& section = piece->section;
+      s_.model.beams.push_back({before.y_plane, y_plane,
+                                {section.axial, section.bending, section.shear, at - before.x}});
+      s_.model.beams.push_back(
+          {before.z_plane, z_plane, {0.0, section.bending, section.shear, at - before.x}});
+    }
+    return nodes;
+  }
+
+  int nearest(const std::vector<SpatialNode>& nodes, double x) const {
+    const auto found = std::ranges::min_element(
+        nodes, {}, [&](const SpatialNode& n) { return std::abs(n.x - x); });
+    return static_cast<int>(found - nodes.begin());
+  }
+  const SpatialNode& at(const std::vector<SpatialNode>& nodes, double x) const {
+    return nodes[static_cast<std::size_t>(nearest(nodes, x))];
+  }
+
+  void add_rings() {
+    if (f_.carrier != Rings::Carrier::housing) {
+      const auto& carrier = f_.carrier == Rings::Carrier::nut ? s_.nut : s_.screw;
+      for (int ring = 0; ring < 2; ++ring)
+        s_.seats[static_cast<std::size_t>(ring)] = &at(carrier, ring_middle(ring));
+    }
+    if (!f_.floating_rings()) return;
+    for (int& ring : s_.rings) {
+      ring = s_.model.add_node();
+      s_.model.elastic_supports.push_back({ring, Dof::u, f_.ring_stiffness});
+      s_.model.elastic_supports.push_back({ring, Dof::v, f_.ring_stiffness});
+    }
+  }
+
+  void add_roller(const FullModel::Roller& r) {
+    FullStructure::Roller roller;
+    const SectorModel& sector = f_.sector;
+    const double first = f_.roller_ends.first, last = f_.roller_ends.last;
+    std::vector<double> x{first, first + sector.end_length};
+    x.insert(x.end(), r.contact_x.begin(), r.contact_x.end());
+    x.insert(x.end(), {last - sector.end_length, last});
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const bool same = i > 0 && x[i] - x[i - 1] < same_;
+      const int node = same ? roller.nodes.back() : s_.model.add_node();
+      if (!same && i > 0) {
+        const bool end = i == 1 || i + 1 == x.size();
+        const RollerSection<double>& section = end ? sector.end : sector.thread;
+        s_.model.beams.push_back({roller.nodes.back(), node,
+                                  {section.axial, section.bending, section.shear, x[i] - x[i - 1]}});
+      }
+      if (!same) {
+        roller.nodes.push_back(node);
+        roller.x.push_back(x[i]);
+      }
+      if (i >= 2 && i + 2 < x.size()) roller.contacts.push_back(node);
+      if (i < 2) roller.guided[0].push_back(node);
+      if (i + 2 >= x.size()) roller.guided[1].push_back(node);
+    }
+    const Direction2 e{std::cos(r.azimuth), std::sin(r.azimuth)};
+    guide(r, roller, e, x);
+    roller.first_spring = static_cast<int>(s_.model.form_springs.size());
+    for (const Interface i : kInterfaces)
+      for (std::size_t k = 0; k < roller.contacts.size(); ++k)
+        add_contact(i, r, roller.contacts[k], k, e);
+    s_.rollers.push_back(std::move(roller));
+  }
+
+  /// v = e.[d_B + beta_B (x - x_B) + o_r] + delta, rigid or by springs.
+  void guide(const FullModel::Roller& r, const FullStructure::Roller& roller, Direction2 e,
+             const std::vector<double>& x) {
+    if (!f_.sector.bends()) {
+      for (const int node : roller.nodes)
+        for (const Dof dof : {Dof::v, Dof::theta}) s_.model.fixed_supports.push_back({node, dof});
+      return;
+    }
+    const std::array<std::size_t, 4> places{0, 1, x.size() - 2, x.size() - 1};
+    for (std::size_t p = 0; p < 4; ++p) {
+      const std::size_t ring = p / 2;
+      const double stiffness = p == 0 || p == 3 ? f_.sector.outer_guide : f_.sector.inner_guide;
+      if (stiffness == 0.0) continue;
+      const int node = roller.guided[ring][p % 2];
+      LinearForm form;
+      double offset = r.ring_offset[ring];
+      if (const SpatialNode* seat = s_.seats[ring]) {
+        add_along(form, *seat, Dof::v, e, 1.0);
+        add_along(form, *seat, Dof::theta, e, x[places[p]] - seat->x);
+      } else {
+        const Lateral moved = rigid_offset(f_, x[places[p]]);
+        offset -= e.y * moved.y + e.z * moved.z;
+      }
+      if (f_.floating_rings()) {
+        form.push_back({s_.rings[ring], Dof::u, e.y});
+        form.push_back({s_.rings[ring], Dof::v, e.z});
+      }
+      FullStructure::Guide guide{s_.rollers.size(), ring};
+      if (stiffness == kHeld) {
+        guide.constraint = static_cast<int>(s_.model.constraints.size());
+        s_.model.constraints.push_back({node, Dof::v, std::move(form), offset});
+      } else {
+        for (fe::Term& term : form) term.coefficient = -term.coefficient;
+        form.push_back({node, Dof::v, 1.0});
+        guide.link = static_cast<int>(s_.model.elastic_links.size());
+        s_.model.elastic_links.push_back({std::move(form), offset, stiffness});
+      }
+      s_.guides.push_back(guide);
+    }
+  }
+
+  /// The approach along the normal, with arms a - r_R on the screw and a + r_R on the nut.
+  void add_contact(Interface i, const FullModel::Roller& r, int node, std::size_t k,
+                   Direction2 e) {
+    const bool screw = i == Interface::screw;
+    const double sign = screw ? 1.0 : -1.0;
+    const SpatialNode& body = at(screw ? s_.screw : s_.nut, r.contact_x[k]);
+    const double along = f_.sense() * f_.sector.cosine[i], across = f_.sector.sine[i];
+    const double arm = f_.centre_distance - sign * f_.sector.roller_radius;
+    LinearForm w;
+    w.push_back({body.y_plane, Dof::u, sign * along});
+    add_along(w, body, Dof::theta, e, -sign * along * arm);
+    w.push_back({node, Dof::u, -sign * along});
+    w.push_back({node, Dof::theta, -along * f_.sector.roller_radius});
+    add_along(w, body, Dof::v, e, sign * across);
+    w.push_back({node, Dof::v, -sign * across});
+    s_.model.form_springs.push_back(
+        {std::move(w),
+         {f_.sector.hertz_constant[i], 1.5, r.gaps[i][k], f_.sector.contact_compliance(i, k)}});
+  }
+
+  void hold(int node, Dof dof, double stiffness, double rest) {
+    if (stiffness == kRigid)
+      s_.model.constraints.push_back({node, dof, {}, rest});
+    else if (stiffness > 0.0)
+      s_.model.elastic_links.push_back({{{node, dof, 1.0}}, rest, stiffness});
+  }
+  void hold_across(const SpatialNode& n, Dof dof, double stiffness, Lateral rest = {}) {
+    hold(n.y_plane, dof, stiffness, rest.y);
+    hold(n.z_plane, dof, stiffness, rest.z);
+  }
+
+  void add_housing() {
+    const SpatialNode& n = s_.nut[static_cast<std::size_t>(s_.thrust)];
+    hold(n.y_plane, Dof::u, f_.housing.axial, 0.0);
+    hold_across(n, Dof::v, f_.housing.lateral);
+    hold_across(n, Dof::theta, f_.housing.tilt);
+  }
+
+  void add_bearings() {
+    const Lateral slope = rigid_slope(f_);
+    for (const Bearing& b : f_.bearings) {
+      s_.bearing_nodes.push_back(nearest(s_.screw, b.position));
+      const SpatialNode& n = s_.screw[static_cast<std::size_t>(s_.bearing_nodes.back())];
+      const Lateral moved = rigid_offset(f_, b.position);
+      hold_across(n, Dof::v, b.lateral, {b.offset.y - moved.y, b.offset.z - moved.z});
+      hold_across(n, Dof::theta, b.tilt, {b.angle.z - slope.y, -b.angle.y - slope.z});
+    }
+  }
+
+  void add_loads() {
+    const double force = f_.sense() * f_.axial_force;
+    const SpatialNode& end = s_.screw[static_cast<std::size_t>(s_.loaded)];
+    s_.loads.push_back({end.y_plane, Dof::u, force});
+    s_.loads.push_back({end.y_plane, Dof::theta, -force * f_.load.eccentricity.y});
+    s_.loads.push_back({end.z_plane, Dof::theta, -force * f_.load.eccentricity.z});
+    const SpatialLoad::Across& side = f_.load.side_force;
+    const SpatialLoad::Across& moment = f_.load.moment;
+    const SpatialNode& at_side = at(s_.screw, side.at.value_or(f_.loaded_section));
+    s_.loads.push_back({at_side.y_plane, Dof::v, side.value.y});
+    s_.loads.push_back({at_side.z_plane, Dof::v, side.value.z});
+    const SpatialNode& at_moment = at(s_.screw, moment.at.value_or(f_.loaded_section));
+    s_.loads.push_back({at_moment.y_plane, Dof::theta, moment.value.z});
+    s_.loads.push_back({at_moment.z_plane, Dof::theta, -moment.value.y});
+  }
+
+  const FullModel& f_;
+  double same_;
+  FullStructure s_;
+};
+
+}  // namespace
+
+Lateral rigid_slope(const FullModel& f) { return {f.load.nut_tilt.z, -f.load.nut_tilt.y}; }
+
+Lateral rigid_offset(const FullModel& f, double x) {
+  const Lateral slope = rigid_slope(f);
+  return {f.load.nut_offset.y + slope.y * (x - f.thrust),
+          f.load.nut_offset.z + slope.z * (x - f.thrust)};
+}
+
+FullStructure full_structure(const FullModel& model) { return Builder(model).build(); }
+
+}  // namespace prs

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "fe/model.h"
+#include "prs/sector/full/full_model.h"
+
+namespace prs {
+
+/// A node of screw or nut at x: (u, y, y') and (-, z, z') as two plane nodes.
+struct SpatialNode {
+  double x = 0.0;
+  int y_plane = 0;
+  int z_plane = 0;
+};
+
+/// The full mechanism as a structure of beams, springs and constraints. Displacements are counted
+/// from the rigid motion that takes the whole mechanism with the seat of the nut.
+struct FullStructure {
+  struct Roller {
+    std::vector<int> nodes;           ///< Along x.
+    std::vector<double> x;            ///< Theirs [m].
+    std::vector<int> contacts;        ///< Node of each thread.
+    std::array<std::vector<int>, 2> guided;  ///< Nodes that the near and the far ring guide.
+    int first_spring = 0;  ///< Of the screw's contacts; those at the nut follow.
+
+    int spring(Interface i, std::size_t thread) const {
+      return first_spring + static_cast<int>(thread + (i == Interface::screw ? 0 : contacts.size()));
+    }
+  };
+  /// A constraint or an elastic link by which a ring guides a roller.
+  struct Guide {
+    std::size_t roller = 0;  ///< Of FullModel::present.
+    std::size_t ring = 0;    ///< 0 near, 1 far.
+    int constraint = -1;
+    int link = -1;
+  };
+
+  fe::Model model;
+  std::vector<SpatialNode> screw, nut;
+  std::vector<Roller> rollers;                ///< Of FullModel::present.
+  std::vector<Guide> guides;
+  std::array<int, 2> rings{-1, -1};           ///< (-, y, z as u and v) of floating rings.
+  std::array<const SpatialNode*, 2> seats{};  ///< Of the rings on screw or nut; null: housing.
+  std::vector<int> bearing_nodes;             ///< In `screw`.
+  int loaded = 0;                             ///< In `screw`.
+  int thrust = 0;                             ///< In `nut`.
+  std::vector<fe::NodalLoad> loads;
+
+  FullStructure() = default;
+  FullStructure(FullStructure&&) = default;
+  FullStructure& operator=(FullStructure&&) = default;
+};
+
+/// Displacement at x of the rigid motion that is taken out, across the axis [m].
+Lateral rigid_offset(const FullModel& model, double x);
+/// Its slopes y' and z' [rad].
+Lateral rigid_slope(const FullModel& model);
+
+FullStructure full_structure(const FullModel& model);
+
+}  // namespace prs

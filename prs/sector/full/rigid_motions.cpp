@@ -1,0 +1,137 @@
+#include "prs/sector/full/rigid_motions.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace prs {
+namespace {
+
+using fe::Dof;
+
+constexpr double kNoResistance = 1e-9;
+
+/// Rigid motions of screw, rollers and floating rings as displacements of every freedom.
+class Motions {
+ public:
+  Motions(const FullModel& f, const FullStructure& s)
+      : arm_(f.sector.roller_radius),
+        middle_(0.5 * (f.roller_ends.first + f.roller_ends.last)),
+        rows_(static_cast<std::size_t>(s.model.nodes) * fe::kDofsPerNode) {
+    const int screw = add_part("screw", 5);
+    for (const SpatialNode& n : s.screw) {
+      move(n.y_plane, n.x, screw, screw + 1, screw + 2);
+      move(n.z_plane, n.x, -1, screw + 3, screw + 4);
+    }
+    for (std::size_t r = 0; r < s.rollers.size(); ++r) {
+      const int first = add_part(fmt::format("roller {}", f.present[r].number + 1), 3);
+      for (std::size_t k = 0; k < s.rollers[r].nodes.size(); ++k)
+        move(s.rollers[r].nodes[k], s.rollers[r].x[k], first, first + 1, first + 2);
+    }
+    for (const int ring : s.rings)
+      if (ring >= 0) {
+        const int first = add_part("ring", 2);
+        at(ring, Dof::u).push_back({first, 1.0});
+        at(ring, Dof::v).push_back({first + 1, 1.0});
+      }
+  }
+
+  int count() const { return count_; }
+  const std::string& part(int motion) const {
+    return *std::ranges::find_if(parts_, [&](const auto& p) { return motion < p.end; })->name;
+  }
+  /// Adds the values of a form on every motion.
+  template <class RowOf>
+  void add(const fe::LinearForm& form, RowOf row) const {
+    for (const fe::Term& t : form)
+      for (const auto& [motion, value] : at(t.node, t.dof)) row[motion] += t.coefficient * value;
+  }
+
+ private:
+  struct Part {
+    std::shared_ptr<std::string> name;
+    int end;
+  };
+  using Row = std::vector<std::pair<int, double>>;
+
+  int add_part(std::string name, int motions) {
+    const int first = count_;
+    count_ += motions;
+    parts_.push_back({std::make_shared<std::string>(std::move(name)), count_});
+    return first;
+  }
+  void move(int node, double x, int along, int across, int turn) {
+    if (along >= 0) at(node, Dof::u).push_back({along, 1.0});
+    at(node, Dof::v).push_back({across, 1.0});
+    at(node, Dof::v).push_back({turn, (x - middle_) / arm_});
+    at(node, Dof::theta).push_back({turn, 1.0 / arm_});
+  }
+  Row& at(int node, Dof dof) {
+    return rows_[static_cast<std::size_t>(fe::kDofsPerNode * node + static_cast<int>(dof))];
+  }
+  const Row& at(int node, Dof dof) const { return const_cast<Motions*>(this)->at(node, dof); }
+
+  double arm_, middle_;
+  int count_ = 0;
+  std::vector<Part> parts_;
+  std::vector<Row> rows_;
+};
+
+/// Rows of what pushes and pulls: constraints, supports and springs.
+std::vector<fe::LinearForm> bilateral(const fe::Model& model) {
+  std::vector<fe::LinearForm> forms;
+  for (const fe::Constraint& c : model.constraints) {
+    forms.push_back(c.form);
+    forms.back().push_back({c.node, c.dof, -1.0});
+  }
+  for (const fe::ElasticLink& e : model.elastic_links) forms.push_back(e.form);
+  for (const fe::ElasticSupport& e : model.elastic_supports)
+    forms.push_back({{e.node, e.dof, 1.0}});
+  for (const fe::FixedSupport& e : model.fixed_supports) forms.push_back({{e.node, e.dof, 1.0}});
+  return forms;
+}
+
+Eigen::MatrixXd rows_over(const Motions& motions, const std::vector<fe::LinearForm>& forms) {
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(forms.size()),
+                                               static_cast<Eigen::Index>(motions.count()));
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    motions.add(forms[i], rows.row(static_cast<Eigen::Index>(i)));
+  return rows;
+}
+
+}  // namespace
+
+FreeMotions free_motions(const FullModel& f, const FullStructure& s,
+                         const std::vector<bool>& closed) {
+  const Motions motions(f, s);
+  std::vector<fe::LinearForm> forms = bilateral(s.model);
+  for (std::size_t k = 0; k < s.model.form_springs.size(); ++k)
+    if (closed.empty() || closed[k]) forms.push_back(s.model.form_springs[k].approach);
+  Eigen::MatrixXd rows = rows_over(motions, forms);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    if (const double norm = rows.row(i).norm(); norm > 0.0) rows.row(i) /= norm;
+
+  const Eigen::MatrixXd r = Eigen::HouseholderQR<Eigen::MatrixXd>(rows)
+                                .matrixQR()
+                                .topRows(std::min(rows.rows(), rows.cols()))
+                                .triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(r, Eigen::ComputeFullV);
+  const Eigen::VectorXd& sizes = svd.singularValues();
+  FreeMotions free;
+  for (Eigen::Index m = 0; m < svd.matrixV().cols(); ++m) {
+    if (m < sizes.size() && sizes[m] > kNoResistance * sizes[0]) continue;
+    ++free.count;
+    const Eigen::VectorXd motion = svd.matrixV().col(m);
+    for (int part = 0; part < motions.count(); ++part)
+      if (std::abs(motion[part]) > 1e-6 && std::ranges::find(free.parts, motions.part(part)) ==
+                                               free.parts.end())
+        free.parts.push_back(motions.part(part));
+  }
+  return free;
+}
+
+}  // namespace prs
