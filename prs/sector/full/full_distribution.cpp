@@ -236,6 +236,16 @@ void add_compliance(const FullModel& f, FullDistribution& d) {
   d.tangent_stiffness = 1.0 / d.screw_end.compliance(0, 0);
 }
 
+std::string why_not_held(const FullModel& f, const FullStructure& s) {
+  std::string text = fmt::format(
+      "no equilibrium: flanks that only push cannot hold this load ({:.3f} of the axial force is left "
+      "over); add `structure.screw.bearings`",
+      load_left(f, s));
+  if (const std::optional<double> force = holding_force(f))
+    text += fmt::format(", or raise the axial force to {:.4g} kN", *force * 1e-3);
+  return text;
+}
+
 }  // namespace
 
 FullDistribution solve(const FullModel& f) {
@@ -253,11 +263,13 @@ FullDistribution solve(const FullModel& f) {
   fe::NewtonSolver solver(equations);
   fe::State q;
   const Eigen::VectorXd load = equations.load_vector(s.loads);
-  if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q)) {
+  const bool started = solver.start(load, for_each_spring(f, equal_share_secant(f)), q);
+  if (!started) {
     d.solve.status = fe::NewtonStatus::not_positive_definite;
     return d;
   }
   d.solve = solver.solve(load, newton_options(f), q);
+  if (d.solve.status == fe::NewtonStatus::no_equilibrium) d.reason = why_not_held(f, s);
   if (!d.solve.converged()) return d;
   Solution(f, s, equations, q).read(d);
   add_compliance(f, d);

@@ -103,7 +103,78 @@ Eigen::MatrixXd rows_over(const Motions& motions, const std::vector<fe::LinearFo
   return rows;
 }
 
+/// x >= 0 that minimises |A x - b| (Lawson and Hanson, Solving Least Squares Problems, 1974,
+/// chapter 23); returns what is left of b.
+Eigen::VectorXd left_by_pushing(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+  const double small = 1e-12 * b.norm();
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(a.cols());
+  std::vector<Eigen::Index> pushing;
+  const auto solved = [&] {
+    Eigen::MatrixXd columns(a.rows(), static_cast<Eigen::Index>(pushing.size()));
+    for (std::size_t k = 0; k < pushing.size(); ++k)
+      columns.col(static_cast<Eigen::Index>(k)) = a.col(pushing[k]);
+    return Eigen::VectorXd(columns.colPivHouseholderQr().solve(b));
+  };
+  for (Eigen::Index step = 0; step < 3 * a.cols(); ++step) {
+    const Eigen::VectorXd left = b - a * x;
+    Eigen::VectorXd gain = a.transpose() * left;
+    for (const Eigen::Index k : pushing) gain[k] = 0.0;
+    Eigen::Index best = 0;
+    if (left.norm() <= small || gain.maxCoeff(&best) <= 1e-10 * b.norm()) return left;
+    pushing.push_back(best);
+    for (Eigen::VectorXd wanted = solved(); ; wanted = solved()) {
+      double length = 1.0;
+      for (std::size_t k = 0; k < pushing.size(); ++k)
+        if (const double to = wanted[static_cast<Eigen::Index>(k)]; to <= 0.0)
+          length = std::min(length, x[pushing[k]] / std::max(x[pushing[k]] - to, 1e-300));
+      for (std::size_t k = 0; k < pushing.size(); ++k)
+        x[pushing[k]] += length * (wanted[static_cast<Eigen::Index>(k)] - x[pushing[k]]);
+      if (length == 1.0) break;
+      std::erase_if(pushing, [&](Eigen::Index k) {
+        if (x[k] > 1e-14 * x.maxCoeff()) return false;
+        x[k] = 0.0;
+        return true;
+      });
+      if (pushing.empty()) break;
+    }
+  }
+  return b - a * x;
+}
+
 }  // namespace
+
+double load_left(const FullModel& f, const FullStructure& s) {
+  const Motions motions(f, s);
+  std::vector<fe::LinearForm> contacts;
+  for (const fe::FormSpring& spring : s.model.form_springs) contacts.push_back(spring.approach);
+  Eigen::MatrixXd push = rows_over(motions, contacts).transpose();
+  fe::LinearForm load;
+  for (const fe::NodalLoad& l : s.loads) load.push_back({l.node, l.dof, l.value});
+  Eigen::VectorXd b = rows_over(motions, {load}).row(0).transpose() / f.axial_force;
+
+  // What guides and bearings take as well is of no interest: the complement of their range.
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(
+      rows_over(motions, bilateral(s.model)).transpose());
+  push.applyOnTheLeft(qr.householderQ().adjoint());
+  b.applyOnTheLeft(qr.householderQ().adjoint());
+  const Eigen::Index rest = b.size() - qr.rank();
+  return left_by_pushing(push.bottomRows(rest), b.tail(rest)).norm();
+}
+
+std::optional<double> holding_force(const FullModel& model) {
+  FullModel f = model;
+  const auto holds = [&](double force) {
+    f.axial_force = force;
+    return load_left(f, full_structure(f)) < 1e-9;
+  };
+  double below = model.axial_force, above = 1e3 * model.axial_force;
+  if (!holds(above)) return std::nullopt;
+  while (above > 1.01 * below) {
+    const double middle = std::sqrt(below * above);
+    (holds(middle) ? above : below) = middle;
+  }
+  return above;
+}
 
 FreeMotions free_motions(const FullModel& f, const FullStructure& s,
                          const std::vector<bool>& closed) {

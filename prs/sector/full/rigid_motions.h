@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,13 @@ struct FreeMotions {
 FreeMotions free_motions(const FullModel& model, const FullStructure& structure,
                          const std::vector<bool>& closed = {});
 
-/// What is left of a load that no pushing contacts hold: the loads on the rigid parts less what
-/// contacts, which only push, and constraints, which do both, can take, by least squares. Forces
-/// in N, moments about the loaded section in N m over the centre distance.
-struct LoadLeft {
-  double share = 0.0;                    ///< Of the axial force.
-  std::optional<double> axial_force;     ///< With which the rest of the load could be held [N].
-};
-// LoadLeft load_left(const FullModel& model, const FullStructure& structure);
+/// What no forces of contacts, which only push, and of guides, bearings and springs, which do both,
+/// can take of the loads on the rigid parts: the smallest by least squares, moments over r_R, as a
+/// share of the axial force. 0 where an equilibrium exists (Farkas).
+double load_left(const FullModel& model, const FullStructure& structure);
+
+/// The axial force from which on the rest of the load is held [N], up to a thousand times the given
+/// one; absent where none holds it.
+std::optional<double> holding_force(const FullModel& model);
 
 }  // namespace prs
