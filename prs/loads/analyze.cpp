@@ -3,6 +3,7 @@
 #include <map>
 
 #include "prs/loads/distribution_solver.h"
+#include "prs/loads/full_result.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/model/case_error.h"
 #include "prs/model/check_case.h"
@@ -71,6 +72,11 @@ Result analyze(const Conditions& c, Contacts contacts, AnalysisOptions options) 
   for (const LoadCase& load_case : c.load_cases) {
     if (load_case.share == LoadCase::Share::equal) {
       add(result, equal_share_result(load_case, result.contacts, laws), options.detail);
+      continue;
+    }
+    if (c.model.mechanism == ModelOptions::Mechanism::full) {
+      add(result, full_result(load_case, c, result.contacts, laws, options.detail),
+          options.detail);
       continue;
     }
     LoadDistribution loads =

@@ -65,14 +65,24 @@ void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& c
                     v.by * 1e3, contact::name(v.end), v.of_roller ? "roller" : name(i)));
 }
 
+/// Of missing rollers.
+std::ptrdiff_t missing_contacts(const InterfaceLoads& loads) {
+  return loads.rollers ? static_cast<std::ptrdiff_t>(loads.rollers->missing) *
+                             loads.threads_per_roller
+                       : 0;
+}
+
 std::vector<std::string> thread_warnings(const PerInterface<InterfaceLoads>& threads,
                                          const Contacts& contacts) {
   std::vector<std::string> warnings;
   for (const Interface i : kInterfaces) {
-    const auto open = std::count(threads[i].normal_load.begin(), threads[i].normal_load.end(), 0.0);
+    const auto contacts_of = static_cast<std::ptrdiff_t>(threads[i].normal_load.size());
+    const std::ptrdiff_t missing = missing_contacts(threads[i]);
+    const auto open =
+        std::count(threads[i].normal_load.begin(), threads[i].normal_load.end(), 0.0) - missing;
     if (open > 0)
-      warnings.push_back(fmt::format("{} of {} {} contacts are open", open,
-                                     threads[i].normal_load.size(), label(i)));
+      warnings.push_back(fmt::format("{} of {} {} contacts are open", open, contacts_of - missing,
+                                     label(i)));
     const auto& pressure = threads[i].peak_pressure;
     const auto highest = std::max_element(pressure.begin(), pressure.end());
     if (highest != pressure.end() && *highest > kStaticPressureLimit)
@@ -140,7 +150,7 @@ LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& con
 }
 
 void add_warnings(LoadCaseResult& result, const Contacts& contacts) {
-  if (!result.converged())
+  if (!result.converged() && result.warnings.empty())
     result.warnings.push_back(fmt::format("not converged: {}, relative residual {:.1e}",
                                           fe::name(result.solve->status),
                                           result.solve->relative_residual));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,9 +14,24 @@
 
 namespace prs {
 
+/// How an interface of the full mechanism spreads its load over the rollers.
+struct RollerShares {
+  std::vector<double> share;  ///< Of the axial load, one per roller; missing ones 0.
+  double largest_normal_load = 0.0;  ///< [N]
+  int largest_roller = 0;            ///< Of the largest load, from 1.
+  int largest_thread = 0;
+  double overload_factor = 0.0;  ///< Largest load over that of the same screw loaded symmetrically.
+  int unloaded_threads = 0;      ///< Of the rollers present.
+  int missing = 0;               ///< Rollers that are not there.
+};
+
+struct FullLoads;
+
 /// Per-thread results of one interface of one roller; thread 1, next to the loaded end of the
-/// screw, stands first. SI units.
+/// screw, stands first. Of a full mechanism roller after roller. SI units.
 struct InterfaceLoads {
+  int threads_per_roller = 0;  ///< Of a full mechanism; 0: one roller stands for all.
+  std::optional<RollerShares> rollers;
   std::optional<double> hertz_constant;  ///< As used in the solve [N/m^1.5].
   double normal_angle = 0.0;             ///< As used in the solve [rad].
   std::vector<double> axial_load;        ///< [N]
@@ -38,6 +54,7 @@ struct LoadCaseResult {
   std::optional<double> axial_stiffness;                ///< Secant, force / displacement [N/m].
   std::optional<double> tangent_stiffness;              ///< dF/du at the load [N/m].
   std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
+  std::shared_ptr<const FullLoads> full;  ///< Of the full mechanism, see full_result.h.
   std::optional<SlipResult> slip;  ///< Where it was asked for and the loads are known.
   std::vector<std::string> warnings;
 

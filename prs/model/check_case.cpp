@@ -15,6 +15,7 @@ std::vector<Problem> check_case(const Case& c) {
   check_load_cases(c, problems);
   check_thickness(c, problems);
   check_deviations(c, problems);
+  check_full_mechanism(c, problems);
   if (c.preload) check_preload(c, problems);
   if (c.life) check_life(c, problems);
   if (c.lubricant) check_lubricant(*c.lubricant, problems);

@@ -24,6 +24,8 @@ struct SpatialLoad {
   struct Across {
     Lateral value;
     std::optional<double> at;  ///< x, on the nut's axis [m].
+
+    bool operator==(const Across&) const = default;
   };
   /// A turn of the carrier by one spacing of the rollers.
   struct Orbit {

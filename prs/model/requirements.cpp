@@ -35,6 +35,9 @@ std::vector<Problem> missing(const Case& c, Command command) {
   const bool loads = command == Command::solve || command == Command::slip ||
                      (command == Command::measures && !c.load_cases.empty());
   if (loads) require_load_cases(c, command, problems);
+  if (command == Command::slip || command == Command::preload || command == Command::life ||
+      command == Command::measures)
+    require_sector(c, name(command), problems);
   if (command == Command::slip) require_slip(c, problems);
   if (command == Command::preload) require_preload(c, problems);
   if (command == Command::life) require_life(c, problems);

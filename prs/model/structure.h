@@ -24,6 +24,8 @@ struct Rings {
   enum class Carrier { housing, nut, screw };
   std::optional<Carrier> carrier;  ///< By default the part on which the rollers stay in place.
   double stiffness = kRigid;       ///< Of a ring against its carrier [N/m]; below `kRigid` it floats.
+
+  bool operator==(const Rings&) const = default;
 };
 
 /// Support of the screw of a full mechanism.
@@ -40,6 +42,8 @@ struct Housing {
   double axial = kRigid;    ///< [N/m]
   double lateral = kRigid;  ///< [N/m]
   double tilt = kRigid;     ///< [N m/rad]
+
+  bool operator==(const Housing&) const = default;
 };
 
 /// The parts between and around the threads (one sector of Abevi 2015). Axial positions on the nut

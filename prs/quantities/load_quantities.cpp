@@ -1,3 +1,4 @@
+#include "prs/loads/full_result.h"
 #include "prs/quantities/measure_quantities.h"
 #include "prs/quantities/quantities.h"
 #include "prs/quantities/record_table.h"
@@ -29,6 +30,7 @@ constexpr Quantity<InterfaceLoads> kInterfaceLoads[] = {
     {"max_shear_depth_mm", of<&InterfaceLoads::max_shear_depth>,
      "where the largest shear stress acts, for the depth of hardening", source::kHertz, "", "", "",
      Reach::complete},
+    {"", of<&InterfaceLoads::rollers>},
 };
 
 using fe::NewtonIteration;
@@ -75,6 +77,7 @@ constexpr Quantity<LoadCaseResult> kLoadCase[] = {
      "derivative of the force by the displacement"},
     {"screw", of_loads<Interface::screw>, "threads of one roller at the screw"},
     {"nut", of_loads<Interface::nut>, "threads of one roller at the nut"},
+    {"", of<[](const LoadCaseResult& r) { return r.full.get(); }>},
     {"slip", of<&LoadCaseResult::slip>, "of `prs slip`"},
     {"warnings", of<&LoadCaseResult::warnings>, "what is unusual about this load"},
     {"newton_history",

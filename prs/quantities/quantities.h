@@ -15,6 +15,10 @@ namespace prs {
 template <>
 Record<InterfaceLoads> record_of();
 template <>
+Record<RollerShares> record_of();
+template <>
+Record<FullLoads> record_of();
+template <>
 Record<fe::NewtonIteration> record_of();
 template <>
 Record<LoadCaseResult> record_of();

@@ -61,9 +61,28 @@ inline nlohmann::ordered_json array_of(const auto& si, const ShownUnit& unit) {
   return array;
 }
 
+/// Length of the rows in which the owner's series stand; 0: in one.
+template <class Owner>
+std::size_t row_length(const Owner& owner) {
+  if constexpr (requires { owner.threads_per_roller; })
+    return static_cast<std::size_t>(owner.threads_per_roller);
+  else
+    return 0;
+}
+
+inline nlohmann::ordered_json arrays_of(std::span<const double> si, std::size_t row,
+                                        const ShownUnit& unit) {
+  if (row == 0) return array_of(si, unit);
+  auto rows = nlohmann::ordered_json::array();
+  for (std::size_t first = 0; first < si.size(); first += row)
+    rows.push_back(array_of(si.subspan(first, row), unit));
+  return rows;
+}
+
 template <class T>
 nlohmann::ordered_json json_of(const T& value, const ShownUnit& unit) {
-  if constexpr (std::is_integral_v<T> || std::is_same_v<T, std::vector<std::string>>) {
+  if constexpr (std::is_integral_v<T> || std::is_same_v<T, std::vector<std::string>> ||
+                std::is_same_v<T, std::vector<int>>) {
     return value;
   } else if constexpr (std::is_enum_v<T>) {
     return std::string(name(value));
@@ -197,9 +216,9 @@ nlohmann::ordered_json object_of(const Owner& owner, const ShownUnit& inherited)
       if (const auto value = shown_number(q, owner, inherited)) object[q.key] = *value;
     } else if (q.value.series) {
       if (const auto series = q.value.series(owner); !series.empty())
-        object[q.key] = detail::array_of(series, q.shown_in(inherited));
+        object[q.key] = detail::arrays_of(series, detail::row_length(owner), q.shown_in(inherited));
     } else if (nlohmann::ordered_json json = q.value.json(owner, q.shown_in(inherited));
-               q.key.empty()) {
+               q.key.empty() && !json.is_null()) {
       object.update(json);
     } else if (!json.is_null()) {
       object[q.key] = std::move(json);

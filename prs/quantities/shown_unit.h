@@ -30,6 +30,7 @@ inline constexpr ShownUnit kShownUnits[] = {
     {"_revolutions", "revolutions", 1.0},
     {"_percent", "%", 100.0},
     {"_hours", "h", 1.0},
+    {"_mrad", "mrad", 1e3},
     {"_mPas", "mPa s", 1e3},
     {"_Nmm", "N mm", 1e3},
     {"_Nm", "N m", 1.0},

@@ -326,7 +326,8 @@ struct DesignEngine::Parts {
       bool done = false;
       DesignStatus status = status_after([&]() -> DesignStatus {
         const Case& c = read(worker.reader, row);
-        if (c.model.bodies == Bodies::bars) {
+        if (c.model.bodies == Bodies::bars &&
+            c.model.mechanism == ModelOptions::Mechanism::sector) {
           design.contacts = checked_contacts(c, Detail::numbers);
           return prepare(c, design, designs.size(), sectors, bars, forces);
         }

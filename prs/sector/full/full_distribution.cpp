@@ -112,6 +112,8 @@ class Solution {
           const double force = equations_.response(q_, spring).force;
           d.normal_load[i][number][k] = force;
           d.approach[i][number][k] = equations_.law_approach(q_, spring);
+          d.largest_opening[i] =
+              std::max(d.largest_opening[i], -equations_.net_approach(q_, spring));
           if (i == Interface::screw) carried += force * f_.sector.cosine[i];
         }
       if (carried <= kUnloaded * share) d.idle_rollers.push_back(f_.present[r].number);
@@ -248,7 +250,7 @@ std::string why_not_held(const FullModel& f, const FullStructure& s) {
 
 }  // namespace
 
-FullDistribution solve(const FullModel& f) {
+FullDistribution solve(const FullModel& f, Detail detail) {
   const FullStructure s = full_structure(f);
   FullDistribution d;
   if (const FreeMotions free = free_motions(f, s); free.count > 0) {
@@ -272,7 +274,7 @@ FullDistribution solve(const FullModel& f) {
   if (d.solve.status == fe::NewtonStatus::no_equilibrium) d.reason = why_not_held(f, s);
   if (!d.solve.converged()) return d;
   Solution(f, s, equations, q).read(d);
-  add_compliance(f, d);
+  if (detail == Detail::complete) add_compliance(f, d);
   return d;
 }
 

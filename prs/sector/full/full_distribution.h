@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fe/newton.h"
+#include "prs/model/detail.h"
 #include "prs/sector/full/full_model.h"
 
 namespace prs {
@@ -49,6 +50,7 @@ struct FullDistribution {
   double axial_displacement = 0.0;          ///< Of the loaded section, > 0 along the load [m].
   std::optional<double> tangent_stiffness;  ///< 1/C_xx [N/m]
   ScrewEnd screw_end;
+  PerInterface<double> largest_opening;  ///< Of a contact that is open, along its normal [m].
   std::vector<int> idle_rollers;  ///< Numbers from 0 of those that carry no load.
   SupportForce nut;
   std::array<RingForce, 2> rings;  ///< Near and far.
@@ -57,8 +59,9 @@ struct FullDistribution {
 
 /// Equilibrium by Newton's method from the state of linear contacts with the secant stiffness of
 /// equal shares. Two outcomes are none of the solver's: `mechanism`, a motion that nothing resists,
-/// and `no_equilibrium`, a load that flanks that only push cannot hold.
-FullDistribution solve(const FullModel& model);
+/// and `no_equilibrium`, a load that flanks that only push cannot hold. The stiffness of the screw's
+/// end belongs to Detail::complete.
+FullDistribution solve(const FullModel& model, Detail detail = Detail::complete);
 
 /// By one sector.
 SymmetricLoads symmetric_loads(const FullModel& model);

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "prs/loads/result.h"
+#include "prs/model/case.h"
+#include "prs/sector/full/orbit.h"
+
+namespace prs {
+
+/// What a load case of the full mechanism has beside the loads of its threads.
+struct FullLoads {
+  int freedoms = 0;
+  int rollers = 0;             ///< Missing ones included.
+  double carrier_angle = 0.0;  ///< [rad]
+  std::vector<int> idle_rollers;  ///< From 1.
+  ScrewEnd screw_end;
+  SupportForce nut;
+  std::array<RingForce, 2> rings;
+  std::vector<SupportForce> bearings;
+  SymmetricLoads symmetric;
+  double symmetric_stiffness = 0.0;  ///< Force over displacement [N/m].
+  std::optional<Orbit> orbit;
+};
+
+/// The answer to a load case on all rollers.
+LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
+                           const PerInterface<ContactLaw>& laws, Detail detail);
+
+}  // namespace prs

@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "prs/model/block_checks.h"
+#include "prs/model/quantity_text.h"
+
+namespace prs {
+namespace {
+
+/// Keys that a sector does not know, and whether the case has them.
+void refuse_in_sector(const Case& c, Problems& problems) {
+  const Deviations& d = c.deviations;
+  std::vector<std::pair<std::string, bool>> keys = {
+      {"model.contact_phase", c.model.contact_phase != ModelOptions::ContactPhase::equal},
+      {"model.shear", c.model.shear},
+      {"deviations.roller_diameter", !d.roller_diameters.empty()},
+      {"deviations.roller_position",
+       !d.roller_position.near.empty() || !d.roller_position.far.empty()},
+      {"deviations.missing_rollers", !d.missing_rollers.empty()},
+      {"deviations.index_error", !d.index_error.screw.empty() || !d.index_error.nut.empty()},
+      {"deviations.thread_eccentricity", d.thread_eccentricity != PerInterface<Lateral>{}},
+      {"deviations.pitch_error.roller.list", !d.pitch_error.roller.lists.empty()}};
+  if (c.structure) {
+    const Structure& s = *c.structure;
+    keys.insert(keys.end(), {{"structure.screw.far_length", s.screw.far_length != 0.0},
+                             {"structure.screw.bearings", !s.screw.bearings.empty()},
+                             {"structure.roller.rings", s.roller.rings != Rings{}},
+                             {"structure.nut.housing", s.nut.housing != Housing{}}});
+  }
+  const SpatialLoad nothing;
+  for (const LoadCase& load : c.load_cases) {
+    const SpatialLoad& s = load.spatial;
+    const auto at = [&](const char* key) { return fmt::format("{}.{}", load.input_path, key); };
+    keys.insert(keys.end(),
+                {{at("carrier_angle"), s.carrier_angle != 0.0},
+                 {at("eccentricity"), s.eccentricity != nothing.eccentricity},
+                 {at("side_force"), s.side_force != nothing.side_force},
+                 {at("moment"), s.moment != nothing.moment},
+                 {at("misalignment"), s.nut_tilt != nothing.nut_tilt ||
+                                          s.nut_offset != nothing.nut_offset},
+                 {at("orbit"), s.orbit.has_value()}});
+  }
+  for (auto& [path, stands] : keys)
+    if (stands)
+      problems.add(std::move(path),
+                   "stands with `mechanism: sector`, which has one roller and no side loads; "
+                   "expected no such key there; delete it, or write `model: {mechanism: full}`");
+}
+
+void check_list(std::string path, std::size_t size, int wanted, std::string_view of,
+                Problems& problems) {
+  if (size != 0 && size != static_cast<std::size_t>(wanted))
+    problems.add(std::move(path), fmt::format("got {} values; expected {}, one for each {}", size,
+                                              wanted, of));
+}
+
+void check_lists(const Case& c, Problems& problems) {
+  const Deviations& d = c.deviations;
+  const Mechanism& m = c.mechanism;
+  check_list("deviations.roller_diameter", d.roller_diameters.size(), m.rollers, "roller",
+             problems);
+  check_list("deviations.roller_position", d.roller_position.near.size(), m.rollers, "roller",
+             problems);
+  check_list("deviations.roller_position", d.roller_position.far.size(), m.rollers, "roller",
+             problems);
+  check_list("deviations.pitch_error.roller.list", d.pitch_error.roller.lists.size(), m.rollers,
+             "roller", problems);
+  for (const std::vector<double>& list : d.pitch_error.roller.lists) {
+    check_list("deviations.pitch_error.roller.list", list.size(), m.contacts_per_roller,
+               "contact of a roller", problems);
+    for (const double value : list)
+      check_offset("deviations.pitch_error.roller.list", value, m, problems);
+  }
+  for (const Part part : {Part::screw, Part::nut})
+    if (!d.pitch_error[part].lists.empty())
+      problems.add(fmt::format("deviations.pitch_error.{}.list", name(part)),
+                   "got a list of lists; expected one list, as the part has one thread for all "
+                   "rollers");
+  for (const Interface i : kInterfaces)
+    check_list(fmt::format("deviations.index_error.{}", name(i)), d.index_error[i].size(),
+               m.starts.screw, "start", problems);
+  for (const auto* list : {&d.roller_diameters, &d.roller_position.near, &d.roller_position.far,
+                           &d.index_error.screw, &d.index_error.nut}) {
+    const char* path = list == &d.roller_diameters         ? "deviations.roller_diameter"
+                       : list == &d.index_error.screw      ? "deviations.index_error.screw"
+                       : list == &d.index_error.nut        ? "deviations.index_error.nut"
+                                                           : "deviations.roller_position";
+    for (const double value : *list) check_offset(path, value, m, problems);
+  }
+}
+
+void check_missing_rollers(const Case& c, Problems& problems) {
+  std::vector<int> missing = c.deviations.missing_rollers;
+  const int rollers = c.mechanism.rollers;
+  std::ranges::sort(missing);
+  const auto wrong =
+      std::ranges::find_if(missing, [&](int k) { return k < 1 || k > rollers; });
+  if (wrong != missing.end())
+    problems.add("deviations.missing_rollers",
+                 fmt::format("got {}; expected numbers from 1 to {}", *wrong, rollers));
+  else if (const auto twice = std::ranges::adjacent_find(missing); twice != missing.end())
+    problems.add("deviations.missing_rollers",
+                 fmt::format("got {} twice; expected each number once; delete one", *twice));
+  else if (static_cast<int>(missing.size()) == rollers && rollers > 0)
+    problems.add("deviations.missing_rollers",
+                 fmt::format("got all {} rollers; expected one that is left", rollers));
+}
+
+/// Places on the screw of a load case: from the loaded section to the far end.
+void check_places(const Case& c, Problems& problems) {
+  const Structure& s = *c.structure;
+  for (const LoadCase& load : c.load_cases) {
+    if (!load.position) continue;
+    const double first = *load.position - free_length(s);
+    const double last = *load.position +
+                        (c.mechanism.contacts_per_roller - 1) * axial_pitch(c.mechanism) +
+                        s.screw.far_length;
+    const double tolerance = kSamePlace * s.nut.length;
+    const auto check = [&](std::string path, double x) {
+      if (x < first - tolerance || x > last + tolerance)
+        problems.add(std::move(path),
+                     fmt::format("got {}; expected a place on the screw, {} to {} in case `{}`; "
+                                 "move it, or lengthen `structure.screw.{}`",
+                                 mm(x), mm(first), mm(last), load.name,
+                                 x < first ? "free_length" : "far_length"));
+    };
+    for (std::size_t k = 0; k < s.screw.bearings.size(); ++k)
+      check(fmt::format("structure.screw.bearings[{}].position", k), s.screw.bearings[k].position);
+    if (load.spatial.side_force.at)
+      check(load.input_path + ".side_force.at", *load.spatial.side_force.at);
+    if (load.spatial.moment.at) check(load.input_path + ".moment.at", *load.spatial.moment.at);
+  }
+}
+
+}  // namespace
+
+void check_full_mechanism(const Case& c, Problems& problems) {
+  if (c.model.mechanism == ModelOptions::Mechanism::sector) return refuse_in_sector(c, problems);
+  if (c.model.bodies != ModelOptions::Bodies::bars)
+    problems.add("model.bodies",
+                 "got other bodies with `mechanism: full`, which has beams; expected `bars`; delete "
+                 "the key");
+  if (c.mechanism.rollers < 2)
+    problems.add("mechanism.rollers", fmt::format("got {}; expected at least 2 with `mechanism: "
+                                                  "full`",
+                                                  c.mechanism.rollers));
+  check_lists(c, problems);
+  check_missing_rollers(c, problems);
+  if (!c.structure) return;
+  const Rings& rings = c.structure->roller.rings;
+  if (c.model.roller == ModelOptions::Roller::rigid_bending &&
+      rings.carrier != Rings::Carrier::housing)
+    problems.add("structure.roller.rings",
+                 "got rings that move with a part and rollers that stay straight; expected `rings: "
+                 "housing` with `model.roller: rigid_bending`");
+  check_places(c, problems);
+}
+
+void require_sector(const Case& c, std::string_view command, Problems& problems) {
+  if (c.model.mechanism == ModelOptions::Mechanism::full)
+    problems.add("model.mechanism",
+                 fmt::format("got `full`, with which `{}` does not compute yet; expected `sector`; "
+                             "`solve` computes with both",
+                             command));
+}
+
+}  // namespace prs

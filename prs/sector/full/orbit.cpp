@@ -1,0 +1,90 @@
+#include "prs/sector/full/orbit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace prs {
+namespace {
+
+/// Loads that differ by less are the same load, as rounding has it.
+constexpr double kSameLoad = 1e-9;
+
+class Collector {
+ public:
+  Collector(const FullModel& f, const SpatialLoad::Orbit& wanted) : f_(f) {
+    orbit_.steps = wanted.steps;
+    orbit_.positions = wanted.steps * f.rollers;
+    orbit_.exponent = wanted.exponent;
+    for (const Interface i : kInterfaces) {
+      orbit_.loads[i].equivalent =
+          RollerThreads(static_cast<std::size_t>(f.rollers),
+                        std::vector<double>(static_cast<std::size_t>(f.threads()), 0.0));
+      orbit_.loads[i].least = std::numeric_limits<double>::infinity();
+    }
+  }
+
+  /// Roller j carries what roller j + shift does in the distribution.
+  void add(const FullDistribution& d, int shift, double carrier_angle) {
+    const double share = 1.0 / orbit_.positions;
+    for (const Interface i : kInterfaces) {
+      OrbitLoads& loads = orbit_.loads[i];
+      for (const FullModel::Roller& r : f_.present) {
+        const auto j = static_cast<std::size_t>(r.number);
+        const auto from = static_cast<std::size_t>((r.number + shift) % f_.rollers);
+        for (std::size_t k = 0; k < loads.equivalent[j].size(); ++k) {
+          const double load = d.normal_load[i][from][k];
+          loads.equivalent[j][k] += share * std::pow(load, orbit_.exponent);
+          loads.least = std::min(loads.least, load);
+          if (load <= loads.largest * (1.0 + kSameLoad)) continue;
+          loads.largest = load;
+          loads.carrier_angle = carrier_angle;
+          loads.roller = r.number + 1;
+          loads.thread = static_cast<int>(k) + 1;
+        }
+      }
+    }
+  }
+
+  Orbit finished(std::vector<double> displacement) && {
+    for (const Interface i : kInterfaces)
+      for (std::vector<double>& roller : orbit_.loads[i].equivalent)
+        for (double& load : roller) {
+          load = std::pow(load, 1.0 / orbit_.exponent);
+          orbit_.loads[i].largest_equivalent = std::max(orbit_.loads[i].largest_equivalent, load);
+        }
+    const auto [least, largest] = std::ranges::minmax(displacement);
+    orbit_.axial_error = largest - least;
+    orbit_.axial_displacement = std::move(displacement);
+    return std::move(orbit_);
+  }
+
+ private:
+  const FullModel& f_;
+  Orbit orbit_;
+};
+
+}  // namespace
+
+std::optional<Orbit> orbit(const std::function<FullModel(double)>& model,
+                           const SpatialLoad::Orbit& wanted, double carrier_angle, bool alike) {
+  const FullModel first = model(carrier_angle);
+  const int positions = wanted.steps * first.rollers;
+  const auto angle = [&](int m) {
+    return carrier_angle + 2.0 * std::numbers::pi * m / positions;
+  };
+  const int different = alike ? wanted.steps : positions;
+  std::vector<FullDistribution> solved;
+  std::vector<double> displacement;
+  for (int m = 0; m < different; ++m) {
+    solved.push_back(solve(model(angle(m)), Detail::numbers));
+    if (!solved.back().solve.converged()) return std::nullopt;
+    displacement.push_back(solved.back().axial_displacement);
+  }
+  Collector collector(first, wanted);
+  for (int m = 0; m < positions; ++m)
+    collector.add(solved[static_cast<std::size_t>(m % different)], m / different, angle(m));
+  return std::move(collector).finished(std::move(displacement));
+}
+
+}  // namespace prs
