@@ -30,13 +30,14 @@ Cholesky::~Cholesky() = default;
 Cholesky::Cholesky(Cholesky&&) noexcept = default;
 Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
-FactorizationStatus Cholesky::factorize(const SparseSymmetric& matrix) {
+FactorizationStatus Cholesky::factorize(const SparseSymmetric& matrix,
+                                        double smallest_pivot_ratio) {
   std::copy(matrix.value.begin(), matrix.value.end(), impl_->matrix.valuePtr());
   impl_->factor.factorize(impl_->matrix);
   if (impl_->factor.info() != Eigen::Success) return FactorizationStatus::not_positive_definite;
   const Eigen::VectorXd pivots = impl_->factor.vectorD();
   // False where one is no number.
-  const bool positive = (pivots.array() > kSmallestPivotRatio * pivots.maxCoeff()).all();
+  const bool positive = (pivots.array() > smallest_pivot_ratio * pivots.maxCoeff()).all();
   return positive ? FactorizationStatus::ok : FactorizationStatus::not_positive_definite;
 }
 

@@ -20,7 +20,9 @@ class Cholesky {
   Cholesky(Cholesky&&) noexcept;
   Cholesky& operator=(Cholesky&&) noexcept;
 
-  FactorizationStatus factorize(const SparseSymmetric& matrix);
+  /// Not positive definite: also where a pivot is below `smallest_pivot_ratio` times the largest.
+  FactorizationStatus factorize(const SparseSymmetric& matrix,
+                                double smallest_pivot_ratio = kSmallestPivotRatio);
 
   /// Solves A x = b with the last factorization, which must have been `ok`.
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;

@@ -83,6 +83,17 @@ SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, i
   return compress(std::move(columns));
 }
 
+/// A state in numbers with more digits, for forces of elements that are much shorter than thick.
+struct LongState {
+  const State& state;
+
+  long double operator[](int i) const {
+    return i < 0 ? 0.0L : static_cast<long double>(state.head[i]) + state.tail[i];
+  }
+  long double compensation(int) const { return 0.0L; }
+  long double difference(int i, int j) const { return (*this)[j] - (*this)[i]; }
+};
+
 }  // namespace
 
 Equations::Equations(const Model& model) {
@@ -276,14 +287,15 @@ void Equations::tangent_residual(const State& q, const State& x, const Eigen::Ve
 }
 
 std::vector<double> Equations::nodal_forces(const State& q) const {
-  std::vector<double> forces(static_cast<std::size_t>(size()) + followers_.size());
+  std::vector<long double> forces(static_cast<std::size_t>(size()) + followers_.size());
+  const LongState longer{q};
   for_each_force(
-      Displacements{*this, q, 1.0},
-      [&](int equation, double force) {
+      Displacements<LongState>{*this, longer, 1.0},
+      [&](int equation, long double force) {
         if (equation >= 0) at(forces, equation) += force;
       },
-      [](const NumberedLink&, double) {});
-  return forces;
+      [](const NumberedLink&, long double) {});
+  return {forces.begin(), forces.end()};
 }
 
 double Equations::force_change(const State& q, const Eigen::VectorXd& x) const {

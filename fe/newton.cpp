@@ -50,7 +50,10 @@ class DoubleNumbers {
       at(tangent_.value, diagonal) += change * at(linear.value, diagonal);
     }
   }
-  FactorizationStatus factorize() { return cholesky_.factorize(tangent_); }
+  FactorizationStatus factorize() {
+    return cholesky_.factorize(tangent_, smallest_pivot_ratio);
+  }
+  double smallest_pivot_ratio = kSmallestPivotRatio;
   void solve(const Vector& b, Vector& x) { cholesky_.solve(b, x); }
   bool solved(const Vector& b, const Vector& x) const {
     Vector left = b;
@@ -113,8 +116,10 @@ struct NewtonSolver::Doubles {
   Eigen::VectorXd residual, correction;
 };
 
-NewtonSolver::NewtonSolver(const Equations& equations)
-    : equations_(&equations), doubles_(std::make_unique<Doubles>(equations)) {}
+NewtonSolver::NewtonSolver(const Equations& equations, double smallest_pivot_ratio)
+    : equations_(&equations), doubles_(std::make_unique<Doubles>(equations)) {
+  doubles_->method.numbers().smallest_pivot_ratio = smallest_pivot_ratio;
+}
 NewtonSolver::~NewtonSolver() = default;
 NewtonSolver::NewtonSolver(NewtonSolver&&) noexcept = default;
 NewtonSolver& NewtonSolver::operator=(NewtonSolver&&) noexcept = default;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "fe/equations.h"
+#include "fe/factorization_status.h"
 #include "fe/newton_types.h"
 
 namespace fe {
@@ -15,7 +16,10 @@ class WideNewton;
 /// stiffness among the largest, it goes on in wider numbers (WideNewton).
 class NewtonSolver {
  public:
-  explicit NewtonSolver(const Equations& equations);
+  /// `smallest_pivot_ratio`: as Cholesky::factorize has it; 0 where the caller knows that no motion
+  /// is free.
+  explicit NewtonSolver(const Equations& equations,
+                        double smallest_pivot_ratio = kSmallestPivotRatio);
   ~NewtonSolver();
   NewtonSolver(NewtonSolver&&) noexcept;
   NewtonSolver& operator=(NewtonSolver&&) noexcept;

@@ -211,7 +211,7 @@ void add_compliance(const FullModel& f, FullDistribution& d) {
   if (free_motions(loaded, s, closed).count > 0) return;
 
   const fe::Equations equations(s.model);
-  fe::NewtonSolver solver(equations);
+  fe::NewtonSolver solver(equations, 0.0);
   const SpatialNode& end = s.screw[static_cast<std::size_t>(s.loaded)];
   const std::array<fe::NodalLoad, 5> units{{{end.y_plane, Dof::u, 1.0},
                                             {end.y_plane, Dof::v, 1.0},
@@ -262,7 +262,7 @@ FullDistribution solve(const FullModel& f, Detail detail) {
   }
   const fe::Equations equations(s.model);
   d.freedoms = equations.size();
-  fe::NewtonSolver solver(equations);
+  fe::NewtonSolver solver(equations, 0.0);
   fe::State q;
   const Eigen::VectorXd load = equations.load_vector(s.loads);
   const bool started = solver.start(load, for_each_spring(f, equal_share_secant(f)), q);
@@ -271,6 +271,7 @@ FullDistribution solve(const FullModel& f, Detail detail) {
     return d;
   }
   d.solve = solver.solve(load, newton_options(f), q);
+  d.solve.history.insert(d.solve.history.begin(), {d.solve.energy, 1.0, 1.0, 0.0});
   if (d.solve.status == fe::NewtonStatus::no_equilibrium) d.reason = why_not_held(f, s);
   if (!d.solve.converged()) return d;
   Solution(f, s, equations, q).read(d);
