@@ -22,8 +22,8 @@ class Equations {
   explicit Equations(const Model& model);
 
   int size() const { return static_cast<int>(kind_.size()); }
-  /// Number of the equation of a freedom, or -1 where it is fixed or not stiffened by anything. From
-  /// `size()` on, freedoms that follow others.
+  /// Number of the equation of a freedom, or -1 where it is fixed or not stiffened by anything.
+  /// From `size()` on, freedoms that follow others.
   int number(int node, Dof dof) const {
     return number_[static_cast<std::size_t>(kDofsPerNode * node + static_cast<int>(dof))];
   }
@@ -172,9 +172,7 @@ class Equations {
       return sum(f.terms, f.offset);
     }
     Real operator[](int i) const { return i < equations.size() ? q[i] : at(i).head; }
-    Real compensation(int i) const {
-      return i < equations.size() ? q.compensation(i) : at(i).tail;
-    }
+    Real compensation(int i) const { return i < equations.size() ? q.compensation(i) : at(i).tail; }
     Real difference(int i, int j) const {
       if (std::max(i, j) < equations.size()) return q.difference(i, j);
       const Sum a = at(i), b = at(j);

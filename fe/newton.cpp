@@ -37,9 +37,7 @@ class DoubleNumbers {
   double energy_and_residual(const State& q, const Vector& f, Vector& residual) const {
     return equations_->energy_and_residual(q, f, residual);
   }
-  void tangent(const State& q, double least) {
-    equations_->tangent_stiffness(q, tangent_, least);
-  }
+  void tangent(const State& q, double least) { equations_->tangent_stiffness(q, tangent_, least); }
   void secant(const std::vector<double>& stiffness) {
     equations_->secant_stiffness(stiffness, tangent_);
   }
@@ -50,9 +48,7 @@ class DoubleNumbers {
       at(tangent_.value, diagonal) += change * at(linear.value, diagonal);
     }
   }
-  FactorizationStatus factorize() {
-    return cholesky_.factorize(tangent_, smallest_pivot_ratio);
-  }
+  FactorizationStatus factorize() { return cholesky_.factorize(tangent_, smallest_pivot_ratio); }
   double smallest_pivot_ratio = kSmallestPivotRatio;
   void solve(const Vector& b, Vector& x) { cholesky_.solve(b, x); }
   bool solved(const Vector& b, const Vector& x) const {

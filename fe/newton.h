@@ -33,8 +33,8 @@ class NewtonSolver {
   /// included. False where the structure is singular even so.
   bool start(const Eigen::VectorXd& f, const std::vector<double>& stiffness, State& q);
 
-  /// Displacements of the loads on linear springs of the given stiffnesses in place of the contacts,
-  /// each refined to rounding. False where the structure is singular.
+  /// Displacements of the loads on linear springs of the given stiffnesses in place of the
+  /// contacts, each refined to rounding. False where the structure is singular.
   bool solve_linear(const std::vector<double>& stiffness, const std::vector<Eigen::VectorXd>& loads,
                     std::vector<Eigen::VectorXd>& displacements);
 

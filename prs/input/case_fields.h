@@ -589,7 +589,7 @@ void fields(Io& io, LoadCaseItem& l) {
       keys.field("y", load.value.y, kind, optional, "Component y");
       keys.field("z", load.value.z, kind, optional, "Component z");
       keys.field("at", load.at, Quantity{unit::length}, optional,
-               "Axial position on the screw, the loaded section by default");
+                 "Axial position on the screw, the loaded section by default");
     }};
   };
   io.field("side_force", s.side_force, across(s.side_force, Quantity{unit::force}), optional,

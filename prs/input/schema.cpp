@@ -103,8 +103,9 @@ Json default_of(const T& value, const Kind& kind) {
 
 /// Whether a kind has a default of its own; that of a map is the defaults of its keys.
 template <class Kind>
-concept Simple = std::same_as<Kind, Quantity> || std::same_as<Kind, Number> ||
-    std::same_as<Kind, Whole> || std::same_as<Kind, Held> || std::same_as<Kind, Flag> || std::same_as<Kind, Choice>;
+concept Simple =
+    std::same_as<Kind, Quantity> || std::same_as<Kind, Number> || std::same_as<Kind, Whole> ||
+    std::same_as<Kind, Held> || std::same_as<Kind, Flag> || std::same_as<Kind, Choice>;
 
 /// Visits the keys of a map.
 class Properties : public Visitor {
@@ -213,8 +214,8 @@ Json schema_of(PerEnd<T>& value, const OneOrEnds<Kind>& kind) {
 }
 template <class T>
 Json schema_of(T& value, const WordOrBlock& kind) {
-  return {{"oneOf",
-           Json::array({schema_of(selector_of(value), Choice{}), map_schema(value, kind)})}};
+  return {
+      {"oneOf", Json::array({schema_of(selector_of(value), Choice{}), map_schema(value, kind)})}};
 }
 template <class T>
 Json schema_of(T&, const ListOrRange& kind) {

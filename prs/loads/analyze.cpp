@@ -75,8 +75,7 @@ Result analyze(const Conditions& c, Contacts contacts, AnalysisOptions options) 
       continue;
     }
     if (c.model.mechanism == ModelOptions::Mechanism::full) {
-      add(result, full_result(load_case, c, result.contacts, laws, options.detail),
-          options.detail);
+      add(result, full_result(load_case, c, result.contacts, laws, options.detail), options.detail);
       continue;
     }
     LoadDistribution loads =

@@ -12,8 +12,8 @@ namespace prs {
 /// What a load case of the full mechanism has beside the loads of its threads.
 struct FullLoads {
   int freedoms = 0;
-  int rollers = 0;             ///< Missing ones included.
-  double carrier_angle = 0.0;  ///< [rad]
+  int rollers = 0;                ///< Missing ones included.
+  double carrier_angle = 0.0;     ///< [rad]
   std::vector<int> idle_rollers;  ///< From 1.
   ScrewEnd screw_end;
   SupportForce nut;

@@ -67,9 +67,9 @@ void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& c
 
 /// Of missing rollers.
 std::ptrdiff_t missing_contacts(const InterfaceLoads& loads) {
-  return loads.rollers ? static_cast<std::ptrdiff_t>(loads.rollers->missing) *
-                             loads.threads_per_roller
-                       : 0;
+  return loads.rollers
+             ? static_cast<std::ptrdiff_t>(loads.rollers->missing) * loads.threads_per_roller
+             : 0;
 }
 
 std::vector<std::string> thread_warnings(const PerInterface<InterfaceLoads>& threads,
@@ -81,8 +81,8 @@ std::vector<std::string> thread_warnings(const PerInterface<InterfaceLoads>& thr
     const auto open =
         std::count(threads[i].normal_load.begin(), threads[i].normal_load.end(), 0.0) - missing;
     if (open > 0)
-      warnings.push_back(fmt::format("{} of {} {} contacts are open", open, contacts_of - missing,
-                                     label(i)));
+      warnings.push_back(
+          fmt::format("{} of {} {} contacts are open", open, contacts_of - missing, label(i)));
     const auto& pressure = threads[i].peak_pressure;
     const auto highest = std::max_element(pressure.begin(), pressure.end());
     if (highest != pressure.end() && *highest > kStaticPressureLimit)

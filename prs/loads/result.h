@@ -16,7 +16,7 @@ namespace prs {
 
 /// How an interface of the full mechanism spreads its load over the rollers.
 struct RollerShares {
-  std::vector<double> share;  ///< Of the axial load, one per roller; missing ones 0.
+  std::vector<double> share;         ///< Of the axial load, one per roller; missing ones 0.
   double largest_normal_load = 0.0;  ///< [N]
   int largest_roller = 0;            ///< Of the largest load, from 1.
   int largest_thread = 0;
@@ -55,7 +55,7 @@ struct LoadCaseResult {
   std::optional<double> tangent_stiffness;              ///< dF/du at the load [N/m].
   std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
   std::shared_ptr<const FullLoads> full;  ///< Of the full mechanism, see full_result.h.
-  std::optional<SlipResult> slip;  ///< Where it was asked for and the loads are known.
+  std::optional<SlipResult> slip;         ///< Where it was asked for and the loads are known.
   std::vector<std::string> warnings;
 
   bool converged() const { return !solve || solve->converged(); }

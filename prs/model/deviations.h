@@ -24,7 +24,7 @@ struct PitchError {
   std::optional<PitchWave> periodic;
   std::vector<double> list;  ///< One per contact, or none [m].
   /// In place of `list` such a list for each roller of a full mechanism, or none.
-  std::vector<std::vector<double>> lists;
+  std::vector<std::vector<double>> lists = {};
 };
 
 /// Straight taper of the roller's pitch radius at both ends.

@@ -33,14 +33,13 @@ void refuse_in_sector(const Case& c, Problems& problems) {
   for (const LoadCase& load : c.load_cases) {
     const SpatialLoad& s = load.spatial;
     const auto at = [&](const char* key) { return fmt::format("{}.{}", load.input_path, key); };
-    keys.insert(keys.end(),
-                {{at("carrier_angle"), s.carrier_angle != 0.0},
-                 {at("eccentricity"), s.eccentricity != nothing.eccentricity},
-                 {at("side_force"), s.side_force != nothing.side_force},
-                 {at("moment"), s.moment != nothing.moment},
-                 {at("misalignment"), s.nut_tilt != nothing.nut_tilt ||
-                                          s.nut_offset != nothing.nut_offset},
-                 {at("orbit"), s.orbit.has_value()}});
+    keys.insert(keys.end(), {{at("carrier_angle"), s.carrier_angle != 0.0},
+                             {at("eccentricity"), s.eccentricity != nothing.eccentricity},
+                             {at("side_force"), s.side_force != nothing.side_force},
+                             {at("moment"), s.moment != nothing.moment},
+                             {at("misalignment"),
+                              s.nut_tilt != nothing.nut_tilt || s.nut_offset != nothing.nut_offset},
+                             {at("orbit"), s.orbit.has_value()}});
   }
   for (auto& [path, stands] : keys)
     if (stands)
@@ -52,8 +51,8 @@ void refuse_in_sector(const Case& c, Problems& problems) {
 void check_list(std::string path, std::size_t size, int wanted, std::string_view of,
                 Problems& problems) {
   if (size != 0 && size != static_cast<std::size_t>(wanted))
-    problems.add(std::move(path), fmt::format("got {} values; expected {}, one for each {}", size,
-                                              wanted, of));
+    problems.add(std::move(path),
+                 fmt::format("got {} values; expected {}, one for each {}", size, wanted, of));
 }
 
 void check_lists(const Case& c, Problems& problems) {
@@ -83,10 +82,10 @@ void check_lists(const Case& c, Problems& problems) {
                m.starts.screw, "start", problems);
   for (const auto* list : {&d.roller_diameters, &d.roller_position.near, &d.roller_position.far,
                            &d.index_error.screw, &d.index_error.nut}) {
-    const char* path = list == &d.roller_diameters         ? "deviations.roller_diameter"
-                       : list == &d.index_error.screw      ? "deviations.index_error.screw"
-                       : list == &d.index_error.nut        ? "deviations.index_error.nut"
-                                                           : "deviations.roller_position";
+    const char* path = list == &d.roller_diameters    ? "deviations.roller_diameter"
+                       : list == &d.index_error.screw ? "deviations.index_error.screw"
+                       : list == &d.index_error.nut   ? "deviations.index_error.nut"
+                                                      : "deviations.roller_position";
     for (const double value : *list) check_offset(path, value, m, problems);
   }
 }
@@ -95,8 +94,7 @@ void check_missing_rollers(const Case& c, Problems& problems) {
   std::vector<int> missing = c.deviations.missing_rollers;
   const int rollers = c.mechanism.rollers;
   std::ranges::sort(missing);
-  const auto wrong =
-      std::ranges::find_if(missing, [&](int k) { return k < 1 || k > rollers; });
+  const auto wrong = std::ranges::find_if(missing, [&](int k) { return k < 1 || k > rollers; });
   if (wrong != missing.end())
     problems.add("deviations.missing_rollers",
                  fmt::format("got {}; expected numbers from 1 to {}", *wrong, rollers));
@@ -139,9 +137,10 @@ void check_places(const Case& c, Problems& problems) {
 void check_full_mechanism(const Case& c, Problems& problems) {
   if (c.model.mechanism == ModelOptions::Mechanism::sector) return refuse_in_sector(c, problems);
   if (c.model.bodies != ModelOptions::Bodies::bars)
-    problems.add("model.bodies",
-                 "got other bodies with `mechanism: full`, which has beams; expected `bars`; delete "
-                 "the key");
+    problems.add(
+        "model.bodies",
+        "got other bodies with `mechanism: full`, which has beams; expected `bars`; delete "
+        "the key");
   if (c.mechanism.rollers < 2)
     problems.add("mechanism.rollers", fmt::format("got {}; expected at least 2 with `mechanism: "
                                                   "full`",

@@ -52,8 +52,8 @@ struct LoadCase {
   std::optional<double> position;  ///< First roller contact on the nut [m].
   Share share = Share::solved;
   std::optional<double> speed;  ///< [rad/s], overrides the operation's.
-  SpatialLoad spatial;
-  std::string input_path;       ///< Where the case stands in the input, e.g. `load_cases[2]`.
+  SpatialLoad spatial = {};
+  std::string input_path;  ///< Where the case stands in the input, e.g. `load_cases[2]`.
 };
 
 /// F_N [N] of Sandu 2018: > 0 in tension (contacts I1J2), < 0 in compression (I2J1).

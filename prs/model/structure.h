@@ -23,18 +23,18 @@ struct Guidance {
 struct Rings {
   enum class Carrier { housing, nut, screw };
   std::optional<Carrier> carrier;  ///< By default the part on which the rollers stay in place.
-  double stiffness = kRigid;       ///< Of a ring against its carrier [N/m]; below `kRigid` it floats.
+  double stiffness = kRigid;  ///< Of a ring against its carrier [N/m]; below `kRigid` it floats.
 
   bool operator==(const Rings&) const = default;
 };
 
 /// Support of the screw of a full mechanism.
 struct Bearing {
-  double position = 0.0;     ///< x, on the nut's axis [m].
-  double lateral = kRigid;   ///< [N/m]; 0 free.
-  double tilt = 0.0;         ///< [N m/rad]; 0 free.
-  Lateral offset;            ///< Displacement of its seat [m].
-  Lateral angle;             ///< Rotation of its seat [rad].
+  double position = 0.0;    ///< x, on the nut's axis [m].
+  double lateral = kRigid;  ///< [N/m]; 0 free.
+  double tilt = 0.0;        ///< [N m/rad]; 0 free.
+  Lateral offset;           ///< Displacement of its seat [m].
+  Lateral angle;            ///< Rotation of its seat [rad].
 };
 
 /// What holds the thrust section of the nut of a full mechanism.
@@ -53,13 +53,13 @@ struct Structure {
     double bore = 0.0;         ///< Diameter [m].
     double free_length = 0.0;  ///< From the loaded section to the first contact [m].
     double far_length = 0.0;   ///< Behind the last contact, full mechanism [m].
-    std::vector<Bearing> bearings;
+    std::vector<Bearing> bearings = {};
   };
   struct Roller {
     double end_length = 0.0;    ///< [m]
     double end_diameter = 0.0;  ///< [m]
     Guidance guidance;
-    Rings rings;
+    Rings rings = {};
   };
   struct Flange {
     double from = 0.0;
@@ -83,7 +83,7 @@ struct Structure {
     Thrust thrust;
     std::optional<Shoulder> shoulder =
         {};  ///< From the nut's to the flange's diameter where absent.
-    Housing housing;
+    Housing housing = {};
   };
 
   Screw screw;

@@ -68,8 +68,9 @@ constexpr Quantity<NutSupport> kNutSupport[] = {
 
 constexpr Quantity<SupportForce> kSupport[] = {
     {"at_mm", of<&SupportForce::position>, "x"},
-    {"force_N",
-     of<[](const SupportForce& s) { return std::vector<double>{s.force[1], s.force[2]}; }>,
+    {"force_N", of<[](const SupportForce& s) {
+       return std::vector<double>{s.force[1], s.force[2]};
+     }>,
      "y, z, of the bearing on the screw"},
     {"moment_Nm", of<[](const SupportForce& s) { return pair_of(s.moment); }>, "about y and z"},
 };
@@ -86,14 +87,12 @@ struct Reactions {
 
 constexpr Quantity<Reactions> kReactions[] = {
     {"nut", of<[](const Reactions& r) { return NutSupport{&r.full->nut}; }>, "of the nut's seat"},
-    {"rings",
-     of<[](const Reactions& r) {
+    {"rings", of<[](const Reactions& r) {
        return std::vector<RingForce>(r.full->rings.begin(), r.full->rings.end());
      }>,
      "near and far"},
-    {"bearings", of<[](const Reactions& r) -> const std::vector<SupportForce>& {
-       return r.full->bearings;
-     }>,
+    {"bearings",
+     of<[](const Reactions& r) -> const std::vector<SupportForce>& { return r.full->bearings; }>,
      "as the file has them"},
 };
 
@@ -102,9 +101,8 @@ struct Symmetric {
 };
 
 constexpr Quantity<Symmetric> kSymmetric[] = {
-    {"axial_displacement_um", of<[](const Symmetric& s) {
-       return s.full->symmetric.axial_displacement;
-     }>,
+    {"axial_displacement_um",
+     of<[](const Symmetric& s) { return s.full->symmetric.axial_displacement; }>,
      "of the loaded section"},
     {"axial_stiffness_N_per_um", of<[](const Symmetric& s) { return s.full->symmetric_stiffness; }>,
      "secant: force over displacement"},
@@ -130,8 +128,7 @@ constexpr Quantity<OrbitLoads> kOrbitLoads[] = {
 };
 
 template <Interface i>
-constexpr auto orbit_loads =
-    of<[](const Orbit& o) -> const OrbitLoads& { return o.loads[i]; }>;
+constexpr auto orbit_loads = of<[](const Orbit& o) -> const OrbitLoads& { return o.loads[i]; }>;
 
 constexpr Quantity<Orbit> kOrbit[] = {
     {"steps", of<&Orbit::steps>, "positions for each spacing of the rollers"},

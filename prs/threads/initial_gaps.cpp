@@ -55,9 +55,9 @@ std::vector<double> gaps_between(const ThreadOffsets& body, const ThreadOffsets&
   const double ahead = i == Interface::screw ? 1.0 : -1.0;
   std::vector<double> gaps;
   for (std::size_t k = 0; k < body.axial.size(); ++k)
-    gaps.push_back(
-        -sense(direction) * std::cos(normal_angle) * ahead * (body.axial[k] - roller.axial[k]) -
-        std::sin(normal_angle) * (roller.radial[k] + ahead * body.radial[k]));
+    gaps.push_back(-sense(direction) * std::cos(normal_angle) * ahead *
+                       (body.axial[k] - roller.axial[k]) -
+                   std::sin(normal_angle) * (roller.radial[k] + ahead * body.radial[k]));
   return gaps;
 }
 

@@ -100,8 +100,8 @@ class Solution {
   void read_loads(FullDistribution& d) {
     const auto threads = static_cast<std::size_t>(f_.threads());
     for (const Interface i : kInterfaces)
-      d.normal_load[i] = d.approach[i] = RollerThreads(static_cast<std::size_t>(f_.rollers),
-                                                       std::vector<double>(threads, 0.0));
+      d.normal_load[i] = d.approach[i] =
+          RollerThreads(static_cast<std::size_t>(f_.rollers), std::vector<double>(threads, 0.0));
     const double share = f_.axial_force / static_cast<double>(f_.present.size());
     for (std::size_t r = 0; r < s_.rollers.size(); ++r) {
       const auto number = static_cast<std::size_t>(f_.present[r].number);
@@ -169,7 +169,8 @@ class Solution {
       return equations_.number(node, dof) >= equations_.size() ? needed(node, dof)
                                                                : elastic_support(node, dof);
     };
-    SupportForce s{n.x, {held(n.y_plane, Dof::u), held(n.y_plane, Dof::v), held(n.z_plane, Dof::v)},
+    SupportForce s{n.x,
+                   {held(n.y_plane, Dof::u), held(n.y_plane, Dof::v), held(n.z_plane, Dof::v)},
                    {-held(n.z_plane, Dof::theta), held(n.y_plane, Dof::theta)}};
     return s;
   }
@@ -196,8 +197,8 @@ void add_compliance(const FullModel& f, FullDistribution& d) {
     return std::ranges::find(d.idle_rollers, r.number) != d.idle_rollers.end();
   });
   const FullStructure s = full_structure(loaded);
-  const double share = kUnloaded * f.axial_force /
-                       (static_cast<double>(f.present.size()) * f.threads());
+  const double share =
+      kUnloaded * f.axial_force / (static_cast<double>(f.present.size()) * f.threads());
   std::vector<double> tangent;
   std::vector<bool> closed;
   for (const FullModel::Roller& r : loaded.present)
@@ -240,7 +241,8 @@ void add_compliance(const FullModel& f, FullDistribution& d) {
 
 std::string why_not_held(const FullModel& f, const FullStructure& s) {
   std::string text = fmt::format(
-      "no equilibrium: flanks that only push cannot hold this load ({:.3f} of the axial force is left "
+      "no equilibrium: flanks that only push cannot hold this load ({:.3f} of the axial force is "
+      "left "
       "over); add `structure.screw.bearings`",
       load_left(f, s));
   if (const std::optional<double> force = holding_force(f))
@@ -255,9 +257,9 @@ FullDistribution solve(const FullModel& f, Detail detail) {
   FullDistribution d;
   if (const FreeMotions free = free_motions(f, s); free.count > 0) {
     d.solve.status = fe::NewtonStatus::mechanism;
-    d.reason = fmt::format("mechanism: {} motion{} of {} meet{} no resistance", free.count,
-                           free.count == 1 ? "" : "s", free.parts.front(),
-                           free.count == 1 ? "s" : "");
+    d.reason =
+        fmt::format("mechanism: {} motion{} of {} meet{} no resistance", free.count,
+                    free.count == 1 ? "" : "s", free.parts.front(), free.count == 1 ? "s" : "");
     return d;
   }
   const fe::Equations equations(s.model);

@@ -23,9 +23,9 @@ struct ScrewEnd {
 
 /// Force and moment of a support on the part that it holds.
 struct SupportForce {
-  double position = 0.0;                             ///< x [m]
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
-  Lateral moment;                                    ///< About y and z there [N m].
+  double position = 0.0;                            ///< x [m]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< [N]
+  Lateral moment;                                   ///< About y and z there [N m].
 };
 
 struct RingForce {
@@ -51,7 +51,7 @@ struct FullDistribution {
   std::optional<double> tangent_stiffness;  ///< 1/C_xx [N/m]
   ScrewEnd screw_end;
   PerInterface<double> largest_opening;  ///< Of a contact that is open, along its normal [m].
-  std::vector<int> idle_rollers;  ///< Numbers from 0 of those that carry no load.
+  std::vector<int> idle_rollers;         ///< Numbers from 0 of those that carry no load.
   SupportForce nut;
   std::array<RingForce, 2> rings;  ///< Near and far.
   std::vector<SupportForce> bearings;
@@ -59,8 +59,8 @@ struct FullDistribution {
 
 /// Equilibrium by Newton's method from the state of linear contacts with the secant stiffness of
 /// equal shares. Two outcomes are none of the solver's: `mechanism`, a motion that nothing resists,
-/// and `no_equilibrium`, a load that flanks that only push cannot hold. The stiffness of the screw's
-/// end belongs to Detail::complete.
+/// and `no_equilibrium`, a load that flanks that only push cannot hold. The stiffness of the
+/// screw's end belongs to Detail::complete.
 FullDistribution solve(const FullModel& model, Detail detail = Detail::complete);
 
 /// By one sector.

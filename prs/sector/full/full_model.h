@@ -30,11 +30,11 @@ struct BodyPiece {
 /// y towards z. SI units.
 struct FullModel {
   struct Roller {
-    int number = 0;       ///< From 0.
-    double azimuth = 0.0;  ///< phi_j [rad]
-    std::vector<double> contact_x;             ///< [m]
-    PerInterface<std::vector<double>> gaps;    ///< Along the normals [m].
-    std::array<double, 2> ring_offset{};       ///< delta, outwards, near and far [m].
+    int number = 0;                          ///< From 0.
+    double azimuth = 0.0;                    ///< phi_j [rad]
+    std::vector<double> contact_x;           ///< [m]
+    PerInterface<std::vector<double>> gaps;  ///< Along the normals [m].
+    std::array<double, 2> ring_offset{};     ///< delta, outwards, near and far [m].
   };
   struct Ends {
     double first = 0.0, last = 0.0;  ///< x [m]

@@ -86,10 +86,11 @@ class Builder {
       if (nodes.size() == 1) continue;
       const SpatialNode& before = nodes[nodes.size() - 2];
       const double middle = 0.5 * (before.x + at);
-      const auto piece = std::ranges::find_if(
-          pieces.begin(), pieces.end() - 1, [&](const BodyPiece& p) { return middle < p.to; });
+      const auto piece = std::ranges::find_if(pieces.begin(), pieces.end() - 1,
+                                              [&](const BodyPiece& p) { return middle < p.to; });
       const RollerSection<double>& section = piece->section;
-      s_.model.beams.push_back({before.y_plane, y_plane,
+      s_.model.beams.push_back({before.y_plane,
+                                y_plane,
                                 {section.axial, section.bending, section.shear, at - before.x}});
       s_.model.beams.push_back(
           {before.z_plane, z_plane, {0.0, section.bending, section.shear, at - before.x}});
@@ -133,8 +134,10 @@ class Builder {
       if (!same && i > 0) {
         const bool end = i == 1 || i + 1 == x.size();
         const RollerSection<double>& section = end ? sector.end : sector.thread;
-        s_.model.beams.push_back({roller.nodes.back(), node,
-                                  {section.axial, section.bending, section.shear, x[i] - x[i - 1]}});
+        s_.model.beams.push_back(
+            {roller.nodes.back(),
+             node,
+             {section.axial, section.bending, section.shear, x[i] - x[i - 1]}});
       }
       if (!same) {
         roller.nodes.push_back(node);
@@ -195,8 +198,7 @@ class Builder {
   }
 
   /// The approach along the normal, with arms a - r_R on the screw and a + r_R on the nut.
-  void add_contact(Interface i, const FullModel::Roller& r, int node, std::size_t k,
-                   Direction2 e) {
+  void add_contact(Interface i, const FullModel::Roller& r, int node, std::size_t k, Direction2 e) {
     const bool screw = i == Interface::screw;
     const double sign = screw ? 1.0 : -1.0;
     const SpatialNode& body = at(screw ? s_.screw : s_.nut, r.contact_x[k]);

@@ -19,14 +19,15 @@ struct SpatialNode {
 /// from the rigid motion that takes the whole mechanism with the seat of the nut.
 struct FullStructure {
   struct Roller {
-    std::vector<int> nodes;           ///< Along x.
-    std::vector<double> x;            ///< Theirs [m].
-    std::vector<int> contacts;        ///< Node of each thread.
+    std::vector<int> nodes;                  ///< Along x.
+    std::vector<double> x;                   ///< Theirs [m].
+    std::vector<int> contacts;               ///< Node of each thread.
     std::array<std::vector<int>, 2> guided;  ///< Nodes that the near and the far ring guide.
-    int first_spring = 0;  ///< Of the screw's contacts; those at the nut follow.
+    int first_spring = 0;                    ///< Of the screw's contacts; those at the nut follow.
 
     int spring(Interface i, std::size_t thread) const {
-      return first_spring + static_cast<int>(thread + (i == Interface::screw ? 0 : contacts.size()));
+      return first_spring +
+             static_cast<int>(thread + (i == Interface::screw ? 0 : contacts.size()));
     }
   };
   /// A constraint or an elastic link by which a ring guides a roller.
@@ -39,7 +40,7 @@ struct FullStructure {
 
   fe::Model model;
   std::vector<SpatialNode> screw, nut;
-  std::vector<Roller> rollers;                ///< Of FullModel::present.
+  std::vector<Roller> rollers;  ///< Of FullModel::present.
   std::vector<Guide> guides;
   std::array<int, 2> rings{-1, -1};           ///< (-, y, z as u and v) of floating rings.
   std::array<const SpatialNode*, 2> seats{};  ///< Of the rings on screw or nut; null: housing.

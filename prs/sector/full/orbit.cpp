@@ -70,9 +70,7 @@ std::optional<Orbit> orbit(const std::function<FullModel(double)>& model,
                            const SpatialLoad::Orbit& wanted, double carrier_angle, bool alike) {
   const FullModel first = model(carrier_angle);
   const int positions = wanted.steps * first.rollers;
-  const auto angle = [&](int m) {
-    return carrier_angle + 2.0 * std::numbers::pi * m / positions;
-  };
+  const auto angle = [&](int m) { return carrier_angle + 2.0 * std::numbers::pi * m / positions; };
   const int different = alike ? wanted.steps : positions;
   std::vector<FullDistribution> solved;
   std::vector<double> displacement;

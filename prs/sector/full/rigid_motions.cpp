@@ -122,7 +122,7 @@ Eigen::VectorXd left_by_pushing(const Eigen::MatrixXd& a, const Eigen::VectorXd&
     Eigen::Index best = 0;
     if (left.norm() <= small || gain.maxCoeff(&best) <= 1e-10 * b.norm()) return left;
     pushing.push_back(best);
-    for (Eigen::VectorXd wanted = solved(); ; wanted = solved()) {
+    for (Eigen::VectorXd wanted = solved();; wanted = solved()) {
       double length = 1.0;
       for (std::size_t k = 0; k < pushing.size(); ++k)
         if (const double to = wanted[static_cast<Eigen::Index>(k)]; to <= 0.0)
@@ -198,8 +198,8 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s,
     ++free.count;
     const Eigen::VectorXd motion = svd.matrixV().col(m);
     for (int part = 0; part < motions.count(); ++part)
-      if (std::abs(motion[part]) > 1e-6 && std::ranges::find(free.parts, motions.part(part)) ==
-                                               free.parts.end())
+      if (std::abs(motion[part]) > 1e-6 &&
+          std::ranges::find(free.parts, motions.part(part)) == free.parts.end())
         free.parts.push_back(motions.part(part));
   }
   return free;

@@ -14,10 +14,10 @@ struct FreeMotions {
   std::vector<std::string> parts;  ///< Those that move: screw, ring, roller 3.
 };
 
-/// The rows of contacts, constraints and springs over the rigid motions of the screw, of each roller
-/// and of each floating ring, each row scaled to one and rotations taken in 1/r_R; the motions are
-/// those of singular values below 1e-9 of the largest. `closed` tells which contacts count, all
-/// where it is empty.
+/// The rows of contacts, constraints and springs over the rigid motions of the screw, of each
+/// roller and of each floating ring, each row scaled to one and rotations taken in 1/r_R; the
+/// motions are those of singular values below 1e-9 of the largest. `closed` tells which contacts
+/// count, all where it is empty.
 FreeMotions free_motions(const FullModel& model, const FullStructure& structure,
                          const std::vector<bool>& closed = {});
 

@@ -1,0 +1,367 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "prs/input/reader.h"
+#include "prs/loads/analyze.h"
+#include "prs/quantities/json.h"
+#include "prs/sector/full/orbit.h"
+#include "prs/sector/full/rigid_motions.h"
+#include "prs/sector/load_distribution.h"
+#include "prs/threads/contact_laws.h"
+#include "support/count.h"
+#include "support/sectors.h"
+
+namespace prs {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// Solved cases of an independent program, 12 digits.
+const json& reference() {
+  static const json cases =
+      json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/sector/full/reference_cases.json"));
+  return cases;
+}
+
+Case case_of(const json& reference_case) {
+  return input::read_case_text(reference_case.at("input").dump(), "case", {}, Command::solve);
+}
+
+/// Every number of the reference against that of the document, to a share of the largest number
+/// in its array: components that symmetry makes zero are rounding.
+void expect_near(const json& wanted, const json& got, double share, const std::string& path,
+                 double scale = 0.0) {
+  if (wanted.is_object()) {
+    for (const auto& [key, value] : wanted.items()) {
+      if (key == "dofs") continue;  // More nodes change nothing.
+      ASSERT_TRUE(got.contains(key)) << path << "." << key;
+      expect_near(value, got.at(key), share, path + "." + key);
+    }
+  } else if (wanted.is_array()) {
+    ASSERT_EQ(wanted.size(), got.size()) << path;
+    std::function<void(const json&)> enlarge = [&](const json& item) {
+      if (item.is_array()) std::ranges::for_each(item, enlarge);
+      if (item.is_number()) scale = std::max(scale, std::abs(item.get<double>()));
+    };
+    enlarge(wanted);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      expect_near(wanted[i], got[i], share, path + "[" + std::to_string(i) + "]", scale);
+  } else if (wanted.is_number_float()) {
+    const double value = wanted.get<double>();
+    EXPECT_NEAR(got.get<double>(), value, share * std::max(std::abs(value), scale) + 1e-9) << path;
+  } else {
+    EXPECT_EQ(wanted, got) << path;
+  }
+}
+
+TEST(FullMechanism, AgreesWithAnIndependentProgram) {
+  for (const json& c : reference().at("cases")) {
+    SCOPED_TRACE(c.at("name").get<std::string>());
+    const json document = json::parse(to_json(analyze(case_of(c)), {}).dump());
+    expect_near(c.at("result"), document.at("load_cases").at(0), 1e-8, "");
+  }
+}
+
+TEST(FullMechanism, TwoRollersCannotHoldTheScrew) {
+  const Result result = analyze(case_of(reference().at("errors").at(0)));
+  EXPECT_EQ(result.load_cases[0].solve->status, fe::NewtonStatus::mechanism);
+  EXPECT_THAT(result.load_cases[0].warnings,
+              testing::Contains("mechanism: 2 motions of screw meet no resistance"));
+}
+
+TEST(FullMechanism, RollersOnOneSideCannotHoldTheLoad) {
+  const Result result = analyze(case_of(reference().at("errors").at(1)));
+  EXPECT_EQ(result.load_cases[0].solve->status, fe::NewtonStatus::no_equilibrium);
+  EXPECT_THAT(result.load_cases[0].warnings,
+              testing::Contains(HasSubstr("flanks that only push cannot hold this load")));
+}
+
+FullModel model_of(const Case& c, const LoadCase& load) {
+  const Contacts contacts = find_contacts(c.mechanism, c.materials);
+  return full_model(contacts.mechanism, *c.structure, *c.materials, c.model,
+                    contact_laws(c, contacts), load, c.deviations);
+}
+FullModel model_of(const Case& c) { return model_of(c, c.load_cases[0]); }
+
+Case symmetric_case() { return case_of(reference().at("cases").at(0)); }
+
+double largest(const RollerThreads& loads) {
+  double value = 0.0;
+  for (const auto& roller : loads) value = std::max(value, *std::ranges::max_element(roller));
+  return value;
+}
+
+double largest_difference(const RollerThreads& a, const RollerThreads& b) {
+  double value = 0.0;
+  for (std::size_t j = 0; j < a.size(); ++j)
+    for (std::size_t k = 0; k < a[j].size(); ++k)
+      value = std::max(value, std::abs(a[j][k] - b[j][k]));
+  return value;
+}
+
+TEST(FullMechanism, IsTheSectorWhereAllRollersAreAlike) {
+  Case c = symmetric_case();
+  c.deviations.crowning = 3e-6;
+  c.deviations.pitch_error.screw.linear = 2e-6;
+  c.structure->roller.guidance.ring_stiffness = 2e7;
+  for (const auto kind :
+       {Guidance::Kind::both_end_nodes, Guidance::Kind::outer_node, Guidance::Kind::ring})
+    for (const auto carrier : {Rings::Carrier::housing, Rings::Carrier::nut, Rings::Carrier::screw})
+      for (const double stiffness : {kRigid, 1e6})
+        for (const Direction direction : {Direction::tension, Direction::compression}) {
+          c.structure->roller.guidance.kind = kind;
+          c.structure->roller.rings = {carrier, stiffness};
+          c.load_cases[0].direction = direction;
+          const FullModel f = model_of(c);
+          const FullDistribution full = solve(f);
+          ASSERT_TRUE(full.solve.converged());
+          SectorModel sector = f.sector;
+          sector.gaps = f.present[0].gaps;
+          const LoadDistribution one = SectorSolver(build_sector(sector)).solve(f.axial_force);
+          EXPECT_NEAR(full.axial_displacement, one.axial_displacement,
+                      1e-10 * one.axial_displacement);
+          EXPECT_NEAR(*full.tangent_stiffness, *one.tangent_stiffness,
+                      1e-10 * *one.tangent_stiffness);
+          for (const Interface i : kInterfaces)
+            EXPECT_LT(
+                largest_difference(full.normal_load[i], RollerThreads(11, one.normal_load[i])),
+                1e-10 * largest(full.normal_load[i]));
+        }
+}
+
+/// Screws of all kinds that are hard on the solver.
+Case random_case(std::mt19937_64& random) {
+  const auto between = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  const auto one_of = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
+  const auto magnitude = [&](double a, double b) { return std::pow(10.0, between(a, b)); };
+  Case c = symmetric_case();
+  Mechanism& m = c.mechanism;
+  Structure& s = *c.structure;
+  Deviations& d = c.deviations;
+  LoadCase& load = c.load_cases[0];
+  m.rollers = 2 + one_of(11);
+  m.contacts_per_roller = 2 + one_of(21);
+  m.lead = one_of(2) ? 5e-3 : -5e-3;
+  load.direction = one_of(2) ? Direction::tension : Direction::compression;
+  load.axial_force = magnitude(2.5, 5.0);
+  const double span = (m.contacts_per_roller - 1) * axial_pitch(m);
+  load.position = between(0.0, s.nut.length - span);
+  if (one_of(4) == 0) c.model.contact_phase = ModelOptions::ContactPhase::helical;
+  c.model.shear = one_of(2) == 0;
+  s.screw.free_length = between(0.0, 60e-3);
+  s.screw.far_length = one_of(2) ? between(0.0, 40e-3) : 0.0;
+  s.roller.rings.carrier = static_cast<Rings::Carrier>(one_of(3));
+  if (one_of(4) == 0) s.roller.rings.stiffness = magnitude(0.0, 9.0);
+  s.roller.guidance = {static_cast<Guidance::Kind>(one_of(3)), magnitude(5.0, 8.0)};
+  if (one_of(3) == 0)
+    s.nut.housing = {one_of(2) ? kRigid : magnitude(7.0, 10.0), magnitude(6.0, 10.0),
+                     magnitude(3.0, 7.0)};
+  const double first = *load.position - s.screw.free_length;
+  const double last = *load.position + span + s.screw.far_length;
+  for (int b = one_of(3); b > 0; --b) {
+    const double tilts[] = {0.0, kRigid, magnitude(2.0, 6.0)};
+    s.screw.bearings.push_back({between(first, last),
+                                one_of(2) ? kRigid : magnitude(6.0, 9.0),
+                                tilts[one_of(3)],
+                                {between(-2e-5, 2e-5), between(-2e-5, 2e-5)},
+                                {}});
+  }
+  for (int j = 0; j < m.rollers && one_of(2); ++j)
+    d.roller_diameters.push_back(between(-5e-6, 5e-6));
+  d.roller_diameters.resize(d.roller_diameters.empty() ? 0 : static_cast<std::size_t>(m.rollers));
+  for (int j = 1; j < m.rollers; ++j)
+    if (one_of(12) == 0) d.missing_rollers.push_back(j);
+  if (one_of(3) == 0)
+    for (const Interface i : kInterfaces)
+      for (int k = 0; k < 3; ++k) d.index_error[i].push_back(between(-5e-6, 5e-6));
+  if (one_of(3) == 0) d.thread_eccentricity.nut = {between(-5e-6, 5e-6), between(-5e-6, 5e-6)};
+  SpatialLoad& spatial = load.spatial;
+  spatial.carrier_angle = between(0.0, 6.28);
+  if (one_of(2)) spatial.eccentricity = {between(-3e-3, 3e-3), between(-3e-3, 3e-3)};
+  if (one_of(2))
+    spatial.side_force = {{between(-0.6, 0.6) * load.axial_force, 0.1 * load.axial_force},
+                          between(first, last)};
+  if (one_of(3) == 0) spatial.moment = {{between(-0.01, 0.01) * load.axial_force, 1.0}, {}};
+  if (one_of(3) == 0) spatial.nut_tilt = {between(-2e-3, 2e-3), between(-2e-3, 2e-3)};
+  return c;
+}
+
+/// Forces and moments about the nut's near end on the whole mechanism.
+double imbalance(const FullModel& f, const FullDistribution& d) {
+  const SpatialLoad& load = f.load;
+  double fx = f.sense() * f.axial_force + d.nut.force[0];
+  Eigen::Vector2d force{load.side_force.value.y + d.nut.force[1],
+                        load.side_force.value.z + d.nut.force[2]};
+  // M_z and -M_y, in the planes x-y and x-z.
+  const auto arm = [](double x, double y, double z) { return Eigen::Vector2d(x * y, x * z); };
+  const double at = load.side_force.at.value_or(f.loaded_section);
+  Eigen::Vector2d moment =
+      arm(at, load.side_force.value.y, load.side_force.value.z) +
+      arm(d.nut.position, d.nut.force[1], d.nut.force[2]) +
+      Eigen::Vector2d(load.moment.value.z, -load.moment.value.y) +
+      Eigen::Vector2d(d.nut.moment.z, -d.nut.moment.y) -
+      f.sense() * f.axial_force * Eigen::Vector2d(load.eccentricity.y, load.eccentricity.z);
+  for (const SupportForce& b : d.bearings) {
+    force += b.force.tail<2>();
+    moment += arm(b.position, b.force[1], b.force[2]) + Eigen::Vector2d(b.moment.z, -b.moment.y);
+  }
+  if (f.carrier == Rings::Carrier::housing) {
+    // The moment of the rings is that which the roller's guides share between their two nodes.
+    for (const RingForce& ring : d.rings) force += Eigen::Vector2d(ring.force.y, ring.force.z);
+    moment.setZero();
+  }
+  return std::max({std::abs(fx), force.norm(), moment.norm() / f.centre_distance}) / f.axial_force;
+}
+
+/// Each converges, or has a free motion, or has no equilibrium, of which a linear programme is the
+/// certificate: least squares over pushing contacts leave some of the load.
+TEST(FullMechanism, RandomCasesConvergeOrHaveNoEquilibrium) {
+  std::mt19937_64 random(20261122);
+  int converged = 0;
+  const int count = test::count(60, 3000);
+  for (int k = 0; k < count; ++k) {
+    SCOPED_TRACE(k);
+    const Case c = random_case(random);
+    const FullModel f = model_of(c);
+    const FullDistribution d = solve(f);
+    const FullStructure s = full_structure(f);
+    if (d.solve.converged()) {
+      ++converged;
+      EXPECT_LT(imbalance(f, d), 1e-9);
+      EXPECT_LT(load_left(f, s), 1e-9);
+    } else if (d.solve.status == fe::NewtonStatus::mechanism) {
+      EXPECT_GT(free_motions(f, s).count, 0);
+    } else {
+      EXPECT_EQ(d.solve.status, fe::NewtonStatus::no_equilibrium)
+          << d.solve.iterations() << " steps, residual " << d.solve.relative_residual;
+      EXPECT_GT(load_left(f, s), 1e-6);
+    }
+  }
+  EXPECT_GT(converged, count / 2);
+}
+
+Case side_loaded() {
+  Case c = symmetric_case();
+  c.load_cases[0].spatial.side_force.value = {1e3, -500.0};
+  c.load_cases[0].spatial.moment.value = {20.0, 40.0};
+  c.load_cases[0].spatial.eccentricity = {0.5e-3, 0.2e-3};
+  return c;
+}
+
+Lateral turned(Lateral l, double angle) {
+  return {l.y * std::cos(angle) - l.z * std::sin(angle),
+          l.y * std::sin(angle) + l.z * std::cos(angle)};
+}
+
+TEST(FullMechanism, TurnsWithItsLoads) {
+  const double angle = 0.7;
+  Case c = side_loaded();
+  const FullDistribution before = solve(model_of(c));
+  SpatialLoad& load = c.load_cases[0].spatial;
+  load.carrier_angle += angle;
+  for (Lateral* l : {&load.side_force.value, &load.moment.value, &load.eccentricity})
+    *l = turned(*l, angle);
+  const FullDistribution after = solve(model_of(c));
+  for (const Interface i : kInterfaces)
+    EXPECT_LT(largest_difference(before.normal_load[i], after.normal_load[i]),
+              1e-10 * largest(before.normal_load[i]));
+  EXPECT_NEAR(before.axial_displacement, after.axial_displacement,
+              1e-10 * before.axial_displacement);
+}
+
+TEST(FullMechanism, ASpacingOfTheCarrierRenumbersTheRollers) {
+  Case c = side_loaded();
+  const FullDistribution before = solve(model_of(c));
+  c.load_cases[0].spatial.carrier_angle = 2.0 * std::numbers::pi / 11.0;
+  FullDistribution after = solve(model_of(c));
+  for (const Interface i : kInterfaces) {
+    std::ranges::rotate(after.normal_load[i], after.normal_load[i].end() - 1);
+    EXPECT_LT(largest_difference(before.normal_load[i], after.normal_load[i]),
+              1e-10 * largest(before.normal_load[i]));
+  }
+}
+
+TEST(FullMechanism, LoadsInAPlaneOfSymmetryLoadBothSidesAlike) {
+  Case c = symmetric_case();
+  c.load_cases[0].spatial.side_force.value = {2e3, 0.0};
+  const FullDistribution d = solve(model_of(c));
+  for (const Interface i : kInterfaces)
+    for (std::size_t j = 1; j < 11; ++j)
+      for (std::size_t k = 0; k < 20; ++k)
+        EXPECT_NEAR(d.normal_load[i][j][k], d.normal_load[i][11 - j][k],
+                    1e-10 * largest(d.normal_load[i]));
+}
+
+/// Central differences of the displacement by each load.
+TEST(FullMechanism, TheComplianceOfTheScrewsEndIsTheDerivative) {
+  const Case c = side_loaded();
+  const FullDistribution d = solve(model_of(c));
+  ASSERT_EQ(d.screw_end.freedoms, (std::vector{0, 1, 2, 3, 4}));
+  const Eigen::MatrixXd& compliance = d.screw_end.compliance;
+  EXPECT_LT((compliance - compliance.transpose()).norm(), 1e-11 * compliance.norm());
+  const double steps[] = {40.0, 40.0, 40.0, 0.2, 0.2};
+  for (int k = 0; k < 5; ++k) {
+    const auto moved = [&](double step) {
+      LoadCase load = c.load_cases[0];
+      // At the loaded section an axial force shifts the moment of the eccentricity too.
+      SpatialLoad& s = load.spatial;
+      s.moment.value.z -= sense(*load.direction) * load.axial_force * s.eccentricity.y;
+      s.moment.value.y += sense(*load.direction) * load.axial_force * s.eccentricity.z;
+      s.eccentricity = {};
+      double* const loads[] = {&load.axial_force, &s.side_force.value.y, &s.side_force.value.z,
+                               &s.moment.value.y, &s.moment.value.z};
+      *loads[k] += k == 0 ? sense(*load.direction) * step : step;
+      return Eigen::VectorXd(solve(model_of(c, load)).screw_end.displacement);
+    };
+    const Eigen::VectorXd slope = (moved(steps[k]) - moved(-steps[k])) / (2.0 * steps[k]);
+    for (Eigen::Index i = 0; i < 5; ++i)
+      EXPECT_NEAR(slope[i], compliance(i, k),
+                  1e-5 * std::sqrt(compliance(i, i) * compliance(k, k)));
+  }
+}
+
+TEST(FullMechanism, AnOrbitOfUnlikeRollersIsSolvedThroughout) {
+  Case c = side_loaded();
+  const auto at = [&](double angle) {
+    LoadCase load = c.load_cases[0];
+    load.spatial.carrier_angle = angle;
+    return model_of(c, load);
+  };
+  const SpatialLoad::Orbit wanted{2, 3.0};
+  const Orbit permuted = *orbit(at, wanted, 0.3, true), solved = *orbit(at, wanted, 0.3, false);
+  EXPECT_EQ(permuted.axial_displacement.size(), 2);
+  EXPECT_EQ(solved.axial_displacement.size(), 22);
+  for (const Interface i : kInterfaces) {
+    EXPECT_LT(largest_difference(permuted.loads[i].equivalent, solved.loads[i].equivalent),
+              1e-9 * solved.loads[i].largest);
+    EXPECT_NEAR(permuted.loads[i].largest, solved.loads[i].largest, 1e-9 * solved.loads[i].largest);
+    EXPECT_EQ(permuted.loads[i].roller, solved.loads[i].roller);
+  }
+}
+
+TEST(FullMechanism, MoreAxialForceHoldsASideForce) {
+  Case c = symmetric_case();
+  c.load_cases[0].spatial.side_force.value = {60e3, 0.0};
+  const Result result = analyze(c);
+  ASSERT_EQ(result.load_cases[0].solve->status, fe::NewtonStatus::no_equilibrium);
+  EXPECT_THAT(result.load_cases[0].warnings,
+              testing::Contains(HasSubstr("or raise the axial force to ")));
+  const std::optional<double> force = holding_force(model_of(c));
+  ASSERT_TRUE(force);
+  c.load_cases[0].axial_force = 1.02 * *force;
+  EXPECT_TRUE(analyze(c).load_cases[0].converged());
+  c.load_cases[0].axial_force = 0.95 * *force;
+  EXPECT_FALSE(analyze(c).load_cases[0].converged());
+}
+
+}  // namespace
+}  // namespace prs
