@@ -44,7 +44,7 @@ Polyline over_load(const CaseGroup& group, std::optional<double> LoadCaseResult:
 }
 
 bool is_solved(const LoadCaseResult& result) {
-  return result.load_case.direction && result.solve && result.threads;
+  return result.load_case.direction && result.solve && result.threads && !result.full;
 }
 
 bool has_stiffness(const LoadCaseResult& result) {

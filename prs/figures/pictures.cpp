@@ -25,6 +25,9 @@ Figures displacement(const Result& result, const FigureOptions& options);
 Figures butterfly(const Result& result, const FigureOptions& options);
 Figures convergence(const Result& result, const FigureOptions& options);
 Figures ellipses(const Result& result, const FigureOptions& options);
+Figures roller_loads(const Result& result, const FigureOptions& options);
+Figures roller_shares(const Result& result, const FigureOptions& options);
+Figures carrier_turn(const Result& result, const FigureOptions& options);
 Figures thread_power(const Result& result, const FigureOptions& options);
 Figures friction(const Result& result, const FigureOptions& options);
 Figures power_by_source(const Result& result, const FigureOptions& options);
@@ -50,6 +53,8 @@ constexpr const char* kContactPoints = "a contact point at both interfaces";
 constexpr const char* kLoads = "a load case that converged, or equal shares";
 constexpr const char* kSweep =
     "a sweep of loads, `axial_force: {from: .., to: .., steps: ..}`, that converged";
+constexpr const char* kAllRollers =
+    "a load case of `model: {mechanism: full}` that converged";
 constexpr const char* kSlip = "a load case whose slip converged";
 constexpr const char* kLives = "a load history or spectrum under which loads converge";
 
@@ -104,6 +109,9 @@ Pictures load_pictures(const Result& r) {
       {"displacement", "a load case that converged, not of equal shares", of(r, displacement)},
       {"stiffness", "a load case that converged, not of equal shares", of(r, stiffness)},
       {"butterfly", kSweep, of(r, butterfly)},
+      {"roller_loads", kAllRollers, of(r, roller_loads)},
+      {"roller_shares", kAllRollers, of(r, roller_shares)},
+      {"carrier_turn", "`orbit` in a load case of the full mechanism", of(r, carrier_turn)},
       {"convergence", "at most a few load cases, not of equal shares", of(r, convergence)},
   };
 }

@@ -100,10 +100,10 @@ const std::vector<double>& slip_of(const LoadCaseResult& result, Interface i) {
   return result.slip->threads[i].*values;
 }
 
-bool has_shares(const LoadCaseResult& result) { return result.threads.has_value(); }
+bool has_shares(const LoadCaseResult& result) { return result.threads && !result.full; }
 
 bool has_pressure(const LoadCaseResult& result) {
-  return result.threads && !(result.threads->screw.peak_pressure.empty() &&
+  return has_shares(result) && !(result.threads->screw.peak_pressure.empty() &&
                              result.threads->nut.peak_pressure.empty());
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "prs/model/units.h"
 #include "prs/output/quantity_csv.h"
 #include "prs/quantities/quantities.h"
@@ -12,7 +14,8 @@ namespace {
 void most_loaded_fields(CsvWriter& csv, const LoadCaseResult& result, Interface i) {
   const InterfaceLoads loads = result.threads ? (*result.threads)[i] : InterfaceLoads{};
   const auto thread = index_of_largest(loads.load_rate);
-  csv.integer(thread ? std::optional(*thread + 1) : std::nullopt);
+  const auto row = static_cast<std::size_t>(std::max(loads.threads_per_roller, 0));
+  csv.integer(thread ? std::optional((row ? *thread % row : *thread) + 1) : std::nullopt);
   csv.number(entry(loads.load_rate, thread), per_si::percent);
   csv.number(entry(loads.peak_pressure, index_of_largest(loads.peak_pressure)), per_si::megapascal);
 }
@@ -41,6 +44,9 @@ std::string load_cases_csv(const Result& result) {
 std::string load_distribution_csv(const Result& result) {
   CsvWriter csv;
   load_header(csv);
+  const bool all_rollers = std::ranges::any_of(
+      result.load_cases, [](const LoadCaseResult& r) { return r.full != nullptr; });
+  if (all_rollers) csv.text("roller");
   csv.text("thread");
   for (const Interface i : kInterfaces)
     series_header<InterfaceLoads>(csv, fmt::format("{}_", name(i)));
@@ -50,7 +56,9 @@ std::string load_distribution_csv(const Result& result) {
     if (!load_case.threads) continue;
     for (std::size_t k = 0; k < load_case.threads->screw.axial_load.size(); ++k) {
       load_fields(csv, load_case.load_case);
-      csv.integer(k + 1);
+      const auto row = static_cast<std::size_t>(load_case.threads->screw.threads_per_roller);
+      if (all_rollers) csv.integer(row ? std::optional(k / row + 1) : std::nullopt);
+      csv.integer(row ? k % row + 1 : k + 1);
       for (const Interface i : kInterfaces) series_fields(csv, (*load_case.threads)[i], k);
       csv.end_row();
     }

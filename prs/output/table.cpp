@@ -25,6 +25,10 @@ std::string most_loaded_thread(const LoadCaseResult& result) {
   const std::vector<double>& rates = (*result.threads)[interface].load_rate;
   const auto thread = index_of_largest(rates);
   if (!thread) return std::string(kAbsent);
+  const InterfaceLoads& loads = (*result.threads)[interface];
+  if (loads.rollers)
+    return fmt::format("{}.{}: {:5.2f}", loads.rollers->largest_roller,
+                       loads.rollers->largest_thread, rates[*thread] * per_si::percent);
   return fmt::format("{}: {:5.2f}", *thread + 1, rates[*thread] * per_si::percent);
 }
 
@@ -83,6 +87,13 @@ std::string load_distribution_chart(const LoadCaseResult& result) {
   if (!result.threads)
     return fmt::format("{}: no load distribution ({})\n", title, status_name(result));
 
+  if (result.full) {
+    const PerInterface<std::vector<double>> shares = {percent(result.threads->screw.rollers->share),
+                                                      percent(result.threads->nut.rollers->share)};
+    const double mean = per_si::percent / static_cast<double>(shares.screw.size());
+    return fmt::format("{}: share of each roller, mean {:.2f} %\n", title, mean) +
+           bar_chart(shares, 2, "%");
+  }
   const PerInterface<std::vector<double>> rates = {percent(result.threads->screw.load_rate),
                                                    percent(result.threads->nut.load_rate)};
   const double mean = per_si::percent / static_cast<double>(rates.screw.size());

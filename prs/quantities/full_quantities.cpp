@@ -117,6 +117,8 @@ constexpr Quantity<Symmetric> kSymmetric[] = {
 };
 
 constexpr Quantity<OrbitLoads> kOrbitLoads[] = {
+    {"first_roller_axial_load_N", of<&OrbitLoads::first_roller>,
+     "of the first roller that is there, at each position"},
     {"equivalent_normal_load_N", of<&OrbitLoads::equivalent>,
      "(mean N^exponent)^(1/exponent) over the turn, by roller and thread"},
     {"largest_normal_load_N", of<&OrbitLoads::largest>, "of the whole turn"},
@@ -134,6 +136,7 @@ constexpr Quantity<Orbit> kOrbit[] = {
     {"steps", of<&Orbit::steps>, "positions for each spacing of the rollers"},
     {"positions", of<&Orbit::positions>, "of the whole turn"},
     {"exponent", of<&Orbit::exponent>, "of the equivalent loads"},
+    {"carrier_angles_deg", of<&Orbit::carrier_angle>, "of each position"},
     {"screw", orbit_loads<Interface::screw>, "contacts at the screw"},
     {"nut", orbit_loads<Interface::nut>, "contacts at the nut"},
     {"axial_displacement_um", of<&Orbit::axial_displacement>, "at the positions that differ"},

@@ -27,8 +27,13 @@ class Collector {
   /// Roller j carries what roller j + shift does in the distribution.
   void add(const FullDistribution& d, int shift, double carrier_angle) {
     const double share = 1.0 / orbit_.positions;
+    orbit_.carrier_angle.push_back(carrier_angle);
     for (const Interface i : kInterfaces) {
       OrbitLoads& loads = orbit_.loads[i];
+      const int first = (f_.present.front().number + shift) % f_.rollers;
+      double carried = 0.0;
+      for (const double load : d.normal_load[i][static_cast<std::size_t>(first)]) carried += load;
+      loads.first_roller.push_back(carried * f_.sector.cosine[i]);
       for (const FullModel::Roller& r : f_.present) {
         const auto j = static_cast<std::size_t>(r.number);
         const auto from = static_cast<std::size_t>((r.number + shift) % f_.rollers);

@@ -10,6 +10,7 @@ namespace prs {
 
 /// What a turn of the carrier does to the threads of each roller.
 struct OrbitLoads {
+  std::vector<double> first_roller;  ///< Its axial load at each position [N].
   RollerThreads equivalent;         ///< (mean N^exponent)^(1/exponent) [N]
   double largest_equivalent = 0.0;  ///< [N]
   double largest = 0.0;             ///< N, of any position [N].
@@ -22,6 +23,7 @@ struct Orbit {
   int steps = 0;      ///< Positions for each spacing of the rollers.
   int positions = 0;  ///< Of the whole turn.
   double exponent = 0.0;
+  std::vector<double> carrier_angle;  ///< Of each position [rad].
   PerInterface<OrbitLoads> loads;
   std::vector<double> axial_displacement;  ///< At the positions that differ [m].
   double axial_error = 0.0;                ///< Peak to peak [m].

@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "prs/figures/figure_parts.h"
+#include "prs/loads/full_result.h"
+#include "prs/model/units.h"
+
+namespace prs {
+namespace {
+
+bool has_rollers(const LoadCaseResult& result) { return result.full && result.threads; }
+
+bool has_turn(const LoadCaseResult& result) { return has_rollers(result) && result.full->orbit; }
+
+Axis roller_axis(int rollers) {
+  return {"Roller", {}, 0.5, rollers + 0.5, false, true};
+}
+
+/// Rollers over threads, unrolled.
+GridData unrolled(const InterfaceLoads& loads) {
+  GridData grid;
+  const auto threads = static_cast<std::size_t>(loads.threads_per_roller);
+  const std::size_t rollers = loads.normal_load.size() / threads;
+  for (std::size_t k = 0; k < threads; ++k) grid.x.push_back(static_cast<double>(k + 1));
+  for (std::size_t j = 0; j < rollers; ++j) grid.y.push_back(static_cast<double>(j + 1));
+  for (std::size_t k = 0; k < threads; ++k)
+    for (std::size_t j = 0; j < rollers; ++j)
+      grid.values.push_back(loads.normal_load[j * threads + k]);
+  return grid;
+}
+
+std::array<double, 2> towards(double radius, double azimuth) {
+  return {radius * std::cos(azimuth), radius * std::sin(azimuth)};
+}
+
+}  // namespace
+
+/// Normal load of every thread of every roller, at both interfaces.
+Figures roller_loads(const Result& result, const FigureOptions& options) {
+  const LoadCaseResult* shown = chosen_case(result, options, has_rollers);
+  if (!shown) return {};
+  Figure figure{"roller_loads",
+                fmt::format("Loads of all rollers, {}", shown_name(shown->load_case.name))};
+  Range range;
+  for (const Interface i : kInterfaces) {
+    Panel& panel = figure.panels.emplace_back();
+    panel.title = interface_title(i);
+    panel.map = {unrolled((*shown->threads)[i]), true};
+    for (const double load : panel.map.grid.values) range.include(load);
+  }
+  figure.x = thread_axis(static_cast<std::size_t>(shown->threads->screw.threads_per_roller));
+  figure.y = roller_axis(shown->full->rollers);
+  figure.columns = 2;
+  figure.colours = ColourScale{"Normal load", "N", std::min(range.from, 0.0), range.to};
+  return {std::move(figure)};
+}
+
+/// Share of each roller at its azimuth, over that of equal shares, seen along the axis.
+Figures roller_shares(const Result& result, const FigureOptions& options) {
+  const LoadCaseResult* shown = chosen_case(result, options, has_rollers);
+  if (!shown) return {};
+  const int rollers = shown->full->rollers;
+  Figure figure{"roller_shares",
+                fmt::format("Shares of the rollers, {}", shown_name(shown->load_case.name))};
+  const auto azimuth = [&](int j) {
+    return shown->full->carrier_angle + 2.0 * std::numbers::pi * j / rollers;
+  };
+  Panel& panel = figure.panels.emplace_back();
+  panel.series.push_back({figure.add("equal shares", kMeanStyle), {ellipse(0, 0, 1, 1, 0)}});
+  double reach = 1.0;
+  for (const Interface i : kInterfaces) {
+    const std::vector<double>& share = (*shown->threads)[i].rollers->share;
+    Style style = line_of(colour_of(body_of(i)), i == Interface::nut ? Dash::dashed : Dash::solid);
+    style.mark = i == Interface::nut ? Mark::square : Mark::circle;
+    Polyline line;
+    for (int j = 0; j <= rollers; ++j) {
+      const double relative = share[static_cast<std::size_t>(j % rollers)] * rollers;
+      line.push_back(towards(relative, azimuth(j % rollers)));
+      reach = std::max(reach, relative);
+    }
+    panel.series.push_back({figure.add(interface_title(i), style), {std::move(line)}});
+  }
+  reach *= 1.25;
+  for (int j = 0; j < rollers; ++j) {
+    const auto [x, y] = towards(0.93 * reach, azimuth(j));
+    panel.labels.push_back({fmt::to_string(j + 1), x, y, false, Label::Anchor::centre});
+  }
+  figure.x = {"Share over that of equal shares, along y", {}, -reach, reach};
+  figure.y = {"Along z", {}, -reach, reach};
+  figure.to_scale = true;
+  figure.aspect = 1.0;
+  return {std::move(figure)};
+}
+
+/// Axial load of the first roller over a turn of the carrier.
+Figures carrier_turn(const Result& result, const FigureOptions& options) {
+  const LoadCaseResult* shown = chosen_case(result, options, has_turn);
+  if (!shown) return {};
+  const Orbit& orbit = *shown->full->orbit;
+  Figure figure{"carrier_turn", fmt::format("One roller over a turn of the carrier, {}",
+                                            shown_name(shown->load_case.name))};
+  Panel& panel = figure.panels.emplace_back();
+  for (const Interface i : kInterfaces) {
+    Polyline line;
+    for (std::size_t m = 0; m < orbit.carrier_angle.size(); ++m)
+      line.push_back({orbit.carrier_angle[m] * per_si::degree,
+                      orbit.loads[i].first_roller[m] * per_si::kilonewton});
+    panel.series.push_back(
+        {figure.add(interface_title(i), line_of(colour_of(body_of(i)), i == Interface::nut
+                                                                            ? Dash::dashed
+                                                                            : Dash::solid)),
+         {std::move(line)}});
+  }
+  figure.x = {"Angle of the carrier", "°"};
+  figure.y = {"Axial load of the first roller", "kN"};
+  fit_y_range(figure);
+  return {std::move(figure)};
+}
+
+}  // namespace prs
