@@ -8,6 +8,7 @@
 #include "prs/cli/starting_case.h"
 #include "prs/figures/figure_json.h"
 #include "prs/input/schema.h"
+#include "prs/output/lists.h"
 #include "prs/output/measures_table.h"
 #include "prs/quantities/measures_json.h"
 #include "prs/quantities/results_schema.h"
@@ -32,6 +33,11 @@ int list_commands(const Options& options) {
   for (const CommandRow& row : commands())
     if (!in || input::missing(*in, row.command).empty())
       print(fmt::format("{}\n", name(row.command)));
+  return kDone;
+}
+
+int list_lubricants(const Options& options) {
+  print(options.json ? json_text(lubricants_json()) : lubricants_table());
   return kDone;
 }
 

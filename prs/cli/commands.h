@@ -51,6 +51,7 @@ int optimize(const Options& options);
 int schema(const Options& options);
 /// The commands that take a case or, with `options.file`, those that have all they need in it.
 int list_commands(const Options& options);
+int list_lubricants(const Options& options);
 /// Prints a commented starting case, or writes it to `options.file`, which must not exist.
 int new_case(const Options& options);
 

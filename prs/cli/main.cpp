@@ -157,11 +157,12 @@ int run_command(int argc, char** argv) {
   CLI::App* list =
       add_command("list", "List what there is to choose from", prs::cli::list_commands);
   std::string listed;
-  list->add_option("what", listed, "commands: those that take a case")
+  list->add_option("what", listed, "commands: those that take a case; lubricants: known by name")
       ->required()
-      ->check(CLI::IsMember({"commands"}));
+      ->check(CLI::IsMember({"commands", "lubricants"}));
   list->add_option("file", options.file, "A case: only the commands that it has all for")
       ->type_name("FILE");
+  list->add_flag("--json", options.json, "Print lubricants as JSON")->disable_flag_override();
   CLI::App* new_case = add_command("new", "Write a commented starting case", prs::cli::new_case);
   std::string type = "inverted";
   new_case->add_option("type", type, "standard or inverted")
@@ -171,6 +172,7 @@ int run_command(int argc, char** argv) {
   app.add_subcommand(kValidate, "Compare with the published sources");  // A program of its own.
 
   if (const std::optional<int> status = prs::cli::parse(app, argc, argv)) return *status;
+  if (listed == "lubricants") run = prs::cli::list_lubricants;
   if (merge->parsed()) {
     if (!options.file.empty()) {
       prs::cli::say(fmt::format(

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "prs/input/value_text.h"
@@ -82,9 +84,17 @@ class Lister : public Visitor {
 }  // namespace
 
 std::vector<EchoEntry> echo(CaseFile file, const Node& root) {
+  std::optional<Lubricant>& lubricant = file.values.lubricant;
+  if (lubricant) lubricant = resolved(*lubricant);
   std::vector<EchoEntry> entries;
   Lister keys(&root, "", entries);
   fields(keys, file);
+  constexpr std::string_view block = "lubricant.";
+  if (lubricant && lubricant->name)
+    for (EchoEntry& entry : entries)
+      if (entry.is_default && entry.path.starts_with(block))
+        entry.origin =
+            origin_of(std::string_view(entry.path).substr(block.size()), *lubricant->name);
   return entries;
 }
 

@@ -134,6 +134,11 @@ Wanted wanted(T& value, const Choice&) {
   return {what, std::string(names.words[0])};
 }
 template <class T>
+Wanted wanted(T& value, const Listed& kind) {
+  return {fmt::format("a name that `{}` shows", kind.command),
+          std::string(names_of(value).words[0])};
+}
+template <class T>
 Wanted wanted(T& value, const ChoiceUnder& kind) {
   const Wanted choice = wanted(value, Choice{});
   return {choice.what, fmt::format("{{{}: {}}}", kind.key, choice.example)};
@@ -309,6 +314,24 @@ void read(const Written& w, T& value, const Choice& kind) {
     w.refuse(wanted(value, kind), did_you_mean(w.node.children[0].key, names.keys));
   else
     w.refuse(wanted(value, kind));
+}
+
+/// `ISO VG 100` -> `iso-vg-100`
+std::string spelled_as_a_name(std::string_view text) {
+  std::string name;
+  for (const char c : text)
+    name += c == ' ' || c == '_' ? '-' : c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return name;
+}
+
+template <class T>
+void read(const Written& w, T& value, const Listed& kind) {
+  ChoiceReader reader(w);
+  alternatives(reader, value);
+  if (reader.found()) return;
+  const bool is_text = w.node.kind == Node::Kind::scalar;
+  w.refuse(wanted(value, kind),
+           is_text ? did_you_mean(spelled_as_a_name(w.node.text), names_of(value).words) : "");
 }
 
 template <class T, class Kind>
@@ -525,10 +548,9 @@ CaseInput read_case_input(const Source& source, Command command) {
   const Node root = read_document(source, errors);
   const CaseFile file = read_case_file(root, errors);
   errors.throw_if_any();
-  CaseInput input{checked_case(file, root, command, errors), echo(file, root),
-                  command_of(file.study), command_of(file.optimize)};
+  Case values = checked_case(file, root, command, errors);
   errors.throw_if_any();
-  return input;
+  return {std::move(values), echo(file, root), command_of(file.study), command_of(file.optimize)};
 }
 
 std::vector<std::string> missing(const CaseInput& input, Command command) {

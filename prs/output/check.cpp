@@ -36,8 +36,9 @@ std::string check_table(const std::vector<input::EchoEntry>& fields, const Conta
                         const std::vector<std::string>& warnings) {
   std::string text = "Input\n";
   for (const input::EchoEntry& f : fields)
-    text += fmt::format("  {:<42} {}{}\n", f.path, printable(f.value),
-                        f.is_default ? "   (default)" : "");
+    text += fmt::format(
+        "  {:<42} {}{}\n", f.path, printable(f.value),
+        f.is_default ? fmt::format("   ({})", f.origin.empty() ? "default" : f.origin) : "");
   text += "\nDerived\n";
   const auto line = [&](const std::string& key, double value) {
     text += fmt::format("  {:<42} {:.8g}\n", key, value);
@@ -69,8 +70,10 @@ nlohmann::ordered_json check_json(const std::vector<input::EchoEntry>& fields,
                                   const std::vector<std::string>& warnings,
                                   const DocumentInfo& info) {
   Json document = document_head(info, warnings);
-  for (const input::EchoEntry& f : fields)
+  for (const input::EchoEntry& f : fields) {
     document["input"].push_back({{"path", f.path}, {"value", f.value}, {"default", f.is_default}});
+    if (!f.origin.empty()) document["input"].back()["origin"] = f.origin;
+  }
   for (const auto& [key, value] : lengths(contacts.mechanism)) document["derived"][key] = value;
   put_contacts(document, contacts);
   return document;
