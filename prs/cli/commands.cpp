@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/cli/deliver.h"
-#include "prs/cli/starting_case.h"
 #include "prs/figures/figure_json.h"
 #include "prs/input/schema.h"
 #include "prs/output/lists.h"
@@ -53,22 +52,6 @@ int schema(const Options& options) {
                                                 : "prs.schema.json",
                                    document}});
   if (!options.quiet || options.json) print(document);
-  return kDone;
-}
-
-int new_case(const Options& options) {
-  const std::string text(options.standard ? kStandardCase : kInvertedCase);
-  if (options.file.empty()) {
-    print(text);
-    return kDone;
-  }
-  if (std::filesystem::exists(options.file)) {
-    say(fmt::format("{}: error: the file exists already; give another name\n", options.file));
-    return kWrongInput;
-  }
-  write_case(options.file, text);
-  note(options,
-       fmt::format("{}: written; `prs check {}` is the next step", options.file, options.file));
   return kDone;
 }
 

@@ -10,6 +10,10 @@
 #include "prs/run/commands.h"
 #include "prs/study/design_range.h"
 
+namespace CLI {
+class App;
+}
+
 namespace prs::cli {
 
 /// Arguments of `prs configurations`; quantities as the user wrote them.
@@ -19,6 +23,15 @@ struct ConfigurationOptions {
   std::optional<std::string> type;  ///< `standard` or `inverted`.
   std::optional<int> starts, roller_starts, rollers;
   std::vector<std::string> write;  ///< Empty, or the number of a line and a file.
+};
+
+/// Arguments of `prs new`; quantities as the user wrote them.
+struct NewOptions {
+  std::string type, file;  ///< With `lesson`, `type` may hold the file.
+  std::optional<std::string> lesson;
+  std::optional<std::string> screw_diameter, lead, nut_diameter, nut_length, roller_profile_radius;
+  std::optional<std::string> load, speed, lubricant, temperature;
+  std::optional<int> starts, rollers;
 };
 
 /// Arguments of all commands.
@@ -31,8 +44,8 @@ struct Options : OutputOptions {
   std::vector<std::filesystem::path> folders;  ///< `prs study merge`: those of the shards.
   bool explain = false;                        ///< `prs measures`: formulas in place of numbers.
   std::string schema_of = "input";             ///< `prs schema`: or `results`, `figures`.
-  bool standard = false;  ///< `prs new`: a standard screw in place of an inverted one.
   ConfigurationOptions configurations;
+  NewOptions new_case;
 };
 
 inline constexpr std::size_t kMostThreads = 4096;
@@ -52,7 +65,8 @@ int schema(const Options& options);
 /// The commands that take a case or, with `options.file`, those that have all they need in it.
 int list_commands(const Options& options);
 int list_lubricants(const Options& options);
-/// Prints a commented starting case, or writes it to `options.file`, which must not exist.
+void add_new_options(CLI::App& command, NewOptions& options);
+/// Prints a commented case, or writes it to a file, which must not exist; or copies a lesson.
 int new_case(const Options& options);
 
 }  // namespace prs::cli

@@ -163,11 +163,9 @@ int run_command(int argc, char** argv) {
   list->add_option("file", options.file, "A case: only the commands that it has all for")
       ->type_name("FILE");
   list->add_flag("--json", options.json, "Print lubricants as JSON")->disable_flag_override();
-  CLI::App* new_case = add_command("new", "Write a commented starting case", prs::cli::new_case);
-  std::string type = "inverted";
-  new_case->add_option("type", type, "standard or inverted")
-      ->check(CLI::IsMember({"standard", "inverted"}));
-  new_case->add_option("file", options.file, "New file; printed without one")->type_name("FILE");
+  CLI::App* new_case = add_command(
+      "new", "Write a complete, commented case of a screw, or copy a lesson", prs::cli::new_case);
+  prs::cli::add_new_options(*new_case, options.new_case);
   new_case->add_flag("--quiet", options.quiet, "Print errors only");
   app.add_subcommand(kValidate, "Compare with the published sources");  // A program of its own.
 
@@ -189,8 +187,6 @@ int run_command(int argc, char** argv) {
     prs::cli::say("file is required\nRun with --help for more information.\n");
     return prs::cli::kWrongInput;
   }
-  options.standard = type == "standard";
-
   return prs::cli::run_recorded([&] { return run(options); }, options,
                                 app.get_subcommands().front()->get_name(), options.file,
                                 options.overrides);

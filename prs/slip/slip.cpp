@@ -18,6 +18,8 @@ namespace {
 
 /// Film over roughness below which the surfaces begin to touch, and below which they carry.
 constexpr double kMixedLubrication = 3.0, kBoundaryLubrication = 1.0;
+/// Coulomb's coefficient from which surfaces are taken to touch.
+constexpr double kTouchingFriction = 0.05;
 
 /// (2.14): screw, roller and nut can only roll on each other without parting where the gears turn
 /// the rollers as their leads ask.
@@ -163,8 +165,10 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   return slip;
 }
 
-void warn_of_lubrication(const SlipResult& slip, Friction::Model friction,
+void warn_of_lubrication(const SlipResult& slip, const Friction& friction,
                          std::vector<std::string>& warnings) {
+  const bool jacod = friction.model == Friction::Model::jacod;
+  if (!jacod && friction.coefficient >= kTouchingFriction) return;
   for (const Interface i : kInterfaces) {
     double least = std::numeric_limits<double>::infinity();
     for (const double ratio : slip.threads[i].film_ratio)
@@ -173,9 +177,8 @@ void warn_of_lubrication(const SlipResult& slip, Friction::Model friction,
       warnings.push_back(fmt::format(
           "{} lubrication at the {} contacts: film over roughness is {:.2f} at the least; {}",
           least < kBoundaryLubrication ? "boundary" : "mixed", label(i), least,
-          friction == Friction::Model::jacod
-              ? "real friction is higher than that of the full film computed here"
-              : "take a friction coefficient of surfaces that touch"));
+          jacod ? "real friction is higher than that of the full film computed here"
+                : "take a friction coefficient of surfaces that touch"));
   }
 }
 
@@ -188,7 +191,7 @@ void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads,
         warnings.push_back(*note);
 }
 
-void warn(const SlipResult& slip, const SlipModel& model, Friction::Model friction,
+void warn(const SlipResult& slip, const SlipModel& model, const Friction& friction,
           std::vector<std::string>& warnings) {
   if (slip.status == SlipStatus::jammed)
     warnings.push_back(
@@ -312,7 +315,7 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
     }
     if (options.detail != Detail::complete) continue;
-    warn(*loaded.slip, model, c.friction->model, loaded.warnings);
+    warn(*loaded.slip, model, *c.friction, loaded.warnings);
     warn_of_running_pressure(*loaded.threads, loaded.warnings);
   }
   return result;
