@@ -9,6 +9,7 @@
 
 #include "prs/cli/commands.h"
 #include "prs/cli/deliver.h"
+#include "prs/cli/usage_error.h"
 #include "prs/input/field.h"
 #include "prs/input/source.h"
 #include "prs/input/units.h"
@@ -22,7 +23,7 @@ namespace prs::cli {
 namespace {
 
 [[noreturn]] void fail(std::string_view option, std::string_view message) {
-  throw input::InputError(fmt::format("prs configurations: error: {}: {}", option, message));
+  throw UsageError(fmt::format("{}: {}", option, message));
 }
 
 /// The value of an option [SI] within bounds that `expected` puts into words.
@@ -69,7 +70,7 @@ ConfigurationQuery query_of(const ConfigurationOptions& o) {
   std::string reasons = left_out_text(nothing);
   reasons.pop_back();  // The newline that whoever prints the error adds.
   throw input::InputError(
-      "prs configurations: error: nothing sound has this diameter, lead and starts; change what "
+      "prs: error: nothing sound has this diameter, lead and starts; change what "
       "the reasons name\n" +
       reasons);
 }
