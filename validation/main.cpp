@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "prs/cli/data_folder.h"
 #include "prs/cli/deliver.h"
 #include "prs/cli/program.h"
 #include "prs/input/document.h"
@@ -104,8 +105,8 @@ int run(int argc, char** argv) {
   app.footer(kExitStatuses);
   Options options;
   app.add_option("file", options.file,
-                 "Folder of the sources, default: validation; with --recipe a file of diameters, "
-                 "YAML or CSV")
+                 "Folder of the sources, default: those that come with the program; with --recipe a "
+                 "file of diameters, YAML or CSV")
       ->type_name("DIR|FILE");
   CLI::Option* recipe_option =
       app.add_option("--recipe", options.recipe,
@@ -122,7 +123,7 @@ int run(int argc, char** argv) {
   add_output_options(app, options);
   if (const std::optional<int> status = parse(app, argc, argv)) return *status;
 
-  if (!options.recipe && options.file.empty()) options.file = "validation";
+  if (!options.recipe && options.file.empty()) options.file = data_folder("validation").string();
   return run_recorded([&] { return options.recipe ? recipe(options) : validate(options); }, options,
                       "validate", "", {});
 }
