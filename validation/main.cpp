@@ -104,9 +104,10 @@ int run(int argc, char** argv) {
   CLI::App app{"Compare with the published sources"};
   app.footer(kExitStatuses);
   Options options;
-  app.add_option("file", options.file,
-                 "Folder of the sources, default: those that come with the program; with --recipe a "
-                 "file of diameters, YAML or CSV")
+  app.add_option(
+         "file", options.file,
+         "Folder of the sources, default: those that come with the program; with --recipe a "
+         "file of diameters, YAML or CSV")
       ->type_name("DIR|FILE");
   CLI::Option* recipe_option =
       app.add_option("--recipe", options.recipe,
