@@ -109,6 +109,12 @@ void add_case_commands(CLI::App& app, Options& options, RunCommand& run) {
     add_case_options(*command, options);
     command->callback([&] { run = [&row](const Options& o) { return run_case(row, o); }; });
   }
+  app.get_subcommand("check")->add_flag("--all", options.all,
+                                        "List every value, with its default, too");
+  app.get_subcommand("compare")->add_flag_callback(
+      "--influence", [&] { options.overrides.push_back("model.bodies=influence"); },
+      "With the influence model also where its matrices have to be made; as --set "
+      "model.bodies=influence");
   CLI::App* measures = app.get_subcommand("measures");
   measures->get_option("file")->required(false);  // `--explain` needs none.
   measures->add_flag("--explain", options.explain,
