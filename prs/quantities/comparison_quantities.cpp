@@ -16,7 +16,7 @@ struct ComparedLoad {
   const LoadCase& load() const { return comparison->best().load_cases[load_case].load_case; }
 };
 
-/// Threads of one interface, or null where the loads are not known.
+/// Threads of one interface.
 struct MostLoaded {
   const InterfaceLoads* loads = nullptr;
 
@@ -61,13 +61,8 @@ constexpr Quantity<MostLoaded> kMostLoaded[] = {
     {"largest_peak_pressure_MPa",
      of<[](const MostLoaded& m) { return largest_of(m.loads->peak_pressure); }>,
      "largest of a thread"},
-    {"load_rate_percent", of < [](const MostLoaded& m) -> const auto& {return m.shares();
-}
->, "share of each thread"
-}  // namespace prs
-,
-}
-;
+    {"load_rate_percent", of<&MostLoaded::shares>, "share of each thread"},
+};
 
 constexpr Quantity<ComparedModel> kModel[] = {
     {"bodies", of<&ComparedModel::bodies>, "bars | refined | influence"},

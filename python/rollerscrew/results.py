@@ -287,7 +287,7 @@ class CompareResult(Result):
     comparison: Comparison
 
     def to_frame(self) -> pd.DataFrame:
-        """Stiffness, displacement, largest shares and pressures, one row per load case and model."""
+        """Stiffness, displacement, largest shares, pressures: one row per load case and model."""
         rows = [
             {"load_case": load_case.name, **dict(_flat(model))}
             for load_case in self.comparison.load_cases
