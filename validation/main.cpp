@@ -12,6 +12,7 @@
 #include "prs/cli/data_folder.h"
 #include "prs/cli/deliver.h"
 #include "prs/cli/program.h"
+#include "prs/cli/progress_line.h"
 #include "prs/cli/validate_options.h"
 #include "prs/input/document.h"
 #include "prs/validation/validate.h"
@@ -56,10 +57,16 @@ int validate(const Options& options) {
   if (!std::filesystem::is_directory(options.file))
     return wrong_input(fmt::format(
         "prs: error: {}: no such folder; give the folder of the sources as DIR\n", options.file));
-  const std::vector<prs::SourceReport> reports =
-      prs::validate(options.file, {prs::abevi_2015::extension(), prs::jung_2017::extension(),
-                                   prs::reference_fe::extension(), prs::sandu_2018::extension(),
-                                   prs::standard_screws::extension(), prs::yao_2023::extension()});
+  ProgressLine line(options.quiet);
+  const auto progress = [&](const std::string& source, std::size_t done, std::size_t all) {
+    line.tell(fmt::format("{} of {} sources done; {}", done, all, source));
+  };
+  const std::vector<prs::SourceReport> reports = prs::validate(
+      options.file,
+      {prs::abevi_2015::extension(), prs::jung_2017::extension(), prs::reference_fe::extension(),
+       prs::sandu_2018::extension(), prs::standard_screws::extension(), prs::yao_2023::extension()},
+      progress);
+  line.clear();
   if (reports.empty())
     return wrong_input(fmt::format(
         "prs: error: {}: no folder with a reference.yaml; give the folder of the sources as DIR\n",

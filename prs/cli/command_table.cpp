@@ -60,6 +60,20 @@ void add_restart(CLI::App& command, Options& options, const char* help) {
   command.add_flag("--restart", options.restart, help)->disable_flag_override();
 }
 
+void add_check_options(CLI::App& check, Options& options) {
+  check.add_flag("--all", options.all, "List every value, with its default, too")
+      ->disable_flag_override();
+}
+
+void add_compare_options(CLI::App& compare, Options& options) {
+  compare
+      .add_flag_callback(
+          "--influence", [&] { options.overrides.push_back("model.bodies=influence"); },
+          "With the influence model also where its matrices have to be made; as --set "
+          "model.bodies=influence")
+      ->disable_flag_override();
+}
+
 void add_measures_options(CLI::App& measures, Options& options) {
   measures.get_option("file")->required(false);  // `--explain` needs none.
   measures
@@ -151,6 +165,10 @@ struct CaseRow {
 };
 
 constexpr CaseRow kCaseRows[] = {
+    {Command::check, kAnalyse, add_check_options, nullptr,
+     "prs check case.yaml\nprs check case.yaml --all"},
+    {Command::compare, kAnalyse, add_compare_options, nullptr,
+     "prs compare case.yaml\nprs compare case.yaml --influence --output results"},
     {Command::measures, kAnalyse, add_measures_options, nullptr,
      "prs measures case.yaml\nprs measures --explain"},
     {Command::study, kSearch, add_study_options, study,

@@ -1,12 +1,16 @@
 #include "prs/cli/program.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <memory>
 #include <new>
 #include <optional>
 #include <string_view>
 
 #include "prs/cli/interruption.h"
+#include "prs/cli/progress_line.h"
 #include "prs/input/source.h"
 #include "prs/output/run_files.h"
 #include "prs/sector/influence/matrix_cache.h"
@@ -45,6 +49,13 @@ int run_recorded(const std::function<int()>& run, const OutputOptions& options,
                  const std::string& command, const std::string& case_file,
                  const std::vector<std::string>& overrides) {
   shared_matrix_cache().keep_in(cache_directory());
+  shared_matrix_cache().report_to([line = std::make_shared<ProgressLine>(options.quiet)](
+                                      bool working, int computed) {
+    if (working)
+      line->tell(fmt::format("matrices of `influence`: {} made; a screw has about ten", computed));
+    else
+      line->clear();
+  });
   std::optional<RunFiles> files;
   if (options.output) files.emplace(*options.output, command, case_file, overrides);
   const int status = run();

@@ -216,14 +216,18 @@ Outcome Comparison::outcome() const {
 }
 
 std::vector<SourceReport> validate(const std::filesystem::path& directory,
-                                   const std::vector<SourceExtension>& extensions) {
+                                   const std::vector<SourceExtension>& extensions,
+                                   const ValidationProgress& progress) {
   std::vector<std::filesystem::path> folders;
   if (std::filesystem::exists(directory / "reference.yaml")) folders.push_back(directory);
   for (const auto& entry : std::filesystem::directory_iterator(directory))
     if (std::filesystem::exists(entry.path() / "reference.yaml")) folders.push_back(entry.path());
   std::sort(folders.begin(), folders.end());
   std::vector<SourceReport> reports;
-  for (const auto& folder : folders) reports.push_back(report_on(folder, extensions));
+  for (const auto& folder : folders) {
+    if (progress) progress(folder.filename().string(), reports.size(), folders.size());
+    reports.push_back(report_on(folder, extensions));
+  }
   return reports;
 }
 

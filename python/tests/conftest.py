@@ -25,6 +25,7 @@ BLOCKS = {
     "check": "mechanism",
     "contact": "mechanism",
     "solve": "structure",
+    "compare": "structure",
     "slip": "friction",
     "preload": "preload",
     "life": "life",

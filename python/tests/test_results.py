@@ -24,6 +24,7 @@ KINDS: list[tuple[int, str, type[rs.Result]]] = [
     (1, "check", rs.CheckResult),
     (7, "contact", rs.ContactResult),
     (1, "solve", rs.SolveResult),
+    (1, "compare", rs.CompareResult),
     (9, "slip", rs.SlipResult),
     (12, "preload", rs.PreloadResult),
     (14, "life", rs.LifeResult),

@@ -88,6 +88,36 @@ std::optional<MatrixCache::Matrices> decoded(std::string_view bytes, const std::
 
 }  // namespace
 
+/// Says when it begins and when it ends.
+class MatrixCache::Computation {
+ public:
+  explicit Computation(MatrixCache& cache) : cache_(cache) { change(1); }
+  ~Computation() { change(-1); }
+  Computation(const Computation&) = delete;
+  Computation& operator=(const Computation&) = delete;
+
+ private:
+  void change(int by) {
+    const std::lock_guard lock(cache_.mutex_);
+    cache_.working_ += by;
+    if (by < 0) ++cache_.computed_;
+    if (cache_.progress_) cache_.progress_(cache_.working_ > 0, cache_.computed_);
+  }
+
+  MatrixCache& cache_;
+};
+
+MatrixCache::MatrixCache(const MatrixCache& other, KeptOnly) : computes_(false) {
+  const std::lock_guard lock(other.mutex_);
+  folder_ = other.folder_;
+  kept_ = other.kept_;
+}
+
+void MatrixCache::report_to(Progress progress) {
+  const std::lock_guard lock(mutex_);
+  progress_ = std::move(progress);
+}
+
 void MatrixCache::keep_in(fs::path directory) {
   const std::lock_guard lock(mutex_);
   folder_.reset();
@@ -109,12 +139,13 @@ std::shared_ptr<const MatrixCache::Matrices> MatrixCache::get(
       matrices = decoded(*bytes, key);
   const bool found = matrices.has_value();
   if (!found) {
+    if (!computes_) throw NotKept();
+    const Computation computation(*this);
     matrices = compute();
     if (folder) folder->write(digest, encoded(key, *matrices));
   }
 
   const std::lock_guard lock(mutex_);
-  if (!found) ++computed_;
   const auto [entry, is_new] =
       kept_.try_emplace(key, std::make_shared<const Matrices>(std::move(*matrices)));
   const std::shared_ptr<const Matrices> result = entry->second;
