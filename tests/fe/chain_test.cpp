@@ -84,7 +84,7 @@ SolvedRails solve_rails(const Rails<double>& rails, double k0, int stations, dou
   }
   const ChainHertz<double> law{{k0, k0}};
   RailChain chain(rails, law, stations, s.records.data());
-  s.summary = chain.solve(load, load, options, true);
+  s.summary = chain.solve(load, load, options);
   const std::vector<RailChain::Record> solved = s.records;
   s.flexibility = chain.flexibility();
   s.records = solved;
