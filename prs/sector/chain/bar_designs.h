@@ -15,7 +15,7 @@ namespace prs {
 
 /// Solves designs of `Bodies::bars` side by side: as many sectors as a batch has numbers in lock
 /// step, each with its own convergence. Set-up of the sectors is part of it. A design's result does
-/// not depend, bit for bit, on the designs beside it. Workspace is kept from call to call; one
+/// not depend, bit for bit, on the other designs. Workspace is kept from call to call; one
 /// solver a thread.
 class BarDesignSolver {
  public:
