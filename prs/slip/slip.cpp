@@ -290,21 +290,9 @@ PatchField patch_field(const contact::PatchGrid& grid, const contact::Patch& pat
 }  // namespace
 
 std::string_view name(SlipStatus status) {
-  switch (status) {
-    case SlipStatus::not_computed:
-      return "not_computed";
-    case SlipStatus::converged:
-      return "converged";
-    case SlipStatus::imposed:
-      return "imposed";
-    case SlipStatus::no_equilibrium:
-      return "no_equilibrium";
-    case SlipStatus::jammed:
-      return "jammed";
-    case SlipStatus::iteration_limit:
-      return "iteration_limit";
-  }
-  return "unknown";
+  constexpr std::string_view kNames[] = {"not_computed",   "converged", "imposed",
+                                         "no_equilibrium", "jammed",    "iteration_limit"};
+  return kNames[static_cast<std::size_t>(status)];
 }
 
 std::optional<std::string> unknown_film_ratio(const Conditions& c) {
