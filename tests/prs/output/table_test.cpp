@@ -79,8 +79,9 @@ TEST(LoadCaseTable, AWarningOnSeveralLoadsNamesTheirKeyOnce) {
     LoadCaseResult& r = result.load_cases[k];
     r.load_case.input_path = "load_cases[" + std::to_string(k < 2 ? 4 : 5) + "]";
     r.warnings = {r.load_case.input_path + ".axial_force: high"};
-    if (k == 1)
+    if (k == 1) {
       EXPECT_TRUE(contains(load_case_table(result), "  load_cases[4].axial_force: high\n"));
+    }
   }
   EXPECT_TRUE(contains(load_case_table(result),
                        "  load_cases[..].axial_force: high\n    in sweep[0–2]\n"));
