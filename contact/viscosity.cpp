@@ -35,4 +35,20 @@ double kinematic_viscosity(const WaltherLine& line, double temperature) {
   return kLeastKinematicViscosity + kSquareMillimetre * std::expm1(kLn10 * std::pow(10.0, y));
 }
 
+double gold_pressure_viscosity(BaseOil oil, double kinematic_viscosity) {
+  assert(kinematic_viscosity > 0.0);
+  const auto law = [&](double factor, double exponent) {
+    return 1e-9 * factor * std::pow(kinematic_viscosity / kSquareMillimetre, exponent);
+  };
+  switch (oil) {
+    case BaseOil::mineral:
+      return law(9.904, 0.139);
+    case BaseOil::polyalphaolefin:
+      return law(7.382, 0.1335);
+    case BaseOil::ester:
+      break;
+  }
+  return law(6.605, 0.136);
+}
+
 }  // namespace contact

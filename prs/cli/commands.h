@@ -10,6 +10,10 @@
 #include "prs/run/commands.h"
 #include "prs/study/design_range.h"
 
+namespace CLI {
+class App;
+}
+
 namespace prs::cli {
 
 /// Arguments of `prs configurations`; quantities as the user wrote them.
@@ -21,6 +25,15 @@ struct ConfigurationOptions {
   std::vector<std::string> write;  ///< Empty, or the number of a line and a file.
 };
 
+/// Arguments of `prs new`; quantities as the user wrote them.
+struct NewOptions {
+  std::string type, file;  ///< With `lesson`, `type` may hold the file.
+  std::optional<std::string> lesson;
+  std::optional<std::string> screw_diameter, lead, nut_diameter, nut_length, roller_profile_radius;
+  std::optional<std::string> load, speed, lubricant, temperature;
+  std::optional<int> starts, rollers;
+};
+
 /// Arguments of all commands.
 struct Options : OutputOptions {
   std::string file;
@@ -30,12 +43,22 @@ struct Options : OutputOptions {
   bool restart = false;                        ///< `prs study`: discards what was computed before.
   std::vector<std::filesystem::path> folders;  ///< `prs study merge`: those of the shards.
   bool explain = false;                        ///< `prs measures`: formulas in place of numbers.
-  std::string schema_of = "input";             ///< `prs schema`: or `results`, `figures`.
-  bool standard = false;  ///< `prs new`: a standard screw in place of an inverted one.
+  std::string what;                            ///< `prs list`, `prs schema`: of what.
+  std::vector<std::string> words;              ///< `prs help`: the command to explain.
   ConfigurationOptions configurations;
+  NewOptions new_case;
 };
 
 inline constexpr std::size_t kMostThreads = 4096;
+
+/// As FILE: the case is read from standard input.
+inline constexpr std::string_view kStandardInput = "-";
+
+/// What messages and documents call the case.
+std::string case_name(const Options& options);
+
+/// The case that the command line names. Throws InputError; UsageError where it names none.
+input::Source case_source(const Options& options);
 
 /// Runs a command that computes a case and writes its results.
 int run_case(const CommandRow& row, const Options& options);
@@ -49,9 +72,8 @@ int configurations(const Options& options);
 /// Multi-objective design: writes the Pareto front and the chosen design of the file's `optimize`.
 int optimize(const Options& options);
 int schema(const Options& options);
-/// The commands that take a case or, with `options.file`, those that have all they need in it.
-int list_commands(const Options& options);
-/// Prints a commented starting case, or writes it to `options.file`, which must not exist.
+void add_new_options(CLI::App& command, NewOptions& options);
+/// Prints a commented case, or writes it to a file, which must not exist; or copies a lesson.
 int new_case(const Options& options);
 
 }  // namespace prs::cli

@@ -9,54 +9,39 @@
 
 #include "prs/cli/commands.h"
 #include "prs/cli/deliver.h"
-#include "prs/input/field.h"
+#include "prs/cli/quantity_option.h"
 #include "prs/input/source.h"
-#include "prs/input/units.h"
 #include "prs/output/configurations_files.h"
 #include "prs/output/configurations_table.h"
 #include "prs/output/files.h"
+#include "prs/output/screw_case.h"
 #include "prs/quantities/configurations_json.h"
 #include "prs/version.h"
 
 namespace prs::cli {
 namespace {
 
-[[noreturn]] void fail(std::string_view option, std::string_view message) {
-  throw input::InputError(fmt::format("prs configurations: error: {}: {}", option, message));
-}
-
-/// The value of an option [SI] within bounds that `expected` puts into words.
-double quantity(std::string_view option, const std::string& text, const input::Dimension& dimension,
-                const input::Bounds& bounds, std::string_view expected) {
-  const input::ParsedQuantity parsed = input::parse_quantity(text, dimension);
-  if (!parsed.value)
-    fail(option, fmt::format("got {}; expected {} with its unit, for example `{}`{}{}",
-                             input::shown(text), dimension.name, dimension.example,
-                             parsed.hint.empty() ? "" : "; ", parsed.hint));
-  if (!bounds.contain(*parsed.value))
-    fail(option, fmt::format("got {}; expected {}", input::shown(text), expected));
-  return *parsed.value;
-}
-
 ConfigurationQuery query_of(const ConfigurationOptions& o) {
   using namespace input;
   constexpr double kDegree = std::numbers::pi / 180;
   const Bounds size{1e-3, 1.0};
   ConfigurationQuery q;
-  q.screw_diameter = quantity("--screw-diameter", o.screw_diameter, unit::length, size,
-                              "1 mm to 1 m; check the unit");
-  q.lead = quantity("--lead", o.lead, unit::length, not_zero,
-                    "a lead other than 0; > 0 right-handed, < 0 left-handed");
+  q.screw_diameter = quantity_option("--screw-diameter", o.screw_diameter, unit::length, size,
+                                     "1 mm to 1 m; check the unit");
+  q.lead = quantity_option("--lead", o.lead, unit::length, not_zero,
+                           "a lead other than 0; > 0 right-handed, < 0 left-handed");
   if (std::abs(q.lead) > 10.0 * q.screw_diameter || std::abs(q.lead) < 1e-4 * q.screw_diameter)
-    fail("--lead", fmt::format("got {}; expected 0.0001 to 10 screw diameters; check the units",
-                               shown(o.lead)));
+    fail_option("--lead",
+                fmt::format("got {}; expected 0.0001 to 10 screw diameters; check the units",
+                            shown(o.lead)));
   if (o.flank_angle)
-    q.flank_angle = quantity("--flank-angle", *o.flank_angle, unit::angle,
-                             {20 * kDegree, 70 * kDegree}, "20 deg to 70 deg, usually 45 deg");
-  if (o.gap) q.gap = quantity("--gap", *o.gap, unit::length, not_negative, "0 mm or more");
+    q.flank_angle =
+        quantity_option("--flank-angle", *o.flank_angle, unit::angle, {20 * kDegree, 70 * kDegree},
+                        "20 deg to 70 deg, usually 45 deg");
+  if (o.gap) q.gap = quantity_option("--gap", *o.gap, unit::length, not_negative, "0 mm or more");
   if (o.roller_profile_radius)
-    q.roller_profile_radius = quantity("--roller-profile-radius", *o.roller_profile_radius,
-                                       unit::length, positive, "more than 0 mm");
+    q.roller_profile_radius = quantity_option("--roller-profile-radius", *o.roller_profile_radius,
+                                              unit::length, positive, "more than 0 mm");
   if (o.type)
     q.type = *o.type == "standard" ? Mechanism::Type::standard : Mechanism::Type::inverted;
   q.screw_starts = o.starts;
@@ -69,7 +54,7 @@ ConfigurationQuery query_of(const ConfigurationOptions& o) {
   std::string reasons = left_out_text(nothing);
   reasons.pop_back();  // The newline that whoever prints the error adds.
   throw input::InputError(
-      "prs configurations: error: nothing sound has this diameter, lead and starts; change what "
+      "prs: error: nothing sound has this diameter, lead and starts; change what "
       "the reasons name\n" +
       reasons);
 }
@@ -80,8 +65,8 @@ const Configuration& chosen(const Configurations& all, const ConfigurationOption
   if (number)
     for (std::size_t k = 0; k < all.found.size(); ++k)
       if (*number == static_cast<double>(k + 1)) return all.found[k];
-  fail("--write", fmt::format("got {}; expected the number of a line, 1 to {}, and a file",
-                              input::shown(o.write[0]), all.found.size()));
+  fail_option("--write", fmt::format("got {}; expected the number of a line, 1 to {}, and a file",
+                                     input::shown(o.write[0]), all.found.size()));
 }
 
 }  // namespace
@@ -96,8 +81,8 @@ int configurations(const Options& options) {
   if (!asked.write.empty()) {
     written = configuration_case(chosen(all, asked));
     if (std::filesystem::exists(asked.write[1]))
-      fail("--write", fmt::format("{}: the file exists already; give another name",
-                                  input::shown(asked.write[1])));
+      fail_option("--write", fmt::format("{}: the file exists already; give another name",
+                                         input::shown(asked.write[1])));
   }
   if (written) write_case(asked.write[1], *written);
   const int status =

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "prs/configurations/complete_screw.h"
 #include "prs/configurations/roller_spacing.h"
 #include "prs/model/case_error.h"
 #include "prs/model/check_case.h"
@@ -18,7 +19,6 @@ namespace {
 
 constexpr int kFewestStarts = 3, kMostStarts = 10;
 constexpr int kMostRollerStarts = 3;
-constexpr int kFewestRollers = 3;
 
 /// Rolling diameters by the starts; without sense where `too_few_starts`.
 PerPart<double> rolling_diameters(const Mechanism& m, double screw_diameter) {
@@ -70,19 +70,6 @@ void count_rollers(Configuration& c, const ConfigurationQuery& query, double cre
     if (go_in_alike(c.mechanism.starts, n)) c.alike.push_back(n);
   c.gears = gear_pairs(c.mechanism.type, c.mechanism.starts, c.centre_distance, c.mechanism.rollers,
                        query.gap);
-}
-
-/// Axial force at which equal shares reach `kModeratePressure` [N].
-double moderate_force(const Mechanism& m, const Contacts& contacts) {
-  double force = std::numeric_limits<double>::infinity();
-  for (const Interface i : kInterfaces) {
-    const InterfaceContact& contact = contacts.interfaces[i];
-    const double pressure_of_1_newton = contact::at_load(contact.hertz, 1.0).peak_pressure;
-    const double normal_load = std::pow(kModeratePressure / pressure_of_1_newton, 3);
-    force = std::min(
-        force, normal_load * std::cos(contact.normal_angle()) * m.contacts_per_roller * m.rollers);
-  }
-  return force;
 }
 
 /// What `prs check` would say of the mechanism, the first of it; empty where nothing.

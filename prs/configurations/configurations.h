@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "prs/configurations/gear_pairs.h"
-#include "prs/model/materials.h"
 #include "prs/model/mechanism.h"
 
 namespace prs {
@@ -23,12 +22,6 @@ struct ConfigurationQuery {
   double gap = 0.0;  ///< Least gap between the crests of neighbouring rollers [m].
   std::optional<double> roller_profile_radius;  ///< r_BR [m]; absent: arcs about the axis.
 };
-
-/// Case-hardened bearing steel, with which contacts are judged.
-inline constexpr Material kSteel{210e9, 0.3, std::nullopt};
-
-/// Peak pressure of a first proposal [Pa].
-inline constexpr double kModeratePressure = 1.8e9;
 
 /// A mechanism whose helix angles and gear ratio agree.
 struct Configuration {

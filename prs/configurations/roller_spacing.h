@@ -23,6 +23,9 @@
 /// teeth and threads stand in the same relation, and at both ends.
 namespace prs {
 
+/// Fewer do not centre the screw.
+inline constexpr int kFewestRollers = 3;
+
 /// Free space between the outermost radii of neighbouring rollers, overlap < 0 [m]:
 /// 2 c sin(pi/N) - 2 r (Sandu 2018, (1.45)).
 double neighbour_gap(double centre_distance, double outer_radius, int rollers);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -233,6 +234,13 @@ void alternatives(Io& io, Friction& f) {
   io.word("jacod", f.model, Friction::Model::jacod, "lubricated contact, after Jacod");
   io.map("coulomb", f.model, Friction::Model::coulomb, f.coefficient, Number{not_negative},
          "a constant coefficient of friction");
+}
+
+template <class Io>
+void alternatives(Io& io, LubricantName& n) {
+  const std::span<const NamedLubricant> known = named_lubricants();
+  for (std::size_t i = 0; i < known.size(); ++i)
+    io.word(known[i].name, n, LubricantName{i}, known[i].what);
 }
 
 template <class Io>
@@ -752,25 +760,31 @@ void fields(Io& io, contact::WaltherLine& w) {
 template <class Io>
 void fields(Io& io, Lubricant& l) {
   const Quantity stress{unit::pressure, positive};
+  io.field("name", l.name, Listed{"prs list lubricants"}, optional,
+           "Stands for the values of a known lubricant; keys beside it replace single ones");
   io.field("temperature", l.temperature, Quantity{unit::temperature, positive}, optional,
            "In operation");
 
   const bool by_temperature = l.temperature.has_value();
+  const auto unless_named = [&](bool holds, std::string_view condition) {
+    return Presence{holds && !l.name, holds, condition};
+  };
   io.field("viscosity", l.viscosity, Quantity{unit::viscosity, positive},
-           required_only_if(!by_temperature, "in place of `temperature`"),
+           unless_named(!by_temperature, "in place of `temperature`"),
            "Dynamic viscosity at ambient pressure in operation");
   io.field("walther", l.walther, Block{},
            optional_only_if(by_temperature, "only with `temperature`"),
            "log10 log10(nu/(mm^2/s) + 0.7) = intercept - slope log10(T/K), nu = viscosity/density");
-  io.field(
-      "viscosity_at", l.viscosity_at, List{Block{}, 2, 2},
-      required_only_if(by_temperature && !l.walther, "with `temperature`, in place of `walther`"),
-      "Two points through which the line goes");
+  io.field("viscosity_at", l.viscosity_at, List{Block{}, 2, 2},
+           unless_named(by_temperature && !l.walther, "with `temperature`, in place of `walther`"),
+           "Two points through which the line goes");
   io.field("density", l.density, Quantity{unit::density, positive}, optional,
            "Of the oil, between dynamic and kinematic viscosity");
+  const Presence named = required_unless(l.name.has_value(), "required unless `name` is given");
   io.field("pressure_viscosity", l.pressure_viscosity, Quantity{unit::pressure_viscosity, positive},
-           required, "Pressure-viscosity coefficient");
-  io.field("eyring_stress", l.eyring_stress, stress, required, "Eyring shear stress");
+           named, "Pressure-viscosity coefficient; with `name` estimated from the viscosity");
+  io.field("eyring_stress", l.eyring_stress, stress, named,
+           "Eyring shear stress; with `name` 5 MPa by default");
 }
 
 template <class Io>

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "prs/input/value_text.h"
@@ -33,7 +36,22 @@ class Lister : public Visitor {
   /// One value that stands on one line.
   template <class T, class Kind>
   void list(const Node* node, const std::string& path, const T& value, const Kind& kind) {
-    entries_.push_back({path, text_of(value, kind), node == nullptr});
+    EchoEntry& entry = entries_.emplace_back();
+    entry = {path, text_of(value, kind), node == nullptr};
+    if (node) entry.written = node->kind == Node::Kind::scalar ? node->text : flow_text(*node);
+    put_number(entry, value, kind);
+  }
+
+  template <class T, class Kind>
+  static void put_number(EchoEntry&, const T&, const Kind&) {}
+  static void put_number(EchoEntry& entry, double value, const Number&) { entry.number = value; }
+  static void put_number(EchoEntry& entry, double value, const Quantity& kind) {
+    entry.number = value;
+    entry.dimension = &kind.dimension;
+  }
+  static void put_number(EchoEntry& entry, const Range& range, const OneOrRange& kind) {
+    const bool last = range.steps && std::abs(range.to) > std::abs(range.from);
+    put_number(entry, last ? range.to : range.from, kind.quantity);
   }
 
   template <class T>
@@ -100,9 +118,17 @@ class Lister : public Visitor {
 }  // namespace
 
 std::vector<EchoEntry> echo(CaseFile file, const Node& root) {
+  std::optional<Lubricant>& lubricant = file.values.lubricant;
+  if (lubricant) lubricant = resolved(*lubricant);
   std::vector<EchoEntry> entries;
   Lister keys(&root, "", entries);
   fields(keys, file);
+  constexpr std::string_view block = "lubricant.";
+  if (lubricant && lubricant->name)
+    for (EchoEntry& entry : entries)
+      if (entry.is_default && entry.path.starts_with(block))
+        entry.origin =
+            origin_of(std::string_view(entry.path).substr(block.size()), *lubricant->name);
   return entries;
 }
 

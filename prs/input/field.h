@@ -115,6 +115,11 @@ inline constexpr int kLongestText = 100;
 /// `straight` or `{convex: 3 mm}`.
 struct Choice {};
 
+/// One of many words that `alternatives(io, value)` lists; messages refer to a command that does.
+struct Listed {
+  std::string_view command;  ///< `prs list lubricants`
+};
+
 /// A choice under a key of its own; one that is a map may do without it:
 /// `{model: jacod}`, `{model: {coulomb: 0.11}}` or `{coulomb: 0.11}`.
 struct ChoiceUnder {

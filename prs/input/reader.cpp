@@ -15,6 +15,7 @@
 #include "prs/input/case_fields.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/document.h"
+#include "prs/input/usual_values.h"
 #include "prs/input/value_text.h"
 #include "prs/model/check_case.h"
 #include "prs/model/requirements.h"
@@ -138,6 +139,11 @@ Wanted wanted(T& value, const Choice&) {
   std::string what = fmt::format("{}", fmt::join(names.words, " | "));
   for (std::string_view key : names.keys) what += fmt::format(" | {{{}: ..}}", key);
   return {what, std::string(names.words[0])};
+}
+template <class T>
+Wanted wanted(T& value, const Listed& kind) {
+  return {fmt::format("a name that `{}` shows", kind.command),
+          std::string(names_of(value).words[0])};
 }
 template <class T>
 Wanted wanted(T& value, const ChoiceUnder& kind) {
@@ -348,6 +354,24 @@ void read(const Written& w, T& value, const Choice& kind) {
     w.refuse(wanted(value, kind), did_you_mean(w.node.children[0].key, names.keys));
   else
     w.refuse(wanted(value, kind));
+}
+
+/// `ISO VG 100` -> `iso-vg-100`
+std::string spelled_as_a_name(std::string_view text) {
+  std::string name;
+  for (const char c : text)
+    name += c == ' ' || c == '_' ? '-' : c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return name;
+}
+
+template <class T>
+void read(const Written& w, T& value, const Listed& kind) {
+  ChoiceReader reader(w);
+  alternatives(reader, value);
+  if (reader.found()) return;
+  const bool is_text = w.node.kind == Node::Kind::scalar;
+  w.refuse(wanted(value, kind),
+           is_text ? did_you_mean(spelled_as_a_name(w.node.text), names_of(value).words) : "");
 }
 
 template <class T, class Kind>
@@ -592,21 +616,32 @@ CaseInput read_case_input(const Source& source, Command command) {
   const Node root = read_document(source, errors);
   const CaseFile file = read_case_file(root, errors);
   errors.throw_if_any();
-  CaseInput input{checked_case(file, root, command, errors), echo(file, root),
-                  command_of(file.study), command_of(file.optimize)};
+  Case values = checked_case(file, root, command, errors);
   errors.throw_if_any();
+  CaseInput input{std::move(values), echo(file, root), command_of(file.study),
+                  command_of(file.optimize)};
+  input.warnings = unusual_values(input.fields);
   return input;
 }
 
+std::vector<Problem> unmet(const CaseInput& input, Command command) {
+  if (command != Command::study && command != Command::optimize)
+    return prs::missing(input.values, command);
+  const std::optional<Command>& designs = command == Command::study ? input.study : input.optimize;
+  if (designs) return unmet(input, *designs);
+  Problems problems;
+  problems.add_missing(
+      std::string(name(command)), fmt::format("what `{}` varies", name(command)),
+      command == Command::study
+          ? "{command: solve, factors: [{path: mechanism.rollers, values: [8, 9]}]}"
+          : "{command: solve, variables: [{path: mechanism.rollers, from: 8, to: 9}], objectives: "
+            "[{maximize: axial_stiffness_N_per_um}]}");
+  return std::move(problems).take();
+}
+
 std::vector<std::string> missing(const CaseInput& input, Command command) {
-  if (command == Command::study || command == Command::optimize) {
-    const std::optional<Command>& designs =
-        command == Command::study ? input.study : input.optimize;
-    return designs ? missing(input, *designs) : std::vector{std::string(name(command))};
-  }
   std::vector<std::string> paths;
-  for (Problem& problem : prs::missing(input.values, command))
-    paths.push_back(std::move(problem.path));
+  for (Problem& problem : unmet(input, command)) paths.push_back(std::move(problem.path));
   return paths;
 }
 

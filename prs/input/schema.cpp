@@ -160,6 +160,11 @@ Json schema_of(T& value, const Choice&) {
   return choice.all();
 }
 
+template <class T>
+Json schema_of(T& value, const Listed&) {
+  return schema_of(value, Choice{});
+}
+
 template <class T, class Kind>
 Json map_schema(T& value, const Kind& kind) {
   Properties properties;

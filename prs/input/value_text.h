@@ -61,6 +61,11 @@ std::string text_of(T value, const Choice&) {
   return choice.text;
 }
 
+template <class T>
+std::string text_of(T value, const Listed&) {
+  return text_of(value, Choice{});
+}
+
 inline std::string text_of(const WrittenValues& values, const ListOrRange&) {
   if (!values.range) return fmt::format("[{}]", fmt::join(values.list, ", "));
   const WrittenRange& range = *values.range;

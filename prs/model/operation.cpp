@@ -1,6 +1,9 @@
 #include "prs/model/operation.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
+#include <utility>
 
 namespace prs {
 
@@ -11,28 +14,88 @@ double kinematic(const ViscosityPoint& point, double density) {
   return point.viscosity ? *point.viscosity / density : *point.kinematic_viscosity;
 }
 
-/// Dynamic viscosity [Pa s] at the operating temperature. The density, which two dynamic
-/// viscosities may do without, only shifts the 0.7 mm^2/s of the line there: 10 % of it change the
-/// result by less than 0.5 % between 40 and 100 degC and 20 K above where the points lie at these
-/// two.
-double viscosity_by_temperature(const Lubricant& l) {
-  const double density = l.density.value_or(contact::kTypicalOilDensity);
-  if (l.walther) return density * contact::kinematic_viscosity(*l.walther, *l.temperature);
+/// The density, which two dynamic viscosities may do without, only shifts the 0.7 mm^2/s of the
+/// line there: 10 % of it change the result by less than 0.5 % between 40 and 100 degC and 20 K
+/// above where the points lie at these two.
+double density_of(const Lubricant& l) { return l.density.value_or(contact::kTypicalOilDensity); }
+
+/// Dynamic viscosity [Pa s] at a temperature.
+double viscosity_at(const Lubricant& l, double temperature) {
+  const double density = density_of(l);
+  if (l.walther) return density * contact::kinematic_viscosity(*l.walther, temperature);
   assert(l.viscosity_at.size() == 2);
   const ViscosityPoint &first = l.viscosity_at[0], &second = l.viscosity_at[1];
   const contact::WaltherLine line = contact::walther_line(
       first.temperature, kinematic(first, density), second.temperature, kinematic(second, density));
-  return density * contact::kinematic_viscosity(line, *l.temperature);
+  return density * contact::kinematic_viscosity(line, temperature);
+}
+
+contact::Lubricant with_viscosity(const Lubricant& l, double viscosity) {
+  assert(l.name || (l.pressure_viscosity && l.eyring_stress));
+  const auto estimate = [&] {
+    return contact::gold_pressure_viscosity(data_of(*l.name).base, viscosity / density_of(l));
+  };
+  return {.viscosity = viscosity,
+          .pressure_viscosity = l.pressure_viscosity ? *l.pressure_viscosity : estimate(),
+          .eyring_stress = l.eyring_stress.value_or(kTypicalEyringStress)};
 }
 
 }  // namespace
 
+Lubricant with_data_of_name(Lubricant l) {
+  if (!l.name) return l;
+  const NamedLubricant& oil = data_of(*l.name);
+  if (!l.density) l.density = oil.density;
+  if (!l.viscosity && !l.walther && l.viscosity_at.empty())
+    l.viscosity_at = {{313.15, {}, oil.viscosity_40}, {373.15, {}, oil.viscosity_100}};
+  return l;
+}
+
+contact::Lubricant at_temperature(const Lubricant& lubricant, double temperature) {
+  const Lubricant l = with_data_of_name(lubricant);
+  return with_viscosity(l, viscosity_at(l, temperature));
+}
+
 contact::Lubricant in_operation(const Lubricant& lubricant) {
   assert(lubricant.viscosity.has_value() != lubricant.temperature.has_value());
-  return {
-      .viscosity = lubricant.viscosity ? *lubricant.viscosity : viscosity_by_temperature(lubricant),
-      .pressure_viscosity = lubricant.pressure_viscosity,
-      .eyring_stress = lubricant.eyring_stress};
+  return lubricant.viscosity ? with_viscosity(with_data_of_name(lubricant), *lubricant.viscosity)
+                             : at_temperature(lubricant, *lubricant.temperature);
+}
+
+Lubricant resolved(const Lubricant& lubricant) {
+  if (!lubricant.name) return lubricant;
+  Lubricant l = with_data_of_name(lubricant);
+  const contact::Lubricant in = in_operation(l);
+  l.pressure_viscosity = in.pressure_viscosity;
+  l.eyring_stress = in.eyring_stress;
+  return l;
+}
+
+std::string origin_of(std::string_view key, LubricantName name) {
+  if (key == "pressure_viscosity") return "estimate from the viscosity, Gold 2001";
+  if (key == "eyring_stress") return "estimate, typical of oils";
+  return fmt::format("of {}", data_of(name).name);
+}
+
+std::string estimates_note(const Lubricant& l) {
+  if (!l.name || (l.pressure_viscosity && l.eyring_stress)) return {};
+  const contact::Lubricant in = in_operation(l);
+  std::string values, keys;
+  const auto add = [](std::string& list, const std::string& item) {
+    list += list.empty() ? item : " and " + item;
+  };
+  if (!l.pressure_viscosity) {
+    add(values,
+        fmt::format("pressure-viscosity {:.3g} 1/GPa (Gold 2001)", 1e9 * in.pressure_viscosity));
+    add(keys, "`pressure_viscosity`");
+  }
+  if (!l.eyring_stress) {
+    add(values,
+        fmt::format("Eyring stress {:.3g} MPa (oils have 2 to 10)", 1e-6 * in.eyring_stress));
+    add(keys, "`eyring_stress`");
+  }
+  return fmt::format("{} of {} by estimate; efficiency follows them; state {} where measured",
+                     values, data_of(*l.name).name, keys);
 }
 
 }  // namespace prs

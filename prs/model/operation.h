@@ -2,11 +2,14 @@
 
 #include <numbers>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "contact/journal_bearing.h"
 #include "contact/lubricant.h"
 #include "contact/viscosity.h"
+#include "prs/model/named_lubricants.h"
 
 namespace prs {
 
@@ -18,19 +21,45 @@ struct ViscosityPoint {
 };
 
 /// Lubricant as a data sheet states it. Its viscosity is that at operating temperature, or follows
-/// from the temperature by a Walther line: given, or through two points.
+/// from the temperature by a Walther line: given, or through two points. A named lubricant has
+/// values for all that is left out; stated ones come first.
 struct Lubricant {
-  std::optional<double> viscosity;    ///< eta_0 at operating temperature [Pa s]
-  double pressure_viscosity = 0.0;    ///< alpha [1/Pa]
-  double eyring_stress = 0.0;         ///< tau_0 [Pa]
-  std::optional<double> temperature;  ///< In operation [K].
+  std::optional<LubricantName> name;
+  std::optional<double> viscosity;           ///< eta_0 at operating temperature [Pa s]
+  std::optional<double> pressure_viscosity;  ///< alpha [1/Pa]
+  std::optional<double> eyring_stress;       ///< tau_0 [Pa]
+  std::optional<double> temperature;         ///< In operation [K].
   std::vector<ViscosityPoint> viscosity_at;
   std::optional<contact::WaltherLine> walther;
   std::optional<double> density;  ///< Density, from kinematic to dynamic viscosity [kg/m^3].
 };
 
-/// The lubricant at its operating temperature. The case must have passed `check_case`.
+/// Eyring stress where only the name of a lubricant is given [Pa]: of the 2 to 10 MPa that traction
+/// of mineral, polyalphaolefin and ester oils shows (Evans and Johnson, Proc. Instn Mech. Engrs C
+/// 200, 1986, 303).
+inline constexpr double kTypicalEyringStress = 5e6;
+
+/// The lubricant at a temperature [K], also another than that of operation. It must have passed
+/// `check_lubricant`. A named one without `pressure_viscosity` has the estimate from its viscosity
+/// there, see `contact::gold_pressure_viscosity`.
+contact::Lubricant at_temperature(const Lubricant& lubricant, double temperature);
+
+/// The lubricant at its operating temperature, or with the viscosity stated for it. The case must
+/// have passed `check_case`.
 contact::Lubricant in_operation(const Lubricant& lubricant);
+
+/// With the viscosities at two temperatures and the density that the name stands for, where they
+/// are not stated otherwise.
+Lubricant with_data_of_name(Lubricant lubricant);
+
+/// With every value that the name stands for, estimates at operating temperature included.
+Lubricant resolved(const Lubricant& lubricant);
+
+/// Where the value of a key of a named lubricant comes from that is not stated: `density`.
+std::string origin_of(std::string_view key, LubricantName name);
+
+/// Which values of a lubricant are estimates, and how to replace them; empty where all are stated.
+std::string estimates_note(const Lubricant& lubricant);
 
 struct Friction {
   enum class Model { jacod, coulomb };

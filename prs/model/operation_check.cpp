@@ -12,8 +12,7 @@
 namespace prs {
 namespace {
 
-constexpr std::string_view kLubricantExample =
-    "{viscosity: 160 mPa s, pressure_viscosity: 30 1/GPa, eyring_stress: 12 MPa}";
+constexpr std::string_view kLubricantExample = "{name: iso-vg-100, temperature: 60 degC}";
 
 /// The two points must give a line along which the oil gets thinner with temperature; empty where
 /// they do not.
@@ -89,12 +88,18 @@ void check_speed(const LoadCase& load, double speed, const Mechanism& m, Problem
 
 }  // namespace
 
-void check_lubricant(const Lubricant& l, Problems& problems) {
+void check_lubricant(const Lubricant& lubricant, Problems& problems) {
+  const Lubricant l = with_data_of_name(lubricant);
   if (l.viscosity && *l.viscosity <= contact::kRoelandsViscosity)
     problems.add("lubricant.viscosity",
                  fmt::format("got {:.7g} mPa s; expected more than {:.4f} mPa s, below which "
                              "Roelands' viscosity falls with pressure; check the unit",
                              1e3 * *l.viscosity, 1e3 * contact::kRoelandsViscosity));
+  if (l.name && !l.viscosity && !l.temperature)
+    problems.add("lubricant.temperature",
+                 fmt::format("missing; expected the temperature in operation, at which {} has its "
+                             "viscosity; add `temperature: 60 degC`, for example",
+                             data_of(*l.name).name));
   if (!l.temperature) return;
   const bool kinematic = l.walther || std::ranges::any_of(l.viscosity_at, [](const auto& p) {
                            return p.kinematic_viscosity.has_value();
@@ -118,7 +123,9 @@ void check_lubricant(const Lubricant& l, Problems& problems) {
                            celsius(*l.temperature), mm2_per_s(viscosity),
                            mm2_per_s(contact::kLeastKinematicViscosity),
                            mm2_per_s(contact::kGreatestKinematicViscosity),
-                           l.walther ? "`walther`" : "the two points"));
+                           l.walther                        ? "`walther`"
+                           : lubricant.viscosity_at.empty() ? "the name"
+                                                            : "the two points"));
 }
 
 void check_carrier(const Carrier& carrier, Problems& problems) {

@@ -56,5 +56,27 @@ TEST(Walther, FallsWithTemperatureAndKeepsAboveItsLimit) {
   }
 }
 
+/// Viscosity [mPa s] and pressure-viscosity coefficient [1/GPa] at 30, 60 and 100 degC.
+struct MeasuredOil {
+  double viscosity[3];
+  double coefficient[3];
+};
+
+TEST(PressureViscosity, OfParaffinicOilsLiesUpTo30PercentBelowTheHandbook) {
+  // Stachowiak and Batchelor, Engineering Tribology, table 2.3, oils of high viscosity index.
+  const MeasuredOil oils[] = {{{38, 12.1, 5.3}, {0, 18.4, 13.4}},
+                              {{153, 34, 9.1}, {23.7, 20.5, 15.8}},
+                              {{250, 50.5, 12.6}, {25.0, 21.3, 17.6}},
+                              {{810, 135, 26.8}, {34, 28, 22}}};
+  for (const MeasuredOil& oil : oils)
+    for (int i = 0; i < 3; ++i) {
+      if (oil.coefficient[i] == 0) continue;
+      const double kinematic = 1e-3 * oil.viscosity[i] / kTypicalOilDensity;
+      EXPECT_NEAR(gold_pressure_viscosity(BaseOil::mineral, kinematic) * 1e9 / oil.coefficient[i],
+                  0.85, 0.15)
+          << oil.viscosity[i];
+    }
+}
+
 }  // namespace
 }  // namespace contact

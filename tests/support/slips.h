@@ -143,8 +143,8 @@ inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std
   }
   if (c.friction->model == prs::Friction::Model::coulomb) p.coulomb = c.friction->coefficient;
   if (c.lubricant)
-    p.lubricant = {*c.lubricant->viscosity, c.lubricant->pressure_viscosity,
-                   c.lubricant->eyring_stress};
+    p.lubricant = {*c.lubricant->viscosity, *c.lubricant->pressure_viscosity,
+                   *c.lubricant->eyring_stress};
   p.carrier_roller_torque = c.carrier.roller_torque;
   p.carrier_screw_torque = c.carrier.screw_torque;
   p.carrier_nut_torque = c.carrier.nut_torque;

@@ -17,15 +17,19 @@ constexpr double kMillimetre = 1e-3, kKilonewton = 1e3, kKilogramSquareMillimetr
 /// What is equal where only the lead differs.
 using Envelope = std::tuple<double, int, double, double>;
 
-Envelope envelope(const StandardScrew& s) {
-  return {s.screw_diameter, s.starts, s.nut_diameter, s.nut_length};
+Envelope envelope(const ScrewData& s) {
+  return {s.screw_diameter, *s.starts, *s.nut_diameter, *s.nut_length};
 }
 
-Ratios ratios(const CatalogueScrew& printed, double radius_in_pitches, int most_rollers) {
-  StandardScrew screw = printed.screw;
-  if (radius_in_pitches > 0.0)
-    screw.roller_profile_radius = radius_in_pitches * screw.lead / screw.starts;
-  Case c = standard_screw_case(screw);
+/// Radius of an arc about the roller's axis [m].
+double centred_radius(const ScrewData& s) {
+  return 0.5 * s.screw_diameter / (*s.starts - 2) / std::sin(s.flank_angle);
+}
+
+Ratios ratios(const CatalogueScrew& printed, Flanks flanks, int most_rollers) {
+  ScrewData screw = printed.screw;
+  if (flanks == Flanks::centred) screw.roller_profile_radius = centred_radius(screw);
+  Case c = complete_screw(screw).c;
   c.mechanism.rollers = std::min(c.mechanism.rollers, most_rollers);
   const Measures m = measures_of(c, find_contacts(c.mechanism, c.materials, Detail::numbers));
   Ratios r;
@@ -69,17 +73,17 @@ std::vector<CatalogueScrew> read_catalogue(const std::filesystem::path& file) {
   return screws;
 }
 
-std::vector<Ratios> compare(const std::vector<CatalogueScrew>& catalogue, double radius_in_pitches,
+std::vector<Ratios> compare(const std::vector<CatalogueScrew>& catalogue, Flanks flanks,
                             Rollers rollers) {
   std::map<Envelope, int> fewest;
   for (const CatalogueScrew& s : catalogue) {
-    const int fit = standard_screw_case(s.screw).mechanism.rollers;
+    const int fit = complete_screw(s.screw).c.mechanism.rollers;
     const auto [known, is_new] = fewest.try_emplace(envelope(s.screw), fit);
     if (!is_new) known->second = std::min(known->second, fit);
   }
   std::vector<Ratios> rows;
   for (const CatalogueScrew& s : catalogue)
-    rows.push_back(ratios(s, radius_in_pitches,
+    rows.push_back(ratios(s, flanks,
                           rollers == Rollers::as_fit ? std::numeric_limits<int>::max()
                                                      : fewest.at(envelope(s.screw))));
   return rows;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/configurations/standard_screw.h"
+#include "prs/configurations/complete_screw.h"
 #include "prs/life/capacity.h"
 #include "prs/measures/measures.h"
 
@@ -13,7 +13,7 @@ namespace prs::standard_screws {
 /// A row of the catalogue. SI units.
 struct CatalogueScrew {
   std::string name;  ///< Diameter x lead, mm.
-  StandardScrew screw;
+  ScrewData screw;
   double dynamic_capacity = 0.0;  ///< C_a [N]
   double static_capacity = 0.0;   ///< C_0 [N]
   double weight = 0.0;            ///< Weight of nut and rollers [kg].
@@ -41,9 +41,11 @@ struct Ratios {
 /// many as fit at the coarsest.
 enum class Rollers { as_fit, as_at_coarsest_lead };
 
-/// Ratios of all screws. The rollers' flanks have arcs of `radius_in_pitches` pitches, or about the
-/// roller's axis where that is 0.
-std::vector<Ratios> compare(const std::vector<CatalogueScrew>& catalogue, double radius_in_pitches,
+/// Arcs of the rollers' flanks: of `kProfileRadius` pitches, or about the roller's axis.
+enum class Flanks { by_rule, centred };
+
+/// Ratios of all screws.
+std::vector<Ratios> compare(const std::vector<CatalogueScrew>& catalogue, Flanks flanks,
                             Rollers rollers = Rollers::as_fit);
 
 /// Smallest and largest of a ratio over those screws that `counts` lets through.

@@ -15,9 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Rows = std::vector<Ratios>;
 
-constexpr double kDensity = 7800.0;       // kg/m^3
-constexpr int kLargestDiameter = 120;     // mm
-constexpr double kRadiusInPitches = 5.0;  // Arc radius of the variant.
+constexpr double kDensity = 7800.0;    // kg/m^3
+constexpr int kLargestDiameter = 120;  // mm
 
 /// Cylinders of steel, one of each whole diameter in mm, per metre.
 Json cylinders() {
@@ -125,10 +124,10 @@ ValidationTable table(const Rows& rows, std::string of) {
 Supplement supplement(const Case&, const std::filesystem::path& folder) {
   const std::vector<CatalogueScrew> catalogue = read_catalogue(folder / "screws.csv");
   const std::vector<Variant<Rows>> variants{
-      {"arcs about the rollers' axes", compare(catalogue, 0.0)},
-      {"profile radii of 5 pitches", compare(catalogue, kRadiusInPitches)},
+      {"profile radii of 5 pitches", compare(catalogue, Flanks::by_rule)},
       {"the same and as many rollers at every lead",
-       compare(catalogue, kRadiusInPitches, Rollers::as_at_coarsest_lead)}};
+       compare(catalogue, Flanks::by_rule, Rollers::as_at_coarsest_lead)},
+      {"arcs about the rollers' axes", compare(catalogue, Flanks::centred)}};
   Supplement s;
   s.statements = compare(statements(), variants);
   for (const Variant<Rows>& v : variants) s.tables.push_back(table(v.results, v.name));

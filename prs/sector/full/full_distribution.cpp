@@ -205,7 +205,7 @@ void add_compliance(const FullModel& f, FullDistribution& d) {
     for (const Interface i : kInterfaces)
       for (const double approach : d.approach[i][static_cast<std::size_t>(r.number)]) {
         const fe::SpringResponse at =
-            fe::evaluate({f.sector.hertz_constant[i], 1.5, 0.0, 0.0}, approach);
+            fe::evaluate({f.sector.hertz_constant[i], 0.0, 0.0}, approach);
         tangent.push_back(at.tangent);
         closed.push_back(at.force * f.sector.cosine[i] > share);
       }

@@ -213,7 +213,7 @@ class Builder {
     w.push_back({node, Dof::v, -sign * across});
     s_.model.form_springs.push_back(
         {std::move(w),
-         {f_.sector.hertz_constant[i], 1.5, r.gaps[i][k], f_.sector.contact_compliance(i, k)}});
+         {f_.sector.hertz_constant[i], r.gaps[i][k], f_.sector.contact_compliance(i, k)}});
   }
 
   void hold(int node, Dof dof, double stiffness, double rest) {

@@ -262,6 +262,27 @@ TEST(ReadCase, TheEchoIsAnInputThatReadsTheSame) {
        "carrier.bearing={length: 4 mm, diameter: 5 mm, radial_clearance: 15 um}"});
 }
 
+TEST(ReadCase, ALubricantByNameIsShownWithItsValuesAndWhereTheyComeFrom) {
+  const CaseInput input = read_case_input(
+      {"case.yaml",
+       kAbevi,
+       {"lubricant={name: iso-vg-100, temperature: 40 degC, eyring_stress: 8 MPa}"}},
+      Command::check);
+  const auto shown = [&](const std::string& path) -> std::string {
+    for (const EchoEntry& e : input.fields)
+      if (e.path == "lubricant." + path)
+        return e.value + (e.is_default ? " (" + e.origin + ")" : "");
+    return "absent";
+  };
+  EXPECT_EQ(shown("name"), "iso-vg-100");
+  EXPECT_EQ(shown("viscosity"), "absent");
+  EXPECT_EQ(shown("viscosity_at[1].kinematic_viscosity"), "11.07 mm^2/s (of iso-vg-100)");
+  EXPECT_EQ(shown("density"), "891 kg/m^3 (of iso-vg-100)");
+  EXPECT_EQ(shown("eyring_stress"), "8 MPa");
+  EXPECT_THAT(shown("pressure_viscosity"), HasSubstr("18.78"));  // 9.904 100^0.139
+  EXPECT_THAT(shown("pressure_viscosity"), HasSubstr("estimate"));
+}
+
 // Broken input ----------------------------------------------------------------------------------
 
 /// One part of the text replaced, and what the error must say.
@@ -595,6 +616,30 @@ std::string oil(const std::string& rest) {
 }
 
 const Broken kBrokenOperation[] = {
+    {"UnknownLubricant",
+     "materials:",
+     "lubricant: {name: ISO VG 100, temperature: 60 degC}\nmaterials:",
+     "23:19",
+     "lubricant.name",
+     {"got ISO VG 100", "`prs list lubricants`", "did you mean `iso-vg-100`?"}},
+    {"LubricantWithoutTemperature",
+     "materials:",
+     "lubricant: {name: iso-vg-100}\nmaterials:",
+     "23:1",
+     "lubricant.temperature",
+     {"missing", "iso-vg-100", "`temperature: 60 degC`"}},
+    {"LubricantWithoutPressureViscosity",
+     "materials:",
+     "lubricant: {viscosity: 0.1 Pa s, eyring_stress: 5 MPa}\nmaterials:",
+     "23:1",
+     "lubricant.pressure_viscosity",
+     {"missing", "required unless `name` is given"}},
+    {"NamedLubricantTooHot",
+     "materials:",
+     "lubricant: {name: iso-vg-32, temperature: -150 degC}\nmaterials:",
+     "23:31",
+     "lubricant.temperature",
+     {"got -150 degC", "check the temperature and the name"}},
     {"NoViscosity",
      "materials:",
      oil("density: 870 kg/m^3"),

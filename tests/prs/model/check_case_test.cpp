@@ -311,6 +311,8 @@ TEST(CheckCase, BearingsAreThinFilmsAndShort) {
 /// 100 mm^2/s at 40 degC and 11 mm^2/s at 100 degC, used at 60 degC.
 Lubricant oil() {
   Lubricant l;
+  l.pressure_viscosity = 30e-9;
+  l.eyring_stress = 12e6;
   l.temperature = 333.15;
   l.density = 870.0;
   l.viscosity_at = {{313.15, {}, 100e-6}, {373.15, {}, 11e-6}};

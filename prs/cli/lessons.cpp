@@ -1,0 +1,73 @@
+#include "prs/cli/lessons.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include "prs/cli/data_folder.h"
+#include "prs/cli/quantity_option.h"
+#include "prs/input/did_you_mean.h"
+#include "prs/input/document.h"
+
+namespace prs::cli {
+namespace {
+
+/// `# Lesson 14: life under a flight's loads.` -> `life under a flight's loads`
+std::string title_of(const std::string& text) {
+  std::string first = text.substr(0, text.find('\n'));
+  if (const std::size_t colon = first.find(": "); colon != std::string::npos)
+    first.erase(0, colon + 2);
+  if (first.ends_with('.')) first.pop_back();
+  return first;
+}
+
+/// `flight_spectrum` of `14_flight_spectrum`.
+std::string_view without_number(std::string_view name) {
+  return name.substr(std::min(name.find('_') + 1, name.size()));
+}
+
+}  // namespace
+
+std::vector<Lesson> lessons() {
+  std::vector<Lesson> all;
+  for (const auto& entry : std::filesystem::directory_iterator(data_folder("lessons"))) {
+    const std::filesystem::path& file = entry.path();
+    const std::string name = file.stem().string();
+    if (file.extension() == ".yaml" && std::isdigit(static_cast<unsigned char>(name[0])) != 0)
+      all.push_back({name, title_of(input::load_source(file.string(), {}).text), file});
+  }
+  std::ranges::sort(all, {}, [](const Lesson& l) { return std::pair(l.number(), l.name); });
+  return all;
+}
+
+Lesson lesson(const std::string& asked) {
+  const std::vector<Lesson> all = lessons();
+  const bool is_number =
+      !asked.empty() && asked.size() < 5 &&
+      std::ranges::all_of(asked, [](unsigned char c) { return std::isdigit(c) != 0; });
+  const std::string name = asked.ends_with(".yaml") ? asked.substr(0, asked.size() - 5) : asked;
+  for (const Lesson& l : all)
+    if (is_number ? l.number() == std::stoi(asked)
+                  : l.name == name || without_number(l.name) == name)
+      return l;
+  std::vector<std::string_view> names;
+  for (const Lesson& l : all) names.push_back(without_number(l.name));
+  const std::string hint = input::did_you_mean(name, names);
+  fail_option("--lesson",
+              fmt::format("got {}; expected a number from {} to {} or a name, such as {}{}{}",
+                          input::shown(asked), all.front().number(), all.back().number(),
+                          names.front(), hint.empty() ? "" : "; ", hint));
+}
+
+std::vector<std::string> companions(const Lesson& lesson) {
+  const input::Source source = input::load_source(lesson.file.string(), {});
+  input::ErrorList errors(source);
+  const input::Node root = input::read_document(source, errors);
+  errors.throw_if_any();
+  const input::Node* file = input::find_path(root, "life.history.file");
+  return file ? std::vector{file->text} : std::vector<std::string>{};
+}
+
+}  // namespace prs::cli

@@ -1,0 +1,217 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <numbers>
+#include <set>
+
+#include "prs/cli/commands.h"
+#include "prs/cli/lessons.h"
+#include "prs/cli/quantity_option.h"
+#include "prs/input/source.h"
+#include "prs/model/case_error.h"
+#include "prs/model/quantity_text.h"
+#include "prs/output/files.h"
+#include "prs/output/screw_case.h"
+#include "prs/regular_file.h"
+
+namespace prs::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An option that gives a quantity of the screw.
+struct QuantityOption {
+  const char* name;
+  std::optional<std::string> NewOptions::*text;
+  std::optional<double> ScrewData::*value;
+  const input::Dimension& dimension;
+  const char* meaning;  ///< In the list of what was given.
+};
+
+const QuantityOption kQuantities[] = {
+    {"--nut-diameter", &NewOptions::nut_diameter, &ScrewData::nut_diameter, input::unit::length,
+     "nut diameter"},
+    {"--nut-length", &NewOptions::nut_length, &ScrewData::nut_length, input::unit::length,
+     "nut length"},
+    {"--roller-profile-radius", &NewOptions::roller_profile_radius,
+     &ScrewData::roller_profile_radius, input::unit::length, "profile radius"},
+    {"--load", &NewOptions::load, &ScrewData::load, input::unit::force, "load"},
+    {"--speed", &NewOptions::speed, &ScrewData::speed, input::unit::rotational_speed, "speed"},
+};
+
+/// Screws of the examples that the command writes without options.
+ScrewData example(Mechanism::Type type) {
+  ScrewData d;
+  d.type = type;
+  if (type == Mechanism::Type::standard)
+    d = {.type = type,
+         .screw_diameter = 30e-3,
+         .lead = 10e-3,
+         .starts = 5,
+         .nut_diameter = 64e-3,
+         .nut_length = 85e-3};
+  else
+    d = {.type = type,
+         .screw_diameter = 21e-3,
+         .lead = 5e-3,
+         .starts = 3,
+         .nut_diameter = 46e-3,
+         .nut_length = 90e-3};
+  return d;
+}
+
+/// `nut_diameter` -> `--nut-diameter`
+std::string option_of(std::string member) {
+  std::ranges::replace(member, '_', '-');
+  return "--" + member;
+}
+
+ScrewData data_of(const NewOptions& o, Mechanism::Type type, std::vector<std::string>& given) {
+  using namespace input;
+  for (const auto& [option, text] :
+       {std::pair{"--screw-diameter", &o.screw_diameter}, std::pair{"--lead", &o.lead}})
+    if (!*text)
+      fail_option(option,
+                  fmt::format("missing; expected diameter and lead with the other options; "
+                              "add `{} \"{}\"`, for example",
+                              option, option == std::string_view("--lead") ? "10 mm" : "30 mm"));
+  ScrewData d;
+  d.type = type;
+  d.screw_diameter = quantity_option("--screw-diameter", *o.screw_diameter, unit::length,
+                                     {1e-3, 1.0}, "1 mm to 1 m; check the unit");
+  d.lead = quantity_option("--lead", *o.lead, unit::length, {}, "");
+  given = {fmt::format("screw diameter {}", shown(*o.screw_diameter)),
+           fmt::format("lead {}", shown(*o.lead))};
+  d.starts = o.starts;
+  d.rollers = o.rollers;
+  if (o.starts) given.push_back(fmt::format("{} starts", *o.starts));
+  if (o.rollers) given.push_back(fmt::format("{} rollers", *o.rollers));
+  for (const QuantityOption& q : kQuantities)
+    if (const std::optional<std::string>& text = o.*q.text) {
+      d.*q.value = quantity_option(q.name, *text, q.dimension, positive, "more than 0");
+      given.push_back(fmt::format("{} {}", q.meaning, shown(*text)));
+    }
+  return d;
+}
+
+CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given) {
+  CaseLubricant l;
+  l.assumed = !o.lubricant;
+  if (o.lubricant) {
+    if (*o.lubricant != l.name)
+      fail_option("--lubricant",
+                  fmt::format("got {}; expected {}", input::shown(*o.lubricant), l.name));
+    given.push_back("lubricant " + *o.lubricant);
+  }
+  if (o.temperature) {
+    l.temperature = quantity_option("--temperature", *o.temperature, input::unit::temperature,
+                                    {230.0, 500.0}, "an oil's temperature, -43 to 226 degC");
+    given.push_back("its temperature " + *o.temperature);
+  }
+  return l;
+}
+
+std::string new_text(const NewOptions& o) {
+  const auto type = o.type == "standard" ? Mechanism::Type::standard : Mechanism::Type::inverted;
+  const bool by_options =
+      o.screw_diameter || o.lead || o.starts || o.rollers || o.lubricant || o.temperature ||
+      std::ranges::any_of(kQuantities,
+                          [&](const QuantityOption& q) { return (o.*q.text).has_value(); });
+  std::vector<std::string> given;
+  try {
+    const ScrewData data = by_options ? data_of(o, type, given) : example(type);
+    const CaseLubricant lubricant = lubricant_of(o, given);
+    const std::string origin =
+        by_options
+            ? fmt::format("Given: {}.", fmt::join(given, ", "))
+            : fmt::format(
+                  "An example: replace what is marked `given`, or write a case of your screw with "
+                  "`prs new {} FILE --screw-diameter \"{}\" --lead \"{}\"` and what else is known "
+                  "of it.",
+                  type_name(type), mm(data.screw_diameter), mm(data.lead));
+    return screw_case(complete_screw(data), lubricant, origin);
+  } catch (const CaseError& error) {
+    fail_option(option_of(error.path()), error.what());
+  }
+}
+
+void refuse_existing(const fs::path& file) {
+  if (fs::exists(fs::symlink_status(file)))
+    throw input::InputError(
+        fmt::format("{}: error: the file exists already; give another name", file.string()));
+}
+
+std::string content_of_file(const fs::path& file) {
+  return input::load_source(file.string(), {}).text;
+}
+
+/// The lesson, and beside it the files that it reads.
+void copy_lesson(const Lesson& lesson, const fs::path& file) {
+  const std::vector<std::string> names = companions(lesson);
+  refuse_existing(file);
+  for (const std::string& name : names) refuse_existing(file.parent_path() / name);
+  for (const std::string& name : names)
+    write_case(file.parent_path() / name, content_of_file(lesson.file.parent_path() / name));
+  write_case(file, content_of_file(lesson.file));
+}
+
+}  // namespace
+
+void add_new_options(CLI::App& command, NewOptions& options) {
+  command.add_option("type", options.type, "standard or inverted")->type_name("TYPE");
+  command.add_option("file", options.file, "New file; printed without one")->type_name("FILE");
+  const auto add = [&](const char* name, std::optional<std::string>& text, const char* what,
+                       const char* kind) { command.add_option(name, text, what)->type_name(kind); };
+  add("--screw-diameter", options.screw_diameter, "Nominal diameter, with its unit", "LENGTH");
+  add("--lead", options.lead, "Of screw and nut; > 0 right-handed", "LENGTH");
+  command.add_option("--starts", options.starts, "Of screw and nut; default: 5, 4 or 3")
+      ->type_name("N");
+  command.add_option("--rollers", options.rollers, "Default: as many as fit")->type_name("N");
+  add("--nut-diameter", options.nut_diameter, "Outer; default: as in catalogues", "LENGTH");
+  add("--nut-length", options.nut_length,
+      "Of the whole nut, inverted: of the tube that the rollers travel in; default: by rule",
+      "LENGTH");
+  add("--roller-profile-radius", options.roller_profile_radius,
+      "Of the convex rollers; default: 5 pitches", "LENGTH");
+  add("--load", options.load, "Axial; default: 1.8 GPa with equal shares", "FORCE");
+  add("--speed", options.speed,
+      "Screw against nut; default: half of 150,000 mm/min over the diameter", "SPEED");
+  add("--lubricant", options.lubricant, "By its name; default: iso-vg-100", "NAME");
+  add("--temperature", options.temperature, "Of the lubricant; default: 60 degC", "TEMPERATURE");
+  command
+      .add_option("--lesson", options.lesson,
+                  "Copy a lesson and the files that it reads in place of writing a case")
+      ->type_name("N|NAME");
+}
+
+int new_case(const Options& all) {
+  NewOptions options = all.new_case;
+  if (options.lesson) {
+    if (!options.file.empty())
+      fail_option("--lesson", fmt::format("got {} and {}; expected one FILE",
+                                          input::shown(options.type), input::shown(options.file)));
+    std::swap(options.type, options.file);
+  } else if (!options.type.empty() && options.type != "standard" && options.type != "inverted") {
+    fail_option("new", fmt::format("got {}; expected standard or inverted, then the FILE",
+                                   input::shown(options.type)));
+  }
+  const std::optional<Lesson> copied =
+      options.lesson ? std::optional(lesson(*options.lesson)) : std::nullopt;
+  if (options.file.empty()) {
+    print(copied ? content_of_file(copied->file) : new_text(options));
+    return kDone;
+  }
+  if (copied) {
+    copy_lesson(*copied, options.file);
+  } else {
+    refuse_existing(options.file);
+    write_case(options.file, new_text(options));
+  }
+  note(all,
+       fmt::format("{}: written; `prs check {}` is the next step", options.file, options.file));
+  return kDone;
+}
+
+}  // namespace prs::cli

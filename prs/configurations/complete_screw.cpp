@@ -1,0 +1,277 @@
+#include "prs/configurations/complete_screw.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "prs/configurations/roller_spacing.h"
+#include "prs/model/case_error.h"
+#include "prs/model/check_case.h"
+#include "prs/model/groove.h"
+#include "prs/model/quantity_text.h"
+
+namespace prs {
+namespace {
+
+constexpr int kFewestContacts = 3, kMostContacts = 10'000;
+constexpr int kStartsLimit = 100, kMostUsualStarts = 10;
+constexpr double kFinestPitch = 0.02, kUsualPitch = 0.1, kCoarsestPitch = 1.0;  // over d_R
+constexpr double kThickestNut = 100.0;                                          // over d_N
+
+bool is_standard(const ScrewData& d) { return d.type == Mechanism::Type::standard; }
+
+double roller_diameter(const ScrewData& d, int starts) {
+  const double ratio = static_cast<double>(starts) / d.roller_starts;
+  return d.screw_diameter / (is_standard(d) ? ratio - 2.0 : ratio);
+}
+
+/// Whole number of threads along a length.
+int contacts_over(double length, double pitch) {
+  return static_cast<int>(std::lround(std::min(length / pitch, 1e9)));
+}
+
+/// Threads of screw, rollers and nut, without their number of contacts.
+struct Threads {
+  Mechanism mechanism;
+  std::optional<Contacts> contacts;  ///< Absent where nothing rolls.
+  int most_rollers = 0;
+  std::string reason = {};  ///< Why nothing rolls.
+};
+
+Mechanism draft(const ScrewData& d, int starts) {
+  const double pitch = std::abs(d.lead) / starts;
+  const Groove groove =
+      default_groove(false, pitch, 0.5 * d.screw_diameter, d.flank_angle, d.flank_angle);
+  const ThreadHeight height{groove.addendum, groove.dedendum};
+  Mechanism m;
+  m.type = d.type;
+  m.geometry = Mechanism::Geometry::design;
+  m.lead = d.lead;
+  m.starts = {starts, d.roller_starts};
+  m.flank_angle = {d.flank_angle, d.flank_angle, d.flank_angle};
+  m.pitch_diameter.screw = d.screw_diameter;
+  m.profile.roller = {Profile::Shape::convex,
+                      d.roller_profile_radius.value_or(kProfileRadius * pitch)};
+  m.thread = {height, height, height};
+  m.rollers = kFewestRollers;
+  m.contacts_per_roller = kFewestContacts;
+  return m;
+}
+
+Threads threads_for(const ScrewData& d, int starts) {
+  Threads t{draft(d, starts), {}};
+  const double pitch = axial_pitch(t.mechanism), roller = roller_diameter(d, starts);
+  if (!(pitch >= kFinestPitch * roller * (1.0 - 1e-9) && pitch <= kCoarsestPitch * roller))
+    return t.reason = fmt::format("the pitch is {} on rollers of {}", mm(pitch), mm(roller)), t;
+  Contacts contacts;
+  try {
+    contacts = find_contacts(t.mechanism, Materials{kSteel, kSteel, kSteel}, Detail::numbers);
+  } catch (const CaseError& error) {
+    return t.reason = error.what(), t;
+  }
+  for (const Interface i : kInterfaces)
+    if (!contacts.interfaces[i].has_hertz()) return t.reason = failure(contacts, i).reason, t;
+  Case c;
+  c.mechanism = t.mechanism;
+  if (const std::vector<Problem> problems = check_case(c); !problems.empty())
+    return t.reason = problems.front().message, t;
+  const double crest = 0.5 * roller + t.mechanism.thread.roller->addendum;
+  t.most_rollers = most_rollers(contacts.threads.centre_distance, crest, 0.0);
+  t.mechanism.rollers = most_rollers(contacts.threads.centre_distance, crest, 0.5 * pitch);
+  if (t.mechanism.rollers < kFewestRollers) return t.reason = "fewer than three rollers fit", t;
+  t.contacts = std::move(contacts);
+  return t;
+}
+
+bool rolls(const ScrewData& d, int starts) { return threads_for(d, starts).contacts.has_value(); }
+
+/// The value nearest to one that does not work which does, on the way to one that does.
+template <class Works>
+double nearest(double wrong, double right, Works works) {
+  for (int k = 0; k < 40; ++k) {
+    const double middle = 0.5 * (wrong + right);
+    (works(middle) ? right : wrong) = middle;
+  }
+  return right;
+}
+
+/// Rounded to three digits, downwards or upwards.
+double rounded(double value, double (*rounding)(double)) {
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+  return rounding(value / digit) * digit;
+}
+double down(double value) {
+  return rounded(value * (1.0 + 1e-12), [](double x) { return std::floor(x); });
+}
+double up(double value) {
+  return rounded(value * (1.0 - 1e-12), [](double x) { return std::ceil(x); });
+}
+
+/// Two significant digits.
+double proposed(double value) {
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::round(value / digit) * digit;
+}
+
+/// Whole millimetres.
+double whole(double length) { return 1e-3 * std::round(1e3 * length); }
+
+int usual_starts(const ScrewData& d) {
+  for (const int n : {5, 4, 3})
+    if (roller_diameter(d, n) >= kThinnestRoller * (1.0 - 1e-9) && rolls(d, n)) return n;
+  for (int n = 3; n <= kMostUsualStarts; ++n)
+    if (rolls(d, n)) return n;
+  return 5;
+}
+
+[[noreturn]] void refuse_lead(const ScrewData& d, int starts, const std::string& reason) {
+  const auto at_pitch = [&](double share) { return share * roller_diameter(d, starts) * starts; };
+  const auto works = [&](double lead) {
+    ScrewData other = d;
+    other.lead = lead;
+    return rolls(other, starts);
+  };
+  const double usual = at_pitch(kUsualPitch), coarsest = at_pitch(kCoarsestPitch);
+  if (!works(usual))
+    throw CaseError("lead", fmt::format("got {}; nothing rolls with {} starts: {}", mm(d.lead),
+                                        starts, reason));
+  const double greatest = works(coarsest) ? coarsest : nearest(coarsest, usual, works);
+  throw CaseError("lead", fmt::format("got {}; expected {} to {} with {} starts on {}, < 0 where "
+                                      "left-handed",
+                                      mm(d.lead), mm(up(at_pitch(kFinestPitch))),
+                                      mm(down(greatest)), starts, mm(d.screw_diameter)));
+}
+
+void check_starts(const ScrewData& d) {
+  const int fewest = (is_standard(d) ? 2 : 1) * d.roller_starts + 1;
+  if (d.starts && (*d.starts < fewest || *d.starts > kStartsLimit))
+    throw CaseError("starts",
+                    fmt::format("got {}; expected {} to {}: the rollers' diameter is that of the "
+                                "screw over {}",
+                                *d.starts, fewest, kStartsLimit,
+                                is_standard(d) ? "starts - 2" : "the starts, and smaller"));
+}
+
+Threads sound_threads(const ScrewData& d) {
+  check_starts(d);
+  const int starts = d.starts.value_or(usual_starts(d));
+  Threads t = threads_for(d, starts);
+  if (t.contacts) return t;
+  ScrewData by_rule = d;
+  by_rule.roller_profile_radius = std::nullopt;
+  if (!d.roller_profile_radius || !rolls(by_rule, starts)) refuse_lead(d, starts, t.reason);
+  const double wrong = *d.roller_profile_radius, right = kProfileRadius * axial_pitch(t.mechanism);
+  const double limit = nearest(wrong, right, [&](double radius) {
+    by_rule.roller_profile_radius = radius;
+    return rolls(by_rule, starts);
+  });
+  throw CaseError("roller_profile_radius",
+                  fmt::format("got {}; expected at {} {}, usually 5 pitches, {}", mm(wrong),
+                              wrong < right ? "least" : "most",
+                              mm(wrong < right ? up(limit) : down(limit)), mm(right)));
+}
+
+void set_rollers(const ScrewData& d, Threads& t) {
+  if (!d.rollers) return;
+  if (*d.rollers < kFewestRollers || *d.rollers > t.most_rollers)
+    throw CaseError("rollers",
+                    fmt::format("got {}; expected {} to {}: fewer cannot centre the screw, more "
+                                "overlap",
+                                *d.rollers, kFewestRollers, t.most_rollers));
+  t.mechanism.rollers = *d.rollers;
+}
+
+double nut_length(const ScrewData& d, double pitch, double nut_diameter) {
+  const double least = kFewestContacts * pitch / kThreadedShare,
+               most = is_standard(d) ? kMostContacts * pitch / kThreadedShare
+                                     : kThickestNut * nut_diameter;
+  if (!d.nut_length) {
+    const double inverted = kInvertedNut * kInvertedThreads * d.screw_diameter;
+    return std::max(
+        whole(is_standard(d) ? kNutLengthSlope * nut_diameter + kNutLengthOffset : inverted),
+        up(least));
+  }
+  if (*d.nut_length < least || *d.nut_length > most)
+    throw CaseError("nut_length",
+                    fmt::format("got {}; expected {} to {}, room for threads of {}",
+                                mm(*d.nut_length), mm(up(least)), mm(down(most)), mm(pitch)));
+  return *d.nut_length;
+}
+
+double nut_outer_diameter(const ScrewData& d, const Mechanism& m, double pitch_diameter) {
+  const double threads =
+      pitch_diameter + 2.0 * (m.thread.nut->dedendum + kLeastWall * axial_pitch(m));
+  const double least = std::max(threads, 1.001 * pitch_diameter);
+  if (!d.nut_diameter)
+    return std::max(whole(kNutDiameterSlope * pitch_diameter + kNutDiameterOffset), up(least));
+  if (*d.nut_diameter < least || *d.nut_diameter > kThickestNut * pitch_diameter)
+    throw CaseError("nut_diameter",
+                    fmt::format("got {}; expected {} to {}: the nut's threads have a pitch "
+                                "diameter of {}",
+                                mm(*d.nut_diameter), mm(up(least)),
+                                mm(down(kThickestNut * pitch_diameter)), mm(pitch_diameter)));
+  return *d.nut_diameter;
+}
+
+Structure structure_of(const ScrewData& d, const Mechanism& m, double nut_diameter, double length) {
+  const double roller = roller_diameter(d, m.starts.screw);
+  const double threaded = m.contacts_per_roller * axial_pitch(m);
+  Structure s;
+  s.roller.end_length =
+      is_standard(d) ? 0.5 * kRollerEndsShare * (length - threaded) : 0.7 * roller;
+  s.roller.end_diameter = kRollerEndDiameter * roller;
+  s.nut.length = length;
+  s.nut.outer_diameter = nut_outer_diameter(d, m, nut_diameter);
+  s.nut.thrust = {0.0, length};
+  return s;
+}
+
+}  // namespace
+
+double moderate_force(const Mechanism& m, const Contacts& contacts) {
+  double force = std::numeric_limits<double>::infinity();
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = contacts.interfaces[i];
+    const double pressure_of_1_newton = contact::at_load(contact.hertz, 1.0).peak_pressure;
+    const double normal_load = std::pow(kModeratePressure / pressure_of_1_newton, 3);
+    force = std::min(
+        force, normal_load * std::cos(contact.normal_angle()) * m.contacts_per_roller * m.rollers);
+  }
+  return force;
+}
+
+CompleteScrew complete_screw(const ScrewData& d) {
+  Threads threads = sound_threads(d);
+  set_rollers(d, threads);
+  Mechanism& m = threads.mechanism;
+  const Contacts& contacts = *threads.contacts;
+  const double pitch = axial_pitch(m);
+
+  CompleteScrew screw;
+  screw.data = d;
+  for (const Part p : kParts) screw.pitch_diameter[p] = *contacts.mechanism.pitch_diameter[p];
+  screw.centre_distance = contacts.threads.centre_distance;
+  screw.most_rollers = threads.most_rollers;
+  const double length = nut_length(d, pitch, screw.pitch_diameter.nut);
+  m.contacts_per_roller = contacts_over(kThreadedShare * length, pitch);
+  if (!is_standard(d))
+    m.contacts_per_roller =
+        std::min(m.contacts_per_roller, contacts_over(kInvertedThreads * d.screw_diameter, pitch));
+  screw.position = 0.5 * (length - (m.contacts_per_roller - 1) * pitch);
+  screw.gears = gear_pairs(m.type, m.starts, screw.centre_distance, m.rollers, 0.5 * pitch);
+  screw.load = d.load.value_or(
+      proposed(std::min(moderate_force(m, contacts), kModerateStress * 0.25 * std::numbers::pi *
+                                                         d.screw_diameter * d.screw_diameter)));
+  screw.speed = d.speed.value_or(std::numbers::pi / 30.0 *
+                                 proposed(kSpeedShare * kSpeedLimit / d.screw_diameter * 60.0));
+  screw.c.structure = structure_of(d, m, screw.pitch_diameter.nut, length);
+  screw.c.structure->screw.free_length =
+      is_standard(d) ? screw.position : screw.c.structure->roller.end_length;
+  screw.c.materials = Materials{kSteel, kSteel, kSteel};
+  screw.c.mechanism = m;
+  return screw;
+}
+
+}  // namespace prs

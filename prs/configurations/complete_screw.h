@@ -1,0 +1,98 @@
+#pragma once
+
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prs/configurations/gear_pairs.h"
+#include "prs/model/case.h"
+#include "prs/threads/contacts.h"
+
+namespace prs {
+
+/// What is known of a screw before there is a case: what catalogues print, above all. SI units;
+/// what is absent follows by rule.
+struct ScrewData {
+  Mechanism::Type type = Mechanism::Type::standard;
+  double screw_diameter = 0.0;                   ///< Nominal, the pitch diameter d [m], > 0.
+  double lead = 0.0;                             ///< l of screw and nut [m]; < 0 left-handed.
+  std::optional<int> starts = {};                ///< n of screw and nut.
+  int roller_starts = 1;                         ///< n_R
+  double flank_angle = 0.25 * std::numbers::pi;  ///< Of all parts [rad].
+  std::optional<double> nut_diameter = {};       ///< D, outer, of a plain cylinder [m].
+  /// L [m]: of the whole nut; inverted of the tube in which the rollers travel.
+  std::optional<double> nut_length = {};
+  std::optional<int> rollers = {};
+  std::optional<double> roller_profile_radius = {};  ///< r_B of the roller's convex flanks [m].
+  std::optional<double> load = {};                   ///< Axial [N], > 0.
+  std::optional<double> speed = {};                  ///< Screw against nut [rad/s], > 0.
+};
+
+/// A screw with nothing missing for the load distribution, and what goes with it. SI units.
+struct CompleteScrew {
+  ScrewData data;
+  /// Mechanism (design mode, no backlash), structure and materials; without load cases.
+  Case c;
+  PerPart<double> pitch_diameter;
+  double centre_distance = 0.0;
+  int most_rollers = 0;         ///< That fit before their crests touch.
+  std::vector<GearPair> gears;  ///< Most suitable first.
+  double position = 0.0;        ///< Of the first contact on the nut, rollers in the middle [m].
+  double load = 0.0, speed = 0.0;
+};
+
+/// Case-hardened bearing steel; density that of the catalogue in validation/standard_screws.
+inline constexpr Material kSteel{210e9, 0.3, 7800.0};
+
+/// Peak pressure of a first proposal [Pa]: 9 % of the load at which 4.0 GPa are reached.
+inline constexpr double kModeratePressure = 1.8e9;
+/// Greatest stress in the screw of a proposed load [Pa]: threads of slender screws share unevenly.
+inline constexpr double kModerateStress = 50e6;
+
+// Rules, from the 24 standard screws in validation/standard_screws. d_N is the nut's pitch
+// diameter.
+
+/// Part of the nut's length that carries threads.
+inline constexpr double kThreadedShare = 0.68;
+/// r_B of the roller's flanks in pitches: with it C_0 hardly depends on the lead, as makers have
+/// it.
+inline constexpr double kProfileRadius = 5.0;
+/// Nut of D = 1.155 d_N + 5.8 mm, 0.96 to 1.03 times the printed ones, and L = 1.26 d_N + 20.5 mm,
+/// 0.84 to 1.15 times: least squares of the ratios.
+inline constexpr double kNutDiameterSlope = 1.155, kNutDiameterOffset = 5.8e-3;
+inline constexpr double kNutLengthSlope = 1.26, kNutLengthOffset = 20.5e-3;
+/// Toothed ends of the rollers: part of the length that the threads leave in the nut, and their
+/// diameter over the roller's, so that the rollers' inertia is 0.82 to 1.18 times the printed ones.
+inline constexpr double kRollerEndsShare = 0.9, kRollerEndDiameter = 0.92;
+/// Friction of the flanks with which efficiencies are 0.91 to 1.05 times the printed ones.
+inline constexpr double kFlankFriction = 0.1;
+/// Thinnest roller of the catalogue [m], which has fewer than 5 starts only where rollers would be
+/// thinner.
+inline constexpr double kThinnestRoller = 4e-3;
+/// Threads of an inverted screw's roller along so many screw diameters, and its nut over so many
+/// lengths of these: about as in Abevi 2015.
+inline constexpr double kInvertedThreads = 1.6, kInvertedNut = 3.0;
+/// Part of the limit that makers set to speed times diameter.
+inline constexpr double kSpeedShare = 0.5;
+inline constexpr double kSpeedLimit = 150.0 / 60.0;  ///< n d [m/s], 150,000 mm/min.
+
+/// Axial force at which equal shares reach `kModeratePressure` [N]; both contacts must be Hertz's.
+double moderate_force(const Mechanism& m, const Contacts& contacts);
+
+/// Completes a screw:
+///
+///     standard d_R = d/(n/n_R - 2), inverted d_R = d n_R/n,  d_N = d + 2 d_R     (1.52), (1.53)
+///     n: the largest of 5, 4, 3 whose rollers are 4 mm or thicker; p = |l|/n
+///     rollers: as many as fit with half a pitch between their crests
+///     contacts: over 0.68 L, inverted over 1.6 d but no more than that; in the middle of the nut
+///     heights of groove.h; flanks of screw and nut straight, of the rollers r_B = 5 p
+///     load that gives 1.8 GPa with equal shares, or 50 MPa in the screw; speed half of n d =
+///     150,000 mm/min
+///
+/// The nut, a plain cylinder, is held at its near end in tension, at its far one in compression.
+/// Throws CaseError with the name of a member of `ScrewData` where nothing can have these numbers,
+/// with the nearest that can.
+CompleteScrew complete_screw(const ScrewData& data);
+
+}  // namespace prs

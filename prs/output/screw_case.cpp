@@ -1,0 +1,285 @@
+#include "prs/output/screw_case.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "prs/configurations/roller_spacing.h"
+#include "prs/model/quantity_text.h"
+#include "prs/quantities/configurations_json.h"
+#include "prs/text.h"
+
+namespace prs {
+namespace {
+
+constexpr std::size_t kCaseWidth = 100;
+
+/// `# TEXT` over as many lines as it takes.
+std::string case_remark(const std::string& text, std::size_t indent = 0) {
+  return wrapped(text, std::string(indent, ' ') + "# ", kCaseWidth);
+}
+
+/// A line of the case, its remark behind it or, where that is too long, above.
+std::string case_line(const std::string& content, const std::string& text) {
+  const std::string whole = fmt::format("{:<38}  # {}", content, text);
+  if (width(whole) <= kCaseWidth) return whole + "\n";
+  return case_remark(text, content.find_first_not_of(' ')) + content + "\n";
+}
+
+/// The remark on a value that was given, or else on how it was assumed.
+std::string origin_of(bool given, const std::string& assumed) {
+  return given ? "given" : "assumed: " + assumed;
+}
+
+std::string degrees(double angle) {
+  return fmt::format("{:.6g} deg", angle * 180.0 / std::numbers::pi);
+}
+std::string kilonewton(double force) { return fmt::format("{:.7g} kN", 1e-3 * force); }
+
+bool is_standard(const CompleteScrew& s) { return s.data.type == Mechanism::Type::standard; }
+
+std::string case_heading(const CompleteScrew& s, const std::string& origin) {
+  const Mechanism& m = s.c.mechanism;
+  const bool standard = is_standard(s);
+  const bool right_handed = standard == (m.lead > 0.0);
+  std::string text = case_remark(fmt::format("{} planetary roller screw, {} x {}.",
+                                             standard ? "A standard" : "An inverted",
+                                             mm(s.data.screw_diameter), mm(m.lead)));
+  text += "#\n" + case_remark(origin);
+  text += case_remark(
+      "What was not given is marked `assumed`, with the reason: replace what you know. The rules, "
+      "and "
+      "how near they come to makers' screws, stand in docs/new_case.md.");
+  text +=
+      "#\n"
+      "#   prs check FILE                   every value, its default, what is unusual\n"
+      "#   prs contact FILE                 contact points, ellipses, backlash\n"
+      "#   prs solve FILE --output out      load per thread, stiffness, pressures, pictures\n"
+      "#   prs slip FILE --output out       slip, friction, lost power, efficiency, pictures\n"
+      "#   prs measures FILE                capacities, weight, inertia, buckling, critical speed\n"
+      "#   prs life FILE                    life under the loads of `life`\n"
+      "#\n";
+  text += case_remark(fmt::format(
+      "Rollers of {}, {}-handed, keep their place on the {}, whose diameter is {:.6g} times "
+      "theirs. "
+      "Without backlash: nut {:.4f} mm, screw {:.4f} mm, centre distance {:.4f} mm. Up to {} "
+      "rollers "
+      "fit; any number of them meshes at equal spacing. From one place to the next a roller goes "
+      "in "
+      "turned by {:.6g} deg against the carrier, in the sense in which the places are counted.",
+      mm(s.pitch_diameter.roller), right_handed ? "right" : "left", standard ? "nut" : "screw",
+      static_cast<double>(m.starts.screw) / m.starts.roller, 1e3 * s.pitch_diameter.nut,
+      1e3 * s.pitch_diameter.screw, 1e3 * s.centre_distance, s.most_rollers,
+      indexing_angle(m.type, m.starts, m.rollers) * 180.0 / std::numbers::pi));
+  if (s.gears.empty())
+    text += case_remark("Gears: no pair of standard module fits; see `prs configurations`.");
+  else
+    text += case_remark(fmt::format(
+        "Gears: {} teeth on the rollers, {} {}, module {:.4g} mm, working pressure angle {:.2f} "
+        "deg, profile shifts {:+.2f} in all. `prs configurations` lists others.",
+        s.gears.front().roller_teeth, s.gears.front().body_teeth,
+        standard ? "in the nut's rings" : "on the screw", s.gears.front().module * 1e3,
+        s.gears.front().working_pressure_angle * 180.0 / std::numbers::pi,
+        s.gears.front().profile_shift));
+  return text;
+}
+
+std::string mechanism_text(const CompleteScrew& s) {
+  const Mechanism& m = s.c.mechanism;
+  const ScrewData& d = s.data;
+  const ThreadHeight& height = *m.thread.screw;
+  const std::string rule =
+      is_standard(s) ? fmt::format("threads over {:g} of the nut's length", kThreadedShare)
+                     : fmt::format(
+                           "threads over {:g} screw diameters, as on a published "
+                           "screw, but no more than {:g} of the nut's length",
+                           kInvertedThreads, kThreadedShare);
+  return "\nmechanism:\n" +
+         case_line(fmt::format("  type: {}", type_name(m.type)),
+                   is_standard(s) ? "rollers keep their place on the nut; or inverted"
+                                  : "rollers keep their place on the screw; or standard") +
+         case_line("  geometry: design", "roller, nut and centre distance follow") +
+         case_line(fmt::format("  lead: {}", mm(m.lead)), "given; < 0 left-handed") +
+         case_line(
+             fmt::format("  starts: {{screw: {}, roller: {}}}", m.starts.screw, m.starts.roller),
+             origin_of(d.starts.has_value(),
+                       fmt::format("of 5, 4, 3 the first whose rollers are {} or thicker, as in "
+                                   "makers' catalogues; the nut has the screw's",
+                                   mm(kThinnestRoller)))) +
+         case_line(fmt::format("  flank_angle: {}", degrees(d.flank_angle)),
+                   "assumed: as on nearly all; one value, or {screw: .., roller: .., nut: ..}") +
+         case_line(fmt::format("  pitch_diameter: {{screw: {}}}", mm(d.screw_diameter)),
+                   "given: weights in catalogues show that the nominal diameter is this one") +
+         case_line("  backlash: {screw: 0 mm, nut: 0 mm}",
+                   "assumed: a nut without play; take a half of yours for each") +
+         case_line(
+             fmt::format("  profile: {{screw: straight, roller: {{convex: {}}}, nut: straight}}",
+                         mm(m.profile.roller.radius)),
+             origin_of(d.roller_profile_radius.has_value(),
+                       fmt::format("{:g} pitches: with it, as in makers' catalogues, the static "
+                                   "capacity hardly depends on the lead. No catalogue prints it, "
+                                   "and pressures depend on it: ask the maker, or measure",
+                                   kProfileRadius))) +
+         case_remark(
+             "assumed: crests 0.15 and roots 0.23 pitches from the pitch line, after outer and "
+             "root "
+             "diameters of a catalogue. Ellipses reach such crests below the static capacity: "
+             "makers "
+             "count on what bears beyond, `prs measures` and `prs life` warn",
+             2) +
+         "  thread:\n" +
+         [&] {
+           std::string parts;
+           for (const Part p : kParts)
+             parts += fmt::format("    {}: {{addendum: {}, dedendum: {}}}\n", name(p),
+                                  mm(height.addendum), mm(height.dedendum));
+           return parts;
+         }() +
+         case_line(fmt::format("  rollers: {}", m.rollers),
+                   origin_of(d.rollers.has_value(),
+                             "as many as fit with half a pitch between their crests")) +
+         case_line(fmt::format("  contacts_per_roller: {}", m.contacts_per_roller),
+                   "assumed: " + rule);
+}
+
+std::string structure_text(const CompleteScrew& s) {
+  const Structure& of = *s.c.structure;
+  const ScrewData& d = s.data;
+  const bool standard = is_standard(s);
+  return "\nstructure:\n" +
+         case_line(
+             fmt::format("  screw: {{bore: 0 mm, free_length: {}}}", mm(of.screw.free_length)),
+             fmt::format("assumed: solid; loaded at {}, add your shaft's length",
+                         standard ? "the nut's face" : "the end of the rollers")) +
+         case_remark(
+             standard
+                 ? "assumed: toothed ends over 0.9 of the length that the threads leave in the "
+                   "nut, 0.92 of the rollers' diameter, after inertias of a catalogue"
+                 : "assumed: toothed ends 0.7 of the rollers' diameter long and 0.92 thick",
+             2) +
+         fmt::format("  roller: {{end_length: {}, end_diameter: {}, guidance: both_end_nodes}}\n",
+                     mm(of.roller.end_length), mm(of.roller.end_diameter)) +
+         "  nut:\n" +
+         case_line(
+             fmt::format("    length: {}", mm(of.nut.length)),
+             origin_of(d.nut_length.has_value(),
+                       standard
+                           ? fmt::format("{:g} times the nut's pitch diameter and {}, 0.84 to 1.15 "
+                                         "times the lengths of a catalogue",
+                                         kNutLengthSlope, mm(kNutLengthOffset))
+                           : fmt::format("{:g} times the rollers' threads, so that these can "
+                                         "travel: take stroke and threads",
+                                         kInvertedNut))) +
+         case_line(
+             fmt::format("    outer_diameter: {}", mm(of.nut.outer_diameter)),
+             origin_of(d.nut_diameter.has_value(),
+                       fmt::format("{:g} times the nut's pitch diameter and {}, 0.96 to 1.03 times "
+                                   "the diameters of a catalogue",
+                                   kNutDiameterSlope, mm(kNutDiameterOffset))) +
+                 "; a plain cylinder") +
+         case_line(fmt::format("    thrust: {{tension: 0 mm, compression: {}}}", mm(of.nut.length)),
+                   "assumed: the housing holds the nut at its end faces; with a flange, see "
+                   "`structure.nut.flanges`");
+}
+
+std::string loads_text(const CompleteScrew& s) {
+  const ScrewData& d = s.data;
+  const double turn = s.c.mechanism.lead > 0.0 ? 1.0 : -1.0;
+  return "\n" +
+         case_line("model: {bodies: refined}",
+                   "or bars, 17 to 32 % stiffer; or influence, by finite elements") +
+         case_remark(
+             origin_of(d.load.has_value(),
+                       fmt::format("the load of {:g} GPa with equal shares, 9 % of the static "
+                                   "capacity by 4.0 GPa, but no more than {:g} MPa in the screw",
+                                   1e-9 * kModeratePressure, 1e-6 * kModerateStress)) +
+             "; rollers in the middle of the nut. The screw drives in both cases.") +
+         "load_cases:\n" +
+         fmt::format(
+             "  - {{name: tension, axial_force: {0}, direction: tension, position: {1}}}\n"
+             "  - {{name: compression, axial_force: {0}, direction: compression, position: {1}, "
+             "speed: {2}}}\n",
+             kilonewton(s.load), mm(s.position), rpm(-turn * s.speed)) +
+         "\n" +
+         case_line(
+             fmt::format("operation: {{speed: {}}}", rpm(turn * s.speed)),
+             origin_of(d.speed.has_value(),
+                       "a half of 150,000 mm/min over the screw's diameter, which makers allow"));
+}
+
+/// ISO VG 100 of viscosity index 95.
+std::string lubricant_text(const CaseLubricant& l) {
+  return case_remark(origin_of(!l.assumed, "a mineral oil of ISO VG 100, viscosity index 95")) +
+         fmt::format(
+             "lubricant:\n"
+             "  temperature: {}\n"
+             "  viscosity_at: [{{temperature: 40 degC, kinematic_viscosity: 100 mm^2/s}}, "
+             "{{temperature: 100 degC, kinematic_viscosity: 11.1 mm^2/s}}]\n"
+             "  density: 880 kg/m^3\n"
+             "  pressure_viscosity: 20 1/GPa\n"
+             "  eyring_stress: 5 MPa\n",
+             celsius(l.temperature));
+}
+
+std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
+  const double d = s.data.screw_diameter;
+  return case_line(fmt::format("friction: {{model: {{coulomb: {:g}}}}}", kFlankFriction),
+                   "assumed: flanks that touch, 0.91 to 1.05 times the efficiencies of a "
+                   "catalogue; jacod: full films") +
+         lubricant_text(lubricant) +
+         case_line("roughness: 0.2 um", "assumed: Rq of finely ground flanks; for the film ratio") +
+         case_remark(
+             "For friction in the carrier, plain bearings of the rollers' ends, for example:") +
+         fmt::format("# carrier: {{bearing: {{length: {}, diameter: {}, radial_clearance: {}}}}}\n",
+                     mm(0.5 * s.pitch_diameter.roller), mm(0.6 * s.pitch_diameter.roller),
+                     mm(0.005 * s.pitch_diameter.roller)) +
+         "\nlife:\n" +
+         case_line(fmt::format("  position: {}", mm(s.position)),
+                   "rollers in the middle of the nut") +
+         case_line(
+             fmt::format("  spectrum: [{{force: {}, direction: tension, share: 1}}]",
+                         kilonewton(s.load)),
+             "assumed: one load all the time; or several with their shares, or `history`, a file") +
+         "  # dynamic_capacity: .. kN             # of your catalogue, in place of Lemor's "
+         "formula\n"
+         "  # static_capacity: .. kN\n"
+         "\nmeasures:\n" +
+         case_line("  friction_coefficient: 0.01",
+                   "assumed: of the whole screw, for the estimate of "
+                   "efficiency") +
+         case_line("  yield_strength: 700 MPa", "assumed: core of a hardened screw, for buckling") +
+         case_line(fmt::format("  shaft: {{length: {}, ends: fixed_supported}}", mm(20.0 * d)),
+                   "assumed: 20 screw diameters between the supports") +
+         "  # loaded_width: .. mm                # of a thread under one contact, for its tooth\n";
+}
+
+}  // namespace
+
+std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubricant,
+                       const std::string& origin) {
+  return case_heading(screw, origin) + mechanism_text(screw) + structure_text(screw) + "\n" +
+         case_line(
+             fmt::format("materials: {{youngs_modulus: {:g} GPa, poisson_ratio: {:g}, density: "
+                         "{:g} kg/m^3}}",
+                         1e-9 * kSteel.youngs_modulus, kSteel.poisson_ratio, *kSteel.density),
+             "assumed: steel; density of a catalogue's screws") +
+         loads_text(screw) + rest_text(screw, lubricant);
+}
+
+std::string configuration_case(const Configuration& c) {
+  ScrewData d;
+  d.type = c.mechanism.type;
+  d.screw_diameter = *c.mechanism.pitch_diameter.screw;
+  d.lead = c.mechanism.lead;
+  d.starts = c.mechanism.starts.screw;
+  d.roller_starts = c.mechanism.starts.roller;
+  d.flank_angle = c.mechanism.flank_angle.screw;
+  d.rollers = c.mechanism.rollers;
+  d.roller_profile_radius = c.mechanism.profile.roller.radius;
+  return screw_case(complete_screw(d), {},
+                    "Given by `prs configurations`: screw diameter, lead, starts, rollers, profile "
+                    "radius of the rollers.");
+}
+
+}  // namespace prs

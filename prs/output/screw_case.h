@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "prs/configurations/complete_screw.h"
+#include "prs/configurations/configurations.h"
+
+namespace prs {
+
+/// The lubricant of a case that is written.
+struct CaseLubricant {
+  std::string name = "iso-vg-100";
+  double temperature = 333.15;  ///< [K]
+  bool assumed = true;
+};
+
+/// The screw as a commented case for which every command but `preload`, `study` and `optimize` has
+/// all it needs. `origin` says in its first lines where the data come from.
+std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubricant,
+                       const std::string& origin);
+
+/// A line of `prs configurations` as such a case.
+std::string configuration_case(const Configuration& c);
+
+}  // namespace prs
