@@ -18,7 +18,7 @@ namespace {
 constexpr int kFewestContacts = 3, kMostContacts = 10'000;
 constexpr int kStartsLimit = 100, kMostUsualStarts = 10;
 constexpr double kFinestPitch = 0.002, kUsualPitch = 0.1, kCoarsestPitch = 1.0;  // over d_R
-constexpr double kThickestNut = 100.0;                                          // over d_N
+constexpr double kThickestNut = 100.0;                                           // over d_N
 
 bool is_standard(const ScrewData& d) { return d.type == Mechanism::Type::standard; }
 
