@@ -2,19 +2,20 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
-#include <numbers>
-#include <set>
 
 #include "prs/cli/commands.h"
 #include "prs/cli/lessons.h"
 #include "prs/cli/quantity_option.h"
+#include "prs/input/did_you_mean.h"
 #include "prs/input/source.h"
 #include "prs/model/case_error.h"
+#include "prs/model/named_lubricants.h"
 #include "prs/model/quantity_text.h"
 #include "prs/output/files.h"
 #include "prs/output/screw_case.h"
-#include "prs/regular_file.h"
+#include "prs/quantities/configurations_json.h"
 
 namespace prs::cli {
 namespace {
@@ -100,10 +101,15 @@ CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given)
   CaseLubricant l;
   l.assumed = !o.lubricant;
   if (o.lubricant) {
-    if (*o.lubricant != l.name)
-      fail_option("--lubricant",
-                  fmt::format("got {}; expected {}", input::shown(*o.lubricant), l.name));
-    given.push_back("lubricant " + *o.lubricant);
+    l.name = *o.lubricant;
+    std::vector<std::string_view> names;
+    for (const NamedLubricant& known : named_lubricants()) names.push_back(known.name);
+    if (std::ranges::find(names, l.name) == names.end()) {
+      const std::string hint = input::did_you_mean(l.name, names);
+      fail_option("--lubricant", fmt::format("got {}; expected a name of `prs list lubricants`{}{}",
+                                             input::shown(l.name), hint.empty() ? "" : "; ", hint));
+    }
+    given.push_back("lubricant " + l.name);
   }
   if (o.temperature) {
     l.temperature = quantity_option("--temperature", *o.temperature, input::unit::temperature,

@@ -162,8 +162,8 @@ ModelComparison run_compare(const input::Source&, const input::CaseInput& in) {
 Result run_slip(const input::Source&, const input::CaseInput& in) {
   Result result = analyze_slip(in.values);
   warn_of_preload(in.values, result.warnings);
-  if (const std::string note = in.values.lubricant ? estimates_note(*in.values.lubricant) : "";
-      !note.empty())
+  const bool jacod = in.values.friction->model == Friction::Model::jacod;
+  if (const std::string note = jacod ? estimates_note(*in.values.lubricant) : ""; !note.empty())
     result.warnings.push_back(note);
   return result;
 }

@@ -13,7 +13,7 @@
 #include "prs/configurations/roller_spacing.h"
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
-#include "prs/output/configurations_files.h"
+#include "prs/output/screw_case.h"
 #include "prs/threads/contacts.h"
 #include "prs/threads/geometry_warnings.h"
 #include "prs/threads/threads.h"
@@ -139,7 +139,7 @@ TEST(Configurations, WrittenCaseSolvesNearItsPressure) {
     const Configuration c = only(query(30, 10), type, starts);
     const Case read = input::read_case_text(configuration_case(c), "case.yaml", {}, Command::solve);
     const Result result = analyze(read);
-    ASSERT_EQ(result.load_cases.size(), 1u);
+    ASSERT_EQ(result.load_cases.size(), 2u);
     ASSERT_TRUE(result.load_cases[0].converged());
     EXPECT_THAT(result.warnings, testing::IsEmpty());
     EXPECT_THAT(result.load_cases[0].warnings, testing::IsEmpty());
