@@ -85,7 +85,7 @@ TEST(Check, WarnsOfWhatIsOddTogether) {
             "mechanism.backlash.nut", "backlash -0.5 mm, 30 % of the pitch"},
         Odd{"04_contacts_from_geometry.yaml", "mechanism.centre_distance=13.75 mm",
             "mechanism.pitch_diameter.screw", "check pitch diameters, centre distance"},
-        Odd{"05_standard_screw.yaml", "mechanism.lead=60 mm", "mechanism.lead",
+        Odd{"07_contact_geometry.yaml", "mechanism.lead=60 mm", "mechanism.lead",
             "a helix angle of 32 deg"},
         Odd{"07_contact_geometry.yaml", "mechanism.contacts_per_roller=200",
             "mechanism.contacts_per_roller", "39.8 times the roller's diameter"},
