@@ -1,6 +1,5 @@
 #include "prs/cli/progress_line.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include "prs/cli/printing.h"
@@ -23,10 +22,8 @@ void ProgressLine::show(const StudyProgress& progress) {
   if (now < next_) return;
   next_ = now + kPeriod;
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  std::string text =
-      progress_line(progress.done - progress.found, progress.total - progress.found, seconds);
-  if (progress.found > 0) text += fmt::format("; {} were there before", progress.found);
-  control_terminal("\r\x1b[K" + text);
+  control_terminal("\r\x1b[K" +
+                   progress_line(progress.done, progress.total, seconds, progress.found));
 }
 
 void ProgressLine::clear() {
