@@ -218,7 +218,7 @@ std::string zsh_command(const CommandText& program, const CommandText& command) 
     const OptionText& argument = command.arguments[k];
     std::string action = zsh_action(offer(program, argument));
     if (k == 0 && !command.commands.empty())
-      action = fmt::format("_alternative \"commands:command:({})\" \"files:FILE:_files\"",
+      action = fmt::format(" _alternative \"commands:command:({})\" \"files:FILE:_files\"",
                            joined(command_words(command)));
     text += fmt::format(" \\\n    '{}:{}:{}'", argument.repeatable ? "*" : std::to_string(k + 1),
                         argument.value, action);
@@ -241,7 +241,7 @@ std::string fish_action(const Offer& o) {
     case Offer::Kind::settings:
       return " -a '(__prs_list inputs)='";
     case Offer::Kind::cases:
-      return " -a '(__fish_complete_suffix .yaml .yml)'";
+      return " -a '(__fish_complete_suffix .yaml)'";
     case Offer::Kind::files:
       return " -F";
     case Offer::Kind::folders:

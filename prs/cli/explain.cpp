@@ -94,7 +94,8 @@ std::string text_of(const Json& quantity) {
 }  // namespace
 
 int explain(const Options& options) {
-  std::string name = *options.explain;
+  // A single word after `--explain` goes to FILE, which the parser wants most.
+  std::string name = options.explain->empty() ? options.file : *options.explain;
   if (std::filesystem::is_regular_file(name)) name.clear();  // The case, which it needs not.
   if (name.empty()) {
     print(options.json ? json_text(measure_explanations_json()) : measure_explanations());

@@ -164,7 +164,7 @@ std::string help_text(const CommandText& command) {
 nlohmann::ordered_json help_json(const CommandText& command) {
   nlohmann::ordered_json json{
       {"name", command.name}, {"help", command.help}, {"usage", usage(command)}};
-  if (!command.group.empty()) json["group"] = command.group;
+  if (command.name.find(' ') != std::string::npos) json["group"] = command.group;
   for (const auto& [key, texts] :
        {std::pair{"arguments", &command.arguments}, std::pair{"options", &command.options}})
     for (const OptionText& option : *texts) {
