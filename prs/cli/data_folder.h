@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace prs::cli {
+
+/// Folder of data that comes with the program: `lessons` or `validation`. It is looked for in the
+/// folder that PRS_SHARE names, else in `../share/prs` beside this program's folder, for programs
+/// in `libexec/prs` in `../../share/prs`. A build folder has links there to the sources. Throws
+/// std::runtime_error where there is none.
+std::filesystem::path data_folder(const std::string& name);
+
+}  // namespace prs::cli
