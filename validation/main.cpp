@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "prs/cli/command_line.h"
+#include "prs/cli/data_folder.h"
 #include "prs/cli/deliver.h"
 #include "prs/cli/program.h"
 #include "prs/cli/validate_options.h"
@@ -106,7 +107,7 @@ int run(int argc, char** argv) {
   add_validate_options(app, options);
   if (const std::optional<int> status = parse(app, argc, argv)) return *status;
 
-  if (!options.recipe && options.file.empty()) options.file = "validation";
+  if (!options.recipe && options.file.empty()) options.file = data_folder("validation").string();
   return run_recorded([&] { return options.recipe ? recipe(options) : validate(options); }, options,
                       "validate", "", {});
 }
