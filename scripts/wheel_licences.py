@@ -46,7 +46,9 @@ def debian_package(library: Path) -> str:
 
 
 def source_package(package: str) -> str:
-    return re.sub(r"[\d.]+$", "", output("dpkg-query", "-Wf", "${source:Package}\n", package).split()[0])
+    return re.sub(
+        r"[\d.]+$", "", output("dpkg-query", "-Wf", "${source:Package}\n", package).split()[0]
+    )
 
 
 def debian_copyright(package: str) -> str:
@@ -60,17 +62,18 @@ def collect(libraries: list[Path]) -> tuple[dict[str, str], list[str]]:
         package = debian_package(library)
         licence = LIBRARIES.get(source_package(package))
         if licence is None:
-            sys.exit(f"wheel_licences: {library.name} of {package} is bundled; add its licence here, "
-                     "or exclude the library in scripts/package.sh")
+            sys.exit(
+                f"wheel_licences: {library.name} of {package} is bundled; add its licence here, "
+                "or exclude the library in scripts/package.sh"
+            )
         texts[package] = debian_copyright(package)
         licences.append(licence)
     for package, licence in HEADERS.items():
         texts[package] = debian_copyright(package)
         licences.append(licence)
-    nanobind = distribution("nanobind")
-    for file in nanobind.files or []:
-        if file.name == "LICENSE" and "robin_map" not in file.parts:
-            texts["nanobind"] = Path(str(nanobind.locate_file(file))).read_text(encoding="utf-8")
+    nanobind = Path(str(distribution("nanobind").locate_file("nanobind"))).parent
+    (licence_file,) = nanobind.glob("nanobind-*.dist-info/licenses/LICENSE")
+    texts["nanobind"] = licence_file.read_text(encoding="utf-8")
     return texts, list(dict.fromkeys(licences))
 
 

@@ -1,4 +1,4 @@
-"""The console script `prs`, apart from `rollerscrew`, whose libraries take much longer to load than the program runs."""
+"""The console script `prs`: without the libraries of `rollerscrew`, which load for half a second."""
 
 from __future__ import annotations
 

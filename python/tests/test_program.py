@@ -35,8 +35,16 @@ def test_arguments_and_exit_status_are_handed_over(command: list[str], tmp_path:
 
 
 def test_brings_its_modules_and_its_data(tmp_path: Path) -> None:
-    validated = run(SCRIPT, "validate", "--recipe", "jung-corrected", "--diameters",
-                    "54 mm, 27 mm, 9 mm", "--quiet", folder=tmp_path)
+    validated = run(
+        SCRIPT,
+        "validate",
+        "--recipe",
+        "jung-corrected",
+        "--diameters",
+        "54 mm, 27 mm, 9 mm",
+        "--quiet",
+        folder=tmp_path,
+    )
     assert validated.returncode == 0, validated.stderr
     for part in ["lib/prs/prs_tbb.so", "share/prs/lessons", "share/prs/validation/sandu_2018"]:
         assert Path(rs.__file__).with_name(part).exists()
