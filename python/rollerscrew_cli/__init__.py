@@ -1,4 +1,4 @@
-"""The console script `prs`: without the libraries of `rollerscrew`, which load for half a second."""
+"""The console script `prs`, apart from `rollerscrew`, whose libraries take long to load."""
 
 from __future__ import annotations
 

@@ -31,20 +31,13 @@ def test_arguments_and_exit_status_are_handed_over(command: list[str], tmp_path:
     (tmp_path / "a case.yaml").write_text("mechanism: {lead: 5}\n")
     asked = run(command, "check", "a case.yaml", folder=tmp_path)
     assert asked.returncode == 2
-    assert asked.stderr.startswith("a case.yaml:1:19: error: mechanism.lead: got 5")
+    assert "a case.yaml:1:19: error: mechanism.lead: got 5" in asked.stderr
 
 
 def test_brings_its_modules_and_its_data(tmp_path: Path) -> None:
-    validated = run(
-        SCRIPT,
-        "validate",
-        "--recipe",
-        "jung-corrected",
-        "--diameters",
-        "54 mm, 27 mm, 9 mm",
-        "--quiet",
-        folder=tmp_path,
-    )
-    assert validated.returncode == 0, validated.stderr
-    for part in ["lib/prs/prs_tbb.so", "share/prs/lessons", "share/prs/validation/sandu_2018"]:
-        assert Path(rs.__file__).with_name(part).exists()
+    package = Path(rs.__file__).parent
+    assert (package / "lib/prs/prs_tbb.so").is_file()
+    assert (package / "share/prs/lessons/01_config_1_to_3.yaml").is_file()
+    source = package / "share/prs/validation/sandu_2018"
+    validated = run(SCRIPT, "validate", str(source), "--quiet", folder=tmp_path)
+    assert (validated.returncode, validated.stderr) == (0, "")
