@@ -6,12 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/cli/deliver.h"
+#include "prs/cli/explain.h"
 #include "prs/cli/usage_error.h"
 #include "prs/figures/figure_json.h"
 #include "prs/input/schema.h"
-#include "prs/output/measures_table.h"
 #include "prs/output/run_files.h"
-#include "prs/quantities/measures_json.h"
 #include "prs/quantities/results_schema.h"
 
 namespace prs::cli {
@@ -29,14 +28,9 @@ input::Source case_source(const Options& options) {
 }
 
 int run_case(const CommandRow& row, const Options& options) {
-  if (options.explain) return explain_measures(options);
+  if (options.explain) return explain(options);
   const input::Source source = case_source(options);
   return deliver(run(row, source), document_info(source), options);
-}
-
-int explain_measures(const Options& options) {
-  print(options.json ? json_text(measure_explanations_json()) : measure_explanations());
-  return kDone;
 }
 
 int schema(const Options& options) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "prs/input/schema.h"
 #include "prs/output/lists.h"
 #include "prs/quantities/json.h"
 #include "prs/text.h"
@@ -28,6 +29,28 @@ std::vector<Item> command_items(const Options& options) {
   return items;
 }
 
+using Json = nlohmann::ordered_json;
+
+void add_inputs(const Json& schema, const std::string& path, std::vector<Item>& items) {
+  const Json properties = schema.value("properties", Json::object());
+  for (const auto& [key, property] : properties.items()) {
+    const std::string own = path.empty() ? key : path + "." + key;
+    if (std::ranges::find(items, own, &Item::name) == items.end())
+      items.push_back({own, property.value("description", "")});
+    add_inputs(property, own, items);
+  }
+  for (const Json& alternative : schema.value("oneOf", Json::array()))
+    add_inputs(alternative, path, items);
+  if (schema.contains("items")) add_inputs(schema["items"], path + "[0]", items);
+}
+
+/// What `--set` takes.
+std::vector<Item> input_items(const Options&) {
+  std::vector<Item> items;
+  add_inputs(input::schema(), "", items);
+  return items;
+}
+
 struct List {
   const char* word;
   std::vector<Item> (*items)(const Options&);
@@ -38,6 +61,7 @@ struct List {
 };
 
 constexpr List kLists[] = {{"commands", command_items, true},
+                           {"inputs", input_items, false},
                            {"lubricants", nullptr, false, lubricants_table, lubricants_json}};
 
 std::string list_text(const List& list, const std::vector<Item>& items) {
@@ -70,7 +94,7 @@ int list(const Options& options) {
     print(list_text(list, items));
     return kDone;
   }
-  nlohmann::ordered_json entries = nlohmann::ordered_json::array();
+  Json entries = Json::array();
   for (const auto& [name, meaning] : items)
     entries.push_back({{"name", name}, {"meaning", meaning}});
   print(json_text({{list.word, entries}}));

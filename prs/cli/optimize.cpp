@@ -57,7 +57,7 @@ int report_interruption(const Options& options) {
   say(fmt::format("prs: interrupted; {}\n",
                   options.output ? "the same command continues from there"
                                  : "with --output DIR an optimization can be continued"));
-  return kFailed;
+  return Interruption::status();
 }
 
 }  // namespace

@@ -387,7 +387,7 @@ TEST_F(ConfigurationsCommand, RefusesWhatIsWrong) {
            {"--screw-diameter '21 mm' --lead '5 N'", "`N` is the unit of a force"},
            {"--screw-diameter '21 mm' --lead '0 mm'", "--lead: got 0 mm"},
            {"--screw-diameter '21 m' --lead '5 mm'", "check the unit"},
-           {"--screw-diameter '21 mm'", "--lead is required"},
+           {"--screw-diameter '21 mm'", "--lead is missing"},
            {sound + "--flank-angle '80 deg'", "20 deg to 70 deg"},
            {sound + "--gap '-1 mm'", "--gap: got -1 mm"},
            {sound + "--starts 0", "--starts"},

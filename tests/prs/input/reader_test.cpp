@@ -115,7 +115,7 @@ TEST(ReadCase, EqualSharesCarryTheSignOfTheForce) {
   EXPECT_EQ(force("axial_force: 2 kN, direction: compression"), 2e3);
   EXPECT_THAT(error_of(kAbevi, {"load_cases=[{share: equal, axial_force: -2 kN, direction: "
                                 "compression}]"}),
-              HasSubstr("got -2000 N in case `case-1`; expected a force > 0"));
+              HasSubstr("got -2 kN in case `case-1`; expected a force > 0"));
 }
 
 TEST(ReadCase, OneMaterialOrOneForEachPart) {
@@ -303,6 +303,30 @@ TEST_P(BrokenInput, IsRefusedWithPlaceKeyAndMend) {
 }
 
 const Broken kBroken[] = {
+    {"QuotedNumber",
+     "lead: 5 mm",
+     "lead: \"5\"",
+     "3:9",
+     "mechanism.lead",
+     {"got \"5\"; expected a length other than 0 with its unit", "write the unit", "`5 mm`"}},
+    {"QuotedWholeNumber",
+     "rollers: 11",
+     "rollers: \"11\"",
+     "9:12",
+     "mechanism.rollers",
+     {"got \"11\"; expected a whole number from 1 to 1000", "`rollers: 3`"}},
+    {"CapitalLetter",
+     "lead: 5 mm",
+     "lead: 5 mm\n  Rollers: 11",
+     "4:3",
+     "mechanism.Rollers",
+     {"unknown key", "did you mean `rollers`?"}},
+    {"KeyOfAnotherBlock",
+     "rollers: 11",
+     "rollers: 11\n  youngs_modulus: 209 GPa",
+     "10:3",
+     "mechanism.youngs_modulus",
+     {"unknown key", "expected one of type, geometry"}},
     {"MissingKey",
      "  lead: 5 mm\n",
      "",
@@ -582,7 +606,7 @@ const Broken kBroken[] = {
      "-45 kN, direction",
      "25:31",
      "load_cases[0].axial_force",
-     {"got -45000 N in case `pull`", "> 0"}},
+     {"got -45 kN in case `pull`", "> 0"}},
     {"RangeFromZero",
      "from: 1 kN",
      "from: 0 kN",
@@ -867,12 +891,28 @@ TEST(ReadCase, TextsThatAreNoCaseAreRefused) {
   EXPECT_THAT(error_of("- 1\n"),
               StartsWith("case.yaml:1:1: error: got a list of 1; expected a map"));
   EXPECT_THAT(error_of("a: [1\nb: 2\n"), HasSubstr("error: malformed YAML"));
-  EXPECT_THAT(error_of("a: 1\n\tb: 2\n"), StartsWith("case.yaml:2:1: error: malformed YAML"));
+  for (const char* tab : {"a: 1\n\tb: 2\n", "a:\n  b: 1\n \tc: 2\n", "a:\n\t- 1\n"})
+    EXPECT_THAT(error_of(tab), HasSubstr("error: got a tab before the key; expected blanks"))
+        << tab;
+  for (const char* glued : {"a:\n  b: 1\n  lead:5 mm\n", "a:\n  lead:5 mm\n  b: 1\n",
+                            "a:\r\n  b: 1\r\n  lead:5 mm\r\n  c: 1\r\n"})
+    EXPECT_THAT(error_of(glued), HasSubstr("error: got lead:5 mm; expected `key: value`; write a "
+                                           "blank after the colon"))
+        << glued;
   EXPECT_THAT(error_of(std::string("a: 1\nb: \0\n", 10)),
               StartsWith("case.yaml:2:4: error: got the byte 0x00; expected plain text in UTF-8"));
   EXPECT_THAT(error_of("a: \xFF\n"), StartsWith("case.yaml:1:4: error: got the byte 0xFF"));
+  EXPECT_THAT(error_of(""), HasSubstr("`prs new FILE` writes one"));
   EXPECT_THAT(error_of(kAbevi + "---\n" + kAbevi),
               StartsWith("case.yaml:27:1: error: got more text after the end of the document"));
+}
+
+TEST(ReadCase, LinesMayEndAsOnWindows) {
+  std::string text;
+  for (const char c : kAbevi) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  EXPECT_EQ(read(text).mechanism.lead, read(kAbevi).mechanism.lead);
+  text.replace(text.find("rollers: 11"), 11, "rollers: 0");
+  EXPECT_THAT(error_of(text), StartsWith("case.yaml:9:12: error: mechanism.rollers: got 0;"));
 }
 
 TEST(ReadCase, OneRunNamesManyErrorsInTheOrderOfTheFile) {
@@ -917,7 +957,7 @@ TEST(ReadCase, SlipTellsWhatIsWrongWithSpeedAndLubricant) {
       StartsWith("case.yaml:1:1: error: operation.speed: got 0 rpm in case `pull`; expected "
                  "a speed other than 0"));
   EXPECT_THAT(message({"operation.speed=-400 rpm"}),
-              StartsWith("case.yaml:25:5: error: load_cases[0]: got 45000 N of axial force and "
+              StartsWith("case.yaml:25:5: error: load_cases[0]: got 45 kN of axial force and "
                          "-400 rpm in case `pull`; expected both of one sign (tension > 0, "
                          "compression < 0), so that the screw drives the load"));
   EXPECT_EQ(message({"operation.speed=-400 rpm", "mechanism.lead=-5 mm"}), "");

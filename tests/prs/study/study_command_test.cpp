@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -196,7 +197,7 @@ TEST_F(StudyCommand, InterruptedItContinues) {
   }
   process.signal(SIGINT);
   process.signal(SIGCONT);
-  EXPECT_EQ(process.wait(), 1);
+  EXPECT_EQ(process.wait(), 130);
   EXPECT_EQ(files_in(folder).size(), 1u);
 
   const Outcome changed = prs(into(folder, "--set study.seed=4"));
@@ -204,8 +205,19 @@ TEST_F(StudyCommand, InterruptedItContinues) {
   EXPECT_THAT(changed.err, HasSubstr(folder.string() + ": error: "));
   EXPECT_THAT(changed.err, HasSubstr("--restart"));
 
-  ASSERT_EQ(prs(into(folder)).status, 0);
-  ASSERT_EQ(prs(into(alone)).status, 0);
+  const Outcome resumed = prs(into(folder));
+  ASSERT_EQ(resumed.status, 0);
+  int total = 0, found = 0, computed = 0;
+  ASSERT_EQ(std::sscanf(resumed.err.c_str(), "%d designs: %d were in the journal, %d computed",
+                        &total, &found, &computed),
+            3)
+      << resumed.err;
+  EXPECT_EQ(total, 40'000);
+  EXPECT_GT(found, 0);
+  EXPECT_EQ(found + computed, total);
+  const Outcome whole = prs(into(alone));
+  ASSERT_EQ(whole.status, 0);
+  EXPECT_EQ(whole.err, "");
   EXPECT_TRUE(files_in(folder) == files_in(alone));
 }
 
