@@ -12,6 +12,7 @@
 #include "prs/output/measures_table.h"
 #include "prs/quantities/measures_json.h"
 #include "prs/quantities/results_schema.h"
+#include "prs/run/responses.h"
 
 namespace prs::cli {
 
@@ -38,6 +39,19 @@ int list_commands(const Options& options) {
 
 int list_lubricants(const Options& options) {
   print(options.json ? json_text(lubricants_json()) : lubricants_table());
+  return kDone;
+}
+
+int list_units(const Options& options) {
+  print(options.json ? json_text(units_json()) : units_table());
+  return kDone;
+}
+
+int list_responses(const Options& options) {
+  const std::vector<std::string> paths =
+      options.file.empty() ? known_responses()
+                           : responses_of(input::load_source(options.file, options.overrides));
+  print(options.json ? json_text(responses_json(paths)) : responses_table(paths));
   return kDone;
 }
 

@@ -52,6 +52,9 @@ int schema(const Options& options);
 /// The commands that take a case or, with `options.file`, those that have all they need in it.
 int list_commands(const Options& options);
 int list_lubricants(const Options& options);
+int list_units(const Options& options);
+/// What a study may record or, with `options.file`, what the results of this case have.
+int list_responses(const Options& options);
 /// Prints a commented starting case, or writes it to `options.file`, which must not exist.
 int new_case(const Options& options);
 

@@ -14,6 +14,7 @@
 namespace {
 
 using prs::cli::add_output_options;
+using prs::cli::add_units_option;
 using prs::cli::Options;
 
 constexpr const char* kValidate = "validate";
@@ -28,6 +29,7 @@ void add_case_options(CLI::App& command, Options& options) {
       ->take_all()
       ->allow_extra_args(false);
   add_output_options(command, options);
+  add_units_option(command, options);
   command.add_flag("--figures", options.figures, "Put the pictures into the document, as data")
       ->disable_flag_override();
 }
@@ -148,6 +150,7 @@ int run_command(int argc, char** argv) {
                   prs::cli::configurations);
   add_configurations_options(*configurations, options.configurations);
   add_output_options(*configurations, options);
+  add_units_option(*configurations, options);
   CLI::App* schema = add_command(
       "schema", "Print the JSON Schema of the input or of pictures, or the table of results",
       prs::cli::schema);
@@ -157,12 +160,16 @@ int run_command(int argc, char** argv) {
   CLI::App* list =
       add_command("list", "List what there is to choose from", prs::cli::list_commands);
   std::string listed;
-  list->add_option("what", listed, "commands: those that take a case; lubricants: known by name")
+  list->add_option(
+          "what", listed,
+          "commands: those that take a case; lubricants: known by name; units; responses: what "
+          "studies may record")
       ->required()
-      ->check(CLI::IsMember({"commands", "lubricants"}));
-  list->add_option("file", options.file, "A case: only the commands that it has all for")
+      ->check(CLI::IsMember({"commands", "lubricants", "units", "responses"}));
+  list->add_option("file", options.file,
+                   "A case: only the commands that it has all for, the responses that it has")
       ->type_name("FILE");
-  list->add_flag("--json", options.json, "Print lubricants as JSON")->disable_flag_override();
+  list->add_flag("--json", options.json, "Print the list as JSON")->disable_flag_override();
   CLI::App* new_case = add_command("new", "Write a commented starting case", prs::cli::new_case);
   std::string type = "inverted";
   new_case->add_option("type", type, "standard or inverted")
@@ -173,6 +180,8 @@ int run_command(int argc, char** argv) {
 
   if (const std::optional<int> status = prs::cli::parse(app, argc, argv)) return *status;
   if (listed == "lubricants") run = prs::cli::list_lubricants;
+  if (listed == "units") run = prs::cli::list_units;
+  if (listed == "responses") run = prs::cli::list_responses;
   if (merge->parsed()) {
     if (!options.file.empty()) {
       prs::cli::say(fmt::format(

@@ -32,6 +32,18 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
   command.add_flag("--quiet", options.quiet, "Print errors only");
 }
 
+void add_units_option(CLI::App& command, OutputOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--units",
+          [&options](const std::string& system) {
+            options.units = system == "us" ? UnitSystem::us : UnitSystem::si;
+          },
+          "Units of the tables, si or us (in, lbf, ksi); JSON and CSV are always si")
+      ->check(CLI::IsMember({"si", "us"}))
+      ->type_name("SYSTEM");
+}
+
 std::optional<int> parse(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);

@@ -22,6 +22,9 @@ inline constexpr const char* kExitStatuses =
 /// `--json`, `--output` and `--quiet`.
 void add_output_options(CLI::App& command, OutputOptions& options);
 
+/// `--units`, for commands that print quantities.
+void add_units_option(CLI::App& command, OutputOptions& options);
+
 /// Parses a command line. Where nothing is left to run, as after `--help` or a mistake, prints what
 /// there is to say and returns the exit status.
 std::optional<int> parse(CLI::App& app, int argc, char** argv);

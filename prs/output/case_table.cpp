@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "prs/model/units.h"
+#include "prs/output/table_units.h"
 #include "prs/quantities/case_groups.h"
 #include "prs/text.h"
 
@@ -46,7 +46,7 @@ std::vector<Row> header_rows(const CaseTable& table) {
   std::vector<Row> rows(2);
   for (const CaseColumn& column : table.columns) {
     rows[0].cells.emplace_back(column.title);
-    rows[1].cells.emplace_back(column.subtitle);
+    rows[1].cells.push_back(with_table_unit(column.subtitle));
   }
   return rows;
 }
@@ -102,7 +102,7 @@ std::string case_name_cell(const LoadCaseResult& result) {
 }
 
 std::string force_cell(const LoadCaseResult& result) {
-  return fixed(result.load_case.axial_force, per_si::kilonewton, 3);
+  return fixed(result.load_case.axial_force, "kN", 3);
 }
 
 std::string direction_cell(const LoadCaseResult& result) {

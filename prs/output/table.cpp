@@ -4,6 +4,7 @@
 
 #include "prs/output/bar_chart.h"
 #include "prs/output/case_table.h"
+#include "prs/output/table_units.h"
 #include "prs/output/warnings.h"
 #include "prs/quantities/model_summary.h"
 #include "prs/quantities/quantities.h"
@@ -12,11 +13,11 @@ namespace prs {
 namespace {
 
 std::string stiffness(const LoadCaseResult& result) {
-  return fixed(result.axial_stiffness, per_si::newton_per_micrometre, 1);
+  return fixed(result.axial_stiffness, "N/µm", 1);
 }
 
 std::string displacement(const LoadCaseResult& result) {
-  return fixed(result.axial_displacement, per_si::micrometre, 2);
+  return fixed(result.axial_displacement, "µm", 2);
 }
 
 template <Interface interface>
@@ -36,7 +37,7 @@ std::string peak_pressure(const LoadCaseResult& result) {
     for (const double pressure : (*result.threads)[i].peak_pressure)
       if (pressure > peak) {
         peak = pressure;
-        cell = fmt::format("{:.3f} {:5}", pressure * per_si::gigapascal, name(i));
+        cell = fmt::format("{} {:5}", fixed(pressure, "GPa", 3), name(i));
       }
   return cell;
 }
