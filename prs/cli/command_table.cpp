@@ -59,6 +59,7 @@ void add_case_options(CLI::App& command, Options& options) {
   add_file(command, options)->required();
   add_set(command, options);
   add_output_options(command, options);
+  add_units_option(command, options);
   command.add_flag("--figures", options.figures, "Put the pictures into the document, as data")
       ->disable_flag_override();
 }
@@ -152,6 +153,7 @@ void add_configurations_options(CLI::App& command, Options& options) {
       ->type_name("N FILE")
       ->expected(2);
   add_output_options(command, options);
+  add_units_option(command, options);
 }
 
 void add_new(CLI::App& command, Options& options) {
@@ -160,9 +162,8 @@ void add_new(CLI::App& command, Options& options) {
 }
 
 void add_list_options(CLI::App& command, Options& options) {
-  take_one_of(command.add_option("what", options.what, "What to list")->required(), list_words());
-  command.add_option("file", options.file, "A case: only the commands that it has all for")
-      ->type_name("FILE");
+  take_one_of(command.add_option("what", options.what, list_help())->required(), list_words());
+  command.add_option("file", options.file, "A case: only what it has all for")->type_name("FILE");
   add_json(command, options);
 }
 

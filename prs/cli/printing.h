@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "prs/output/plots.h"
+#include "prs/output/table_units.h"
 
 namespace prs::cli {
 
@@ -17,8 +18,9 @@ enum Exit { kDone = 0, kFailed = 1, kWrongInput = 2, kNotConverged = 3 };
 struct OutputOptions {
   bool json = false;
   bool quiet = false;
-  bool all = false;      ///< The table with all that there is.
-  bool figures = false;  ///< The document holds the pictures as data.
+  bool all = false;                   ///< The table with all that there is.
+  bool figures = false;               ///< The document holds the pictures as data.
+  UnitSystem units = UnitSystem::si;  ///< Of tables.
   std::optional<std::filesystem::path> output;
 };
 

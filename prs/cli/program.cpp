@@ -12,6 +12,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "prs/cli/command_line.h"
 #include "prs/cli/interruption.h"
 #include "prs/cli/progress_line.h"
 #include "prs/cli/usage_error.h"
@@ -57,6 +58,16 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
   command.add_option("-o,--output", options.output, "Write files into this folder")
       ->type_name("DIR");
   add_quiet(command, options);
+}
+
+void add_units_option(CLI::App& command, OutputOptions& options) {
+  take_one_of(command.add_option_function<std::string>(
+                  "--units",
+                  [&options](const std::string& system) {
+                    options.units = system == "us" ? UnitSystem::us : UnitSystem::si;
+                  },
+                  "Units of the tables: us shows in, lbf, ksi; JSON and CSV are always si"),
+              {"si", "us"});
 }
 
 int run_recorded(const std::function<int()>& run, const OutputOptions& options,

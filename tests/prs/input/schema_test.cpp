@@ -137,6 +137,10 @@ TEST(Schema, TakesWhatTheReaderTakes) {
         "load_cases[0].axial_force={from: 1 kN, to: 2 kN, steps: 2}",
         "load_cases[0].name=\"1\"",
         "lubricant={viscosity: 166.5 mPa s, pressure_viscosity: 30 1/GPa, eyring_stress: 12 MPa}",
+        "lubricant={name: iso-vg-100, temperature: 140 degF}",
+        "lubricant={name: mil-prf-23699, viscosity: 0.02 Pa s, eyring_stress: 1 ksi}",
+        "mechanism.lead=0.2 in",
+        "structure.roller.guidance={ring: 1e5 lbf/in}",
         "friction={model: jacod}",
         "friction={coulomb: 0.11}",
         "friction={model: {coulomb: 0}}",
@@ -179,6 +183,8 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
                         "mechanism.lead=5 kN",
                         "mechanism.lead=5 mm mm",
                         "mechanism.lead=five mm",
+                        "mechanism.lead=0.2 lbf",
+                        "lubricant={name: iso-vg-99, temperature: 60 degC}",
                         "mechanism.lead=.nan mm",
                         "mechanism.lead=1,5 mm",
                         "mechanism.lead=",
@@ -231,7 +237,7 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
                         "load_cases[0].name=\"\"",
                         "load_cases[0].name=\"a\\nb\"",
                         "load_cases[0].share=half",
-                        "lubricant={viscosity: 166.5 mPa s}",
+                        "lubricant={viscosity: 166.5}",
                         "roughness=0 um",
                         "roughness=0.2",
                         "roughness={screw: 0.2 um}",
@@ -324,13 +330,13 @@ TEST(Schema, StatesDefaultsUnitsAndMeaning) {
   EXPECT_FALSE(mechanism["type"].contains("default"));
   EXPECT_FALSE(mechanism["lead"].contains("default"));
   EXPECT_EQ(mechanism["lead"]["description"],
-            "Lead of screw and nut; > 0 right-handed. In mm, m, cm, um, nm");
+            "Lead of screw and nut; > 0 right-handed. In mm, m, cm, um, nm, in, ft, uin");
   const Json& screw = s["properties"]["structure"]["properties"]["screw"]["properties"];
   EXPECT_EQ(screw["bore"]["default"], "0 mm");
   const Json& carrier = s["properties"]["carrier"]["properties"];
   EXPECT_EQ(carrier["gear_pressure_angle"]["default"], "20 deg");
   EXPECT_EQ(s["properties"]["lubricant"]["properties"]["temperature"]["description"],
-            "In operation. In degC, K");
+            "In operation. In degC, K, degF");
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "prs/run/responses.h"
+
 namespace prs {
 namespace {
 
@@ -68,6 +70,29 @@ TEST(Commands, AStudyLacksWhatItsDesignsLack) {
               ElementsAre("friction", "operation"));
   EXPECT_THAT(input::missing(read(lesson("09_slip_and_dissipation.yaml", {study})), Command::study),
               IsEmpty());
+}
+
+/// What the table of quantities lists and what results have are the same names.
+TEST(Responses, OfACaseAreThoseOfTheTable) {
+  const std::vector<std::string> known = known_responses();
+  const std::set<std::string> table(known.begin(), known.end());
+  EXPECT_EQ(table.size(), known.size());
+  for (const char* path :
+       {"slip.efficiency", "screw.peak_pressure_MPa.max", "contact.nut.backlash_mm",
+        "measures.weight_kg", "life.system.l10_revolutions", "axial_stiffness_N_per_um"})
+    EXPECT_EQ(table.count(path), 1U) << path;
+  const std::vector<std::string> of_case = responses_of(lesson("09_slip_and_dissipation.yaml"));
+  EXPECT_GT(of_case.size(), 50U);
+  for (const std::string& path : of_case) EXPECT_EQ(table.count(path), 1U) << path;
+}
+
+TEST(Responses, OfAStudyAreThoseOfItsCommand) {
+  const std::vector<std::string> paths =
+      responses_of(lesson("09_slip_and_dissipation.yaml",
+                          {"study={command: contact, factors: [{path: mechanism.rollers, values: "
+                           "[8, 9]}]}"}));
+  EXPECT_THAT(paths, testing::Contains("contact.screw.normal_angle_deg"));
+  EXPECT_THAT(paths, testing::Not(testing::Contains("slip.efficiency")));
 }
 
 /// Whoever keeps one needs neither the case nor the result.
