@@ -210,7 +210,7 @@ TEST_F(CommandLine, ListsTheCommandsThatACaseHasAllFor) {
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.out, "check\ncontact\nsolve\nmeasures\n");
   EXPECT_EQ(prs("list commands").out,
-            "check\ncontact\nsolve\nslip\npreload\nlife\nmeasures\nstudy\noptimize\n");
+            "check\ncontact\nsolve\ncompare\nslip\npreload\nlife\nmeasures\nstudy\noptimize\n");
   EXPECT_EQ(prs("list commands /nonexistent.yaml").status, 2);
 }
 
