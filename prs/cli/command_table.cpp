@@ -148,9 +148,8 @@ void add_new_options(CLI::App& command, Options& options) {
 }
 
 void add_list_options(CLI::App& command, Options& options) {
-  take_one_of(command.add_option("what", options.what, "What to list")->required(), list_words());
-  command.add_option("file", options.file, "A case: only the commands that it has all for")
-      ->type_name("FILE");
+  take_one_of(command.add_option("what", options.what, list_help())->required(), list_words());
+  command.add_option("file", options.file, "A case: only what it has all for")->type_name("FILE");
   add_json(command, options);
 }
 

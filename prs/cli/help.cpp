@@ -44,9 +44,11 @@ std::string term(const OptionText& option) {
   return text.empty() ? value : text + " " + value;
 }
 
-/// Of an argument: the words that it may be stand in the text.
+/// Of an argument: the words that it may be stand in the text, unless that explains each.
 std::string text(const OptionText& option) {
-  if (!option.names.empty() || option.words.empty()) return option.help;
+  const bool explained =
+      !option.words.empty() && option.help.find(option.words.front() + ":") != std::string::npos;
+  if (!option.names.empty() || option.words.empty() || explained) return option.help;
   return fmt::format("{}: {}", option.help, fmt::join(option.words, ", "));
 }
 

@@ -44,29 +44,53 @@ void add_inputs(const Json& schema, const std::string& path, std::vector<Item>& 
 }
 
 /// What `--set` takes.
-std::vector<Item> input_items(const Options&) {
+std::vector<Item> input_items() {
   std::vector<Item> items;
   add_inputs(input::schema(), "", items);
   return items;
 }
 
-struct List {
-  const char* word;
-  std::vector<Item> (*items)(const Options&);
-  bool names_only;  ///< On a terminal: one word per line, for scripts.
-};
+std::string names(const std::vector<Item>& items) {
+  std::string lines;
+  for (const Item& item : items) lines += item.name + "\n";
+  return lines;
+}
 
-constexpr List kLists[] = {{"commands", command_items, true}, {"inputs", input_items, false}};
-
-std::string list_text(const List& list, const std::vector<Item>& items) {
+std::string columns(const std::vector<Item>& items) {
   std::size_t longest = 0;
   for (const Item& item : items) longest = std::max(longest, width(item.name));
   std::string lines;
-  for (const Item& item : items)
-    lines += list.names_only ? item.name + "\n"
-                             : fmt::format("{:<{}}  {}\n", item.name, longest, item.meaning);
+  for (const auto& [name, meaning] : items)
+    lines += fmt::format("{:<{}}  {}\n", name, longest, meaning);
   return lines;
 }
+
+Json entries(const std::vector<Item>& items) {
+  Json json = Json::array();
+  for (const auto& [name, meaning] : items) json.push_back({{"name", name}, {"meaning", meaning}});
+  return json;
+}
+
+/// Something to choose from: lines that begin with its names, and the same as a document.
+struct List {
+  const char* word;
+  const char* meaning;
+  std::string (*text)(const Options&);
+  Json (*json)(const Options&);
+};
+
+constexpr List kLists[] = {
+    {"commands", "those that take a case; with FILE, those for which it is complete",
+     [](const Options& o) { return names(command_items(o)); },
+     [](const Options& o) {
+       return Json{{"commands", entries(command_items(o))}};
+     }},
+    {"inputs", "keys of a case, as `--set` takes them",
+     [](const Options&) { return columns(input_items()); },
+     [](const Options&) {
+       return Json{{"inputs", entries(input_items())}};
+     }},
+};
 
 }  // namespace
 
@@ -76,18 +100,16 @@ std::vector<std::string> list_words() {
   return words;
 }
 
+std::string list_help() {
+  std::string text = "What to list.";
+  for (const List& list : kLists) text += fmt::format(" {}: {}.", list.word, list.meaning);
+  return text;
+}
+
 int list(const Options& options) {
   const List& list = *std::ranges::find(kLists, std::string_view(options.what),
                                         [](const List& l) { return std::string_view(l.word); });
-  const std::vector<Item> items = list.items(options);
-  if (!options.json) {
-    print(list_text(list, items));
-    return kDone;
-  }
-  Json entries = Json::array();
-  for (const auto& [name, meaning] : items)
-    entries.push_back({{"name", name}, {"meaning", meaning}});
-  print(json_text({{list.word, entries}}));
+  print(options.json ? json_text(list.json(options)) : list.text(options));
   return kDone;
 }
 
