@@ -275,7 +275,8 @@ std::string malformed(std::string_view text, std::size_t at, std::string_view wh
     if (line.substr(0, key).find('\t') != std::string_view::npos)
       return "got a tab before the key; expected blanks; replace every tab by blanks";
     line.remove_prefix(key);
-    if (line.ends_with('\r')) line.remove_suffix(1);
+    line = line.substr(0, std::min(line.find(" #"), line.find('\r')));
+    line = line.substr(0, line.find_last_not_of(' ') + 1);
     if (lacks_blank(line))
       return fmt::format("got {}; expected `key: value`; write a blank after the colon",
                          shown(line));

@@ -303,18 +303,12 @@ TEST_P(BrokenInput, IsRefusedWithPlaceKeyAndMend) {
 }
 
 const Broken kBroken[] = {
-    {"QuotedNumber",
+    {"QuotedLength",
      "lead: 5 mm",
      "lead: \"5\"",
      "3:9",
      "mechanism.lead",
      {"got \"5\"; expected a length other than 0 with its unit", "write the unit", "`5 mm`"}},
-    {"QuotedWholeNumber",
-     "rollers: 11",
-     "rollers: \"11\"",
-     "9:12",
-     "mechanism.rollers",
-     {"got \"11\"; expected a whole number from 1 to 1000", "`rollers: 3`"}},
     {"CapitalLetter",
      "lead: 5 mm",
      "lead: 5 mm\n  Rollers: 11",
@@ -467,7 +461,7 @@ const Broken kBroken[] = {
      "rollers: \"11\"",
      "9:12",
      "mechanism.rollers",
-     {"got \"11\"", "a whole number"}},
+     {"got \"11\"; expected a whole number from 1 to 1000; write it without quotes"}},
     {"TooManyRollers",
      "rollers: 11",
      "rollers: 13",
@@ -894,7 +888,7 @@ TEST(ReadCase, TextsThatAreNoCaseAreRefused) {
   for (const char* tab : {"a: 1\n\tb: 2\n", "a:\n  b: 1\n \tc: 2\n", "a:\n\t- 1\n"})
     EXPECT_THAT(error_of(tab), HasSubstr("error: got a tab before the key; expected blanks"))
         << tab;
-  for (const char* glued : {"a:\n  b: 1\n  lead:5 mm\n", "a:\n  lead:5 mm\n  b: 1\n",
+  for (const char* glued : {"a:\n  b: 1\n  lead:5 mm  # it\n  c: 1\n", "a:\n  lead:5 mm\n  b: 1\n",
                             "a:\r\n  b: 1\r\n  lead:5 mm\r\n  c: 1\r\n"})
     EXPECT_THAT(error_of(glued), HasSubstr("error: got lead:5 mm; expected `key: value`; write a "
                                            "blank after the colon"))
@@ -905,6 +899,15 @@ TEST(ReadCase, TextsThatAreNoCaseAreRefused) {
   EXPECT_THAT(error_of(""), HasSubstr("`prs new FILE` writes one"));
   EXPECT_THAT(error_of(kAbevi + "---\n" + kAbevi),
               StartsWith("case.yaml:27:1: error: got more text after the end of the document"));
+}
+
+TEST(ReadCase, AKeyWithoutABlankBehindItIsNoUnknownWord) {
+  EXPECT_THAT(error_of(abevi_with("contacts_per_roller: 20", "contacts_per_roller:20")),
+              StartsWith("case.yaml:11:10: error: got contacts_per_roller:20; expected"));
+  EXPECT_THAT(
+      error_of(abevi_with("{screw: 3, roller: 1}", "{screw:3, roller: 1}")),
+      HasSubstr("unknown key; expected one of screw, roller; write a blank after the colon: "
+                "`screw: 3`"));
 }
 
 TEST(ReadCase, LinesMayEndAsOnWindows) {

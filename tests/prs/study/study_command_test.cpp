@@ -205,7 +205,8 @@ TEST_F(StudyCommand, InterruptedItContinues) {
   EXPECT_THAT(changed.err, HasSubstr(folder.string() + ": error: "));
   EXPECT_THAT(changed.err, HasSubstr("--restart"));
 
-  const Outcome resumed = prs(into(folder));
+  const std::string loud = "study '" + file.string() + "' --output '";
+  const Outcome resumed = prs(loud + folder.string() + "'");
   ASSERT_EQ(resumed.status, 0);
   int total = 0, found = 0, computed = 0;
   ASSERT_EQ(std::sscanf(resumed.err.c_str(), "%d designs: %d were in the journal, %d computed",
@@ -215,7 +216,7 @@ TEST_F(StudyCommand, InterruptedItContinues) {
   EXPECT_EQ(total, 40'000);
   EXPECT_GT(found, 0);
   EXPECT_EQ(found + computed, total);
-  const Outcome whole = prs(into(alone));
+  const Outcome whole = prs(loud + alone.string() + "'");
   ASSERT_EQ(whole.status, 0);
   EXPECT_EQ(whole.err, "");
   EXPECT_TRUE(files_in(folder) == files_in(alone));
