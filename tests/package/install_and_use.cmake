@@ -29,6 +29,12 @@ if(NOT source STREQUAL sandu_2018)
   message(FATAL_ERROR "validated ${source}")
 endif()
 
+run(_ ${prs} new --lesson 14 lesson.yaml)
+run(commands ${prs} list commands lesson.yaml)
+if(NOT commands MATCHES "life")
+  message(FATAL_ERROR "lesson 14 has all for ${commands}")
+endif()
+
 foreach(text man/man1/prs.1.gz man/man1/prs-solve.1.gz bash-completion/completions/prs
         zsh/site-functions/_prs fish/vendor_completions.d/prs.fish)
   file(SIZE ${folder}/moved/share/${text} size)
