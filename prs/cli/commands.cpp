@@ -8,6 +8,7 @@
 #include "prs/cli/starting_case.h"
 #include "prs/figures/figure_json.h"
 #include "prs/input/schema.h"
+#include "prs/output/document_schema.h"
 #include "prs/output/measures_table.h"
 #include "prs/quantities/measures_json.h"
 #include "prs/quantities/results_schema.h"
@@ -16,7 +17,7 @@ namespace prs::cli {
 
 int run_case(const CommandRow& row, const Options& options) {
   const input::Source source = input::load_source(options.file, options.overrides);
-  return deliver(run(row, source), document_info(source), options);
+  return deliver(run(row, source), document_info(source, row.command), options);
 }
 
 int explain_measures(const Options& options) {
@@ -36,16 +37,14 @@ int list_commands(const Options& options) {
 }
 
 int schema(const Options& options) {
-  const bool of_results = options.schema_of == "results",
-             of_figures = options.schema_of == "figures";
-  const std::string document = json_text(of_results   ? results_schema()
-                                         : of_figures ? figure_schema()
-                                                      : input::schema());
+  const std::string& of = options.schema_of;
+  const std::string document = json_text(of == "input"     ? input::schema()
+                                         : of == "results" ? results_schema()
+                                         : of == "figures" ? figure_schema()
+                                                           : document_schema(of));
   if (options.output)
-    write_files(*options.output, {{of_results   ? "prs.results.json"
-                                   : of_figures ? "prs.figures.json"
-                                                : "prs.schema.json",
-                                   document}});
+    write_files(*options.output,
+                {{of == "input" ? "prs.schema.json" : fmt::format("prs.{}.json", of), document}});
   if (!options.quiet || options.json) print(document);
   return kDone;
 }

@@ -30,8 +30,8 @@ struct Options : OutputOptions {
   bool restart = false;                        ///< `prs study`: discards what was computed before.
   std::vector<std::filesystem::path> folders;  ///< `prs study merge`: those of the shards.
   bool explain = false;                        ///< `prs measures`: formulas in place of numbers.
-  std::string schema_of = "input";             ///< `prs schema`: or `results`, `figures`.
-  bool standard = false;  ///< `prs new`: a standard screw in place of an inverted one.
+  std::string schema_of = "input";  ///< `prs schema`: or `results`, `figures`, a command.
+  bool standard = false;            ///< `prs new`: a standard screw in place of an inverted one.
   ConfigurationOptions configurations;
 };
 

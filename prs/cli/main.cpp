@@ -5,14 +5,17 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "prs/cli/commands.h"
 #include "prs/cli/companion.h"
 #include "prs/cli/program.h"
+#include "prs/output/document_schema.h"
 #include "prs/version.h"
 
 namespace {
 
+using prs::cli::add_csv_options;
 using prs::cli::add_output_options;
 using prs::cli::Options;
 
@@ -28,6 +31,7 @@ void add_case_options(CLI::App& command, Options& options) {
       ->take_all()
       ->allow_extra_args(false);
   add_output_options(command, options);
+  add_csv_options(command, options.csv);
   command.add_flag("--figures", options.figures, "Put the pictures into the document, as data")
       ->disable_flag_override();
 }
@@ -65,6 +69,7 @@ CLI::App* add_merge(CLI::App& study, Options& options) {
       ->type_name("DIR..");
   add_threads_option(*merge, options);
   add_output_options(*merge, options);
+  add_csv_options(*merge, options.csv);
   return merge;
 }
 
@@ -148,11 +153,17 @@ int run_command(int argc, char** argv) {
                   prs::cli::configurations);
   add_configurations_options(*configurations, options.configurations);
   add_output_options(*configurations, options);
+  add_csv_options(*configurations, options.csv);
   CLI::App* schema = add_command(
-      "schema", "Print the JSON Schema of the input or of pictures, or the table of results",
+      "schema", "Print the JSON Schema of the input, of a command's document or of pictures",
       prs::cli::schema);
-  schema->add_option("of", options.schema_of, "input, results or figures; default: input")
-      ->check(CLI::IsMember({"input", "results", "figures"}));
+  std::vector<std::string> schemas{"input", "results", "figures"};
+  for (const std::string_view command : prs::documented_commands()) schemas.emplace_back(command);
+  schema
+      ->add_option("of", options.schema_of,
+                   "input; figures; results: the table of quantities; a command: its document of "
+                   "--json; default: input")
+      ->check(CLI::IsMember(schemas));
   add_output_options(*schema, options);
   CLI::App* list =
       add_command("list", "List what there is to choose from", prs::cli::list_commands);

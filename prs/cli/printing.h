@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "prs/output/csv_style.h"
 #include "prs/output/plots.h"
 
 namespace prs::cli {
@@ -19,6 +20,7 @@ struct OutputOptions {
   bool quiet = false;
   bool figures = false;  ///< The document holds the pictures as data.
   std::optional<std::filesystem::path> output;
+  CsvStyle csv;
 };
 
 /// Opens the standard streams that the program was started without, so that no other file gets

@@ -32,6 +32,22 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
   command.add_flag("--quiet", options.quiet, "Print errors only");
 }
 
+void add_csv_options(CLI::App& command, CsvStyle& style) {
+  command
+      .add_option_function<std::string>(
+          "--csv", [&style](const std::string& form) { style.european = form == "european"; },
+          "plain: `,` between fields, decimal points; european: `;` and decimal commas; default: "
+          "plain")
+      ->type_name("FORM")
+      ->check(CLI::IsMember({"plain", "european"}));
+  command
+      .add_option(
+          "--csv-digits", style.digits,
+          "Significant digits in CSV; 17: as many as read the same number back; default: 10")
+      ->type_name("N")
+      ->check(CLI::Range(1, CsvStyle::kAllDigits));
+}
+
 std::optional<int> parse(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);

@@ -22,6 +22,9 @@ inline constexpr const char* kExitStatuses =
 /// `--json`, `--output` and `--quiet`.
 void add_output_options(CLI::App& command, OutputOptions& options);
 
+/// `--csv` and `--csv-digits`, of commands that write CSV.
+void add_csv_options(CLI::App& command, CsvStyle& style);
+
 /// Parses a command line. Where nothing is left to run, as after `--help` or a mistake, prints what
 /// there is to say and returns the exit status.
 std::optional<int> parse(CLI::App& app, int argc, char** argv);
