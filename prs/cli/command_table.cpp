@@ -17,6 +17,7 @@
 #include "prs/input/source.h"
 #include "prs/output/files.h"
 #include "prs/quantities/json.h"
+#include "prs/output/document_schema.h"
 #include "prs/version.h"
 
 namespace prs::cli {
@@ -60,6 +61,7 @@ void add_case_options(CLI::App& command, Options& options) {
   add_set(command, options);
   add_output_options(command, options);
   add_units_option(command, options);
+  add_csv_options(command, options.csv);
   command.add_flag("--figures", options.figures, "Put the pictures into the document, as data")
       ->disable_flag_override();
 }
@@ -154,6 +156,7 @@ void add_configurations_options(CLI::App& command, Options& options) {
       ->expected(2);
   add_output_options(command, options);
   add_units_option(command, options);
+  add_csv_options(command, options.csv);
 }
 
 void add_new(CLI::App& command, Options& options) {
@@ -168,8 +171,12 @@ void add_list_options(CLI::App& command, Options& options) {
 }
 
 void add_schema_options(CLI::App& command, Options& options) {
-  take_one_of(command.add_option("what", options.what, "Of what; default: input"),
-              {"input", "results", "figures"});
+  std::vector<std::string> schemas{"input", "results", "figures"};
+  for (const std::string_view document : documented_commands()) schemas.emplace_back(document);
+  take_one_of(command.add_option("what", options.what,
+                                 "Of what: the input; the table of results; figures; a command's "
+                                 "document of --json. Default: input"),
+              schemas);
   add_output_options(command, options);
 }
 
@@ -223,7 +230,7 @@ constexpr OwnRow kOwnRows[] = {
      "prs configurations --screw-diameter '24 mm' --lead '6 mm' --write 1 case.yaml"},
     {"list", kLook, "List what there is to choose from", add_list_options, list,
      "prs list commands\nprs list commands case.yaml"},
-    {"schema", kLook, "Print the JSON Schema of the input or of pictures, or the table of results",
+    {"schema", kLook, "Print the JSON Schema of the input, of a command's document or of pictures",
      add_schema_options, schema, "prs schema > prs.schema.json\nprs schema results"},
     {"validate", kLook, "Compare with the published sources", add_validate, nullptr,
      "prs validate\nprs validate validation/sandu_2018 --json"},
@@ -281,6 +288,7 @@ void add_merge(Program& program) {
       ->type_name("DIR");
   add_threads(*merge, program.options);
   add_output_options(*merge, program.options);
+  add_csv_options(*merge, program.options.csv);
 }
 
 void add_completion(Program& program) {

@@ -17,7 +17,7 @@ namespace {
 bool write(const Delivery& delivery, const std::string& document, const Figures& shown,
            const OutputOptions& options) {
   std::vector<OutputFile> files{{delivery.file, document}};
-  if (delivery.files) std::ranges::move(delivery.files(), std::back_inserter(files));
+  if (delivery.files) std::ranges::move(delivery.files(options.csv), std::back_inserter(files));
   write_files(*options.output, files);
   Undrawn undrawn = draw_figures(shown, *options.output);
   for (const std::string& note : delivery.without_figure) undrawn.notes.push_back(note);

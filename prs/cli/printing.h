@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "prs/output/csv_style.h"
 #include "prs/output/plots.h"
 #include "prs/output/table_units.h"
 
@@ -22,6 +23,7 @@ struct OutputOptions {
   bool figures = false;               ///< The document holds the pictures as data.
   UnitSystem units = UnitSystem::si;  ///< Of tables.
   std::optional<std::filesystem::path> output;
+  CsvStyle csv;
 };
 
 /// Opens the standard streams that the program was started without, so that no other file gets

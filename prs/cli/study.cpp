@@ -67,15 +67,16 @@ std::string warning_note(const std::string& warning) { return "warning: " + prin
 int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Study& study,
                   const std::function<const DesignEngine&()>& engine, std::size_t threads,
                   const Options& options) {
-  const DocumentInfo info = document_info(in.source);
+  const DocumentInfo info = document_info(in.source, Command::study);
   StudyResult result{study, {}, 0, 0, 0, {}};
   StudyAnalysis analysis(study);
-  const std::string absent =
-      write_rows(rows, study, info, options.output ? &*options.output : nullptr, threads,
-                 [&](const RowBlock& block) {
-                   add(result, block);
-                   analysis.add(block);
-                 });
+  const std::string absent = write_rows(
+      rows, study, info, options.output ? &*options.output : nullptr, threads,
+      [&](const RowBlock& block) {
+        add(result, block);
+        analysis.add(block);
+      },
+      options.csv);
   if (!absent.empty()) note(options, "prs: " + absent);
   result.summary = analysis.summary();
   result.warnings = study_warnings(in, result, engine);
@@ -98,11 +99,11 @@ int derivatives(const input::StudyInput& in, const Options& options) {
       .table = [&] { return derivatives_table(result); },
       .notes = notes,
       .files =
-          [&] {
-            return std::vector<OutputFile>{{"derivatives.csv", derivatives_csv(result)}};
+          [&](const CsvStyle& style) {
+            return std::vector<OutputFile>{{"derivatives.csv", derivatives_csv(result, style)}};
           },
       .pictures = [&] { return derivatives_pictures(result); }};
-  return deliver(delivery, document_info(in.source), options);
+  return deliver(delivery, document_info(in.source, Command::study), options);
 }
 
 /// Where the designs of a run come from; the counts add up.

@@ -386,10 +386,28 @@ Node* descend(Node& root, const std::vector<Step>& steps, const std::string& pat
   return node;
 }
 
+/// Whether a text means the same without its quotes: words and quantities do, numbers do not.
+bool needs_no_quotes(const std::string& text) {
+  const auto is_alphanumeric = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+  };
+  const auto is_plain = [&](char c) {
+    return is_alphanumeric(c) || std::string_view(" _./^()%+-").find(c) != std::string_view::npos;
+  };
+  static constexpr std::string_view kNullWords[] = {"null", "Null", "NULL"};
+  return std::ranges::all_of(text, is_plain) &&
+         (is_alphanumeric(text.back()) || text.ends_with(" %")) &&
+         (is_alphanumeric(text.front()) || split_unit(text)) &&
+         std::ranges::find(kNullWords, text) == std::end(kNullWords) &&
+         scalar_type({.kind = Node::Kind::scalar, .text = text}) == ScalarType::text;
+}
+
 /// A scalar as it must stand inside `[..]` and `{..}`.
 std::string flow_scalar(const Node& scalar, bool inside) {
-  const bool bare = !scalar.quoted && !scalar.text.empty() &&
-                    (!inside || scalar.text.find_first_of(",[]{}:#") == std::string::npos);
+  const bool bare =
+      !scalar.text.empty() &&
+      (scalar.quoted ? needs_no_quotes(scalar.text)
+                     : !inside || scalar.text.find_first_of(",[]{}:#") == std::string::npos);
   if (bare) return scalar.text;
   std::string text = "\"";
   for (const char c : scalar.text) {

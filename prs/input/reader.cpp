@@ -49,18 +49,6 @@ struct Wanted {
   std::string example;
 };
 
-template <class Kind>
-std::string text_of_bounds(const Bounds& b, const Kind& kind) {
-  if (b.zero_excluded) return " other than 0";
-  std::string text;
-  if (std::isfinite(b.least))
-    text = fmt::format(" {} {}", b.least_excluded ? ">" : ">=", text_of_bound(b.least, kind));
-  if (std::isfinite(b.greatest))
-    text += fmt::format("{} {} {}", text.empty() ? "" : " and",
-                        b.greatest_excluded ? "<" : "<=", text_of_bound(b.greatest, kind));
-  return text;
-}
-
 /// The dimension's example where it is admissible, else the middle of the bounds.
 std::string example_of(const Quantity& q) {
   const std::optional<double> usual = parse_quantity(q.dimension.example, q.dimension).value;

@@ -19,8 +19,8 @@ void most_loaded_fields(CsvWriter& csv, const LoadCaseResult& result, Interface 
 
 }  // namespace
 
-std::string load_cases_csv(const Result& result) {
-  CsvWriter csv;
+std::string load_cases_csv(const Result& result, const CsvStyle& style) {
+  CsvWriter csv(style);
   load_header(csv);
   scalar_header<LoadCaseResult>(csv, "", "converged");
   for (const Interface i : kInterfaces)
@@ -38,8 +38,8 @@ std::string load_cases_csv(const Result& result) {
   return csv.take();
 }
 
-std::string load_distribution_csv(const Result& result) {
-  CsvWriter csv;
+std::string load_distribution_csv(const Result& result, const CsvStyle& style) {
+  CsvWriter csv(style);
   load_header(csv);
   csv.text("thread");
   for (const Interface i : kInterfaces)

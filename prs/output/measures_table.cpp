@@ -143,8 +143,8 @@ std::string measure_explanations() {
          explanations<LoadMeasures>();
 }
 
-std::string measures_csv(const MeasuresResult& result) {
-  CsvWriter csv;
+std::string measures_csv(const MeasuresResult& result, const CsvStyle& style) {
+  CsvWriter csv(style);
   for (const std::string_view name : {"load_case", "measure", "unit", "value"}) csv.text(name);
   csv.end_row();
   add_rows(csv, "", result.measures);
@@ -154,8 +154,8 @@ std::string measures_csv(const MeasuresResult& result) {
   return csv.take();
 }
 
-std::string yang_csv(const MeasuresResult& result) {
-  CsvWriter csv;
+std::string yang_csv(const MeasuresResult& result, const CsvStyle& style) {
+  CsvWriter csv(style);
   load_header(csv);
   for (const std::string_view name :
        {"thread", "yang_load_rate_percent", "screw_load_rate_percent", "nut_load_rate_percent"})

@@ -330,13 +330,13 @@ TEST(Schema, StatesDefaultsUnitsAndMeaning) {
   EXPECT_FALSE(mechanism["type"].contains("default"));
   EXPECT_FALSE(mechanism["lead"].contains("default"));
   EXPECT_EQ(mechanism["lead"]["description"],
-            "Lead of screw and nut; > 0 right-handed. In mm, m, cm, um, nm, in, ft, uin");
+            "Lead of screw and nut; > 0 right-handed. In mm, m, cm, um, nm, in, ft, uin; other than 0");
   const Json& screw = s["properties"]["structure"]["properties"]["screw"]["properties"];
   EXPECT_EQ(screw["bore"]["default"], "0 mm");
   const Json& carrier = s["properties"]["carrier"]["properties"];
   EXPECT_EQ(carrier["gear_pressure_angle"]["default"], "20 deg");
   EXPECT_EQ(s["properties"]["lubricant"]["properties"]["temperature"]["description"],
-            "In operation. In degC, K, degF");
+            "In operation. In degC, K, degF; > -273.15 degC");
 }
 
 }  // namespace

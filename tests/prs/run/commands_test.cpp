@@ -102,7 +102,7 @@ TEST(Delivery, OutlivesWhatItWasMadeOf) {
   {
     const input::Source source = lesson("05_standard_screw.yaml");
     delivery = run(row_of(Command::contact), source);
-    info = document_info(source);
+    info = document_info(source, Command::contact);
   }
   EXPECT_EQ(delivery.file, "contact.json");
   EXPECT_TRUE(delivery.document(info).contains("contact"));

@@ -68,7 +68,7 @@ study:
     points: [{name: best, wanted: best}, {name: given, at: [45 mm, 3.1 mm]}]
 )";
   std::ofstream(file) << text;
-  ASSERT_EQ(prs(into(alone, "--threads 1")).status, 0);
+  ASSERT_EQ(prs(into(alone, "--threads 1 --csv-digits 17")).status, 0);
   const auto expected = files_in(alone);
   ASSERT_THAT(expected, testing::Contains(testing::Key("envelope.csv")));
   const auto rows = test::parse(content_of(alone / "envelope.csv"));
@@ -89,9 +89,10 @@ study:
   const fs::path parts = temporary.path() / "parts", whole = temporary.path() / "whole";
   EXPECT_EQ(prs(into(parts, "--shard 1/2")).status, 0);
   EXPECT_EQ(prs(into(parts, "--shard 2/2")).status, 0);
-  EXPECT_EQ(
-      prs("study merge '" + parts.string() + "' --quiet --output '" + whole.string() + "'").status,
-      0);
+  EXPECT_EQ(prs("study merge '" + parts.string() + "' --quiet --csv-digits 17 --output '" +
+                whole.string() + "'")
+                .status,
+            0);
   EXPECT_TRUE(files_in(whole) == expected);
 
   // Between designs the error falls with the square of the step, here 0.24 mm of a bore in 21 mm.
