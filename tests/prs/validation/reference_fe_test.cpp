@@ -11,6 +11,7 @@
 #include "prs/model/case_error.h"
 #include "tests/support/count.h"
 #include "tests/support/parsed_csv.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temporary_directory.h"
 #include "validation/reference_fe/comparison.h"
 #include "validation/reference_fe/curves.h"
@@ -313,6 +314,7 @@ TEST(Fidelities, RefinedStaysWithinItsPromise) {
 
 /// CONFIG 2 in tension; thoroughly all cases.
 TEST(Fidelities, InfluenceIsWithinBothErrorBarsOfTheReference) {
+  SKIP_UNDER_SANITIZERS();
   const auto curves =
       at_full_load([](const auto& setup) { return test::count(0, 1) == 1 || setup == kExample; });
   const Summary s = summary(computed_curves(screw(), influence, curves), curves, everywhere);
