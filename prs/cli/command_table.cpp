@@ -15,9 +15,9 @@
 #include "prs/cli/usage_error.h"
 #include "prs/cli/validate_options.h"
 #include "prs/input/source.h"
+#include "prs/output/document_schema.h"
 #include "prs/output/files.h"
 #include "prs/quantities/json.h"
-#include "prs/output/document_schema.h"
 #include "prs/version.h"
 
 namespace prs::cli {
@@ -221,7 +221,8 @@ struct OwnRow {
 };
 
 constexpr OwnRow kOwnRows[] = {
-    {"new", kStart, "Write a complete, commented case of a screw, or copy a lesson", add_new, new_case,
+    {"new", kStart, "Write a complete, commented case of a screw, or copy a lesson", add_new,
+     new_case,
      "prs new standard case.yaml --screw-diameter 25mm --lead 5mm\n"
      "prs new --lesson 14 case.yaml"},
     {"configurations", kStart, "List the geometries that a screw diameter and a lead allow",

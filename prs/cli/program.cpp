@@ -71,10 +71,11 @@ void add_units_option(CLI::App& command, OutputOptions& options) {
 }
 
 void add_csv_options(CLI::App& command, CsvStyle& style) {
-  take_one_of(command.add_option_function<std::string>(
-                  "--csv", [&style](const std::string& form) { style.european = form == "european"; },
-                  "Of CSV files: european has `;` between fields and decimal commas"),
-              {"plain", "european"});
+  take_one_of(
+      command.add_option_function<std::string>(
+          "--csv", [&style](const std::string& form) { style.european = form == "european"; },
+          "Of CSV files: european has `;` between fields and decimal commas"),
+      {"plain", "european"});
   take_whole_number(
       command.add_option("--csv-digits", style.digits,
                          "Significant digits in CSV; 17: as many as read the same number back; "
