@@ -93,6 +93,11 @@ Json value_of(const Node* node, T& value, const Choice&) {
   return chosen.json;
 }
 
+template <class T>
+Json value_of(const Node*, const T& value, const Listed& kind) {
+  return text_of(value, kind);
+}
+
 template <class T, class Kind>
 Json map_of(const Node* node, T& value, const Kind& kind) {
   Values values(node);

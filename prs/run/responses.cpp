@@ -46,8 +46,7 @@ std::vector<std::string> responses_of(const input::Source& source) {
   std::vector<std::string> paths;
   for (const Command command : kOfStudies) {
     if (in.study ? *in.study != command : !input::missing(in, command).empty()) continue;
-    const nlohmann::ordered_json document =
-        run(row_of(command), source).document(document_info(source));
+    const nlohmann::ordered_json document = run(row_of(command), source).document({});
     for (std::string& path : response_paths(document))
       if (std::ranges::find(paths, path) == paths.end()) paths.push_back(std::move(path));
   }
