@@ -6,8 +6,8 @@
 
 namespace prs::input {
 
-/// The file of a source with its overrides and defaults in place: a case with the same results. What
-/// is absent and has no default stays absent. Throws InputError.
+/// The file of a source with its overrides and defaults in place: a case with the same results.
+/// What is absent and has no default stays absent. Throws InputError.
 nlohmann::ordered_json resolved_input(const Source& source);
 
 }  // namespace prs::input
