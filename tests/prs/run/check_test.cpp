@@ -18,7 +18,7 @@ using testing::StartsWith;
 Json checked(const std::string& lesson, std::vector<std::string> overrides = {}) {
   const input::Source source =
       input::load_source(PRS_SOURCE_DIR "/configs/" + lesson, std::move(overrides));
-  return run(row_of(Command::check), source).document(document_info(source));
+  return run(row_of(Command::check), source).document(document_info(source, Command::check));
 }
 
 std::vector<std::string> warnings_of(const std::string& lesson, const std::string& override) {
@@ -135,7 +135,7 @@ TEST(Check, OddValuesAreToldByEveryCommand) {
   for (const Command command :
        {Command::contact, Command::solve, Command::compare, Command::measures})
     EXPECT_THAT(run(row_of(command), source)
-                    .document(document_info(source))["warnings"][0]
+                    .document(document_info(source, command))["warnings"][0]
                     .get<std::string>(),
                 StartsWith("materials.poisson_ratio: got 0.45; usual is 0.2 to 0.4"))
         << name(command);
@@ -151,7 +151,7 @@ TEST(Check, WarningsNameTheKey) {
     const input::CaseInput in = input::read_case_input(source, Command::check);
     for (const CommandRow& row : commands()) {
       if (!row.run || !input::missing(in, row.command).empty()) continue;
-      const Json document = run(row, source).document(document_info(source));
+      const Json document = run(row, source).document(document_info(source, row.command));
       std::vector<std::string> warnings = document["warnings"];
       for (const Json& load_case : document.value("load_cases", Json::array()))
         for (const Json& warning : load_case["warnings"]) warnings.push_back(warning);
