@@ -23,17 +23,16 @@ function(share_headers target folder)
   install(TARGETS ${target} EXPORT prs ARCHIVE DESTINATION lib/prs COMPONENT development)
 endfunction()
 
-# add_room(NAME FOLDER [USES ROOM..] [PUBLIC LIBRARY..] [PRIVATE LIBRARY..] SOURCES ..): the library
-# prs_NAME of sources below prs/FOLDER.
+# add_room(NAME FOLDER [USES ROOM..] [PUBLIC LIBRARY..] [PRIVATE LIBRARY..] [SOURCES ..]): the library
+# prs_NAME of sources in prs/FOLDER, all that lie there unless they are named.
 function(add_room name folder)
   cmake_parse_arguments(PARSE_ARGV 2 room "" "" "USES;PUBLIC;PRIVATE;SOURCES")
   list(TRANSFORM room_USES PREPEND prs_)
-  set(path prs/${folder})
-  if(folder STREQUAL ".")
-    set(path prs)
-  else()
-    list(TRANSFORM room_SOURCES PREPEND ${folder}/)
+  list(TRANSFORM room_SOURCES PREPEND ${folder}/)
+  if(NOT room_SOURCES)
+    file(GLOB room_SOURCES RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS ${folder}/*.cpp)
   endif()
+  string(REGEX REPLACE "/\\.$" "" path prs/${folder})
   add_library(prs_${name} STATIC ${room_SOURCES})
   target_link_libraries(prs_${name}
     PUBLIC $<BUILD_INTERFACE:prs_options> ${room_USES} ${room_PUBLIC}

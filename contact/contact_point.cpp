@@ -178,23 +178,10 @@ RadiusLimits overlap(const ThreadPair& pair) {
 }  // namespace
 
 std::string_view name(ContactPointStatus status) {
-  switch (status) {
-    case ContactPointStatus::ok:
-      return "ok";
-    case ContactPointStatus::not_computed:
-      return "not_computed";
-    case ContactPointStatus::straight_on_straight:
-      return "straight_on_straight";
-    case ContactPointStatus::out_of_reach:
-      return "out_of_reach";
-    case ContactPointStatus::outside_flank:
-      return "outside_flank";
-    case ContactPointStatus::not_a_minimum:
-      return "not_a_minimum";
-    case ContactPointStatus::not_converged:
-      return "not_converged";
-  }
-  return "unknown";
+  constexpr std::string_view kNames[] = {"ok",           "not_computed",  "straight_on_straight",
+                                         "out_of_reach", "outside_flank", "not_a_minimum",
+                                         "not_converged"};
+  return kNames[static_cast<std::size_t>(status)];
 }
 
 void FlankViolations::add(const ThreadSurface& surface, bool of_roller, double innermost,

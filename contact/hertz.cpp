@@ -18,21 +18,9 @@ double contact_modulus(const Elasticity& body_1, const Elasticity& body_2) {
 }
 
 std::string_view name(HertzStatus status) {
-  switch (status) {
-    case HertzStatus::ok:
-      return "ok";
-    case HertzStatus::not_computed:
-      return "not_computed";
-    case HertzStatus::not_finite:
-      return "not_finite";
-    case HertzStatus::no_point_contact:
-      return "no_point_contact";
-    case HertzStatus::conforming_surface:
-      return "conforming_surface";
-    case HertzStatus::no_stiffness:
-      return "no_stiffness";
-  }
-  return "unknown";
+  constexpr std::string_view kNames[] = {
+      "ok", "not_computed", "not_finite", "no_point_contact", "conforming_surface", "no_stiffness"};
+  return kNames[static_cast<std::size_t>(status)];
 }
 
 double ellipticity(double curvature_ratio) {

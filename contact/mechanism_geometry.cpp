@@ -91,7 +91,7 @@ KinematicConsistency kinematic_consistency(const MechanismGeometry& m) {
   const bool standard = m.type == MechanismType::standard;
   return {m.nut.lead - m.screw.lead,
           m.roller.pitch_radius / (standard ? m.nut.pitch_radius : m.screw.pitch_radius),
-          std::abs(m.roller.lead / m.screw.lead), (m.roller.lead * m.screw.lead > 0.0) == standard};
+          std::abs(m.roller.lead / m.screw.lead)};
 }
 
 int largest_roller_count(const MechanismGeometry& m) {
@@ -109,23 +109,14 @@ AxialPositions axial_positions(const MechanismGeometry& m, const MechanismContac
 }
 
 std::string_view name(DesignStatus status) {
-  switch (status) {
-    case DesignStatus::ok:
-      return "ok";
-    case DesignStatus::not_solved:
-      return "not_solved";
-    case DesignStatus::pitches_differ:
-      return "pitches_differ";
-    case DesignStatus::too_few_screw_starts:
-      return "too_few_screw_starts";
-    case DesignStatus::no_screw_contact:
-      return "no_screw_contact";
-    case DesignStatus::no_nut_contact:
-      return "no_nut_contact";
-    case DesignStatus::not_converged:
-      return "not_converged";
-  }
-  return "unknown";
+  constexpr std::string_view kNames[] = {"ok",
+                                         "not_solved",
+                                         "pitches_differ",
+                                         "too_few_screw_starts",
+                                         "no_screw_contact",
+                                         "no_nut_contact",
+                                         "not_converged"};
+  return kNames[static_cast<std::size_t>(status)];
 }
 
 DesignResult design_by_backlash(const MechanismGeometry& draft, int screw_starts, int roller_starts,

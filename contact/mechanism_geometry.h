@@ -60,7 +60,6 @@ struct KinematicConsistency {
   double lead_difference = 0.0;      ///< l_N - l_S [m], must be 0.
   double gear_ratio = 0.0;           ///< Gamma by the pitch radii: r_R/r_N or r_R/r_S (2.1).
   double gear_ratio_by_leads = 0.0;  ///< |l_R/l_S|; (2.14) asks for equality.
-  bool roller_hand_fits = false;     ///< Sign of the roller's lead as in (1.50).
 };
 KinematicConsistency kinematic_consistency(const MechanismGeometry& mechanism);
 

@@ -73,25 +73,15 @@ RadiusLimits usable_limits(const ThreadSurface& s) {
 }
 
 std::string_view name(ThreadStatus status) {
-  switch (status) {
-    case ThreadStatus::ok:
-      return "ok";
-    case ThreadStatus::not_finite:
-      return "not_finite";
-    case ThreadStatus::radius_not_positive:
-      return "radius_not_positive";
-    case ThreadStatus::pitch_not_positive:
-      return "pitch_not_positive";
-    case ThreadStatus::flank_angle_out_of_range:
-      return "flank_angle_out_of_range";
-    case ThreadStatus::thickness_out_of_range:
-      return "thickness_out_of_range";
-    case ThreadStatus::height_negative:
-      return "height_negative";
-    case ThreadStatus::beyond_sharp_limit:
-      return "beyond_sharp_limit";
-  }
-  return "unknown";
+  constexpr std::string_view kNames[] = {"ok",
+                                         "not_finite",
+                                         "radius_not_positive",
+                                         "pitch_not_positive",
+                                         "flank_angle_out_of_range",
+                                         "thickness_out_of_range",
+                                         "height_negative",
+                                         "beyond_sharp_limit"};
+  return kNames[static_cast<std::size_t>(status)];
 }
 
 ThreadStatus check(const Thread& t) {
@@ -156,22 +146,6 @@ SymmetricTensor curvature_tensor(const ThreadSurface& surface, double radius) {
       .N = f.slope_rate / w,
   });
   return surface.side * described;
-}
-
-PitchContact contact_at_pitch_radius(const ThreadSurface& body, const ThreadSurface& roller) {
-  // Frame: the roller's helix tangent and outward normal. Two external threads show each other
-  // opposite sides of the tangent plane; a nut's air shows the same side as the roller.
-  const double body_helix = body.helix_angle(), roller_helix = roller.helix_angle();
-  const bool external = body.side > 0.0;
-  const SymmetricTensor of_body = curvature_tensor(body, body.pitch_radius);
-  const double turn = external ? -(body_helix + roller_helix) : body_helix - roller_helix;
-  const SymmetricTensor relative = curvature_tensor(roller, roller.pitch_radius) +
-                                   in_turned_axes(external ? mirrored(of_body) : of_body, -turn);
-
-  const PrincipalValues kappa = principal_ascending(relative);
-  const double slope = body.profile(body.pitch_radius).slope;
-  return {kappa.first, kappa.second,
-          std::atan(std::hypot(slope, body.reduced_lead / body.pitch_radius))};
 }
 
 }  // namespace contact

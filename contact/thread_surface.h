@@ -130,18 +130,4 @@ ThreadStatus check(const Thread& thread);
 /// volume (for a nut: of its air). The same on top and bottom face (Sandu 2018, (B.5), (B.10)).
 SymmetricTensor curvature_tensor(const ThreadSurface& surface, double radius);
 
-/// A contact estimated at the pitch radii, without solving for the contact point.
-struct PitchContact {
-  double kappa_1 = 0.0;       ///< Smaller relative curvature [1/m]
-  double kappa_2 = 0.0;       ///< Larger relative curvature [1/m]
-  double normal_angle = 0.0;  ///< psi, between contact normal and axis [rad]
-};
-
-/// Contact of a body (screw or nut) with a roller on the line of centres at the two pitch radii:
-/// sum of the two curvature tensors there, turned against each other by the helix angles, and the
-/// body's normal, cos(psi) = 1/sqrt(1 + f'^2 + (l/(2 pi r_T))^2), in the normal plane
-/// cos(alpha) cos(beta). Exact where the helix angles match and the backlash is zero; else an
-/// estimate.
-PitchContact contact_at_pitch_radius(const ThreadSurface& body, const ThreadSurface& roller);
-
 }  // namespace contact

@@ -111,7 +111,6 @@ class HarmonicBody {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& loads);
 
   int unknowns() const { return stiffness_.size(); }
-  std::size_t factor_size() const { return cholesky_->factor_size(); }
 
  private:
   /// Equation of a row and its sign; -1 where held.

@@ -44,11 +44,10 @@ class Chain {
   Chain(const Station& station, const Law& law, int stations, Record* records)
       : chain_{station, stations, records}, elimination_(chain_), law_(law) {}
 
-  /// From the states and net approaches in the records. `rigid`: the states are those of rigid
-  /// bodies, as they always are of folded chains. Residuals are relative to `scale`.
-  ChainSummary<Real> solve(const Real& load, const Real& scale, const NewtonOptions& options,
-                           bool rigid) {
-    start(load, scale, rigid);
+  /// From the net approaches in the records and the states there, which must be those of rigid
+  /// bodies. Residuals are relative to `scale`.
+  ChainSummary<Real> solve(const Real& load, const Real& scale, const NewtonOptions& options) {
+    start(load, scale);
     const int limit = options.iteration_limit(contacts());
     for (int iteration = 0; iteration < limit && any(active_); ++iteration) {
       Real shift(0.0);
@@ -74,24 +73,15 @@ class Chain {
   /// In both halves of a folded chain.
   int contacts() const { return (kFolded<Station> ? 4 : 2) * chain_.count; }
 
-  void start(const Real& load, const Real& scale, bool rigid) {
+  void start(const Real& load, const Real& scale) {
     load_ = load;
     inverse_scale_ = 1.0 / scale;
-    Real worst(0.0), linear_energy(0.0), contact_energy(0.0);
-    const auto stay = [](const auto&) {};
-    ChainForces<Real, Station, decltype(stay)> forces(chain_, stay);
+    Real worst(0.0), contact_energy(0.0);
     for (int k = 0; k < chain_.count; ++k) {
       Record& record = chain_.records[k];
       Real residual[M];
-      if (rigid)
-        set_zero(residual);
-      else
-        forces.at(k, residual);
-      unroll<M>([&](auto i) __attribute__((always_inline)) {
-        residual[i] = select(chain_.station.held(k, i), Real(0.0), residual[i]);
-        record.correction[i] = residual[i];
-        linear_energy += 0.5 * residual[i] * record.state.head[i];
-      });
+      set_zero(residual);
+      set_zero(record.correction);
       if (k == 0) residual[0] -= load;
       unroll<2>([&](auto i) __attribute__((always_inline)) {
         auto& c = record.contact[i];
@@ -108,11 +98,11 @@ class Chain {
     summary_ = {};
     summary_.initial_relative_residual = summary_.relative_residual =
         of_both<Station>(worst) * inverse_scale_;
-    summary_.energy = contact_energy_ +
-                      total<Station>(Real(linear_energy - load * chain_.records[0].state.head[0]));
+    summary_.energy =
+        contact_energy_ + total<Station>(Real(-load * chain_.records[0].state.head[0]));
     active_ = scale >= scale;
     checked_ = !active_;
-    residual_ = {load, true};
+    residual_ = {load, false};
     move_pending_ = false;
   }
 

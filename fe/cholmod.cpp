@@ -92,10 +92,6 @@ class Cholmod : public SupernodalCholesky {
                                           b.cols());
   }
 
-  std::size_t factor_size() const override {
-    return factor_->is_super ? factor_->xsize : factor_->nzmax;
-  }
-
  private:
   cholmod_common common_{};
   cholmod_factor* factor_ = nullptr;

@@ -57,8 +57,6 @@ class MeshedGrid {
   MeridianEdge along_axis(int column, int layer) const;
   /// Side of the cells at `column`, from `layer` to `layer` + 1; it must exist.
   MeridianEdge outwards(int column, int layer) const;
-  /// Whether the side at `column` from `layer` to `layer` + 1 belongs to a filled cell.
-  bool has_outwards(int column, int layer) const { return at(2 * column, 2 * layer + 1) >= 0; }
 
  private:
   /// Node at twice the grid coordinates.

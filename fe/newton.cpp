@@ -82,17 +82,9 @@ class DoubleNumbers {
 }  // namespace
 
 std::string_view name(NewtonStatus status) {
-  switch (status) {
-    case NewtonStatus::converged:
-      return "converged";
-    case NewtonStatus::iteration_limit:
-      return "iteration_limit";
-    case NewtonStatus::line_search_failed:
-      return "line_search_failed";
-    case NewtonStatus::not_positive_definite:
-      return "not_positive_definite";
-  }
-  return "unknown";
+  constexpr std::string_view kNames[] = {"converged", "iteration_limit", "line_search_failed",
+                                         "not_positive_definite"};
+  return kNames[static_cast<std::size_t>(status)];
 }
 
 struct NewtonSolver::Doubles {

@@ -14,68 +14,55 @@ struct SpringResponse {
 
 /// Unilateral power law, a contact that pushes and never pulls:
 ///
-///     force = stiffness * <w - gap - series_compliance * force>^exponent
+///     force = stiffness * <w - gap - series_compliance * force>^1.5
 ///
-/// with w the approach of the two ends [m] and <x> = max(x, 0). The energy is convex in w, so a
-/// Newton direction always descends. Exponent 3/2 is Hertz's point contact (Abevi 2015, (21), with
-/// the exponent read as 3/2).
+/// with w the approach of the two ends [m] and <x> = max(x, 0): Hertz's point contact (Abevi 2015,
+/// (21), with the exponent read as 3/2). The energy is convex in w, so a Newton direction always
+/// descends.
 ///
 /// The spring in series may take back part of the approach, series_compliance < 0. The law holds
 /// until it takes back half of what the power law adds, 1 + series_compliance d force/dd = 1/2;
 /// from there on the force grows along its tangent.
 struct PowerLawSpring {
-  double stiffness = 0.0;          ///< k_0 [N/m^exponent], > 0.
-  double exponent = 1.5;           ///< >= 1.
+  double stiffness = 0.0;          ///< k_0 [N/m^1.5], > 0.
   double gap = 0.0;                ///< Approach at which the ends first touch [m].
-  double series_compliance = 0.0;  ///< Linear spring in series [m/N]; < 0 needs exponent > 1.
+  double series_compliance = 0.0;  ///< Linear spring in series, of either sign [m/N].
 };
 
-/// Force of the power law alone, its own approach `d` given: k d^n, n k d^(n-1), k d^(n+1)/(n+1).
-inline SpringResponse power_law(double stiffness, double exponent, double d) {
+/// Force of the power law alone, its own approach `d` given: k d^1.5, 1.5 k d^0.5, k d^2.5/2.5.
+inline SpringResponse power_law(double stiffness, double d) {
   if (d <= 0.0) return {};
-  const double root = exponent == 1.5 ? std::sqrt(d) : std::pow(d, exponent - 1.0);
+  const double root = std::sqrt(d);
   const double force = stiffness * d * root;
-  return {force * d / (exponent + 1.0), force, exponent * stiffness * root};
+  return {force * d / 2.5, force, 1.5 * stiffness * root};
 }
 
 /// Deflection d of the power law up to which a series compliance < 0 takes back no more than half:
-/// -c n k d^(n-1) = 1/2.
+/// -1.5 c k d^0.5 = 1/2.
 inline double largest_deflection(const PowerLawSpring& s) {
   if (s.series_compliance >= 0.0 || s.stiffness == 0.0)
     return std::numeric_limits<double>::infinity();
-  const double d = -0.5 / (s.series_compliance * s.exponent * s.stiffness);
-  if (s.exponent == 1.5) return d * d;
-  return std::pow(d, 1.0 / (s.exponent - 1.0));
+  const double root = -0.5 / (s.series_compliance * 1.5 * s.stiffness);
+  return root * root;
 }
 
-/// Deflection d of the power law in series with the linear spring: d + c k d^n = total, for
-/// d <= `largest_deflection`. Increasing, convex for c > 0 and concave for c < 0, so that Newton
-/// from d = total never overshoots the root. For n = 3/2 it is done in x = sqrt(d).
+/// Deflection d of the power law in series with the linear spring: d + c k d^1.5 = total, for
+/// d <= `largest_deflection`. Increasing, convex for c > 0 and concave for c < 0, so that Newton in
+/// sqrt(d) from d = total never overshoots the root.
 inline double law_approach_in_series(const PowerLawSpring& s, double total) {
-  if (s.exponent == 1.5) {
-    const double a = s.series_compliance * s.stiffness;
-    double x = std::sqrt(total);
-    for (int i = 0; i < 100; ++i) {
-      const double step = (x * x * (1.0 + a * x) - total) / (x * (2.0 + 3.0 * a * x));
-      x -= step;
-      if (std::abs(step) <= 1e-9 * x) break;  // its square is beyond rounding
-    }
-    return x * x;
-  }
-  double d = total;
+  const double a = s.series_compliance * s.stiffness;
+  double x = std::sqrt(total);
   for (int i = 0; i < 100; ++i) {
-    const SpringResponse r = power_law(s.stiffness, s.exponent, d);
-    const double step =
-        (d + s.series_compliance * r.force - total) / (1.0 + s.series_compliance * r.tangent);
-    d -= step;
-    if (std::abs(step) <= 1e-15 * total) break;
+    const double step = (x * x * (1.0 + a * x) - total) / (x * (2.0 + 3.0 * a * x));
+    x -= step;
+    if (std::abs(step) <= 1e-9 * x) break;  // its square is beyond rounding
   }
-  return d;
+  return x * x;
 }
 
 /// Response of both in series to an approach `d` of the power law alone.
 inline SpringResponse response_in_series(const PowerLawSpring& s, double d) {
-  SpringResponse r = power_law(s.stiffness, s.exponent, d);
+  SpringResponse r = power_law(s.stiffness, d);
   r.energy += 0.5 * s.series_compliance * r.force * r.force;
   r.tangent /= 1.0 + s.series_compliance * r.tangent;
   return r;
@@ -85,11 +72,11 @@ inline SpringResponse response_in_series(const PowerLawSpring& s, double d) {
 inline SpringResponse evaluate(const PowerLawSpring& s, double w) {
   const double total = w - s.gap;
   if (total <= 0.0) return {};
-  if (s.series_compliance == 0.0) return power_law(s.stiffness, s.exponent, total);
+  if (s.series_compliance == 0.0) return power_law(s.stiffness, total);
 
   const double largest = largest_deflection(s);
-  // At least 1 - 1/(2 n) of it is left of the approach there.
-  if (total > (1.0 - 0.5 / s.exponent) * largest) {
+  // At least 2/3 of it is left of the approach there.
+  if (total > 2.0 / 3.0 * largest) {
     SpringResponse r = response_in_series(s, largest);
     const double beyond = total - (largest + s.series_compliance * r.force);
     r.energy += beyond * (r.force + 0.5 * r.tangent * beyond);
@@ -110,7 +97,7 @@ inline double law_approach(const PowerLawSpring& s, double w) {
   const double total = w - s.gap;
   if (total <= 0.0) return 0.0;
   if (s.series_compliance == 0.0) return total;
-  return std::pow(evaluate(s, w).force / s.stiffness, 1.0 / s.exponent);
+  return std::pow(evaluate(s, w).force / s.stiffness, 1.0 / 1.5);
 }
 
 }  // namespace fe

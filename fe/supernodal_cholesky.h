@@ -25,9 +25,6 @@ class SupernodalCholesky {
 
   /// Solves A x = b for the columns of b with the last factorization, which must have been `ok`.
   virtual void solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) = 0;
-
-  /// Nonzeros of the factor.
-  virtual std::size_t factor_size() const = 0;
 };
 
 struct CholmodModule : modules::Module {

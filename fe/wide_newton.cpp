@@ -17,7 +17,7 @@ using WideVector = Eigen::Matrix<Wide, Eigen::Dynamic, 1>;
 /// Pivots below this share of the largest leave no digit in the solution.
 constexpr double kSmallestWidePivotRatio = 1e-33;
 
-/// As in NewtonOptions: small beside the softest stiffness of a model.
+/// As in NewtonOptions: small compared with the softest stiffness of a model.
 constexpr double kFirstShift = 1e-26;
 
 /// Displacements as Equations reads them.

@@ -43,6 +43,12 @@ const Module& load(const Name& name) {
       throw Missing(fmt::format(
           "this needs {0}, and {1} is not next to the program; install {2} and build prs again{3}",
           name.library, name.file, name.package, name.alternative));
+    // The loader's words for a library of the module that the system does not have.
+    if (const auto end = error.find(": cannot open shared object file"); end != error.npos)
+      throw Missing(
+          fmt::format("this needs {0}, and {1} is not installed; install {0}, on Debian by `apt "
+                      "install {2}`{3}",
+                      name.library, error.substr(0, end), name.package, name.alternative));
     throw Missing(fmt::format(
         "this needs {0}, and {1} does not load: {2}; install {0}, or build prs again{3}",
         name.library, name.file, error, name.alternative));

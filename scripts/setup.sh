@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that building, testing and plotting need, where they are missing.
+# Installs the Debian packages that building, testing and plotting need, and those given, where they are
+# missing.
 set -euo pipefail
 
 packages=(
@@ -10,6 +11,7 @@ packages=(
   python3-dev python3-venv
   libgtest-dev libgmock-dev libbenchmark-dev python3-jsonschema
   gnuplot-nox
+  "$@"
 )
 
 if ! command -v dpkg-query >/dev/null; then

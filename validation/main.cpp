@@ -8,8 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "prs/cli/command_line.h"
+#include "prs/cli/data_folder.h"
 #include "prs/cli/deliver.h"
 #include "prs/cli/program.h"
+#include "prs/cli/progress_line.h"
+#include "prs/cli/validate_options.h"
 #include "prs/input/document.h"
 #include "prs/validation/validate.h"
 #include "prs/version.h"
@@ -27,11 +31,7 @@ using namespace prs::cli;
 
 const prs::DocumentInfo kInfo{prs::kVersion, prs::kSchemaVersion, "", {}};
 
-struct Options : OutputOptions {
-  std::string file;
-  std::optional<std::string> recipe;   ///< A source's formulas for given diameters.
-  std::vector<std::string> diameters;  ///< For it: `54 mm, 27 mm, 9 mm` each.
-};
+using Options = ValidateOptions;
 
 /// The document, and below the name of each source what its code wrote and drew; false where a
 /// picture is missing.
@@ -56,13 +56,21 @@ int wrong_input(const std::string& message) {
 int validate(const Options& options) {
   if (!std::filesystem::is_directory(options.file))
     return wrong_input(fmt::format(
-        "{}: error: no such folder; give the folder of the sources as DIR\n", options.file));
-  const std::vector<prs::SourceReport> reports =
-      prs::validate(options.file, {prs::abevi_2015::extension(), prs::jung_2017::extension(),
-                                   prs::reference_fe::extension(), prs::sandu_2018::extension(),
-                                   prs::standard_screws::extension(), prs::yao_2023::extension()});
+        "prs: error: {}: no such folder; give the folder of the sources as DIR\n", options.file));
+  ProgressLine line(options.quiet);
+  const auto progress = [&](const std::string& source, std::size_t done, std::size_t all) {
+    line.tell(fmt::format("{} of {} sources done; {}", done, all, source));
+  };
+  const std::vector<prs::SourceReport> reports = prs::validate(
+      options.file,
+      {prs::abevi_2015::extension(), prs::jung_2017::extension(), prs::reference_fe::extension(),
+       prs::sandu_2018::extension(), prs::standard_screws::extension(), prs::yao_2023::extension()},
+      progress);
+  line.clear();
   if (reports.empty())
-    return wrong_input(fmt::format("{}: error: no folder with a reference.yaml\n", options.file));
+    return wrong_input(fmt::format(
+        "prs: error: {}: no folder with a reference.yaml; give the folder of the sources as DIR\n",
+        options.file));
   const std::string document = prs::json_text(prs::validation_json(reports, kInfo));
   const bool written = !options.output || write(reports, document, options);
   if (options.json) {
@@ -84,7 +92,7 @@ int recipe(const Options& options) {
   if (recipe == nullptr) {
     std::vector<std::string_view> names;
     for (const Recipe& known : recipes()) names.push_back(known.name);
-    return wrong_input(fmt::format("prs validate: error: --recipe: got {}; expected one of {}\n",
+    return wrong_input(fmt::format("prs: error: --recipe: got {}; expected one of {}\n",
                                    prs::input::shown(*options.recipe), fmt::join(names, ", ")));
   }
   const std::vector<Diameters> rows = read_diameters(options.file, options.diameters);
@@ -100,29 +108,13 @@ int recipe(const Options& options) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Compare with the published sources"};
-  app.footer(kExitStatuses);
+  CLI::App app{"Compare with the published sources", "prs validate"};
+  app.set_help_flag("-h,--help", "Print this help");
   Options options;
-  app.add_option("file", options.file,
-                 "Folder of the sources, default: validation; with --recipe a file of diameters, "
-                 "YAML or CSV")
-      ->type_name("DIR|FILE");
-  CLI::Option* recipe_option =
-      app.add_option("--recipe", options.recipe,
-                     "Compute a source's table for other diameters: jung-as-printed (with its "
-                     "slips) or jung-corrected")
-          ->type_name("NAME");
-  app.add_option("--diameters", options.diameters,
-                 "Nut (outer), screw and roller, e.g. \"54 mm, 27 mm, 9 mm\"; repeatable")
-      ->type_name("ROW")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false)
-      ->needs(recipe_option);
-  add_output_options(app, options);
+  add_validate_options(app, options);
   if (const std::optional<int> status = parse(app, argc, argv)) return *status;
 
-  if (!options.recipe && options.file.empty()) options.file = "validation";
+  if (!options.recipe && options.file.empty()) options.file = data_folder("validation").string();
   return run_recorded([&] { return options.recipe ? recipe(options) : validate(options); }, options,
                       "validate", "", {});
 }

@@ -2,20 +2,35 @@
 
 #include <fmt/format.h>
 
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "prs/cli/deliver.h"
+#include "prs/cli/usage_error.h"
 #include "prs/figures/figure_json.h"
 #include "prs/input/schema.h"
-#include "prs/output/lists.h"
 #include "prs/output/measures_table.h"
+#include "prs/output/run_files.h"
 #include "prs/quantities/measures_json.h"
 #include "prs/quantities/results_schema.h"
 
 namespace prs::cli {
 
+std::string case_name(const Options& options) {
+  return options.file == kStandardInput ? "<stdin>" : options.file;
+}
+
+input::Source case_source(const Options& options) {
+  if (options.file.empty()) throw UsageError("FILE is missing; expected a case, a YAML file");
+  if (options.file != kStandardInput) return input::load_source(options.file, options.overrides);
+  input::Source source = input::read_source(std::cin, case_name(options), options.overrides);
+  record_case(source.text, source.overrides);
+  return source;
+}
+
 int run_case(const CommandRow& row, const Options& options) {
-  const input::Source source = input::load_source(options.file, options.overrides);
+  if (options.explain) return explain_measures(options);
+  const input::Source source = case_source(options);
   return deliver(run(row, source), document_info(source), options);
 }
 
@@ -24,25 +39,8 @@ int explain_measures(const Options& options) {
   return kDone;
 }
 
-int list_commands(const Options& options) {
-  std::optional<input::CaseInput> in;
-  if (!options.file.empty())
-    in =
-        input::read_case_input(input::load_source(options.file, options.overrides), Command::check);
-  for (const CommandRow& row : commands())
-    if (!in || input::missing(*in, row.command).empty())
-      print(fmt::format("{}\n", name(row.command)));
-  return kDone;
-}
-
-int list_lubricants(const Options& options) {
-  print(options.json ? json_text(lubricants_json()) : lubricants_table());
-  return kDone;
-}
-
 int schema(const Options& options) {
-  const bool of_results = options.schema_of == "results",
-             of_figures = options.schema_of == "figures";
+  const bool of_results = options.what == "results", of_figures = options.what == "figures";
   const std::string document = json_text(of_results   ? results_schema()
                                          : of_figures ? figure_schema()
                                                       : input::schema());

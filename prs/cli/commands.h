@@ -43,12 +43,22 @@ struct Options : OutputOptions {
   bool restart = false;                        ///< `prs study`: discards what was computed before.
   std::vector<std::filesystem::path> folders;  ///< `prs study merge`: those of the shards.
   bool explain = false;                        ///< `prs measures`: formulas in place of numbers.
-  std::string schema_of = "input";             ///< `prs schema`: or `results`, `figures`.
+  std::string what;                            ///< `prs list`, `prs schema`: of what.
+  std::vector<std::string> words;              ///< `prs help`: the command to explain.
   ConfigurationOptions configurations;
   NewOptions new_case;
 };
 
 inline constexpr std::size_t kMostThreads = 4096;
+
+/// As FILE: the case is read from standard input.
+inline constexpr std::string_view kStandardInput = "-";
+
+/// What messages and documents call the case.
+std::string case_name(const Options& options);
+
+/// The case that the command line names. Throws InputError; UsageError where it names none.
+input::Source case_source(const Options& options);
 
 /// Runs a command that computes a case and writes its results.
 int run_case(const CommandRow& row, const Options& options);
@@ -62,9 +72,6 @@ int configurations(const Options& options);
 /// Multi-objective design: writes the Pareto front and the chosen design of the file's `optimize`.
 int optimize(const Options& options);
 int schema(const Options& options);
-/// The commands that take a case or, with `options.file`, those that have all they need in it.
-int list_commands(const Options& options);
-int list_lubricants(const Options& options);
 void add_new_options(CLI::App& command, NewOptions& options);
 /// Prints a commented case, or writes it to a file, which must not exist; or copies a lesson.
 int new_case(const Options& options);

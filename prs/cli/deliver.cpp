@@ -44,7 +44,7 @@ int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOpti
     print(document);
     for (const std::string& text : delivery.notes) note(options, text);
   } else if (!options.quiet) {
-    print(delivery.table());
+    print(options.all && delivery.full_table ? delivery.full_table() : delivery.table());
     const bool more_than_document = delivery.files || delivery.pictures;
     if (options.output && more_than_document)
       print(fmt::format("\nFiles: {}\n", options.output->string()));

@@ -63,7 +63,7 @@ int report_interruption(const Options& options) {
 }  // namespace
 
 int optimize(const Options& options) {
-  const input::Source source = input::load_source(options.file, options.overrides);
+  const input::Source source = case_source(options);
   const input::OptimizeInput in = input::read_optimize_input(source);
   const std::size_t threads = options.threads > 0 ? options.threads : default_threads();
   const std::filesystem::path journal_file =

@@ -17,6 +17,7 @@ enum Exit { kDone = 0, kFailed = 1, kWrongInput = 2, kNotConverged = 3 };
 struct OutputOptions {
   bool json = false;
   bool quiet = false;
+  bool all = false;      ///< The table with all that there is.
   bool figures = false;  ///< The document holds the pictures as data.
   std::optional<std::filesystem::path> output;
 };

@@ -1,12 +1,16 @@
 #include "prs/cli/program.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <memory>
 #include <new>
-#include <sstream>
+#include <optional>
 #include <string_view>
 
 #include "prs/cli/interruption.h"
+#include "prs/cli/progress_line.h"
 #include "prs/input/source.h"
 #include "prs/output/run_files.h"
 #include "prs/sector/influence/matrix_cache.h"
@@ -25,30 +29,33 @@ int failed(std::string_view before, std::string_view what, int status) noexcept 
 
 }  // namespace
 
-void add_output_options(CLI::App& command, OutputOptions& options) {
-  command.add_flag("--json", options.json, "Print one JSON document and nothing else");
-  command.add_option("--output", options.output, "Write files into this directory")
-      ->type_name("DIR");
-  command.add_flag("--quiet", options.quiet, "Print errors only");
+void add_json(CLI::App& command, OutputOptions& options) {
+  command.add_flag("--json", options.json, "Print one JSON document and nothing else")
+      ->disable_flag_override();
 }
 
-std::optional<int> parse(CLI::App& app, int argc, char** argv) {
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    std::ostringstream out, err;
-    const int status = app.exit(error, out, err);
-    print(out.str());
-    say(err.str());
-    return status == 0 ? kDone : kWrongInput;
-  }
-  return std::nullopt;
+void add_quiet(CLI::App& command, OutputOptions& options) {
+  command.add_flag("--quiet", options.quiet, "Print errors only")->disable_flag_override();
+}
+
+void add_output_options(CLI::App& command, OutputOptions& options) {
+  add_json(command, options);
+  command.add_option("-o,--output", options.output, "Write files into this folder")
+      ->type_name("DIR");
+  add_quiet(command, options);
 }
 
 int run_recorded(const std::function<int()>& run, const OutputOptions& options,
                  const std::string& command, const std::string& case_file,
                  const std::vector<std::string>& overrides) {
   shared_matrix_cache().keep_in(cache_directory());
+  shared_matrix_cache().report_to([line = std::make_shared<ProgressLine>(options.quiet)](
+                                      bool working, int computed) {
+    if (working)
+      line->tell(fmt::format("matrices of `influence`: {} made; a screw has about ten", computed));
+    else
+      line->clear();
+  });
   std::optional<RunFiles> files;
   if (options.output) files.emplace(*options.output, command, case_file, overrides);
   const int status = run();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,18 +12,10 @@ class App;
 
 namespace prs::cli {
 
-/// Below the help of a program.
-inline constexpr const char* kExitStatuses =
-    "Exit status: 0 done, 1 failed, 2 the input or the command line is wrong, 3 a load case did "
-    "not "
-    "converge.";
-
+void add_json(CLI::App& command, OutputOptions& options);
+void add_quiet(CLI::App& command, OutputOptions& options);
 /// `--json`, `--output` and `--quiet`.
 void add_output_options(CLI::App& command, OutputOptions& options);
-
-/// Parses a command line. Where nothing is left to run, as after `--help` or a mistake, prints what
-/// there is to say and returns the exit status.
-std::optional<int> parse(CLI::App& app, int argc, char** argv);
 
 /// Runs a command, tells what it found in its folders, and lists what it wrote. `case_file` is
 /// empty where it reads no case.

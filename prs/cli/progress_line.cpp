@@ -26,11 +26,25 @@ void ProgressLine::show(const StudyProgress& progress) {
   std::string text =
       progress_line(progress.done - progress.found, progress.total - progress.found, seconds);
   if (progress.found > 0) text += fmt::format("; {} were there before", progress.found);
-  control_terminal("\r\x1b[K" + text);
+  write(text);
+}
+
+void ProgressLine::tell(std::string_view text) {
+  if (!shown_) return;
+  const std::lock_guard lock(mutex_);
+  write(text);
 }
 
 void ProgressLine::clear() {
-  if (shown_) control_terminal("\r\x1b[K");
+  if (!shown_) return;
+  const std::lock_guard lock(mutex_);
+  if (is_written_) control_terminal("\r\x1b[K");
+  is_written_ = false;
+}
+
+void ProgressLine::write(std::string_view text) {
+  control_terminal(fmt::format("\r\x1b[K{}", text));
+  is_written_ = true;
 }
 
 }  // namespace prs::cli

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "prs/cli/usage_error.h"
 #include "prs/input/source.h"
 
 namespace prs::cli {
 
 void fail_option(std::string_view option, std::string_view message) {
-  throw input::InputError(fmt::format("prs: error: {}: {}", option, message));
+  throw UsageError(fmt::format("{}: {}", option, message));
 }
 
 double quantity_option(std::string_view option, const std::string& text,

@@ -8,7 +8,7 @@
 
 namespace prs::cli {
 
-/// Throws InputError on an option of the command line: `prs: error: --lead: MESSAGE`.
+/// Throws UsageError on an option of the command line: `--lead: MESSAGE`.
 [[noreturn]] void fail_option(std::string_view option, std::string_view message);
 
 /// The value of an option [SI] within bounds that `expected` puts into words. A blank between

@@ -14,6 +14,7 @@
 #include "prs/cli/interruption.h"
 #include "prs/cli/printing.h"
 #include "prs/cli/progress_line.h"
+#include "prs/cli/usage_error.h"
 #include "prs/figures/pictures.h"
 #include "prs/input/study_reader.h"
 #include "prs/output/derivatives_files.h"
@@ -174,10 +175,9 @@ bool agree(const JournalHeader& header, const Study& study) {
 }  // namespace
 
 int study(const Options& options) {
-  if (options.shard && !options.output) {
-    say("prs: error: --shard needs --output DIR, where its part is kept\n");
-    return kWrongInput;
-  }
+  if (options.shard && !options.output)
+    throw UsageError(
+        "--shard is given alone; expected --output DIR with it, where its part is kept");
   Ranks ranks(!options.shard);
   if (!ranks.agree(arguments(options))) {
     if (ranks.is_first())
@@ -186,10 +186,9 @@ int study(const Options& options) {
     return ranks.is_first() ? kWrongInput : kDone;
   }
   const std::size_t threads = options.threads > 0 ? options.threads : ranks.threads();
-  const std::optional<std::string> text =
-      ranks.share([&] { return input::load_source(options.file, options.overrides).text; });
+  const std::optional<std::string> text = ranks.share([&] { return case_source(options).text; });
   if (!text) return kDone;
-  const input::Source source{options.file, *text, options.overrides};
+  const input::Source source{case_name(options), *text, options.overrides};
   if (!ranks.is_first()) return assist(ranks, source, threads);
   try {
     return compute(ranks, source, threads, options);
@@ -204,6 +203,10 @@ int study(const Options& options) {
 }
 
 int merge_study(const Options& options) {
+  if (!options.file.empty())
+    throw UsageError(fmt::format(
+        "got FILE {} before `merge`; expected `prs study merge DIR..`: the journals hold the file",
+        input::shown(options.file)));
   const StoredRows rows = gather_rows(options.folders);
   const JournalHeader& header = rows.journals().front().header();
   const input::StudyInput in = input::read_study_input(input::source_of_text(

@@ -21,6 +21,14 @@ void include(Axis& all, const Axis& more) {
 
 }  // namespace
 
+void Series::add(double x, const std::optional<double>& y) {
+  if (parts.empty()) parts.emplace_back();
+  if (y)
+    parts.back().push_back({x, *y});
+  else if (!parts.back().empty())
+    parts.emplace_back();
+}
+
 std::size_t Figure::add(const Style& style) {
   styles.push_back(style);
   return styles.size() - 1;
@@ -61,6 +69,15 @@ void Range::widen(double share) {
   to += margin;
 }
 
+Axis fitted(Axis axis, Range range, bool from_zero) {
+  if (range.empty()) range = {0.0, 1.0};
+  if (from_zero) range.from = 0.0;
+  range.widen(0.06);
+  axis.from = from_zero ? 0.0 : range.from;
+  axis.to = range.to;
+  return axis;
+}
+
 void fit_y_range(Figure& figure) {
   Range range;
   for (const Panel& panel : figure.panels)
@@ -70,11 +87,7 @@ void fit_y_range(Figure& figure) {
         if (!r.vertical) range.include(r.at);
     }
   if (range.empty()) return;
-  const bool from_zero = range.from >= 0.0 && range.from < 0.5 * range.to;
-  if (from_zero) range.from = 0.0;
-  range.widen(0.06);
-  figure.y.from = from_zero ? 0.0 : range.from;
-  figure.y.to = range.to;
+  figure.y = fitted(figure.y, range, range.from >= 0.0 && range.from < 0.5 * range.to);
 }
 
 Figure only_panel(Figure figure, std::size_t panel) {

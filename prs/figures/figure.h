@@ -74,6 +74,9 @@ struct Series {
   std::vector<Polyline> parts = {};
   /// One per part, whose colour on the figure's scale it then has; empty: that of the style.
   std::vector<double> values = {};
+
+  /// Appends a point to the last part, which ends where there is no value.
+  void add(double x, const std::optional<double>& y);
 };
 
 /// A line across the whole panel: a mean, zero.
@@ -212,6 +215,9 @@ struct Range {
 };
 Range range_of_y(const std::vector<Series>& series);
 
+/// The axis over a little more than a range, or from zero.
+Axis fitted(Axis axis, Range range, bool from_zero = false);
+
 /// Puts y from zero, unless the values fill less than half of that, to a little above the largest.
 void fit_y_range(Figure& figure);
 
@@ -219,7 +225,7 @@ void fit_y_range(Figure& figure);
 Figure only_panel(Figure figure, std::size_t panel);
 
 /// All lines in one panel, told apart by their dashes as the panels were, whose titles go into the
-/// legend. Panels with other axes than the first are left out, as are others beside a map.
+/// legend. Panels with other axes than the first are left out; a map as the first stays alone.
 Figure folded(const Figure& figure);
 
 }  // namespace prs

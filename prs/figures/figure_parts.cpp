@@ -106,6 +106,13 @@ void add_mean(Figure& figure, double mean) {
   for (Panel& panel : figure.panels) panel.references.push_back({style, mean});
 }
 
+double round_step(double least) {
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double digit : {1.0, 2.0, 5.0})
+    if (digit * power >= least * (1.0 - 1e-9)) return digit * power;
+  return 10.0 * power;
+}
+
 std::vector<double> round_levels(const Range& range, std::size_t most_steps) {
   if (range.empty()) return {};
   const double least = range.from, largest = range.to;
@@ -115,16 +122,12 @@ std::vector<double> round_levels(const Range& range, std::size_t most_steps) {
     return {least - margin, largest + margin};
   }
   const double most = static_cast<double>(most_steps);
-  for (double power = std::pow(10.0, std::floor(std::log10((largest - least) / most)));;
-       power *= 10.0)
-    for (const double digit : {1.0, 2.0, 5.0}) {
-      const double step = digit * power;
-      const double first = std::floor(least / step), last = std::ceil(largest / step);
-      if (last - first > most) continue;
-      std::vector<double> levels;
-      for (double k = first; k <= last; k += 1.0) levels.push_back(k * step);
-      return levels;
-    }
+  double step = round_step((largest - least) / most);
+  while (std::ceil(largest / step) - std::floor(least / step) > most) step = round_step(1.5 * step);
+  std::vector<double> levels;
+  for (double k = std::floor(least / step); k <= std::ceil(largest / step); k += 1.0)
+    levels.push_back(k * step);
+  return levels;
 }
 
 }  // namespace prs

@@ -72,6 +72,9 @@ double rank_position(std::size_t k, std::size_t count);
 /// A dashed line where all threads would share the load equally, at `mean`, in every panel.
 void add_mean(Figure& figure, double mean);
 
+/// The least of 1, 2 or 5 times a power of ten that is not below `least` > 0.
+double round_step(double least);
+
 /// Round numbers around all values, at most so many steps; empty where there is none.
 std::vector<double> round_levels(const Range& range, std::size_t most_steps);
 

@@ -19,7 +19,7 @@ Polyline bar(double middle, double from, double to, double half_width) {
 
 bool has_lives(const LifeResult& r) { return r.converged() && r.weakest; }
 
-/// Flanks that are loaded, with both interfaces beside each other.
+/// Flanks that are loaded, with both interfaces side by side.
 template <class Draw>
 void thread_panels(const LifeResult& r, Figure& figure, Draw draw) {
   for (const Direction d : kDirections)

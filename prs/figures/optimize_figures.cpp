@@ -148,13 +148,9 @@ std::optional<Panel> enlarged_front(const OptimizationResult& result, Panel pane
     return !range.empty() && range.to - range.from < kSqueezed * (axis.to - axis.from);
   };
   if (!is_squeezed(at_x, *panel.x) || !is_squeezed(at_y, *panel.y)) return std::nullopt;
-  at_x.widen(0.1);
-  at_y.widen(0.1);
   panel.title = "The front, enlarged";
-  panel.x->from = at_x.from;
-  panel.x->to = at_x.to;
-  panel.y->from = at_y.from;
-  panel.y->to = at_y.to;
+  panel.x = fitted(*std::move(panel.x), at_x);
+  panel.y = fitted(*std::move(panel.y), at_y);
   return panel;
 }
 

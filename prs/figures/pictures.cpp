@@ -30,6 +30,7 @@ Figures friction(const Result& result, const FigureOptions& options);
 Figures power_by_source(const Result& result, const FigureOptions& options);
 Figures yang(const MeasuresResult& result);
 Figures stiffness_terms(const MeasuresResult& result);
+Figures loads_by_model(const ModelComparison& result, const FigureOptions& options);
 Figures preload_curves(const PreloadResult& result);
 Figures load_history(const LifeResult& result);
 Figures rainflow(const LifeResult& result);
@@ -133,6 +134,10 @@ Pictures measures_pictures(const MeasuresResult& r) {
   return with({{"yang", "load cases that converged, and what Yang's formula needs", of(r, yang)},
                {"stiffness_terms", "loads, structure or `shaft`", of(r, stiffness_terms)}},
               solve_pictures(r.analysis));
+}
+
+Pictures comparison_pictures(const ModelComparison& r) {
+  return {{"loads_by_model", "a load case that converged with every model", of(r, loads_by_model)}};
 }
 
 Pictures preload_pictures(const PreloadResult& r) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "prs/compare/compare_models.h"
 #include "prs/figures/figure.h"
 #include "prs/life/analyze_life.h"
 #include "prs/loads/result.h"
@@ -52,6 +53,7 @@ Pictures contact_pictures(const Result& result);
 Pictures solve_pictures(const Result& result);
 Pictures slip_pictures(const Case& c, const Result& result);
 Pictures measures_pictures(const MeasuresResult& result);
+Pictures comparison_pictures(const ModelComparison& result);
 Pictures preload_pictures(const PreloadResult& result);
 Pictures life_pictures(const LifeResult& result);
 Pictures study_pictures(const StudyResult& result);

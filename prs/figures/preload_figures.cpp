@@ -10,15 +10,10 @@ enum CurveStyle : std::size_t { kWithout, kWith, kTensionSide, kCompressionSide,
 
 /// (load, value) of the points that converged, interrupted at the others.
 Series curve_of(std::size_t style, const PreloadCurve& curve, const auto& value) {
-  Series line{style, {{}}};
-  for (const PreloadPoint& point : curve.points) {
-    const std::optional<double> y =
-        point.solve.converged() ? std::optional<double>(value(point)) : std::nullopt;
-    if (y)
-      line.parts.back().push_back({point.axial_force * per_si::kilonewton, *y});
-    else if (!line.parts.back().empty())
-      line.parts.emplace_back();
-  }
+  Series line{style};
+  for (const PreloadPoint& point : curve.points)
+    line.add(point.axial_force * per_si::kilonewton,
+             point.solve.converged() ? std::optional<double>(value(point)) : std::nullopt);
   return line;
 }
 
@@ -27,14 +22,8 @@ Panel curve_panel(const PreloadResult& r, std::string title, Axis axis, const au
   Panel panel{std::move(title)};
   if (r.without_preload) panel.series.push_back(curve_of(kWithout, *r.without_preload, value));
   panel.series.push_back(curve_of(kWith, r.curve, value));
-  Range range = range_of_y(panel.series);
-  if (range.empty()) range = {0.0, 1.0};
-  const bool from_zero = range.from >= 0.0;
-  if (from_zero) range.from = 0.0;
-  range.widen(0.06);
-  axis.from = from_zero ? 0.0 : range.from;
-  axis.to = range.to;
-  panel.y = std::move(axis);
+  const Range range = range_of_y(panel.series);
+  panel.y = fitted(std::move(axis), range, range.from >= 0.0);
   return panel;
 }
 
@@ -44,10 +33,7 @@ Panel side_panel(const PreloadResult& r) {
     panel.series.push_back(curve_of(
         d == Direction::tension ? kTensionSide : kCompressionSide, r.curve,
         [d](const PreloadPoint& p) { return p.sides[d].axial_load.screw * per_si::kilonewton; }));
-  Range range = range_of_y(panel.series);
-  if (range.empty()) range = {0.0, 1.0};
-  range.widen(0.06);
-  panel.y = Axis{"Axial load", "kN", range.from, range.to};
+  panel.y = fitted({"Axial load", "kN"}, range_of_y(panel.series));
   for (const Direction d : kDirections) {
     if (!r.opening_force[d]) continue;
     const double load = sense(d) * -*r.opening_force[d];
@@ -59,7 +45,7 @@ Panel side_panel(const PreloadResult& r) {
 
 }  // namespace
 
-/// Displacement and tangent stiffness over the external load, with preload and without, beside what
+/// Displacement and tangent stiffness over the external load, with preload and without, and what
 /// each side carries.
 Figures preload_curves(const PreloadResult& r) {
   if (!r.at_rest.solve.converged()) return {};

@@ -22,7 +22,7 @@ struct ReferencePoint {
   std::optional<double> efficiency = std::nullopt;
 };
 
-/// What may stand beside the curves of a sweep.
+/// What a figure of a sweep may show besides its curves.
 struct PowerFigureOptions {
   std::string name = "power_by_source";
   std::string title = "Power lost by source";

@@ -31,8 +31,7 @@ std::vector<SweepPoint> sweep(const std::vector<double>& x,
   std::vector<SweepPoint> points;
   for (std::size_t k = 0; k < std::min(x.size(), results.size()); ++k)
     points.push_back({x[k], &results[k]});
-  std::stable_sort(points.begin(), points.end(),
-                   [](const SweepPoint& a, const SweepPoint& b) { return a.x < b.x; });
+  std::ranges::stable_sort(points, {}, &SweepPoint::x);
   return points;
 }
 
@@ -81,15 +80,6 @@ bool has_power(const std::vector<std::vector<SweepPoint>>& runs, const PowerSour
     for (const SweepPoint& p : run)
       if (p.slip->power.*source.value > 0.0) return true;
   return false;
-}
-
-/// From zero or, of efficiencies, so that the curve fills the panel.
-Axis fitted_axis(std::string label, std::string unit, const Panel& panel, bool from_zero) {
-  Range range = range_of_y(panel.series);
-  if (range.empty()) range = {0.0, 1.0};
-  if (from_zero) range.from = 0.0;
-  range.widen(0.08);
-  return {std::move(label), std::move(unit), from_zero ? 0.0 : range.from, range.to};
 }
 
 /// The points of the options in both panels.
@@ -182,8 +172,9 @@ Figure power_by_source_figure(const std::vector<double>& x, const Axis& axis,
   figure.x = axis;
   figure.x.from = runs.front().front().x;
   figure.x.to = runs.back().back().x;
-  power.y = fitted_axis("Power lost", options.relative_to ? "% of the file's" : "W", power, true);
-  efficiency.y = fitted_axis("Efficiency", "%", efficiency, false);
+  power.y = fitted({"Power lost", options.relative_to ? "% of the file's" : "W"},
+                   range_of_y(power.series), true);
+  efficiency.y = fitted({"Efficiency", "%"}, range_of_y(efficiency.series));
   return figure;
 }
 

@@ -66,8 +66,7 @@ Polyline curve(const ResidueCurve& residue, const MomentCurve& of, const SlipAxi
 Axis moment_axis(const std::vector<Series>& curves) {
   Range range = range_of_y(curves);
   range.include(0.0);
-  range.widen(0.06);
-  return {"Moment on a roller", "N mm", range.from, range.to};
+  return fitted({"Moment on a roller", "N mm"}, range);
 }
 
 /// The shown slip ratios from one end to the other, with a share of their range on both sides.

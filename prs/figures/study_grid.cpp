@@ -74,13 +74,10 @@ std::vector<std::size_t> ascending(const std::vector<double>& positions) {
 Series series_over(const StudyResult& result, std::size_t response, std::size_t x,
                    Combination combination, std::size_t style) {
   const std::vector<double> at = positions(result.study.factors[x]);
-  Series line{style, {{}}};
+  Series line{style};
   for (const std::size_t k : ascending(at)) {
     combination[x] = k;
-    if (const std::optional<double> value = value_at(result, combination, response))
-      line.parts.back().push_back({at[k], *value});
-    else if (!line.parts.back().empty())
-      line.parts.emplace_back();
+    line.add(at[k], value_at(result, combination, response));
   }
   return line;
 }

@@ -137,7 +137,8 @@ std::optional<Figure> grid_map(const StudyResult& result, std::size_t response,
   return figure;
 }
 
-/// A map of a study with an envelope, with the designs read off it, beside it as a surface.
+/// A map of a study with an envelope, with the designs read off it; next to it the same as a
+/// surface.
 std::optional<Figure> marked_map(const StudyResult& result, Figure figure, Axis axis,
                                  const GridMap& values) {
   const GridMaps& maps = *result.summary.maps;

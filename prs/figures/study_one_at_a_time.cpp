@@ -135,13 +135,8 @@ Panel factor_panel(const StudyResult& result, std::size_t factor, std::size_t re
   const Sweep sweep = sweep_of(result, factor);
   Panel panel;
   panel.x = axis_of(sweep);
-  Series line{sweep.factor->is_numeric() ? 0u : 1u, {{}}};
-  for (const Point& point : sweep.points) {
-    if (const std::optional<double>& value = point.row->responses[response])
-      line.parts.back().push_back({point.x, *value});
-    else if (!line.parts.back().empty())
-      line.parts.emplace_back();
-  }
+  Series line{sweep.factor->is_numeric() ? 0u : 1u};
+  for (const Point& point : sweep.points) line.add(point.x, point.row->responses[response]);
   panel.series.push_back(std::move(line));
   const std::optional<double>& base = result.base().responses[response];
   if (sweep.base && base) panel.series.push_back({2, {{{*sweep.base, *base}}}});
@@ -205,7 +200,7 @@ Figures one_at_a_time_lines(const StudyResult& result, const FigureOptions& opti
   return figures;
 }
 
-/// With slip, for each factor: power by source, stacked, and efficiency beside its fit (Sandu 2018,
+/// With slip, for each factor: power by source, stacked, and efficiency with its fit (Sandu 2018,
 /// fig. 3.9 and appendix C).
 Figures study_power(const StudyResult& result, const FigureOptions&) {
   Figures figures;

@@ -42,7 +42,7 @@ std::vector<double> positions(const Factor& factor);
 /// Up to so many of `count`, evenly spread, both ends among them.
 std::vector<std::size_t> spread(std::size_t count, std::size_t most);
 
-/// How many panels stand beside each other.
+/// How many panels stand side by side.
 std::size_t columns_for(std::size_t panels);
 
 /// Signed bars from above to below, the longest first, with their numbers.

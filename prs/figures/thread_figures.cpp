@@ -174,10 +174,7 @@ Figures friction(const Result& result, const FigureOptions& options) {
     for (std::size_t k = 0; k < std::size(kInterfaces); ++k)
       panel.series.push_back(
           {k, {over_threads(shown->slip->threads[kInterfaces[k]].*s.values, s.factor)}});
-    Range range = range_of_y(panel.series);
-    range.include(0.0);
-    range.widen(0.06);
-    panel.y = Axis{s.title, s.unit, 0.0, range.to};
+    panel.y = fitted({s.title, s.unit}, range_of_y(panel.series), true);
   }
   figure.x = thread_axis(shown->threads->screw.axial_load.size());
   return {std::move(figure)};

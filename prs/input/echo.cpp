@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -35,7 +36,22 @@ class Lister : public Visitor {
   /// One value that stands on one line.
   template <class T, class Kind>
   void list(const Node* node, const std::string& path, const T& value, const Kind& kind) {
-    entries_.push_back({path, text_of(value, kind), node == nullptr});
+    EchoEntry& entry = entries_.emplace_back();
+    entry = {path, text_of(value, kind), node == nullptr};
+    if (node) entry.written = node->kind == Node::Kind::scalar ? node->text : flow_text(*node);
+    put_number(entry, value, kind);
+  }
+
+  template <class T, class Kind>
+  static void put_number(EchoEntry&, const T&, const Kind&) {}
+  static void put_number(EchoEntry& entry, double value, const Number&) { entry.number = value; }
+  static void put_number(EchoEntry& entry, double value, const Quantity& kind) {
+    entry.number = value;
+    entry.dimension = &kind.dimension;
+  }
+  static void put_number(EchoEntry& entry, const Range& range, const OneOrRange& kind) {
+    const bool last = range.steps && std::abs(range.to) > std::abs(range.from);
+    put_number(entry, last ? range.to : range.from, kind.quantity);
   }
 
   template <class T>

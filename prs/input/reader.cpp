@@ -15,6 +15,7 @@
 #include "prs/input/case_fields.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/document.h"
+#include "prs/input/usual_values.h"
 #include "prs/input/value_text.h"
 #include "prs/model/check_case.h"
 #include "prs/model/requirements.h"
@@ -550,18 +551,30 @@ CaseInput read_case_input(const Source& source, Command command) {
   errors.throw_if_any();
   Case values = checked_case(file, root, command, errors);
   errors.throw_if_any();
-  return {std::move(values), echo(file, root), command_of(file.study), command_of(file.optimize)};
+  CaseInput input{std::move(values), echo(file, root), command_of(file.study),
+                  command_of(file.optimize)};
+  input.warnings = unusual_values(input.fields);
+  return input;
+}
+
+std::vector<Problem> unmet(const CaseInput& input, Command command) {
+  if (command != Command::study && command != Command::optimize)
+    return prs::missing(input.values, command);
+  const std::optional<Command>& designs = command == Command::study ? input.study : input.optimize;
+  if (designs) return unmet(input, *designs);
+  Problems problems;
+  problems.add_missing(
+      std::string(name(command)), fmt::format("what `{}` varies", name(command)),
+      command == Command::study
+          ? "{command: solve, factors: [{path: mechanism.rollers, values: [8, 9]}]}"
+          : "{command: solve, variables: [{path: mechanism.rollers, from: 8, to: 9}], objectives: "
+            "[{maximize: axial_stiffness_N_per_um}]}");
+  return std::move(problems).take();
 }
 
 std::vector<std::string> missing(const CaseInput& input, Command command) {
-  if (command == Command::study || command == Command::optimize) {
-    const std::optional<Command>& designs =
-        command == Command::study ? input.study : input.optimize;
-    return designs ? missing(input, *designs) : std::vector{std::string(name(command))};
-  }
   std::vector<std::string> paths;
-  for (Problem& problem : prs::missing(input.values, command))
-    paths.push_back(std::move(problem.path));
+  for (Problem& problem : unmet(input, command)) paths.push_back(std::move(problem.path));
   return paths;
 }
 

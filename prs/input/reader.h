@@ -16,9 +16,13 @@ namespace prs::input {
 struct CaseInput {
   Case values;
   std::vector<EchoEntry> fields;
-  std::optional<Command> study;     ///< The command that the file's study runs.
-  std::optional<Command> optimize;  ///< The command that an optimization runs.
+  std::optional<Command> study;            ///< The command that the file's study runs.
+  std::optional<Command> optimize;         ///< The command that an optimization runs.
+  std::vector<std::string> warnings = {};  ///< What is unusual about single values.
 };
+
+/// What a command needs and the file lacks, or has otherwise, see `prs::missing`.
+std::vector<Problem> unmet(const CaseInput& input, Command command);
 
 /// Paths of what a command needs and the file lacks, see `prs::missing`; empty where it can run.
 std::vector<std::string> missing(const CaseInput& input, Command command);

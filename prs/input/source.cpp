@@ -23,33 +23,38 @@ std::string line(std::string_view key, std::string_view message) {
   return fmt::format("{}{}{}", shown(key), key.empty() ? "" : ": ", message);
 }
 
+InputError refusal(std::string_view name, std::string_view got, std::string_view fix) {
+  return InputError(fmt::format(
+      "{}:1:1: error: got {}; expected a readable YAML file of at most 1 MiB; {}", name, got, fix));
+}
+
 }  // namespace
 
 Source load_source(const std::string& file, std::vector<std::string> overrides) {
   namespace fs = std::filesystem;
-  const auto refuse = [&](std::string_view got, std::string_view fix) {
-    return InputError(
-        fmt::format("{}:1:1: error: got {}; expected a readable YAML file of at most "
-                    "1 MiB; {}",
-                    file, got, fix));
-  };
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
-  if (!fs::exists(status)) throw refuse("no such file", "check the path");
-  if (fs::is_directory(status)) throw refuse("a folder", "name a file in it");
-  if (!fs::is_regular_file(status)) throw refuse("no regular file", "copy it to a file first");
+  if (!fs::exists(status)) throw refusal(file, "no such file", "check the path");
+  if (fs::is_directory(status)) throw refusal(file, "a folder", "name a file in it");
+  if (!fs::is_regular_file(status))
+    throw refusal(file, "no regular file", "copy it to a file first, or pipe it into `prs .. -`");
 
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw refuse("a file that cannot be opened", "check its permissions");
+  if (!in) throw refusal(file, "a file that cannot be opened", "check its permissions");
+  return read_source(in, file, std::move(overrides));
+}
+
+Source read_source(std::istream& in, std::string name, std::vector<std::string> overrides) {
   std::string text;
   for (std::array<char, 16'384> block{}; in && text.size() <= kLargestFile;) {
     in.read(block.data(), block.size());
     text.append(block.data(), static_cast<std::size_t>(in.gcount()));
   }
-  if (in.bad()) throw refuse("a file that cannot be read", "check the disk");
-  if (text.size() > kLargestFile) throw refuse("a larger one", "check that it is the right file");
+  if (in.bad()) throw refusal(name, "a file that cannot be read", "check the disk");
+  if (text.size() > kLargestFile)
+    throw refusal(name, "a larger one", "check that it is the right file");
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // Byte order mark.
-  return {file, std::move(text), std::move(overrides)};
+  return {std::move(name), std::move(text), std::move(overrides)};
 }
 
 Source source_of_text(std::string name, std::string text, std::vector<std::string> overrides,

@@ -75,7 +75,8 @@ void find_capacity(const Prepared& p, LifeResult& r) {
                     factor_ratio(g), kFactorRatios.least, kFactorRatios.greatest));
   r.dynamic_capacity = r.lemor->capacity;
   r.dynamic_capacity_range = r.lemor->capacity_range;
-  if (const auto note = beside_lemor_angle(angle)) r.warnings.push_back(*note);
+  if (const auto note = beside_lemor_angle(angle))
+    r.warnings.push_back(fmt::format("mechanism.flank_angle: {}", *note));
 }
 
 void find_spectrum(const Conditions& c, LifeResult& r) {
@@ -333,40 +334,44 @@ void warn_of_flank_edge(const std::optional<double>& edge, const std::optional<d
                         Direction d, std::vector<std::string>& warnings) {
   if (edge && capacity && *edge < *capacity)
     warnings.push_back(fmt::format(
-        "{}: an ellipse reaches the end of a flank at {:.4g} kN, below the static capacity of "
+        "mechanism.profile: in {}, an ellipse reaches the end of a flank at {:.4g} kN, below the "
+        "static capacity of "
         "{:.4g} kN; static safety takes the smaller; lower the profile radius or take a coarser "
         "pitch",
         name(d), *edge * 1e-3, *capacity * 1e-3));
 }
 
 void warn_of_loads(LifeResult& r) {
+  const std::string_view loads = r.life.history ? "life.history" : "life.spectrum";
   for (const Direction d : kDirections) {
     if (!r.flanks[d]) continue;
     for (const Interface i : kInterfaces) {
       const std::optional<double> pressure = r.flanks[d]->peak_pressure[i];
       if (pressure && *pressure > kStaticPressureLimit)
-        r.warnings.push_back(fmt::format("{} peak pressure {:.2f} GPa in {} exceeds {:.1f} GPa",
-                                         label(i), *pressure * 1e-9, name(d),
+        r.warnings.push_back(fmt::format("{}: {} peak pressure {:.2f} GPa in {} exceeds {:.1f} GPa",
+                                         loads, label(i), *pressure * 1e-9, name(d),
                                          kStaticPressureLimit * 1e-9));
       if (const auto& running = r.flanks[d]->running_peak_pressure[i])
         if (const auto note = running_pressure_note(i, *running))
-          r.warnings.push_back(fmt::format("{}: {}", name(d), *note));
+          r.warnings.push_back(fmt::format("{}: in {}, {}", loads, name(d), *note));
     }
     if (const auto& rating = r.flanks[d]->static_rating)
       if (const auto note = beyond_static_rating(r.flanks[d]->largest_force, *rating))
-        r.warnings.push_back(fmt::format("{}: {}", name(d), *note));
+        r.warnings.push_back(fmt::format("{}: in {}, {}", loads, name(d), *note));
     warn_of_flank_edge(
         r.flanks[d]->flank_edge_load,
         r.life.static_capacity ? r.life.static_capacity : r.flanks[d]->static_capacity, d,
         r.warnings);
   }
   if (const auto note = beyond_life_formula(r.mean_load, r.dynamic_capacity))
-    r.warnings.push_back(*note);
+    r.warnings.push_back(fmt::format("{}: {}", loads, *note));
   const std::optional<double> static_capacity =
       r.life.static_capacity ? r.life.static_capacity : r.equal_shares_static_capacity;
   if (static_capacity)
     if (const auto note = dynamic_above_static(r.dynamic_capacity, *static_capacity))
-      r.warnings.push_back(*note);
+      r.warnings.push_back(fmt::format(
+          "{}: {}", r.life.dynamic_capacity ? "life.dynamic_capacity" : "mechanism.profile",
+          *note));
 }
 
 }  // namespace

@@ -38,17 +38,8 @@ std::optional<double> flank_element_diameter(const contact::Thread& roller) {
 }
 
 const char* name(StaticLimit limit) {
-  switch (limit) {
-    case StaticLimit::pressure:
-      return "pressure";
-    case StaticLimit::deformation:
-      return "deformation";
-    case StaticLimit::flank_edge:
-      return "flank_edge";
-    case StaticLimit::given:
-      return "given";
-  }
-  return "";
+  constexpr const char* kNames[] = {"pressure", "deformation", "flank_edge", "given"};
+  return kNames[static_cast<std::size_t>(limit)];
 }
 
 contact::FlankEdge nearest_flank_edge(const Contacts& contacts, Interface i) {

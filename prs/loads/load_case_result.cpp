@@ -146,7 +146,8 @@ void add_warnings(LoadCaseResult& result, const Contacts& contacts) {
                                           result.solve->relative_residual));
   if (result.threads)
     for (std::string& text : thread_warnings(*result.threads, contacts))
-      result.warnings.push_back(std::move(text));
+      result.warnings.push_back(
+          fmt::format("{}: {}", path_in(result.load_case, "axial_force"), text));
 }
 
 std::optional<std::string> running_pressure_note(Interface i, double pressure) {

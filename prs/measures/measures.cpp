@@ -309,21 +309,24 @@ void find_most_loaded(const Conditions& c, const Contacts& contacts, const Measu
 std::vector<std::string> unusual_measures(const Conditions& c, const Contacts& contacts,
                                           const Measures& m) {
   std::vector<std::string> warnings;
+  const auto add = [&](std::string_view path, std::string_view note) {
+    warnings.push_back(fmt::format("{}: {}", path, note));
+  };
   const std::optional<double> screw = normal_angle(c, contacts, Interface::screw);
   const std::optional<double> nut = normal_angle(c, contacts, Interface::nut);
   if (m.geometry_factor && m.dynamic_capacity && !(c.life && c.life->dynamic_capacity))
     if (const auto note = beside_lemor_angle(contact_angle({*screw, *nut})))
-      warnings.push_back(*note);
+      add("mechanism.flank_angle", *note);
   if (m.dynamic_capacity && m.static_capacity)
     if (const auto note = dynamic_above_static(*m.dynamic_capacity, *m.static_capacity))
-      warnings.push_back(*note);
+      add("mechanism.profile", *note);
   for (const Interface i : kInterfaces)
     if (m.interface_flank_edge_load[i] && m.static_capacity)
       if (const auto note = flank_edge_below_capacity(contacts, *m.interface_flank_edge_load[i],
                                                       *m.static_capacity, i))
-        warnings.push_back(*note);
+        add("mechanism.profile", *note);
   if (options_of(c).shaft && c.structure && c.materials && !m.buckling_load)
-    warnings.push_back(
+    add("structure.screw.bore",
         "the bore of the screw reaches the roots of its thread: no buckling load, no critical "
         "speed");
   return warnings;
@@ -334,7 +337,8 @@ std::vector<std::string> unusual_load_measures(const Conditions& c, const Measur
                                                const LoadCaseResult& result) {
   std::vector<std::string> warnings;
   const auto add = [&](std::optional<std::string> note) {
-    if (note) warnings.push_back(std::move(*note));
+    if (note)
+      warnings.push_back(fmt::format("{}: {}", path_in(result.load_case, "axial_force"), *note));
   };
   const double force = std::abs(result.load_case.axial_force);
   if (m.dynamic_capacity) add(beyond_life_formula(force, *m.dynamic_capacity));
@@ -347,7 +351,8 @@ std::vector<std::string> unusual_load_measures(const Conditions& c, const Measur
   if (load_measures.thread_stiffness && result.axial_stiffness &&
       *load_measures.thread_stiffness < *result.axial_stiffness)
     warnings.push_back(fmt::format(
-        "the threads alone ({:.0f} N/µm) come out softer than the whole screw of the model "
+        "measures.loaded_width: the threads alone ({:.0f} N/µm) come out softer than the whole "
+        "screw of the model "
         "({:.0f} N/µm), which has no such teeth: Yamamoto's count twice what Hertz has; leave out "
         "measures.loaded_width",
         *load_measures.thread_stiffness * per_si::newton_per_micrometre,

@@ -5,10 +5,22 @@
 namespace prs {
 
 /// Commands that the program can run on a case.
-enum class Command { check, contact, solve, slip, preload, life, measures, study, optimize };
+enum class Command {
+  check,
+  contact,
+  solve,
+  compare,
+  slip,
+  preload,
+  life,
+  measures,
+  study,
+  optimize
+};
 
-inline constexpr std::string_view kCommandNames[] = {
-    "check", "contact", "solve", "slip", "preload", "life", "measures", "study", "optimize"};
+inline constexpr std::string_view kCommandNames[] = {"check", "contact", "solve", "compare",
+                                                     "slip",  "preload", "life",  "measures",
+                                                     "study", "optimize"};
 
 /// As it stands on the command line and in studies.
 constexpr std::string_view name(Command command) {

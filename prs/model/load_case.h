@@ -30,6 +30,12 @@ struct LoadCase {
   std::string input_path;       ///< Where the case stands in the input, e.g. `load_cases[2]`.
 };
 
+/// Path of one of its inputs: `load_cases[2].axial_force`.
+inline std::string path_in(const LoadCase& c, std::string_view key) {
+  std::string path = c.input_path.empty() ? "load_cases[]" : c.input_path;
+  return path.append(".").append(key);
+}
+
 /// F_N [N] of Sandu 2018: > 0 in tension (contacts I1J2), < 0 in compression (I2J1).
 inline double axial_force_on_nut(const LoadCase& c) {
   return c.direction == Direction::compression ? -c.axial_force : c.axial_force;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 namespace prs {
 
@@ -49,6 +50,11 @@ struct ModelOptions {
   Accuracy accuracy = Accuracy::working;
   int patch_points = 21;  ///< Along each axis of a contact patch, kFewestPatchPoints or more.
 };
+
+constexpr std::string_view name(ModelOptions::Bodies bodies) {
+  using enum ModelOptions::Bodies;
+  return bodies == bars ? "bars" : bodies == refined ? "refined" : "influence";
+}
 
 /// The stated arrangement, else that of a helical roller.
 inline ModelOptions::RollerContacts roller_contacts(const ModelOptions& model, int roller_starts) {

@@ -1,23 +1,12 @@
 #include "prs/model/optimization.h"
 
+#include <array>
+
 namespace prs {
 
 std::string_view name(Algorithm algorithm) {
-  switch (algorithm) {
-    case Algorithm::nsga2:
-      return "nsga2";
-    case Algorithm::nspso:
-      return "nspso";
-    case Algorithm::moead:
-      return "moead";
-    case Algorithm::sade:
-      return "sade";
-    case Algorithm::pso:
-      return "pso";
-    case Algorithm::cmaes:
-      return "cmaes";
-  }
-  return "";
+  constexpr std::array kNames{"nsga2", "nspso", "moead", "sade", "pso", "cmaes"};
+  return kNames.at(static_cast<std::size_t>(algorithm));
 }
 
 bool takes_several_objectives(Algorithm algorithm) {

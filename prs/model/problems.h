@@ -14,6 +14,11 @@ namespace prs {
 struct Problem {
   std::string path;     ///< Key path in the input: `structure.nut.length`.
   std::string message;  ///< `got VALUE; expected WHAT; how to fix it`
+
+  /// Whether it is fixed by adding what stands at the path.
+  bool is_missing() const { return message.starts_with(kMissing); }
+
+  static constexpr std::string_view kMissing = "missing; ";
 };
 
 /// Collects problems, one for each path: the first found is the one to fix.
@@ -24,8 +29,8 @@ class Problems {
   }
   /// A block that a command needs and the case lacks.
   void add_missing(std::string path, std::string_view what, std::string_view example) {
-    std::string message =
-        fmt::format("missing; expected {}; add `{}: {}`, for example", what, path, example);
+    std::string message = fmt::format("{}expected {}; add `{}: {}`, for example", Problem::kMissing,
+                                      what, path, example);
     add(std::move(path), std::move(message));
   }
   std::vector<Problem> take() && { return std::move(found_); }

@@ -34,7 +34,12 @@ std::vector<Problem> missing(const Case& c, Command command) {
   Problems problems;
   const bool loads = command == Command::solve || command == Command::slip ||
                      (command == Command::measures && !c.load_cases.empty());
-  if (loads) require_load_cases(c, command, problems);
+  if (loads || command == Command::compare) require_load_cases(c, command, problems);
+  if (command == Command::compare && !c.load_cases.empty() &&
+      std::ranges::none_of(c.load_cases, is_solved))
+    problems.add("load_cases",
+                 "got equal shares in each; expected one that the models solve; add a load case "
+                 "without `share: equal` for `compare`");
   if (command == Command::slip) require_slip(c, problems);
   if (command == Command::preload) require_preload(c, problems);
   if (command == Command::life) require_life(c, problems);

@@ -7,6 +7,7 @@
 #include "prs/components/search.h"
 #include "prs/optimize/fitness.h"
 #include "prs/optimize/front.h"
+#include "prs/study/mixed_bits.h"
 #include "prs/study/sampling.h"
 
 namespace prs {
@@ -130,7 +131,6 @@ std::optional<std::size_t> nearest(const std::vector<EvaluatedDesign>& designs) 
 
 OptimizationResult run(const Optimization& optimization, Answers& answers) {
   // The check has random numbers of its own.
-  constexpr std::uint64_t kOfCheck = 0x9e3779b97f4a7c15ULL;
   OptimizationResult result{optimization, {}, {}, {}, {}, {}, {}};
   const std::vector<Draw> as_in_file(optimization.study.factors.size());
   result.initial = answers({as_in_file}).front();
@@ -138,8 +138,8 @@ OptimizationResult run(const Optimization& optimization, Answers& answers) {
   fitness.assess(result.initial);
   result.search = search(optimization, optimization.algorithm, optimization.seed, fitness, answers);
   if (optimization.check) {
-    result.check =
-        search(optimization, *optimization.check, optimization.seed + kOfCheck, fitness, answers);
+    result.check = search(optimization, *optimization.check, optimization.seed + kGoldenStep,
+                          fitness, answers);
     result.comparison = compare_fronts(optimization, result.initial, result.search, *result.check);
   }
   result.compromise = compromise_of(optimization, result.search);

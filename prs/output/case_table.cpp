@@ -7,6 +7,7 @@
 
 #include "prs/model/units.h"
 #include "prs/quantities/case_groups.h"
+#include "prs/quantities/quantities.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -108,6 +109,35 @@ std::string force_cell(const LoadCaseResult& result) {
 std::string direction_cell(const LoadCaseResult& result) {
   const auto& d = result.load_case.direction;
   return std::string(d ? name(*d) : kAbsent);
+}
+
+std::string stiffness_cell(const LoadCaseResult& result) {
+  return fixed(result.axial_stiffness, per_si::newton_per_micrometre, 1);
+}
+
+std::string displacement_cell(const LoadCaseResult& result) {
+  return fixed(result.axial_displacement, per_si::micrometre, 2);
+}
+
+std::string most_loaded_cell(const LoadCaseResult& result, Interface i) {
+  if (!result.threads) return std::string(kAbsent);
+  const std::vector<double>& rates = (*result.threads)[i].load_rate;
+  const auto thread = index_of_largest(rates);
+  if (!thread) return std::string(kAbsent);
+  return fmt::format("{}: {:5.2f}", *thread + 1, rates[*thread] * per_si::percent);
+}
+
+std::string pressure_cell(const LoadCaseResult& result) {
+  double peak = 0.0;
+  std::string cell(kAbsent);
+  if (!result.threads) return cell;
+  for (const Interface i : kInterfaces)
+    for (const double pressure : (*result.threads)[i].peak_pressure)
+      if (pressure > peak) {
+        peak = pressure;
+        cell = fmt::format("{:.3f} {:5}", pressure * per_si::gigapascal, name(i));
+      }
+  return cell;
 }
 
 std::string fixed(std::optional<double> si, double factor, int decimals) {

@@ -36,6 +36,12 @@ std::string case_table(const CaseTable& table, const std::vector<LoadCaseResult>
 std::string case_name_cell(const LoadCaseResult& result);
 std::string force_cell(const LoadCaseResult& result);  ///< [kN]
 std::string direction_cell(const LoadCaseResult& result);
+std::string stiffness_cell(const LoadCaseResult& result);     ///< [N/µm]
+std::string displacement_cell(const LoadCaseResult& result);  ///< [µm]
+/// The thread with the largest share [%], and its share.
+std::string most_loaded_cell(const LoadCaseResult& result, Interface i);
+/// The largest of all threads [GPa], and where it acts.
+std::string pressure_cell(const LoadCaseResult& result);
 
 /// SI * factor with `decimals` decimals.
 std::string fixed(std::optional<double> si, double factor, int decimals);

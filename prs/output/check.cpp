@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "prs/model/units.h"
+#include "prs/output/case_table.h"
+#include "prs/output/warnings.h"
 #include "prs/quantities/contact_quantities.h"
 #include "prs/quantities/record_table.h"
 #include "prs/text.h"
@@ -30,16 +33,56 @@ std::vector<Derived> lengths(const Mechanism& m) {
           {"roller_spacing_mm", spacing * per_si::millimetre}};
 }
 
-}  // namespace
+std::vector<const Problem*> problems_of(const CheckResult& result) {
+  std::vector<const Problem*> all;
+  for (const CommandNeeds& command : result.commands)
+    for (const Problem& problem : command.unmet)
+      if (std::ranges::none_of(all, [&](const Problem* p) { return p->path == problem.path; }))
+        all.push_back(&problem);
+  return all;
+}
 
-std::string check_table(const std::vector<input::EchoEntry>& fields, const Contacts& contacts,
-                        const std::vector<std::string>& warnings) {
-  std::string text = "Input\n";
+std::string paths_of(const CommandNeeds& command, bool missing) {
+  std::string paths;
+  for (const Problem& problem : command.unmet)
+    if (problem.is_missing() == missing) paths += (paths.empty() ? "" : ", ") + problem.path;
+  return paths;
+}
+
+/// A row per command; below, each thing to add or change once.
+std::string readiness(const CheckResult& result) {
+  std::string text = "Commands\n";
+  for (const CommandNeeds& command : result.commands) {
+    if (command.command == Command::check) continue;
+    std::string what = "ready";
+    if (!command.unmet.empty()) {
+      const std::string missing = paths_of(command, true), wrong = paths_of(command, false);
+      what = missing.empty() ? "" : "add " + missing;
+      if (!wrong.empty()) what += (what.empty() ? "change " : "; change ") + wrong;
+    }
+    text += fmt::format("  {:<12} {}\n", name(command.command), printable(what));
+  }
+  const std::vector<const Problem*> problems = problems_of(result);
+  if (!problems.empty()) text += "\nTo add or change\n";
+  for (const Problem* problem : problems) {
+    std::string_view message = problem->message;
+    if (problem->is_missing()) message.remove_prefix(Problem::kMissing.size());
+    text += wrapped(printable(fmt::format("{}: {}", problem->path, message)), "  ", kTableWidth);
+  }
+  return text;
+}
+
+std::string input_list(const std::vector<input::EchoEntry>& fields) {
+  std::string text = "\nInput\n";
   for (const input::EchoEntry& f : fields)
     text += fmt::format(
         "  {:<42} {}{}\n", f.path, printable(f.value),
         f.is_default ? fmt::format("   ({})", f.origin.empty() ? "default" : f.origin) : "");
-  text += "\nDerived\n";
+  return text;
+}
+
+std::string derived(const Contacts& contacts) {
+  std::string text = "\nDerived\n";
   const auto line = [&](const std::string& key, double value) {
     text += fmt::format("  {:<42} {:.8g}\n", key, value);
   };
@@ -60,20 +103,36 @@ std::string check_table(const std::vector<input::EchoEntry>& fields, const Conta
           "roller_crest_clearance_mm", "hertz_constant_N_per_mm1_5"})
       if (json.contains(interface) && json[interface].contains(key))
         line(fmt::format("contact.{}.{}", interface, key), json[interface][key]);
-  if (!warnings.empty()) text += "\nUnusual\n";
-  for (const std::string& warning : warnings) text += wrapped(warning, "  ", 110);
   return text;
 }
 
-nlohmann::ordered_json check_json(const std::vector<input::EchoEntry>& fields,
-                                  const Contacts& contacts,
-                                  const std::vector<std::string>& warnings,
-                                  const DocumentInfo& info) {
-  Json document = document_head(info, warnings);
-  for (const input::EchoEntry& f : fields) {
+std::string head(const CheckResult& result) {
+  return readiness(result) + warning_section(result.geometry.warnings);
+}
+
+}  // namespace
+
+std::string check_table(const CheckResult& result) {
+  return head(result) + derived(result.geometry.contacts);
+}
+
+std::string full_check_table(const CheckResult& result) {
+  return head(result) + input_list(result.fields) + derived(result.geometry.contacts);
+}
+
+nlohmann::ordered_json check_json(const CheckResult& result, const DocumentInfo& info) {
+  Json document = document_head(info, result.geometry.warnings);
+  for (const CommandNeeds& command : result.commands) {
+    Json& json = document["commands"][std::string(name(command.command))];
+    json["ready"] = command.unmet.empty();
+    for (const Problem& problem : command.unmet)
+      json[problem.is_missing() ? "missing" : "wrong"].push_back(problem.path);
+  }
+  for (const input::EchoEntry& f : result.fields) {
     document["input"].push_back({{"path", f.path}, {"value", f.value}, {"default", f.is_default}});
     if (!f.origin.empty()) document["input"].back()["origin"] = f.origin;
   }
+  const Contacts& contacts = result.geometry.contacts;
   for (const auto& [key, value] : lengths(contacts.mechanism)) document["derived"][key] = value;
   put_contacts(document, contacts);
   return document;

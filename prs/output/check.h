@@ -5,18 +5,32 @@
 #include <vector>
 
 #include "prs/input/echo.h"
+#include "prs/loads/result.h"
+#include "prs/model/command.h"
+#include "prs/model/problems.h"
 #include "prs/quantities/json.h"
-#include "prs/threads/contacts.h"
 
 namespace prs {
 
-/// The resolved case: every value, whether it is a default, what follows from it, what is unusual.
-std::string check_table(const std::vector<input::EchoEntry>& fields, const Contacts& contacts,
-                        const std::vector<std::string>& warnings);
+/// What a case must get before a command runs; nothing where it does.
+struct CommandNeeds {
+  Command command = Command::check;
+  std::vector<Problem> unmet;
+};
 
-nlohmann::ordered_json check_json(const std::vector<input::EchoEntry>& fields,
-                                  const Contacts& contacts,
-                                  const std::vector<std::string>& warnings,
-                                  const DocumentInfo& info);
+/// The resolved case, what follows from it, what is unusual, and what it is ready for.
+struct CheckResult {
+  std::vector<input::EchoEntry> fields;
+  std::vector<CommandNeeds> commands;
+  Result geometry;  ///< Contacts and warnings alone.
+};
+
+/// Readiness by command and what to add, warnings, derived values.
+std::string check_table(const CheckResult& result);
+
+/// The same, with every value of the input and whether it is a default.
+std::string full_check_table(const CheckResult& result);
+
+nlohmann::ordered_json check_json(const CheckResult& result, const DocumentInfo& info);
 
 }  // namespace prs

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "prs/figures/figure_parts.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -18,13 +19,9 @@ constexpr int kColourBarHeight = 14, kColourBarRoom = 78;  // The room with numb
 constexpr double kColourBarWidth = 0.5;                    // Share of the image.
 constexpr double kFreeCharacters = 6.0;
 
-/// 1, 2 or 5 times a power of ten, at which at most `count` ticks fit in the length.
+/// At which at most `count` ticks fit in the length.
 double tick_distance(double length, int count, bool whole) {
-  const double least = length / std::max(1, count);
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  double distance = 10.0 * power;
-  for (const double step : {5.0, 2.0, 1.0})
-    if (step * power >= least * (1.0 - 1e-9)) distance = step * power;
+  const double distance = round_step(length / std::max(1, count));
   return whole ? std::max(1.0, std::round(distance)) : distance;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -258,23 +259,9 @@ Json row_json(const Study& study, const StudyRow& row) {
 }  // namespace
 
 std::string_view name(Plan plan) {
-  switch (plan) {
-    case Plan::one_at_a_time:
-      return "one_at_a_time";
-    case Plan::grid:
-      return "grid";
-    case Plan::latin_hypercube:
-      return "latin_hypercube";
-    case Plan::sobol:
-      return "sobol";
-    case Plan::monte_carlo:
-      return "monte_carlo";
-    case Plan::sobol_indices:
-      return "sobol_indices";
-    case Plan::derivatives:
-      return "derivatives";
-  }
-  return "";
+  constexpr std::array kNames{"one_at_a_time", "grid",          "latin_hypercube", "sobol",
+                              "monte_carlo",   "sobol_indices", "derivatives"};
+  return kNames.at(static_cast<std::size_t>(plan));
 }
 
 Json study_json(const StudyResult& result, const DocumentInfo& info) {

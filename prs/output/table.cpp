@@ -11,49 +11,24 @@
 namespace prs {
 namespace {
 
-std::string stiffness(const LoadCaseResult& result) {
-  return fixed(result.axial_stiffness, per_si::newton_per_micrometre, 1);
-}
-
-std::string displacement(const LoadCaseResult& result) {
-  return fixed(result.axial_displacement, per_si::micrometre, 2);
+std::string iterations(const LoadCaseResult& result) {
+  return result.solve ? fmt::to_string(result.solve->iterations()) : std::string(kAbsent);
 }
 
 template <Interface interface>
-std::string most_loaded_thread(const LoadCaseResult& result) {
-  if (!result.threads) return std::string(kAbsent);
-  const std::vector<double>& rates = (*result.threads)[interface].load_rate;
-  const auto thread = index_of_largest(rates);
-  if (!thread) return std::string(kAbsent);
-  return fmt::format("{}: {:5.2f}", *thread + 1, rates[*thread] * per_si::percent);
-}
-
-std::string peak_pressure(const LoadCaseResult& result) {
-  double peak = 0.0;
-  std::string cell(kAbsent);
-  if (!result.threads) return cell;
-  for (const Interface i : kInterfaces)
-    for (const double pressure : (*result.threads)[i].peak_pressure)
-      if (pressure > peak) {
-        peak = pressure;
-        cell = fmt::format("{:.3f} {:5}", pressure * per_si::gigapascal, name(i));
-      }
-  return cell;
-}
-
-std::string iterations(const LoadCaseResult& result) {
-  return result.solve ? fmt::to_string(result.solve->iterations()) : std::string(kAbsent);
+std::string most_loaded(const LoadCaseResult& result) {
+  return most_loaded_cell(result, interface);
 }
 
 constexpr CaseColumn kColumns[] = {
     {"", "load case", true, case_name_cell},
     {"force", "kN", false, force_cell},
     {"", "direction", true, direction_cell},
-    {"stiffness", "N/µm", false, stiffness},
-    {"displ.", "µm", false, displacement},
-    {"screw max.", "thread: %", false, most_loaded_thread<Interface::screw>},
-    {"nut max.", "thread: %", false, most_loaded_thread<Interface::nut>},
-    {"pressure", "max. GPa", true, peak_pressure},
+    {"stiffness", "N/µm", false, stiffness_cell},
+    {"displ.", "µm", false, displacement_cell},
+    {"screw max.", "thread: %", false, most_loaded<Interface::screw>},
+    {"nut max.", "thread: %", false, most_loaded<Interface::nut>},
+    {"pressure", "max. GPa", true, pressure_cell},
     {"Newton", "steps", false, iterations},
 };
 

@@ -15,6 +15,7 @@ constexpr std::size_t kWidth = 110;
 
 struct WarningGroup {
   std::string pattern;  ///< The text without its numbers.
+  std::string place;    ///< Path of the load case, with which the text begins; else empty.
   std::string text;     ///< As the last of the cases has it.
   bool texts_differ = false;
   std::vector<std::string> cases;
@@ -25,20 +26,26 @@ std::string without_numbers(std::string text) {
   return text;
 }
 
-void add(std::string text, const std::string& case_name, std::vector<WarningGroup>& groups) {
-  std::string pattern = without_numbers(text);
+void add(std::string text, const LoadCase& load_case, std::vector<WarningGroup>& groups) {
+  std::string pattern = without_numbers(text), place;
+  if (!load_case.input_path.empty() && text.starts_with(load_case.input_path)) {
+    place = load_case.input_path;
+    text.erase(0, place.size());
+  }
   auto group = std::find_if(groups.begin(), groups.end(),
                             [&](const WarningGroup& g) { return g.pattern == pattern; });
-  if (group == groups.end()) group = groups.insert(group, {std::move(pattern), text, false, {}});
+  if (group == groups.end())
+    group = groups.insert(group, {std::move(pattern), place, text, false, {}});
+  if (group->place != place) group->place = "load_cases[..]";
   group->texts_differ = group->texts_differ || group->text != text;
   group->text = std::move(text);
-  group->cases.push_back(case_name);
+  group->cases.push_back(printable(load_case.name));
 }
 
 std::string group_lines(const WarningGroup& group) {
   const std::string cases = fmt::format("in {}{}", folded_names(group.cases),
                                         group.texts_differ ? "; numbers of the last" : "");
-  return wrapped(group.text, "  ", kWidth) + wrapped(cases, "    ", kWidth);
+  return wrapped(group.place + group.text, "  ", kWidth) + wrapped(cases, "    ", kWidth);
 }
 
 }  // namespace
@@ -47,7 +54,7 @@ std::string warning_summary(const Result& result) {
   std::vector<WarningGroup> groups;
   for (const LoadCaseResult& load_case : result.load_cases)
     for (const std::string& warning : load_case.warnings)
-      add(printable(warning), printable(load_case.load_case.name), groups);
+      add(printable(warning), load_case.load_case, groups);
 
   std::string summary;
   for (const std::string& warning : result.warnings)

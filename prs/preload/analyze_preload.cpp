@@ -87,9 +87,9 @@ void warn_of_pressure(PreloadResult& result) {
         load = std::max(load, point.sides[d].max_normal_load[i]);
     const double pressure = contact::at_load(contact.hertz, load).peak_pressure;
     if (pressure > kStaticPressureLimit)
-      result.warnings.push_back(fmt::format("{} peak pressure {:.2f} GPa exceeds {:.1f} GPa",
-                                            label(i), pressure * 1e-9,
-                                            kStaticPressureLimit * 1e-9));
+      result.warnings.push_back(
+          fmt::format("preload.load: {} peak pressure {:.2f} GPa exceeds {:.1f} GPa", label(i),
+                      pressure * 1e-9, kStaticPressureLimit * 1e-9));
   }
 }
 

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "prs/sector/section_properties.h"
 
 namespace prs {
 namespace {
@@ -45,12 +46,6 @@ Sector sector_of(const PreloadParts& p, Structure structure, Direction flanks, c
   return other;
 }
 
-std::vector<int> roller_nodes(const Sector& s) {
-  std::vector<int> nodes = s.roller_nodes;
-  nodes.insert(nodes.end(), s.roller_end_nodes.begin(), s.roller_end_nodes.end());
-  return nodes;
-}
-
 std::vector<int> screw_nodes(const Sector& s) {
   std::vector<int> nodes = s.screw_nodes;
   nodes.push_back(s.loaded_node);
@@ -62,7 +57,9 @@ Side side_of(const Sector& s, int first_spring) {
   Side side;
   for (const Interface i : kInterfaces)
     for (int k = 0; k < s.contacts(); ++k) side.springs[i].push_back(first_spring + s.spring(i, k));
-  side.roller_nodes = roller_nodes(s);
+  side.roller_nodes = s.roller_nodes;
+  side.roller_nodes.insert(side.roller_nodes.end(), s.roller_end_nodes.begin(),
+                           s.roller_end_nodes.end());
   return side;
 }
 
@@ -152,10 +149,9 @@ PreloadSector double_nut(const PreloadParts& p, const Held& held) {
   s.loaded_node = first.loaded_node;
 
   const Spacer& spacer = *p.preload.spacer;
-  const double area = std::numbers::pi / 4.0 *
-                      (spacer.outer_diameter * spacer.outer_diameter -
-                       spacer.inner_diameter * spacer.inner_diameter);
-  const double rigidity = p.materials.nut.youngs_modulus * area / p.mechanism.rollers;
+  const double rigidity = p.materials.nut.youngs_modulus *
+                          ring_area(spacer.outer_diameter, spacer.inner_diameter) /
+                          p.mechanism.rollers;
   const int from = nut_end(first, first.nut_nodes.back(), true);
   const int to = number(nut_end(second, second.nut_nodes.front(), false));
   s.model = std::move(first.model);

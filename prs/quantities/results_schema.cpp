@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "prs/quantities/comparison_quantities.h"
 #include "prs/quantities/contact_quantities.h"
 #include "prs/quantities/life_quantities.h"
 #include "prs/quantities/measure_quantities.h"
@@ -27,6 +28,7 @@ constexpr Place kPlaces[] = {
     {"measures", describe<Measures>},
     {"preload", describe<PreloadResult>},
     {"life", describe<LifeResult>},
+    {"comparison", describe<ModelComparison>},
 };
 
 std::string_view name(Kind kind) {

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
+#include "prs/compare/compare_models.h"
 #include "prs/figures/pictures.h"
 #include "prs/input/compute_from.h"
 #include "prs/input/force_history.h"
@@ -15,9 +17,11 @@
 #include "prs/input/study_reader.h"
 #include "prs/life/analyze_life.h"
 #include "prs/loads/analyze.h"
+#include "prs/loads/load_case_result.h"
 #include "prs/measures/analyze_measures.h"
 #include "prs/model/void_inputs.h"
 #include "prs/output/check.h"
+#include "prs/output/comparison.h"
 #include "prs/output/contact_table.h"
 #include "prs/output/csv.h"
 #include "prs/output/life_files.h"
@@ -30,6 +34,7 @@
 #include "prs/output/table.h"
 #include "prs/output/warnings.h"
 #include "prs/preload/analyze_preload.h"
+#include "prs/quantities/comparison_quantities.h"
 #include "prs/quantities/life_json.h"
 #include "prs/quantities/measures_json.h"
 #include "prs/quantities/preload_json.h"
@@ -50,22 +55,41 @@ struct Forms {
   Json (*document)(const R&, const DocumentInfo&);
   std::string (*table)(const R&);
   std::vector<std::string> (*notes)(const R&);
+  std::string (*full_table)(const R&) = nullptr;
   std::vector<OutputFile> (*files)(const R&) = nullptr;
   Pictures (*pictures)(const R&, const Case&) = nullptr;
   std::vector<std::string> (*without_figure)(const R&) = nullptr;
   bool (*converged)(const R&) = nullptr;
 };
 
+template <class R>
+std::vector<std::string>& warnings_of(R& result) {
+  return result.warnings;
+}
+std::vector<std::string>& warnings_of(CheckResult& result) { return result.geometry.warnings; }
+std::vector<std::string>& warnings_of(MeasuresResult& result) { return result.analysis.warnings; }
+
+/// Warnings on single values; what they bring about has no warning of its own.
+void put_first(const std::vector<std::string>& values, std::vector<std::string>& warnings) {
+  for (const std::string& value : values) {
+    const std::string path = value.substr(0, value.find(": ") + 2);
+    std::erase_if(warnings, [&](const std::string& w) { return w.starts_with(path); });
+  }
+  warnings.insert(warnings.begin(), values.begin(), values.end());
+}
+
 /// What `run` finds wrong with the case is reported where it stands.
 template <class R>
 CommandRow row(Command command, std::string_view help,
                R (*run)(const input::Source&, const input::CaseInput&), const Forms<R>& forms) {
   return {command, help, [=](const input::Source& source, const input::CaseInput& in) {
-            const auto result = std::make_shared<const R>(
-                input::compute_from(source, [&] { return run(source, in); }));
+            R computed = input::compute_from(source, [&] { return run(source, in); });
+            put_first(in.warnings, warnings_of(computed));
+            const auto result = std::make_shared<const R>(std::move(computed));
             Delivery d{forms.file,
                        [=](const DocumentInfo& info) { return forms.document(*result, info); },
                        [=] { return forms.table(*result); }, forms.notes(*result)};
+            if (forms.full_table) d.full_table = [=] { return forms.full_table(*result); };
             if (forms.files) d.files = [=] { return forms.files(*result); };
             if (forms.pictures)
               d.pictures = [=, c = std::make_shared<const Case>(in.values)] {
@@ -79,20 +103,35 @@ CommandRow row(Command command, std::string_view help,
 
 // What each computes, with the warnings that belong to the command.
 
-struct CheckResult {
-  std::vector<input::EchoEntry> fields;
-  Result geometry;  ///< Contacts alone.
-  std::vector<std::string> warnings;
-};
+/// With equal shares, the least that its most loaded threads carry.
+void warn_of_largest_load(const Case& c, Result& geometry) {
+  const auto force = [](const LoadCase& load) { return std::abs(load.axial_force); };
+  const auto largest = std::ranges::max_element(c.load_cases, {}, force);
+  const PerInterface<InterfaceContact>& contacts = geometry.contacts.interfaces;
+  if (largest == c.load_cases.end() || !contacts.screw.has_hertz() || !contacts.nut.has_hertz())
+    return;
+  LoadCaseResult loaded = equal_share_result(*largest, geometry.contacts);
+  add_warnings(loaded, geometry.contacts);
+  for (const std::string& text : loaded.warnings)
+    geometry.warnings.push_back(text + ", even with equal shares");
+}
 
 /// Reads and checks the study and the optimization of the source too.
 CheckResult run_check(const input::Source& source, const input::CaseInput& in) {
   if (in.study) input::read_study_input(source);
   if (in.optimize) input::read_optimize_input(source);
+  const Case& c = in.values;
   CheckResult result{in.fields, {}, {}};
-  result.geometry.contacts = find_contacts(in.values.mechanism, in.values.materials);
-  result.warnings = geometry_warnings(in.values, result.geometry.contacts, in.values.load_cases);
-  for (std::string& note : void_input_notes(in.values)) result.warnings.push_back(std::move(note));
+  for (const CommandRow& row : commands())
+    result.commands.push_back({row.command, input::unmet(in, row.command)});
+  Result& geometry = result.geometry;
+  geometry.contacts = find_contacts(c.mechanism, c.materials);
+  geometry.warnings = geometry_warnings(c, geometry.contacts, c.load_cases);
+  // What odd values bring about is not told besides.
+  if (in.warnings.empty()) warn_of_largest_load(c, geometry);
+  if (std::optional<std::string> note = unknown_film_ratio(c))
+    geometry.warnings.push_back(std::move(*note));
+  for (std::string& note : void_input_notes(c)) geometry.warnings.push_back(std::move(note));
   return result;
 }
 
@@ -101,21 +140,28 @@ Result run_contact(const input::Source&, const input::CaseInput& in) {
 }
 
 /// Load cases are solved one by one, each on the contacts that it closes.
-void warn_of_preload(const Case& c, Result& result) {
+void warn_of_preload(const Case& c, std::vector<std::string>& warnings) {
   if (c.preload)
-    result.warnings.push_back(
-        "the load cases are solved without preload; `prs preload` takes the block `preload`");
+    warnings.push_back(
+        "preload: the load cases are solved without preload; `prs preload` takes the block "
+        "`preload`");
 }
 
 Result run_solve(const input::Source&, const input::CaseInput& in) {
   Result result = analyze(in.values);
-  warn_of_preload(in.values, result);
+  warn_of_preload(in.values, result.warnings);
+  return result;
+}
+
+ModelComparison run_compare(const input::Source&, const input::CaseInput& in) {
+  ModelComparison result = compare_models(in.values);
+  warn_of_preload(in.values, result.warnings);
   return result;
 }
 
 Result run_slip(const input::Source&, const input::CaseInput& in) {
   Result result = analyze_slip(in.values);
-  warn_of_preload(in.values, result);
+  warn_of_preload(in.values, result.warnings);
   const bool jacod = in.values.friction->model == Friction::Model::jacod;
   if (const std::string note = jacod ? estimates_note(*in.values.lubricant) : ""; !note.empty())
     result.warnings.push_back(note);
@@ -133,13 +179,13 @@ LifeResult run_life(const input::Source& source, const input::CaseInput& in) {
     history = input::read_force_history(*in.values.life->history, source);
   LifeResult result = analyze_life(in.values, std::move(history));
   if (in.values.preload)
-    result.warnings.push_back("lives are those without preload, whose loads come on top");
+    result.warnings.push_back("preload: lives are those without preload, whose loads come on top");
   return result;
 }
 
 MeasuresResult run_measures(const input::Source&, const input::CaseInput& in) {
   MeasuresResult result = analyze_measures(in.values);
-  warn_of_preload(in.values, result.analysis);
+  warn_of_preload(in.values, result.analysis.warnings);
   return result;
 }
 
@@ -214,24 +260,20 @@ std::vector<OutputFile> life_files(const LifeResult& result) {
 
 const std::vector<CommandRow>& table() {
   static const std::vector<CommandRow> rows = {
-      row<CheckResult>(Command::check, "Validate a case; print every value, default and derived",
-                       run_check,
-                       {.file = "check.json",
-                        .document =
-                            [](const CheckResult& r, const DocumentInfo& info) {
-                              return check_json(r.fields, r.geometry.contacts, r.warnings, info);
-                            },
-                        .table =
-                            [](const CheckResult& r) {
-                              return check_table(r.fields, r.geometry.contacts, r.warnings);
-                            },
-                        .notes = [](const CheckResult& r) { return as_warnings(r.warnings); },
-                        .pictures =
-                            [](const CheckResult& r, const Case&) {
-                              Pictures pictures = contact_pictures(r.geometry);
-                              for (Picture& picture : pictures) picture.is_drawn = false;
-                              return pictures;
-                            }}),
+      row<CheckResult>(
+          Command::check, "Validate a case: what it is ready for, what is unusual, derived values",
+          run_check,
+          {.file = "check.json",
+           .document = check_json,
+           .table = check_table,
+           .notes = [](const CheckResult& r) { return as_warnings(r.geometry.warnings); },
+           .full_table = full_check_table,
+           .pictures =
+               [](const CheckResult& r, const Case&) {
+                 Pictures pictures = contact_pictures(r.geometry);
+                 for (Picture& picture : pictures) picture.is_drawn = false;
+                 return pictures;
+               }}),
       row<Result>(Command::contact, "Contact points, backlash, curvatures, ellipses, pictures",
                   run_contact,
                   {.file = "contact.json",
@@ -249,6 +291,21 @@ const std::vector<CommandRow>& table() {
                    .files = solve_files,
                    .pictures = [](const Result& r, const Case&) { return solve_pictures(r); },
                    .converged = all_converged}),
+      row<ModelComparison>(
+          Command::compare, "The models of the bodies side by side", run_compare,
+          {.file = "comparison.json",
+           .document = comparison_json,
+           .table = comparison_table,
+           .notes = [](const ModelComparison& r) { return as_warnings(r.warnings); },
+           .files =
+               [](const ModelComparison& r) {
+                 return std::vector<OutputFile>{{"comparison.csv", comparison_csv(r)}};
+               },
+           .pictures = [](const ModelComparison& r, const Case&) { return comparison_pictures(r); },
+           .converged =
+               [](const ModelComparison& r) {
+                 return std::ranges::all_of(r.models, all_converged);
+               }}),
       row<Result>(
           Command::slip, "Slip, friction, dissipated power, efficiency and torques", run_slip,
           {.file = "slip.json",

@@ -22,6 +22,7 @@ struct Delivery {
   std::function<Pictures()> pictures = {};       ///< They may refer to what the other forms hold.
   std::vector<std::string> without_figure = {};  ///< Why some are missing, a line each.
   bool converged = true;
+  std::function<std::string()> full_table = {};  ///< With `--all`, where there is more.
 };
 
 }  // namespace prs

@@ -107,12 +107,11 @@ void add_contacts(Sector& s) {
       const bool at_screw = i == Interface::screw;
       const fe::RigidArm roller{roller_node(i, k), 0.0,
                                 at_screw ? -s.roller_radius : s.roller_radius};
-      s.model.springs.push_back(
-          {at_screw ? fe::RigidArm{s.screw_nodes[k]} : roller,
-           at_screw ? roller : fe::RigidArm{s.nut_nodes[k], 0.0, nut_arm},
-           s.sense * s.cosine[i],
-           s.sine[i],
-           {s.hertz_constant[i], 1.5, s.gaps[i][k], s.contact_compliance(i, k)}});
+      s.model.springs.push_back({at_screw ? fe::RigidArm{s.screw_nodes[k]} : roller,
+                                 at_screw ? roller : fe::RigidArm{s.nut_nodes[k], 0.0, nut_arm},
+                                 s.sense * s.cosine[i],
+                                 s.sine[i],
+                                 {s.hertz_constant[i], s.gaps[i][k], s.contact_compliance(i, k)}});
     }
 }
 

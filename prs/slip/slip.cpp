@@ -175,51 +175,57 @@ void warn_of_lubrication(const SlipResult& slip, const Friction& friction,
       if (ratio > 0.0) least = std::min(least, ratio);
     if (least < kMixedLubrication)
       warnings.push_back(fmt::format(
-          "{} lubrication at the {} contacts: film over roughness is {:.2f} at the least; {}",
+          "roughness: {} lubrication at the {} contacts: film over roughness is {:.2f} at the "
+          "least; {}",
           least < kBoundaryLubrication ? "boundary" : "mixed", label(i), least,
           jacod ? "real friction is higher than that of the full film computed here"
                 : "take a friction coefficient of surfaces that touch"));
   }
 }
 
-void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads,
+void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads, const LoadCase& load,
                               std::vector<std::string>& warnings) {
   for (const Interface i : kInterfaces)
     if (const auto& pressure = threads[i].peak_pressure; !pressure.empty())
       if (const auto note =
               running_pressure_note(i, *std::max_element(pressure.begin(), pressure.end())))
-        warnings.push_back(*note);
+        warnings.push_back(fmt::format("{}: {}", path_in(load, "axial_force"), *note));
 }
 
 void warn(const SlipResult& slip, const SlipModel& model, const Friction& friction,
-          std::vector<std::string>& warnings) {
+          const LoadCase& load, std::vector<std::string>& warnings) {
+  const std::string speed = load.speed ? path_in(load, "speed") : "operation.speed";
   if (slip.status == SlipStatus::jammed)
     warnings.push_back(
-        "slip: a contact jams: its friction takes more of the axial load than its normal load "
+        "friction: slip: a contact jams: its friction takes more of the axial load than its normal "
+        "load "
         "gives; expect the screw to stick");
   else if (!slip.converged())
-    warnings.push_back(fmt::format(
-        "slip: {}: no slip ratio balances the moment on a roller; check the carrier's torques",
-        name(slip.status)));
+    warnings.push_back(
+        fmt::format("carrier: slip: {}: no slip ratio balances the moment on a roller; check the "
+                    "carrier's torques",
+                    name(slip.status)));
   if (!slip.converged()) return;
   if (load_drives(model))
-    warnings.push_back(
+    warnings.push_back(fmt::format(
+        "{}: {}", speed,
         slip.efficiency
             ? "the load drives the screw (left-handed: force and speed of one sign); the "
               "efficiency is that of the shaft's power over the load's"
             : "the load helps, but the screw is self-locking: the shaft has to drive as well, and "
-              "there is no efficiency");
+              "there is no efficiency"));
   if (slip.optimality > 1.0 + 1e-12)
     warnings.push_back(
-        fmt::format("the carrier is driven by its torques: the slip ratio {:.6f} "
+        fmt::format("carrier: the carrier is driven by its torques: the slip ratio {:.6f} "
                     "lies beyond the ideal one, {:.6f}",
                     slip.slip_ratio, slip.ideal_slip_ratio));
   if (std::ranges::all_of(kInterfaces, [&](Interface i) {
         return std::ranges::max(slip.threads[i].max_sliding_speed) < contact::kNoDirection;
       }))
-    warnings.push_back(
-        "nothing slides faster than 1e-11 m/s, where friction has no direction any "
-        "more: the power lost is not that of a moving screw");
+    warnings.push_back(fmt::format(
+        "{}: nothing slides faster than 1e-11 m/s, where friction has no direction any more: the "
+        "power lost is not that of a moving screw",
+        speed));
   warn_of_lubrication(slip, friction, warnings);
 }
 
@@ -284,26 +290,23 @@ PatchField patch_field(const contact::PatchGrid& grid, const contact::Patch& pat
 }  // namespace
 
 std::string_view name(SlipStatus status) {
-  switch (status) {
-    case SlipStatus::not_computed:
-      return "not_computed";
-    case SlipStatus::converged:
-      return "converged";
-    case SlipStatus::imposed:
-      return "imposed";
-    case SlipStatus::no_equilibrium:
-      return "no_equilibrium";
-    case SlipStatus::jammed:
-      return "jammed";
-    case SlipStatus::iteration_limit:
-      return "iteration_limit";
-  }
-  return "unknown";
+  constexpr std::string_view kNames[] = {"not_computed",   "converged", "imposed",
+                                         "no_equilibrium", "jammed",    "iteration_limit"};
+  return kNames[static_cast<std::size_t>(status)];
+}
+
+std::optional<std::string> unknown_film_ratio(const Conditions& c) {
+  if (!c.lubricant || c.roughness) return std::nullopt;
+  return "roughness: missing, so that film over roughness, and with it the kind of lubrication, is "
+         "not known; add `roughness: 0.4 um`, for example: the Rq of the ground flanks";
 }
 
 Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options) {
   Result result = loaded_threads_of(c, std::move(contacts), options);
   require_kinematics(result.contacts.threads);
+  if (options.detail == Detail::complete)
+    if (std::optional<std::string> note = unknown_film_ratio(c))
+      result.warnings.push_back(std::move(*note));
   const SlipModels models(c, result.contacts);
   for (LoadCaseResult& loaded : result.load_cases) {
     if (!loaded.threads) continue;
@@ -315,8 +318,8 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
     }
     if (options.detail != Detail::complete) continue;
-    warn(*loaded.slip, model, *c.friction, loaded.warnings);
-    warn_of_running_pressure(*loaded.threads, loaded.warnings);
+    warn(*loaded.slip, model, *c.friction, loaded.load_case, loaded.warnings);
+    warn_of_running_pressure(*loaded.threads, loaded.load_case, loaded.warnings);
   }
   return result;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "prs/loads/analyze.h"
@@ -14,6 +16,9 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
 inline Result analyze_slip(const Case& c, AnalysisOptions options = {}) {
   return analyze_slip(c, checked_contacts(c, options.detail), options);
 }
+
+/// A note where the film of a lubricant cannot be compared with the roughness of the flanks.
+std::optional<std::string> unknown_film_ratio(const Conditions& c);
 
 /// Moments on a roller along the slip ratio: one curve of Sandu 2018, fig. 3.6.
 struct ResidueCurve {

@@ -7,10 +7,10 @@
 
 #include <boost/crc.hpp>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
 
+#include "prs/bytes.h"
 #include "prs/regular_file.h"
 #include "prs/sha256.h"
 #include "prs/study/file_lock.h"
@@ -21,54 +21,18 @@ namespace {
 namespace fs = std::filesystem;
 
 /// First word of a journal file. It also tells the byte order and, by its last digit, the format.
-constexpr std::uint64_t kMagic = 0x3141'4e4a'2d53'5250;  // "PRS-JNA1" on a little-endian machine
+constexpr std::uint64_t kMagic = 0x3241'4e4a'2d53'5250;  // "PRS-JNA2" on a little-endian machine
 constexpr std::uint64_t kLongestHeader = 1u << 26;
 
 constexpr std::size_t kWord = sizeof(std::uint64_t);
 /// Length, first design, rows, responses; checksum.
 constexpr std::uint64_t kShortestRecord = 5 * kWord;
 
-void put(std::string& bytes, std::uint64_t number) {
-  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
-}
-
-void put(std::string& bytes, std::string_view text) {
-  put(bytes, text.size());
-  bytes.append(text);
-}
-
 std::uint64_t crc32c(std::string_view bytes) {
   boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true> crc;
   crc.process_bytes(bytes.data(), bytes.size());
   return crc.checksum();
 }
-
-/// Takes values from bytes that may not be what they should; past their end all is zero and `good`
-/// false.
-class Cursor {
- public:
-  explicit Cursor(std::string_view bytes) : bytes_(bytes) {}
-
-  std::uint64_t number() {
-    std::uint64_t value = 0;
-    std::memcpy(&value, text(sizeof value).data(), good_ ? sizeof value : 0);
-    return value;
-  }
-  std::string_view text(std::uint64_t length) {
-    good_ = good_ && length <= bytes_.size();
-    const std::string_view taken = bytes_.substr(0, good_ ? length : 0);
-    bytes_.remove_prefix(taken.size());
-    return taken;
-  }
-  std::string_view text() { return text(number()); }
-
-  bool good() const { return good_; }
-  bool at_end() const { return good_ && bytes_.empty(); }
-
- private:
-  std::string_view bytes_;
-  bool good_ = true;
-};
 
 std::uint64_t number_at(std::string_view bytes, std::size_t offset) {
   return Cursor(bytes.substr(offset)).number();
@@ -119,77 +83,27 @@ std::optional<RowBlock> decode(std::string_view bytes, const JournalHeader& head
 }
 
 std::string encode(const JournalHeader& header) {
-  const nlohmann::json json{{"key", header.key},
-                            {"name", header.source.name},
-                            {"text", header.source.text},
-                            {"overrides", header.source.overrides},
-                            {"responses", header.responses},
-                            {"designs", header.designs},
-                            {"shard", {header.shard.index, header.shard.count}}};
-  const std::vector<std::uint8_t> cbor = nlohmann::json::to_cbor(json);
-  std::string bytes;
+  const auto& [key, source, responses, designs, shard] = header;
+  std::string text, bytes;
+  for (const std::string& part : {key, source.name, source.text}) put(text, part);
+  put(text, source.overrides);
+  put(text, responses);
+  for (const std::uint64_t number : {designs, shard.index, shard.count}) put(text, number);
   put(bytes, kMagic);
-  return bytes + sealed({cbor.begin(), cbor.end()});
-}
-
-/// Whether CBOR nests no deeper than a header does, in the few forms that a header has: the reader
-/// of nlohmann-json calls itself once a level.
-bool is_shallow(std::string_view cbor) {
-  constexpr std::size_t kDeepest = 3;
-  enum Type { bytes = 2, text = 3, array = 4, map = 5, tag = 6 };
-  std::vector<std::uint64_t> to_come{1};  // Items of each level.
-  while (!to_come.empty()) {
-    if (to_come.back() == 0) {
-      to_come.pop_back();
-      continue;
-    }
-    --to_come.back();
-    if (cbor.empty()) return false;
-    const auto head = static_cast<unsigned char>(cbor.front());
-    cbor.remove_prefix(1);
-    const unsigned type = head >> 5u;
-    std::uint64_t argument = head & 31u;
-    if (argument > 27 || type == tag) return false;  // No stated length, or tagged.
-    if (argument >= 24) {
-      const std::size_t length = std::size_t{1} << (argument - 24);
-      if (length > cbor.size()) return false;
-      argument = 0;
-      for (const char c : cbor.substr(0, length))
-        argument = argument << 8u | static_cast<unsigned char>(c);
-      cbor.remove_prefix(length);
-    }
-    if (type < bytes || type > map) continue;
-    if (argument > cbor.size()) return false;
-    if (type == bytes || type == text)
-      cbor.remove_prefix(argument);
-    else if (to_come.size() == kDeepest)
-      return false;
-    else
-      to_come.push_back(type == map ? 2 * argument : argument);
-  }
-  return cbor.empty();
+  return bytes + sealed(std::move(text));
 }
 
 /// Absent where the bytes are not what `encode` gives for a header.
-std::optional<JournalHeader> decode_header(std::string_view bytes) try {
-  const std::string_view cbor = content(bytes);
-  if (!is_shallow(cbor)) return std::nullopt;
-  const nlohmann::json json = nlohmann::json::from_cbor(cbor);
-  const auto count = [](const nlohmann::json& number) {
-    return number.get_ref<const nlohmann::json::number_unsigned_t&>();
-  };
-  const nlohmann::json& shard = json.at("shard");
-  JournalHeader header{json.at("key"),
-                       {json.at("name"), json.at("text"), json.at("overrides")},
-                       json.at("responses"),
-                       count(json.at("designs")),
-                       {count(shard.at(0)), count(shard.at(1))}};
-  if (header.shard.index >= header.shard.count || header.shard.count > kMostShards ||
-      encode(header).substr(kWord) != bytes)
-    return std::nullopt;
-  return header;
-} catch (const nlohmann::json::exception&) {
-  return std::nullopt;
+std::optional<JournalHeader> decode_header(std::string_view bytes) {
+  Cursor cursor(content(bytes));
+  const JournalHeader header{cursor.text(),
+                             {cursor.text(), cursor.text(), cursor.texts()},
+                             cursor.texts(),
+                             cursor.number(),
+                             {cursor.number(), cursor.number()}};
+  const Shard& shard = header.shard;
+  const bool sound = cursor.at_end() && shard.index < shard.count && shard.count <= kMostShards;
+  return sound ? std::optional(header) : std::nullopt;
 }
 
 [[noreturn]] void refuse_foreign(const fs::path& path) {
@@ -230,8 +144,7 @@ std::string study_key(std::string_view version, const input::Source& source,
   std::string bytes;
   put(bytes, version);
   put(bytes, source.text);
-  put(bytes, source.overrides.size());
-  for (const std::string& text : source.overrides) put(bytes, text);
+  put(bytes, source.overrides);
   for (const std::string& text : referred) put(bytes, text);
   return sha256(bytes);
 }

@@ -15,6 +15,10 @@ namespace {
 /// Interference below this is the rounding of the input [m].
 constexpr double kInterference = 1e-9;
 
+/// Interference, as a share of the pitch, that nominal diameters give: pitch cylinders that touch
+/// leave no room for the helices. Published screws have 4 to 9.7 %.
+constexpr double kTouchingInterference = 0.1;
+
 /// A smallest relative curvature below this share of the roller's is a nearly conforming contact.
 constexpr double kConformity = 0.01;
 
@@ -36,8 +40,8 @@ void warn_of_missing_contacts(const Contacts& c, std::vector<std::string>& warni
     const bool wants_hertz = contact.geometry.ok() && contact.contact_modulus > 0.0;
     if (!contact.geometry.ok() || (wants_hertz && !contact.hertz.ok()))
       warnings.push_back(fmt::format(
-          "the {} threads give no Hertz contact ({}): ellipses and pressures are absent", label(i),
-          failure(c, i).reason));
+          "{}: the {} threads give no Hertz contact ({}): ellipses and pressures are absent",
+          failure(c, i).path, label(i), failure(c, i).reason));
   }
 }
 
@@ -45,10 +49,22 @@ void warn_of_interference(const Contacts& c, std::vector<std::string>& warnings)
   for (const Interface i : kInterfaces) {
     const contact::ContactPoint& point = c.interfaces[i].geometry.point;
     const contact::Thread& body = i == Interface::screw ? c.threads.screw : c.threads.nut;
-    if (point.ok() && contact::same_pitch(body, c.threads.roller) &&
-        point.backlash < -kInterference)
-      warnings.push_back(fmt::format("the {} threads interfere: backlash {:.4g} mm", label(i),
-                                     point.backlash * per_si::millimetre));
+    if (!point.ok() || !contact::same_pitch(body, c.threads.roller) ||
+        point.backlash >= -kInterference)
+      continue;
+    const bool stated = c.mechanism.geometry == Mechanism::Geometry::design;
+    const std::string_view part = name(body_of(i));
+    std::string text = fmt::format("{}.{}: the {} threads interfere: backlash {:.4g} mm",
+                                   stated ? "mechanism.backlash" : "mechanism.pitch_diameter", part,
+                                   label(i), point.backlash * per_si::millimetre);
+    const double share = -point.backlash / body.pitch;
+    if (share > kTouchingInterference)
+      text +=
+          fmt::format(", {:.0f} % of the pitch: pitch cylinders that touch give up to {:.0f} %; {}",
+                      share * per_si::percent, kTouchingInterference * per_si::percent,
+                      stated ? "write a backlash of 0 or more, and `preload` for oversized rollers"
+                             : "check pitch diameters, centre distance and thread thickness");
+    warnings.push_back(std::move(text));
   }
 }
 
@@ -56,23 +72,26 @@ void warn_of_conformity(const Contacts& c, std::vector<std::string>& warnings) {
   for (const Interface i : kInterfaces) {
     const contact::InterfaceGeometry& g = c.interfaces[i].geometry;
     if (g.ok() && g.openness() < kConformity)
-      warnings.push_back(fmt::format(
-          "the {} contact is closely conforming: its smallest relative curvature is {:.2g} of the "
-          "roller's, and Hertz's half-spaces lose their meaning",
-          label(i), g.openness()));
+      warnings.push_back(
+          fmt::format("mechanism.profile: the {} contact is closely conforming: its smallest "
+                      "relative curvature is {:.2g} of the "
+                      "roller's, and Hertz's half-spaces lose their meaning",
+                      label(i), g.openness()));
   }
 }
 
 void warn_of_kinematics(const Contacts& c, std::vector<std::string>& warnings) {
   const contact::KinematicConsistency k = contact::kinematic_consistency(c.threads);
   if (std::abs(k.lead_difference) > contact::kSamePitch * std::abs(c.threads.screw.lead))
-    warnings.push_back(fmt::format("the leads of nut and screw differ by {:.4g} mm",
-                                   k.lead_difference * per_si::millimetre));
+    warnings.push_back(
+        fmt::format("mechanism.pitch: the leads of nut and screw differ by {:.4g} mm",
+                    k.lead_difference * per_si::millimetre));
   if (std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) > kGearRatioTolerance)
-    warnings.push_back(fmt::format(
-        "the rollers migrate: the pitch diameters give the gear ratio {:.6f}, the leads ask for "
-        "{:.6f} (Sandu 2018, (2.14))",
-        k.gear_ratio, k.gear_ratio_by_leads));
+    warnings.push_back(
+        fmt::format("mechanism.pitch_diameter: the rollers migrate: the pitch diameters give the "
+                    "gear ratio {:.6f}, the leads ask for "
+                    "{:.6f} (Sandu 2018, (2.14))",
+                    k.gear_ratio, k.gear_ratio_by_leads));
 }
 
 void require_thickness(const Mechanism& m, Part part) {
@@ -112,8 +131,8 @@ void warn_of_heights(const contact::Thread& thread, Part part, std::vector<std::
   const contact::RadiusLimits given = contact::flank_limits(thread);
   const contact::RadiusLimits sharp = contact::sharp_limits(thread);
   warnings.push_back(fmt::format(
-      "the thread of the {} is given from {:.4f} to {:.4f} mm radius, its flanks meet "
-      "at {:.4f} and {:.4f} mm",
+      "mechanism.thread.{0}: the thread of the {0} is given from {1:.4f} to {2:.4f} mm radius, its "
+      "flanks meet at {3:.4f} and {4:.4f} mm",
       name(part), given.smallest * per_si::millimetre, given.largest * per_si::millimetre,
       sharp.smallest * per_si::millimetre, sharp.largest * per_si::millimetre));
 }
@@ -121,8 +140,9 @@ void warn_of_heights(const contact::Thread& thread, Part part, std::vector<std::
 void warn_of_crowding(const Contacts& c, std::vector<std::string>& warnings) {
   const int most = contact::largest_roller_count(c.threads);
   if (c.mechanism.rollers > most)
-    warnings.push_back(fmt::format("{} rollers touch each other at their crests: {} fit",
-                                   c.mechanism.rollers, most));
+    warnings.push_back(
+        fmt::format("mechanism.rollers: {} rollers touch each other at their crests: {} fit",
+                    c.mechanism.rollers, most));
 }
 
 void warn(Contacts& c) {

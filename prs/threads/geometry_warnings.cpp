@@ -6,10 +6,22 @@
 #include <cmath>
 #include <numbers>
 
+#include "prs/model/quantity_text.h"
 #include "prs/model/units.h"
 
 namespace prs {
 namespace {
+
+// What is usual, with room to either side: a maker's 24 standard screws of 4 to 120 mm
+// (validation/standard_screws) have helix angles of 1 to 9 deg, threads over 5 to 7.5 diameters of
+// the roller, and nuts with a wall of 10 to 29 % of the pitch diameter.
+constexpr double kFlattestHelix = 0.3;  ///< [deg]
+constexpr double kSteepestHelix = 20.0;
+constexpr double kMostSlender = 20.0;
+constexpr double kThinnestWall = 0.04;
+
+/// Speed times pitch diameter that makers allow at most [m rad/s]: 150,000 mm/min.
+constexpr double kFastest = 150.0 * std::numbers::pi / 30.0;
 
 /// Radial distance by which the pitch cylinders of an interface miss each other, overlap < 0 [m].
 double pitch_cylinder_gap(const contact::MechanismGeometry& m, Interface i) {
@@ -22,33 +34,79 @@ void warn_of_pitch_cylinders(const contact::MechanismGeometry& m,
   for (const Interface i : kInterfaces) {
     const double gap = pitch_cylinder_gap(m, i);
     if (std::abs(gap) > 0.1 * m.roller.pitch)
-      warnings.push_back(fmt::format("the pitch cylinders of roller and {} {} by {:.4f} mm",
-                                     name(i), gap > 0 ? "miss each other" : "overlap",
-                                     std::abs(gap) * per_si::millimetre));
+      warnings.push_back(fmt::format(
+          "mechanism.centre_distance: the pitch cylinders of roller and {} {} by {:.4f} mm",
+          name(i), gap > 0 ? "miss each other" : "overlap", std::abs(gap) * per_si::millimetre));
   }
 }
 
 void warn_of_proportions(const Conditions& c, const Mechanism& m,
                          std::vector<std::string>& warnings) {
   if (m.rollers < 3)
-    warnings.push_back(
-        fmt::format("{} roller{} cannot centre the screw", m.rollers, m.rollers == 1 ? "" : "s"));
+    warnings.push_back(fmt::format("mechanism.rollers: {} roller{} cannot centre the screw",
+                                   m.rollers, m.rollers == 1 ? "" : "s"));
   for (const Part p : kParts)
     if (m.flank_angle[p] < 20 * std::numbers::pi / 180 ||
         m.flank_angle[p] > 70 * std::numbers::pi / 180)
-      warnings.push_back(
-          fmt::format("the {}'s flank angle of {:g} deg is far from the usual 45 deg", name(p),
-                      m.flank_angle[p] * 180 / std::numbers::pi));
+      warnings.push_back(fmt::format(
+          "mechanism.flank_angle: the {}'s flank angle of {:g} deg is far from the usual 45 deg",
+          name(p), m.flank_angle[p] * 180 / std::numbers::pi));
+  const double helix = 180.0 / std::numbers::pi *
+                       std::atan(std::abs(m.lead) / (std::numbers::pi * *m.pitch_diameter.screw));
+  if (helix > kSteepestHelix || helix < kFlattestHelix)
+    warnings.push_back(fmt::format(
+        "mechanism.lead: got {}, a helix angle of {:.2g} deg at the screw's pitch diameter of {}; "
+        "usual are {:g} to {:g} deg; check both",
+        mm(m.lead), helix, mm(*m.pitch_diameter.screw), kFlattestHelix, kSteepestHelix));
+  const double slenderness =
+      (m.contacts_per_roller - 1) * axial_pitch(m) / *m.pitch_diameter.roller;
+  if (slenderness > kMostSlender)
+    warnings.push_back(fmt::format(
+        "mechanism.contacts_per_roller: got {}, threads over {:.3g} times the roller's diameter of "
+        "{}; usual are up to {:g} times; check the number, the lead and the starts",
+        m.contacts_per_roller, slenderness, mm(*m.pitch_diameter.roller), kMostSlender));
   if (!c.structure) return;
   const Structure& s = *c.structure;
-  if (s.screw.bore > 0.8 * *m.pitch_diameter.screw)
+  const double wall = 0.5 * (s.nut.outer_diameter - *m.pitch_diameter.nut);
+  if (wall < kThinnestWall * *m.pitch_diameter.nut)
     warnings.push_back(
-        fmt::format("the screw's bore leaves a wall of {:.2f} mm at the pitch diameter",
-                    0.5 * (*m.pitch_diameter.screw - s.screw.bore) * per_si::millimetre));
+        fmt::format("structure.nut.outer_diameter: got {}, a wall of {:.3g} mm outside the nut's "
+                    "pitch diameter "
+                    "of {}; usual are {:.3g} mm or more; check both",
+                    mm(s.nut.outer_diameter), wall * per_si::millimetre, mm(*m.pitch_diameter.nut),
+                    kThinnestWall * *m.pitch_diameter.nut * per_si::millimetre));
+  if (s.screw.bore > 0.8 * *m.pitch_diameter.screw)
+    warnings.push_back(fmt::format(
+        "structure.screw.bore: the screw's bore leaves a wall of {:.2f} mm at the pitch diameter",
+        0.5 * (*m.pitch_diameter.screw - s.screw.bore) * per_si::millimetre));
   if (s.roller.end_diameter > *m.pitch_diameter.roller)
     warnings.push_back(fmt::format(
-        "the roller's ends ({:g} mm) are thicker than its thread ({:g} mm)",
+        "structure.roller.end_diameter: the roller's ends ({:g} mm) are thicker than its thread "
+        "({:g} mm)",
         s.roller.end_diameter * per_si::millimetre, *m.pitch_diameter.roller * per_si::millimetre));
+}
+
+void warn_of_speed(const std::string& path, double speed, double diameter,
+                   std::vector<std::string>& warnings) {
+  const double n_d = std::abs(speed) * diameter;
+  if (n_d > kFastest)
+    warnings.push_back(fmt::format(
+        "{}: got {}, which times the screw's pitch diameter of {} is n d = {:.3g} mm/min; makers "
+        "allow up to {:g} mm/min; lower the speed, or ask the maker",
+        path, rpm(speed), mm(diameter), n_d * 30e3 / std::numbers::pi,
+        kFastest * 30e3 / std::numbers::pi));
+}
+
+void warn_of_speeds(const Conditions& c, const Mechanism& m, std::span<const LoadCase> loads,
+                    std::vector<std::string>& warnings) {
+  const double diameter = *m.pitch_diameter.screw;
+  if (c.operation) warn_of_speed("operation.speed", c.operation->speed, diameter, warnings);
+  std::string last;  // Of a range, whose cases have one speed.
+  for (const LoadCase& load : loads) {
+    const std::string path = path_in(load, "speed");
+    if (load.speed && path != last) warn_of_speed(path, *load.speed, diameter, warnings);
+    last = path;
+  }
 }
 
 /// A face of the nut that looks the way that the load pushes the nut can only be pulled.
@@ -62,10 +120,10 @@ void warn_of_pulled_faces(const Conditions& c, std::span<const LoadCase> loads,
     if (!section || std::ranges::none_of(loads, carries)) continue;
     const auto [before, behind] = nut_diameters_at(nut, *section);
     if (before == behind || (before > behind) == (d == Direction::compression)) continue;
-    warnings.push_back(
-        fmt::format("{} lifts the nut off the face at {:g} mm: it holds with a bolted flange, not "
-                    "against a housing that only pushes",
-                    name(d), *section * per_si::millimetre));
+    warnings.push_back(fmt::format(
+        "structure.nut.thrust.{0}: {0} lifts the nut off the face at {1:g} mm: it holds "
+        "with a bolted flange, not against a housing that only pushes",
+        name(d), *section * per_si::millimetre));
   }
 }
 
@@ -77,6 +135,7 @@ std::vector<std::string> geometry_warnings(const Conditions& c, const Contacts& 
   warn_of_pitch_cylinders(contacts.threads, warnings);
   warn_of_proportions(c, contacts.mechanism, warnings);
   warn_of_pulled_faces(c, loads, warnings);
+  warn_of_speeds(c, contacts.mechanism, loads, warnings);
   return warnings;
 }
 

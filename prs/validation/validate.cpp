@@ -4,11 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <utility>
 
 #include "prs/input/compute_from.h"
@@ -30,21 +29,9 @@ std::optional<double> number_at(const Json& document, std::string path) {
   for (char& c : path)
     if (c == '.' || c == '[') c = '/';
   std::erase(path, ']');
-  const Json* value = &document;
-  std::istringstream steps(path);
-  for (std::string step; std::getline(steps, step, '/');) {
-    if (value->is_object() && value->contains(step)) {
-      value = &(*value)[step];
-    } else if (value->is_array()) {
-      std::size_t index = value->size();
-      std::from_chars(step.data(), step.data() + step.size(), index);
-      if (index >= value->size()) return std::nullopt;
-      value = &(*value)[index];
-    } else {
-      return std::nullopt;
-    }
-  }
-  return value->is_number() ? std::optional(value->get<double>()) : std::nullopt;
+  const Json::json_pointer place("/" + path);
+  if (!document.contains(place) || !document.at(place).is_number()) return std::nullopt;
+  return document.at(place).get<double>();
 }
 
 Result result_of(const input::Source& source, Command command) {
@@ -109,16 +96,11 @@ SourceReport report_on(const std::filesystem::path& folder,
   return report;
 }
 
+/// In order of `Verdict::Kind`.
+constexpr std::array kVerdicts{"holds", "holds only with", "does not hold"};
+
 const char* verdict_name(Verdict::Kind kind) {
-  switch (kind) {
-    case Verdict::Kind::holds:
-      return "holds";
-    case Verdict::Kind::holds_only_with:
-      return "holds only with";
-    case Verdict::Kind::does_not_hold:
-      return "does not hold";
-  }
-  return "";
+  return kVerdicts.at(static_cast<std::size_t>(kind));
 }
 
 std::string comparison_text(const Comparison& c) {
@@ -193,17 +175,8 @@ Json comparison_json(const Comparison& c) {
 }  // namespace
 
 const char* name(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::reproduces:
-      return "reproduces";
-    case Outcome::differs:
-      return "differs";
-    case Outcome::unexpected:
-      return "unexpected";
-    case Outcome::missing:
-      return "missing";
-  }
-  return "";
+  static constexpr std::array kNames{"reproduces", "differs", "unexpected", "missing"};
+  return kNames.at(static_cast<std::size_t>(outcome));
 }
 
 Outcome Comparison::outcome() const {
@@ -216,14 +189,18 @@ Outcome Comparison::outcome() const {
 }
 
 std::vector<SourceReport> validate(const std::filesystem::path& directory,
-                                   const std::vector<SourceExtension>& extensions) {
+                                   const std::vector<SourceExtension>& extensions,
+                                   const ValidationProgress& progress) {
   std::vector<std::filesystem::path> folders;
   if (std::filesystem::exists(directory / "reference.yaml")) folders.push_back(directory);
   for (const auto& entry : std::filesystem::directory_iterator(directory))
     if (std::filesystem::exists(entry.path() / "reference.yaml")) folders.push_back(entry.path());
   std::sort(folders.begin(), folders.end());
   std::vector<SourceReport> reports;
-  for (const auto& folder : folders) reports.push_back(report_on(folder, extensions));
+  for (const auto& folder : folders) {
+    if (progress) progress(folder.filename().string(), reports.size(), folders.size());
+    reports.push_back(report_on(folder, extensions));
+  }
   return reports;
 }
 

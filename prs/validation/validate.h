@@ -69,10 +69,15 @@ struct SourceExtension {
   std::string subject = {};
 };
 
+/// Is told which source comes next, and how many of all are done.
+using ValidationProgress =
+    std::function<void(const std::string& source, std::size_t done, std::size_t all)>;
+
 /// Runs every folder of `directory` that has a `reference.yaml`, or `directory` itself where it has
 /// one. Throws input::InputError.
 std::vector<SourceReport> validate(const std::filesystem::path& directory,
-                                   const std::vector<SourceExtension>& extensions);
+                                   const std::vector<SourceExtension>& extensions,
+                                   const ValidationProgress& progress = {});
 
 /// The reports as a text, digit by digit.
 std::string validation_text(const std::vector<SourceReport>& reports);

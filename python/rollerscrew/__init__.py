@@ -13,6 +13,7 @@ from rollerscrew.designs import Designs
 from rollerscrew.record import Record, Result, Values
 from rollerscrew.results import (
     CheckResult,
+    CompareResult,
     ContactResult,
     DerivativesResult,
     LifeResult,
@@ -27,6 +28,7 @@ from rollerscrew.results import (
 __all__ = [
     "Case",
     "CheckResult",
+    "CompareResult",
     "ContactResult",
     "DerivativesResult",
     "Designs",

@@ -13,6 +13,7 @@ from rollerscrew.designs import Command, Designs, evaluate, study_rows, thread_c
 from rollerscrew.progress import Progress, progress_callback
 from rollerscrew.results import (
     CheckResult,
+    CompareResult,
     ContactResult,
     DerivativesResult,
     LifeResult,
@@ -99,7 +100,7 @@ class Case:
         return list(self._case.source.overrides)
 
     def check(self) -> CheckResult:
-        """Every value with its default, and what is unusual about the geometry."""
+        """What the case is ready for, what is unusual about it, every value with its default."""
         return CheckResult(self._case.check())
 
     def contact(self) -> ContactResult:
@@ -112,6 +113,13 @@ class Case:
         A load case that does not converge is a result with its status.
         """
         return SolveResult(self._case.solve())
+
+    def compare(self) -> CompareResult:
+        """The models of the bodies side by side: stiffness, shares and pressures of each.
+
+        `influence` is among them where the case asks for it, or where its matrices are kept.
+        """
+        return CompareResult(self._case.compare())
 
     def slip(self) -> SlipResult:
         """Slip, friction, dissipated power, efficiency, torques of every load case."""

@@ -530,3 +530,47 @@ class Life(Record):
     weakest_thread: WeakestThread
     tension: DirectionLife
     compression: DirectionLife
+
+
+class MostLoadedThread(Record):
+    """What an interface's threads carry, by one model."""
+
+    __slots__ = ()
+    most_loaded_thread: int
+    largest_load_rate_percent: float
+    largest_peak_pressure_MPa: float
+    load_rate_percent: Array
+
+
+class ComparedModel(Record):
+    """The answer of one model of the bodies to a load case."""
+
+    __slots__ = ()
+    bodies: str
+    converged: bool
+    axial_stiffness_N_per_um: float
+    stiffness_over_best: float
+    axial_displacement_um: float
+    largest_peak_pressure_MPa: float
+    pressure_over_best: float
+    screw: MostLoadedThread
+    nut: MostLoadedThread
+
+
+class ComparedLoadCase(Record):
+    """A load case by each model of the bodies."""
+
+    __slots__ = ()
+    name: str
+    axial_force_N: float
+    direction: str
+    position_mm: float
+    models: list[ComparedModel]
+
+
+class Comparison(Record):
+    """The models of the bodies side by side."""
+
+    __slots__ = ()
+    models: list[str]
+    load_cases: list[ComparedLoadCase]

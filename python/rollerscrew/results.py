@@ -16,7 +16,7 @@ import pandas as pd
 from rollerscrew import _engine
 from rollerscrew.designs import Designs, designs_of, study_inputs
 from rollerscrew.record import Record, Result, Values
-from rollerscrew.records import Contacts, Life, LoadCase, Measures, Preload, Threads
+from rollerscrew.records import Comparison, Contacts, Life, LoadCase, Measures, Preload, Threads
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -81,6 +81,7 @@ class CheckResult(Result):
 
     __slots__ = ()
     _block = "input"
+    commands: Values
     input: list[InputValue]
     derived: Values
     contact: Contacts
@@ -274,6 +275,29 @@ class MeasuresResult(SolveResult):
     def plot_stiffness_terms(self, ax: Axes | None = None) -> Axes:
         """The springs in series that make up the stiffness, by their part in the compliance."""
         return self.plot_figure("stiffness_terms", ax)
+
+
+class CompareResult(Result):
+    """The models of the bodies side by side."""
+
+    __slots__ = ()
+    _block = "comparison"
+    contact: Contacts
+    threads: Threads
+    comparison: Comparison
+
+    def to_frame(self) -> pd.DataFrame:
+        """Stiffness, displacement, largest shares, pressures: one row per load case and model."""
+        rows = [
+            {"load_case": load_case.name, **dict(_flat(model))}
+            for load_case in self.comparison.load_cases
+            for model in load_case.models
+        ]
+        return pd.DataFrame(rows)
+
+    def plot_loads(self, load_case: int = 0, ax: Axes | None = None) -> Axes:
+        """The share of each thread in a load case, one line per model."""
+        return self.plot_figure("loads_by_model", ax, load_case=load_case)
 
 
 class PreloadResult(Result):

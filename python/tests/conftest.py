@@ -8,7 +8,7 @@ import subprocess
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import pytest
 
@@ -25,6 +25,7 @@ BLOCKS = {
     "check": "mechanism",
     "contact": "mechanism",
     "solve": "structure",
+    "compare": "structure",
     "slip": "friction",
     "preload": "preload",
     "life": "life",
@@ -78,10 +79,17 @@ def lesson(number_or_stem: int | str) -> rs.Case:
 
 
 @cache
-def answer(number_or_stem: int | str, command: str) -> rs.Result:
-    """What a command answers for a lesson."""
-    result = getattr(lesson(number_or_stem), command)()
-    assert isinstance(result, rs.Result)
+def _answer(number_or_stem: int | str, command: str) -> rs.Result:
+    return getattr(lesson(number_or_stem), command)()  # type: ignore[no-any-return]
+
+
+R = TypeVar("R", bound=rs.Result)
+
+
+def answer(number_or_stem: int | str, command: str, kind: type[R] = rs.Result) -> R:  # type: ignore[assignment]
+    """What a command answers for a lesson, which is of some kind."""
+    result = _answer(number_or_stem, command)
+    assert isinstance(result, kind)
     return result
 
 

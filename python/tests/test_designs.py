@@ -395,8 +395,7 @@ class Failing(Here):
 
 
 def small_study() -> rs.StudyResult:
-    result = answer(16, "study")
-    assert isinstance(result, rs.StudyResult)
+    result = answer(16, "study", rs.StudyResult)
     return result
 
 
@@ -423,8 +422,7 @@ def test_processes_do_not_matter_to_studies(start: str) -> None:
 def test_executors_do_not_matter_to_studies(number: int, executor: Any) -> None:
     with executor() as pool:
         result = lesson(number).study(executor=pool)
-    expected = answer(number, "study")
-    assert isinstance(expected, rs.StudyResult)
+    expected = answer(number, "study", rs.StudyResult)
     assert result.to_json() == expected.to_json()
     pd.testing.assert_frame_equal(result.to_frame(), expected.to_frame())
 
@@ -449,8 +447,7 @@ def test_what_workers_cannot_answer_are_failed_rows(number: int) -> None:
     assert set(designs.status[failed]) == {"failed"}
     assert set(designs.reason[failed]) == {"ZeroDivisionError: of the worker"}
     assert np.isnan(designs.values[failed]).all()
-    expected = answer(number, "study")
-    assert isinstance(expected, rs.StudyResult)
+    expected = answer(number, "study", rs.StudyResult)
     np.testing.assert_array_equal(designs.values[~failed], expected.all_designs.values[~failed])
     pd.testing.assert_frame_equal(designs.inputs, expected.all_designs.inputs)
     assert rs.StudyResult.from_json(result.to_json()).to_json() == result.to_json()
@@ -705,8 +702,7 @@ def test_wrong_options_of_studies(keywords: dict[str, Any]) -> None:
 
 
 def test_best_case_is_what_the_document_says() -> None:
-    result = answer(22, "optimize")
-    assert isinstance(result, rs.OptimizationResult)
+    result = answer(22, "optimize", rs.OptimizationResult)
     load_case = result.best_case.contact().load_cases[0]
     stated = result.compromise.responses
     for interface in ("screw", "nut"):
@@ -738,8 +734,7 @@ def test_best_case_of_a_case_with_overrides() -> None:
 
 @pytest.mark.parametrize("threads", [1, 2, 5])
 def test_optimizations_are_deterministic(threads: int) -> None:
-    expected = answer(22, "optimize")
-    assert isinstance(expected, rs.OptimizationResult)
+    expected = answer(22, "optimize", rs.OptimizationResult)
     result = lesson(22).optimize(threads=threads)
     assert result.to_json() == expected.to_json()
     assert result.best_case == expected.best_case
@@ -747,8 +742,7 @@ def test_optimizations_are_deterministic(threads: int) -> None:
 
 def test_seeds_matter() -> None:
     other = lesson(22).with_(**{"optimize.seed": 2}).optimize()
-    expected = answer(22, "optimize")
-    assert isinstance(expected, rs.OptimizationResult)
+    expected = answer(22, "optimize", rs.OptimizationResult)
     assert other.best_case != expected.best_case
 
 

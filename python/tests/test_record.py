@@ -170,8 +170,7 @@ def test_attributes_are_items(stem: str, command: str) -> None:
 
 @pytest.fixture
 def case_record() -> records.LoadCase:
-    result = answer(1, "solve")
-    assert isinstance(result, rs.SolveResult)
+    result = answer(1, "solve", rs.SolveResult)
     return result.load_cases[0]
 
 

@@ -24,6 +24,7 @@ KINDS: list[tuple[int, str, type[rs.Result]]] = [
     (1, "check", rs.CheckResult),
     (7, "contact", rs.ContactResult),
     (1, "solve", rs.SolveResult),
+    (1, "compare", rs.CompareResult),
     (9, "slip", rs.SlipResult),
     (12, "preload", rs.PreloadResult),
     (14, "life", rs.LifeResult),
@@ -98,8 +99,7 @@ def test_pickle(number: int, command: str, kind: type[rs.Result], protocol: int)
 
 
 def test_pickled_studies_keep_all_designs() -> None:
-    result = answer(20, "study")
-    assert isinstance(result, rs.StudyResult)
+    result = answer(20, "study", rs.StudyResult)
     again = pickle.loads(pickle.dumps(result))
     assert len(again.all_designs) == 40_001
     pd.testing.assert_frame_equal(again.to_frame(), result.to_frame())
@@ -107,8 +107,7 @@ def test_pickled_studies_keep_all_designs() -> None:
 
 
 def test_pickled_optimizations_keep_their_case() -> None:
-    result = answer(22, "optimize")
-    assert isinstance(result, rs.OptimizationResult)
+    result = answer(22, "optimize", rs.OptimizationResult)
     assert pickle.loads(pickle.dumps(result)).best_case == result.best_case
     with pytest.raises(ValueError, match="run `optimize`"):
         _ = rs.OptimizationResult.from_json(result.to_json()).best_case
@@ -116,8 +115,7 @@ def test_pickled_optimizations_keep_their_case() -> None:
 
 @pytest.mark.parametrize("number", [10, 11, 15, 16, 19, 21])
 def test_designs_of_a_text_are_those_of_the_study(number: int) -> None:
-    result = answer(number, "study")
-    assert isinstance(result, rs.StudyResult)
+    result = answer(number, "study", rs.StudyResult)
     again = rs.StudyResult.from_json(result.to_json())
     assert again.all_designs.responses == result.all_designs.responses
     np.testing.assert_array_equal(again.all_designs.values, result.all_designs.values)
@@ -126,8 +124,7 @@ def test_designs_of_a_text_are_those_of_the_study(number: int) -> None:
 
 
 def test_long_studies_show_the_first_designs() -> None:
-    result = answer(20, "study")
-    assert isinstance(result, rs.StudyResult)
+    result = answer(20, "study", rs.StudyResult)
     again = rs.StudyResult.from_json(result.to_json())
     shown = len(again.all_designs)
     assert shown == len(result.designs) <= len(result.all_designs)
@@ -230,23 +227,44 @@ def common(frame: pd.DataFrame, table: pd.DataFrame) -> dict[str, str]:
     return {str(name): str(name) for name in frame.columns if name in table.columns}
 
 
-@pytest.mark.parametrize(("number", "command"), [(3, "solve"), (9, "slip"), (18, "measures")])
-def test_load_cases_frame(number: int, command: str, written: Written) -> None:
-    result = answer(number, command)
-    assert isinstance(result, rs.SolveResult)
-    frame = result.load_cases_frame()
-    if command == "measures":
-        command, number = "solve", 18
-    table = csv_table(written(number, command) / "load_cases.csv")
-    names = common(frame, table)
-    assert set(names) == set(frame.columns)
+#: Frames with the file that has the same: names that differ there, and what the file has more.
+FRAMES: list[tuple[int, str, str, str, dict[str, str], set[str] | None]] = [
+    (3, "solve", "load_cases_frame", "load_cases.csv", {}, None),
+    (9, "slip", "load_cases_frame", "load_cases.csv", {}, None),
+    (18, "measures", "load_cases_frame", "load_cases.csv", {}, None),
+    (9, "slip", "slip_threads_frame", "slip_threads.csv", {}, None),
+    (10, "slip", "slip_threads_frame", "slip_threads.csv", {}, None),
+    (12, "preload", "to_frame", "preload.csv", {
+        "sides_tension_axial_load_N": "tension_side_load_N",
+        "sides_tension_max_normal_load_N": "tension_side_max_normal_load_N",
+        "sides_compression_axial_load_N": "compression_side_load_N",
+        "without_preload_axial_displacement_um": "without_preload_displacement_um",
+    }, {"compression_side_max_normal_load_N", "without_preload_status"}),
+    (14, "life", "threads_frame", "life_threads.csv", {}, set()),
+    (15, "study", "to_frame", "study.csv", {}, None),
+    (16, "study", "to_frame", "study.csv", {}, None),
+    (21, "study", "to_frame", "study.csv", {}, None),
+    (17, "study", "to_frame", "derivatives.csv", {"path": "factor"}, None),
+    (22, "optimize", "front_frame", "front.csv", {}, {"compromise"}),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("number", "command", "method", "file", "other", "more"), FRAMES)
+def test_frames_are_the_files(
+    number: int, command: str, method: str, file: str, other: dict[str, str], more: set[str] | None,
+    written: Written,
+) -> None:  # fmt: skip
+    frame = getattr(answer(number, command), method)()
+    table = csv_table(written(number, "solve" if command == "measures" else command) / file)
+    names = common(frame, table) | other
+    assert command == "preload" or set(names) == set(frame.columns)
+    assert more is None or set(table.columns) - set(names.values()) == more
     assert_columns(frame, table, names)
 
 
 @pytest.mark.parametrize(("number", "command"), [(3, "solve"), (9, "slip"), (1, "solve")])
 def test_threads_frame(number: int, command: str, written: Written) -> None:
-    result = answer(number, command)
-    assert isinstance(result, rs.SolveResult)
+    result = answer(number, command, rs.SolveResult)
     frame = result.threads_frame()
     table = csv_table(written(number, command) / "load_distribution.csv")
     assert list(frame.columns[:6]) == [
@@ -266,8 +284,7 @@ def test_threads_frame(number: int, command: str, written: Written) -> None:
 
 
 def test_load_case_by_place_and_name() -> None:
-    result = answer(1, "solve")
-    assert isinstance(result, rs.SolveResult)
+    result = answer(1, "solve", rs.SolveResult)
     assert result.load_case("config2-tension").name == result.load_case(1).name
     assert result.load_case().name == "config1-tension"
     assert result.load_case(-1).name == "config3-compression"
@@ -278,57 +295,15 @@ def test_load_case_by_place_and_name() -> None:
 
 
 def test_slip_frame(written: Written) -> None:
-    result = answer(9, "slip")
-    assert isinstance(result, rs.SlipResult)
-    frame = result.slip_frame()
+    frame = answer(9, "slip", rs.SlipResult).slip_frame()
     table = csv_table(written(9, "slip") / "slip.csv")
     names = common(frame, table)
     assert {"case", "axial_force_N", "slip_ratio", "efficiency", "power_loss_W"} <= set(names)
-    names |= {"slip_ratio_estimates_simple": "slip_ratio_simple"}
-    assert_columns(frame, table, names)
-
-
-@pytest.mark.parametrize("number", [9, 10])
-def test_slip_threads_frame(number: int, written: Written) -> None:
-    result = answer(number, "slip")
-    assert isinstance(result, rs.SlipResult)
-    frame = result.slip_threads_frame()
-    table = csv_table(written(number, "slip") / "slip_threads.csv")
-    assert set(frame.columns) <= set(table.columns)
-    assert_columns(frame, table, common(frame, table))
-
-
-def test_preload_frame(written: Written) -> None:
-    result = answer(12, "preload")
-    assert isinstance(result, rs.PreloadResult)
-    frame = result.to_frame()
-    table = csv_table(written(12, "preload") / "preload.csv")
-    names = {
-        **common(frame, table),
-        "sides_tension_axial_load_N": "tension_side_load_N",
-        "sides_tension_max_normal_load_N": "tension_side_max_normal_load_N",
-        "sides_compression_axial_load_N": "compression_side_load_N",
-        "without_preload_axial_displacement_um": "without_preload_displacement_um",
-    }
-    assert set(table.columns) - set(names.values()) == {
-        "compression_side_max_normal_load_N",
-        "without_preload_status",
-    }
-    assert_columns(frame, table, names)
-
-
-def test_life_frame(written: Written) -> None:
-    result = answer(14, "life")
-    assert isinstance(result, rs.LifeResult)
-    frame = result.threads_frame()
-    table = csv_table(written(14, "life") / "life_threads.csv")
-    assert list(frame.columns) == list(table.columns)
-    assert_columns(frame, table, common(frame, table))
+    assert_columns(frame, table, names | {"slip_ratio_estimates_simple": "slip_ratio_simple"})
 
 
 def test_measures_frame(written: Written) -> None:
-    result = answer(18, "measures")
-    assert isinstance(result, rs.MeasuresResult)
+    result = answer(18, "measures", rs.MeasuresResult)
     frame = result.measures_frame()
     table = csv_table(written(18, "measures") / "measures.csv")
     rows = {(c, m): v for c, m, v in frame.itertuples(index=False)}
@@ -341,21 +316,9 @@ def test_measures_frame(written: Written) -> None:
     assert shared > 0.5 * len(table)
 
 
-@pytest.mark.parametrize("number", [15, 16, 21])
-def test_study_frame(number: int, written: Written) -> None:
-    result = answer(number, "study")
-    assert isinstance(result, rs.StudyResult)
-    frame = result.to_frame()
-    table = csv_table(written(number, "study") / "study.csv")
-    names = common(frame, table)
-    assert set(frame.columns) == set(names)
-    assert_columns(frame, table, names)
-
-
 @pytest.mark.parametrize("number", [10, 11, 19])
 def test_study_frame_of_one_factor_at_a_time(number: int, written: Written) -> None:
-    result = answer(number, "study")
-    assert isinstance(result, rs.StudyResult)
+    result = answer(number, "study", rs.StudyResult)
     frame = result.to_frame()
     table = csv_table(written(number, "study") / "study.csv")
     responses = {name: name for name in result.all_designs.responses}
@@ -370,8 +333,7 @@ def test_study_frame_of_one_factor_at_a_time(number: int, written: Written) -> N
 
 
 def test_statistics_frame() -> None:
-    result = answer(15, "study")
-    assert isinstance(result, rs.StudyResult)
+    result = answer(15, "study", rs.StudyResult)
     frame = result.statistics_frame()
     designs = result.all_designs
     for response in designs.responses:
@@ -384,28 +346,8 @@ def test_statistics_frame() -> None:
         assert designs[response][int(row["max_design"])] == values.max()
 
 
-def test_derivatives_frame(written: Written) -> None:
-    result = answer(17, "study")
-    assert isinstance(result, rs.DerivativesResult)
-    frame = result.to_frame()
-    table = csv_table(written(17, "study") / "derivatives.csv")
-    assert_columns(frame, table, {**common(frame, table), "path": "factor"})
-    assert {"response", "value", "unit", "derivative", "error"} <= set(frame.columns)
-
-
-def test_front_frame(written: Written) -> None:
-    result = answer(22, "optimize")
-    assert isinstance(result, rs.OptimizationResult)
-    frame = result.front_frame()
-    table = csv_table(written(22, "optimize") / "front.csv")
-    names = common(frame, table)
-    assert set(frame.columns) == set(names) == set(table.columns) - {"compromise"}
-    assert_columns(frame, table, names)
-
-
 def test_check_frame() -> None:
-    result = answer(1, "check")
-    assert isinstance(result, rs.CheckResult)
+    result = answer(1, "check", rs.CheckResult)
     frame = result.to_frame()
     assert list(frame.columns) == ["path", "value", "default"]
     assert frame.default.dtype == bool
@@ -414,8 +356,7 @@ def test_check_frame() -> None:
 
 
 def test_contact_frame() -> None:
-    result = answer(7, "contact")
-    assert isinstance(result, rs.ContactResult)
+    result = answer(7, "contact", rs.ContactResult)
     frame = result.to_frame()
     assert list(frame.columns) == ["screw", "nut"]
     assert frame.loc["curvature_sum_per_mm", "nut"] == result.contact.nut.curvature_sum_per_mm
@@ -478,8 +419,7 @@ def test_documents_of_other_commands_are_refused() -> None:
 
 
 def test_load_cases_one_or_several() -> None:
-    result = answer(1, "solve")
-    assert isinstance(result, rs.SolveResult)
+    result = answer(1, "solve", rs.SolveResult)
     for which in ("config1-tension", 0, ["config1-tension"], [0]):
         ax = result.plot_load_distribution(which)
         shares = {tuple(line.get_ydata()) for line in ax.get_lines()}

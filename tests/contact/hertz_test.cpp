@@ -177,7 +177,8 @@ TEST(Hertz, PressureIntegratesToTheLoad) {
   }
   load *= c.semi_major * c.semi_minor * (0.5 * pi / n) * (2.0 * pi / 16);
   EXPECT_NEAR(load / c.normal_load, 1.0, 1e-5);
-  EXPECT_NEAR(c.mean_pressure() * pi * c.semi_major * c.semi_minor / c.normal_load, 1.0, 1e-15);
+  EXPECT_NEAR(2.0 / 3.0 * c.peak_pressure * pi * c.semi_major * c.semi_minor / c.normal_load, 1.0,
+              1e-15);
   EXPECT_EQ(c.pressure(1.01 * c.semi_major, 0.0), 0.0);
 }
 

@@ -149,14 +149,10 @@ TEST(MechanismGeometry, KinematicConsistencyFindsEachFault) {
   const KinematicConsistency good = kinematic_consistency(test::abevi());
   EXPECT_EQ(good.lead_difference, 0.0);
   EXPECT_NEAR(good.gear_ratio, good.gear_ratio_by_leads, 1e-15);
-  EXPECT_TRUE(good.roller_hand_fits);
-  EXPECT_TRUE(kinematic_consistency(test::sandu_example_1()).roller_hand_fits);
   MechanismGeometry bad = test::sandu_example_1();
-  bad.roller.lead = -bad.roller.lead;
   bad.nut.lead *= 1.001;
   bad.nut.pitch_radius = 25.1 * mm;
   const KinematicConsistency found = kinematic_consistency(bad);
-  EXPECT_FALSE(found.roller_hand_fits);
   EXPECT_NEAR(found.lead_difference, 0.01 * mm, 1e-15);
   EXPECT_NEAR(found.gear_ratio, 5 / 25.1, 1e-15);
   EXPECT_NEAR(found.gear_ratio_by_leads, 0.2, 1e-15);

@@ -185,45 +185,5 @@ TEST(ThreadCurvature, NutMaterialIsTheOppositeOfItsAir) {
   EXPECT_EQ(material.yy, -air.yy);
 }
 
-TEST(PitchContact, AbeviScrewIsExactAndItsNutIsClose) {
-  // Inverted screw of Abevi 2015: helix angles of screw and roller match, so the pitch point is
-  // the contact point. At the nut they differ, and the contact lies beside the pitch point.
-  const double pitch = 5 * mm / 3;
-  const ThreadSurface screw(external(10.5 * mm, 5 * mm, pitch));
-  const ThreadSurface roller(external(3.5 * mm, -pitch, pitch, 1.0 / (4.949747468 * mm)));
-  const ThreadSurface internal(nut(17.5 * mm, 5 * mm, pitch));
-  const double modulus = contact_modulus({209 * GPa, 0.3}, {209 * GPa, 0.3});
-
-  const PitchContact at_screw = contact_at_pitch_radius(screw, roller);
-  const HertzConstants k = hertz_constants(at_screw.kappa_1, at_screw.kappa_2, modulus);
-  EXPECT_NEAR(k.hertz_constant / static_cast<double>(plain::abevi_hertz_constant(true)), 1.0,
-              1e-12);
-  EXPECT_NEAR(at_screw.normal_angle, static_cast<double>(plain::abevi_touch(true).normal_angle),
-              1e-13);
-  EXPECT_NEAR(std::cos(at_screw.normal_angle), std::cos(45 * deg) * std::cos(screw.helix_angle()),
-              1e-15);
-
-  const PitchContact at_nut = contact_at_pitch_radius(internal, roller);
-  const HertzConstants g = hertz_constants(at_nut.kappa_1, at_nut.kappa_2, modulus);
-  EXPECT_NEAR(g.hertz_constant / static_cast<double>(plain::abevi_hertz_constant(false)), 1.0,
-              1e-3);
-  EXPECT_NEAR(at_nut.normal_angle, static_cast<double>(plain::abevi_touch(false).normal_angle),
-              2e-4 * deg);
-}
-
-TEST(PitchContact, MirroredMechanismGivesTheSameContact) {
-  const auto mirror = [](Thread t) {
-    t.lead = -t.lead;
-    return ThreadSurface(t);
-  };
-  for (const Thread& body : {kScrew, kNut}) {
-    const PitchContact a = contact_at_pitch_radius(ThreadSurface(body), ThreadSurface(kRoller));
-    const PitchContact b = contact_at_pitch_radius(mirror(body), mirror(kRoller));
-    EXPECT_NEAR(a.kappa_1, b.kappa_1, 1e-12 * a.kappa_2);
-    EXPECT_NEAR(a.kappa_2, b.kappa_2, 1e-12 * a.kappa_2);
-    EXPECT_NEAR(a.normal_angle, b.normal_angle, 1e-15);
-  }
-}
-
 }  // namespace
 }  // namespace contact

@@ -303,7 +303,6 @@ TEST(MeshedGrid, EmptyCellsHaveNoNodes) {
   const MeshedGrid m(g);
   EXPECT_EQ(m.node(2, 2), -1);
   EXPECT_GE(m.node(1, 2), 0);
-  EXPECT_FALSE(m.has_outwards(2, 1));
   EXPECT_EQ(m.mesh().size(), 8 + 5 + 5);
 }
 

@@ -30,7 +30,7 @@ NewtonSummary push(const Model& model, double force, double start, double& u,
 }
 
 TEST(Newton, FindsClosedFormOfOneHertzSpring) {
-  const Model m = pushed_node({{2e10, 1.5, 3e-6, 0.0}});
+  const Model m = pushed_node({{2e10, 3e-6, 0.0}});
   for (const double force : {1e-3, 1.0, 1e3, 1e6}) {
     double u = 0.0;
     const NewtonSummary summary = push(m, force, 4e-6, u);
@@ -41,7 +41,7 @@ TEST(Newton, FindsClosedFormOfOneHertzSpring) {
 }
 
 TEST(Newton, StartsWhereTheTangentIsSingular) {
-  const Model m = pushed_node({{2e10, 1.5, 0.0, 0.0}, {5e9, 1.5, 1e-5, 0.0}});
+  const Model m = pushed_node({{2e10, 0.0, 0.0}, {5e9, 1e-5, 0.0}});
   double u = 0.0;
   const NewtonSummary summary = push(m, 500.0, 0.0, u);
   ASSERT_TRUE(summary.converged()) << name(summary.status);
@@ -51,7 +51,7 @@ TEST(Newton, StartsWhereTheTangentIsSingular) {
 }
 
 TEST(Newton, EnergyNeverRises) {
-  const Model m = pushed_node({{2e10, 1.5, 0.0, 0.0}, {9e12, 1.5, 2e-6, 0.0}});
+  const Model m = pushed_node({{2e10, 0.0, 0.0}, {9e12, 2e-6, 0.0}});
   double u = 0.0;
   const NewtonSummary summary = push(m, 4e3, 1e-9, u);
   ASSERT_TRUE(summary.converged());
@@ -61,7 +61,7 @@ TEST(Newton, EnergyNeverRises) {
 }
 
 TEST(Newton, TailIsQuadratic) {
-  const Model m = pushed_node({{2e10, 1.5, 0.0, 0.0}, {1e10, 1.5, 2e-6, 0.0}});
+  const Model m = pushed_node({{2e10, 0.0, 0.0}, {1e10, 2e-6, 0.0}});
   NewtonOptions options;
   options.reuse_factorization_below = 0.0;
   double u = 0.0;
@@ -82,7 +82,7 @@ TEST(Newton, ReportsIterationLimit) {
   NewtonOptions options;
   options.max_iterations = 1;
   double u = 0.0;
-  const NewtonSummary summary = push(pushed_node({{2e10, 1.5, 0.0, 0.0}}), 1e3, 1e-3, u, options);
+  const NewtonSummary summary = push(pushed_node({{2e10, 0.0, 0.0}}), 1e3, 1e-3, u, options);
   EXPECT_EQ(summary.status, NewtonStatus::iteration_limit);
   EXPECT_EQ(summary.iterations(), 1);
   EXPECT_GT(summary.relative_residual, 1e-12);
@@ -90,7 +90,7 @@ TEST(Newton, ReportsIterationLimit) {
 
 TEST(Newton, NothingHoldsAPulledContact) {
   double u = 0.0;
-  const NewtonSummary summary = push(pushed_node({{2e10, 1.5, 0.0, 0.0}}), -1e3, 1e-6, u);
+  const NewtonSummary summary = push(pushed_node({{2e10, 0.0, 0.0}}), -1e3, 1e-6, u);
   EXPECT_FALSE(summary.converged());
   EXPECT_GE(summary.relative_residual, 0.5);
 }
@@ -114,7 +114,7 @@ struct SoftlyHeldBeam {
     model.elastic_supports.push_back({last, Dof::v, kSupport});
     const int pusher = model.add_node();
     model.elastic_supports.push_back({pusher, Dof::v, kSupport});
-    model.springs.push_back({{pusher}, {10}, 0.0, 1.0, {kHertz, 1.5, 0.0, 0.0}});
+    model.springs.push_back({{pusher}, {10}, 0.0, 1.0, {kHertz, 0.0, 0.0}});
   }
   int pusher() const { return model.nodes - 1; }
 };

@@ -8,9 +8,8 @@ namespace fe {
 namespace {
 
 const PowerLawSpring kLaws[] = {
-    {1.1e10, 1.5, 0.0, 0.0},   {4.0e9, 1.0, 0.0, 0.0},     {3.0e8, 2.2, 2e-6, 0.0},
-    {1.1e10, 1.5, 0.0, 3e-9},  {1.1e10, 1.5, -1e-6, 8e-9}, {3.0e8, 1.1, 5e-6, 2e-8},
-    {1.1e10, 1.5, 0.0, -2e-9}, {3.0e9, 1.7, 2e-6, -5e-9},
+    {1.1e10, 0.0, 0.0},    {3.0e8, 2e-6, 0.0},   {1.1e10, 0.0, 3e-9},
+    {1.1e10, -1e-6, 8e-9}, {1.1e10, 0.0, -2e-9}, {3.0e9, 2e-6, -5e-9},
 };
 
 TEST(PowerLawSpring, ForceIsDerivativeOfEnergy) {
@@ -49,29 +48,19 @@ TEST(PowerLawSpring, ForceWithSeriesComplianceSatisfiesItsImplicitLaw) {
       if (approach > 0.6 * largest_deflection(law)) continue;
       const double w = law.gap + approach, total = w - law.gap;
       const double n = evaluate(law, w).force;
-      const double expected =
-          law.stiffness * std::pow(total - law.series_compliance * n, law.exponent);
+      const double expected = law.stiffness * std::pow(total - law.series_compliance * n, 1.5);
       // The argument of the power is a difference: its rounding is amplified by total/d.
-      const double d = std::pow(n / law.stiffness, 1.0 / law.exponent);
-      EXPECT_NEAR(n / expected, 1.0, 1e-14 * law.exponent * (total / d + 4.0));
+      const double d = std::pow(n / law.stiffness, 2.0 / 3.0);
+      EXPECT_NEAR(n / expected, 1.0, 1.5e-14 * (total / d + 4.0));
     }
-}
-
-TEST(PowerLawSpring, LinearSpringsInSeriesAddTheirCompliances) {
-  const PowerLawSpring law{4e9, 1.0, 0.0, 1e-9};
-  const SpringResponse r = evaluate(law, 1e-5);
-  const double k = 1.0 / (1.0 / 4e9 + 1e-9);
-  EXPECT_NEAR(r.force / (k * 1e-5), 1.0, 1e-14);
-  EXPECT_NEAR(r.tangent / k, 1.0, 1e-14);
-  EXPECT_NEAR(r.energy / (0.5 * k * 1e-10), 1.0, 1e-14);
 }
 
 TEST(PowerLawSpring, TakesBackAtMostHalfOfTheDeflection) {
   for (const PowerLawSpring& law :
-       {PowerLawSpring{1.1e10, 1.5, 0.0, -2e-9}, PowerLawSpring{3.0e9, 1.7, 2e-6, -5e-9}}) {
+       {PowerLawSpring{1.1e10, 0.0, -2e-9}, PowerLawSpring{3.0e9, 2e-6, -5e-9}}) {
     const double d = largest_deflection(law);
     const SpringResponse at = response_in_series(law, d);
-    EXPECT_NEAR(at.tangent / power_law(law.stiffness, law.exponent, d).tangent, 2.0, 1e-12);
+    EXPECT_NEAR(at.tangent / power_law(law.stiffness, d).tangent, 2.0, 1e-12);
     // Both branches meet there, and beyond it the tangent stays.
     const double w = law.gap + d + law.series_compliance * at.force;
     for (const double sign : {-1.0, 1.0}) {
@@ -104,7 +93,7 @@ TEST(PowerLawSpring, DeflectionIsThatOfThePowerLawAlone) {
     for (const double approach : {1e-7, 3e-6}) {
       const double w = law.gap + approach, d = law_approach(law, w);
       const double n = evaluate(law, w).force;
-      EXPECT_NEAR(power_law(law.stiffness, law.exponent, d).force / n, 1.0, 1e-12);
+      EXPECT_NEAR(power_law(law.stiffness, d).force / n, 1.0, 1e-12);
       EXPECT_NEAR((d + law.series_compliance * n) / (w - law.gap), 1.0, 1e-12);
     }
   }

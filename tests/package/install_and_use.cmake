@@ -1,9 +1,9 @@
-# Installs the build, builds the project beside this file on what was installed, and compares its
-# answer with that of the installed program.
+# Installs the build, moves it, uses its programs in a folder of their own, builds the project beside
+# this file on it, and compares its answer with that of the installed program.
 set(folder ${BUILD}/tests/package)
 set(case ${CMAKE_CURRENT_LIST_DIR}/../../configs/01_config_1_to_3.yaml)
 function(run output)
-  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE text ERROR_VARIABLE error RESULT_VARIABLE status)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${folder} OUTPUT_VARIABLE text ERROR_VARIABLE error RESULT_VARIABLE status)
   if(status)
     message(FATAL_ERROR "${ARGN}: ${status}\n${text}${error}")
   endif()
@@ -11,17 +11,29 @@ function(run output)
 endfunction()
 
 file(REMOVE_RECURSE ${folder})
+file(MAKE_DIRECTORY ${folder})
 foreach(component program development)
   run(_ ${CMAKE_COMMAND} --install ${BUILD} --prefix ${folder}/prefix --component ${component})
 endforeach()
 # Found wherever it is moved.
 file(RENAME ${folder}/prefix ${folder}/moved)
+set(prs ${folder}/moved/bin/prs)
+
+# Of the validation data that are found, a quick source is enough.
+file(GLOB sources ${folder}/moved/share/prs/validation/*)
+list(FILTER sources EXCLUDE REGEX sandu_2018)
+file(REMOVE_RECURSE ${sources})
+run(validated ${prs} validate --json)
+string(JSON source GET "${validated}" sources 0 name)
+if(NOT source STREQUAL sandu_2018)
+  message(FATAL_ERROR "validated ${source}")
+endif()
+
 run(_ ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${folder}/build -G ${GENERATOR}
   -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=-O0 -D CMAKE_PREFIX_PATH=${folder}/moved)
 run(_ ${CMAKE_COMMAND} --build ${folder}/build)
-run(_ ${folder}/moved/bin/prs validate ${CMAKE_CURRENT_LIST_DIR}/../../validation/sandu_2018 --quiet)
 run(by_library ${folder}/build/package ${case})
-run(by_program ${folder}/moved/bin/prs solve ${case} --json)
+run(by_program ${prs} solve ${case} --json)
 string(JSON by_library GET "${by_library}" load_cases)
 string(JSON by_program GET "${by_program}" load_cases)
 if(NOT by_library STREQUAL by_program)

@@ -93,7 +93,7 @@ std::string_view trimmed(std::string_view text) {
 Diameters read_text(const std::string& text) {
   const auto fail = [&](const std::string& message) {
     throw InputError(
-        fmt::format("prs validate: error: --diameters \"{}\": {}", input::shown(text), message));
+        fmt::format("prs: error: --diameters \"{}\": {}", input::shown(text), message));
   };
   std::vector<std::string_view> fields;
   for (std::size_t from = 0; from <= text.size();) {
@@ -247,7 +247,7 @@ std::vector<Diameters> read_diameters(const std::string& file,
   for (const std::string& text : texts) rows.push_back(read_text(text));
   if (rows.empty())
     throw InputError(
-        fmt::format("prs validate: error: --recipe: got no diameters; expected a file or "
+        fmt::format("prs: error: --recipe: got no diameters; expected a file or "
                     "--diameters; write for example "
                     "--diameters \"{}\", nut (outer), screw and roller",
                     kExample));

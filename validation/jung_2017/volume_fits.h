@@ -29,7 +29,7 @@ const std::vector<VolumeFit>& volume_fits();
 std::array<double, 6> refitted(const VolumeFit& fit);
 
 /// The printed polynomials at the volumes of their rows, unrounded and to three decimals, less the
-/// recipe's values; and the printed coefficients beside `refitted`.
+/// recipe's values; and the printed coefficients next to `refitted`.
 std::vector<ValidationTable> fit_tables();
 
 }  // namespace prs::jung_2017

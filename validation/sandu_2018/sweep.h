@@ -41,7 +41,7 @@ struct EfficiencyFit {
 EfficiencyFit efficiency_fit(const Case& c, const std::vector<double>& eyring_stresses_mpa,
                              const std::vector<double>& viscosities_mpas);
 
-/// B_1 and B_2 over several ranges beside the printed ones.
+/// B_1 and B_2 over several ranges, next to the printed ones.
 ValidationTable efficiency_fits(const Case& reference);
 
 /// Power at one contact of each interface for more and more points (fig. 3.8).

@@ -7,7 +7,7 @@ namespace prs::yao_2023 {
 /// Section 3: 2000 Latin-hypercube samples within +-3 % of the inputs of `initial.yaml`, linear
 /// response surfaces, contributions. What the text says of figures 8 and 9, judged with the normal
 /// load of axial equilibrium at the contact point and with that of (27), and the contributions
-/// beside the printed ones.
+/// next to the printed ones.
 Supplement sensitivity(const Case& initial);
 
 }  // namespace prs::yao_2023

@@ -1,19 +1,14 @@
 #include "prs/sector/chain/chain_solver.h"
 
-#include "fe/chain_laws.h"
 #include "prs/sector/chain/bar_station.h"
 #include "prs/sector/chain/condense.h"
 #include "prs/sector/chain/dispatch.h"
 #include "prs/sector/chain/sector_kernel.h"
+#include "prs/sector/chain/sector_solve.h"
 #include "prs/sector/chain/shell_station.h"
-#include "prs/sector/chain/sweep.h"
 
 namespace prs {
 namespace {
-
-template <class Station>
-constexpr std::size_t kStationNumbers =
-    Sweep<double, Station, fe::ChainHertz<double>>::kWorkspaceNumbers;
 
 /// Numbers that the kernel's workspace holds for a contact.
 std::size_t station_numbers(ChainSector::Kind kind) {
@@ -41,13 +36,13 @@ InstructionSet instructions_for(ChainSector::Kind kind) {
 ChainSolver::ChainSolver(const SectorModel& model) : sector_(condense(model)) {
   const auto contacts = static_cast<std::size_t>(sector_.contacts);
   workspace_.reserve(station_numbers(sector_.kind) * contacts);
-  buffer_.resize(1, contacts);
+  loads_.resize(1, contacts);
 }
 
 void ChainSolver::solve(double axial_force, LoadDistribution& result) {
-  run_kernel(instructions_for(sector_.kind), SectorKernel{}, sector_, axial_force, options,
-             buffer_.view(), workspace_.reserve(0));
-  buffer_.copy(0, sector_.contacts, options.residual_tolerance, result);
+  run_kernel(instructions_for(sector_.kind), SectorKernel{}, sector_, axial_force, options, loads_,
+             workspace_.reserve(0));
+  loads_.copy(0, options.residual_tolerance, result);
 }
 
 LoadDistribution ChainSolver::solve(double axial_force) {

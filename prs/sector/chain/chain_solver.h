@@ -2,7 +2,7 @@
 
 #include "fe/newton_types.h"
 #include "prs/sector/chain/chain_sector.h"
-#include "prs/sector/chain/distribution.h"
+#include "prs/sector/chain/thread_loads.h"
 #include "prs/sector/chain/workspace.h"
 #include "prs/sector/load_distribution.h"
 #include "prs/sector/sector_model.h"
@@ -30,7 +30,7 @@ class ChainSolver {
  private:
   ChainSector sector_;
   Workspace workspace_;
-  ThreadLoadBuffer buffer_;
+  ThreadLoads loads_;
 };
 
 }  // namespace prs

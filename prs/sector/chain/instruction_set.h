@@ -21,19 +21,8 @@ bool available(InstructionSet set);
 int batch_size(InstructionSet set);
 
 constexpr std::string_view name(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::best:
-      return "best";
-    case InstructionSet::scalar:
-      return "scalar";
-    case InstructionSet::baseline:
-      return "baseline";
-    case InstructionSet::avx2:
-      return "avx2";
-    case InstructionSet::avx512:
-      return "avx512";
-  }
-  return "unknown";
+  constexpr std::string_view kNames[] = {"best", "scalar", "baseline", "avx2", "avx512"};
+  return kNames[static_cast<std::size_t>(set)];
 }
 
 }  // namespace prs

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstring>
 #include <span>
+#include <vector>
 
 #include "fe/lanes.h"
 
@@ -34,36 +35,31 @@ template <class Real>
   return value;
 }
 
-/// A batch of solves, one per lane: `first`, `first + step`, .. of `size` solves whose numbers
-/// stand in arrays. Lanes beyond the end repeat the last solve and deliver nothing.
+/// A batch of solves, one per lane, from `first` on of `size` solves whose numbers stand in arrays.
+/// Lanes beyond the end repeat the last solve and deliver nothing.
 struct LaneRange {
   std::size_t first = 0;
-  std::size_t step = 1;
   std::size_t size = 0;
-
-  std::size_t place(std::size_t lane) const { return first + lane * step; }
 
   /// Number `offset` of each solve, `stride` numbers a solve; zeros from an empty array.
   template <class Real>
   [[gnu::always_inline]] Real load(std::span<const double> values, std::size_t stride = 1,
                                    std::size_t offset = 0) const {
     if (values.empty()) return Real(0.0);
-    if (step == 1 && stride == 1 && first + kLanes<Real> <= size)
+    if (stride == 1 && first + kLanes<Real> <= size)
       return from_lanes<Real>(values.data() + first + offset);
     double lanes[kLanes<Real>];
     for (std::size_t l = 0; l < kLanes<Real>; ++l)
-      lanes[l] = values[(place(l) < size ? place(l) : size - 1) * stride + offset];
+      lanes[l] = values[(first + l < size ? first + l : size - 1) * stride + offset];
     return from_lanes<Real>(lanes);
   }
-
   template <class Real, class T>
-  [[gnu::always_inline]] void store(const Real& x, std::span<T> values, std::size_t stride = 1,
+  [[gnu::always_inline]] void store(const Real& x, std::vector<T>& values, std::size_t stride = 1,
                                     std::size_t offset = 0) const {
-    if (values.empty()) return;
     double lanes[kLanes<Real>];
     to_lanes(x, lanes);
-    for (std::size_t l = 0; l < kLanes<Real> && place(l) < size; ++l)
-      values[place(l) * stride + offset] = static_cast<T>(lanes[l]);
+    for (std::size_t l = 0; l < kLanes<Real> && first + l < size; ++l)
+      values[(first + l) * stride + offset] = static_cast<T>(lanes[l]);
   }
 };
 

@@ -5,8 +5,8 @@
 #include "fe/chain_laws.h"
 #include "prs/sector/chain/bar_station.h"
 #include "prs/sector/chain/lane_access.h"
+#include "prs/sector/chain/sector_solve.h"
 #include "prs/sector/chain/shell_station.h"
-#include "prs/sector/chain/sweep.h"
 
 namespace prs {
 namespace {
@@ -58,7 +58,6 @@ struct Batch {
   Real* nut;
   Real* ground;
   Real* compliance[2];
-  Real* history;
   Numbers<Real> numbers;
   Station station;
   bool compliant;
@@ -69,7 +68,6 @@ struct Batch {
     ground = nut + contacts;
     compliance[0] = ground + contacts;
     compliance[1] = compliance[0] + contacts;
-    history = compliance[1] + contacts;
   }
 
   /// What stations of bars take from the numbers.
@@ -84,18 +82,15 @@ struct Batch {
     station.ground = ground;
   }
 
-  /// As many loads a lane, from those at `first` on; gap(i, k) are the initial gaps.
+  /// gap(i, k) are the initial gaps.
   template <class Gap>
-  void solve(int contacts, const Gap& gap, std::span<const double> forces, const LaneRange& first,
-             std::size_t loads, const fe::NewtonOptions& options, const ThreadLoads& results) {
+  void solve(int contacts, const Gap& gap, std::span<const double> forces, const LaneRange& range,
+             const fe::NewtonOptions& options, ThreadLoads& results) {
+    const Real force = range.load<Real>(forces);
     const Real stiffness[2] = {numbers.hertz_constant.screw, numbers.hertz_constant.nut};
     const auto under = [&](const auto& law) {
-      Sweep<Real, Station, std::remove_cvref_t<decltype(law)>> sweep(numbers, contacts, station,
-                                                                     law, records, history);
-      for (std::size_t k = 0; k < loads; ++k) {
-        const LaneRange range{first.first + k, first.step, first.size};
-        sweep.solve(range.load<Real>(forces), gap, k + 1 < loads, options, range, results);
-      }
+      solve_sectors<Real>(numbers, contacts, station, law, records, force, gap, options, range,
+                          results);
     };
     if constexpr (Station::kFreedoms == Bars<Real>::kFreedoms)
       if (!compliant) return under(Hertz<Real>{{{stiffness[0], stiffness[1]}}});
@@ -106,14 +101,13 @@ struct Batch {
 
 template <class Real>
 void solve_designs(const BarDesigns& designs, const fe::NewtonOptions& options,
-                   const ThreadLoads& results, double* workspace) {
+                   ThreadLoads& results, double* workspace) {
   const int n = designs.contacts;
   Batch<Real, Bars<Real>> batch(workspace, n);
-  const std::size_t loads = designs.loads, size = designs.axial_force.size() / loads;
-  for (std::size_t first = 0; first < size; first += kLanes<Real>) {
-    const LaneRange range{first, 1, size};
+  for (std::size_t first = 0; first < designs.size(); first += kLanes<Real>) {
+    const LaneRange range{first, designs.size()};
     for_each_number(
-        [&](Real & number, const BarDesigns::Values& column)
+        [&](Real & number, const std::vector<double>& column)
             __attribute__((always_inline)) { number = range.load<Real>(column); },
         batch.numbers, designs);
     batch.set_bars(n);
@@ -126,7 +120,7 @@ void solve_designs(const BarDesigns& designs, const fe::NewtonOptions& options,
       return Flange{range.load<Real>(f.from), range.load<Real>(f.to),
                     range.load<Real>(f.axial_rigidity)};
     };
-    NutOfBars<Real, decltype(flange)>(batch.numbers, designs.flanges.size(), flange)
+    NutOfBars<Real, decltype(flange)>(batch.numbers, designs.flange_count, flange)
         .set(n, batch.nut, batch.ground);
     batch.compliant = !designs.compliance.screw.empty() || !designs.compliance.nut.empty();
     if (batch.compliant)
@@ -137,8 +131,7 @@ void solve_designs(const BarDesigns& designs, const fe::NewtonOptions& options,
       return range.load<Real>(designs.gaps[kInterfaces[i]], static_cast<std::size_t>(n),
                               static_cast<std::size_t>(k));
     };
-    batch.solve(n, gap, designs.axial_force, {first * loads, loads, size * loads}, loads, options,
-                results);
+    batch.solve(n, gap, designs.axial_force, range, options, results);
   }
 }
 
@@ -188,7 +181,7 @@ void set_station(Batch<double, Shell<double, kKind>>& batch, const ChainSector& 
 
 template <class Station>
 void solve_one(const ChainSector& sector, std::span<const double> axial_force,
-               const fe::NewtonOptions& options, const ThreadLoads& results, double* workspace) {
+               const fe::NewtonOptions& options, ThreadLoads& results, double* workspace) {
   Batch<double, Station> batch(workspace, sector.contacts);
   set_all(batch, sector);
   set_station(batch, sector);
@@ -197,12 +190,12 @@ void solve_one(const ChainSector& sector, std::span<const double> axial_force,
   const auto gap = [&](int i, int k) {
     return sector.gaps[kInterfaces[i]][static_cast<std::size_t>(k)];
   };
-  batch.solve(sector.contacts, gap, axial_force, {0, 1, 1}, 1, options, results);
+  batch.solve(sector.contacts, gap, axial_force, {0, 1}, options, results);
 }
 
 /// One load on a sector of bars with an even number of threads.
 [[maybe_unused]] void solve_folded(const ChainSector& sector, std::span<const double> axial_force,
-                                   const fe::NewtonOptions& options, const ThreadLoads& results,
+                                   const fe::NewtonOptions& options, ThreadLoads& results,
                                    double* workspace) {
   const int n = sector.contacts;
   const auto at = [](const std::vector<double>& values, int first, int second) {
@@ -220,14 +213,14 @@ void solve_one(const ChainSector& sector, std::span<const double> axial_force,
     batch.ground[k] = at(sector.ground, k, n - 1 - k);
   }
   const auto gap = [&](int i, int k) { return at(sector.gaps[kInterfaces[i]], k, n - 1 - k); };
-  batch.solve(n, gap, axial_force, {0, 1, 1}, 1, options, results);
+  batch.solve(n, gap, axial_force, {0, 1}, options, results);
 }
 
 }  // namespace
 
 template <class Arch>
 void SectorKernel::operator()(Arch, bool scalar, const BarDesigns& designs,
-                              const fe::NewtonOptions& options, const ThreadLoads& results,
+                              const fe::NewtonOptions& options, ThreadLoads& results,
                               double* workspace) const {
   if (scalar)
     solve_designs<double>(designs, options, results, workspace);
@@ -238,7 +231,7 @@ void SectorKernel::operator()(Arch, bool scalar, const BarDesigns& designs,
 /// Stations with two roller nodes a tooth are compiled once, which takes long.
 template <class Arch>
 void SectorKernel::operator()(Arch, bool, const ChainSector& sector, double axial_force,
-                              const fe::NewtonOptions& options, const ThreadLoads& results,
+                              const fe::NewtonOptions& options, ThreadLoads& results,
                               double* workspace) const {
   using enum ChainSector::Kind;
   const auto solve = [&](auto function) {
@@ -256,8 +249,8 @@ void SectorKernel::operator()(Arch, bool, const ChainSector& sector, double axia
 }
 
 template void SectorKernel::operator()(PRS_SIMD_ARCHITECTURE, bool, const BarDesigns&,
-                                       const fe::NewtonOptions&, const ThreadLoads&, double*) const;
+                                       const fe::NewtonOptions&, ThreadLoads&, double*) const;
 template void SectorKernel::operator()(PRS_SIMD_ARCHITECTURE, bool, const ChainSector&, double,
-                                       const fe::NewtonOptions&, const ThreadLoads&, double*) const;
+                                       const fe::NewtonOptions&, ThreadLoads&, double*) const;
 
 }  // namespace prs

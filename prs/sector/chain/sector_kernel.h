@@ -8,19 +8,17 @@
 
 namespace prs {
 
-/// Solves chains. The workspace holds, for each contact and number of a batch, a record of its
-/// station, four numbers, and the history of `Sweep` where designs have several loads.
+/// Solves chains. The workspace holds `kStationNumbers` for each contact and number of a batch.
 struct SectorKernel {
-  /// All loads of all designs, one design a lane; with `scalar` one design after the other.
+  /// One design a lane; with `scalar` one design after the other.
   template <class Arch>
   void operator()(Arch, bool scalar, const BarDesigns& designs, const fe::NewtonOptions& options,
-                  const ThreadLoads& results, double* workspace) const;
+                  ThreadLoads& results, double* workspace) const;
 
   /// One load on one sector.
   template <class Arch>
   void operator()(Arch, bool, const ChainSector& sector, double axial_force,
-                  const fe::NewtonOptions& options, const ThreadLoads& results,
-                  double* workspace) const;
+                  const fe::NewtonOptions& options, ThreadLoads& results, double* workspace) const;
 };
 
 }  // namespace prs

@@ -1,27 +1,32 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
+#include <vector>
 
 #include "fe/newton_types.h"
 #include "prs/model/part.h"
 
 namespace prs {
 
-/// Where a chain solver writes its results, solve k at place k of each array. An empty array is not
-/// wanted and costs nothing. SI units.
+struct LoadDistribution;
+
+/// What a chain kernel writes, solve k at place k of each array. SI units.
 struct ThreadLoads {
+  std::size_t stride = 0;  ///< Threads of a solve.
   /// N of thread i of solve k at `k * stride + i`, thread 1 first [N].
-  PerInterface<std::span<double>> normal_load;
-  PerInterface<std::span<double>> approach;  ///< Hertz approach delta in the same order [m].
-  std::size_t stride = 0;                    ///< >= the threads of every solve.
-  std::span<double> axial_displacement;      ///< As in `LoadDistribution` [m].
-  std::span<double> tangent_stiffness;       ///< dF/du [N/m], NaN where it is singular.
-  std::span<fe::NewtonStatus> status;
-  std::span<int> iterations;  ///< Linear solves, the first included.
-  std::span<double> initial_relative_residual;
-  std::span<double> relative_residual;
-  std::span<double> energy;  ///< Of one sector [J].
+  PerInterface<std::vector<double>> normal_load;
+  PerInterface<std::vector<double>> approach;  ///< Hertz approach delta in the same order [m].
+  std::vector<double> axial_displacement;      ///< As in `LoadDistribution` [m].
+  std::vector<double> tangent_stiffness;       ///< dF/du [N/m], NaN where it is singular.
+  std::vector<fe::NewtonStatus> status;
+  std::vector<int> iterations;  ///< Linear solves, the first included.
+  std::vector<double> initial_relative_residual;
+  std::vector<double> relative_residual;
+  std::vector<double> energy;  ///< Of one sector [J].
+
+  void resize(std::size_t solves, std::size_t threads);
+  /// Solve k as a LoadDistribution. Of the history only the last iteration's outcome is known.
+  void copy(std::size_t k, double residual_tolerance, LoadDistribution& result) const;
 };
 
 }  // namespace prs

@@ -14,52 +14,26 @@
 
 namespace prs {
 
-// All members of a type that a computation receives: one more does not compile until it is named.
-inline auto members(const Groove& g) {
-  const auto& [internal, pitch, radius, addendum, dedendum, backward, forward] = g;
-  return std::tie(internal, pitch, radius, addendum, dedendum, backward, forward);
-}
-inline auto members(const HertzPatch& p) {
-  const auto& [profile, circumference] = p;
-  return std::tie(profile, circumference);
-}
-inline auto members(const LoadedFlank& f) {
-  const auto& [ridge, side, patch, cells] = f;
-  return std::tie(ridge, side, patch, cells);
-}
-inline auto members(const PlainEnd& e) {
-  const auto& [length, radius] = e;
-  return std::tie(length, radius);
-}
-inline auto members(const Collar& c) {
-  const auto& [from, to, radius] = c;
-  return std::tie(from, to, radius);
-}
+/// All members of a type that a computation receives: unless every one is named, it does not
+/// compile.
+#define PRS_MEMBERS(Type, ...)             \
+  inline auto members(const Type& value) { \
+    const auto& [__VA_ARGS__] = value;     \
+    return std::tie(__VA_ARGS__);          \
+  }
+PRS_MEMBERS(Groove, internal, pitch, radius, addendum, dedendum, backward, forward)
+PRS_MEMBERS(HertzPatch, profile, circumference)
+PRS_MEMBERS(LoadedFlank, ridge, side, patch, cells)
+PRS_MEMBERS(PlainEnd, length, radius)
+PRS_MEMBERS(Collar, from, to, radius)
 inline auto members(const std::pair<double, double>& p) { return std::tie(p.first, p.second); }
-inline auto members(const GroovedShape& s) {
-  const auto& [groove, start, end, ridge, ridges, far, plain_end, collars, sections, radii] = s;
-  return std::tie(groove, start, end, ridge, ridges, far, plain_end, collars, sections, radii);
-}
-inline auto members(const MeshDensity& m) {
-  const auto& [patch, growth, largest, step, plain_flank, split, depth] = m;
-  return std::tie(patch, growth, largest, step, plain_flank, split, depth);
-}
-inline auto members(const FlexibilityOptions& o) {
-  const auto& [mesh, largest_wave, tolerance, neighbour_cells, unilateral] = o;
-  return std::tie(mesh, largest_wave, tolerance, neighbour_cells, unilateral);
-}
-inline auto members(const Material& m) {
-  const auto& [modulus, poisson_ratio, density, expansion] = m;
-  return std::tie(modulus, poisson_ratio, density, expansion);
-}
-inline auto members(const Guidance& g) {
-  const auto& [kind, stiffness] = g;
-  return std::tie(kind, stiffness);
-}
-inline auto members(const Teeth& t) {
-  const auto& [groove, far, material, types, opposite, first, step, contacts, options] = t;
-  return std::tie(groove, far, material, types, opposite, first, step, contacts, options);
-}
+PRS_MEMBERS(GroovedShape, groove, start, end, ridge, ridges, far, plain_end, collars, sections,
+            radii)
+PRS_MEMBERS(MeshDensity, patch, growth, largest, step, plain_flank, split, depth)
+PRS_MEMBERS(FlexibilityOptions, mesh, largest_wave, tolerance, neighbour_cells, unilateral)
+PRS_MEMBERS(Material, modulus, poisson_ratio, density, expansion)
+PRS_MEMBERS(Guidance, kind, stiffness)
+PRS_MEMBERS(Teeth, groove, far, material, types, opposite, first, step, contacts, options)
 
 template <class T>
 void append_bytes(std::string& bytes, const std::vector<T>& values);

@@ -159,10 +159,7 @@ struct LoadedBody {
 
   GroovedBody meshed() const { return mesh_grooved_body(shape, flanks, density); }
 };
-auto members(const LoadedBody& b) {
-  const auto& [shape, flanks, material, density] = b;
-  return std::tie(shape, flanks, material, density);
-}
+PRS_MEMBERS(LoadedBody, shape, flanks, material, density)
 
 /// Held where it starts.
 MatrixCache::Matrices held_at_start(const LoadedBody& b) {
@@ -245,10 +242,7 @@ struct HeldNut {
   double thrust = 0.0;
   bool shoulder = false;
 };
-auto members(const HeldNut& n) {
-  const auto& [body, thrust, shoulder] = n;
-  return std::tie(body, thrust, shoulder);
-}
+PRS_MEMBERS(HeldNut, body, thrust, shoulder)
 
 /// Harmonic 0; the last matrix says whether the section is a free face, which can lift off, or one
 /// inside, which is held both ways.
@@ -315,8 +309,8 @@ Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double p
 namespace {
 
 /// Moves the radial forces of harmonic 1 from the contacts to the middle of their ridges, a quarter
-/// of a pitch, by pairs of transverse forces on the sections in the grooves beside: contacts on
-/// both flanks of a ridge bend the roller less than opposite ones. Near the contacts nothing
+/// of a pitch, by pairs of transverse forces on the sections in the grooves on both sides: contacts
+/// on both flanks of a ridge bend the roller less than opposite ones. Near the contacts nothing
 /// changes.
 void move_to_middle(Eigen::MatrixXd& loads, const GroovedBody& body,
                     const std::vector<LoadedFlank>& flanks) {
@@ -343,10 +337,7 @@ struct GuidedRoller {
   Guidance guidance;
   bool centred = false;
 };
-auto members(const GuidedRoller& r) {
-  const auto& [body, guidance, centred] = r;
-  return std::tie(body, guidance, centred);
-}
+PRS_MEMBERS(GuidedRoller, body, guidance, centred)
 
 MatrixCache::Matrices bent(const GuidedRoller& roller) {
   const GroovedBody body = roller.body.meshed();

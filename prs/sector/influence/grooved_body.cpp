@@ -283,7 +283,7 @@ GroovedBody mesh_grooved_body(const GroovedShape& shape, const std::vector<Loade
   fe::MeridianGrid grid(columns, layers);
   for (int c = 0; c <= columns; ++c) {
     const double at = z[static_cast<std::size_t>(c)];
-    // Beside a step the layers that follow the profile are empty, and lie anywhere.
+    // Next to a step the layers that follow the profile are empty, and lie anywhere.
     double surface = root;
     if (is_threaded(at))
       surface = g.radius(surface_height(shape, at));

@@ -109,4 +109,14 @@ InfluenceSolver influence_solver(const Conditions& c, const Contacts& contacts,
   }
 }
 
+bool influence_is_kept(const Conditions& c, const Contacts& contacts,
+                       const PerInterface<ContactLaw>& laws, Direction direction,
+                       double position) try {
+  MatrixCache kept(shared_matrix_cache(), MatrixCache::KeptOnly{});
+  influence_solver(c, contacts, laws, direction, position, kept);
+  return true;
+} catch (const NotKept&) {
+  return false;
+}
+
 }  // namespace prs

@@ -31,4 +31,8 @@ InfluenceSolver influence_solver(const Conditions& c, const Contacts& contacts,
                                  const PerInterface<ContactLaw>& laws, Direction direction,
                                  double position, MatrixCache& cache = shared_matrix_cache());
 
+/// Whether all that it takes is kept by the cache that the program's commands share.
+bool influence_is_kept(const Conditions& c, const Contacts& contacts,
+                       const PerInterface<ContactLaw>& laws, Direction direction, double position);
+
 }  // namespace prs

@@ -1,10 +1,9 @@
 #include "prs/sector/influence/matrix_cache.h"
 
-#include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <optional>
 
+#include "prs/bytes.h"
 #include "prs/sha256.h"
 
 namespace prs {
@@ -15,46 +14,16 @@ namespace fs = std::filesystem;
 /// Entries in memory; the oldest gives way. A screw has about ten.
 constexpr std::size_t kMostKept = 512;
 constexpr std::size_t kDigestLength = 64;
-constexpr std::int64_t kLargestSide = 100'000;
-
-void append(std::string& bytes, std::int64_t value) {
-  char raw[sizeof value];
-  std::memcpy(raw, &value, sizeof value);
-  bytes.append(raw, sizeof value);
-}
-
-/// Reads from the front of some bytes; says so where they end too early.
-class Bytes {
- public:
-  explicit Bytes(std::string_view bytes) : rest_(bytes) {}
-
-  std::optional<std::string_view> take(std::size_t count) {
-    if (count > rest_.size()) return std::nullopt;
-    const std::string_view taken = rest_.substr(0, count);
-    rest_.remove_prefix(count);
-    return taken;
-  }
-  std::optional<std::int64_t> number() {
-    const auto raw = take(sizeof(std::int64_t));
-    if (!raw) return std::nullopt;
-    std::int64_t value = 0;
-    std::memcpy(&value, raw->data(), sizeof value);
-    return value;
-  }
-
- private:
-  std::string_view rest_;
-};
+constexpr std::uint64_t kLargestSide = 100'000;
 
 /// Key, matrices and, at the end, the digest of both.
 std::string encoded(const std::string& key, const MatrixCache::Matrices& matrices) {
   std::string bytes;
-  append(bytes, static_cast<std::int64_t>(key.size()));
-  bytes += key;
-  append(bytes, static_cast<std::int64_t>(matrices.size()));
+  put(bytes, key);
+  put(bytes, matrices.size());
   for (const Eigen::MatrixXd& m : matrices) {
-    append(bytes, m.rows());
-    append(bytes, m.cols());
+    for (const Eigen::Index side : {m.rows(), m.cols()})
+      put(bytes, static_cast<std::uint64_t>(side));
     bytes.append(reinterpret_cast<const char*>(m.data()),
                  static_cast<std::size_t>(m.size()) * sizeof(double));
   }
@@ -66,27 +35,51 @@ std::optional<MatrixCache::Matrices> decoded(std::string_view bytes, const std::
   const std::string_view content = bytes.substr(0, bytes.size() - kDigestLength);
   if (sha256(content) != bytes.substr(content.size())) return std::nullopt;
 
-  Bytes rest(content);
-  const auto key_length = rest.number();
-  if (key_length != static_cast<std::int64_t>(key.size()) || rest.take(key.size()) != key)
-    return std::nullopt;
-  const auto count = rest.number();
-  if (!count) return std::nullopt;
+  Cursor rest(content);
+  if (rest.text() != key) return std::nullopt;
   MatrixCache::Matrices matrices;
-  for (std::int64_t k = 0; k < *count; ++k) {
-    const auto rows = rest.number(), columns = rest.number();
-    if (!rows || !columns || *rows < 0 || *columns < 0 || *rows > kLargestSide ||
-        *columns > kLargestSide)
-      return std::nullopt;
-    const auto raw = rest.take(static_cast<std::size_t>(*rows * *columns) * sizeof(double));
-    if (!raw) return std::nullopt;
-    matrices.emplace_back(*rows, *columns);
-    if (!raw->empty()) std::memcpy(matrices.back().data(), raw->data(), raw->size());
+  for (std::uint64_t left = rest.number(); left > 0; --left) {
+    const std::uint64_t rows = rest.number(), columns = rest.number();
+    if (rows > kLargestSide || columns > kLargestSide) return std::nullopt;
+    const std::string_view raw = rest.text(rows * columns * sizeof(double));
+    if (!rest.good()) return std::nullopt;
+    Eigen::MatrixXd& m = matrices.emplace_back(rows, columns);
+    if (!raw.empty()) std::memcpy(m.data(), raw.data(), raw.size());
   }
-  return matrices;
+  return rest.good() ? std::optional(std::move(matrices)) : std::nullopt;
 }
 
 }  // namespace
+
+/// Says when it begins and when it ends.
+class MatrixCache::Computation {
+ public:
+  explicit Computation(MatrixCache& cache) : cache_(cache) { change(1); }
+  ~Computation() { change(-1); }
+  Computation(const Computation&) = delete;
+  Computation& operator=(const Computation&) = delete;
+
+ private:
+  void change(int by) {
+    const std::lock_guard lock(cache_.mutex_);
+    cache_.working_ += by;
+    if (by < 0) ++cache_.computed_;
+    if (cache_.progress_) cache_.progress_(cache_.working_ > 0, cache_.computed_);
+  }
+
+  MatrixCache& cache_;
+};
+
+MatrixCache::MatrixCache(const MatrixCache& other, KeptOnly) : computes_(false) {
+  const std::lock_guard lock(other.mutex_);
+  folder_ = other.folder_;
+  kept_ = other.kept_;
+}
+
+void MatrixCache::report_to(Progress progress) {
+  const std::lock_guard lock(mutex_);
+  progress_ = std::move(progress);
+}
 
 void MatrixCache::keep_in(fs::path directory) {
   const std::lock_guard lock(mutex_);
@@ -109,12 +102,13 @@ std::shared_ptr<const MatrixCache::Matrices> MatrixCache::get(
       matrices = decoded(*bytes, key);
   const bool found = matrices.has_value();
   if (!found) {
+    if (!computes_) throw NotKept();
+    const Computation computation(*this);
     matrices = compute();
     if (folder) folder->write(digest, encoded(key, *matrices));
   }
 
   const std::lock_guard lock(mutex_);
-  if (!found) ++computed_;
   const auto [entry, is_new] =
       kept_.try_emplace(key, std::make_shared<const Matrices>(std::move(*matrices)));
   const std::shared_ptr<const Matrices> result = entry->second;

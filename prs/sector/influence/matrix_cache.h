@@ -7,12 +7,19 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "prs/sector/influence/cache_folder.h"
 
 namespace prs {
+
+/// Matrices that a cache was asked for, which does not make them.
+class NotKept : public std::runtime_error {
+ public:
+  NotKept() : std::runtime_error("matrices of `influence` that are not kept") {}
+};
 
 /// Matrices that are dear to compute, kept under the text of all that they depend on: in memory
 /// and, where a directory is given, in a CacheFolder there that later runs find by the text's
@@ -25,7 +32,16 @@ class MatrixCache {
   /// Keeps nothing in files where `directory` is empty.
   explicit MatrixCache(std::filesystem::path directory = {}) { keep_in(std::move(directory)); }
 
+  /// What another cache holds, in memory and in files, and no more: what is absent is NotKept.
+  struct KeptOnly {};
+  MatrixCache(const MatrixCache& other, KeptOnly);
+
   void keep_in(std::filesystem::path directory);
+
+  /// Is called, from any thread, when a computation begins and when one ends: whether one still
+  /// goes on, and how many have ended.
+  using Progress = std::function<void(bool working, int computed)>;
+  void report_to(Progress progress);
 
   /// What is kept under `key`, else the result of `compute`, which is kept from then on.
   std::shared_ptr<const Matrices> get(const std::string& key,
@@ -42,7 +58,12 @@ class MatrixCache {
   void unlock() { mutex_.unlock(); }
 
  private:
+  class Computation;
+
   mutable std::mutex mutex_;
+  bool computes_ = true;
+  Progress progress_;
+  int working_ = 0;
   std::optional<CacheFolder> folder_;
   std::map<std::string, std::shared_ptr<const Matrices>> kept_;
   std::vector<std::string> oldest_first_;

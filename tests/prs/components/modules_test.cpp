@@ -97,6 +97,21 @@ TEST_F(WithoutModules, FoundBesideTheProgramOrBelowLib) {
   }
 }
 
+TEST_F(WithoutModules, NamesTheLibraryThatAModuleLacks) {
+  std::string module =
+      test::content_of(fs::path(test::program()).parent_path() / "../../lib/prs/prs_tbb.so");
+  const std::size_t name = module.find("libtbb.so");
+  ASSERT_NE(name, std::string::npos);
+  module.replace(name, 6, "libxyz");
+  const fs::path modules = temporary.path() / "some/lib/prs";
+  fs::create_directories(modules);
+  std::ofstream(modules / "prs_tbb.so") << module;
+  EXPECT_THAT(study("--threads 2").err,
+              AllOf(HasSubstr("prs: error: this needs TBB, and libxyz.so"),
+                    HasSubstr(" is not installed; install TBB, on Debian by `apt install "
+                              "libtbb-dev`, or take --threads 1\n")));
+}
+
 /// Names of all libraries that a run loads.
 std::string libraries(const std::string& arguments) {
   return test::run_prs(arguments, PRS_SOURCE_DIR, "LD_DEBUG=files").err;

@@ -372,7 +372,7 @@ TEST_F(ConfigurationsCommand, WritesACaseThatChecks) {
   ASSERT_EQ(run.status, 0) << run.err;
   const test::Outcome check = prs("check case.yaml");
   EXPECT_EQ(check.status, 0) << check.err;
-  EXPECT_EQ(check.out.find("Unusual"), std::string::npos) << check.out;
+  EXPECT_EQ(check.out.find("Warnings"), std::string::npos) << check.out;
   EXPECT_EQ(nlohmann::json::parse(prs("check case.yaml --json").out)["contact"]["max_rollers"], 11);
   const test::Outcome again = prs(asked + "--write 1 case.yaml");
   EXPECT_EQ(again.status, 2);

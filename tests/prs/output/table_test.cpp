@@ -19,7 +19,7 @@ using test::widest_line;
 TEST(LoadCaseTable, RowHoldsWhatADesignerAsksFirst) {
   Result result;
   result.load_cases = {solved_case("config1-tension", 45e3, Direction::tension)};
-  const std::string row = lines(load_case_table(result)).at(2);
+  const std::string row = lines(load_case_table(result)).at(3);
   for (const char* part : {"config1-tension", "45.000", "tension", "800.0", "56.25", "1:  7.7"})
     EXPECT_TRUE(contains(row, part)) << part << " in " << row;
 }
@@ -44,7 +44,7 @@ TEST(LoadCaseTable, ColumnsLineUpAndFit) {
   const std::string table = load_case_table(result);
   EXPECT_LE(widest_line(table), 110);
   const auto rows = lines(table);
-  EXPECT_EQ(width(rows.at(2)), width(rows.at(3)));
+  EXPECT_EQ(width(rows.at(3)), width(rows.at(4)));
 }
 
 TEST(LoadCaseTable, ManyPointsOfARangeFold) {
@@ -53,7 +53,7 @@ TEST(LoadCaseTable, ManyPointsOfARangeFold) {
   result.load_cases[7] = failed_case("sweep-tension[7]");
   result.load_cases[7].load_case.direction = Direction::tension;
   const std::string table = load_case_table(result);
-  EXPECT_EQ(lines(table).size(), 2 + 3 + 1);
+  EXPECT_EQ(lines(table).size(), 1 + 2 + 3 + 1);
   for (const char* part : {"sweep-tension[0]", "sweep-tension[22]", "sweep-tension[44]",
                            "3 of 45 points", "NOT CONVERGED: sweep-tension[7]"})
     EXPECT_TRUE(contains(table, part)) << part;
@@ -72,12 +72,27 @@ TEST(LoadCaseTable, WarningsThatDifferInNumbersOnlyAppearOnce) {
   EXPECT_LE(widest_line(table), 110);
 }
 
+TEST(LoadCaseTable, AWarningOnSeveralLoadsNamesTheirKeyOnce) {
+  Result result;
+  add_sweep(result, "sweep", Direction::tension, 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    LoadCaseResult& r = result.load_cases[k];
+    r.load_case.input_path = "load_cases[" + std::to_string(k < 2 ? 4 : 5) + "]";
+    r.warnings = {r.load_case.input_path + ".axial_force: high"};
+    if (k == 1) {
+      EXPECT_TRUE(contains(load_case_table(result), "  load_cases[4].axial_force: high\n"));
+    }
+  }
+  EXPECT_TRUE(contains(load_case_table(result),
+                       "  load_cases[..].axial_force: high\n    in sweep[0–2]\n"));
+}
+
 TEST(LoadCaseTable, ControlCharactersDoNotReachTheTerminal) {
   Result result;
   result.load_cases = {failed_case("a\x1b[31m\nb")};
   const std::string table = load_case_table(result);
   EXPECT_FALSE(contains(table, "\x1b"));
-  EXPECT_EQ(lines(table).size(), 3);
+  EXPECT_EQ(lines(table).size(), 4);
 }
 
 TEST(LoadDistributionChart, OneBarAThreadAndTheLargestIsLongest) {

@@ -175,72 +175,47 @@ TEST(Journal, WhatIsNoJournalIsRefused) {
   EXPECT_EQ(Journal::read(path).header().designs, kJournalDesigns);
 }
 
+std::string word(std::uint64_t number) {
+  return std::string(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+std::string text_of(const std::string& text) { return word(text.size()) + text; }
+
 /// A whole journal that begins with these bytes in place of a header.
 std::string journal_of(const std::string& header) {
-  const auto word = [](std::uint64_t number) {
-    return std::string(reinterpret_cast<const char*>(&number), sizeof number);
-  };
   const std::string sealed = word(header.size() + 16) + header;
   boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true> crc;
   crc.process_bytes(sealed.data(), sealed.size());
-  return "PRS-JNA1" + sealed + word(crc.checksum());
-}
-
-std::string cbor_of(const nlohmann::json& json) {
-  const std::vector<std::uint8_t> cbor = nlohmann::json::to_cbor(json);
-  return {cbor.begin(), cbor.end()};
+  return "PRS-JNA2" + sealed + word(crc.checksum());
 }
 
 TEST(Journal, HeadersThatNoStudyWritesAreRefused) {
   const test::TemporaryDirectory temporary;
   const fs::path path = temporary.path() / "study.journal";
-  const auto error_of = [&](const std::string& header) {
-    write(path, journal_of(header));
-    return folder_error_of([&] { Journal::read(path); });
+  const std::string texts = text_of("k") + text_of("case.yaml") + text_of("");
+  const std::string lists = word(1) + text_of("a") + word(1) + text_of("r");
+  const auto header_of = [&](std::uint64_t index, std::uint64_t count) {
+    return texts + lists + word(5) + word(index) + word(count);
   };
-  const nlohmann::json good{{"key", "k"},         {"name", "case.yaml"}, {"text", ""},
-                            {"overrides", {"a"}}, {"responses", {"r"}},  {"designs", 5},
-                            {"shard", {1, 8}}};
-  write(path, journal_of(cbor_of(good)));
+  const std::string good = header_of(1, 8);
+  write(path, journal_of(good));
   EXPECT_EQ(Journal::read(path).header().shard, (Shard{1, 8}));
 
   constexpr auto kHuge = std::uint64_t{1} << 40;
-  const std::vector<std::pair<std::string, nlohmann::json>> changes{{"shard", {kHuge, 2 * kHuge}},
-                                                                    {"shard", {8, 8}},
-                                                                    {"shard", {0, 0}},
-                                                                    {"shard", {0}},
-                                                                    {"shard", {0, 1, 2}},
-                                                                    {"shard", {-1, 8}},
-                                                                    {"shard", {0.5, 8}},
-                                                                    {"shard", nullptr},
-                                                                    {"designs", "5"},
-                                                                    {"designs", -5},
-                                                                    {"designs", 1e300},
-                                                                    {"designs", true},
-                                                                    {"key", 5},
-                                                                    {"text", {1}},
-                                                                    {"overrides", "a"},
-                                                                    {"overrides", {{"a", 1}}},
-                                                                    {"responses", {1}},
-                                                                    {"responses", {{{"deep"}}}},
-                                                                    {"more", 1}};
-  for (const auto& [key, value] : changes) {
-    nlohmann::json json = good;
-    json[key] = value;
-    EXPECT_THAT(error_of(cbor_of(json)), HasSubstr("no journal of a study")) << json;
+  std::vector<std::string> bad{header_of(kHuge, 2 * kHuge),
+                               header_of(8, 8),
+                               header_of(0, 0),
+                               good + "x",
+                               good + word(1),
+                               texts + word(~std::uint64_t{0}),
+                               word(~std::uint64_t{0}),
+                               texts + word(1) + word(kHuge) + lists};
+  for (std::size_t length = 0; length < good.size(); ++length)
+    bad.push_back(good.substr(0, length));
+  for (const std::string& header : bad) {
+    write(path, journal_of(header));
+    EXPECT_THAT(folder_error_of([&] { Journal::read(path); }), HasSubstr("no journal of a study"));
   }
-  for (const auto& [key, value] : good.items()) {
-    nlohmann::json json = good;
-    json.erase(key);
-    EXPECT_THAT(error_of(cbor_of(json)), HasSubstr("no journal of a study")) << json;
-  }
-  // Arrays, maps, texts and tags within each other, deeper than a stack.
-  for (const char level : {'\x81', '\xa1', '\x7f', '\x9f', '\xbf', '\xc1', '\x5f'})
-    EXPECT_THAT(error_of(std::string(1 << 22, level)), HasSubstr("no journal of a study"));
-  for (const std::string& text :
-       {std::string(), std::string("\x9b\xff\xff\xff\xff\xff\xff\xff\xff"),
-        std::string("\x7b\xff\xff\xff\xff\xff\xff\xff\xff"), cbor_of(good) + "x"})
-    EXPECT_THAT(error_of(text), HasSubstr("no journal of a study"));
 }
 
 TEST(Journal, RecordsThatClaimMoreThanTheyHoldAreDamage) {

@@ -42,6 +42,29 @@ TEST(MatrixCache, ComputesOnceForEachKey) {
   EXPECT_EQ(cache.computed(), 2);
 }
 
+TEST(MatrixCache, OneThatKeepsOnlyFindsWhatAnotherHolds) {
+  const test::TemporaryDirectory directory;
+  MatrixCache(directory.path()).get("in a file", sample);
+  MatrixCache whole(directory.path());
+  whole.get("in memory", sample);
+  MatrixCache kept(whole, MatrixCache::KeptOnly{});
+  for (const char* key : {"in a file", "in memory"})
+    EXPECT_EQ((*kept.get(key, sample))[0], sample()[0]) << key;
+  EXPECT_THROW(kept.get("absent", sample), NotKept);
+  EXPECT_EQ(kept.computed(), 0);
+}
+
+TEST(MatrixCache, ReportsWhenItComputes) {
+  MatrixCache cache;
+  std::vector<std::pair<bool, int>> reports;
+  cache.report_to([&](bool working, int computed) { reports.emplace_back(working, computed); });
+  cache.get("a", sample);
+  cache.get("a", sample);
+  cache.get("b", sample);
+  const std::vector<std::pair<bool, int>> expected = {{true, 0}, {false, 1}, {true, 1}, {false, 2}};
+  EXPECT_EQ(reports, expected);
+}
+
 TEST(MatrixCache, FilesGiveTheSameBits) {
   const test::TemporaryDirectory directory;
   const Matrices kept = sample();

@@ -1,0 +1,238 @@
+#include "prs/cli/command_line.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+#include "prs/cli/help.h"
+#include "prs/cli/printing.h"
+#include "prs/cli/usage_error.h"
+#include "prs/input/did_you_mean.h"
+#include "prs/input/source.h"
+
+namespace prs::cli {
+namespace {
+
+using input::did_you_mean;
+using input::shown;
+
+std::string upper(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+bool is_argument(const CLI::Option& option) { return option.get_positional(); }
+
+std::string path_of(const CLI::App& app) {
+  const CLI::App* parent = app.get_parent();
+  return parent == nullptr ? app.get_name() : path_of(*parent) + " " + app.get_name();
+}
+
+/// The command that was parsed: root, command, its command.
+std::vector<const CLI::App*> parsed(const CLI::App& app) {
+  std::vector<const CLI::App*> chain{&app};
+  while (!chain.back()->get_subcommands().empty())
+    chain.push_back(chain.back()->get_subcommands().front());
+  return chain;
+}
+
+std::vector<std::string> words_of(const std::string& type_name) {
+  std::vector<std::string> words;
+  const bool is_set =
+      type_name.find('|') != std::string::npos &&
+      std::ranges::none_of(type_name, [](unsigned char c) { return std::isupper(c); });
+  if (is_set) words = CLI::detail::split(type_name, '|');
+  return words;
+}
+
+OptionText text_of(const CLI::Option& option) {
+  OptionText text;
+  for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
+  const bool takes_value = option.get_items_expected_max() > 0;
+  if (takes_value) text.value = option.get_type_name();
+  text.words = words_of(text.value);
+  if (is_argument(option)) text.value = upper(option.get_name(true));
+  text.help = option.get_description();
+  text.required = option.get_required();
+  text.repeatable = option.get_items_expected_max() > 2;
+  text.optional_value = takes_value && option.get_items_expected_min() == 0;
+  return text;
+}
+
+/// `--output` of `--output: At Most 1 required` or `--json was given ..`.
+std::string named(const CLI::ParseError& error) {
+  const std::string what = error.what();
+  return what.substr(0, what.find_first_of(": "));
+}
+
+/// What nobody expected: the first option, else the first word.
+struct Extra {
+  std::size_t depth = 0;  ///< Of the command that met it.
+  std::string text;
+};
+
+std::optional<Extra> extra(const std::vector<const CLI::App*>& chain) {
+  std::optional<Extra> first;
+  for (std::size_t depth = 0; depth < chain.size(); ++depth)
+    for (const std::string& text : chain[depth]->remaining()) {
+      if (text == "--") continue;
+      if (text.starts_with('-') && text != "-") return Extra{depth, text};
+      if (!first) first = Extra{depth, text};
+    }
+  return first;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::vector<std::string_view> views(const std::vector<std::string>& words) {
+  return {words.begin(), words.end()};
+}
+
+/// `; did you mean ..?` or nothing.
+std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+  const std::string text = did_you_mean(word, views(known));
+  return text.empty() ? text : "; " + text;
+}
+
+std::string unknown_command(std::string_view word, const std::string& program,
+                            const std::vector<std::string>& known) {
+  if (word.ends_with(".yaml") || word.ends_with(".yml"))
+    return fmt::format("got {0}; expected a command before it, for example `{1} check {0}`",
+                       shown(word), program);
+  return fmt::format("got {}; expected a command{}", shown(word), suggestion(word, known));
+}
+
+std::string unexpected(const std::vector<const CLI::App*>& chain, const Extra& extra) {
+  const CLI::App& command = *chain[extra.depth];
+  if (!extra.text.starts_with('-') || extra.text == "-") {
+    if (extra.depth > 0) return fmt::format("got {}; expected no further word", shown(extra.text));
+    std::vector<std::string> known;
+    for (const CLI::App* c : command.get_subcommands({})) known.push_back(c->get_name());
+    return unknown_command(extra.text, path_of(command), known);
+  }
+  const std::string name = extra.text.substr(0, extra.text.find('='));
+  for (std::size_t deeper = extra.depth + 1; deeper < chain.size(); ++deeper)
+    if (chain[deeper]->get_option_no_throw(name) != nullptr)
+      return fmt::format("got {0} before `{1}`; expected it after the command: `{2} .. {0}`", name,
+                         chain[deeper]->get_name(), path_of(*chain[deeper]));
+  return fmt::format("got {}; expected an option of `{}`{}", shown(name), path_of(command),
+                     suggestion(name, option_names(command)));
+}
+
+/// How the option is written: `--output DIR`.
+std::string form(const CLI::Option& option) {
+  const OptionText text = text_of(option);
+  return is_argument(option) ? text.value : fmt::format("{} {}", text.names.back(), text.value);
+}
+
+std::string message(const CLI::ParseError& error, const std::vector<const CLI::App*>& chain) {
+  if (const std::optional<Extra> first = extra(chain)) return unexpected(chain, *first);
+  const CLI::App& command = *chain.back();
+  const CLI::Option* option = command.get_option_no_throw(named(error));
+  if (option == nullptr) return error.what();
+  const std::string name = is_argument(*option) ? form(*option) : option->get_name();
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+    return fmt::format("{} is missing; expected `{}`", name, usage(describe(command)));
+  if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) {
+    const std::string what = error.what();
+    return fmt::format("{} is given alone; expected {} with it", name,
+                       what.substr(what.rfind(' ') + 1));
+  }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    const auto most = static_cast<std::size_t>(option->get_items_expected_max());
+    const CLI::results_t& got = option->results();
+    if (most == 0) return fmt::format("{}: got a value; expected none", name);
+    if (got.size() > most)
+      return fmt::format("{}: got it {} times; expected it once", name, got.size() / most);
+    return fmt::format("{}: got {}; expected `{}`", name,
+                       got.empty() ? "no value" : shown(fmt::format("{}", fmt::join(got, " "))),
+                       form(*option));
+  }
+  const std::string what = error.what();
+  return name + what.substr(named(error).size());
+}
+
+}  // namespace
+
+CommandText describe(const CLI::App& app) {
+  CommandText text{
+      path_of(app), app.get_group(), app.get_description(), app.get_footer(), {}, {}, {}};
+  for (const CLI::Option* option : app.get_options())
+    (is_argument(*option) ? text.arguments : text.options).push_back(text_of(*option));
+  for (const CLI::App* command : app.get_subcommands({}))
+    text.commands.push_back(describe(*command));
+  return text;
+}
+
+const CommandText& find_command(const CommandText& program, std::span<const std::string> words) {
+  const CommandText* found = &program;
+  for (const std::string& word : words) {
+    const auto next =
+        std::ranges::find(found->commands, found->name + " " + word, &CommandText::name);
+    if (next == found->commands.end()) {
+      std::vector<std::string> known;
+      for (const CommandText& c : found->commands)
+        known.push_back(c.name.substr(found->name.size() + 1));
+      throw UsageError(unknown_command(word, found->name, known));
+    }
+    found = &*next;
+  }
+  return *found;
+}
+
+void take_one_of(CLI::Option* option, std::vector<std::string> words) {
+  option->type_name(fmt::format("{}", fmt::join(words, "|")));
+  option->check([words = std::move(words)](const std::string& text) {
+    if (std::ranges::find(words, text) != words.end()) return std::string();
+    return fmt::format("got {}; expected {}{}{}", shown(text), words.size() > 1 ? "one of " : "",
+                       fmt::join(words, ", "), suggestion(text, words));
+  });
+}
+
+void take_whole_number(CLI::Option* option, long least, long most) {
+  option->type_name("N");
+  option->check([=](const std::string& text) {
+    long value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && end == text.data() + text.size() && value >= least && value <= most)
+      return std::string();
+    return fmt::format("got {}; expected a whole number from {} to {}", shown(text), least, most);
+  });
+}
+
+std::optional<int> parse(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    print(help_text(describe(*parsed(app).back())));
+    return kDone;
+  } catch (const CLI::CallForVersion& version) {
+    print(fmt::format("{}\n", version.what()));
+    return kDone;
+  } catch (const CLI::ParseError& error) {
+    return report_usage(app, message(error, parsed(app)));
+  }
+  return std::nullopt;
+}
+
+int report_usage(const CLI::App& app, std::string_view message) {
+  std::string help = "prs help";
+  if (const std::string path = path_of(*parsed(app).back()); path != "prs")
+    help += path.substr(path.find(' '));
+  say(fmt::format("prs: error: {}{} `{}`\n", message, message.ends_with('?') ? " See" : "; see",
+                  help));
+  return kWrongInput;
+}
+
+}  // namespace prs::cli

@@ -1,0 +1,285 @@
+#include "prs/cli/command_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "prs/cli/command_line.h"
+#include "prs/cli/help.h"
+#include "prs/cli/list.h"
+#include "prs/cli/program.h"
+#include "prs/cli/usage_error.h"
+#include "prs/cli/validate_options.h"
+#include "prs/version.h"
+
+namespace prs::cli {
+namespace {
+
+using Add = void (*)(CLI::App&, Options&);
+using Run = int (*)(const Options&);
+
+// Groups of commands, by purpose.
+constexpr const char* kStart = "Start";
+constexpr const char* kAnalyse = "Analyse a case";
+constexpr const char* kSearch = "Compute many designs";
+constexpr const char* kLook = "Look up";
+
+CLI::Option* add_file(CLI::App& command, Options& options) {
+  return command
+      .add_option("file", options.file, "The case, a YAML file; `-` reads standard input")
+      ->type_name("FILE");
+}
+
+void add_set(CLI::App& command, Options& options) {
+  command
+      .add_option("--set", options.overrides,
+                  "Replace a value of the case, e.g. mechanism.rollers=9; repeatable")
+      ->type_name("PATH=VALUE")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+/// What every command of a case has.
+void add_case_options(CLI::App& command, Options& options) {
+  add_file(command, options)->required();
+  add_set(command, options);
+  add_output_options(command, options);
+  command.add_flag("--figures", options.figures, "Put the pictures into the document, as data")
+      ->disable_flag_override();
+}
+
+void add_threads(CLI::App& command, Options& options) {
+  take_whole_number(command.add_option("--threads", options.threads,
+                                       "Threads to compute on; default: one per processor"),
+                    1, kMostThreads);
+}
+
+void add_restart(CLI::App& command, Options& options, const char* help) {
+  command.add_flag("--restart", options.restart, help)->disable_flag_override();
+}
+
+void add_check_options(CLI::App& check, Options& options) {
+  check.add_flag("--all", options.all, "List every value, with its default, too")
+      ->disable_flag_override();
+}
+
+void add_compare_options(CLI::App& compare, Options& options) {
+  compare
+      .add_flag_callback(
+          "--influence", [&] { options.overrides.push_back("model.bodies=influence"); },
+          "With the influence model also where its matrices have to be made; as --set "
+          "model.bodies=influence")
+      ->disable_flag_override();
+}
+
+void add_measures_options(CLI::App& measures, Options& options) {
+  measures.get_option("file")->required(false);  // `--explain` needs none.
+  measures
+      .add_flag("--explain", options.explain, "Print formula, validity and source of every measure")
+      ->disable_flag_override();
+}
+
+void add_study_options(CLI::App& study, Options& options) {
+  study.get_option("file")->required(false);  // `merge` has none.
+  add_threads(study, options);
+  study
+      .add_option_function<std::string>(
+          "--shard",
+          [&options](const std::string& text) {
+            options.shard = prs::parse_shard(text);
+            if (!options.shard)
+              throw CLI::ValidationError(
+                  "--shard", "got " + text + "; expected i/n, from 1/n to n/n, for example 1/8");
+          },
+          "Compute the i-th of n parts only, into a journal in DIR for `prs study merge`")
+      ->type_name("i/n");
+  add_restart(study, options, "Discard what an unfinished study left in DIR, and start again");
+}
+
+void add_optimize_options(CLI::App& optimize, Options& options) {
+  add_threads(optimize, options);
+  add_restart(optimize, options,
+              "Discard what an unfinished optimization left in DIR, and start again");
+}
+
+void add_configurations_options(CLI::App& command, Options& options) {
+  ConfigurationOptions& o = options.configurations;
+  command.add_option("--screw-diameter", o.screw_diameter, "Pitch diameter, with its unit")
+      ->type_name("LENGTH")
+      ->required();
+  command.add_option("--lead", o.lead, "Of screw and nut; > 0 right-handed")
+      ->type_name("LENGTH")
+      ->required();
+  take_one_of(command.add_option("--type", o.type, "Default: both"), {"standard", "inverted"});
+  take_whole_number(command.add_option("--starts", o.starts, "Of screw and nut; default: 3 to 10"),
+                    1, 100);
+  take_whole_number(command.add_option("--roller-starts", o.roller_starts, "Default: 1 to 3"), 1,
+                    100);
+  take_whole_number(
+      command.add_option("--rollers", o.rollers, "That must fit; default: as many as do"), 3, 1000);
+  command.add_option("--gap", o.gap, "Least between neighbouring crests; default: 0 mm")
+      ->type_name("LENGTH");
+  command.add_option("--flank-angle", o.flank_angle, "Default: 45 deg")->type_name("ANGLE");
+  command
+      .add_option("--roller-profile-radius", o.roller_profile_radius,
+                  "Of the convex rollers; default: arcs about the roller's axis")
+      ->type_name("LENGTH");
+  command.add_option("--write", o.write, "Write line N as a commented case into the new FILE")
+      ->type_name("N FILE")
+      ->expected(2);
+  add_output_options(command, options);
+}
+
+void add_new(CLI::App& command, Options& options) {
+  add_new_options(command, options.new_case);
+  add_quiet(command, options);
+}
+
+void add_list_options(CLI::App& command, Options& options) {
+  take_one_of(command.add_option("what", options.what, "What to list")->required(), list_words());
+  command.add_option("file", options.file, "A case: only the commands that it has all for")
+      ->type_name("FILE");
+  add_json(command, options);
+}
+
+void add_schema_options(CLI::App& command, Options& options) {
+  take_one_of(command.add_option("what", options.what, "Of what; default: input"),
+              {"input", "results", "figures"});
+  add_output_options(command, options);
+}
+
+void add_validate(CLI::App& command, Options&) {
+  static ValidateOptions unused;  // It is read by `prs-validate`.
+  add_validate_options(command, unused);
+}
+
+/// A command of a case beside its row of `prs::commands()`.
+struct CaseRow {
+  Command command;
+  const char* group;
+  Add add;
+  Run run;
+  const char* examples;
+};
+
+constexpr CaseRow kCaseRows[] = {
+    {Command::check, kAnalyse, add_check_options, nullptr,
+     "prs check case.yaml\nprs check case.yaml --all"},
+    {Command::compare, kAnalyse, add_compare_options, nullptr,
+     "prs compare case.yaml\nprs compare case.yaml --influence --output results"},
+    {Command::measures, kAnalyse, add_measures_options, nullptr,
+     "prs measures case.yaml\nprs measures --explain"},
+    {Command::study, kSearch, add_study_options, study,
+     "prs study case.yaml --output results\n"
+     "prs study case.yaml --shard 1/8 --output part1"},
+    {Command::optimize, kSearch, add_optimize_options, optimize,
+     "prs optimize case.yaml --output results"},
+};
+
+/// A command that needs no case.
+struct OwnRow {
+  const char* name;
+  const char* group;
+  const char* help;
+  Add add;
+  Run run;
+  const char* examples;
+};
+
+constexpr OwnRow kOwnRows[] = {
+    {"new", kStart, "Write a complete, commented case of a screw, or copy a lesson", add_new, new_case,
+     "prs new standard case.yaml --screw-diameter 25mm --lead 5mm\n"
+     "prs new --lesson 14 case.yaml"},
+    {"configurations", kStart, "List the geometries that a screw diameter and a lead allow",
+     add_configurations_options, configurations,
+     "prs configurations --screw-diameter '24 mm' --lead '6 mm'\n"
+     "prs configurations --screw-diameter '24 mm' --lead '6 mm' --write 1 case.yaml"},
+    {"list", kLook, "List what there is to choose from", add_list_options, list,
+     "prs list commands\nprs list commands case.yaml"},
+    {"schema", kLook, "Print the JSON Schema of the input or of pictures, or the table of results",
+     add_schema_options, schema, "prs schema > prs.schema.json"},
+    {"validate", kLook, "Compare with the published sources", add_validate, nullptr,
+     "prs validate\nprs validate validation/sandu_2018 --json"},
+};
+
+CLI::App& add_command(Program& program, const std::string& name, const std::string& help,
+                      const char* group, const std::string& examples,
+                      std::function<int(const Options&)> run) {
+  CLI::App* command = program.app.add_subcommand(name, help);
+  command->group(group);
+  command->footer(examples);
+  command->callback([&program, command, run = std::move(run)] {
+    if (command->get_subcommands().empty()) program.run = run;  // Not that of `study merge`.
+  });
+  return *command;
+}
+
+void add_own(Program& program, std::string_view group) {
+  for (const OwnRow& row : kOwnRows)
+    if (row.group == group)
+      row.add(add_command(program, row.name, row.help, row.group, row.examples, row.run),
+              program.options);
+}
+
+void add_case_commands(Program& program) {
+  for (const CommandRow& row : commands()) {
+    const auto* more = std::ranges::find(kCaseRows, row.command, &CaseRow::command);
+    if (more == std::end(kCaseRows)) more = nullptr;
+    const std::string word(name(row.command));
+    const std::string examples =
+        more != nullptr ? more->examples
+                        : fmt::format(
+                              "prs {0} case.yaml\n"
+                              "prs {0} case.yaml --set mechanism.rollers=9 --output results\n"
+                              "prs {0} case.yaml --json > {0}.json",
+                              word);
+    std::function<int(const Options&)> run = [&row](const Options& o) { return run_case(row, o); };
+    if (more != nullptr && more->run != nullptr) run = more->run;
+    CLI::App& command = add_command(program, word, std::string(row.help),
+                                    more != nullptr ? more->group : kAnalyse, examples, run);
+    add_case_options(command, program.options);
+    if (more != nullptr) more->add(command, program.options);
+  }
+}
+
+void add_merge(Program& program) {
+  CLI::App* merge = program.app.get_subcommand("study")->add_subcommand(
+      "merge", "Write the files of a study that was computed in shards");
+  merge->group("Commands");
+  merge->footer("prs study merge part1 part2 --output results");
+  merge->callback([&program] { program.run = merge_study; });
+  merge->add_option("dir", program.options.folders, "The folders of the shards")
+      ->required()
+      ->type_name("DIR");
+  add_threads(*merge, program.options);
+  add_output_options(*merge, program.options);
+}
+
+void add_help(Program& program) {
+  const auto help = [&program](const Options& options) {
+    print(help_text(find_command(describe(program.app), options.words)));
+    return kDone;
+  };
+  CLI::App& command = add_command(program, "help", "Say what a command does, with its options",
+                                  kLook, "prs help solve\nprs help study merge", help);
+  command.add_option("command", program.options.words, "All commands without one")
+      ->type_name("COMMAND");
+}
+
+}  // namespace
+
+void add_commands(Program& program) {
+  CLI::App& app = program.app;
+  app.set_help_flag("-h,--help", "Print this help");
+  app.set_version_flag("-V,--version", kVersion, "Print the version");
+  app.require_subcommand(1);
+  add_own(program, kStart);
+  add_case_commands(program);
+  add_merge(program);
+  add_own(program, kLook);
+  add_help(program);
+}
+
+}  // namespace prs::cli

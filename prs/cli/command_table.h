@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "prs/cli/commands.h"
+
+namespace prs::cli {
+
+/// The program: its commands and options as a parser, and what the command line says.
+struct Program {
+  CLI::App app{"Load distribution, stiffness and life of planetary roller screws", "prs"};
+  Options options;
+  std::function<int(const Options&)> run;  ///< The command that was asked for.
+};
+
+/// Adds every command with its options and examples. Help, manual, completions and suggestions are
+/// made from them.
+void add_commands(Program& program);
+
+}  // namespace prs::cli

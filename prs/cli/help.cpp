@@ -1,0 +1,200 @@
+#include "prs/cli/help.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "prs/text.h"
+
+namespace prs::cli {
+namespace {
+
+constexpr std::size_t kWidth = 80;
+constexpr std::size_t kTermWidth = 24;
+
+constexpr std::pair<const char*, const char*> kExitStatuses[] = {
+    {"0", "done"},
+    {"1", "failed, or a result could not be written"},
+    {"2", "the input or the command line is wrong"},
+    {"3", "a load case did not converge"},
+    {"130", "interrupted by Ctrl-C"}};
+
+struct Entry {
+  std::string term, text;
+};
+
+struct Section {
+  std::string title;
+  std::vector<Entry> entries;
+};
+
+std::string without_program(const CommandText& command) {
+  const std::size_t blank = command.name.rfind(' ');
+  return command.name.substr(blank == std::string::npos ? 0 : blank + 1);
+}
+
+std::string term(const OptionText& option) {
+  std::string text = fmt::format("{}", fmt::join(option.names, ", "));
+  if (option.value.empty()) return text;
+  const std::string value = option.optional_value ? "[" + option.value + "]" : option.value;
+  return text.empty() ? value : text + " " + value;
+}
+
+/// Of an argument: the words that it may be stand in the text.
+std::string text(const OptionText& option) {
+  if (!option.names.empty() || option.words.empty()) return option.help;
+  return fmt::format("{}: {}", option.help, fmt::join(option.words, ", "));
+}
+
+/// What a page of help holds between its usage and its examples.
+std::vector<Section> sections(const CommandText& command) {
+  std::vector<Section> all;
+  const auto add = [&](const std::string& title, Entry entry) {
+    if (all.empty() || all.back().title != title) all.push_back({title, {}});
+    all.back().entries.push_back(std::move(entry));
+  };
+  for (const OptionText& argument : command.arguments)
+    add("Arguments", {argument.value, text(argument)});
+  for (const CommandText& c : command.commands)
+    if (!c.group.empty()) add(c.group, {without_program(c), c.help});
+  for (const OptionText& option : command.options) add("Options", {term(option), text(option)});
+  return all;
+}
+
+/// Sections of one title stand together, in the order of their first entries.
+std::string plain(const Section& section) {
+  std::string lines = fmt::format("\n{}:\n", section.title);
+  for (const auto& [term, text] : section.entries) {
+    const std::string indent(kTermWidth, ' ');
+    std::string paragraph = wrapped(text, indent, kWidth);
+    const std::string start = "  " + term;
+    if (start.size() + 1 < kTermWidth)
+      paragraph.replace(0, start.size(), start);
+    else
+      lines += start + "\n";
+    lines += paragraph;
+  }
+  return lines;
+}
+
+std::string indented(const std::string& text) {
+  std::string lines = "  ";
+  for (const char c : text) lines += c == '\n' ? std::string("\n  ") : std::string(1, c);
+  return lines + "\n";
+}
+
+// roff.
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  bool bold = false;
+  for (const char c : text) switch (c) {
+      case '\\':
+        out += "\\e";
+        break;
+      case '-':
+        out += "\\-";
+        break;
+      case '\'':
+        out += "\\(aq";
+        break;
+      case '^':
+        out += "\\(ha";
+        break;
+      case '~':
+        out += "\\(ti";
+        break;
+      case '`':
+        out += (bold = !bold) ? "\\fB" : "\\fR";
+        break;
+      default:
+        out += c;
+    }
+  return out;
+}
+
+/// A line that does not begin as a request does.
+std::string line(std::string_view text) {
+  const std::string escapes = escaped(text);
+  return (escapes.starts_with('.') ? "\\&" : "") + escapes + "\n";
+}
+
+std::string title(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return fmt::format(".SH {}\n", text);
+}
+
+std::string page_name(const CommandText& command) {
+  std::string name = command.name;
+  std::ranges::replace(name, ' ', '-');
+  return name;
+}
+
+}  // namespace
+
+std::string usage(const CommandText& command) {
+  std::string text = command.name;
+  if (command.arguments.empty() && !command.commands.empty()) return text + " COMMAND ..";
+  if (!command.options.empty()) text += " [OPTIONS]";
+  for (const OptionText& a : command.arguments) {
+    const std::string value = a.value + (a.repeatable ? ".." : "");
+    text += a.required ? " " + value : " [" + value + "]";
+  }
+  return text;
+}
+
+std::string help_text(const CommandText& command) {
+  std::string text = fmt::format("{}\n\nUsage: {}\n", command.help, usage(command));
+  for (const CommandText& c : command.commands)
+    if (!command.arguments.empty()) text += fmt::format("       {}\n", usage(c));
+  for (const Section& section : sections(command)) text += plain(section);
+  if (!command.examples.empty()) text += "\nExamples:\n" + indented(command.examples);
+  Section statuses{"Exit status", {}};
+  for (const auto& [status, meaning] : kExitStatuses) statuses.entries.push_back({status, meaning});
+  return text + plain(statuses);
+}
+
+std::string overview(const CommandText& program) {
+  std::string text = fmt::format("{}\n\nUsage: {}\n", program.help, usage(program));
+  for (const Section& section : sections(program))
+    if (section.title != "Options") text += plain(section);
+  return text + "\n`prs help COMMAND` says more.\n";
+}
+
+std::string manual_file(const CommandText& command) { return page_name(command) + ".1"; }
+
+std::string manual_page(const CommandText& command, std::string_view version) {
+  std::string text = fmt::format(".TH {} 1 \"\" \"prs {}\" \"Manual of prs\"\n",
+                                 escaped(page_name(command)), version);
+  text += title("Name") +
+          fmt::format("{} \\- {}\n", escaped(page_name(command)), escaped(command.help));
+  text += title("Synopsis") +
+          line(fmt::format("`{}`{}", command.name, usage(command).substr(command.name.size())));
+  for (const Section& section : sections(command)) {
+    text += title(section.title);
+    for (const auto& [term, meaning] : section.entries)
+      text += ".TP\n" + line("`" + term + "`") + line(meaning);
+  }
+  if (!command.examples.empty())
+    text += title("Examples") + ".nf\n" + [&] {
+      std::string lines, rest = command.examples + "\n";
+      for (std::size_t end = 0; (end = rest.find('\n')) != std::string::npos;
+           rest.erase(0, end + 1))
+        lines += line(rest.substr(0, end));
+      return lines;
+    }() + ".fi\n";
+  text += title("Exit status");
+  for (const auto& [status, meaning] : kExitStatuses)
+    text += ".TP\n" + line(status) + line(meaning);
+  std::vector<std::string> others;
+  for (const CommandText& c : command.commands)
+    others.push_back(fmt::format(".BR {} (1)", escaped(page_name(c))));
+  if (command.name != "prs") others.push_back(".BR prs (1)");
+  return text + title("See also") + fmt::format("{}\n", fmt::join(others, ",\n"));
+}
+
+}  // namespace prs::cli

@@ -1,0 +1,67 @@
+#include "prs/compare/compare_models.h"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <utility>
+
+#include "prs/loads/analyze.h"
+#include "prs/model/case_error.h"
+#include "prs/model/check_case.h"
+#include "prs/sector/influence/influence_solver.h"
+#include "prs/threads/contact_laws.h"
+
+namespace prs {
+namespace {
+
+using Bodies = ModelOptions::Bodies;
+
+/// The case with another model of the bodies, which has the roller's shear anyway.
+Case with_bodies(Case c, Bodies bodies) {
+  if (c.model.bodies != bodies) c.model.roller_shear = false;
+  c.model.bodies = bodies;
+  return c;
+}
+
+/// Whether the influence model takes no longer than the others.
+bool is_at_hand(const Case& c) {
+  const Contacts contacts = checked_contacts(c, Detail::numbers);
+  const PerInterface<ContactLaw> laws = contact_laws(c, contacts);
+  std::set<std::pair<Direction, double>> sectors;
+  for (const LoadCase& load : c.load_cases) sectors.emplace(*load.direction, *load.position);
+  for (const auto& [direction, position] : sectors)
+    if (!influence_is_kept(c, contacts, laws, direction, position)) return false;
+  return true;
+}
+
+void require_sound(const Case& c) {
+  for (const Problem& problem : check_case(c)) throw CaseError(problem.path, problem.message);
+}
+
+}  // namespace
+
+ModelComparison compare_models(const Case& c) {
+  Case solved = c;
+  std::erase_if(solved.load_cases,
+                [](const LoadCase& load) { return load.share == LoadCase::Share::equal; });
+  ModelComparison comparison;
+  for (const Bodies bodies : {Bodies::bars, Bodies::refined, Bodies::influence}) {
+    const bool stated = bodies == c.model.bodies;
+    const Case variant = with_bodies(solved, bodies);
+    try {
+      if (!stated) require_sound(variant);
+      if (!stated && bodies == Bodies::influence && !is_at_hand(variant)) continue;
+      comparison.models.push_back(analyze(variant));
+    } catch (const CaseError& error) {
+      if (stated) throw;
+      if (bodies != Bodies::influence)
+        comparison.warnings.push_back(
+            fmt::format("{}: without `bodies: {}`: {}", error.path(), name(bodies), error.what()));
+    }
+  }
+  const std::vector<std::string>& geometry = comparison.best().warnings;
+  comparison.warnings.insert(comparison.warnings.begin(), geometry.begin(), geometry.end());
+  return comparison;
+}
+
+}  // namespace prs

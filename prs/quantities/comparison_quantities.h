@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "prs/compare/compare_models.h"
+#include "prs/quantities/json.h"
+#include "prs/quantities/record.h"
+
+namespace prs {
+
+/// The answer of one model to one load case, and the comparison that it belongs to.
+struct ComparedModel {
+  const ModelComparison* comparison = nullptr;
+  std::size_t load_case = 0;
+  std::size_t model = 0;
+
+  ModelOptions::Bodies bodies() const { return comparison->models[model].model.bodies; }
+  const LoadCaseResult& result() const { return comparison->models[model].load_cases[load_case]; }
+  const LoadCaseResult& best() const { return comparison->best().load_cases[load_case]; }
+};
+
+/// Largest pressure of a thread at either interface [Pa].
+std::optional<double> largest_pressure(const LoadCaseResult& result);
+
+/// Over the best model's; absent where either is.
+std::optional<double> stiffness_over_best(const ComparedModel& m);
+std::optional<double> pressure_over_best(const ComparedModel& m);
+
+template <>
+Record<ComparedModel> record_of();
+template <>
+Record<ModelComparison> record_of();
+
+/// The document of `prs compare --json`, its results under `comparison`.
+nlohmann::ordered_json comparison_json(const ModelComparison& result, const DocumentInfo& info);
+
+}  // namespace prs

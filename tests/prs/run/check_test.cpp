@@ -1,0 +1,169 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "prs/run/commands.h"
+#include "tests/support/program.h"
+
+namespace prs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+Json checked(const std::string& lesson, std::vector<std::string> overrides = {}) {
+  const input::Source source =
+      input::load_source(PRS_SOURCE_DIR "/configs/" + lesson, std::move(overrides));
+  return run(row_of(Command::check), source).document(document_info(source));
+}
+
+std::vector<std::string> warnings_of(const std::string& lesson, const std::string& override) {
+  return checked(lesson, {override})["warnings"].get<std::vector<std::string>>();
+}
+
+TEST(Check, SaysForEachCommandWhetherItIsReadyAndWhatToAdd) {
+  const Json commands = checked("01_config_1_to_3.yaml")["commands"];
+  EXPECT_EQ(commands["solve"].dump(), R"({"ready":true})");
+  EXPECT_EQ(commands["compare"].dump(), R"({"ready":true})");
+  EXPECT_EQ(commands["slip"].dump(), R"({"ready":false,"missing":["friction","operation"]})");
+  EXPECT_EQ(commands["study"].dump(), R"({"ready":false,"missing":["study"]})");
+  EXPECT_EQ(commands.size(), prs::commands().size());
+  const Json influence =
+      checked("12_preload.yaml", {"model.bodies=influence"})["commands"]["preload"];
+  EXPECT_EQ(influence.dump(), R"({"ready":false,"wrong":["model.bodies"]})");
+}
+
+TEST(Check, ReadinessIsWhetherTheCommandReadsTheCase) {
+  for (const char* lesson : {"05_standard_screw.yaml", "07_contact_geometry.yaml",
+                             "09_slip_and_dissipation.yaml", "14_flight_spectrum.yaml"}) {
+    const input::Source source =
+        input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson, {});
+    for (const auto& [command, state] : checked(lesson)["commands"].items()) {
+      const CommandRow& row = *std::ranges::find_if(
+          commands(),
+          [&, &named = command](const CommandRow& r) { return name(r.command) == named; });
+      if (!row.run) continue;
+      bool reads = true;
+      try {
+        input::read_case_input(source, row.command);
+      } catch (const input::InputError&) {
+        reads = false;
+      }
+      EXPECT_EQ(state["ready"], reads) << lesson << ' ' << command;
+    }
+  }
+}
+
+TEST(Check, DefaultsStandInTheTableOnlyWithAll) {
+  const std::string file = "check configs/01_config_1_to_3.yaml";
+  const test::Outcome brief = test::run_prs(file), all = test::run_prs(file + " --all");
+  EXPECT_THAT(brief.out, AllOf(StartsWith("Commands\n"), HasSubstr("slip         add friction, "),
+                               HasSubstr("add `friction: {model: jacod}`"), HasSubstr("Derived"),
+                               Not(HasSubstr("(default)"))));
+  EXPECT_THAT(all.out, AllOf(HasSubstr("model.patch_points"), HasSubstr("21   (default)")));
+  EXPECT_EQ(test::run_prs(file + " --json --quiet").out,
+            test::run_prs(file + " --all --json --quiet").out);
+}
+
+struct Odd {
+  const char *lesson, *override, *path, *text;
+};
+
+TEST(Check, WarnsOfWhatIsOddTogether) {
+  for (const auto& [lesson, override, path, text] :
+       {Odd{"04_contacts_from_geometry.yaml", "structure.nut.outer_diameter=35.34 mm",
+            "structure.nut.outer_diameter", "got 35.34 mm, a wall of 0.17 mm"},
+        Odd{"18_design_measures.yaml", "operation.speed=6000 rpm", "operation.speed",
+            "n d = 1.8e+05 mm/min; makers allow up to 150000 mm/min"},
+        Odd{"09_slip_and_dissipation.yaml", "load_cases[1].speed=-9000 rpm", "load_cases[1].speed",
+            "n d = 1.89e+05"},
+        Odd{"08_design_by_backlash.yaml", "mechanism.backlash.nut=-0.5 mm",
+            "mechanism.backlash.nut", "backlash -0.5 mm, 30 % of the pitch"},
+        Odd{"04_contacts_from_geometry.yaml", "mechanism.centre_distance=13.75 mm",
+            "mechanism.pitch_diameter.screw", "check pitch diameters, centre distance"},
+        Odd{"05_standard_screw.yaml", "mechanism.lead=60 mm", "mechanism.lead",
+            "a helix angle of 32 deg"},
+        Odd{"07_contact_geometry.yaml", "mechanism.contacts_per_roller=200",
+            "mechanism.contacts_per_roller", "39.8 times the roller's diameter"},
+        Odd{"04_contacts_from_geometry.yaml", "structure.screw.bore=19 mm", "structure.screw.bore",
+            "a wall of 1.00 mm"},
+        Odd{"04_contacts_from_geometry.yaml", "load_cases[0].axial_force=200 kN",
+            "load_cases[0].axial_force", "exceeds 4.0 GPa, even with equal shares"},
+        Odd{"04_contacts_from_geometry.yaml",
+            "mechanism.thread.roller={addendum: 0.12 mm, dedendum: 0.3 mm}",
+            "load_cases[0].axial_force", "beyond the crest of the roller"},
+        Odd{"10_parametric_study.yaml", "mechanism.rollers=9", "roughness",
+            "missing, so that film over roughness"}})
+    EXPECT_THAT(warnings_of(lesson, override),
+                Contains(AllOf(StartsWith(std::string(path) + ": "), HasSubstr(text))))
+        << override;
+}
+
+/// Nominal diameters interfere a little; lessons say why.
+TEST(Check, ASmallInterferenceIsToldFromALargeOne) {
+  for (const char* lesson : {"01_config_1_to_3.yaml", "21_jung_envelope.yaml"})
+    EXPECT_THAT(checked(lesson)["warnings"].get<std::vector<std::string>>(),
+                AllOf(Contains(HasSubstr("interfere: backlash -0.")),
+                      Not(Contains(HasSubstr("of the pitch: ")))));
+}
+
+/// One cause, one warning: a load that is odd by itself has no warning of its pressure.
+TEST(Check, AnOddValueHasOneWarning) {
+  for (const auto& [lesson, override, path, text] :
+       {Odd{"04_contacts_from_geometry.yaml", "load_cases[0].axial_force=1e9 kN",
+            "load_cases[0].axial_force", "got 1e9 kN"},
+        Odd{"18_design_measures.yaml", "operation.speed=1e6 rpm", "operation.speed",
+            "got 1e6 rpm"}}) {
+    int count = 0;
+    for (const std::string& warning : warnings_of(lesson, override))
+      if (warning.starts_with(std::string(path) + ": ")) {
+        ++count;
+        EXPECT_THAT(warning, HasSubstr(text));
+      }
+    EXPECT_EQ(count, 1) << override;
+  }
+}
+
+/// Warnings on single values stand first in every command's document.
+TEST(Check, OddValuesAreToldByEveryCommand) {
+  const input::Source source = input::load_source(PRS_SOURCE_DIR "/configs/18_design_measures.yaml",
+                                                  {"materials.poisson_ratio=0.45"});
+  for (const Command command :
+       {Command::contact, Command::solve, Command::compare, Command::measures})
+    EXPECT_THAT(run(row_of(command), source)
+                    .document(document_info(source))["warnings"][0]
+                    .get<std::string>(),
+                StartsWith("materials.poisson_ratio: got 0.45; usual is 0.2 to 0.4"))
+        << name(command);
+}
+
+/// `KEY: what is unusual`, in every lesson and command.
+TEST(Check, WarningsNameTheKey) {
+  for (const char* lesson : {"01_config_1_to_3.yaml", "09_slip_and_dissipation.yaml",
+                             "12_preload.yaml", "13_three_models.yaml", "14_flight_spectrum.yaml",
+                             "15_sensitivity.yaml", "18_design_measures.yaml"}) {
+    const input::Source source =
+        input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson, {});
+    const input::CaseInput in = input::read_case_input(source, Command::check);
+    for (const CommandRow& row : commands()) {
+      if (!row.run || !input::missing(in, row.command).empty()) continue;
+      const Json document = run(row, source).document(document_info(source));
+      std::vector<std::string> warnings = document["warnings"];
+      for (const Json& load_case : document.value("load_cases", Json::array()))
+        for (const Json& warning : load_case["warnings"]) warnings.push_back(warning);
+      for (const std::string& warning : warnings) {
+        if (warning.starts_with("overridden by ")) continue;  // Names its keys further on.
+        const std::string key = warning.substr(0, warning.find(": "));
+        EXPECT_THAT(key, testing::MatchesRegex("[a-z_]+[][0-9a-z_.]*"))
+            << lesson << ": " << warning;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace prs
