@@ -8,6 +8,7 @@
 #include "prs/cli/commands.h"
 #include "prs/cli/lessons.h"
 #include "prs/cli/quantity_option.h"
+#include "prs/cli/usage_error.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/source.h"
 #include "prs/model/case_error.h"
@@ -200,8 +201,8 @@ int new_case(const Options& all) {
                                           input::shown(options.type), input::shown(options.file)));
     std::swap(options.type, options.file);
   } else if (!options.type.empty() && options.type != "standard" && options.type != "inverted") {
-    fail_option("new", fmt::format("got {}; expected standard or inverted, then the FILE",
-                                   input::shown(options.type)));
+    throw UsageError(fmt::format("got {}; expected standard or inverted, then the FILE",
+                                 input::shown(options.type)));
   }
   const std::optional<Lesson> copied =
       options.lesson ? std::optional(lesson(*options.lesson)) : std::nullopt;

@@ -214,15 +214,16 @@ void set_rollers(const ScrewData& d, Threads& t) {
   t.mechanism.rollers = *d.rollers;
 }
 
-double nut_length(const ScrewData& d, double pitch, double nut_diameter) {
+double nut_length(const ScrewData& d, double pitch, double roller_diameter, double nut_diameter) {
   const double least = kFewestContacts * pitch / kThreadedShare,
                most = is_standard(d) ? kMostContacts * pitch / kThreadedShare
                                      : kThickestNut * nut_diameter;
   if (!d.nut_length) {
-    const double inverted = kInvertedNut * kInvertedThreads * d.screw_diameter;
-    return std::max(
-        whole(is_standard(d) ? kNutLengthSlope * nut_diameter + kNutLengthOffset : inverted),
-        up(least));
+    const double rule = is_standard(d)
+                            ? std::min(kNutLengthSlope * nut_diameter + kNutLengthOffset,
+                                       kSlendernessOfRollers * roller_diameter / kThreadedShare)
+                            : kInvertedNut * kInvertedThreads * d.screw_diameter;
+    return std::max(whole(rule), up(least));
   }
   if (*d.nut_length < least || *d.nut_length > most)
     throw CaseError("nut_length",
@@ -289,7 +290,7 @@ CompleteScrew complete_screw(const ScrewData& d) {
   for (const Part p : kParts) screw.pitch_diameter[p] = *contacts.mechanism.pitch_diameter[p];
   screw.centre_distance = contacts.threads.centre_distance;
   screw.most_rollers = threads.most_rollers;
-  const double length = nut_length(d, pitch, screw.pitch_diameter.nut);
+  const double length = nut_length(d, pitch, screw.pitch_diameter.roller, screw.pitch_diameter.nut);
   m.contacts_per_roller = contacts_over(kThreadedShare * length, pitch);
   if (!is_standard(d))
     m.contacts_per_roller =

@@ -176,13 +176,14 @@ std::string structure_text(const CompleteScrew& s) {
          case_line(
              fmt::format("    length: {}", length_text(d.nut_length, of.nut.length)),
              origin_of(d.nut_length.has_value(),
-                       standard
-                           ? fmt::format("{:g} times the nut's pitch diameter and {}, 0.84 to 1.15 "
-                                         "times the lengths of a catalogue",
-                                         kNutLengthSlope, mm(kNutLengthOffset))
-                           : fmt::format("{:g} times the rollers' threads, so that these can "
-                                         "travel: take stroke and threads",
-                                         kInvertedNut))) +
+                       standard ? fmt::format(
+                                      "{:g} times the nut's pitch diameter and {}, 0.84 to 1.15 "
+                                      "times the lengths of a catalogue, with threads of no more "
+                                      "than {:g} roller diameters",
+                                      kNutLengthSlope, mm(kNutLengthOffset), kSlendernessOfRollers)
+                                : fmt::format("{:g} times the rollers' threads, so that these can "
+                                              "travel: take stroke and threads",
+                                              kInvertedNut))) +
          case_line(
              fmt::format("    outer_diameter: {}",
                          length_text(d.nut_diameter, of.nut.outer_diameter)),
