@@ -146,8 +146,8 @@ std::string new_text(const NewOptions& o) {
 
 void refuse_existing(const fs::path& file) {
   if (fs::exists(fs::symlink_status(file)))
-    throw input::InputError(
-        fmt::format("{}: error: the file exists already; give another name", file.string()));
+    throw UsageError(
+        fmt::format("{}: the file exists already; give another name", input::shown(file.string())));
 }
 
 std::string content_of_file(const fs::path& file) {
@@ -167,7 +167,7 @@ void copy_lesson(const Lesson& lesson, const fs::path& file) {
 }  // namespace
 
 void add_new_options(CLI::App& command, NewOptions& options) {
-  command.add_option("type", options.type, "standard or inverted")->type_name("TYPE");
+  command.add_option("type", options.type, "Type of the screw")->type_name("standard|inverted");
   command.add_option("file", options.file, "New file; printed without one")->type_name("FILE");
   const auto add = [&](const char* name, std::optional<std::string>& text, const char* what,
                        const char* kind) { command.add_option(name, text, what)->type_name(kind); };
@@ -201,7 +201,7 @@ int new_case(const Options& all) {
                                           input::shown(options.type), input::shown(options.file)));
     std::swap(options.type, options.file);
   } else if (!options.type.empty() && options.type != "standard" && options.type != "inverted") {
-    throw UsageError(fmt::format("got {}; expected standard or inverted, then the FILE",
+    throw UsageError(fmt::format("TYPE: got {}; expected one of standard, inverted, then the FILE",
                                  input::shown(options.type)));
   }
   const std::optional<Lesson> copied =

@@ -441,10 +441,13 @@ Json whole(Parts d, std::string_view command) {
 }  // namespace
 
 std::span<const std::string_view> documented_commands() {
-  static constexpr std::string_view kCommands[] = {"check",    "contact",       "solve",    "slip",
-                                                   "preload",  "life",          "measures", "study",
-                                                   "optimize", "configurations"};
-  return kCommands;
+  static const std::vector<std::string_view> commands = [] {
+    std::vector<std::string_view> names;
+    for (const documents::Document& document : documents::kDocuments)
+      if (names.empty() || names.back() != document.command) names.push_back(document.command);
+    return names;
+  }();
+  return commands;
 }
 
 nlohmann::ordered_json document_schema(std::string_view command) {
