@@ -1,6 +1,6 @@
 # What `cmake --install` writes, in components:
 #   program      bin/prs, its modules in lib/prs, lessons and validation data in share/prs, which
-#                the programs find from where they stand
+#                the programs find from where they stand; manual pages and completions
 #   documents    share/doc/prs, and there LICENSE of the component licence
 #   development  for `find_package(prs)`: headers, libraries, lib/cmake/prs
 # Of the Debian package see package.cmake, of the Python package python/CMakeLists.txt.
@@ -25,6 +25,8 @@ install(DIRECTORY configs/ DESTINATION share/prs/lessons COMPONENT program
   FILES_MATCHING PATTERN *.yaml PATTERN *.csv)
 install(DIRECTORY validation/ DESTINATION share/prs/validation COMPONENT program
   FILES_MATCHING PATTERN *.yaml PATTERN *.csv PATTERN *.json PATTERN SOURCE.md)
+install(CODE "set(prs \"$<TARGET_FILE:prs>\")" COMPONENT program)
+install(SCRIPT cmake/install_texts.cmake COMPONENT program)
 
 install(FILES LICENSE DESTINATION share/doc/prs COMPONENT licence)
 install(FILES README.md CHANGELOG.md DESTINATION share/doc/prs COMPONENT documents)

@@ -34,7 +34,7 @@ def new_case(prs, row, file):
     options = ["--screw-diameter", row["screw_diameter_mm"] + "mm", "--lead", row["lead_mm"] + "mm",
                "--starts", row["starts"], "--nut-diameter", row["nut_diameter_mm"] + "mm",
                "--nut-length", row["nut_length_mm"] + "mm"]
-    subprocess.run([prs, "new", "standard", str(file), "--quiet", *options], check=True)
+    return subprocess.run([prs, "new", "standard", str(file), "--quiet", *options]).returncode == 0
 
 
 def results(prs, file):
@@ -67,7 +67,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("catalogue", nargs="?", default=ROOT / "validation/standard_screws/screws.csv")
     parser.add_argument("--prs", default=str(ROOT / "build/release/prs/cli/prs"))
-    parser.add_argument("--cases", help="folder that keeps the cases")
+    parser.add_argument("--cases", help="folder that keeps the cases; they must be new")
     asked = parser.parse_args()
     with open(asked.catalogue, encoding="utf-8") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
@@ -77,12 +77,15 @@ def main():
     print("| --- " * (2 + len(RATIOS)) + "|")
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(asked.cases or temporary)
+        folder.mkdir(parents=True, exist_ok=True)
         for row in rows:
             name = f"{row['screw_diameter_mm']}x{row['lead_mm']}"
             if row["starts"] != "5":
                 name += f", {row['starts']} starts"
             file = folder / (name.replace(", ", "_").replace(" ", "_") + ".yaml")
-            new_case(asked.prs, row, file)
+            if not new_case(asked.prs, row, file):
+                failed += 1
+                continue
             found = results(asked.prs, file)
             for command, document in found.items():
                 if isinstance(document, str):

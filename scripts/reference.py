@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docs/reference/ and Python's records from what `prs schema` says of inputs and results.
+"""Writes docs/reference/ and Python's records from what `prs schema` says.
 
     scripts/reference.py PRS            writes the files
     scripts/reference.py PRS --check    says which of them are not current
@@ -13,6 +13,10 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = ROOT / "docs/reference"
 NOTE = "<!-- Written by scripts/reference.py from the program's own tables. -->\n\n"
+COMMANDS = (
+    "check", "contact", "solve", "slip", "preload", "life", "measures", "study", "optimize",
+    "configurations",
+)  # fmt: skip
 KINDS = {
     "number": "float", "series": "Array", "matrix": "Array", "count": "int", "flag": "bool",
     "text": "str", "texts": "list[str]",
@@ -70,29 +74,170 @@ def result_pages(schema: dict) -> dict[str, str]:
     return pages
 
 
-def inputs_in(properties: dict, before: str = "") -> list[tuple[str, ...]]:
-    rows = []
-    for name, value in properties.items():
+def bounds(value: dict) -> str:
+    """`> 0 and <= 1` of a number."""
+    words = {"exclusiveMinimum": ">", "minimum": ">=", "exclusiveMaximum": "<", "maximum": "<="}
+    return " and ".join(f"{words[key]} {value[key]:g}" for key in words if key in value)
+
+
+def value_of(value: dict) -> str:
+    """What may stand there: units and bounds, words, or how it is made up."""
+    if "pattern" in value and "examples" in value:
+        units = value.get("x-value") or value["description"]
+        return units[0].lower() + units[1:]
+    if "oneOf" in value:
+        return " or ".join(dict.fromkeys(value_of(each) for each in value["oneOf"]))
+    if "enum" in value:
+        return ", ".join(f"`{word}`" for word in value["enum"])
+    kind = value["type"]
+    if kind == "integer":
+        return f"whole number, {value['minimum']} to {value['maximum']}"
+    if kind == "number":
+        return f"number {bounds(value)}".rstrip()
+    if kind == "object":
+        keys = value["properties"]
+        return f"`{{{', '.join(keys)}}}`" if len(keys) < 5 else "map"
+    if kind == "array":
+        return "list: " + value_of(value["items"])
+    return {"string": "text", "boolean": "`true`, `false`"}.get(str(kind), "as it would stand there")
+
+
+def maps_in(value: dict, path: str) -> list[tuple[str, dict]]:
+    """The maps that a value may be, or holds, with the path of their keys."""
+    if "oneOf" in value:
+        return [each for other in value["oneOf"] for each in maps_in(other, path)]
+    if value.get("type") == "array":
+        return maps_in(value["items"], path + "[]")
+    return [(path + ".", value)] if "properties" in value else []
+
+
+def inputs_in(block: dict, before: str, rows: dict[str, tuple[str, ...]]) -> None:
+    for name, value in block["properties"].items():
         path = before + name
-        items = value.get("items", {})
-        default = json.dumps(value["default"]) if "default" in value else ""
-        rows.append((f"`{path}`", default, value.get("description", "")))
-        rows += inputs_in(value.get("properties", {}), path + ".")
-        rows += inputs_in(items.get("properties", {}), path + "[].")
+        default = f"`{value['default']}`".replace("True", "true") if "default" in value else ""
+        default = default.replace("False", "false")
+        needed = "yes" if name in block.get("required", []) else value.get("x-condition", "")
+        meaning = value.get("x-meaning") or value.get("description", "")
+        if words := value.get("x-value") if "examples" not in value else None:
+            meaning += f". {words}"
+        rows.setdefault(path, (f"`{path}`", value_of(value), default, needed, meaning))
+        for inner, keys in maps_in(value, path):
+            inputs_in(keys, inner, rows)
+
+
+def input_page(schema: dict) -> str:
+    text = (
+        "# Inputs\n\nEvery key of a case. `[]` stands for the entries of a list. A path with the "
+        "number of an entry, `load_cases[0].axial_force`, is what `--set` and studies take. Required: "
+        "where the block that holds the key stands; what a command needs, `prs check` says.\n\n"
+    )
+    for name, value in schema["properties"].items():
+        rows: dict[str, tuple[str, ...]] = {}
+        one = {"properties": {name: value}, "required": schema.get("required", [])}
+        inputs_in(one, "", rows)
+        head = ("path", "value", "default", "required", "what it is")
+        text += f"## {name}\n{table(head, list(rows.values()))}\n"
+    return NOTE + text.rstrip() + "\n"
+
+
+def responses_in(owner: dict, before: str, records: dict) -> list[tuple[str, ...]]:
+    """Those of a record, which has the title and the unit of the quantity that it is."""
+    rows = []
+    for q in records[owner["record"]]["quantities"]:
+        path = before + q["key"]
+        unit = q.get("unit") or owner.get("unit", "")
+        title = f"{owner['title']}: {q['title']}" if "title" in owner else q["title"]
+        if q["kind"] == "record":
+            inner = {"record": q["record"], "title": title, "unit": unit}
+            rows += responses_in(inner, path + ".", records)
+        elif q["kind"] in ("number", "series") and q.get("response", True):
+            path += ".max" if q["kind"] == "series" else ""
+            rows.append((f"`{path}`", unit, title))
     return rows
 
 
-def reference(results: dict, inputs: dict) -> dict[Path, str]:
+def response_page(schema: dict) -> str:
+    text = (
+        "# Responses\n\nThe numbers of results that studies and optimizations record, by their "
+        "paths. Of a series of threads `.max`, `.min`, `.mean` or `[k]`, from 0, is one number. "
+        "`load_cases[1].` before a path means the second load case; without it, the first.\n\n"
+    )
+    for place in schema["documents"]:
+        before = "" if place["path"] == "load_cases[]" else place["path"] + "."
+        if rows := responses_in({"record": place["record"]}, before, schema["records"]):
+            text += f"## {place['path']}\n{table(('path', 'unit', 'title'), rows)}\n"
+    return NOTE + text.rstrip() + "\n"
+
+
+def keys_in(value: dict, path: str, links: dict[str, str]) -> list[tuple[str, ...]]:
+    """The values of a document below a path; records of the tables have pages of their own."""
+    said = value.get("description", "")
+    if "$ref" in value:
+        name = value["$ref"].rpartition("/")[2]
+        return [(f"`{path}`", links.get(name, name), said)]
+    if value.get("type") == "array":
+        return keys_in(value["items"], path + "[]", links)
+    if "properties" in value:
+        return [
+            row
+            for key, inner in value["properties"].items()
+            for row in keys_in(inner, f"{path}.{key}", links)
+        ]
+    if isinstance(values := value.get("additionalProperties"), dict):
+        return keys_in(values | ({"description": said} if said else {}), path + ".*", links)
+    if words := value.get("enum"):
+        return [(f"`{path}`", " or ".join(words), said)]
+    kind = value.get("type", "text")
+    kind = " or ".join(kind) if isinstance(kind, list) else kind
+    return [(f"`{path}`", kind.replace("string", "text"), said)]
+
+
+def document_page(schemas: dict[str, dict], results: dict) -> str:
+    links = {"Input": "[a case](inputs.md)", "Figure": "`prs schema figures`"}
+    for place in results["documents"]:
+        page = place["path"].replace("[]", "").replace(".", "_")
+        for name in records_in(place["record"], results["records"], []):
+            links.setdefault(name, f"[{name}]({page}.md#{name.lower()})")
+    text = (
+        "# Documents\n\nWhat `--json` prints, and `--output` writes, by command. `.*` stands for any "
+        "key, `[]` for the entries of a list. `prs schema COMMAND` prints a JSON Schema of it. "
+        "`resolved_input` is the case with overrides and defaults in place: as a file of its own, "
+        "it gives the same results.\n\n"
+    )
+    head = ("key", "value", "what it is")
+
+    def rows_of(properties: dict) -> list[tuple[str, ...]]:
+        return [row for key, value in properties.items() for row in keys_in(value, key, links)]
+
+    always = schemas["configurations"]["properties"].keys() & schemas["check"]["properties"].keys()
+    shared = {k: v for k, v in schemas["check"]["properties"].items() if k in always}
+    text += f"## Every document\n{table(head, rows_of(shared))}\n"
+    for command, schema in schemas.items():
+        for form in schema.get("oneOf", [schema]):
+            own = {k: v for k, v in form["properties"].items() if k not in always}
+            text += f"## {command}\n{table(head, rows_of(own))}\n"
+            for name, definition in schema["$defs"].items():
+                if f'"#/$defs/{name}"' in json.dumps(own) and name not in links:
+                    text += f"### {name}\n{table(head, rows_of(definition['properties']))}\n"
+    return NOTE + text.rstrip() + "\n"
+
+
+def reference(results: dict, inputs: dict, documents: dict[str, dict]) -> dict[Path, str]:
     pages = result_pages(results)
-    rows = inputs_in(inputs["properties"])
-    pages["inputs.md"] = NOTE + "# Inputs\n\n" + table(("path", "default", "what it is"), rows)
     links = "".join(
         f"- [`{place['path']}`]({name})\n"
-        for place, name in zip(results["documents"], result_pages(results), strict=True)
+        for place, name in zip(results["documents"], pages, strict=True)
     )
+    pages["inputs.md"] = input_page(inputs)
+    pages["responses.md"] = response_page(results)
+    pages["documents.md"] = document_page(documents, results)
     pages["README.md"] = (
-        f"{NOTE}# Reference\n\nEvery [input](inputs.md) of a case, and every result of `--json`: "
-        f"units stand at the end of the keys.\n\n{links}"
+        f"{NOTE}# Reference\n\n"
+        "- [Inputs](inputs.md): every key of a case, with unit, bounds and default\n"
+        "- [Documents](documents.md): what every command prints with `--json`\n"
+        "- [Responses](responses.md): the numbers that studies record\n\n"
+        "Every quantity of the results, with its formula and source; units stand at the end of the "
+        f"keys:\n\n{links}"
     )
     files = {PAGES / name: text for name, text in pages.items()}
     files[ROOT / "python/rollerscrew/records.py"] = python_records(results["records"])
@@ -124,12 +269,12 @@ Array = npt.NDArray[np.float64]  #: Read-only.
 
 
 def main() -> int:
-    prs = sys.argv[1]
-    results, inputs = (
-        json.loads(subprocess.run([prs, "schema", of], check=True, capture_output=True).stdout)
-        for of in ("results", "input")
-    )
-    files = reference(results, inputs)
+    def of(*arguments: str) -> dict:
+        run = subprocess.run([sys.argv[1], *arguments], check=True, capture_output=True)
+        return json.loads(run.stdout)
+
+    documents = {command: of("schema", command) for command in COMMANDS}
+    files = reference(of("schema", "results"), of("schema", "input"), documents)
     stale = [path for path, text in files.items() if not path.exists() or path.read_text() != text]
     stale += [path for path in PAGES.glob("*") if path not in files]
     if "--check" in sys.argv:

@@ -15,7 +15,8 @@ venv=$PWD/build/venv
 export PRS_EXECUTABLE=$PWD/build/release/prs/cli/prs PRS_CACHE_DIR= MPLBACKEND=Agg
 if [[ ${1:-} != --sanitized ]]; then
   "$venv/bin/mypy"
-  "$venv/bin/pytest" -q -n "$(nproc)" "$@"
+  # A file's tests in one process, which keeps the answers that they share.
+  "$venv/bin/pytest" -q -n "$(nproc)" --dist loadfile "$@"
   exit
 fi
 

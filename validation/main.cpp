@@ -29,7 +29,7 @@ namespace {
 
 using namespace prs::cli;
 
-const prs::DocumentInfo kInfo{prs::kVersion, prs::kSchemaVersion, "", {}};
+const prs::DocumentInfo kInfo{prs::kVersion, prs::kSchemaVersion, "", {}, "validate"};
 
 using Options = ValidateOptions;
 
@@ -101,8 +101,8 @@ int recipe(const Options& options) {
        .document = [&](const prs::DocumentInfo& i) { return recipe_json(*recipe, rows, i); },
        .table = [&] { return recipe_text(*recipe, rows); },
        .files =
-           [&] {
-             return std::vector<prs::OutputFile>{{"recipe.csv", recipe_csv(*recipe, rows)}};
+           [&](const prs::CsvStyle& style) {
+             return std::vector<prs::OutputFile>{{"recipe.csv", recipe_csv(*recipe, rows, style)}};
            }},
       kInfo, options);
 }

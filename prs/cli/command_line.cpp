@@ -60,7 +60,8 @@ OptionText text_of(const CLI::Option& option) {
   if (is_argument(option)) text.value = upper(option.get_name(true));
   text.help = option.get_description();
   text.required = option.get_required();
-  text.repeatable = option.get_items_expected_max() > 2;
+  text.repeatable = option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll ||
+                    option.get_items_expected_max() > 2;
   text.optional_value = takes_value && option.get_items_expected_min() == 0;
   return text;
 }
@@ -68,7 +69,9 @@ OptionText text_of(const CLI::Option& option) {
 /// `--output` of `--output: At Most 1 required` or `--json was given ..`.
 std::string named(const CLI::ParseError& error) {
   const std::string what = error.what();
-  return what.substr(0, what.find_first_of(": "));
+  const std::string name = what.substr(0, what.find_first_of(": "));
+  const bool is_flag = what.find("disallowed flag override") != std::string::npos;
+  return is_flag && !name.starts_with('-') ? "--" + name : name;
 }
 
 /// What nobody expected: the first option, else the first word.
@@ -88,21 +91,22 @@ std::optional<Extra> extra(const std::vector<const CLI::App*>& chain) {
   return first;
 }
 
-std::vector<std::string> option_names(const CLI::App& command) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  return names;
-}
-
-std::vector<std::string_view> views(const std::vector<std::string>& words) {
-  return {words.begin(), words.end()};
-}
-
 /// `; did you mean ..?` or nothing.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
-  const std::string text = did_you_mean(word, views(known));
+  const std::string text = did_you_mean(word, {known.begin(), known.end()});
   return text.empty() ? text : "; " + text;
+}
+
+/// The dashes, which all have, would make the short ones look alike.
+std::string option_suggestion(std::string_view name, const CLI::App& command) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& n : option->get_lnames()) known.push_back(n);
+  const std::size_t begin = std::min(name.find_first_not_of('-'), name.size());
+  std::string text = suggestion(name.substr(begin), known);
+  if (const std::size_t quote = text.find('`'); quote != std::string::npos)
+    text.insert(quote + 1, "--");
+  return text;
 }
 
 std::string unknown_command(std::string_view word, const std::string& program,
@@ -127,7 +131,7 @@ std::string unexpected(const std::vector<const CLI::App*>& chain, const Extra& e
       return fmt::format("got {0} before `{1}`; expected it after the command: `{2} .. {0}`", name,
                          chain[deeper]->get_name(), path_of(*chain[deeper]));
   return fmt::format("got {}; expected an option of `{}`{}", shown(name), path_of(command),
-                     suggestion(name, option_names(command)));
+                     option_suggestion(name, command));
 }
 
 /// How the option is written: `--output DIR`.
@@ -160,7 +164,7 @@ std::string message(const CLI::ParseError& error, const std::vector<const CLI::A
                        form(*option));
   }
   const std::string what = error.what();
-  return name + what.substr(named(error).size());
+  return name + what.substr(what.find(": "));
 }
 
 }  // namespace

@@ -3,14 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "prs/cli/command_line.h"
+#include "prs/cli/completion.h"
+#include "prs/cli/explain.h"
 #include "prs/cli/help.h"
 #include "prs/cli/list.h"
 #include "prs/cli/program.h"
 #include "prs/cli/usage_error.h"
 #include "prs/cli/validate_options.h"
+#include "prs/input/source.h"
+#include "prs/output/document_schema.h"
+#include "prs/output/files.h"
+#include "prs/quantities/json.h"
 #include "prs/version.h"
 
 namespace prs::cli {
@@ -38,7 +45,14 @@ void add_set(CLI::App& command, Options& options) {
       ->type_name("PATH=VALUE")
       ->expected(1)
       ->take_all()
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->check([](const std::string& text) {
+        if (text.find('=') != std::string::npos && !text.starts_with('=')) return std::string();
+        return fmt::format(
+            "got {}; expected PATH=VALUE, for example `--set mechanism.rollers=9` or `--set "
+            "\"load_cases[0].axial_force=20 kN\"`",
+            text.empty() ? "nothing" : input::shown(text));
+      });
 }
 
 /// What every command of a case has.
@@ -46,6 +60,8 @@ void add_case_options(CLI::App& command, Options& options) {
   add_file(command, options)->required();
   add_set(command, options);
   add_output_options(command, options);
+  add_units_option(command, options);
+  add_csv_options(command, options.csv);
   command.add_flag("--figures", options.figures, "Put the pictures into the document, as data")
       ->disable_flag_override();
 }
@@ -74,11 +90,20 @@ void add_compare_options(CLI::App& compare, Options& options) {
       ->disable_flag_override();
 }
 
-void add_measures_options(CLI::App& measures, Options& options) {
-  measures.get_option("file")->required(false);  // `--explain` needs none.
-  measures
-      .add_flag("--explain", options.explain, "Print formula, validity and source of every measure")
-      ->disable_flag_override();
+/// It needs no case. Without a name it explains every measure.
+void add_explain(CLI::App& command, Options& options) {
+  CLI::Option* file = command.get_option("file");
+  command
+      .add_option_function<std::string>(
+          "--explain",
+          [&options, file](const std::string& name) {
+            options.explain = name;
+            file->required(false);
+          },
+          "Print formula, validity and source of a measure or of a result by its path, in place "
+          "of the numbers; of every measure without a NAME")
+      ->type_name("NAME")
+      ->expected(0, 1);
 }
 
 void add_study_options(CLI::App& study, Options& options) {
@@ -130,6 +155,8 @@ void add_configurations_options(CLI::App& command, Options& options) {
       ->type_name("N FILE")
       ->expected(2);
   add_output_options(command, options);
+  add_units_option(command, options);
+  add_csv_options(command, options.csv);
 }
 
 void add_new(CLI::App& command, Options& options) {
@@ -138,15 +165,18 @@ void add_new(CLI::App& command, Options& options) {
 }
 
 void add_list_options(CLI::App& command, Options& options) {
-  take_one_of(command.add_option("what", options.what, "What to list")->required(), list_words());
-  command.add_option("file", options.file, "A case: only the commands that it has all for")
-      ->type_name("FILE");
+  take_one_of(command.add_option("what", options.what, list_help())->required(), list_words());
+  command.add_option("file", options.file, "A case: only what it has all for")->type_name("FILE");
   add_json(command, options);
 }
 
 void add_schema_options(CLI::App& command, Options& options) {
-  take_one_of(command.add_option("what", options.what, "Of what; default: input"),
-              {"input", "results", "figures"});
+  std::vector<std::string> schemas{"input", "results", "figures"};
+  for (const std::string_view document : documented_commands()) schemas.emplace_back(document);
+  take_one_of(command.add_option("what", options.what,
+                                 "Of what: the input; the table of results; figures; a command's "
+                                 "document of --json. Default: input"),
+              schemas);
   add_output_options(command, options);
 }
 
@@ -169,8 +199,10 @@ constexpr CaseRow kCaseRows[] = {
      "prs check case.yaml\nprs check case.yaml --all"},
     {Command::compare, kAnalyse, add_compare_options, nullptr,
      "prs compare case.yaml\nprs compare case.yaml --influence --output results"},
-    {Command::measures, kAnalyse, add_measures_options, nullptr,
-     "prs measures case.yaml\nprs measures --explain"},
+    {Command::measures, kAnalyse, nullptr, nullptr,
+     "prs measures case.yaml\n"
+     "prs measures --explain\n"
+     "prs measures --explain critical_speed_rpm"},
     {Command::study, kSearch, add_study_options, study,
      "prs study case.yaml --output results\n"
      "prs study case.yaml --shard 1/8 --output part1"},
@@ -189,7 +221,8 @@ struct OwnRow {
 };
 
 constexpr OwnRow kOwnRows[] = {
-    {"new", kStart, "Write a complete, commented case of a screw, or copy a lesson", add_new, new_case,
+    {"new", kStart, "Write a complete, commented case of a screw, or copy a lesson", add_new,
+     new_case,
      "prs new standard case.yaml --screw-diameter 25mm --lead 5mm\n"
      "prs new --lesson 14 case.yaml"},
     {"configurations", kStart, "List the geometries that a screw diameter and a lead allow",
@@ -198,8 +231,8 @@ constexpr OwnRow kOwnRows[] = {
      "prs configurations --screw-diameter '24 mm' --lead '6 mm' --write 1 case.yaml"},
     {"list", kLook, "List what there is to choose from", add_list_options, list,
      "prs list commands\nprs list commands case.yaml"},
-    {"schema", kLook, "Print the JSON Schema of the input or of pictures, or the table of results",
-     add_schema_options, schema, "prs schema > prs.schema.json"},
+    {"schema", kLook, "Print the JSON Schema of the input, of a command's document or of pictures",
+     add_schema_options, schema, "prs schema > prs.schema.json\nprs schema results"},
     {"validate", kLook, "Compare with the published sources", add_validate, nullptr,
      "prs validate\nprs validate validation/sandu_2018 --json"},
 };
@@ -240,7 +273,8 @@ void add_case_commands(Program& program) {
     CLI::App& command = add_command(program, word, std::string(row.help),
                                     more != nullptr ? more->group : kAnalyse, examples, run);
     add_case_options(command, program.options);
-    if (more != nullptr) more->add(command, program.options);
+    if (more == nullptr || more->group == kAnalyse) add_explain(command, program.options);
+    if (more != nullptr && more->add != nullptr) more->add(command, program.options);
   }
 }
 
@@ -255,17 +289,67 @@ void add_merge(Program& program) {
       ->type_name("DIR");
   add_threads(*merge, program.options);
   add_output_options(*merge, program.options);
+  add_csv_options(*merge, program.options.csv);
+}
+
+void add_completion(Program& program) {
+  const auto complete = [&program](const Options& options) {
+    const CommandText text = describe(program.app);
+    print(options.what == "bash"  ? bash_completion(text)
+          : options.what == "zsh" ? zsh_completion(text)
+                                  : fish_completion(text));
+    return kDone;
+  };
+  CLI::App& command =
+      add_command(program, "completion", "Print the completion script of a shell", kLook,
+                  "source <(prs completion bash)\n"
+                  "prs completion fish > ~/.config/fish/completions/prs.fish",
+                  complete);
+  take_one_of(command.add_option("shell", program.options.what, "Of which shell")->required(),
+              {"bash", "zsh", "fish"});
+}
+
+void add_pages(const CommandText& command, std::vector<OutputFile>& pages) {
+  pages.push_back({manual_file(command), manual_page(command, kVersion)});
+  for (const CommandText& c : command.commands) add_pages(c, pages);
+}
+
+void add_manual(Program& program) {
+  const auto manual = [&program](const Options& options) {
+    const CommandText text = describe(program.app);
+    const CommandText& command = find_command(text, options.words);
+    if (options.pages.empty()) {
+      print(manual_page(command, kVersion));
+      return kDone;
+    }
+    std::vector<OutputFile> pages;
+    add_pages(command, pages);
+    write_files(options.pages, pages);
+    return kDone;
+  };
+  CLI::App& command =
+      add_command(program, "manual", "Print the manual page of a command, for `man -l`", kLook,
+                  "prs manual solve | man -l -\nprs manual --output share/man/man1", manual);
+  command.add_option("command", program.options.words, "The program itself without one")
+      ->type_name("COMMAND");
+  command
+      .add_option("-o,--output", program.options.pages,
+                  "Write the page and those of its commands into this folder")
+      ->type_name("DIR");
 }
 
 void add_help(Program& program) {
   const auto help = [&program](const Options& options) {
-    print(help_text(find_command(describe(program.app), options.words)));
+    const CommandText text = describe(program.app);
+    const CommandText& command = find_command(text, options.words);
+    print(options.json ? json_text(help_json(command)) : help_text(command));
     return kDone;
   };
   CLI::App& command = add_command(program, "help", "Say what a command does, with its options",
                                   kLook, "prs help solve\nprs help study merge", help);
   command.add_option("command", program.options.words, "All commands without one")
       ->type_name("COMMAND");
+  add_json(command, program.options);
 }
 
 }  // namespace
@@ -280,6 +364,8 @@ void add_commands(Program& program) {
   add_merge(program);
   add_own(program, kLook);
   add_help(program);
+  add_manual(program);
+  add_completion(program);
 }
 
 }  // namespace prs::cli

@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/cli/deliver.h"
+#include "prs/cli/explain.h"
 #include "prs/cli/usage_error.h"
 #include "prs/figures/figure_json.h"
 #include "prs/input/schema.h"
-#include "prs/output/measures_table.h"
+#include "prs/output/document_schema.h"
 #include "prs/output/run_files.h"
-#include "prs/quantities/measures_json.h"
 #include "prs/quantities/results_schema.h"
 
 namespace prs::cli {
@@ -29,26 +29,20 @@ input::Source case_source(const Options& options) {
 }
 
 int run_case(const CommandRow& row, const Options& options) {
-  if (options.explain) return explain_measures(options);
+  if (options.explain) return explain(options);
   const input::Source source = case_source(options);
-  return deliver(run(row, source), document_info(source), options);
-}
-
-int explain_measures(const Options& options) {
-  print(options.json ? json_text(measure_explanations_json()) : measure_explanations());
-  return kDone;
+  return deliver(run(row, source), document_info(source, row.command), options);
 }
 
 int schema(const Options& options) {
-  const bool of_results = options.what == "results", of_figures = options.what == "figures";
-  const std::string document = json_text(of_results   ? results_schema()
-                                         : of_figures ? figure_schema()
-                                                      : input::schema());
+  const std::string of = options.what.empty() ? "input" : options.what;
+  const std::string document = json_text(of == "input"     ? input::schema()
+                                         : of == "results" ? results_schema()
+                                         : of == "figures" ? figure_schema()
+                                                           : document_schema(of));
   if (options.output)
-    write_files(*options.output, {{of_results   ? "prs.results.json"
-                                   : of_figures ? "prs.figures.json"
-                                                : "prs.schema.json",
-                                   document}});
+    write_files(*options.output,
+                {{of == "input" ? "prs.schema.json" : fmt::format("prs.{}.json", of), document}});
   if (!options.quiet || options.json) print(document);
   return kDone;
 }

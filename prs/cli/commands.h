@@ -42,7 +42,8 @@ struct Options : OutputOptions {
   std::optional<Shard> shard;                  ///< `prs study --shard`: its part of the designs.
   bool restart = false;                        ///< `prs study`: discards what was computed before.
   std::vector<std::filesystem::path> folders;  ///< `prs study merge`: those of the shards.
-  bool explain = false;                        ///< `prs measures`: formulas in place of numbers.
+  std::optional<std::string> explain;          ///< What to explain in place of numbers.
+  std::filesystem::path pages;                 ///< `prs manual`: folder of its pages.
   std::string what;                            ///< `prs list`, `prs schema`: of what.
   std::vector<std::string> words;              ///< `prs help`: the command to explain.
   ConfigurationOptions configurations;
@@ -62,8 +63,6 @@ input::Source case_source(const Options& options);
 
 /// Runs a command that computes a case and writes its results.
 int run_case(const CommandRow& row, const Options& options);
-/// Prints formula, validity and source of every measure. Needs no case.
-int explain_measures(const Options& options);
 int study(const Options& options);
 /// Writes the files of a study from the journals in `options.folders`.
 int merge_study(const Options& options);

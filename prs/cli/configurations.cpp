@@ -85,16 +85,16 @@ int configurations(const Options& options) {
                                          input::shown(asked.write[1])));
   }
   if (written) write_case(asked.write[1], *written);
-  const int status =
-      deliver({.file = "configurations.json",
-               .document = [&](const DocumentInfo& info) { return configurations_json(all, info); },
-               .table = [&] { return configurations_table(query, all); },
-               .files =
-                   [&] {
-                     return std::vector<OutputFile>{{"configurations.csv", configurations_csv(all)},
-                                                    {"gear_pairs.csv", gear_pairs_csv(all)}};
-                   }},
-              {kVersion, kSchemaVersion, "", {}}, options);
+  const int status = deliver(
+      {.file = "configurations.json",
+       .document = [&](const DocumentInfo& info) { return configurations_json(all, info); },
+       .table = [&] { return configurations_table(query, all); },
+       .files =
+           [&](const CsvStyle& style) {
+             return std::vector<OutputFile>{{"configurations.csv", configurations_csv(all, style)},
+                                            {"gear_pairs.csv", gear_pairs_csv(all, style)}};
+           }},
+      {kVersion, kSchemaVersion, "", {}, "configurations"}, options);
   if (written)
     note(options, fmt::format("{}: written; `prs check {}` is the next step", asked.write[1],
                               asked.write[1]));

@@ -17,7 +17,7 @@ namespace {
 bool write(const Delivery& delivery, const std::string& document, const Figures& shown,
            const OutputOptions& options) {
   std::vector<OutputFile> files{{delivery.file, document}};
-  if (delivery.files) std::ranges::move(delivery.files(), std::back_inserter(files));
+  if (delivery.files) std::ranges::move(delivery.files(options.csv), std::back_inserter(files));
   write_files(*options.output, files);
   Undrawn undrawn = draw_figures(shown, *options.output);
   for (const std::string& note : delivery.without_figure) undrawn.notes.push_back(note);
@@ -44,6 +44,7 @@ int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOpti
     print(document);
     for (const std::string& text : delivery.notes) note(options, text);
   } else if (!options.quiet) {
+    const TableUnits units(options.units);
     print(options.all && delivery.full_table ? delivery.full_table() : delivery.table());
     const bool more_than_document = delivery.files || delivery.pictures;
     if (options.output && more_than_document)

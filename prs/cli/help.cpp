@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "prs/text.h"
@@ -43,9 +44,11 @@ std::string term(const OptionText& option) {
   return text.empty() ? value : text + " " + value;
 }
 
-/// Of an argument: the words that it may be stand in the text.
+/// Of an argument: the words that it may be stand in the text, unless that explains each.
 std::string text(const OptionText& option) {
-  if (!option.names.empty() || option.words.empty()) return option.help;
+  const bool explained =
+      !option.words.empty() && option.help.find(option.words.front() + ":") != std::string::npos;
+  if (!option.names.empty() || option.words.empty() || explained) return option.help;
   return fmt::format("{}: {}", option.help, fmt::join(option.words, ", "));
 }
 
@@ -140,6 +143,8 @@ std::string usage(const CommandText& command) {
   std::string text = command.name;
   if (command.arguments.empty() && !command.commands.empty()) return text + " COMMAND ..";
   if (!command.options.empty()) text += " [OPTIONS]";
+  for (const OptionText& option : command.options)
+    if (option.required) text += fmt::format(" {} {}", option.names.back(), option.value);
   for (const OptionText& a : command.arguments) {
     const std::string value = a.value + (a.repeatable ? ".." : "");
     text += a.required ? " " + value : " [" + value + "]";
@@ -156,6 +161,27 @@ std::string help_text(const CommandText& command) {
   Section statuses{"Exit status", {}};
   for (const auto& [status, meaning] : kExitStatuses) statuses.entries.push_back({status, meaning});
   return text + plain(statuses);
+}
+
+nlohmann::ordered_json help_json(const CommandText& command) {
+  nlohmann::ordered_json json{
+      {"name", command.name}, {"help", command.help}, {"usage", usage(command)}};
+  if (command.name.find(' ') != std::string::npos) json["group"] = command.group;
+  for (const auto& [key, texts] :
+       {std::pair{"arguments", &command.arguments}, std::pair{"options", &command.options}})
+    for (const OptionText& option : *texts) {
+      nlohmann::ordered_json entry;
+      if (!option.names.empty()) entry["names"] = option.names;
+      if (!option.value.empty()) entry["value"] = option.value;
+      if (!option.words.empty()) entry["words"] = option.words;
+      entry["help"] = option.help;
+      entry["required"] = option.required;
+      entry["repeatable"] = option.repeatable;
+      json[key].push_back(std::move(entry));
+    }
+  if (!command.examples.empty()) json["examples"] = command.examples;
+  for (const CommandText& c : command.commands) json["commands"].push_back(help_json(c));
+  return json;
 }
 
 std::string overview(const CommandText& program) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 
 #include "prs/cli/command_line.h"
 
@@ -11,6 +13,9 @@ std::string usage(const CommandText& command);
 
 /// What `prs help COMMAND` prints.
 std::string help_text(const CommandText& command);
+
+/// The same for programs: names, arguments, options and commands, each with its help.
+nlohmann::ordered_json help_json(const CommandText& command);
 
 /// The commands by purpose: what the program says that got nothing to do.
 std::string overview(const CommandText& program);

@@ -1,11 +1,29 @@
 #include "prs/cli/interruption.h"
 
+#include <unistd.h>
+
 #include <csignal>
+#include <string_view>
+
+#include "prs/file_descriptor.h"
 
 namespace prs::cli {
 namespace {
 
-volatile std::sig_atomic_t asked_to_stop = 0;
+constexpr int kStatusOfSignal = 128;  ///< Shells add the signal to it.
+
+volatile std::sig_atomic_t asked_by = 0;  ///< The signal, or 0.
+
+void end(int signal) {
+  constexpr std::string_view kText = "prs: interrupted\n";
+  write_all(STDERR_FILENO, kText);
+  ::_exit(kStatusOfSignal + signal);
+}
+
+void ask_to_stop(int signal) {
+  if (asked_by != 0) end(signal);
+  asked_by = signal;
+}
 
 }  // namespace
 
@@ -17,8 +35,7 @@ struct Interruption::Before {
 
 Interruption::Interruption() : before_(std::make_unique<Before>()) {
   struct sigaction ask {};
-  ask.sa_handler = [](int) { asked_to_stop = 1; };
-  ask.sa_flags = static_cast<int>(SA_RESETHAND);
+  ask.sa_handler = ask_to_stop;
   ::sigaction(SIGINT, &ask, &before_->interrupt);
   ::sigaction(SIGTERM, &ask, &before_->terminate);
 }
@@ -28,7 +45,15 @@ Interruption::~Interruption() {
   ::sigaction(SIGTERM, &before_->terminate, nullptr);
 }
 
-bool Interruption::asked() { return asked_to_stop != 0; }
+bool Interruption::asked() { return asked_by != 0; }
+
+int Interruption::status() { return kStatusOfSignal + asked_by; }
+
+void end_on_interrupt() {
+  struct sigaction action {};
+  action.sa_handler = end;
+  ::sigaction(SIGINT, &action, nullptr);
+}
 
 void let_writes_fail() {
   for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);

@@ -4,8 +4,7 @@
 
 namespace prs::cli {
 
-/// While it lives, the first Ctrl-C or SIGTERM only asks the program to stop; the next one kills
-/// it.
+/// While it lives, the first Ctrl-C or SIGTERM only asks the program to stop; the next one ends it.
 class Interruption {
  public:
   Interruption();
@@ -13,10 +12,16 @@ class Interruption {
 
   static bool asked();
 
+  /// Exit status of a program that stopped because it was asked: 130 after Ctrl-C.
+  static int status();
+
  private:
   struct Before;
   std::unique_ptr<Before> before_;
 };
+
+/// Ctrl-C ends the program with status 130, as a shell reports it.
+void end_on_interrupt();
 
 /// A file at its size limit (SIGXFSZ) and a closed pipe (SIGPIPE) become write errors, like a full
 /// disk, and do not end the program.

@@ -55,10 +55,11 @@ Lesson lesson(const std::string& asked) {
   std::vector<std::string_view> names;
   for (const Lesson& l : all) names.push_back(without_number(l.name));
   const std::string hint = input::did_you_mean(name, names);
-  fail_option("--lesson",
-              fmt::format("got {}; expected a number from {} to {} or a name, such as {}{}{}",
-                          input::shown(asked), all.front().number(), all.back().number(),
-                          names.front(), hint.empty() ? "" : "; ", hint));
+  fail_option(
+      "--lesson",
+      fmt::format("got {}; expected a number from {} to {} or a name of `prs list lessons`{}{}",
+                  input::shown(asked), all.front().number(), all.back().number(),
+                  hint.empty() ? "" : "; ", hint));
 }
 
 std::vector<std::string> companions(const Lesson& lesson) {

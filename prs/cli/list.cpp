@@ -6,8 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "prs/cli/lessons.h"
+#include "prs/input/schema.h"
 #include "prs/output/lists.h"
 #include "prs/quantities/json.h"
+#include "prs/run/responses.h"
 #include "prs/text.h"
 
 namespace prs::cli {
@@ -28,27 +31,91 @@ std::vector<Item> command_items(const Options& options) {
   return items;
 }
 
-struct List {
-  const char* word;
-  std::vector<Item> (*items)(const Options&);
-  bool names_only;  ///< On a terminal: one word per line, for scripts.
-  // In place of the items, a table of its own.
-  std::string (*table)() = nullptr;
-  nlohmann::ordered_json (*json)() = nullptr;
-};
+using Json = nlohmann::ordered_json;
 
-constexpr List kLists[] = {{"commands", command_items, true},
-                           {"lubricants", nullptr, false, lubricants_table, lubricants_json}};
+void add_inputs(const Json& schema, const std::string& path, std::vector<Item>& items) {
+  const Json properties = schema.value("properties", Json::object());
+  for (const auto& [key, property] : properties.items()) {
+    const std::string own = path.empty() ? key : path + "." + key;
+    if (std::ranges::find(items, own, &Item::name) == items.end())
+      items.push_back({own, property.value("description", "")});
+    add_inputs(property, own, items);
+  }
+  for (const Json& alternative : schema.value("oneOf", Json::array()))
+    add_inputs(alternative, path, items);
+  if (schema.contains("items")) add_inputs(schema["items"], path + "[0]", items);
+}
 
-std::string list_text(const List& list, const std::vector<Item>& items) {
+/// What `--set` takes.
+std::vector<Item> input_items() {
+  std::vector<Item> items;
+  add_inputs(input::schema(), "", items);
+  return items;
+}
+
+std::string names(const std::vector<Item>& items) {
+  std::string lines;
+  for (const Item& item : items) lines += item.name + "\n";
+  return lines;
+}
+
+std::string columns(const std::vector<Item>& items) {
   std::size_t longest = 0;
   for (const Item& item : items) longest = std::max(longest, width(item.name));
   std::string lines;
-  for (const Item& item : items)
-    lines += list.names_only ? item.name + "\n"
-                             : fmt::format("{:<{}}  {}\n", item.name, longest, item.meaning);
+  for (const auto& [name, meaning] : items)
+    lines += fmt::format("{:<{}}  {}\n", name, longest, meaning);
   return lines;
 }
+
+Json entries(const std::vector<Item>& items) {
+  Json json = Json::array();
+  for (const auto& [name, meaning] : items) json.push_back({{"name", name}, {"meaning", meaning}});
+  return json;
+}
+
+std::vector<std::string> responses(const Options& options) {
+  return options.file.empty() ? known_responses() : responses_of(case_source(options));
+}
+
+std::vector<Item> lesson_items() {
+  std::vector<Item> items;
+  for (const Lesson& lesson : lessons()) items.push_back({lesson.name, lesson.title});
+  return items;
+}
+
+/// Something to choose from: lines that begin with its names, and the same as a document.
+struct List {
+  const char* word;
+  const char* meaning;
+  std::string (*text)(const Options&);
+  Json (*json)(const Options&);
+};
+
+constexpr List kLists[] = {
+    {"commands", "those that take a case; with FILE, those for which it is complete",
+     [](const Options& o) { return names(command_items(o)); },
+     [](const Options& o) {
+       return Json{{"commands", entries(command_items(o))}};
+     }},
+    {"inputs", "keys of a case, as `--set` takes them",
+     [](const Options&) { return columns(input_items()); },
+     [](const Options&) {
+       return Json{{"inputs", entries(input_items())}};
+     }},
+    {"lubricants", "known by name", [](const Options&) { return lubricants_table(); },
+     [](const Options&) { return lubricants_json(); }},
+    {"units", "of the input", [](const Options&) { return units_table(); },
+     [](const Options&) { return units_json(); }},
+    {"responses", "what a study may record; with FILE, what its results have",
+     [](const Options& o) { return responses_table(responses(o)); },
+     [](const Options& o) { return responses_json(responses(o)); }},
+    {"lessons", "that `prs new --lesson` copies",
+     [](const Options&) { return columns(lesson_items()); },
+     [](const Options&) {
+       return Json{{"lessons", entries(lesson_items())}};
+     }},
+};
 
 }  // namespace
 
@@ -58,22 +125,16 @@ std::vector<std::string> list_words() {
   return words;
 }
 
+std::string list_help() {
+  std::string text = "What to list.";
+  for (const List& list : kLists) text += fmt::format(" {}: {}.", list.word, list.meaning);
+  return text;
+}
+
 int list(const Options& options) {
   const List& list = *std::ranges::find(kLists, std::string_view(options.what),
                                         [](const List& l) { return std::string_view(l.word); });
-  if (list.table != nullptr) {
-    print(options.json ? json_text(list.json()) : list.table());
-    return kDone;
-  }
-  const std::vector<Item> items = list.items(options);
-  if (!options.json) {
-    print(list_text(list, items));
-    return kDone;
-  }
-  nlohmann::ordered_json entries = nlohmann::ordered_json::array();
-  for (const auto& [name, meaning] : items)
-    entries.push_back({{"name", name}, {"meaning", meaning}});
-  print(json_text({{list.word, entries}}));
+  print(options.json ? json_text(list.json(options)) : list.text(options));
   return kDone;
 }
 

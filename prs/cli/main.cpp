@@ -1,5 +1,6 @@
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/command_table.h"

@@ -2,19 +2,21 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
-#include <numbers>
-#include <set>
 
 #include "prs/cli/commands.h"
 #include "prs/cli/lessons.h"
 #include "prs/cli/quantity_option.h"
+#include "prs/cli/usage_error.h"
+#include "prs/input/did_you_mean.h"
 #include "prs/input/source.h"
 #include "prs/model/case_error.h"
+#include "prs/model/named_lubricants.h"
 #include "prs/model/quantity_text.h"
 #include "prs/output/files.h"
 #include "prs/output/screw_case.h"
-#include "prs/regular_file.h"
+#include "prs/quantities/configurations_json.h"
 
 namespace prs::cli {
 namespace {
@@ -100,10 +102,15 @@ CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given)
   CaseLubricant l;
   l.assumed = !o.lubricant;
   if (o.lubricant) {
-    if (*o.lubricant != l.name)
-      fail_option("--lubricant",
-                  fmt::format("got {}; expected {}", input::shown(*o.lubricant), l.name));
-    given.push_back("lubricant " + *o.lubricant);
+    l.name = *o.lubricant;
+    std::vector<std::string_view> names;
+    for (const NamedLubricant& known : named_lubricants()) names.push_back(known.name);
+    if (std::ranges::find(names, l.name) == names.end()) {
+      const std::string hint = input::did_you_mean(l.name, names);
+      fail_option("--lubricant", fmt::format("got {}; expected a name of `prs list lubricants`{}{}",
+                                             input::shown(l.name), hint.empty() ? "" : "; ", hint));
+    }
+    given.push_back("lubricant " + l.name);
   }
   if (o.temperature) {
     l.temperature = quantity_option("--temperature", *o.temperature, input::unit::temperature,
@@ -139,8 +146,8 @@ std::string new_text(const NewOptions& o) {
 
 void refuse_existing(const fs::path& file) {
   if (fs::exists(fs::symlink_status(file)))
-    throw input::InputError(
-        fmt::format("{}: error: the file exists already; give another name", file.string()));
+    throw UsageError(
+        fmt::format("{}: the file exists already; give another name", input::shown(file.string())));
 }
 
 std::string content_of_file(const fs::path& file) {
@@ -160,7 +167,7 @@ void copy_lesson(const Lesson& lesson, const fs::path& file) {
 }  // namespace
 
 void add_new_options(CLI::App& command, NewOptions& options) {
-  command.add_option("type", options.type, "standard or inverted")->type_name("TYPE");
+  command.add_option("type", options.type, "Type of the screw")->type_name("standard|inverted");
   command.add_option("file", options.file, "New file; printed without one")->type_name("FILE");
   const auto add = [&](const char* name, std::optional<std::string>& text, const char* what,
                        const char* kind) { command.add_option(name, text, what)->type_name(kind); };
@@ -194,8 +201,8 @@ int new_case(const Options& all) {
                                           input::shown(options.type), input::shown(options.file)));
     std::swap(options.type, options.file);
   } else if (!options.type.empty() && options.type != "standard" && options.type != "inverted") {
-    fail_option("new", fmt::format("got {}; expected standard or inverted, then the FILE",
-                                   input::shown(options.type)));
+    throw UsageError(fmt::format("TYPE: got {}; expected one of standard, inverted, then the FILE",
+                                 input::shown(options.type)));
   }
   const std::optional<Lesson> copied =
       options.lesson ? std::optional(lesson(*options.lesson)) : std::nullopt;

@@ -41,9 +41,9 @@ Delivery delivery_of(const OptimizationResult& result, const input::Source& sour
           .document = [&](const DocumentInfo& info) { return optimize_json(result, info); },
           .table = [&] { return optimize_table(result); },
           .files =
-              [&] {
-                std::vector<OutputFile> files{{"front.csv", front_csv(result)},
-                                              {"history.csv", history_csv(result)}};
+              [&](const CsvStyle& style) {
+                std::vector<OutputFile> files{{"front.csv", front_csv(result, style)},
+                                              {"history.csv", history_csv(result, style)}};
                 if (const std::optional<std::string> chosen = chosen_case(result, source))
                   files.push_back({"best.yaml", *chosen});
                 return files;
@@ -57,7 +57,7 @@ int report_interruption(const Options& options) {
   say(fmt::format("prs: interrupted; {}\n",
                   options.output ? "the same command continues from there"
                                  : "with --output DIR an optimization can be continued"));
-  return kFailed;
+  return Interruption::status();
 }
 
 }  // namespace
@@ -84,7 +84,8 @@ int optimize(const Options& options) {
         {Interruption::asked, [&](const StudyProgress& progress) { line.show(progress); }});
   }
   if (!result) return report_interruption(options);
-  const int status = deliver(delivery_of(*result, source), document_info(source), options);
+  const int status =
+      deliver(delivery_of(*result, source), document_info(source, Command::optimize), options);
   if (folder && status != kFailed) std::filesystem::remove(journal_file);
   return status;
 }

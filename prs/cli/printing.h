@@ -6,7 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "prs/output/csv_style.h"
 #include "prs/output/plots.h"
+#include "prs/output/table_units.h"
 
 namespace prs::cli {
 
@@ -17,9 +19,11 @@ enum Exit { kDone = 0, kFailed = 1, kWrongInput = 2, kNotConverged = 3 };
 struct OutputOptions {
   bool json = false;
   bool quiet = false;
-  bool all = false;      ///< The table with all that there is.
-  bool figures = false;  ///< The document holds the pictures as data.
+  bool all = false;                   ///< The table with all that there is.
+  bool figures = false;               ///< The document holds the pictures as data.
+  UnitSystem units = UnitSystem::si;  ///< Of tables.
   std::optional<std::filesystem::path> output;
+  CsvStyle csv;
 };
 
 /// Opens the standard streams that the program was started without, so that no other file gets

@@ -4,13 +4,18 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
+#include <system_error>
 
+#include "prs/cli/command_line.h"
 #include "prs/cli/interruption.h"
 #include "prs/cli/progress_line.h"
+#include "prs/cli/usage_error.h"
 #include "prs/input/source.h"
 #include "prs/output/run_files.h"
 #include "prs/sector/influence/matrix_cache.h"
@@ -25,6 +30,16 @@ int failed(std::string_view before, std::string_view what, int status) noexcept 
   say(what);
   say("\n");
   return status;
+}
+
+/// Before hours are spent on what cannot be written.
+void require_folder(const std::filesystem::path& output) {
+  if (output.empty()) throw UsageError("--output: got nothing; expected a folder");
+  if (std::error_code error;
+      std::filesystem::exists(output, error) && !std::filesystem::is_directory(output, error))
+    throw std::runtime_error(
+        fmt::format("--output: got {}, which is a file; expected a folder; give another name",
+                    input::shown(output.string())));
 }
 
 }  // namespace
@@ -45,6 +60,29 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
   add_quiet(command, options);
 }
 
+void add_units_option(CLI::App& command, OutputOptions& options) {
+  take_one_of(command.add_option_function<std::string>(
+                  "--units",
+                  [&options](const std::string& system) {
+                    options.units = system == "us" ? UnitSystem::us : UnitSystem::si;
+                  },
+                  "Units of the tables: us shows in, lbf, ksi; JSON and CSV are always si"),
+              {"si", "us"});
+}
+
+void add_csv_options(CLI::App& command, CsvStyle& style) {
+  take_one_of(
+      command.add_option_function<std::string>(
+          "--csv", [&style](const std::string& form) { style.european = form == "european"; },
+          "Of CSV files: european has `;` between fields and decimal commas"),
+      {"plain", "european"});
+  take_whole_number(
+      command.add_option("--csv-digits", style.digits,
+                         "Significant digits in CSV; 17: as many as read the same number back; "
+                         "default: 10"),
+      1, CsvStyle::kAllDigits);
+}
+
 int run_recorded(const std::function<int()>& run, const OutputOptions& options,
                  const std::string& command, const std::string& case_file,
                  const std::vector<std::string>& overrides) {
@@ -57,6 +95,7 @@ int run_recorded(const std::function<int()>& run, const OutputOptions& options,
       line->clear();
   });
   std::optional<RunFiles> files;
+  if (options.output) require_folder(*options.output);
   if (options.output) files.emplace(*options.output, command, case_file, overrides);
   const int status = run();
   if (files)
@@ -69,6 +108,7 @@ int run_recorded(const std::function<int()>& run, const OutputOptions& options,
 int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
   if (!reserve_standard_streams()) return kFailed;
   let_writes_fail();
+  end_on_interrupt();
   try {
     const int status = run(argc, argv);
     close_output();
@@ -77,6 +117,8 @@ int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
     return failed("", error.what(), kWrongInput);
   } catch (const StudyFolderError& error) {
     return failed("", error.what(), kWrongInput);
+  } catch (const UsageError& error) {
+    return failed("prs: error: ", error.what(), kWrongInput);
   } catch (const ReaderGone&) {
     return kFailed;
   } catch (const std::bad_alloc&) {

@@ -17,6 +17,12 @@ void add_quiet(CLI::App& command, OutputOptions& options);
 /// `--json`, `--output` and `--quiet`.
 void add_output_options(CLI::App& command, OutputOptions& options);
 
+/// `--units`, for commands that print quantities.
+void add_units_option(CLI::App& command, OutputOptions& options);
+
+/// `--csv` and `--csv-digits`, of commands that write CSV.
+void add_csv_options(CLI::App& command, CsvStyle& style);
+
 /// Runs a command, tells what it found in its folders, and lists what it wrote. `case_file` is
 /// empty where it reads no case.
 int run_recorded(const std::function<int()>& run, const OutputOptions& options,

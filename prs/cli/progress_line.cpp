@@ -23,10 +23,7 @@ void ProgressLine::show(const StudyProgress& progress) {
   if (now < next_) return;
   next_ = now + kPeriod;
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  std::string text =
-      progress_line(progress.done - progress.found, progress.total - progress.found, seconds);
-  if (progress.found > 0) text += fmt::format("; {} were there before", progress.found);
-  write(text);
+  write(progress_line(progress.done, progress.total, seconds, progress.found));
 }
 
 void ProgressLine::tell(std::string_view text) {

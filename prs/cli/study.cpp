@@ -67,15 +67,16 @@ std::string warning_note(const std::string& warning) { return "warning: " + prin
 int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Study& study,
                   const std::function<const DesignEngine&()>& engine, std::size_t threads,
                   const Options& options) {
-  const DocumentInfo info = document_info(in.source);
+  const DocumentInfo info = document_info(in.source, Command::study);
   StudyResult result{study, {}, 0, 0, 0, {}};
   StudyAnalysis analysis(study);
-  const std::string absent =
-      write_rows(rows, study, info, options.output ? &*options.output : nullptr, threads,
-                 [&](const RowBlock& block) {
-                   add(result, block);
-                   analysis.add(block);
-                 });
+  const std::string absent = write_rows(
+      rows, study, info, options.output ? &*options.output : nullptr, threads,
+      [&](const RowBlock& block) {
+        add(result, block);
+        analysis.add(block);
+      },
+      options.csv);
   if (!absent.empty()) note(options, "prs: " + absent);
   result.summary = analysis.summary();
   result.warnings = study_warnings(in, result, engine);
@@ -98,19 +99,26 @@ int derivatives(const input::StudyInput& in, const Options& options) {
       .table = [&] { return derivatives_table(result); },
       .notes = notes,
       .files =
-          [&] {
-            return std::vector<OutputFile>{{"derivatives.csv", derivatives_csv(result)}};
+          [&](const CsvStyle& style) {
+            return std::vector<OutputFile>{{"derivatives.csv", derivatives_csv(result, style)}};
           },
       .pictures = [&] { return derivatives_pictures(result); }};
-  return deliver(delivery, document_info(in.source), options);
+  return deliver(delivery, document_info(in.source, Command::study), options);
+}
+
+/// Where the designs of a run come from; the counts add up.
+std::string origin(const StudyProgress& progress) {
+  return fmt::format("{} were in the journal, {} computed", progress.found,
+                     progress.done - progress.found);
 }
 
 /// What a run that was stopped leaves behind.
-int report_interruption(std::size_t absent, std::size_t designs, const Options& options) {
-  say(fmt::format("prs: interrupted, {} of {} designs are done; {}\n", designs - absent, designs,
+int report_interruption(const StudyProgress& progress, const Options& options) {
+  say(fmt::format("prs: interrupted; {} designs: {}, {} left; {}\n", progress.total,
+                  origin(progress), progress.total - progress.done,
                   options.output ? "the same command continues from there"
-                                 : "they are lost; with --output DIR a study can be continued"));
-  return kFailed;
+                                 : "they are lost: with --output DIR a study can be continued"));
+  return Interruption::status();
 }
 
 int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
@@ -135,17 +143,22 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
     ranks.lead(next, take, engine.chunk(), run_here);
   };
   ProgressLine line(options.quiet);
+  StudyProgress progress;
   std::optional<Interruption> interruption(std::in_place);
   const StoredRows rows = run_study(header, folder ? &*folder : nullptr, run,
                                     {options.restart, Interruption::asked,
-                                     [&](const StudyProgress& progress) { line.show(progress); },
+                                     [&](const StudyProgress& now) {
+                                       progress = now;
+                                       line.show(now);
+                                     },
                                      [&](const std::string& text) { note(options, text); }});
   interruption.reset();
   line.clear();
 
   const DesignRange all = part(header.designs, header.shard);
-  if (const std::size_t absent = count(rows.missing(all)); absent > 0)
-    return report_interruption(absent, all.count, options);
+  if (count(rows.missing(all)) > 0) return report_interruption(progress, options);
+  if (progress.found > 0)
+    note(options, fmt::format("{} designs: {}", progress.total, origin(progress)));
   if (options.shard) {
     note(options,
          fmt::format("shard {}: {} designs are in {}; with all shards done, `prs study merge {} "

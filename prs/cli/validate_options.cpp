@@ -8,9 +8,10 @@ namespace prs::cli {
 
 void add_validate_options(CLI::App& command, ValidateOptions& options) {
   command
-      .add_option("dir", options.file,
-                  "Folder of the sources, default: those that come with the program; with --recipe a file of diameters, "
-                  "YAML or CSV")
+      .add_option(
+          "dir", options.file,
+          "Folder of the sources, default: those that come with the program; with --recipe a "
+          "file of diameters, YAML or CSV")
       ->type_name("DIR|FILE");
   CLI::Option* recipe =
       command

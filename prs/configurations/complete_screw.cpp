@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kFewestContacts = 3, kMostContacts = 10'000;
 constexpr int kStartsLimit = 100, kMostUsualStarts = 10;
-constexpr double kFinestPitch = 0.02, kUsualPitch = 0.1, kCoarsestPitch = 1.0;  // over d_R
-constexpr double kThickestNut = 100.0;                                          // over d_N
+constexpr double kFinestPitch = 0.002, kUsualPitch = 0.1, kCoarsestPitch = 1.0;  // over d_R
+constexpr double kThickestNut = 100.0;                                           // over d_N
 
 bool is_standard(const ScrewData& d) { return d.type == Mechanism::Type::standard; }
 
@@ -42,9 +42,6 @@ struct Threads {
 
 Mechanism draft(const ScrewData& d, int starts) {
   const double pitch = std::abs(d.lead) / starts;
-  const Groove groove =
-      default_groove(false, pitch, 0.5 * d.screw_diameter, d.flank_angle, d.flank_angle);
-  const ThreadHeight height{groove.addendum, groove.dedendum};
   Mechanism m;
   m.type = d.type;
   m.geometry = Mechanism::Geometry::design;
@@ -54,34 +51,68 @@ Mechanism draft(const ScrewData& d, int starts) {
   m.pitch_diameter.screw = d.screw_diameter;
   m.profile.roller = {Profile::Shape::convex,
                       d.roller_profile_radius.value_or(kProfileRadius * pitch)};
-  m.thread = {height, height, height};
   m.rollers = kFewestRollers;
   m.contacts_per_roller = kFewestContacts;
   return m;
 }
 
+/// What keeps contacts from rolling without play; empty where they do.
+std::string obstacle(const Mechanism& m, std::optional<Contacts>& contacts) {
+  try {
+    contacts = find_contacts(m, Materials{kSteel, kSteel, kSteel}, Detail::numbers);
+  } catch (const CaseError& error) {
+    return error.what();
+  }
+  for (const Interface i : kInterfaces)
+    if (!contacts->interfaces[i].has_hertz()) return failure(*contacts, i).reason;
+  return {};
+}
+
+/// As a maker cuts threads, but no more than 95 % of what sharp ones have.
+ThreadHeight thread_height(const Contacts& sharp, double pitch) {
+  ThreadHeight height{kCrestHeight * pitch, kMeshedRootDepth * pitch};
+  for (const Part p : kParts) {
+    const contact::Thread& thread = thread_of(sharp.threads, p);
+    const contact::RadiusLimits limits = contact::flank_limits(thread);
+    double crest = limits.largest - thread.pitch_radius,
+           root = thread.pitch_radius - limits.smallest;
+    if (thread.internal) std::swap(crest, root);
+    height.addendum = std::min(height.addendum, 0.95 * crest);
+    height.dedendum = std::min(height.dedendum, 0.95 * root);
+  }
+  return height;
+}
+
 Threads threads_for(const ScrewData& d, int starts) {
   Threads t{draft(d, starts), {}};
   const double pitch = axial_pitch(t.mechanism), roller = roller_diameter(d, starts);
-  if (!(pitch >= kFinestPitch * roller * (1.0 - 1e-9) && pitch <= kCoarsestPitch * roller))
-    return t.reason = fmt::format("the pitch is {} on rollers of {}", mm(pitch), mm(roller)), t;
-  Contacts contacts;
-  try {
-    contacts = find_contacts(t.mechanism, Materials{kSteel, kSteel, kSteel}, Detail::numbers);
-  } catch (const CaseError& error) {
-    return t.reason = error.what(), t;
+  if (!(pitch >= kFinestPitch * roller * (1.0 - 1e-9) && pitch <= kCoarsestPitch * roller)) {
+    t.reason = fmt::format("the pitch is {} on rollers of {}", mm(pitch), mm(roller));
+    return t;
   }
-  for (const Interface i : kInterfaces)
-    if (!contacts.interfaces[i].has_hertz()) return t.reason = failure(contacts, i).reason, t;
+  t.reason = obstacle(t.mechanism, t.contacts);
+  if (t.reason.empty()) {
+    const std::optional<Contacts> sharp = t.contacts;
+    const ThreadHeight height = thread_height(*sharp, pitch);
+    t.mechanism.thread = {height, height, height};
+    if (!obstacle(t.mechanism, t.contacts).empty()) {  // Contacts lie beyond a maker's crest.
+      t.mechanism.thread = {};
+      t.contacts = sharp;
+    }
+  }
   Case c;
   c.mechanism = t.mechanism;
-  if (const std::vector<Problem> problems = check_case(c); !problems.empty())
-    return t.reason = problems.front().message, t;
-  const double crest = 0.5 * roller + t.mechanism.thread.roller->addendum;
-  t.most_rollers = most_rollers(contacts.threads.centre_distance, crest, 0.0);
-  t.mechanism.rollers = most_rollers(contacts.threads.centre_distance, crest, 0.5 * pitch);
-  if (t.mechanism.rollers < kFewestRollers) return t.reason = "fewer than three rollers fit", t;
-  t.contacts = std::move(contacts);
+  if (t.reason.empty())
+    for (const Problem& problem : check_case(c)) t.reason = problem.message;
+  if (t.reason.empty()) {
+    const contact::MechanismGeometry& threads = t.contacts->threads;
+    const double crest = contact::flank_limits(threads.roller).largest;
+    t.most_rollers = most_rollers(threads.centre_distance, crest, 0.0);
+    t.mechanism.rollers = std::max(std::min(kFewestRollers, t.most_rollers),
+                                   most_rollers(threads.centre_distance, crest, 0.5 * pitch));
+    if (t.most_rollers < kFewestRollers) t.reason = "fewer than three rollers fit";
+  }
+  if (!t.reason.empty()) t.contacts.reset();
   return t;
 }
 
@@ -145,13 +176,13 @@ int usual_starts(const ScrewData& d) {
 }
 
 void check_starts(const ScrewData& d) {
-  const int fewest = (is_standard(d) ? 2 : 1) * d.roller_starts + 1;
+  const int fewest = is_standard(d) ? 2 * d.roller_starts + 1 : std::max(2, d.roller_starts);
   if (d.starts && (*d.starts < fewest || *d.starts > kStartsLimit))
-    throw CaseError("starts",
-                    fmt::format("got {}; expected {} to {}: the rollers' diameter is that of the "
-                                "screw over {}",
-                                *d.starts, fewest, kStartsLimit,
-                                is_standard(d) ? "starts - 2" : "the starts, and smaller"));
+    throw CaseError(
+        "starts",
+        fmt::format("got {}; expected {} to {}: the rollers' diameter is that of the "
+                    "screw over {}",
+                    *d.starts, fewest, kStartsLimit, is_standard(d) ? "starts - 2" : "starts"));
 }
 
 Threads sound_threads(const ScrewData& d) {
@@ -183,15 +214,16 @@ void set_rollers(const ScrewData& d, Threads& t) {
   t.mechanism.rollers = *d.rollers;
 }
 
-double nut_length(const ScrewData& d, double pitch, double nut_diameter) {
+double nut_length(const ScrewData& d, double pitch, double roller_diameter, double nut_diameter) {
   const double least = kFewestContacts * pitch / kThreadedShare,
                most = is_standard(d) ? kMostContacts * pitch / kThreadedShare
                                      : kThickestNut * nut_diameter;
   if (!d.nut_length) {
-    const double inverted = kInvertedNut * kInvertedThreads * d.screw_diameter;
-    return std::max(
-        whole(is_standard(d) ? kNutLengthSlope * nut_diameter + kNutLengthOffset : inverted),
-        up(least));
+    const double rule = is_standard(d)
+                            ? std::min(kNutLengthSlope * nut_diameter + kNutLengthOffset,
+                                       kSlendernessOfRollers * roller_diameter / kThreadedShare)
+                            : kInvertedNut * kInvertedThreads * d.screw_diameter;
+    return std::max(whole(rule), up(least));
   }
   if (*d.nut_length < least || *d.nut_length > most)
     throw CaseError("nut_length",
@@ -200,9 +232,13 @@ double nut_length(const ScrewData& d, double pitch, double nut_diameter) {
   return *d.nut_length;
 }
 
+double root_depth(const Mechanism& m) {
+  return m.thread.nut ? m.thread.nut->dedendum
+                      : default_root_depth(axial_pitch(m), m.flank_angle.nut);
+}
+
 double nut_outer_diameter(const ScrewData& d, const Mechanism& m, double pitch_diameter) {
-  const double threads =
-      pitch_diameter + 2.0 * (m.thread.nut->dedendum + kLeastWall * axial_pitch(m));
+  const double threads = pitch_diameter + 2.0 * (root_depth(m) + kLeastWall * axial_pitch(m));
   const double least = std::max(threads, 1.001 * pitch_diameter);
   if (!d.nut_diameter)
     return std::max(whole(kNutDiameterSlope * pitch_diameter + kNutDiameterOffset), up(least));
@@ -254,7 +290,7 @@ CompleteScrew complete_screw(const ScrewData& d) {
   for (const Part p : kParts) screw.pitch_diameter[p] = *contacts.mechanism.pitch_diameter[p];
   screw.centre_distance = contacts.threads.centre_distance;
   screw.most_rollers = threads.most_rollers;
-  const double length = nut_length(d, pitch, screw.pitch_diameter.nut);
+  const double length = nut_length(d, pitch, screw.pitch_diameter.roller, screw.pitch_diameter.nut);
   m.contacts_per_roller = contacts_over(kThreadedShare * length, pitch);
   if (!is_standard(d))
     m.contacts_per_roller =

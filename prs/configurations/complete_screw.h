@@ -62,6 +62,8 @@ inline constexpr double kProfileRadius = 5.0;
 /// 0.84 to 1.15 times: least squares of the ratios.
 inline constexpr double kNutDiameterSlope = 1.155, kNutDiameterOffset = 5.8e-3;
 inline constexpr double kNutLengthSlope = 1.26, kNutLengthOffset = 20.5e-3;
+/// Most threads of a roller in a nut by rule, in roller diameters; the catalogue has up to 8.
+inline constexpr double kSlendernessOfRollers = 15.0;
 /// Toothed ends of the rollers: part of the length that the threads leave in the nut, and their
 /// diameter over the roller's, so that the rollers' inertia is 0.82 to 1.18 times the printed ones.
 inline constexpr double kRollerEndsShare = 0.9, kRollerEndDiameter = 0.92;

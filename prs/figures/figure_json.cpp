@@ -5,10 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "prs/quantities/schema_parts.h"
+
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using schema_parts::Json, schema_parts::link, schema_parts::list, schema_parts::names,
+    schema_parts::object, schema_parts::type;
 
 constexpr std::array<std::string_view, 11> kColours = {"blue",      "vermillion", "green", "purple",
                                                        "orange",    "sky",        "ink",   "grey",
@@ -130,25 +133,6 @@ Json panel_json(const Panel& panel) {
   return json;
 }
 
-// The schema.
-
-Json object(Json properties, std::vector<std::string> required, const char* description = "") {
-  Json json{{"type", "object"}};
-  if (*description != '\0') json["description"] = description;
-  json["properties"] = std::move(properties);
-  if (!required.empty()) json["required"] = std::move(required);
-  json["additionalProperties"] = false;
-  return json;
-}
-
-Json list(Json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
-Json link(const char* definition) { return {{"$ref", std::string("#/$defs/") + definition}}; }
-Json type(const char* name) { return {{"type", name}}; }
-Json type(const char* name, const char* description) {
-  return {{"type", name}, {"description", description}};
-}
-Json names(const auto& all) { return {{"enum", all}}; }
-
 }  // namespace
 
 Json to_json(const Figure& figure) {
@@ -246,7 +230,7 @@ Json figure_schema() {
        {"legend", list(object({{"title", text}, {"style", style}}, {"title", "style"}))},
        {"panels", list(link("panel"))}},
       {"name", "title", "columns", "x", "y", "panels"}, "A picture as data, of documents' figures");
-  schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
+  schema["$schema"] = schema_parts::kDialect;
   schema["$defs"] = std::move(definitions);
   return schema;
 }

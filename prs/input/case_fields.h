@@ -851,8 +851,9 @@ void fields(Io& io, FactorItem& f) {
   io.field("normal", f.normal, Block{}, optional,
            "In a plan with samples, in place of `values`: normally distributed");
   io.field("within", f.within, Verbatim{}, optional,
-           "In a plan with samples, in place of `values`: uniform in this share of what the file "
-           "says, to both sides, `3 %`");
+           "In a plan with samples, in place of `values`: uniform about what the file says, by a "
+           "share `3 %` or a half width `0.02 mm` to both sides, or from the lower to the upper "
+           "deviation `[-0.01 mm, 0.03 mm]`");
   io.field("label", f.label, Text{}, optional, "Its name in tables and figures");
   io.field("with", f.companions, List{Block{}, 1}, optional,
            "Inputs that change together with this one, value by value");

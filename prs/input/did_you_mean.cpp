@@ -28,12 +28,24 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+std::vector<std::string_view> near_words(std::string_view word,
+                                         const std::vector<std::string_view>& known) {
+  constexpr std::size_t kMost = 3, kFarther = 2;
+  std::vector<std::pair<std::size_t, std::string_view>> by_distance;
+  for (const std::string_view k : known)
+    by_distance.emplace_back(edit_distance(word.substr(0, 80), k), k);
+  std::ranges::stable_sort(by_distance, {}, &std::pair<std::size_t, std::string_view>::first);
+  std::vector<std::string_view> near;
+  for (const auto& [distance, k] : by_distance)
+    if (near.size() < kMost && distance <= 1 + k.size() / 2 &&
+        distance <= by_distance[0].first + kFarther)
+      near.push_back(k);
+  return near;
+}
+
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known) {
-  if (known.empty()) return {};
-  const auto distance = [word](std::string_view k) { return edit_distance(word.substr(0, 80), k); };
-  const std::string_view nearest = *std::ranges::min_element(known, {}, distance);
-  if (distance(nearest) > 1 + nearest.size() / 2) return {};
-  return fmt::format("did you mean `{}`?", nearest);
+  const std::vector<std::string_view> near = near_words(word, known);
+  return near.empty() ? "" : fmt::format("did you mean `{}`?", near[0]);
 }
 
 }  // namespace prs::input

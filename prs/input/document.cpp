@@ -256,6 +256,38 @@ void check_encoding(std::string_view text, std::optional<Place> at, std::string_
   }
 }
 
+/// Whether a line has a key and a value without a blank between them: `lead:5 mm`.
+bool lacks_blank(std::string_view line) {
+  const std::size_t colon = line.find(':');
+  return colon != std::string_view::npos && colon + 1 < line.size() &&
+         line.find(": ") == std::string_view::npos &&
+         line.substr(0, colon).find_first_of("\"'# ") == std::string_view::npos;
+}
+
+/// What is wrong with a text that is no YAML. `at`: where the parser gave up, which may be in the
+/// line below.
+std::string malformed(std::string_view text, std::size_t at, std::string_view why) {
+  text = text.substr(0, text.find('\n', std::min(at, text.size())));
+  for (int lines = 0; lines < 2 && !text.empty(); ++lines) {
+    const std::size_t end = text.rfind('\n');
+    std::string_view line = text.substr(end + 1);  // The whole text where there is none.
+    const std::size_t key = std::min(line.find_first_not_of(" \t-"), line.size());
+    if (line.substr(0, key).find('\t') != std::string_view::npos)
+      return "got a tab before the key; expected blanks; replace every tab by blanks";
+    line.remove_prefix(key);
+    line = line.substr(0, std::min(line.find(" #"), line.find('\r')));
+    line = line.substr(0, line.find_last_not_of(' ') + 1);
+    if (lacks_blank(line))
+      return fmt::format("got {}; expected `key: value`; write a blank after the colon",
+                         shown(line));
+    text = text.substr(0, end == std::string_view::npos ? 0 : end);
+  }
+  return fmt::format(
+      "malformed YAML: {}; expected `key: value`; check indentation, quotes, brackets and colons "
+      "here and above",
+      why);
+}
+
 /// The tree of one YAML text; none where it holds nothing but comments.
 std::optional<Node> parse_yaml(const std::string& text, std::optional<Place> at,
                                const std::string& path, ErrorList& errors) {
@@ -269,9 +301,7 @@ std::optional<Node> parse_yaml(const std::string& text, std::optional<Place> at,
   } catch (const YAML::Exception& e) {
     const auto offset = static_cast<std::size_t>(std::max(e.mark.pos, 0));
     errors.fail(at.value_or(Place{std::min(offset, text.size())}), path,
-                fmt::format("malformed YAML: {}; expected `key: value`; check indentation, quotes, "
-                            "brackets and colons here and above",
-                            e.msg));
+                malformed(text, offset, e.msg));
   }
   builder.report_keys();
   if (!builder.has_root()) return std::nullopt;
@@ -356,10 +386,28 @@ Node* descend(Node& root, const std::vector<Step>& steps, const std::string& pat
   return node;
 }
 
+/// Whether a text means the same without its quotes: words and quantities do, numbers do not.
+bool needs_no_quotes(const std::string& text) {
+  const auto is_alphanumeric = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+  };
+  const auto is_plain = [&](char c) {
+    return is_alphanumeric(c) || std::string_view(" _./^()%+-").find(c) != std::string_view::npos;
+  };
+  static constexpr std::string_view kNullWords[] = {"null", "Null", "NULL"};
+  return std::ranges::all_of(text, is_plain) &&
+         (is_alphanumeric(text.back()) || text.ends_with(" %")) &&
+         (is_alphanumeric(text.front()) || split_unit(text)) &&
+         std::ranges::find(kNullWords, text) == std::end(kNullWords) &&
+         scalar_type({.kind = Node::Kind::scalar, .text = text}) == ScalarType::text;
+}
+
 /// A scalar as it must stand inside `[..]` and `{..}`.
 std::string flow_scalar(const Node& scalar, bool inside) {
-  const bool bare = !scalar.quoted && !scalar.text.empty() &&
-                    (!inside || scalar.text.find_first_of(",[]{}:#") == std::string::npos);
+  const bool bare =
+      !scalar.text.empty() &&
+      (scalar.quoted ? needs_no_quotes(scalar.text)
+                     : !inside || scalar.text.find_first_of(",[]{}:#") == std::string::npos);
   if (bare) return scalar.text;
   std::string text = "\"";
   for (const char c : scalar.text) {
@@ -411,8 +459,9 @@ void apply_override(Node& root, const Source& source, std::size_t index, ErrorLi
   const auto steps = split_path(path);
   if (equals == std::string::npos || !steps)
     errors.fail(at, "",
-                "expected path=value; write for example `--set mechanism.rollers=9` or `--set "
-                "\"load_cases[0].axial_force=20 kN\"`");
+                fmt::format("got {}; expected path=value, for example mechanism.rollers=9 or "
+                            "load_cases[0].axial_force=20 kN",
+                            text.empty() ? "nothing" : shown(text)));
   Node* node = descend(root, *steps, path, at, errors);
   if (!node) return errors.throw_if_any();
   Node value = parse_yaml(text.substr(equals + 1), at, path, errors)
@@ -464,8 +513,8 @@ Node read_document(const Source& source, ErrorList& errors) {
   std::optional<Node> root = parse_yaml(source.text, std::nullopt, "", errors);
   if (!root)
     errors.fail({}, "",
-                "got an empty file; expected a map with the key `mechanism`; copy one of "
-                "the files in configs/ to start from");
+                "got an empty file; expected a map with the key `mechanism`; `prs new FILE` "
+                "writes one to start from");
   for (std::size_t i = 0; i < source.overrides.size(); ++i)
     apply_override(*root, source, i, errors);
   return std::move(*root);

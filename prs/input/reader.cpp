@@ -49,18 +49,6 @@ struct Wanted {
   std::string example;
 };
 
-template <class Kind>
-std::string text_of_bounds(const Bounds& b, const Kind& kind) {
-  if (b.zero_excluded) return " other than 0";
-  std::string text;
-  if (std::isfinite(b.least))
-    text = fmt::format(" {} {}", b.least_excluded ? ">" : ">=", text_of_bound(b.least, kind));
-  if (std::isfinite(b.greatest))
-    text += fmt::format("{} {} {}", text.empty() ? "" : " and",
-                        b.greatest_excluded ? "<" : "<=", text_of_bound(b.greatest, kind));
-  return text;
-}
-
 /// The dimension's example where it is admissible, else the middle of the bounds.
 std::string example_of(const Quantity& q) {
   const std::optional<double> usual = parse_quantity(q.dimension.example, q.dimension).value;
@@ -271,10 +259,17 @@ void read(const Written& w, double& value, const Held& held) {
   value = *parsed.value;
 }
 
+/// How to fix a number or a flag in quotes.
+std::string_view quotes_hint(const Node& node) {
+  const bool is_text = scalar_type({.kind = node.kind, .text = node.text}) == ScalarType::text;
+  return node.quoted && !is_text ? "write it without quotes" : "";
+}
+
 void read(const Written& w, double& value, const Number& number) {
   const bool plain = w.node.kind == Node::Kind::scalar && !w.node.quoted;
   const std::optional<double> parsed = plain ? parse_number(w.node.text) : std::nullopt;
-  if (!parsed || !number.bounds.contain(*parsed)) return w.refuse(wanted(value, number));
+  if (!parsed || !number.bounds.contain(*parsed))
+    return w.refuse(wanted(value, number), quotes_hint(w.node));
   value = *parsed;
 }
 
@@ -288,13 +283,13 @@ void read(const Written& w, T& value, const Whole& whole) {
   const bool plain = w.node.kind == Node::Kind::scalar && !w.node.quoted && !text.starts_with("+-");
   if (!plain || error != std::errc{} || stop != end || parsed < whole.least ||
       parsed > whole.greatest)
-    return w.refuse(wanted(value, whole));
+    return w.refuse(wanted(value, whole), quotes_hint(w.node));
   value = parsed;
 }
 
 void read(const Written& w, bool& value, const Flag& flag) {
   if (w.node.kind != Node::Kind::scalar || scalar_type(w.node) != ScalarType::boolean)
-    return w.refuse(wanted(value, flag));
+    return w.refuse(wanted(value, flag), quotes_hint(w.node));
   value = w.node.text[0] == 't' || w.node.text[0] == 'T';
 }
 
@@ -483,15 +478,24 @@ class MapReader : public Visitor {
   void refuse_other_keys() const {
     for (const Node& child : map_.node.children) {
       if (std::ranges::find(known_, child.key) != known_.end()) continue;
-      const std::string nearest = did_you_mean(child.key, known_);
-      map_.errors.add(
-          child.key_place, join(map_.path, child.key),
-          fmt::format("unknown key; expected one of {}; {}", fmt::join(known_, ", "),
-                      nearest.empty() ? "delete it, or write it as one of these" : nearest));
+      std::string fix = blank_hint(child.key);
+      if (fix.empty()) fix = did_you_mean(child.key, known_);
+      map_.errors.add(child.key_place, join(map_.path, child.key),
+                      fmt::format("unknown key; expected one of {}; {}", fmt::join(known_, ", "),
+                                  fix.empty() ? "delete it, or write it as one of these" : fix));
     }
   }
 
  private:
+  /// How to fix `lead:5 mm`, which is a key to YAML.
+  std::string blank_hint(std::string_view key) const {
+    const std::size_t colon = std::min(key.find(':'), key.size());
+    if (colon == key.size() || std::ranges::find(known_, key.substr(0, colon)) == known_.end())
+      return {};
+    return fmt::format("write a blank after the colon: `{}: {}`", key.substr(0, colon),
+                       shown(key.substr(colon + 1)));
+  }
+
   /// Whether the key stands.
   template <class T, class Kind>
   bool read_key(std::string_view key, T& value, const Kind& kind, Presence presence) {

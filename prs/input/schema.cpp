@@ -29,9 +29,11 @@ std::string number_pattern(const Bounds& bounds) {
 template <class T>
 Json schema_of(T&, const Quantity& q) {
   const Bounds& bounds = zero_depends_on_unit(q.dimension) ? unbounded : q.bounds;
+  const std::string limits = text_of_bounds(q.bounds, q);
   return {{"type", "string"},
           {"pattern", number_pattern(bounds) + " *" + unit_pattern(q.dimension) + "$"},
-          {"description", fmt::format("In {}", unit_list(q.dimension))},
+          {"description",
+           fmt::format("In {}{}{}", unit_list(q.dimension), limits.empty() ? "" : ";", limits)},
           {"examples", Json::array({q.dimension.example})}};
 }
 
@@ -90,6 +92,21 @@ Json one_key(std::string_view key, Json content) {
   return object_schema(std::move(properties), Json::array({key}));
 }
 
+/// Puts meaning and condition around what a schema says of its value, and the parts for references.
+void describe(Json& json, std::string_view meaning, std::string_view condition = {}) {
+  std::string description(meaning);
+  if (json.contains("description")) {
+    json["x-value"] = json["description"];
+    description += ". " + json["description"].get<std::string>();
+  }
+  if (!condition.empty()) {
+    json["x-condition"] = condition;
+    description += fmt::format(" ({})", condition);
+  }
+  json["description"] = description;
+  json["x-meaning"] = meaning;
+}
+
 Json default_of(bool value, const Flag&) { return value; }
 template <std::signed_integral T>
 Json default_of(T value, const Whole&) {
@@ -132,7 +149,7 @@ class Alternatives : public Visitor {
   template <class E, class T, class Kind>
   void map(std::string_view name, E&, E, T& content, const Kind& kind, std::string_view meaning) {
     Json content_schema = schema_of(content, kind);
-    content_schema["description"] = meaning;
+    describe(content_schema, meaning);
     maps_.push_back(one_key(name, std::move(content_schema)));
   }
 
@@ -242,10 +259,7 @@ void Properties::field(std::string_view key, T& value, const Kind& kind, Presenc
       if (!presence.required && presence.condition.empty())
         json["default"] = default_of(value, kind);
   }
-  std::string description(meaning);
-  if (json.contains("description")) description += ". " + json["description"].get<std::string>();
-  if (!presence.condition.empty()) description += fmt::format(" ({})", presence.condition);
-  json["description"] = description;
+  describe(json, meaning, presence.condition);
   properties_[std::string(key)] = std::move(json);
   if (presence.required && presence.condition.empty()) required_.push_back(key);
 }

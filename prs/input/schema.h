@@ -6,7 +6,8 @@ namespace prs::input {
 
 /// JSON Schema (draft 2020-12) of the input, for editors. It says what one key alone can say;
 /// bounds of dimensional values other than their sign, and all that relates keys to each other, are
-/// left to the reader.
+/// left to the reader. For references, `x-meaning`, `x-value` and `x-condition` are the parts of a
+/// description.
 nlohmann::ordered_json schema();
 
 }  // namespace prs::input

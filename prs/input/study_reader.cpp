@@ -404,7 +404,7 @@ class FactorReader {
     else if (f.normal)
       read_normal(factor, value, slot);
     else if (f.within)
-      read_share(factor, value, slot);
+      read_tolerance(factor, value, slot);
     else if (!value)
       refuse_at("path", fmt::format("got {}, of which the file says nothing; expected a value to "
                                     "derive by; add it to the file",
@@ -446,29 +446,59 @@ class FactorReader {
     if (mean) check_in_place(factor.path, *written("normal.mean"), slot);
   }
 
-  void read_share(Factor& factor, std::optional<double> value, const Slot& slot) {
-    const std::optional<NumberAndUnit> written_share = split_unit(*item().within);
-    const bool percent = written_share && written_share->unit == "%";
-    const double share = written_share ? written_share->number / (percent ? 100.0 : 1.0) : 0.0;
-    if (!written_share || (!percent && !written_share->unit.empty()) ||
-        !(share > 0.0 && share <= 1.0))
-      return refuse_at("within",
-                       fmt::format("got {}; expected a share > 0 and at most 100 %; write for "
-                                   "example `within: 3 %`",
-                                   shown(*item().within)));
-    if (slot.dimension && zero_depends_on_unit(*slot.dimension))
-      return refuse_at("within",
-                       fmt::format("got {} of a temperature, whose zero is a convention; expected "
-                                   "its ends; write `uniform: {{from: .., to: ..}}`",
-                                   shown(*item().within)));
-    if (!value || *value == 0.0)
-      return refuse_at("within", fmt::format("got {} of {}; expected a value other than 0 in the "
-                                             "file; name one of several as `.screw`, or write "
-                                             "`uniform: {{from: .., to: ..}}`",
-                                             shown(*item().within),
-                                             value ? "0" : "no single value in the file"));
-    const double half = share * std::abs(*value);
-    factor.distribution = {Distribution::Kind::uniform, *value - half, *value + half};
+  /// A deviation from what the file says: a share of it, or a difference in the factor's unit.
+  struct Deviation {
+    double number = 0.0;
+    bool is_share = false;
+  };
+  static std::optional<Deviation> deviation(std::string_view text, std::string_view unit) {
+    const std::optional<NumberAndUnit> split = split_unit(text);
+    if (!split) return std::nullopt;
+    const bool is_share = (split->unit.empty() || split->unit == "%") && split->number != 0.0;
+    if (split->unit == "%") return Deviation{split->number / 100.0, is_share};
+    if (split->unit.empty()) return Deviation{split->number, is_share};
+    const std::optional<double> difference = difference_in(text, unit);
+    return difference ? std::optional(Deviation{*difference}) : std::nullopt;
+  }
+
+  /// `3 %`, `0.02 mm`, or the lower and the upper deviation, `[-0.01 mm, 0.03 mm]`.
+  void read_tolerance(Factor& factor, std::optional<double> value, const Slot& slot) {
+    const Node& tolerance = *written("within");
+    const bool two = tolerance.kind == Node::Kind::sequence && tolerance.children.size() == 2;
+    const auto read = [&](std::size_t k) {
+      return deviation(two ? flow_text(tolerance.children[k]) : *item().within, factor.unit);
+    };
+    const std::optional<Deviation> lower = read(0), upper = read(1);
+    const auto is_sound = [](const std::optional<Deviation>& d) {
+      return d && (!d->is_share || std::abs(d->number) <= 1.0);
+    };
+    const auto refuse = [&](std::string_view what, std::string_view fix) {
+      refuse_at("within", fmt::format("got {}{}; write {}", shown(*item().within), what, fix));
+    };
+    const std::string width = with_unit("0.02", factor.unit.empty() ? "mm" : factor.unit);
+    if (!is_sound(lower) || !is_sound(upper) || (!two && !(upper->number > 0.0)))
+      return refuse(
+          "; expected a share > 0 and at most 100 %, a half width with its unit, or lower "
+          "and upper deviation",
+          fmt::format("`3 %`, `{}` or `[-1 %, 2 %]`", width));
+    const bool has_share = lower->is_share || upper->is_share;
+    if (has_share && slot.dimension && zero_depends_on_unit(*slot.dimension))
+      return refuse(" of a temperature, whose zero is a convention; expected a half width",
+                    "for example `within: 5 K`");
+    if (!value)
+      return refuse(" of no single value in the file; expected a value there",
+                    "`uniform: {from: .., to: ..}`, or name one of several as `.screw`");
+    if (has_share && *value == 0.0)
+      return refuse(
+          " of 0; expected a value other than 0 in the file, or a half width with its unit",
+          fmt::format("for example `within: {}`", width));
+    const auto amount = [&](const Deviation& d) {
+      return d.is_share ? d.number * std::abs(*value) : d.number;
+    };
+    const double above = amount(*upper), below = two ? amount(*lower) : -above;
+    if (!(below < above))
+      return refuse("; expected the lower deviation, then the upper", "`[-0.01 mm, 0.03 mm]`");
+    factor.distribution = {Distribution::Kind::uniform, *value + below, *value + above};
     for (const double end : {factor.distribution.first, factor.distribution.second})
       check_in_place(factor.path, scalar(with_unit(end, factor.unit), place_of("within")), slot);
   }

@@ -18,20 +18,31 @@ constexpr double kLargest = 1e30;
 constexpr double kSmallest = 1e-30;
 constexpr double kThousandTo1_5 = 31622.776601683793;  // (m/mm)^1.5
 
-constexpr Unit kLength[] = {{{"mm"}, 1.0, 1e3},
-                            {{"m"}},
-                            {{"cm"}, 1.0, 1e2},
-                            {{"um", "µm", "μm"}, 1.0, 1e6},
-                            {{"nm"}, 1.0, 1e9}};
+// By definition (NIST SP 811, appendix B).
+constexpr double kInch = 0.0254;
+constexpr double kPound = 0.45359237;
+constexpr double kPoundForce = kPound * 9.80665;
 
-constexpr Unit kForce[] = {{{"N"}}, {{"kN"}, 1e3}, {{"MN"}, 1e6}};
+constexpr Unit kLength[] = {{{"mm"}, 1.0, 1e3},    {{"m"}},
+                            {{"cm"}, 1.0, 1e2},    {{"um", "µm", "μm"}, 1.0, 1e6},
+                            {{"nm"}, 1.0, 1e9},    {{"in"}, 254.0, 1e4},
+                            {{"ft"}, 3048.0, 1e4}, {{"uin", "µin", "μin"}, 254.0, 1e10}};
+
+constexpr Unit kForce[] = {{{"N"}}, {{"kN"}, 1e3}, {{"MN"}, 1e6}, {{"lbf"}, kPoundForce}};
 
 constexpr Unit kAngle[] = {{{"deg", "°"}, pi, 180.0}, {{"rad"}}, {{"mrad"}, 1.0, 1e3}};
 
-constexpr Unit kPressure[] = {
-    {{"Pa", "N/m^2"}}, {{"kPa"}, 1e3}, {{"MPa", "N/mm^2"}, 1e6}, {{"GPa"}, 1e9}, {{"bar"}, 1e5}};
+constexpr Unit kPressure[] = {{{"Pa", "N/m^2"}},
+                              {{"kPa"}, 1e3},
+                              {{"MPa", "N/mm^2"}, 1e6},
+                              {{"GPa"}, 1e9},
+                              {{"bar"}, 1e5},
+                              {{"psi", "lbf/in^2"}, kPoundForce / (kInch * kInch)},
+                              {{"ksi"}, 1e3 * kPoundForce / (kInch * kInch)}};
 
-constexpr Unit kDensity[] = {{{"kg/m^3"}}, {{"g/cm^3", "kg/dm^3", "t/m^3"}, 1e3}};
+constexpr Unit kDensity[] = {{{"kg/m^3"}},
+                             {{"g/cm^3", "kg/dm^3", "t/m^3"}, 1e3},
+                             {{"lb/in^3"}, kPound / (kInch * kInch * kInch)}};
 
 constexpr Unit kViscosity[] = {
     {{"Pa s", "Pa*s", "Pa.s"}}, {{"mPa s", "mPa*s", "mPa.s"}, 1.0, 1e3}, {{"cP"}, 1.0, 1e3}};
@@ -56,21 +67,29 @@ constexpr Unit kStiffness[] = {{{"N/m"}},
                                {{"N/mm", "kN/m"}, 1e3},
                                {{"N/um", "N/µm", "N/μm"}, 1e6},
                                {{"kN/mm", "MN/m"}, 1e6},
-                               {{"kN/um", "kN/µm", "kN/μm"}, 1e9}};
+                               {{"kN/um", "kN/µm", "kN/μm"}, 1e9},
+                               {{"lbf/in"}, kPoundForce / kInch}};
 
 constexpr Unit kTorque[] = {{{"N m", "Nm", "N*m"}},
                             {{"N mm", "Nmm", "N*mm"}, 1.0, 1e3},
                             {{"mN m", "mNm", "mN*m"}, 1.0, 1e3},
-                            {{"kN m", "kNm", "kN*m"}, 1e3}};
+                            {{"kN m", "kNm", "kN*m"}, 1e3},
+                            {{"lbf in", "in lbf", "lbf*in"}, kPoundForce* kInch},
+                            {{"lbf ft", "ft lbf", "lbf*ft"}, kPoundForce * 12.0 * kInch}};
 
-constexpr Unit kTiltStiffness[] = {{{"N m/rad", "Nm/rad"}}, {{"kN m/rad", "kNm/rad"}, 1e3}};
+constexpr Unit kTiltStiffness[] = {{{"N m/rad", "Nm/rad"}},
+                                   {{"kN m/rad", "kNm/rad"}, 1e3},
+                                   {{"lbf in/rad", "in lbf/rad"}, kPoundForce* kInch}};
 
-constexpr Unit kThermalExpansion[] = {{{"um/m/K", "ppm/K"}, 1.0, 1e6}, {{"1/K"}}};
+constexpr Unit kThermalExpansion[] = {
+    {{"um/m/K", "ppm/K"}, 1.0, 1e6}, {{"1/K"}}, {{"uin/in/degF", "ppm/degF"}, 1.8, 1e6}};
 
 constexpr Unit kDuration[] = {
     {{"s"}}, {{"ms"}, 1.0, 1e3}, {{"min"}, 60.0}, {{"h"}, 3600.0}, {{"d"}, 86400.0}};
 
-constexpr Unit kTemperature[] = {{{"degC", "°C", "C"}, 1.0, 1.0, 273.15}, {{"K"}}};
+constexpr Unit kTemperature[] = {{{"degC", "°C", "C"}, 1.0, 1.0, 273.15},
+                                 {{"K"}},
+                                 {{"degF", "°F"}, 5.0, 9.0, 459.67 * 5.0 / 9.0}};
 
 }  // namespace
 
@@ -153,6 +172,8 @@ bool names_no_number(std::string_view text) {
 }
 
 }  // namespace
+
+std::span<const Dimension* const> dimensions() { return kDimensions; }
 
 const Unit* find_unit(std::string_view symbol, const Dimension& dimension) {
   if (symbol.empty()) return nullptr;

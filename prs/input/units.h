@@ -45,6 +45,9 @@ extern const Dimension thermal_expansion;
 extern const Dimension duration;
 }  // namespace unit
 
+/// All dimensions, in the order in which they are shown.
+std::span<const Dimension* const> dimensions();
+
 /// Whether 0 means something else in each unit, as with temperatures.
 bool zero_depends_on_unit(const Dimension& dimension);
 

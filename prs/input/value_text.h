@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -37,6 +38,19 @@ inline std::string text_of_bound(double value, const Quantity& q) {
   return value == 0.0 && !zero_depends_on_unit(q.dimension) ? "0" : text_of(value, q);
 }
 inline std::string text_of_bound(double value, const Number& n) { return text_of(value, n); }
+
+/// ` > 0 and <= 5 mm`; empty without bounds.
+template <class Kind>
+std::string text_of_bounds(const Bounds& b, const Kind& kind) {
+  if (b.zero_excluded) return " other than 0";
+  std::string text;
+  if (std::isfinite(b.least))
+    text = fmt::format(" {} {}", b.least_excluded ? ">" : ">=", text_of_bound(b.least, kind));
+  if (std::isfinite(b.greatest))
+    text += fmt::format("{} {} {}", text.empty() ? "" : " and",
+                        b.greatest_excluded ? "<" : "<=", text_of_bound(b.greatest, kind));
+  return text;
+}
 
 /// Visits the alternatives of a choice for the text of the one that holds.
 class ChoiceText : public Visitor {

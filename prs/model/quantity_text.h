@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -10,7 +11,10 @@
 namespace prs {
 
 inline std::string mm(double length) { return fmt::format("{:.7g} mm", 1e3 * length); }
-inline std::string newton(double force) { return fmt::format("{:.7g} N", force); }
+inline std::string newton(double force) {
+  return std::abs(force) < 1e3 ? fmt::format("{:.7g} N", force)
+                               : fmt::format("{:.7g} kN", 1e-3 * force);
+}
 inline std::string rpm(double speed) {
   return fmt::format("{:.7g} rpm", speed * 30.0 / std::numbers::pi);
 }

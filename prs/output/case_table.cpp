@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "prs/model/units.h"
+#include "prs/output/table_units.h"
 #include "prs/quantities/case_groups.h"
 #include "prs/quantities/quantities.h"
 #include "prs/text.h"
@@ -47,7 +47,7 @@ std::vector<Row> header_rows(const CaseTable& table) {
   std::vector<Row> rows(2);
   for (const CaseColumn& column : table.columns) {
     rows[0].cells.emplace_back(column.title);
-    rows[1].cells.emplace_back(column.subtitle);
+    rows[1].cells.push_back(with_table_unit(column.subtitle));
   }
   return rows;
 }
@@ -103,7 +103,7 @@ std::string case_name_cell(const LoadCaseResult& result) {
 }
 
 std::string force_cell(const LoadCaseResult& result) {
-  return fixed(result.load_case.axial_force, per_si::kilonewton, 3);
+  return fixed(result.load_case.axial_force, "kN", 3);
 }
 
 std::string direction_cell(const LoadCaseResult& result) {
@@ -112,11 +112,11 @@ std::string direction_cell(const LoadCaseResult& result) {
 }
 
 std::string stiffness_cell(const LoadCaseResult& result) {
-  return fixed(result.axial_stiffness, per_si::newton_per_micrometre, 1);
+  return fixed(result.axial_stiffness, "N/µm", 1);
 }
 
 std::string displacement_cell(const LoadCaseResult& result) {
-  return fixed(result.axial_displacement, per_si::micrometre, 2);
+  return fixed(result.axial_displacement, "µm", 2);
 }
 
 std::string most_loaded_cell(const LoadCaseResult& result, Interface i) {
@@ -139,7 +139,7 @@ std::string pressure_cell(const LoadCaseResult& result) {
     for (const double pressure : (*result.threads)[i].peak_pressure)
       if (pressure > peak) {
         peak = pressure;
-        cell = fmt::format("{:.3f} {:5}", pressure * per_si::gigapascal, name(i));
+        cell = fmt::format("{} {:5}", fixed(pressure, "GPa", 3), name(i));
       }
   return cell;
 }

@@ -15,7 +15,7 @@ inline constexpr std::string_view kAbsent = "–";
 
 struct CaseColumn {
   std::string_view title;
-  std::string_view subtitle;
+  std::string_view subtitle;  ///< With the unit of documents at its end.
   bool left_aligned;
   std::string (*cell)(const LoadCaseResult&);
 };
@@ -34,7 +34,7 @@ std::string case_table(const CaseTable& table, const std::vector<LoadCaseResult>
 
 // Cells that tables of load cases share.
 std::string case_name_cell(const LoadCaseResult& result);
-std::string force_cell(const LoadCaseResult& result);  ///< [kN]
+std::string force_cell(const LoadCaseResult& result);  ///< In `table_unit("kN")`.
 std::string direction_cell(const LoadCaseResult& result);
 std::string stiffness_cell(const LoadCaseResult& result);     ///< [N/µm]
 std::string displacement_cell(const LoadCaseResult& result);  ///< [µm]

@@ -66,8 +66,8 @@ std::string comparison_table(const ModelComparison& c) {
   return text + warning_section(c.warnings);
 }
 
-std::string comparison_csv(const ModelComparison& c) {
-  CsvWriter csv;
+std::string comparison_csv(const ModelComparison& c, const CsvStyle& style) {
+  CsvWriter csv(style);
   load_header(csv);
   for (const char* key : {"bodies", "converged", "axial_stiffness_N_per_um", "stiffness_over_best",
                           "axial_displacement_um"})

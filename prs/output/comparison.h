@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "prs/output/csv_style.h"
+
 #include "prs/compare/compare_models.h"
 
 namespace prs {
@@ -10,6 +12,6 @@ namespace prs {
 std::string comparison_table(const ModelComparison& result);
 
 /// `comparison.csv`: a row per load case and model.
-std::string comparison_csv(const ModelComparison& result);
+std::string comparison_csv(const ModelComparison& result, const CsvStyle& style);
 
 }  // namespace prs

@@ -41,8 +41,8 @@ void row(CsvWriter& csv, std::size_t number, const Configuration& c) {
 
 }  // namespace
 
-std::string configurations_csv(const Configurations& all) {
-  CsvWriter csv;
+std::string configurations_csv(const Configurations& all, const CsvStyle& style) {
+  CsvWriter csv(style);
   header(csv, {"number",
                "type",
                "screw_starts",
@@ -70,8 +70,8 @@ std::string configurations_csv(const Configurations& all) {
   return csv.take();
 }
 
-std::string gear_pairs_csv(const Configurations& all) {
-  CsvWriter csv;
+std::string gear_pairs_csv(const Configurations& all, const CsvStyle& style) {
+  CsvWriter csv(style);
   header(csv, {"number", "roller_teeth", "body_teeth", "module_mm", "series",
                "working_pressure_angle_deg", "profile_shift", "most_rollers"});
   for (std::size_t k = 0; k < all.found.size(); ++k)

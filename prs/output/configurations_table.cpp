@@ -8,6 +8,7 @@
 #include "prs/input/units.h"
 #include "prs/model/units.h"
 #include "prs/output/case_table.h"
+#include "prs/output/table_units.h"
 #include "prs/quantities/configurations_json.h"
 #include "prs/text.h"
 
@@ -30,7 +31,7 @@ constexpr Column kColumns[] = {
     {"screw", "mm", 9, false},    {"roller", "mm", 9, false},
     {"nut", "mm", 9, false},      {"centres", "mm", 9, false},
     {"hand", "roller", 7, false}, {"rollers", "≤", 8, false},
-    {"alike", "", 8, false},      {"gears", "teeth, module mm", 18, false}};
+    {"alike", "", 8, false},      {"gears", "teeth, module/mm", 18, false}};
 
 std::string line(const auto& cell) {
   std::string text;
@@ -52,7 +53,7 @@ std::string gears_cell(const Configuration& c) {
 }
 
 std::string row(std::size_t number, const Configuration& c) {
-  const auto mm = [](double si) { return fixed(si, per_si::millimetre, 3); };
+  const auto mm = [](double si) { return fixed(si, "mm", 3); };
   const std::string cells[] = {
       std::to_string(number),
       std::string(type_name(c.mechanism.type)),
@@ -101,7 +102,7 @@ std::string left_out_text(const Configurations& all) {
 std::string configurations_table(const ConfigurationQuery& query, const Configurations& all) {
   std::string text = heading(query);
   text += line([](std::size_t k) { return kColumns[k].title; });
-  text += line([](std::size_t k) { return kColumns[k].subtitle; });
+  text += line([](std::size_t k) { return with_table_unit(kColumns[k].subtitle); });
   for (std::size_t k = 0; k < all.found.size(); ++k) text += row(k + 1, all.found[k]);
   text += "\n";
   text += wrapped(

@@ -14,7 +14,8 @@
 
 #include "contact/mechanism_geometry.h"
 #include "contact/thread_surface.h"
-#include "prs/model/units.h"
+#include "prs/output/case_table.h"
+#include "prs/output/table_units.h"
 #include "prs/output/warnings.h"
 #include "prs/quantities/case_groups.h"
 #include "prs/quantities/contact_quantities.h"
@@ -29,24 +30,23 @@ using contact::Thread;
 using contact::ThreadSurface;
 
 constexpr std::size_t kMaxNameWidth = 20;
-constexpr int kLabelWidth = 38;
+constexpr std::size_t kLabelWidth = 38;
 constexpr int kValueWidth = 16;
-constexpr std::string_view kAbsent = "–";
 
-/// A number as it is shown, SI * factor.
+/// A number with the decimals that it has in a unit of documents.
 struct Shown {
-  double factor = 1.0;
+  std::string_view unit;
   int decimals = 0;
 
   std::string operator()(std::optional<double> si) const {
-    if (!si) return std::string(kAbsent);
-    const bool is_zero = std::abs(*si * factor) < 0.5 * std::pow(10.0, -decimals);
-    return fmt::format("{:.{}f}", is_zero ? 0.0 : *si * factor, decimals);
+    const std::string text = fixed(si, unit, decimals);
+    const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+    return is_zero && text.starts_with('-') ? text.substr(1) : text;
   }
 };
 
 std::string table_row(std::string_view label, const std::vector<std::string>& cells) {
-  std::string line = fmt::format("{:<{}}", label, kLabelWidth);
+  std::string line = padded(with_table_unit(label), kLabelWidth, true);
   for (const std::string& cell : cells) line += fmt::format("{:>{}}", cell, kValueWidth);
   return line + '\n';
 }
@@ -56,12 +56,12 @@ std::string table_row(std::string_view label, const std::vector<std::string>& ce
 std::string mechanism_line(const Contacts& contacts) {
   const Mechanism& m = contacts.mechanism;
   return fmt::format(
-      "{} roller screw, {}-handed, lead {:.6g} mm, {} rollers ({} fit)\n"
-      "centre distance {:.4f} mm\n",
+      "{} roller screw, {}-handed, lead {:.6g} {}, {} rollers ({} fit)\n"
+      "centre distance {}\n",
       m.type == Mechanism::Type::standard ? "Standard" : "Inverted",
-      m.lead < 0.0 ? "left" : "right", std::abs(m.lead) * per_si::millimetre, m.rollers,
-      contact::largest_roller_count(contacts.threads),
-      contacts.threads.centre_distance * per_si::millimetre);
+      m.lead < 0.0 ? "left" : "right", shown(std::abs(m.lead), "mm"), table_unit("mm").text,
+      m.rollers, contact::largest_roller_count(contacts.threads),
+      fixed_with_unit(contacts.threads.centre_distance, "mm", 4));
 }
 
 struct PartRow {
@@ -72,22 +72,22 @@ struct PartRow {
 
 constexpr PartRow kPartRows[] = {
     {"  pitch diameter, mm",
-     {per_si::millimetre, 4},
+     {"mm", 4},
      [](const Thread& t) { return std::optional(2.0 * t.pitch_radius); }},
     {"  helix angle, deg",
-     {per_si::degree, 4},
+     {"deg", 4},
      [](const Thread& t) { return std::optional(ThreadSurface(t).helix_angle()); }},
     {"  flank from radius, mm",
-     {per_si::millimetre, 4},
+     {"mm", 4},
      [](const Thread& t) { return std::optional(contact::flank_limits(t).smallest); }},
     {"  flank to radius, mm",
-     {per_si::millimetre, 4},
+     {"mm", 4},
      [](const Thread& t) { return std::optional(contact::flank_limits(t).largest); }},
     {"  crest width, mm",
-     {per_si::millimetre, 4},
+     {"mm", 4},
      [](const Thread& t) { return thread_widths(t).value_or(ThreadWidths{}).crest; }},
     {"  root width, mm",
-     {per_si::millimetre, 4},
+     {"mm", 4},
      [](const Thread& t) { return thread_widths(t).value_or(ThreadWidths{}).root; }},
 };
 
@@ -127,13 +127,16 @@ constexpr ContactRow kContactRows[] = {
     {"hertz_constant_N_per_mm1_5", 1},
 };
 
-/// One number or both of a pair, as documents show them.
-std::array<std::optional<double>, 2> shown_values(const Contacts& contacts, Interface i,
-                                                  const Quantity<ContactAt>& q) {
+/// One number or both of a pair, in SI.
+std::array<std::optional<double>, 2> values_of(const Contacts& contacts, Interface i,
+                                               const Quantity<ContactAt>& q) {
   const ContactAt contact{&contacts, i};
   if (!contact.contact().geometry.ok()) return {};
-  if (q.value.number) return {shown_number(q, contact), {}};
-  const auto pair = q.value.json(contact, q.unit);
+  if (q.value.number) {
+    const std::optional<double> si = q.value.number(contact);
+    return {si && std::isfinite(*si) ? si : std::nullopt, {}};
+  }
+  const auto pair = q.value.json(contact, kNoUnit);
   return {pair[0].get<double>(), pair[1].get<double>()};
 }
 
@@ -141,11 +144,11 @@ std::string contact_rows(const Contacts& contacts) {
   std::string rows = table_row("Contacts", {label(Interface::screw), label(Interface::nut)});
   for (const auto& [key, decimals] : kContactRows) {
     const auto& q = quantity<ContactAt>(key);
-    const Shown shown{1.0, decimals};
+    const Shown shown{q.unit.text, decimals};
     std::string label =
         fmt::format("  {}{}{}", title_of(q), q.unit.text.empty() ? "" : ", ", q.unit.text);
-    const auto screw = shown_values(contacts, Interface::screw, q),
-               nut = shown_values(contacts, Interface::nut, q);
+    const auto screw = values_of(contacts, Interface::screw, q),
+               nut = values_of(contacts, Interface::nut, q);
     for (std::size_t k = 0; k < screw.size(); ++k) {
       if (!screw[k] && !nut[k]) continue;
       rows += table_row(label, {shown(screw[k]), shown(nut[k])});
@@ -230,7 +233,7 @@ std::string load_rows(const LoadCaseResult& result, const std::vector<LoadColumn
   for (const Interface i : kInterfaces) {
     std::vector<std::string> cells;
     for (const LoadColumn& column : columns)
-      cells.push_back(Shown{column.of().unit.factor, column.decimals}(value(result, i, column)));
+      cells.push_back(Shown{column.of().unit.text, column.decimals}(value(result, i, column)));
     rows += case_row(name, prs::name(i), cells);
     name.clear();
   }
@@ -245,7 +248,7 @@ std::string load_table(const std::vector<LoadCaseResult>& results) {
   std::vector<std::string> titles, units;
   for (const LoadColumn& column : columns) {
     titles.emplace_back(column.title);
-    units.emplace_back(column.of().unit.text);
+    units.push_back(with_table_unit(column.of().unit.text));
   }
   std::string table = "\nEqual shares of all threads\n";
   table += case_row("", "", titles) + case_row("load case", "", units);

@@ -22,8 +22,8 @@ void most_loaded_fields(CsvWriter& csv, const LoadCaseResult& result, Interface 
 
 }  // namespace
 
-std::string load_cases_csv(const Result& result) {
-  CsvWriter csv;
+std::string load_cases_csv(const Result& result, const CsvStyle& style) {
+  CsvWriter csv(style);
   load_header(csv);
   scalar_header<LoadCaseResult>(csv, "", "converged");
   for (const Interface i : kInterfaces)
@@ -41,8 +41,8 @@ std::string load_cases_csv(const Result& result) {
   return csv.take();
 }
 
-std::string load_distribution_csv(const Result& result) {
-  CsvWriter csv;
+std::string load_distribution_csv(const Result& result, const CsvStyle& style) {
+  CsvWriter csv(style);
   load_header(csv);
   const bool all_rollers = std::ranges::any_of(
       result.load_cases, [](const LoadCaseResult& r) { return r.full != nullptr; });

@@ -27,6 +27,12 @@ bool is_quantity(std::string_view text) {
                           }));
 }
 
+bool is_number(std::string_view text) {
+  double number = 0.0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && stop == text.data() + text.size();
+}
+
 /// Whether a spreadsheet would compute the text in place of showing it.
 bool is_formula(std::string_view text) {
   return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != text.npos &&
@@ -35,10 +41,16 @@ bool is_formula(std::string_view text) {
 
 }  // namespace
 
+CsvWriter::CsvWriter(const CsvStyle& style, Part part) : style_(style) {
+  if (style.european && part == Part::whole) csv_ = "\uFEFF";
+}
+
 void CsvWriter::text(std::string_view value) {
   separate();
+  if (is_number(value)) return append_number(value);
   const bool formula = is_formula(value);
-  if (!formula && value.find_first_of(",\"\r\n") == std::string_view::npos) {
+  if (!formula && value.find_first_of("\"\r\n") == std::string_view::npos &&
+      value.find(style_.separator()) == std::string_view::npos) {
     csv_ += value;
     return;
   }
@@ -50,8 +62,12 @@ void CsvWriter::text(std::string_view value) {
 void CsvWriter::number(std::optional<double> si, double factor) {
   separate();
   if (!si || !std::isfinite(*si)) return;
-  std::array<char, 32> digits;  // A shortest double has 24 at most.
-  csv_.append(digits.data(), fmt::format_to(digits.data(), "{}", *si * factor));
+  std::array<char, 32> text;  // A double has 24 at most.
+  const double value = *si * factor;
+  const char* end = style_.digits >= CsvStyle::kAllDigits
+                        ? fmt::format_to(text.data(), "{}", value)
+                        : fmt::format_to(text.data(), "{:.{}g}", value, style_.digits);
+  append_number({text.data(), end});
 }
 
 void CsvWriter::integer(std::optional<std::size_t> value) {
@@ -65,8 +81,14 @@ void CsvWriter::end_row() {
 }
 
 void CsvWriter::separate() {
-  if (!row_is_empty_) csv_ += ',';
+  if (!row_is_empty_) csv_ += style_.separator();
   row_is_empty_ = false;
+}
+
+void CsvWriter::append_number(std::string_view text) {
+  csv_ += text;
+  std::ranges::replace(csv_.end() - static_cast<std::ptrdiff_t>(text.size()), csv_.end(), '.',
+                       style_.decimal_mark());
 }
 
 void load_header(CsvWriter& csv) {

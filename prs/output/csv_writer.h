@@ -6,16 +6,22 @@
 #include <string_view>
 
 #include "prs/model/load_case.h"
+#include "prs/output/csv_style.h"
 
 namespace prs {
 
-/// Fields and rows of comma-separated values, quoted as in RFC 4180. A text that a spreadsheet
+/// Fields and rows of a CSV file, quoted as in RFC 4180. A text that a spreadsheet
 /// would take for a formula (it begins with = + - @, a tab or the end of a line, and is no
 /// quantity) gets an apostrophe before it.
 class CsvWriter {
  public:
+  enum class Part { whole, rows };
+
+  /// `rows` go on in a file that has begun.
+  explicit CsvWriter(const CsvStyle& style, Part part = Part::whole);
+
   void text(std::string_view value);
-  /// SI * factor with all its digits; empty where absent or not finite.
+  /// SI * factor; empty where absent or not finite.
   void number(std::optional<double> si, double factor = 1.0);
   void integer(std::optional<std::size_t> value);
   void end_row();
@@ -24,7 +30,9 @@ class CsvWriter {
 
  private:
   void separate();
+  void append_number(std::string_view text);
 
+  CsvStyle style_;
   std::string csv_;
   bool row_is_empty_ = true;
 };

@@ -85,8 +85,8 @@ Json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info) {
   return document;
 }
 
-std::string derivatives_csv(const CaseDerivatives& result) {
-  CsvWriter csv;
+std::string derivatives_csv(const CaseDerivatives& result, const CsvStyle& style) {
+  CsvWriter csv(style);
   for (const char* key : {"response", "value", "factor", "label", "at", "unit", "derivative",
                           "percent_per_percent", "error", "reason"})
     csv.text(key);

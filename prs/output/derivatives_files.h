@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "prs/output/csv_style.h"
 #include "prs/quantities/json.h"
 #include "prs/study/derivatives.h"
 
@@ -14,7 +15,7 @@ namespace prs {
 nlohmann::ordered_json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info);
 
 /// `derivatives.csv`: one row per response and factor.
-std::string derivatives_csv(const CaseDerivatives& result);
+std::string derivatives_csv(const CaseDerivatives& result, const CsvStyle& style = {});
 
 /// One table per response: what 1 % of each factor does to it, the strongest first.
 std::string derivatives_table(const CaseDerivatives& result);

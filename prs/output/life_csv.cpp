@@ -4,8 +4,8 @@
 
 namespace prs {
 
-std::string life_threads_csv(const LifeResult& r) {
-  CsvWriter csv;
+std::string life_threads_csv(const LifeResult& r, const CsvStyle& style) {
+  CsvWriter csv(style);
   for (const char* key : {"direction", "interface", "thread"}) csv.text(key);
   series_header<ThreadLives>(csv);
   csv.end_row();
@@ -25,8 +25,8 @@ std::string life_threads_csv(const LifeResult& r) {
   return csv.take();
 }
 
-std::string cycles_csv(const LoadCycles& cycles) {
-  CsvWriter csv;
+std::string cycles_csv(const LoadCycles& cycles, const CsvStyle& style) {
+  CsvWriter csv(style);
   for (const char* key : {"range_N", "mean_N", "count", "start_sample", "end_sample"})
     csv.text(key);
   csv.end_row();
@@ -41,8 +41,8 @@ std::string cycles_csv(const LoadCycles& cycles) {
   return csv.take();
 }
 
-std::string cycle_matrix_csv(const CycleMatrix& m) {
-  CsvWriter csv;
+std::string cycle_matrix_csv(const CycleMatrix& m, const CsvStyle& style) {
+  CsvWriter csv(style);
   for (const char* key : {"range_from_N", "range_to_N", "mean_from_N", "mean_to_N", "count"})
     csv.text(key);
   csv.end_row();

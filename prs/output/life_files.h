@@ -3,17 +3,18 @@
 #include <string>
 
 #include "prs/life/analyze_life.h"
+#include "prs/output/csv_style.h"
 
 namespace prs {
 
 /// `life_threads.csv`: one row per thread, interface and sense of the load.
-std::string life_threads_csv(const LifeResult& result);
+std::string life_threads_csv(const LifeResult& result, const CsvStyle& style = {});
 
 /// `cycles.csv`: every cycle in the order in which it closed, its turning points by the row of the
 /// history, counted from 1.
-std::string cycles_csv(const LoadCycles& cycles);
+std::string cycles_csv(const LoadCycles& cycles, const CsvStyle& style = {});
 
 /// `cycle_matrix.csv`: a row for each bin that is not empty.
-std::string cycle_matrix_csv(const CycleMatrix& matrix);
+std::string cycle_matrix_csv(const CycleMatrix& matrix, const CsvStyle& style = {});
 
 }  // namespace prs

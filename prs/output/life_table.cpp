@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "prs/loads/analyze.h"
-#include "prs/model/units.h"
 #include "prs/output/case_table.h"
+#include "prs/output/table_units.h"
 #include "prs/quantities/life_quantities.h"
 #include "prs/quantities/model_summary.h"
 #include "prs/text.h"
@@ -16,9 +16,7 @@ std::string line(std::string_view what, const std::string& value) {
   return fmt::format("  {:<38} {}\n", what, value);
 }
 
-std::string kilonewtons(std::optional<double> force) {
-  return force ? fmt::format("{:.2f} kN", *force * per_si::kilonewton) : std::string(kAbsent);
-}
+std::string kilonewtons(std::optional<double> force) { return fixed_with_unit(force, "kN", 2); }
 
 std::string cell(std::optional<double> value, double factor = 1.0) {
   return value && std::isfinite(*value) ? fmt::format("{:.4g}", *value * factor)
@@ -27,14 +25,14 @@ std::string cell(std::optional<double> value, double factor = 1.0) {
 
 std::string columns(const std::string& first, std::initializer_list<std::string> cells) {
   std::string text = "  " + padded(first, 38, true);
-  for (const std::string& c : cells) text += padded(c, 14, false);
+  for (const std::string& c : cells) text += padded(with_table_unit(c), 14, false);
   return text + '\n';
 }
 
 std::string life_row(const LifeResult& r, const std::string& what, double revolutions) {
   const LifeInUse life = in_use(r, revolutions);
   return columns(what, {cell(life.revolutions, 1e-6), cell(life.hours),
-                        cell(life.travel, per_si::kilometre), cell(life.passes)});
+                        cell(life.travel, table_unit("km").factor), cell(life.passes)});
 }
 
 std::string lives(const LifeResult& r) {
@@ -68,18 +66,18 @@ std::string by_direction(const LifeResult& r, std::optional<double> FlankLife::*
 std::string capacities(const LifeResult& r) {
   std::string text;
   const Interval& range = r.dynamic_capacity_range;
-  text +=
-      line("dynamic capacity C_a",
-           r.lemor ? fmt::format("{} ({:.2f} to {:.2f} kN by readings of Lemor's factor alone)",
-                                 kilonewtons(r.dynamic_capacity), range.least * per_si::kilonewton,
-                                 range.greatest * per_si::kilonewton)
-                   : fmt::format("{} (given)", kilonewtons(r.dynamic_capacity)));
+  text += line("dynamic capacity C_a",
+               r.lemor ? fmt::format("{} ({} to {} by readings of Lemor's factor alone)",
+                                     kilonewtons(r.dynamic_capacity), fixed(range.least, "kN", 2),
+                                     kilonewtons(range.greatest))
+                       : fmt::format("{} (given)", kilonewtons(r.dynamic_capacity)));
   if (r.lemor)
-    text += line("  by a maker's 23 standard screws",
-                 fmt::format("{:.0f} to {:.0f} kN (C_a is {:g} to {:g} times theirs)",
-                             r.dynamic_capacity / kCapacityOverMakers.greatest * per_si::kilonewton,
-                             r.dynamic_capacity / kCapacityOverMakers.least * per_si::kilonewton,
-                             kCapacityOverMakers.least, kCapacityOverMakers.greatest));
+    text +=
+        line("  by a maker's 23 standard screws",
+             fmt::format("{} to {} (C_a is {:g} to {:g} times theirs)",
+                         fixed(r.dynamic_capacity / kCapacityOverMakers.greatest, "kN", 0),
+                         fixed_with_unit(r.dynamic_capacity / kCapacityOverMakers.least, "kN", 0),
+                         kCapacityOverMakers.least, kCapacityOverMakers.greatest));
   if (r.lemor && std::isfinite(r.system_life)) {
     const auto [least, greatest] = in_use(r, r.system_life).revolutions_range;
     text +=
@@ -91,7 +89,7 @@ std::string capacities(const LifeResult& r) {
   if (r.life.static_capacity)
     text += line("static capacity C_0", kilonewtons(r.life.static_capacity) + " (given)");
   if (r.equal_shares_static_capacity) {
-    text += line(fmt::format("force that gives {:.1f} GPa", kStaticPressureLimit * 1e-9),
+    text += line("force that gives " + fixed_with_unit(kStaticPressureLimit, "GPa", 1),
                  by_direction(r, &FlankLife::static_capacity));
     text += line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
     text +=
@@ -109,17 +107,19 @@ std::string loads(const LifeResult& r) {
   std::string text;
   if (r.revolutions_known)
     text += line("revolutions, travel",
-                 fmt::format("{:.6g}, {:.4g} m", r.revolutions,
-                             r.revolutions * std::abs(r.contacts.mechanism.lead)));
+                 fmt::format("{:.6g}, {:.4g} {}", r.revolutions,
+                             shown(r.revolutions * std::abs(r.contacts.mechanism.lead), "m"),
+                             table_unit("m").text));
   if (r.duration) text += line("duration", fmt::format("{:.4g} h", *r.duration / 3600.0));
   for (const Direction d : kDirections)
     if (const auto& f = r.flanks[d])
-      text += line(
-          fmt::format("{}", name(d)),
-          fmt::format(
-              "{:.1f} % of the revolutions, up to {}, peak pressure {} MPa",
-              100.0 * f->revolutions / r.revolutions, kilonewtons(f->largest_force),
-              cell(std::max(f->peak_pressure.screw, f->peak_pressure.nut), per_si::megapascal)));
+      text +=
+          line(fmt::format("{}", name(d)),
+               fmt::format("{:.1f} % of the revolutions, up to {}, peak pressure {} {}",
+                           100.0 * f->revolutions / r.revolutions, kilonewtons(f->largest_force),
+                           cell(std::max(f->peak_pressure.screw, f->peak_pressure.nut),
+                                table_unit("MPa").factor),
+                           table_unit("MPa").text));
   if (r.cycles)
     text += line("load cycles (rainflow)",
                  fmt::format("{:.1f}, equivalent range {} at slope {:g}, largest {}",

@@ -5,11 +5,23 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "prs/input/units.h"
 #include "prs/model/named_lubricants.h"
+#include "prs/output/case_table.h"
+#include "prs/quantities/response_title.h"
+#include "prs/text.h"
 
 namespace prs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kUnitsAt = 60;
+
+}  // namespace
 
 std::string lubricants_table() {
   std::string text =
@@ -29,8 +41,8 @@ std::string lubricants_table() {
   return text;
 }
 
-nlohmann::ordered_json lubricants_json() {
-  nlohmann::ordered_json json;
+Json lubricants_json() {
+  Json json;
   for (const NamedLubricant& l : named_lubricants())
     json["lubricants"].push_back({{"name", l.name},
                                   {"description", l.what},
@@ -38,6 +50,60 @@ nlohmann::ordered_json lubricants_json() {
                                   {"viscosity_100_mm2_per_s", 1e6 * l.viscosity_100},
                                   {"density_kg_per_m3", l.density},
                                   {"source", l.source}});
+  return json;
+}
+
+std::string units_table() {
+  std::string text = fmt::format("{:<38}{:<22}{}\n", "quantity", "example", "units");
+  for (const input::Dimension* d : input::dimensions()) {
+    std::string units;
+    for (const input::Unit& unit : d->units) {
+      units += units.empty() ? "" : ", ";
+      for (const std::string_view spelling : unit.spellings)
+        if (!spelling.empty())
+          units += fmt::format("{}{}", spelling == unit.spellings[0] ? "" : " = ", spelling);
+    }
+    const std::string lines = wrapped(units, std::string(kUnitsAt, ' '), kTableWidth);
+    text += padded(fmt::format("{:<38}{}", d->name, d->example), kUnitsAt, true) +
+            lines.substr(kUnitsAt);
+  }
+  return text +
+         "\nA number, then its unit: `5 mm`. Differences of temperatures are in K, degC or degF.\n";
+}
+
+Json units_json() {
+  Json json;
+  for (const input::Dimension* d : input::dimensions()) {
+    Json dimension{{"quantity", d->name}, {"example", d->example}, {"shown_in", d->canonical}};
+    for (const input::Unit& unit : d->units) {
+      Json spellings = Json::array();
+      for (const std::string_view spelling : unit.spellings)
+        if (!spelling.empty()) spellings.push_back(spelling);
+      dimension["units"].push_back(std::move(spellings));
+    }
+    json["quantities"].push_back(std::move(dimension));
+  }
+  return json;
+}
+
+std::string responses_table(const std::vector<std::string>& paths) {
+  std::size_t widest = 0;
+  for (const std::string& path : paths) widest = std::max(widest, width(path));
+  std::string text = padded("path", widest, true) + "  unit         title\n";
+  for (const std::string& path : paths) {
+    const ResponseTitle title = response_title(path);
+    text += padded(path, widest, true) + "  " + padded(std::string(title.unit), 11, true) + "  " +
+            title.name + '\n';
+  }
+  return text + "\nOf numbers thread by thread also `.min`, `.mean` and `[k]`, k from 0.\n";
+}
+
+Json responses_json(const std::vector<std::string>& paths) {
+  Json json{{"responses", Json::array()}};
+  for (const std::string& path : paths) {
+    const ResponseTitle title = response_title(path);
+    json["responses"].push_back({{"path", path}, {"unit", title.unit}, {"title", title.name}});
+  }
   return json;
 }
 

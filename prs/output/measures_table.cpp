@@ -11,6 +11,7 @@
 #include "prs/model/units.h"
 #include "prs/output/case_table.h"
 #include "prs/output/csv_writer.h"
+#include "prs/output/table_units.h"
 #include "prs/output/warnings.h"
 #include "prs/quantities/measure_quantities.h"
 #include "prs/text.h"
@@ -36,7 +37,7 @@ std::optional<std::string> measure_cell(const Quantity<Owner>& q,
   if (!measures) return std::nullopt;
   if (q.value.number) {
     const std::optional<double> shown = shown_number(q, *measures);
-    return shown ? std::optional(five_digits(shown)) : std::nullopt;
+    return shown ? std::optional(five_digits(*shown * table_factor(q.unit))) : std::nullopt;
   }
   const auto json = q.value.json(*measures, q.unit);
   return json.is_null() ? std::nullopt : std::optional(json.template get<std::string>());
@@ -66,7 +67,7 @@ std::string group_rows(std::span<const std::optional<Owner>> owners) {
         any = any || shown;
         cells += padded(shown.value_or(std::string(kAbsent)), kCellWidth, false);
       }
-      const std::string_view unit = q.unit.text;
+      const std::string_view unit = table_unit(q.unit).text;
       if (any)
         rows += padded(fmt::format("  {}{}{}", q.title, unit.empty() ? "" : ", ", unit),
                        kTitleWidth, true) +
@@ -84,11 +85,10 @@ std::string load_table(const MeasuresResult& result, std::size_t first, std::siz
     text += ' ' + padded(shortened(printable(result.analysis.load_cases[k].load_case.name),
                                    kCellWidth - 1),
                          kCellWidth - 1, false);
-  text += '\n' + padded("  force, kN", kTitleWidth, true);
+  text += '\n' + padded(with_table_unit("  force, kN"), kTitleWidth, true);
   for (std::size_t k = first; k < last; ++k)
-    text += padded(
-        five_digits(result.analysis.load_cases[k].load_case.axial_force * per_si::kilonewton),
-        kCellWidth, false);
+    text += padded(five_digits(shown(result.analysis.load_cases[k].load_case.axial_force, "kN")),
+                   kCellWidth, false);
   text += '\n';
   const std::string rows = group_rows(std::span(result.load_measures).subspan(first, last - first));
   return rows.empty() ? text : text + '\n' + rows;
@@ -143,8 +143,8 @@ std::string measure_explanations() {
          explanations<LoadMeasures>();
 }
 
-std::string measures_csv(const MeasuresResult& result) {
-  CsvWriter csv;
+std::string measures_csv(const MeasuresResult& result, const CsvStyle& style) {
+  CsvWriter csv(style);
   for (const std::string_view name : {"load_case", "measure", "unit", "value"}) csv.text(name);
   csv.end_row();
   add_rows(csv, "", result.measures);
@@ -154,8 +154,8 @@ std::string measures_csv(const MeasuresResult& result) {
   return csv.take();
 }
 
-std::string yang_csv(const MeasuresResult& result) {
-  CsvWriter csv;
+std::string yang_csv(const MeasuresResult& result, const CsvStyle& style) {
+  CsvWriter csv(style);
   load_header(csv);
   for (const std::string_view name :
        {"thread", "yang_load_rate_percent", "screw_load_rate_percent", "nut_load_rate_percent"})

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "prs/measures/analyze_measures.h"
+#include "prs/output/csv_style.h"
 
 namespace prs {
 
@@ -13,9 +14,9 @@ std::string measures_table(const MeasuresResult& result);
 std::string measure_explanations();
 
 /// `measures.csv`: one row per measure and load case, that of the mechanism's own empty.
-std::string measures_csv(const MeasuresResult& result);
+std::string measures_csv(const MeasuresResult& result, const CsvStyle& style = {});
 
 /// `yang.csv`: thread by thread, Yang's load rates next to those of the model.
-std::string yang_csv(const MeasuresResult& result);
+std::string yang_csv(const MeasuresResult& result, const CsvStyle& style = {});
 
 }  // namespace prs

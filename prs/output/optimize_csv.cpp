@@ -42,9 +42,9 @@ void history_row(CsvWriter& csv, const Study& study, std::size_t number, std::st
 
 }  // namespace
 
-std::string front_csv(const OptimizationResult& result) {
+std::string front_csv(const OptimizationResult& result, const CsvStyle& style) {
   const Study& study = result.optimization.study;
-  CsvWriter csv;
+  CsvWriter csv(style);
   for (const char* key : {"design", "compromise"}) csv.text(key);
   design_header(csv, study);
   for (const std::size_t k : result.search.front) {
@@ -55,9 +55,9 @@ std::string front_csv(const OptimizationResult& result) {
   return csv.take();
 }
 
-std::string history_csv(const OptimizationResult& result) {
+std::string history_csv(const OptimizationResult& result, const CsvStyle& style) {
   const Optimization& optimization = result.optimization;
-  CsvWriter csv;
+  CsvWriter csv(style);
   for (const char* key :
        {"design", "algorithm", "generation", "feasible", "violation", "status", "reason"})
     csv.text(key);

@@ -3,17 +3,18 @@
 #include <string>
 
 #include "prs/optimize/optimization_result.h"
+#include "prs/output/csv_style.h"
 
 namespace prs {
 
 /// The front, one row per design: where it stands in history.csv, whether it is the compromise, the
 /// variables and what is linked to them (`mechanism.flank_angle.screw_deg`), the responses under
-/// their paths. Numbers have all their digits.
-std::string front_csv(const OptimizationResult& result);
+/// their paths.
+std::string front_csv(const OptimizationResult& result, const CsvStyle& style = {});
 
 /// Every design in the order in which it was evaluated, the file's own first: its number, the
 /// algorithm, generation from 1, feasible, violation (empty without an answer), status, reason,
 /// variables, responses.
-std::string history_csv(const OptimizationResult& result);
+std::string history_csv(const OptimizationResult& result, const CsvStyle& style = {});
 
 }  // namespace prs

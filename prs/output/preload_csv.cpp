@@ -25,8 +25,8 @@ void side_fields(CsvWriter& csv, const PreloadPoint& point, Direction d) {
 
 }  // namespace
 
-std::string preload_csv(const PreloadResult& result) {
-  CsvWriter csv;
+std::string preload_csv(const PreloadResult& result, const CsvStyle& style) {
+  CsvWriter csv(style);
   for (const char* key :
        {"axial_force_N", "status", "axial_displacement_um", "tangent_stiffness_N_per_um",
         "tension_side_load_N", "tension_side_max_normal_load_N", "compression_side_load_N",

@@ -2,11 +2,12 @@
 
 #include <string>
 
+#include "prs/output/csv_style.h"
 #include "prs/preload/analyze_preload.h"
 
 namespace prs {
 
 /// `preload.csv`: one row per load, with the curve without preload in further columns.
-std::string preload_csv(const PreloadResult& result);
+std::string preload_csv(const PreloadResult& result, const CsvStyle& style = {});
 
 }  // namespace prs

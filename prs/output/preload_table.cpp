@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "prs/model/units.h"
 #include "prs/output/case_table.h"
+#include "prs/output/table_units.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -19,18 +19,12 @@ std::string line(std::string_view what, const std::string& value) {
 }
 
 /// One value, or one for each sense of the load.
-std::string both(const PerDirection<std::optional<double>>& values, double factor, int decimals,
-                 std::string_view unit) {
-  const std::string tension = fixed(values.tension, factor, decimals);
-  const std::string compression = fixed(values.compression, factor, decimals);
-  if (tension == compression)
-    return tension == kAbsent ? tension : fmt::format("{} {}", tension, unit);
-  return fmt::format("{} {} in tension, {} {} in compression", tension, unit, compression, unit);
-}
-
-std::string with_unit(std::optional<double> si, double factor, int decimals,
-                      std::string_view unit) {
-  return si ? fmt::format("{} {}", fixed(si, factor, decimals), unit) : std::string(kAbsent);
+std::string both(const PerDirection<std::optional<double>>& values, std::string_view unit,
+                 int decimals) {
+  const std::string tension = fixed_with_unit(values.tension, unit, decimals);
+  const std::string compression = fixed_with_unit(values.compression, unit, decimals);
+  if (tension == compression) return tension;
+  return fmt::format("{} in tension, {} in compression", tension, compression);
 }
 
 std::string summary(const PreloadResult& r) {
@@ -38,52 +32,49 @@ std::string summary(const PreloadResult& r) {
   std::string text = single ? "Single nut, tension and compression flanks of the same threads\n"
                             : "Double nut: the first carries compression, the second tension\n";
   if (r.preload.backlash)
-    text += line("axial play", with_unit(r.preload.backlash, per_si::micrometre, 3, "µm"));
+    text += line("axial play", fixed_with_unit(r.preload.backlash, "µm", 3));
   else
-    text += line("preload", with_unit(r.force(), per_si::kilonewton, 3, "kN")) +
+    text += line("preload", fixed_with_unit(r.force(), "kN", 3)) +
             line(single ? "oversize of the rollers' pitch diameter" : "oversize of the spacer",
-                 with_unit(r.interference, per_si::micrometre, 3, "µm")) +
-            line("a side opens at", both(r.opening_force, per_si::kilonewton, 3, "kN")) +
-            line("stiffness at zero load",
-                 both(r.curve.stiffness_at_zero, per_si::newton_per_micrometre, 1, "N/µm"));
-  const std::string load = r.lost_motion_load < kSmallLoad
-                               ? fmt::format("{:.3g} N", r.lost_motion_load)
-                               : fixed(r.lost_motion_load, per_si::kilonewton, 3) + " kN";
-  text += line(fmt::format("lost motion between -{} and +{}", load, load),
-               with_unit(r.curve.lost_motion, per_si::micrometre, 3, "µm") +
-                   (r.without_preload ? fmt::format(" (without preload {})",
-                                                    with_unit(r.without_preload->lost_motion,
-                                                              per_si::micrometre, 3, "µm"))
-                                      : ""));
+                 fixed_with_unit(r.interference, "µm", 3)) +
+            line("a side opens at", both(r.opening_force, "kN", 3)) +
+            line("stiffness at zero load", both(r.curve.stiffness_at_zero, "N/µm", 1));
+  const std::string load =
+      r.lost_motion_load < kSmallLoad
+          ? fmt::format("{:.3g} {}", shown(r.lost_motion_load, "N"), table_unit("N").text)
+          : fixed_with_unit(r.lost_motion_load, "kN", 3);
+  text += line(
+      fmt::format("lost motion between -{} and +{}", load, load),
+      fixed_with_unit(r.curve.lost_motion, "µm", 3) +
+          (r.without_preload ? fmt::format(" (without preload {})",
+                                           fixed_with_unit(r.without_preload->lost_motion, "µm", 3))
+                             : ""));
   return text;
 }
 
 std::string columns(std::initializer_list<std::string> cells) {
   std::string text;
-  for (const std::string& cell : cells) text += padded(cell, 15, false);
+  for (const std::string& cell : cells) text += padded(with_table_unit(cell), 15, false);
   return text + '\n';
 }
 
 std::string row(const PreloadResult& r, std::size_t k) {
   const PreloadPoint& point = r.curve.points[k];
-  const std::string force = fixed(point.axial_force, per_si::kilonewton, 3);
+  const std::string force = fixed(point.axial_force, "kN", 3);
   if (!point.solve.converged())
     return fmt::format("{}  NOT CONVERGED ({}), residual {:.1e}\n", padded(force, 15, false),
                        fe::name(point.solve.status), point.solve.relative_residual);
-  const auto side = [&](Direction d) {
-    return fixed(point.sides[d].axial_load.screw, per_si::kilonewton, 3);
-  };
+  const auto side = [&](Direction d) { return fixed(point.sides[d].axial_load.screw, "kN", 3); };
   double normal = 0.0;
   for (const Direction d : kDirections)
     for (const Interface i : kInterfaces)
       normal = std::max(normal, point.sides[d].max_normal_load[i]);
   const PreloadPoint* loose = r.without_preload ? &r.without_preload->points[k] : nullptr;
   const bool known = loose && loose->solve.converged();
-  return columns(
-      {force, fixed(point.axial_displacement, per_si::micrometre, 3),
-       fixed(point.tangent_stiffness, per_si::newton_per_micrometre, 1), side(Direction::tension),
-       side(Direction::compression), fixed(normal, 1.0, 1),
-       known ? fixed(loose->axial_displacement, per_si::micrometre, 3) : std::string(kAbsent)});
+  return columns({force, fixed(point.axial_displacement, "µm", 3),
+                  fixed(point.tangent_stiffness, "N/µm", 1), side(Direction::tension),
+                  side(Direction::compression), fixed(normal, "N", 1),
+                  known ? fixed(loose->axial_displacement, "µm", 3) : std::string(kAbsent)});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "prs/configurations/roller_spacing.h"
+#include "prs/input/units.h"
 #include "prs/model/quantity_text.h"
 #include "prs/quantities/configurations_json.h"
 #include "prs/text.h"
@@ -34,6 +35,11 @@ std::string origin_of(bool given, const std::string& assumed) {
 
 std::string degrees(double angle) {
   return fmt::format("{:.6g} deg", angle * 180.0 / std::numbers::pi);
+}
+/// What was given, to the last digit.
+std::string exact(double length) { return input::format_quantity(length, input::unit::length); }
+std::string length_text(const std::optional<double>& given, double otherwise) {
+  return given ? exact(*given) : mm(otherwise);
 }
 std::string kilonewton(double force) { return fmt::format("{:.7g} kN", 1e-3 * force); }
 
@@ -85,10 +91,30 @@ std::string case_heading(const CompleteScrew& s, const std::string& origin) {
   return text;
 }
 
+std::string thread_text(const Mechanism& m) {
+  if (!m.thread.screw)
+    return case_remark(
+        "thread heights are left out: contacts lie beyond crests of 0.15 pitches, as makers have "
+        "them; flanks end where they meet",
+        2);
+  std::string text =
+      case_remark(
+          fmt::format(
+              "assumed: crests {:.2g} and roots {:.2g} pitches from the pitch line, after outer "
+              "and root diameters of a catalogue. Ellipses reach such crests below the static "
+              "capacity: makers count on what bears beyond, `prs measures` and `prs life` warn",
+              m.thread.screw->addendum / axial_pitch(m), m.thread.screw->dedendum / axial_pitch(m)),
+          2) +
+      "  thread:\n";
+  for (const Part p : kParts)
+    text += fmt::format("    {}: {{addendum: {}, dedendum: {}}}\n", name(p),
+                        mm(m.thread[p]->addendum), mm(m.thread[p]->dedendum));
+  return text;
+}
+
 std::string mechanism_text(const CompleteScrew& s) {
   const Mechanism& m = s.c.mechanism;
   const ScrewData& d = s.data;
-  const ThreadHeight& height = *m.thread.screw;
   const std::string rule =
       is_standard(s) ? fmt::format("threads over {:g} of the nut's length", kThreadedShare)
                      : fmt::format(
@@ -100,7 +126,7 @@ std::string mechanism_text(const CompleteScrew& s) {
                    is_standard(s) ? "rollers keep their place on the nut; or inverted"
                                   : "rollers keep their place on the screw; or standard") +
          case_line("  geometry: design", "roller, nut and centre distance follow") +
-         case_line(fmt::format("  lead: {}", mm(m.lead)), "given; < 0 left-handed") +
+         case_line(fmt::format("  lead: {}", exact(m.lead)), "given; < 0 left-handed") +
          case_line(
              fmt::format("  starts: {{screw: {}, roller: {}}}", m.starts.screw, m.starts.roller),
              origin_of(d.starts.has_value(),
@@ -109,33 +135,19 @@ std::string mechanism_text(const CompleteScrew& s) {
                                    mm(kThinnestRoller)))) +
          case_line(fmt::format("  flank_angle: {}", degrees(d.flank_angle)),
                    "assumed: as on nearly all; one value, or {screw: .., roller: .., nut: ..}") +
-         case_line(fmt::format("  pitch_diameter: {{screw: {}}}", mm(d.screw_diameter)),
+         case_line(fmt::format("  pitch_diameter: {{screw: {}}}", exact(d.screw_diameter)),
                    "given: weights in catalogues show that the nominal diameter is this one") +
          case_line("  backlash: {screw: 0 mm, nut: 0 mm}",
                    "assumed: a nut without play; take a half of yours for each") +
          case_line(
              fmt::format("  profile: {{screw: straight, roller: {{convex: {}}}, nut: straight}}",
-                         mm(m.profile.roller.radius)),
+                         length_text(d.roller_profile_radius, m.profile.roller.radius)),
              origin_of(d.roller_profile_radius.has_value(),
                        fmt::format("{:g} pitches: with it, as in makers' catalogues, the static "
                                    "capacity hardly depends on the lead. No catalogue prints it, "
                                    "and pressures depend on it: ask the maker, or measure",
                                    kProfileRadius))) +
-         case_remark(
-             "assumed: crests 0.15 and roots 0.23 pitches from the pitch line, after outer and "
-             "root "
-             "diameters of a catalogue. Ellipses reach such crests below the static capacity: "
-             "makers "
-             "count on what bears beyond, `prs measures` and `prs life` warn",
-             2) +
-         "  thread:\n" +
-         [&] {
-           std::string parts;
-           for (const Part p : kParts)
-             parts += fmt::format("    {}: {{addendum: {}, dedendum: {}}}\n", name(p),
-                                  mm(height.addendum), mm(height.dedendum));
-           return parts;
-         }() +
+         thread_text(m) +
          case_line(fmt::format("  rollers: {}", m.rollers),
                    origin_of(d.rollers.has_value(),
                              "as many as fit with half a pitch between their crests")) +
@@ -162,23 +174,26 @@ std::string structure_text(const CompleteScrew& s) {
                      mm(of.roller.end_length), mm(of.roller.end_diameter)) +
          "  nut:\n" +
          case_line(
-             fmt::format("    length: {}", mm(of.nut.length)),
+             fmt::format("    length: {}", length_text(d.nut_length, of.nut.length)),
              origin_of(d.nut_length.has_value(),
-                       standard
-                           ? fmt::format("{:g} times the nut's pitch diameter and {}, 0.84 to 1.15 "
-                                         "times the lengths of a catalogue",
-                                         kNutLengthSlope, mm(kNutLengthOffset))
-                           : fmt::format("{:g} times the rollers' threads, so that these can "
-                                         "travel: take stroke and threads",
-                                         kInvertedNut))) +
+                       standard ? fmt::format(
+                                      "{:g} times the nut's pitch diameter and {}, 0.84 to 1.15 "
+                                      "times the lengths of a catalogue, with threads of no more "
+                                      "than {:g} roller diameters",
+                                      kNutLengthSlope, mm(kNutLengthOffset), kSlendernessOfRollers)
+                                : fmt::format("{:g} times the rollers' threads, so that these can "
+                                              "travel: take stroke and threads",
+                                              kInvertedNut))) +
          case_line(
-             fmt::format("    outer_diameter: {}", mm(of.nut.outer_diameter)),
+             fmt::format("    outer_diameter: {}",
+                         length_text(d.nut_diameter, of.nut.outer_diameter)),
              origin_of(d.nut_diameter.has_value(),
                        fmt::format("{:g} times the nut's pitch diameter and {}, 0.96 to 1.03 times "
                                    "the diameters of a catalogue",
                                    kNutDiameterSlope, mm(kNutDiameterOffset))) +
                  "; a plain cylinder") +
-         case_line(fmt::format("    thrust: {{tension: 0 mm, compression: {}}}", mm(of.nut.length)),
+         case_line(fmt::format("    thrust: {{tension: 0 mm, compression: {}}}",
+                               length_text(d.nut_length, of.nut.length)),
                    "assumed: the housing holds the nut at its end faces; with a flange, see "
                    "`structure.nut.flanges`");
 }
@@ -208,18 +223,10 @@ std::string loads_text(const CompleteScrew& s) {
                        "a half of 150,000 mm/min over the screw's diameter, which makers allow"));
 }
 
-/// ISO VG 100 of viscosity index 95.
 std::string lubricant_text(const CaseLubricant& l) {
-  return case_remark(origin_of(!l.assumed, "a mineral oil of ISO VG 100, viscosity index 95")) +
-         fmt::format(
-             "lubricant:\n"
-             "  temperature: {}\n"
-             "  viscosity_at: [{{temperature: 40 degC, kinematic_viscosity: 100 mm^2/s}}, "
-             "{{temperature: 100 degC, kinematic_viscosity: 11.1 mm^2/s}}]\n"
-             "  density: 880 kg/m^3\n"
-             "  pressure_viscosity: 20 1/GPa\n"
-             "  eyring_stress: 5 MPa\n",
-             celsius(l.temperature));
+  return case_line(
+      fmt::format("lubricant: {{name: {}, temperature: {}}}", l.name, celsius(l.temperature)),
+      origin_of(!l.assumed, "others: `prs list lubricants`"));
 }
 
 std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {

@@ -29,8 +29,8 @@ void slip_fields(CsvWriter& csv, const LoadCaseResult& result) {
 
 }  // namespace
 
-std::string slip_csv(const Result& result) {
-  CsvWriter csv;
+std::string slip_csv(const Result& result, const CsvStyle& style) {
+  CsvWriter csv(style);
   load_header(csv);
   scalar_header<SlipResult>(csv);
   scalar_header<SlipEstimates>(csv, "slip_ratio_");
@@ -49,8 +49,8 @@ std::string slip_csv(const Result& result) {
   return csv.take();
 }
 
-std::string slip_threads_csv(const Result& result) {
-  CsvWriter csv;
+std::string slip_threads_csv(const Result& result, const CsvStyle& style) {
+  CsvWriter csv(style);
   load_header(csv);
   for (const char* key : {"interface", "thread", "axial_load_N"}) csv.text(key);
   series_header<InterfaceSlip>(csv);

@@ -9,6 +9,7 @@
 #include "prs/model/units.h"
 #include "prs/output/bar_chart.h"
 #include "prs/output/case_table.h"
+#include "prs/output/table_units.h"
 #include "prs/output/warnings.h"
 #include "prs/quantities/slip_quantities.h"
 #include "prs/text.h"
@@ -42,14 +43,14 @@ std::string four_digits(double value) {
 
 std::string block_line(std::string_view label, const std::string& value,
                        const std::string& remark = {}) {
-  std::string line = padded(std::string("  ").append(label), kLabelWidth, true) +
+  std::string line = padded("  " + with_table_unit(label), kLabelWidth, true) +
                      padded(value, kValueWidth, false) + "   " + remark;
   line.erase(line.find_last_not_of(' ') + 1);
   return line + '\n';
 }
 
 std::string title_line(const LoadCaseResult& result) {
-  std::string load = fmt::format("{} kN", force_cell(result));
+  std::string load = fixed_with_unit(result.load_case.axial_force, "kN", 3);
   if (result.load_case.direction) load += fmt::format(", {}", name(*result.load_case.direction));
   if (result.load_case.share == LoadCase::Share::equal) load += ", equal shares";
   if (has_slip(result))
@@ -62,8 +63,8 @@ std::string title_line(const LoadCaseResult& result) {
 std::string slip_ratio_lines(const SlipResult& slip) {
   const std::string origin =
       slip.status == SlipStatus::imposed
-          ? fmt::format("imposed; moment left on a roller {} N mm",
-                        four_digits(slip.moments.residue() * per_si::newton_millimetre))
+          ? fmt::format("imposed; moment left on a roller {} {}",
+                        four_digits(shown(slip.moments.residue(), "N mm")), table_unit("N mm").text)
           : fmt::format("optimality {:.3f} %", slip.optimality * per_si::percent);
   std::string lines = block_line("slip ratio", fixed(slip.slip_ratio, 1.0, 6), origin) +
                       block_line("  ideal", fixed(slip.ideal_slip_ratio, 1.0, 6)) +
@@ -81,8 +82,8 @@ std::string efficiency_lines(const SlipResult& slip) {
 }
 
 std::string torque_lines(const SlipResult& slip) {
-  return block_line("torque on the screw, N m", four_digits(slip.torque_screw)) +
-         block_line("torque on the nut, N m", four_digits(slip.torque_nut));
+  return block_line("torque on the screw, N m", four_digits(shown(slip.torque_screw, "N m"))) +
+         block_line("torque on the nut, N m", four_digits(shown(slip.torque_nut, "N m")));
 }
 
 std::string power_lines(const SlipResult& slip) {
@@ -126,8 +127,8 @@ std::string range(const InterfaceSlip& slip, const RangeLine& line) {
       largest = std::max(largest, values[k]);
     }
   if (least > largest) return std::string(kAbsent);
-  const std::string from = fixed(least, q.unit.factor, line.decimals);
-  const std::string to = fixed(largest, q.unit.factor, line.decimals);
+  const std::string from = fixed(least, q.unit.text, line.decimals);
+  const std::string to = fixed(largest, q.unit.text, line.decimals);
   return from == to ? to : from + "–" + to;
 }
 
@@ -149,8 +150,8 @@ std::string hottest_line(const SlipResult& slip) {
   if (!hottest || !hottest->power || *hottest->power == 0.0) return {};
   return block_line(
       "hottest thread", fmt::format("{} {}", name(hottest->interface), hottest->thread),
-      fmt::format("{} W, {} W/mm²", four_digits(*hottest->power),
-                  four_digits(hottest->power_density * per_si::per_square_millimetre)));
+      fmt::format("{} W, {} {}", four_digits(*hottest->power),
+                  four_digits(shown(hottest->power_density, "W/mm²")), table_unit("W/mm²").text));
 }
 
 double largest(const SlipResult& slip, std::vector<double> InterfaceSlip::*values) {
@@ -161,12 +162,13 @@ double largest(const SlipResult& slip, std::vector<double> InterfaceSlip::*value
 }
 
 /// A number with equal shares and by how much the loads of the case change it.
-std::string comparison_line(std::string_view label, double equal, double solved, double factor) {
+std::string comparison_line(std::string_view label, double equal, double solved,
+                            std::string_view unit) {
   const std::string change =
       equal > 0.0 ? fmt::format("{:+.2f} %", (solved / equal - 1.0) * per_si::percent) : "";
   return block_line(
-      label, four_digits(equal * factor),
-      fmt::format("{:>{}} {:>10}", four_digits(solved * factor), kValueWidth, change));
+      fmt::format("{}, {}", label, unit), four_digits(shown(equal, unit)),
+      fmt::format("{:>{}} {:>10}", four_digits(shown(solved, unit)), kValueWidth, change));
 }
 
 /// A line of comparison whose change is given as a difference.
@@ -182,16 +184,15 @@ std::string equal_share_lines(const SlipResult& slip) {
   std::string lines =
       block_line("thread loads", "equal", padded("of the case", kValueWidth, false));
   lines += difference_line("  slip ratio", equal.slip_ratio, slip.slip_ratio, 6);
-  lines += comparison_line("  power lost, W", equal.power_loss, slip.power.total(), 1.0);
+  lines += comparison_line("  power lost", equal.power_loss, slip.power.total(), "W");
   if (equal.efficiency && slip.efficiency)
     lines += difference_line("  efficiency, %", *equal.efficiency * per_si::percent,
                              *slip.efficiency * per_si::percent, 2);
-  lines += comparison_line("  most at a thread, W",
+  lines += comparison_line("  most at a thread",
                            std::max(equal.thread_power.screw, equal.thread_power.nut),
-                           largest(slip, &InterfaceSlip::power), 1.0);
-  lines +=
-      comparison_line("  most at a thread, W/mm²", equal.max_power_density,
-                      largest(slip, &InterfaceSlip::power_density), per_si::per_square_millimetre);
+                           largest(slip, &InterfaceSlip::power), "W");
+  lines += comparison_line("  most at a thread", equal.max_power_density,
+                           largest(slip, &InterfaceSlip::power_density), "W/mm²");
   return lines;
 }
 
@@ -220,7 +221,7 @@ std::string hottest_cell(const LoadCaseResult& result) {
   const std::optional<HottestThread> hottest = hottest_thread(*result.slip);
   if (!hottest) return std::string(kAbsent);
   return fmt::format("{} {}: {}", name(hottest->interface), hottest->thread,
-                     four_digits(hottest->power_density * per_si::per_square_millimetre));
+                     four_digits(shown(hottest->power_density, "W/mm²")));
 }
 
 constexpr CaseColumn kColumns[] = {
@@ -236,7 +237,7 @@ constexpr CaseColumn kColumns[] = {
     {"effic.", "%", false,
      [](const LoadCaseResult& r) { return cell<&SlipResult::efficiency>(r, per_si::percent, 2); }},
     {"torque", "N m", false,
-     [](const LoadCaseResult& r) { return cell<&SlipResult::torque_screw>(r, 1.0, 3); }},
+     [](const LoadCaseResult& r) { return fixed(r.slip->torque_screw, "N m", 3); }},
     {"lost", "W", false,
      [](const LoadCaseResult& r) { return fixed(r.slip->power.total(), 1.0, 2); }},
     {"screw", "%", false, share<&PowerBySource::screw>},

@@ -28,7 +28,7 @@ void factor_field(CsvWriter& csv, const FactorColumn& column, double value) {
 }  // namespace
 
 std::string StudyCsv::header() const {
-  CsvWriter csv;
+  CsvWriter csv(style_);
   csv.text("design");
   if (study_.plan == Plan::one_at_a_time)
     for (const char* key : {"factor", "label", "value", "number", "unit", "base"}) csv.text(key);
@@ -43,7 +43,7 @@ std::string StudyCsv::header() const {
 
 std::string StudyCsv::rows(const RowBlock& block, const std::vector<double>& factors) const {
   const DesignStatus converged;
-  CsvWriter csv;
+  CsvWriter csv(style_, CsvWriter::Part::rows);
   auto failure = block.failures.begin();
   for (std::size_t row = 0; row < block.rows; ++row) {
     csv.integer(block.first + row);

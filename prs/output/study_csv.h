@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "prs/output/csv_style.h"
 #include "prs/output/study_columns.h"
 #include "prs/study/row_block.h"
 
@@ -13,9 +14,9 @@ namespace prs {
 /// base case in one value, this one: `factor`, `label`, `value`, `number`, `unit`.
 class StudyCsv {
  public:
-  /// Both must outlive the object.
-  StudyCsv(const Study& study, const std::vector<FactorColumn>& columns)
-      : study_(study), columns_(columns) {}
+  /// Study and columns must outlive the object.
+  StudyCsv(const Study& study, const std::vector<FactorColumn>& columns, const CsvStyle& style = {})
+      : study_(study), columns_(columns), style_(style) {}
 
   std::string header() const;
 
@@ -25,6 +26,7 @@ class StudyCsv {
  private:
   const Study& study_;
   const std::vector<FactorColumn>& columns_;
+  CsvStyle style_;
 };
 
 }  // namespace prs

@@ -19,9 +19,10 @@ void input_fields(CsvWriter& csv, const std::vector<FactorColumn>& columns,
 
 }  // namespace
 
-std::string envelope_csv(const Study& study, const GridMaps& maps, const EnvelopeResult& envelope) {
+std::string envelope_csv(const Study& study, const GridMaps& maps, const EnvelopeResult& envelope,
+                         const CsvStyle& style) {
   const std::vector<FactorColumn> columns = factor_columns(study);
-  CsvWriter csv;
+  CsvWriter csv(style);
   csv.text("point");
   csv.text("design");
   for (const FactorColumn& column : columns) csv.text(column.name);

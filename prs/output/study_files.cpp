@@ -18,13 +18,14 @@ namespace {
 struct EnvelopeFile {
   StagedFile csv;
   GridMapCollector maps;
+  CsvStyle style;
 
-  EnvelopeFile(const std::filesystem::path& folder, const Study& study)
-      : csv(folder / "envelope.csv"), maps(study) {}
+  EnvelopeFile(const std::filesystem::path& folder, const Study& study, const CsvStyle& s)
+      : csv(folder / "envelope.csv"), maps(study), style(s) {}
 
   void finish(const Study& study) {
     if (maps.maps())
-      csv.append(envelope_csv(study, *maps.maps(), evaluate_envelope(study, *maps.maps())));
+      csv.append(envelope_csv(study, *maps.maps(), evaluate_envelope(study, *maps.maps()), style));
     csv.sync();
   }
 };
@@ -38,14 +39,15 @@ struct RowFiles {
   std::string absent;  ///< What is not written, and why.
 
   RowFiles(const std::filesystem::path& below, const Study& study,
-           const std::vector<FactorColumn>& columns, const DocumentInfo& info)
+           const std::vector<FactorColumn>& columns, const DocumentInfo& info,
+           const CsvStyle& style)
       : folder(below), csv(folder / "study.csv") {
     try {
       netcdf.emplace(folder / "study.nc", study, columns, info);
     } catch (const modules::Missing& error) {
       absent = fmt::format("study.nc is not written: {}", error.what());
     }
-    if (study.envelope) envelope.emplace(folder, study);
+    if (study.envelope) envelope.emplace(folder, study, style);
   }
 
   void publish(const Study& study) {
@@ -69,12 +71,12 @@ struct RowFiles {
 
 std::string write_rows(const StoredRows& rows, const Study& study, const DocumentInfo& info,
                        const std::filesystem::path* folder, std::size_t threads,
-                       const std::function<void(const RowBlock&)>& add) {
+                       const std::function<void(const RowBlock&)>& add, const CsvStyle& style) {
   const std::vector<FactorColumn> columns = factor_columns(study);
-  const StudyCsv csv(study, columns);
+  const StudyCsv csv(study, columns, style);
   std::optional<RowFiles> files;
   if (folder) {
-    files.emplace(*folder, study, columns, info);
+    files.emplace(*folder, study, columns, info, style);
     files->csv.append(csv.header());
   }
   run_in_order(rows.block_count(), threads, [&](std::size_t k) -> std::function<void()> {

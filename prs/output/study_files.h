@@ -5,6 +5,7 @@
 #include <string>
 
 #include "prs/model/study.h"
+#include "prs/output/csv_style.h"
 #include "prs/quantities/json.h"
 #include "prs/study/row_block.h"
 #include "prs/study/stored_rows.h"
@@ -19,6 +20,6 @@ namespace prs {
 /// that names a file that cannot be written; earlier files of that name are then as they were.
 std::string write_rows(const StoredRows& rows, const Study& study, const DocumentInfo& info,
                        const std::filesystem::path* folder, std::size_t threads,
-                       const std::function<void(const RowBlock&)>& add);
+                       const std::function<void(const RowBlock&)>& add, const CsvStyle& style = {});
 
 }  // namespace prs

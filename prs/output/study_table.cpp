@@ -415,9 +415,10 @@ std::string study_table(const StudyResult& result) {
          (study.plan == Plan::grid ? extremes(result) : "") + envelope_text(result) + end;
 }
 
-std::string progress_line(std::size_t done, std::size_t total, double seconds) {
-  const double rate = seconds > 0.0 ? static_cast<double>(done) / seconds : 0.0;
+std::string progress_line(std::size_t done, std::size_t total, double seconds, std::size_t found) {
+  const double rate = seconds > 0.0 ? static_cast<double>(done - found) / seconds : 0.0;
   std::string text = fmt::format("{} of {} designs", done, total);
+  if (found > 0) text += fmt::format(" ({} from the journal)", found);
   if (!(rate > 0.0)) return text;
   text +=
       rate < 10.0 ? fmt::format(", {:.1f} a second", rate) : fmt::format(", {:.0f} a second", rate);

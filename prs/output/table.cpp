@@ -4,6 +4,7 @@
 
 #include "prs/output/bar_chart.h"
 #include "prs/output/case_table.h"
+#include "prs/output/table_units.h"
 #include "prs/output/warnings.h"
 #include "prs/quantities/model_summary.h"
 #include "prs/quantities/quantities.h"

@@ -39,9 +39,12 @@ Json document_head(const DocumentInfo& info, const std::vector<std::string>& war
   Json document;
   document["prs_version"] = info.version;
   document["schema_version"] = info.schema_version;
+  if (!info.command.empty()) document["command"] = info.command;
+  if (!info.case_file.empty()) document["case_file"] = info.case_file;
   if (!info.input_sha256.empty()) document["input_sha256"] = info.input_sha256;
   if (!info.overrides.empty()) document["overrides"] = info.overrides;
   document["warnings"] = warnings;
+  if (info.resolved_input) document["resolved_input"] = info.resolved_input();
   return document;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -14,6 +15,10 @@ struct DocumentInfo {
   std::string schema_version;               ///< Version of the input's schema.
   std::string input_sha256;                 ///< SHA-256 of the input file, hexadecimal.
   std::vector<std::string> overrides = {};  ///< `path=value` that changed it.
+  std::string command = {};                 ///< The command that was run.
+  std::string case_file = {};               ///< As it was given.
+  /// The case with overrides and defaults in place; asked for once per document.
+  std::function<nlohmann::ordered_json()> resolved_input = {};
 };
 
 /// How every document begins: its origin and the warnings on the whole input.

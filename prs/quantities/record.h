@@ -101,6 +101,7 @@ struct QuantityInfo {
   std::string title;
   std::string_view unit, meaning, source, group, validity;
   const RecordInfo& (*record)() = nullptr;
+  Reach delivery = Reach::numbers;
 };
 
 struct RecordInfo {

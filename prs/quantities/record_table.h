@@ -264,7 +264,7 @@ const RecordInfo& describe() {
         made.quantities.insert(made.quantities.end(), among.begin(), among.end());
       } else {
         made.quantities.push_back({q.key, q.value.kind, title_of(q), q.unit.text, q.meaning,
-                                   q.source, q.group, q.validity, q.value.record});
+                                   q.source, q.group, q.validity, q.value.record, q.delivery});
       }
     return made;
   }();

@@ -66,6 +66,7 @@ Json quantity_json(const QuantityInfo& q) {
   put_text("validity", q.validity);
   put_text("source", q.source);
   if (q.record) json["record"] = q.record().name;
+  if (q.delivery == Reach::document) json["response"] = false;
   return json;
 }
 

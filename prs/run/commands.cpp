@@ -14,6 +14,7 @@
 #include "prs/input/compute_from.h"
 #include "prs/input/force_history.h"
 #include "prs/input/optimize_reader.h"
+#include "prs/input/resolved_input.h"
 #include "prs/input/study_reader.h"
 #include "prs/life/analyze_life.h"
 #include "prs/loads/analyze.h"
@@ -56,7 +57,7 @@ struct Forms {
   std::string (*table)(const R&);
   std::vector<std::string> (*notes)(const R&);
   std::string (*full_table)(const R&) = nullptr;
-  std::vector<OutputFile> (*files)(const R&) = nullptr;
+  std::vector<OutputFile> (*files)(const R&, const CsvStyle&) = nullptr;
   Pictures (*pictures)(const R&, const Case&) = nullptr;
   std::vector<std::string> (*without_figure)(const R&) = nullptr;
   bool (*converged)(const R&) = nullptr;
@@ -90,7 +91,8 @@ CommandRow row(Command command, std::string_view help,
                        [=](const DocumentInfo& info) { return forms.document(*result, info); },
                        [=] { return forms.table(*result); }, forms.notes(*result)};
             if (forms.full_table) d.full_table = [=] { return forms.full_table(*result); };
-            if (forms.files) d.files = [=] { return forms.files(*result); };
+            if (forms.files)
+              d.files = [=](const CsvStyle& style) { return forms.files(*result, style); };
             if (forms.pictures)
               d.pictures = [=, c = std::make_shared<const Case>(in.values)] {
                 return forms.pictures(*result, *c);
@@ -162,8 +164,8 @@ ModelComparison run_compare(const input::Source&, const input::CaseInput& in) {
 Result run_slip(const input::Source&, const input::CaseInput& in) {
   Result result = analyze_slip(in.values);
   warn_of_preload(in.values, result.warnings);
-  if (const std::string note = in.values.lubricant ? estimates_note(*in.values.lubricant) : "";
-      !note.empty())
+  const bool jacod = in.values.friction->model == Friction::Model::jacod;
+  if (const std::string note = jacod ? estimates_note(*in.values.lubricant) : ""; !note.empty())
     result.warnings.push_back(note);
   return result;
 }
@@ -217,9 +219,9 @@ std::string solve_text(const Result& result) {
   return text;
 }
 
-std::vector<OutputFile> solve_files(const Result& result) {
-  return {{"load_cases.csv", load_cases_csv(result)},
-          {"load_distribution.csv", load_distribution_csv(result)}};
+std::vector<OutputFile> solve_files(const Result& result, const CsvStyle& style) {
+  return {{"load_cases.csv", load_cases_csv(result, style)},
+          {"load_distribution.csv", load_distribution_csv(result, style)}};
 }
 
 std::string slip_text(const Result& result) {
@@ -230,10 +232,10 @@ std::string slip_text(const Result& result) {
   return text;
 }
 
-std::vector<OutputFile> slip_files(const Result& result) {
-  std::vector<OutputFile> files = solve_files(result);
-  files.push_back({"slip.csv", slip_csv(result)});
-  files.push_back({"slip_threads.csv", slip_threads_csv(result)});
+std::vector<OutputFile> slip_files(const Result& result, const CsvStyle& style) {
+  std::vector<OutputFile> files = solve_files(result, style);
+  files.push_back({"slip.csv", slip_csv(result, style)});
+  files.push_back({"slip_threads.csv", slip_threads_csv(result, style)});
   return files;
 }
 
@@ -249,11 +251,11 @@ std::vector<std::string> contacts_without_figure(const Result& result) {
   return notes;
 }
 
-std::vector<OutputFile> life_files(const LifeResult& result) {
-  std::vector<OutputFile> files = {{"life_threads.csv", life_threads_csv(result)}};
+std::vector<OutputFile> life_files(const LifeResult& result, const CsvStyle& style) {
+  std::vector<OutputFile> files = {{"life_threads.csv", life_threads_csv(result, style)}};
   if (result.cycles) {
-    files.push_back({"cycles.csv", cycles_csv(*result.cycles)});
-    files.push_back({"cycle_matrix.csv", cycle_matrix_csv(result.cycles->matrix)});
+    files.push_back({"cycles.csv", cycles_csv(*result.cycles, style)});
+    files.push_back({"cycle_matrix.csv", cycle_matrix_csv(result.cycles->matrix, style)});
   }
   return files;
 }
@@ -298,8 +300,8 @@ const std::vector<CommandRow>& table() {
            .table = comparison_table,
            .notes = [](const ModelComparison& r) { return as_warnings(r.warnings); },
            .files =
-               [](const ModelComparison& r) {
-                 return std::vector<OutputFile>{{"comparison.csv", comparison_csv(r)}};
+               [](const ModelComparison& r, const CsvStyle& style) {
+                 return std::vector<OutputFile>{{"comparison.csv", comparison_csv(r, style)}};
                },
            .pictures = [](const ModelComparison& r, const Case&) { return comparison_pictures(r); },
            .converged =
@@ -325,8 +327,8 @@ const std::vector<CommandRow>& table() {
            .table = preload_table,
            .notes = [](const PreloadResult& r) { return as_warnings(r.warnings); },
            .files =
-               [](const PreloadResult& r) {
-                 return std::vector<OutputFile>{{"preload.csv", preload_csv(r)}};
+               [](const PreloadResult& r, const CsvStyle& style) {
+                 return std::vector<OutputFile>{{"preload.csv", preload_csv(r, style)}};
                },
            .pictures = [](const PreloadResult& r, const Case&) { return preload_pictures(r); },
            .converged = [](const PreloadResult& r) { return r.converged(); }}),
@@ -347,9 +349,9 @@ const std::vector<CommandRow>& table() {
            .table = measures_table,
            .notes = [](const MeasuresResult& r) { return summary(r.analysis); },
            .files =
-               [](const MeasuresResult& r) {
-                 return std::vector<OutputFile>{{"measures.csv", measures_csv(r)},
-                                                {"yang.csv", yang_csv(r)}};
+               [](const MeasuresResult& r, const CsvStyle& style) {
+                 return std::vector<OutputFile>{{"measures.csv", measures_csv(r, style)},
+                                                {"yang.csv", yang_csv(r, style)}};
                },
            .pictures = [](const MeasuresResult& r, const Case&) { return measures_pictures(r); },
            .converged = [](const MeasuresResult& r) { return all_converged(r.analysis); }}),
@@ -371,8 +373,14 @@ Delivery run(const CommandRow& row, const input::Source& source) {
   return row.run(source, input::read_case_input(source, row.command));
 }
 
-DocumentInfo document_info(const input::Source& source) {
-  return {kVersion, kSchemaVersion, sha256(source.text), source.overrides};
+DocumentInfo document_info(const input::Source& source, Command command) {
+  return {kVersion,
+          kSchemaVersion,
+          sha256(source.text),
+          source.overrides,
+          std::string(name(command)),
+          source.name,
+          [source] { return input::resolved_input(source); }};
 }
 
 }  // namespace prs

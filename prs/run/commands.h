@@ -29,7 +29,7 @@ const CommandRow& row_of(Command command);
 /// Reads a case for a command and runs it. Throws InputError, also where the case lacks something.
 Delivery run(const CommandRow& row, const input::Source& source);
 
-/// Origin of the documents of a source: version, schema, hash of the input, overrides.
-DocumentInfo document_info(const input::Source& source);
+/// Origin of a command's documents of a source, which must have been read for it without an error.
+DocumentInfo document_info(const input::Source& source, Command command);
 
 }  // namespace prs

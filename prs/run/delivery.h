@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "prs/figures/pictures.h"
+#include "prs/output/csv_style.h"
 #include "prs/output/files.h"
 #include "prs/quantities/json.h"
 
@@ -16,9 +17,9 @@ namespace prs {
 struct Delivery {
   std::string file;  ///< Name of the document in the output folder: `slip.json`.
   std::function<nlohmann::ordered_json(const DocumentInfo&)> document;
-  std::function<std::string()> table;                   ///< On a terminal.
-  std::vector<std::string> notes = {};                  ///< To whom the document is printed.
-  std::function<std::vector<OutputFile>()> files = {};  ///< Beside the document.
+  std::function<std::string()> table;   ///< On a terminal.
+  std::vector<std::string> notes = {};  ///< To whom the document is printed.
+  std::function<std::vector<OutputFile>(const CsvStyle&)> files = {};  ///< Beside the document.
   std::function<Pictures()> pictures = {};       ///< They may refer to what the other forms hold.
   std::vector<std::string> without_figure = {};  ///< Why some are missing, a line each.
   bool converged = true;

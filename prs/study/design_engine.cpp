@@ -1,6 +1,7 @@
 #include "prs/study/design_engine.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -80,12 +81,14 @@ std::vector<std::string> recorded(const Study& study, const Json& document) {
     const std::string& path = study.responses[k];
     if (response(document, path)) continue;
     const std::vector<std::string> known = response_paths(document);
-    const std::string nearest = input::did_you_mean(path, {known.begin(), known.end()});
+    const std::vector<std::string_view> near =
+        input::near_words(path, {known.begin(), known.end()});
     throw UnknownResponse(
-        k, fmt::format("got {}; expected the path of a number in the first load case, or in the "
-                       "document, that the command prints with --json; {}",
+        k, fmt::format("got {}; expected a number of the first load case or of the document, as "
+                       "`prs list responses FILE` shows them; {}",
                        input::shown(path),
-                       nearest.empty() ? "write for example `" + known.front() + "`" : nearest));
+                       near.empty() ? "write for example `" + known.front() + "`"
+                                    : fmt::format("did you mean `{}`?", fmt::join(near, "`, `"))));
   }
   return study.responses;
 }

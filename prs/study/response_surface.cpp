@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -81,11 +80,22 @@ void LinearRegression::add(std::span<const double> x, std::span<const double> y)
   row.tail(responses_) = (values - first_).transpose();
 }
 
-void LinearRegression::reduce(Eigen::MatrixXd& triangle, const Eigen::MatrixXd& pending) {
-  Eigen::MatrixXd rows(triangle.rows() + pending.rows(), triangle.cols());
-  rows << triangle, pending;
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rows);
-  triangle = qr.matrixQR().topRows(triangle.rows()).triangularView<Eigen::Upper>();
+void LinearRegression::reduce(Eigen::MatrixXd& triangle, Eigen::MatrixXd pending) {
+  for (Eigen::Index k = 0; k < triangle.cols(); ++k) {
+    const double below = pending.col(k).squaredNorm();
+    if (below == 0.0) continue;
+    // Householder's reflection of column k onto its diagonal entry, along (v, pending.col(k)).
+    const double diagonal = triangle(k, k);
+    const double reflected = -std::copysign(std::sqrt(diagonal * diagonal + below), diagonal);
+    const double v = diagonal - reflected;
+    const double scale = 2.0 / (v * v + below);
+    triangle(k, k) = reflected;
+    for (Eigen::Index j = k + 1; j < triangle.cols(); ++j) {
+      const double s = scale * (v * triangle(k, j) + pending.col(k).dot(pending.col(j)));
+      triangle(k, j) -= s * v;
+      pending.col(j) -= s * pending.col(k);
+    }
+  }
 }
 
 Eigen::MatrixXd LinearRegression::triangle() const {

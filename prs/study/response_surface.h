@@ -89,7 +89,7 @@ class LinearRegression {
 
  private:
   /// Brings the pending rows into the triangle.
-  static void reduce(Eigen::MatrixXd& triangle, const Eigen::MatrixXd& pending);
+  static void reduce(Eigen::MatrixXd& triangle, Eigen::MatrixXd pending);
   /// The triangle of all rows so far.
   Eigen::MatrixXd triangle() const;
 

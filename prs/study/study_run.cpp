@@ -113,6 +113,7 @@ StoredRows run_study(const JournalHeader& header, const StudyFolder* folder, con
     progress.done += own.records().back().designs.count;
     if (options.progress) options.progress(progress);
   };
+  if (options.progress) options.progress(progress);
   if (progress.done < progress.total) run(next, take);
   if (folder) own.sync();
   return StoredRows(std::move(journals));

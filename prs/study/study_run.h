@@ -25,7 +25,7 @@ struct StudyProgress {
 struct StudyRunOptions {
   bool restart = false;                               ///< Discards what was computed before.
   std::function<bool()> interrupted = {};             ///< Asked before designs are given away.
-  std::function<void(StudyProgress)> progress = {};   ///< Told after each block, from any thread.
+  std::function<void(StudyProgress)> progress = {};   ///< Told first, and after each block; from any thread.
   std::function<void(const std::string&)> warn = {};  ///< Told what is odd about the folder.
 };
 

@@ -44,7 +44,9 @@ std::shared_ptr<Document> CaseSource::run(const CommandRow& row) const {
   const GilRelease released;
   const auto delivery = std::make_shared<const Delivery>(row.run(*source_, *input));
   return std::make_shared<Document>(
-      [delivery, source = source_] { return delivery->document(document_info(*source)); },
+      [delivery, source = source_, command = row.command] {
+        return delivery->document(document_info(*source, command));
+      },
       delivery->pictures ? keeping(delivery->pictures(), delivery) : Pictures{});
 }
 

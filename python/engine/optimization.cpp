@@ -31,11 +31,12 @@ std::optional<Outcome> optimize(const input::Source& source, std::size_t threads
                         [&](const StudyProgress& progress) { supervision.report(progress); }});
   if (!result) return std::nullopt;
   auto shared = std::make_shared<const OptimizationResult>(std::move(*result));
-  return Outcome{
-      std::make_shared<Document>(
-          [shared, info = document_info(source)] { return optimize_json(*shared, info); },
-          keeping(optimization_pictures(*shared), shared)),
-      chosen_case(*shared, source)};
+  return Outcome{std::make_shared<Document>(
+                     [shared, info = document_info(source, Command::optimize)] {
+                       return optimize_json(*shared, info);
+                     },
+                     keeping(optimization_pictures(*shared), shared)),
+                 chosen_case(*shared, source)};
 }
 
 }  // namespace

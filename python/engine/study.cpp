@@ -49,7 +49,7 @@ struct Designs {
 class StudySource : public std::enable_shared_from_this<StudySource> {
  public:
   explicit StudySource(const input::Source& source)
-      : in_(input::read_study_input(source)), info_(document_info(source)) {
+      : in_(input::read_study_input(source)), info_(document_info(source, Command::study)) {
     if (in_.study.plan != Plan::derivatives) engine_.reset(new DesignEngine(study_engine(in_)));
   }
 

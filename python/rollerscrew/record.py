@@ -149,9 +149,13 @@ class Result(Record):
 
     prs_version: str
     schema_version: str
+    command: str
+    case_file: str
     input_sha256: str
     overrides: list[str]
     warnings: list[str]
+    #: The case with overrides and defaults in place: what `Case.from_dict(..)` takes.
+    resolved_input: Values
 
     def __init__(self, document: _engine.Document) -> None:
         object.__setattr__(self, "_document", document)

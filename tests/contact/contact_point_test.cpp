@@ -123,7 +123,7 @@ TEST(ContactPoint, ClosesAndHasEqualNormalsWithStraightAndConcaveRollers) {
 }
 
 TEST(ContactPoint, TakesAtMostEightStepsOnRandomMechanisms) {
-  const int tries = ::test::count(4000, 200000);
+  const int tries = ::test::samples(4000, 200000);
   RandomMechanisms random(2);
   int found = 0, slow = 0;
   double steps = 0.0;
@@ -198,7 +198,7 @@ std::optional<Eigen::Vector2d> minimum_by_direct_search(const ThreadPair& pair, 
 }
 
 TEST(ContactPoint, IsFoundWhereverADirectSearchFindsAMinimum) {
-  const int tries = ::test::count(100, 3000);
+  const int tries = ::test::samples(100, 3000);
   RandomMechanisms random(3);
   int seen = 0;
   for (int i = 0; i < tries; ++i) {

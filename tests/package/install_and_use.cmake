@@ -29,6 +29,20 @@ if(NOT source STREQUAL sandu_2018)
   message(FATAL_ERROR "validated ${source}")
 endif()
 
+run(_ ${prs} new --lesson 14 lesson.yaml)
+run(commands ${prs} list commands lesson.yaml)
+if(NOT commands MATCHES "life")
+  message(FATAL_ERROR "lesson 14 has all for ${commands}")
+endif()
+
+foreach(text man/man1/prs.1.gz man/man1/prs-solve.1.gz bash-completion/completions/prs
+        zsh/site-functions/_prs fish/vendor_completions.d/prs.fish)
+  file(SIZE ${folder}/moved/share/${text} size)
+  if(size EQUAL 0)
+    message(FATAL_ERROR "${text} is empty")
+  endif()
+endforeach()
+
 run(_ ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${folder}/build -G ${GENERATOR}
   -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=-O0 -D CMAKE_PREFIX_PATH=${folder}/moved)
 run(_ ${CMAKE_COMMAND} --build ${folder}/build)

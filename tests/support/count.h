@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
+
+#include "tests/support/sanitized.h"
 
 namespace test {
 
@@ -8,6 +11,11 @@ namespace test {
 /// the environment asks for the thorough one (`ctest -L thorough` sets PRS_THOROUGH).
 inline int count(int quick, int thorough) {
   return std::getenv("PRS_THOROUGH") != nullptr ? thorough : quick;
+}
+
+/// The same of samples that go through the same functions: sanitizers see a fifth.
+inline int samples(int quick, int thorough) {
+  return count(sanitized() ? std::max(1, quick / 5) : quick, thorough);
 }
 
 }  // namespace test

@@ -12,7 +12,8 @@ namespace test {
 using CsvRow = std::map<std::string, std::string>;
 
 /// Fields of RFC 4180 text, line by line.
-inline std::vector<std::vector<std::string>> parse_fields(const std::string& csv) {
+inline std::vector<std::vector<std::string>> parse_fields(const std::string& csv,
+                                                          char separator = ',') {
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> row(1);
   bool quoted = false;
@@ -21,7 +22,7 @@ inline std::vector<std::vector<std::string>> parse_fields(const std::string& csv
       // The second of two quotes inside a quoted field reopens it and stands for itself.
       if (!quoted && !row.back().empty()) row.back() += c;
       quoted = !quoted;
-    } else if (c == ',' && !quoted) {
+    } else if (c == separator && !quoted) {
       row.emplace_back();
     } else if (c == '\n' && !quoted) {
       rows.push_back(std::exchange(row, std::vector<std::string>(1)));

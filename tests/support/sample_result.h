@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -84,6 +85,16 @@ inline void add_sweep(Result& result, const std::string& name, Direction directi
   for (int k = 0; k < points; ++k)
     result.load_cases.push_back(
         solved_case(name + '[' + std::to_string(k) + ']', 45e3 * (k + 1) / points, direction));
+}
+
+/// Nine loads in tension, then in compression, of each configuration.
+inline Result sweeps(std::initializer_list<std::string> configurations) {
+  Result result;
+  for (const std::string& name : configurations) {
+    add_sweep(result, name + "-tension", Direction::tension, 9);
+    add_sweep(result, name + "-compression", Direction::compression, 9);
+  }
+  return result;
 }
 
 }  // namespace test

@@ -8,3 +8,7 @@ namespace test {
 inline bool sanitized() { return __asan_init != nullptr; }
 
 }  // namespace test
+
+/// For a test of numbers that takes long under sanitizers, and whose functions others call there.
+#define SKIP_UNDER_SANITIZERS() \
+  if (::test::sanitized()) GTEST_SKIP() << "numbers, which the release build tests"

@@ -275,8 +275,9 @@ std::string recipe_text(const Recipe& recipe, const std::vector<Diameters>& rows
   return text;
 }
 
-std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows) {
-  CsvWriter csv;
+std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows,
+                       const CsvStyle& style) {
+  CsvWriter csv(style);
   for (const Column& c : kColumns) csv.text(c.key);
   csv.end_row();
   for (const Diameters& d : rows) {

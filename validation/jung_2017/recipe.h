@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "prs/output/csv_style.h"
 #include "prs/quantities/json.h"
 #include "validation/jung_2017/measures.h"
 
@@ -38,7 +39,8 @@ std::vector<Diameters> read_diameters(const std::string& file,
 
 /// The columns with the decimals that table 7.1 prints.
 std::string recipe_text(const Recipe& recipe, const std::vector<Diameters>& rows);
-std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows);
+std::string recipe_csv(const Recipe& recipe, const std::vector<Diameters>& rows,
+                       const CsvStyle& style = {});
 nlohmann::ordered_json recipe_json(const Recipe& recipe, const std::vector<Diameters>& rows,
                                    const DocumentInfo& info);
 

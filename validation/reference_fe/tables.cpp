@@ -116,7 +116,7 @@ void load_discrepancy_fields(CsvWriter& csv, const std::optional<Discrepancy>& d
 }
 
 std::string comparison_csv(const std::vector<Model>& models, const std::vector<Curve>& reference) {
-  CsvWriter csv;
+  CsvWriter csv(CsvStyle{});
   setup_header(csv);
   for (const char* key : {"model", "displacement_um", "reference_displacement_um",
                           "stiffness_N_per_um", "stiffness_discrepancy_percent"})
@@ -149,7 +149,7 @@ std::optional<double> rate_of(const CurvePoint& point, Interface i, std::size_t 
 }
 
 std::string load_rates_csv(const std::vector<Model>& models, const std::vector<Curve>& reference) {
-  CsvWriter csv;
+  CsvWriter csv(CsvStyle{});
   setup_header(csv);
   for (const char* key : {"interface", "thread", "reference_percent"}) csv.text(key);
   for (const Model& model : models) csv.text(model.name + "_percent");

@@ -64,6 +64,7 @@ std::vector<CatalogueScrew> read_catalogue(const std::filesystem::path& file) {
     s.screw.nut_length = number("nut_length_mm", kMillimetre);
     s.dynamic_capacity = number("dynamic_capacity_kN", kKilonewton);
     s.static_capacity = number("static_capacity_kN", kKilonewton);
+    s.efficiency = number("efficiency", 1.0);
     s.weight = number("nut_and_rollers_kg", 1.0);
     s.weight_digit = table.half_unit(row, table.column("nut_and_rollers_kg"));
     s.nut_inertia = number("nut_inertia_kg_mm2", kKilogramSquareMillimetre);

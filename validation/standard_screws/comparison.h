@@ -16,6 +16,7 @@ struct CatalogueScrew {
   ScrewData screw;
   double dynamic_capacity = 0.0;  ///< C_a [N]
   double static_capacity = 0.0;   ///< C_0 [N]
+  double efficiency = 0.0;        ///< Rotation into travel.
   double weight = 0.0;            ///< Weight of nut and rollers [kg].
   double weight_digit = 0.0;      ///< Half a unit of its last digit [kg].
   double nut_inertia = 0.0;       ///< [kg m^2]

@@ -69,8 +69,9 @@ std::vector<Statement<Rows>> statements() {
        "ones in Lemor's formula; from 8 mm on 0.7 to 1.3"},
       {"static capacity", "C_0 hardly depends on the lead",
        [](const Rows& rows) { return exponent(rows, printed_static, computed_static, 0.05); },
-       "an arc about the roller's axis has one radius for all leads, and fewer contacts share the "
-       "load as the pitch grows; the maker's radius must grow with the pitch"},
+       "the rule puts in more rollers at fine pitch; with arcs about the rollers' axes, of one "
+       "radius "
+       "for all leads, C_0 falls with the pitch"},
       {"static capacity", "the load of 4.0 GPa is 0.5 to 1.8 times the maker's C_0",
        [](const Rows& rows) -> Finding {
          const Interval i = range(rows, &Ratios::static_capacity);
@@ -101,8 +102,7 @@ std::vector<Statement<Rows>> statements() {
        [](const Rows& rows) -> Finding {
          const Interval i = range(rows, &Ratios::roller_inertia);
          return {within(i, 0.82, 1.18), "computed over printed " + text(i)};
-       },
-       "number and length of the rollers, their gear rims and the carrier are not printed"},
+       }},
   };
 }
 

@@ -170,7 +170,7 @@ TEST_F(CommandLine, WrongInputIsStatus2WithItsPlaceAndNoOutput) {
 TEST_F(CommandLine, WrongOverrideIsReportedWhereItTakesEffect) {
   const Outcome run = prs("solve configs/01_config_1_to_3.yaml --set mechanism.lead=5");
   EXPECT_EQ(run.status, 2);
-  EXPECT_EQ(run.err.rfind("configs/01_config_1_to_3.yaml:16:3: error: mechanism.lead: got 5;", 0),
+  EXPECT_EQ(run.err.rfind("configs/01_config_1_to_3.yaml:20:3: error: mechanism.lead: got 5;", 0),
             0u)
       << run.err;
   EXPECT_NE(run.err.find("from --set mechanism.lead=5"), std::string::npos) << run.err;
@@ -210,7 +210,7 @@ TEST_F(CommandLine, ListsTheCommandsThatACaseHasAllFor) {
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.out, "check\ncontact\nsolve\nmeasures\n");
   EXPECT_EQ(prs("list commands").out,
-            "check\ncontact\nsolve\nslip\npreload\nlife\nmeasures\nstudy\noptimize\n");
+            "check\ncontact\nsolve\ncompare\nslip\npreload\nlife\nmeasures\nstudy\noptimize\n");
   EXPECT_EQ(prs("list commands /nonexistent.yaml").status, 2);
 }
 

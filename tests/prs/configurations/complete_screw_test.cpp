@@ -60,7 +60,9 @@ TEST(CompleteScrew, TheRulesGiveTheStartsAndNutsOfTheCatalogue) {
   for (const standard_screws::CatalogueScrew& s : printed_screws()) {
     const CompleteScrew by_rule =
         complete_screw({.screw_diameter = s.screw.screw_diameter, .lead = s.screw.lead});
-    if (s.screw.starts != 6) EXPECT_EQ(by_rule.c.mechanism.starts.screw, s.screw.starts) << s.name;
+    if (s.screw.starts != 6) {
+      EXPECT_EQ(by_rule.c.mechanism.starts.screw, s.screw.starts) << s.name;
+    }
     const Structure::Nut nut = complete_screw({.screw_diameter = s.screw.screw_diameter,
                                                .lead = s.screw.lead,
                                                .starts = s.screw.starts})
@@ -161,8 +163,9 @@ TEST(CompleteScrew, WhatCannotBeIsRefusedWithTheNearestThatCan) {
       for (std::size_t k = 1; k < limits.size() && limits[k].matched; ++k) {
         ScrewData possible = wrong.data;
         set(possible, wrong.member, std::stod(limits[k]));
-        if (possible.nut_length && std::string(wrong.member) == "lead")
-          possible.nut_length = std::nullopt;  // Room for coarse threads.
+        const std::string member = wrong.member;  // Threads of other sizes need other nuts.
+        if (member == "lead") possible.nut_length = std::nullopt;
+        if (member == "starts") possible.nut_diameter = std::nullopt;
         EXPECT_NO_THROW(complete_screw(possible)) << text << " " << limits[k];
       }
     }

@@ -13,7 +13,7 @@
 #include "prs/configurations/roller_spacing.h"
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
-#include "prs/output/configurations_files.h"
+#include "prs/output/screw_case.h"
 #include "prs/threads/contacts.h"
 #include "prs/threads/geometry_warnings.h"
 #include "prs/threads/threads.h"
@@ -139,7 +139,7 @@ TEST(Configurations, WrittenCaseSolvesNearItsPressure) {
     const Configuration c = only(query(30, 10), type, starts);
     const Case read = input::read_case_text(configuration_case(c), "case.yaml", {}, Command::solve);
     const Result result = analyze(read);
-    ASSERT_EQ(result.load_cases.size(), 1u);
+    ASSERT_EQ(result.load_cases.size(), 2u);
     ASSERT_TRUE(result.load_cases[0].converged());
     EXPECT_THAT(result.warnings, testing::IsEmpty());
     EXPECT_THAT(result.load_cases[0].warnings, testing::IsEmpty());
@@ -387,7 +387,7 @@ TEST_F(ConfigurationsCommand, RefusesWhatIsWrong) {
            {"--screw-diameter '21 mm' --lead '5 N'", "`N` is the unit of a force"},
            {"--screw-diameter '21 mm' --lead '0 mm'", "--lead: got 0 mm"},
            {"--screw-diameter '21 m' --lead '5 mm'", "check the unit"},
-           {"--screw-diameter '21 mm'", "--lead is required"},
+           {"--screw-diameter '21 mm'", "--lead is missing"},
            {sound + "--flank-angle '80 deg'", "20 deg to 70 deg"},
            {sound + "--gap '-1 mm'", "--gap: got -1 mm"},
            {sound + "--starts 0", "--starts"},

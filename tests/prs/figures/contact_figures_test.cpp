@@ -21,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using test::abevi_contacts;
 using test::contact_lesson;
-using test::content_of;
 using test::equal_share;
 using test::expect_drawn;
 using test::TemporaryDirectory;
@@ -267,16 +266,8 @@ TEST(ContactFigures, DrawingsAreToScale) {
 }
 
 TEST(ContactPlots, EveryFigureIsDrawnBesideItsScript) {
-  const TemporaryDirectory temporary;
-  ASSERT_NO_FATAL_FAILURE(
-      expect_drawn(draw_figures(all_figures(analyze_contacts(truncated())), temporary.path())));
-  if (IsSkipped()) return;
-  for (const char* name : {"contact_axial_section", "contact_xy", "contact_ellipses"}) {
-    const fs::path base = temporary.path() / "plots" / name;
-    EXPECT_TRUE(fs::exists(base.string() + ".gp"));
-    EXPECT_NE(content_of(base.string() + ".svg").find("</svg>"), std::string::npos);
-    EXPECT_EQ(content_of(base.string() + ".png").substr(1, 3), "PNG");
-  }
+  expect_drawn(all_figures(analyze_contacts(truncated())),
+               {"contact_axial_section", "contact_xy", "contact_ellipses"});
 }
 
 TEST(ContactPlots, NamesAreDrawnAsTheyStandAndNeverRun) {

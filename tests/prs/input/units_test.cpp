@@ -17,9 +17,10 @@ double si(std::string_view text, const Dimension& dimension) {
 }
 
 TEST(Units, KnowsItsUnits) {
-  for (const char* unit : {"mm", "kN", "deg", "GPa", "mPa s", "N/mm^1.5", "rpm", "1/GPa"})
+  for (const char* unit : {"mm", "kN", "deg", "GPa", "mPa s", "N/mm^1.5", "rpm", "1/GPa", "in",
+                           "lbf", "lbf in", "psi", "ksi", "lb/in^3", "degF", "lbf/in"})
     EXPECT_TRUE(is_unit(unit)) << unit;
-  for (const char* unit : {"", " ", "in", "lbf", "5", "Mm"}) EXPECT_FALSE(is_unit(unit)) << unit;
+  for (const char* unit : {"", " ", "lb", "inches", "5", "Mm"}) EXPECT_FALSE(is_unit(unit)) << unit;
 }
 
 TEST(Units, EveryDimensionConvertsToSi) {
@@ -57,6 +58,25 @@ TEST(Units, TemperaturesAreAbsoluteInside) {
   EXPECT_LT(si("-273.16 degC", unit::temperature), 0.0);
   for (const char* text : {"40", "40 F", "40 deg", "1e31 degC", "1e-31 K"})
     EXPECT_FALSE(parse_quantity(text, unit::temperature).value) << text;
+}
+
+TEST(Units, CustomaryUnitsAreThoseOfTheirDefinition) {
+  // NIST SP 811, appendix B.8, to the digits that it prints.
+  EXPECT_EQ(si("1 in", unit::length), 0.0254);
+  EXPECT_EQ(si("0.75 in", unit::length), 0.01905);
+  EXPECT_EQ(si("1 ft", unit::length), 0.3048);
+  EXPECT_EQ(si("16 uin", unit::length), 0.4064e-6);
+  EXPECT_NEAR(si("1 lbf", unit::force), 4.448222, 5e-7);
+  EXPECT_NEAR(si("1 psi", unit::pressure), 6894.757, 5e-4);
+  EXPECT_NEAR(si("1 ksi", unit::pressure), 6894757, 0.5);
+  EXPECT_NEAR(si("1 lb/in^3", unit::density), 27679.90, 5e-3);
+  EXPECT_NEAR(si("1 lbf/in", unit::stiffness), 175.1268, 5e-5);
+  EXPECT_NEAR(si("1 lbf in", unit::torque), 0.1129848, 5e-8);
+  EXPECT_EQ(si("1 in lbf", unit::torque), si("1 lbf in", unit::torque));
+  EXPECT_NEAR(si("1 lbf ft", unit::torque), 1.355818, 5e-7);
+  EXPECT_NEAR(si("6.4 uin/in/degF", unit::thermal_expansion), 11.52e-6, 1e-18);
+  EXPECT_NEAR(si("140 degF", unit::temperature), 333.15, 1e-12);
+  EXPECT_NEAR(si("-40 degF", unit::temperature), si("-40 degC", unit::temperature), 1e-12);
 }
 
 TEST(Units, HertzConstantScalesWithLengthToTheThreeHalves) {

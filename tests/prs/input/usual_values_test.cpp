@@ -29,7 +29,7 @@ struct OddValue {
 TEST(UsualValues, OddOnesAreNamedAsWrittenWithTheUnitThatFits) {
   const OddValue odd[] = {
       {"materials.youngs_modulus", "210 MPa", "`210 GPa`?"},
-      {"materials.youngs_modulus", "2.1e+11 GPa", "`210000000000 Pa`?"},
+      {"materials.youngs_modulus", "2.1e+11 GPa", "`2.1e+11 Pa`?"},
       {"materials.density", "7850 g/cm^3", "`7850 kg/m^3`?"},
       {"materials.density", "7.85 kg/m^3", "`7.85 g/cm^3`?"},
       {"materials.poisson_ratio", "0.03", "check value and unit"},
@@ -42,7 +42,6 @@ TEST(UsualValues, OddOnesAreNamedAsWrittenWithTheUnitThatFits) {
       {"lubricant.eyring_stress", "12 Pa", "`12 MPa`?"},
       {"roughness", "100 um", "`100 nm`?"},
       {"roughness", "0.4 um", ""},
-      {"mechanism.lead", "5 m", "`5 mm`?"},
   };
   for (const auto& [path, written, fitting] : odd) {
     const std::vector<std::string> warnings =

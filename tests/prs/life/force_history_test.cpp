@@ -101,6 +101,14 @@ TEST(ForceHistory, RefusesRowsWiderThanTheHeading) {
   EXPECT_THAT(parse("t,load,n,more\n0,1,2\n1,5,2,\n").force, ElementsAre(1e3, 5e3));
 }
 
+TEST(ForceHistory, RefusesDecimalCommas) {
+  EXPECT_THAT(
+      error_of("t;load;n\n0;1,5;2,5\n1;2;3\n"),
+      AllOf(StartsWith("dir/flight.csv:2:3: error: load: got 1,5; expected a finite number"),
+            HasSubstr("write the decimal mark as a point")));
+  EXPECT_THAT(error_of("t;load;n\n0;1.000,5;2\n1;2;3\n"), HasSubstr("got 1.000,5; expected"));
+}
+
 TEST(ForceHistory, RefusesAColumnThatStandsTwice) {
   EXPECT_THAT(error_of("t,load,n,load\n0,1,2,3\n"),
               HasSubstr("life.history.force.column: got load, which stands twice"));

@@ -115,7 +115,7 @@ std::vector<double> random_history(std::mt19937& random, int length, int spread)
 
 TEST(Rainflow, IsTheStandardWordByWord) {
   std::mt19937 random(1);
-  for (int k = 0; k < test::count(2000, 100'000); ++k) {
+  for (int k = 0; k < test::samples(2000, 100'000); ++k) {
     const std::vector<double> history =
         random_history(random, 1 + k % 60, 1 + static_cast<int>(random() % 30));
     EXPECT_EQ(counts_of(rainflow(history)), counted_word_by_word(peaks_and_valleys(history)));
@@ -140,7 +140,7 @@ Counts counted_peak_by_peak(const std::vector<double>& points) {
 
 TEST(Rainflow, OfAClosedHistoryIsThatOfRychlik) {
   std::mt19937 random(2);
-  for (int k = 0; k < test::count(500, 20'000); ++k) {
+  for (int k = 0; k < test::samples(500, 20'000); ++k) {
     std::vector<double> history = random_history(random, 3 + k % 100, 1000);
     history.insert(history.begin(), 2000.0);
     history.push_back(2000.0);

@@ -138,7 +138,7 @@ TEST_F(OptimizeCommand, ErrorsNameWhatAsksForThem) {
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_THAT(run.err, HasSubstr("optimize.objectives[0].minimize: got "
-                                 "screw.peak_pressure_GPa.max; expected the path of a number"));
+                                 "screw.peak_pressure_GPa.max; expected a number of"));
   EXPECT_THAT(run.err, HasSubstr("did you mean `screw.peak_pressure_MPa.max`?"));
   write("  objectives: [{minimize: screw.peak_pressure_MPa.max}]\n  thread_constraints: true");
   run = prs(optimize("--set mechanism.thread=~"));

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "prs/loads/analyze.h"
+#include "prs/output/table_units.h"
 #include "prs/text.h"
 #include "support/contact_cases.h"
 
@@ -39,6 +40,52 @@ TEST(ContactTable, HoldsTheMechanismAndBothContacts) {
   EXPECT_EQ(row(text, "Contacts"), "Contacts roller-screw roller-nut");
   EXPECT_EQ(row(text, "radius on the body"), "radius on the body, mm 10.5000 17.4615");
   EXPECT_EQ(row(text, "Hertz constant"), "Hertz constant, N/mm^1.5 318654.9 361610.6");
+}
+
+TEST(ContactTable, MayBeInInchesAndPounds) {
+  std::string text;
+  {
+    const TableUnits units(UnitSystem::us);
+    text = table(abevi_contacts({equal_share("equal", 45e3)}));
+  }
+  EXPECT_EQ(row(text, "centre distance"), "centre distance 0.551181 in");
+  EXPECT_EQ(row(text, "pitch diameter"), "pitch diameter, in 0.826772 0.275591 1.377953");
+  EXPECT_EQ(row(text, "helix angle"), "helix angle, deg 4.3341 -4.3341 2.6036");
+  EXPECT_EQ(row(text, "backlash"), "backlash, in 0.000000 -0.002530");
+  EXPECT_TRUE(row(text, "load case").starts_with("load case lbf lbf in in ksi µin"));
+  EXPECT_TRUE(row(text, "equal screw").starts_with("equal screw 45.984 "));  // 204.545 N
+  // Only as long as the object lives.
+  EXPECT_EQ(row(table(abevi_contacts()), "centre distance"), "centre distance 14.0000 mm");
+}
+
+TEST(TableUnits, EveryUnitThatIsReplacedIsOneOfDocumentsAndKeepsItsValue) {
+  struct Same {
+    std::string_view unit, us;
+    double documents, tables;
+  };
+  // NIST SP 811, appendix B.8, to the digits that it prints.
+  constexpr Same sames[] = {
+      {"mm", "in", 25.4, 1.0},           {"µm", "µin", 0.0254, 1.0},
+      {"nm", "µin", 25.4, 1.0},          {"kN", "lbf", 4.448222e-3, 1.0},
+      {"N", "lbf", 4.448222, 1.0},       {"MPa", "ksi", 6.894757, 1.0},
+      {"GPa", "ksi", 6.894757e-3, 1.0},  {"N/µm", "lbf/in", 0.1751268, 1e3},
+      {"N m", "lbf in", 0.1129848, 1.0}, {"N mm", "lbf in", 112.9848, 1.0},
+      {"kg", "lb", 0.4535924, 1.0},      {"cm³", "in³", 16.38706, 1.0},
+      {"kg/m", "lb/in", 17.85797, 1.0},  {"kg mm²", "lb in²", 292.6397, 1.0},
+      {"mm/s", "in/s", 25.4, 1.0},       {"km", "10^6 in", 25.4, 1.0},
+      {"W/mm²", "W/in²", 1.0, 645.16},   {"W", "W", 1.0, 1.0},
+      {"rpm", "rpm", 1.0, 1.0},          {"kN/kg", "lbf/lb", 9.80665e-3, 1.0}};
+  const TableUnits units(UnitSystem::us);
+  for (const ShownUnit& unit : kShownUnits)
+    for (const Same& same : sames)
+      if (same.unit == unit.text) {
+        EXPECT_EQ(table_unit(unit).text, same.us);
+        EXPECT_NEAR(table_factor(unit) * same.documents / same.tables, 1.0, 5e-7) << same.unit;
+      }
+  EXPECT_EQ(with_table_unit("torque on the screw, N m"), "torque on the screw, lbf in");
+  EXPECT_EQ(with_table_unit("kN"), "lbf");
+  EXPECT_EQ(with_table_unit("column"), "column");
+  EXPECT_EQ(fixed_with_unit(12e3, "kN", 3), "2697.7 lbf");
 }
 
 TEST(ContactTable, RoundingErrorsHaveNoSign) {

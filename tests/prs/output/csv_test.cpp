@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
 #include <vector>
+
+#include "prs/output/csv_writer.h"
 
 #include "support/parsed_csv.h"
 #include "support/sample_result.h"
@@ -50,9 +54,45 @@ TEST(Csv, OneRowAThreadOfEveryAnswer) {
 
 TEST(Csv, NumbersKeepAllDigits) {
   const LoadCaseResult load_case = solved_case("a", 12345.678, Direction::tension);
-  const auto rows = parse(load_distribution_csv(result_of({load_case})));
+  const auto rows =
+      parse(load_distribution_csv(result_of({load_case}), {.digits = CsvStyle::kAllDigits}));
   for (std::size_t k = 0; k < rows.size(); ++k)
     EXPECT_EQ(std::stod(rows[k].at("nut_axial_load_N")), load_case.threads->nut.axial_load[k]);
+}
+
+std::string field(double value, const CsvStyle& style) {
+  CsvWriter csv(style, CsvWriter::Part::rows);
+  csv.number(value);
+  return csv.take();
+}
+
+TEST(Csv, NumbersHaveAsManySignificantDigitsAsAskedFor) {
+  EXPECT_EQ(field(2.0 / 3.0, {}), "0.6666666667");
+  EXPECT_EQ(field(-20e3, {}), "-20000");
+  EXPECT_EQ(field(0.1, {}), "0.1");
+  EXPECT_EQ(field(2e12 / 3.0, {}), "6.666666667e+11");
+  EXPECT_EQ(field(2.0 / 3.0, {.digits = 3}), "0.667");
+  EXPECT_EQ(field(0.1, {.digits = CsvStyle::kAllDigits}), "0.1");
+  EXPECT_EQ(std::stod(field(2.0 / 3.0, {.digits = CsvStyle::kAllDigits})), 2.0 / 3.0);
+}
+
+/// A spreadsheet of a European locale takes `1.5` for a date.
+TEST(Csv, EuropeanFilesHaveSemicolonsDecimalCommasAndTheMarkOfUtf8) {
+  const CsvStyle european{.european = true};
+  const LoadCaseResult load_case = solved_case("a; \"b\", c", 12345.5, Direction::tension);
+  const std::string plain = load_distribution_csv(result_of({load_case}));
+  const std::string csv = load_distribution_csv(result_of({load_case}), european);
+  ASSERT_TRUE(csv.starts_with("\uFEFFcase;axial_force_N;"));
+  auto fields = test::parse_fields(csv.substr(3), ';');
+  EXPECT_EQ(fields[1][0], "a; \"b\", c");
+  EXPECT_EQ(fields[1][1], "12345,5");
+  for (auto& row : fields)
+    for (std::size_t k = 1; k < row.size(); ++k) std::ranges::replace(row[k], ',', '.');
+  EXPECT_EQ(fields, test::parse_fields(plain));
+
+  CsvWriter rows(european, CsvWriter::Part::rows);
+  for (const char* text : {"0.3", "0.3 mm", "a,b"}) rows.text(text);
+  EXPECT_EQ(rows.take(), "0,3;0.3 mm;a,b");
 }
 
 TEST(Csv, NamesThatSpreadsheetsWouldComputeGetAnApostrophe) {

@@ -27,7 +27,7 @@ Result sample_cases() {
 TEST(SlipCsv, OneRowALoadCase) {
   const Result result = sample_cases();
   const SlipResult& slip = *result.load_cases[0].slip;
-  const auto rows = parse(slip_csv(result));
+  const auto rows = parse(slip_csv(result, {.digits = CsvStyle::kAllDigits}));
   ASSERT_EQ(rows.size(), 4);
   EXPECT_EQ(rows[0].at("case"), "a, \"b\"");
   EXPECT_EQ(rows[0].at("direction"), "tension");
@@ -62,7 +62,7 @@ TEST(SlipCsv, CasesWithoutAnAnswerSayWhy) {
 
 TEST(SlipCsv, OneRowAThreadAndInterface) {
   const Result result = sample_cases();
-  const auto rows = parse(slip_threads_csv(result));
+  const auto rows = parse(slip_threads_csv(result, {.digits = CsvStyle::kAllDigits}));
   ASSERT_EQ(rows.size(), 2 * (20 + 4));
   EXPECT_EQ(rows[0].at("interface"), "screw");
   EXPECT_EQ(rows[19].at("thread"), "20");

@@ -19,7 +19,7 @@ using testing::ElementsAre;
 
 std::string csv_of(const Study& study, const RowBlock& block) {
   const std::vector<FactorColumn> columns = factor_columns(study);
-  const StudyCsv csv(study, columns);
+  const StudyCsv csv(study, columns, {.digits = CsvStyle::kAllDigits});
   return csv.header() + csv.rows(block, factor_values(study, columns, block.first, block.rows));
 }
 

@@ -79,6 +79,8 @@ TEST(StudyTable, ProgressTellsRateAndTimeLeft) {
   EXPECT_EQ(progress_line(1, 1201, 1.0), "1 of 1201 designs, 1.0 a second, 20:00 left");
   EXPECT_EQ(progress_line(1, 7201, 1.0), "1 of 7201 designs, 1.0 a second, 2:00:00 left");
   EXPECT_EQ(progress_line(0, 5, 0.0), "0 of 5 designs");
+  EXPECT_EQ(progress_line(60, 100, 0.5, 10),
+            "60 of 100 designs (10 from the journal), 100 a second, 0:01 left");
 }
 
 TEST(StudyText, TitlesAreForPeople) {

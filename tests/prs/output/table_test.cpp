@@ -75,16 +75,16 @@ TEST(LoadCaseTable, WarningsThatDifferInNumbersOnlyAppearOnce) {
 TEST(LoadCaseTable, AWarningOnSeveralLoadsNamesTheirKeyOnce) {
   Result result;
   add_sweep(result, "sweep", Direction::tension, 3);
-  for (std::size_t k = 0; k < 3; ++k) {
-    LoadCaseResult& r = result.load_cases[k];
-    r.load_case.input_path = "load_cases[" + std::to_string(k < 2 ? 4 : 5) + "]";
-    r.warnings = {r.load_case.input_path + ".axial_force: high"};
-    if (k == 1) {
-      EXPECT_TRUE(contains(load_case_table(result), "  load_cases[4].axial_force: high\n"));
-    }
-  }
-  EXPECT_TRUE(contains(load_case_table(result),
-                       "  load_cases[..].axial_force: high\n    in sweep[0–2]\n"));
+  const auto warn = [&](std::size_t k, const std::string& path) {
+    result.load_cases[k].load_case.input_path = path;
+    result.load_cases[k].warnings = {path + ".axial_force: high"};
+  };
+  warn(0, "load_cases[4]");
+  warn(1, "load_cases[4]");
+  EXPECT_TRUE(contains(load_case_table(result), "  load_cases[4].axial_force: high\n"));
+  warn(2, "load_cases[5]");
+  EXPECT_TRUE(
+      contains(load_case_table(result), "  load_cases[..].axial_force: high\n    in sweep[0–2]\n"));
 }
 
 TEST(LoadCaseTable, ControlCharactersDoNotReachTheTerminal) {

@@ -404,7 +404,7 @@ TEST_P(Arrangements, PlayIsADeadZone) {
 
 TEST_P(Arrangements, RandomSectorsConverge) {
   std::mt19937_64 random(20261121);
-  for (int k = 0; k < test::count(20, 300); ++k) {
+  for (int k = 0; k < test::samples(20, 300); ++k) {
     test::SectorCase c = test::random_sector(random);
     const double heavy = test::random_force(c, random);
     PreloadCase p = preloaded(std::move(c), GetParam());

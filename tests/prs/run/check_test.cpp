@@ -18,7 +18,7 @@ using testing::StartsWith;
 Json checked(const std::string& lesson, std::vector<std::string> overrides = {}) {
   const input::Source source =
       input::load_source(PRS_SOURCE_DIR "/configs/" + lesson, std::move(overrides));
-  return run(row_of(Command::check), source).document(document_info(source));
+  return run(row_of(Command::check), source).document(document_info(source, Command::check));
 }
 
 std::vector<std::string> warnings_of(const std::string& lesson, const std::string& override) {
@@ -85,7 +85,7 @@ TEST(Check, WarnsOfWhatIsOddTogether) {
             "mechanism.backlash.nut", "backlash -0.5 mm, 30 % of the pitch"},
         Odd{"04_contacts_from_geometry.yaml", "mechanism.centre_distance=13.75 mm",
             "mechanism.pitch_diameter.screw", "check pitch diameters, centre distance"},
-        Odd{"05_standard_screw.yaml", "mechanism.lead=60 mm", "mechanism.lead",
+        Odd{"07_contact_geometry.yaml", "mechanism.lead=60 mm", "mechanism.lead",
             "a helix angle of 32 deg"},
         Odd{"07_contact_geometry.yaml", "mechanism.contacts_per_roller=200",
             "mechanism.contacts_per_roller", "39.8 times the roller's diameter"},
@@ -135,7 +135,7 @@ TEST(Check, OddValuesAreToldByEveryCommand) {
   for (const Command command :
        {Command::contact, Command::solve, Command::compare, Command::measures})
     EXPECT_THAT(run(row_of(command), source)
-                    .document(document_info(source))["warnings"][0]
+                    .document(document_info(source, command))["warnings"][0]
                     .get<std::string>(),
                 StartsWith("materials.poisson_ratio: got 0.45; usual is 0.2 to 0.4"))
         << name(command);
@@ -151,7 +151,7 @@ TEST(Check, WarningsNameTheKey) {
     const input::CaseInput in = input::read_case_input(source, Command::check);
     for (const CommandRow& row : commands()) {
       if (!row.run || !input::missing(in, row.command).empty()) continue;
-      const Json document = run(row, source).document(document_info(source));
+      const Json document = run(row, source).document(document_info(source, row.command));
       std::vector<std::string> warnings = document["warnings"];
       for (const Json& load_case : document.value("load_cases", Json::array()))
         for (const Json& warning : load_case["warnings"]) warnings.push_back(warning);

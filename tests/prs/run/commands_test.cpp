@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "prs/run/responses.h"
+
 namespace prs {
 namespace {
 
@@ -70,6 +72,29 @@ TEST(Commands, AStudyLacksWhatItsDesignsLack) {
               IsEmpty());
 }
 
+/// What the table of quantities lists and what results have are the same names.
+TEST(Responses, OfACaseAreThoseOfTheTable) {
+  const std::vector<std::string> known = known_responses();
+  const std::set<std::string> table(known.begin(), known.end());
+  EXPECT_EQ(table.size(), known.size());
+  for (const char* path :
+       {"slip.efficiency", "screw.peak_pressure_MPa.max", "contact.nut.backlash_mm",
+        "measures.weight_kg", "life.system.l10_revolutions", "axial_stiffness_N_per_um"})
+    EXPECT_EQ(table.count(path), 1U) << path;
+  const std::vector<std::string> of_case = responses_of(lesson("09_slip_and_dissipation.yaml"));
+  EXPECT_GT(of_case.size(), 50U);
+  for (const std::string& path : of_case) EXPECT_EQ(table.count(path), 1U) << path;
+}
+
+TEST(Responses, OfAStudyAreThoseOfItsCommand) {
+  const std::vector<std::string> paths =
+      responses_of(lesson("09_slip_and_dissipation.yaml",
+                          {"study={command: contact, factors: [{path: mechanism.rollers, values: "
+                           "[8, 9]}]}"}));
+  EXPECT_THAT(paths, testing::Contains("contact.screw.normal_angle_deg"));
+  EXPECT_THAT(paths, testing::Not(testing::Contains("slip.efficiency")));
+}
+
 /// Whoever keeps one needs neither the case nor the result.
 TEST(Delivery, OutlivesWhatItWasMadeOf) {
   Delivery delivery;
@@ -77,7 +102,7 @@ TEST(Delivery, OutlivesWhatItWasMadeOf) {
   {
     const input::Source source = lesson("05_standard_screw.yaml");
     delivery = run(row_of(Command::contact), source);
-    info = document_info(source);
+    info = document_info(source, Command::contact);
   }
   EXPECT_EQ(delivery.file, "contact.json");
   EXPECT_TRUE(delivery.document(info).contains("contact"));

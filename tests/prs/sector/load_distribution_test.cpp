@@ -79,7 +79,7 @@ TEST(LoadDistribution, ThreadLoadsSumToAppliedLoad) {
 
 TEST(LoadDistribution, RandomSectorsAllConverge) {
   std::mt19937_64 random(20260101);
-  const int count = test::count(1000, 20000);
+  const int count = test::samples(1000, 20000);
   for (int k = 0; k < count; ++k) {
     const SectorCase c = test::random_sector(random);
     const double force = test::random_force(c, random);
@@ -96,7 +96,7 @@ TEST(LoadDistribution, RandomSectorsAllConverge) {
 
 TEST(LoadDistribution, SparseAgreesWithIndependentDenseModel) {
   std::mt19937_64 random(5);
-  for (int k = 0; k < test::count(40, 400); ++k) {
+  for (int k = 0; k < test::samples(40, 400); ++k) {
     const SectorCase c = test::random_sector(random);
     const double force = test::random_force(c, random);
     const LoadDistribution r = solve(c, force);

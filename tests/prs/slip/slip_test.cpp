@@ -13,6 +13,7 @@
 #include "prs/model/case_error.h"
 #include "prs/threads/kinematics.h"
 #include "tests/support/count.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/slips.h"
 
 namespace prs {
@@ -267,6 +268,7 @@ TEST(Slip, SinglePointContactsMissTheSpin) {
 
 /// Fig. 3.8: 21 x 21 points are enough.
 TEST(Slip, PowerConvergesWithThePatchPoints) {
+  SKIP_UNDER_SANITIZERS();
   Case c = test::sandu_reference();
   const auto power = [&](int points) {
     c.model.patch_points = points;
@@ -284,6 +286,7 @@ TEST(Slip, PowerConvergesWithThePatchPoints) {
 
 /// Weights are not renormalised: a coarse grid carries more than the load, and the power with it.
 TEST(Slip, FewestPatchPointsMissLoadAndPowerByLessThanTwoPercent) {
+  SKIP_UNDER_SANITIZERS();
   const auto excess = [](int points) {
     const contact::PatchGrid grid(points);
     return grid.cell_load() * grid.dome().sum() - 1.0;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -67,7 +68,7 @@ study:
     points: [{name: best, wanted: best}, {name: given, at: [45 mm, 3.1 mm]}]
 )";
   std::ofstream(file) << text;
-  ASSERT_EQ(prs(into(alone, "--threads 1")).status, 0);
+  ASSERT_EQ(prs(into(alone, "--threads 1 --csv-digits 17")).status, 0);
   const auto expected = files_in(alone);
   ASSERT_THAT(expected, testing::Contains(testing::Key("envelope.csv")));
   const auto rows = test::parse(content_of(alone / "envelope.csv"));
@@ -88,9 +89,10 @@ study:
   const fs::path parts = temporary.path() / "parts", whole = temporary.path() / "whole";
   EXPECT_EQ(prs(into(parts, "--shard 1/2")).status, 0);
   EXPECT_EQ(prs(into(parts, "--shard 2/2")).status, 0);
-  EXPECT_EQ(
-      prs("study merge '" + parts.string() + "' --quiet --output '" + whole.string() + "'").status,
-      0);
+  EXPECT_EQ(prs("study merge '" + parts.string() + "' --quiet --csv-digits 17 --output '" +
+                whole.string() + "'")
+                .status,
+            0);
   EXPECT_TRUE(files_in(whole) == expected);
 
   // Between designs the error falls with the square of the step, here 0.24 mm of a bore in 21 mm.
@@ -196,7 +198,7 @@ TEST_F(StudyCommand, InterruptedItContinues) {
   }
   process.signal(SIGINT);
   process.signal(SIGCONT);
-  EXPECT_EQ(process.wait(), 1);
+  EXPECT_EQ(process.wait(), 130);
   EXPECT_EQ(files_in(folder).size(), 1u);
 
   const Outcome changed = prs(into(folder, "--set study.seed=4"));
@@ -204,8 +206,20 @@ TEST_F(StudyCommand, InterruptedItContinues) {
   EXPECT_THAT(changed.err, HasSubstr(folder.string() + ": error: "));
   EXPECT_THAT(changed.err, HasSubstr("--restart"));
 
-  ASSERT_EQ(prs(into(folder)).status, 0);
-  ASSERT_EQ(prs(into(alone)).status, 0);
+  const std::string loud = "study '" + file.string() + "' --output '";
+  const Outcome resumed = prs(loud + folder.string() + "'");
+  ASSERT_EQ(resumed.status, 0);
+  int total = 0, found = 0, computed = 0;
+  ASSERT_EQ(std::sscanf(resumed.err.c_str(), "%d designs: %d were in the journal, %d computed",
+                        &total, &found, &computed),
+            3)
+      << resumed.err;
+  EXPECT_GE(total, 40'000);  // And the base case.
+  EXPECT_GT(found, 0);
+  EXPECT_EQ(found + computed, total);
+  const Outcome whole = prs(loud + alone.string() + "'");
+  ASSERT_EQ(whole.status, 0);
+  EXPECT_EQ(whole.err, "");
   EXPECT_TRUE(files_in(folder) == files_in(alone));
 }
 

@@ -338,6 +338,35 @@ TEST(StudyReader, DistributionAboutTheFileIsInTheUnitOfTheFile) {
   EXPECT_NEAR(warm.distribution.second, 5.0, 1e-12);
 }
 
+TEST(StudyReader, ToleranceIsAShareAHalfWidthOrTwoDeviations) {
+  using enum Distribution::Kind;
+  const auto factor = [](const std::string& keys) { return drawn(keys).factors.at(0); };
+  expect_distribution(factor("path: mechanism.centre_distance, within: 20 um"), "mm", uniform,
+                      13.98, 14.02);
+  expect_distribution(factor("path: mechanism.centre_distance, within: [-0.01 mm, 30 um]"), "mm",
+                      uniform, 13.99, 14.03);
+  // Limits of a fit: both deviations on one side.
+  expect_distribution(factor("path: mechanism.centre_distance, within: [2 um, 15 um]"), "mm",
+                      uniform, 14.002, 14.015);
+  expect_distribution(factor("path: materials.youngs_modulus, within: [-1 %, 2 %]"), "GPa", uniform,
+                      209 * 0.99, 209 * 1.02);
+  expect_distribution(factor("path: materials.youngs_modulus, within: [0, 2 %]"), "GPa", uniform,
+                      209, 209 * 1.02);
+  expect_distribution(factor("path: mechanism.centre_distance, within: 0.001 in"), "mm", uniform,
+                      14 - 0.0254, 14 + 0.0254);
+  // A nominal value of 0 has no share, but a width.
+  expect_distribution(factor("path: deviations.pitch_error.screw.linear, within: 2 um"), "mm",
+                      uniform, -0.002, 0.002);
+}
+
+TEST(StudyReader, AToleranceOfATemperatureIsADifference) {
+  Source source = with_samples("path: deviations.reference_temperature, within: 9 degF");
+  const Factor f = read_study_input(source).study.factors.at(0);
+  EXPECT_EQ(f.unit, "degC");
+  EXPECT_NEAR(f.distribution.second - f.distribution.first, 10.0, 1e-9);
+  EXPECT_NEAR(f.distribution.second + f.distribution.first, 2.0 * *f.base->number, 1e-9);
+}
+
 TEST(StudyReader, ValuesAreAChoiceInASampledPlan) {
   const Factor f = drawn("path: model.roller, values: [flexible, rigid_bending]").factors.at(0);
   EXPECT_EQ(f.distribution.kind, Distribution::Kind::levels);
@@ -420,10 +449,19 @@ TEST(StudyReader, RefusesWhatCannotBeDrawn) {
        "materials.poisson_ratio: got 0.6; expected a number >= 0 and < 0.5"},
       {"path: mechanism.lead, within: 3", "within: got 3; expected a share > 0 and at most 100 %"},
       {"path: mechanism.lead, within: 0 %", "within: got 0 %; expected a share > 0"},
-      {"path: mechanism.lead, within: 3 mm", "within: got 3 mm; expected a share"},
+      {"path: mechanism.lead, within: 3 kN", "within: got 3 kN; expected a share"},
+      {"path: mechanism.lead, within: 0 mm", "within: got 0 mm; expected a share"},
+      {"path: mechanism.lead, within: -1 um", "within: got -1 um; expected a share"},
+      {"path: mechanism.lead, within: [1 um]", "within: got [1 um]; expected a share"},
+      {"path: mechanism.lead, within: [1 um, -1 um]",
+       "within: got [1 um, -1 um]; expected the lower deviation, then the upper"},
+      {"path: mechanism.lead, within: 6 um, uniform: {from: 4 mm, to: 6 mm}", "one way"},
+      {"path: deviations.crowning, within: 2 um", "deviations.crowning: got -0.002 mm"},
       {"path: mechanism.lead, within: much", "within: got much; expected a share"},
       {"path: structure.screw.bore, within: 3 %}, {path: deviations.crowning, within: 3 %",
-       "got 3 % of 0; expected a value other than 0 in the file"},
+       "got 3 % of 0; expected a value other than 0 in the file, or a half width with its unit; "
+       "write "
+       "for example `within: 0.02 mm`"},
       {"path: operation.speed, within: 3 %", "got 3 % of no single value in the file"},
       {"path: deviations.reference_temperature, within: 3 %", "whose zero is a convention"},
       {"path: mechanism.lead, normal: {deviation: 0 mm}",

@@ -11,6 +11,7 @@
 #include "prs/model/case_error.h"
 #include "tests/support/count.h"
 #include "tests/support/parsed_csv.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temporary_directory.h"
 #include "validation/reference_fe/comparison.h"
 #include "validation/reference_fe/curves.h"
@@ -313,6 +314,7 @@ TEST(Fidelities, RefinedStaysWithinItsPromise) {
 
 /// CONFIG 2 in tension; thoroughly all cases.
 TEST(Fidelities, InfluenceIsWithinBothErrorBarsOfTheReference) {
+  SKIP_UNDER_SANITIZERS();
   const auto curves =
       at_full_load([](const auto& setup) { return test::count(0, 1) == 1 || setup == kExample; });
   const Summary s = summary(computed_curves(screw(), influence, curves), curves, everywhere);
@@ -351,13 +353,13 @@ TEST(FidelityFiles, HoldEveryThreadOfEveryPoint) {
   EXPECT_EQ(row.at("interface"), "nut");
   EXPECT_EQ(row.at("thread"), "6");
   EXPECT_DOUBLE_EQ(std::stod(row.at("load_kN")), 45.0);
-  EXPECT_DOUBLE_EQ(std::stod(row.at("bars_percent")),
-                   100 * bar_curves()[3].points.back().load_rate.nut[5]);
+  EXPECT_NEAR(std::stod(row.at("bars_percent")),
+              100 * bar_curves()[3].points.back().load_rate.nut[5], 1e-9);
   const auto points = test::parse(content.at("comparison.csv"));
   ASSERT_EQ(points.size(), 2u * 24 * 13);
   EXPECT_NEAR(std::stod(points[12].at("stiffness_discrepancy_percent")),
               100 * discrepancy(bar_curves()[0].points[12], reference()[0].points[12])->stiffness,
-              1e-9);
+              1e-8);  // Ten digits.
   EXPECT_THAT(content.at("load_rates.md"),
               HasSubstr("## 3 compression outer_node half_pitch, 45 kN"));
 }

@@ -44,12 +44,14 @@ TEST(MatrixCache, ComputesOnceForEachKey) {
 
 TEST(MatrixCache, OneThatKeepsOnlyFindsWhatAnotherHolds) {
   const test::TemporaryDirectory directory;
-  MatrixCache(directory.path()).get("in a file", sample);
+  const Matrices matrices = sample();
+  const auto given = [&] { return matrices; };
+  MatrixCache(directory.path()).get("in a file", given);
   MatrixCache whole(directory.path());
-  whole.get("in memory", sample);
+  whole.get("in memory", given);
   MatrixCache kept(whole, MatrixCache::KeptOnly{});
   for (const char* key : {"in a file", "in memory"})
-    EXPECT_EQ((*kept.get(key, sample))[0], sample()[0]) << key;
+    EXPECT_EQ((*kept.get(key, sample))[0], matrices[0]) << key;
   EXPECT_THROW(kept.get("absent", sample), NotKept);
   EXPECT_EQ(kept.computed(), 0);
 }

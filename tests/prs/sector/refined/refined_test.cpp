@@ -84,7 +84,7 @@ SectorCase random_refined(std::mt19937_64& random) {
 TEST(Refined, WithoutEffectsIsTheBarModel) {
   std::vector<SectorCase> cases = six_cases();
   std::mt19937_64 random(11);
-  for (int k = 0; k < test::count(50, 1000); ++k) cases.push_back(test::random_sector(random));
+  for (int k = 0; k < test::samples(50, 1000); ++k) cases.push_back(test::random_sector(random));
   for (const SectorCase& c : cases) {
     const double force = 2e3 * c.mechanism.rollers;
     const LoadDistribution bars = solve(c, force);
@@ -221,7 +221,7 @@ TEST(Refined, AnInvertedScrewIsPlainBeforeItsContactsAStandardOneThreaded) {
 
 TEST(Refined, RandomSectorsConvergeAndCarryTheLoad) {
   std::mt19937_64 random(31);
-  for (int k = 0; k < test::count(200, 5000); ++k) {
+  for (int k = 0; k < test::samples(200, 5000); ++k) {
     const SectorCase c = random_refined(random);
     const double force = test::random_force(c, random);
     SectorSolver solver(c.build());

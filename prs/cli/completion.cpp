@@ -1,0 +1,356 @@
+#include "prs/cli/completion.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+namespace prs::cli {
+namespace {
+
+/// What a shell offers for a value.
+struct Offer {
+  enum class Kind { nothing, words, list, settings, cases, files, folders };
+  Kind kind = Kind::nothing;
+  std::vector<std::string> words;  ///< Of `list`: what `prs list` is asked for.
+};
+
+/// Name of a command without the program: `study merge`.
+std::string own_name(const CommandText& command) {
+  const std::size_t blank = command.name.find(' ');
+  return blank == std::string::npos ? "" : command.name.substr(blank + 1);
+}
+
+std::string last_word(const CommandText& command) {
+  return command.name.substr(command.name.rfind(' ') + 1);
+}
+
+std::vector<std::string> command_words(const CommandText& command) {
+  std::vector<std::string> words;
+  for (const CommandText& c : command.commands) words.push_back(last_word(c));
+  return words;
+}
+
+/// What `prs list` takes.
+std::vector<std::string> list_words(const CommandText& program) {
+  for (const CommandText& command : program.commands)
+    if (own_name(command) == "list" && !command.arguments.empty())
+      return command.arguments.front().words;
+  return {};
+}
+
+Offer offer(const CommandText& program, const OptionText& option) {
+  using enum Offer::Kind;
+  const std::string& value = option.value;
+  if (!option.words.empty()) return {words, option.words};
+  if (value == "COMMAND") return {words, command_words(program)};
+  if (value == "PATH=VALUE") return {settings, {}};
+  if (value == "DIR|FILE") return {files, {}};
+  if (value == "FILE") return {cases, {}};
+  if (value == "DIR") return {folders, {}};
+  std::string listed = value + "s";
+  std::ranges::transform(listed, listed.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (std::ranges::count(list_words(program), listed) > 0) return {list, {listed}};
+  return {};
+}
+
+/// Every command but the program itself, those of a command behind it.
+std::vector<const CommandText*> all_commands(const CommandText& program) {
+  std::vector<const CommandText*> all;
+  for (const CommandText& command : program.commands) {
+    all.push_back(&command);
+    for (const CommandText& c : command.commands) all.push_back(&c);
+  }
+  return all;
+}
+
+std::vector<std::string> option_words(const CommandText& command) {
+  std::vector<std::string> words;
+  for (const OptionText& option : command.options)
+    words.insert(words.end(), option.names.begin(), option.names.end());
+  return words;
+}
+
+std::string joined(const std::vector<std::string>& words, std::string_view separator = " ") {
+  return fmt::format("{}", fmt::join(words, separator));
+}
+
+std::string replaced(std::string text, std::string_view what, std::string_view by) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
+    text.replace(at, what.size(), by);
+  return text;
+}
+
+// bash.
+
+std::string bash_action(const Offer& o) {
+  switch (o.kind) {
+    case Offer::Kind::words:
+      return "words " + joined(o.words);
+    case Offer::Kind::list:
+      return "list " + joined(o.words);
+    case Offer::Kind::settings:
+      return "settings";
+    case Offer::Kind::cases:
+      return "cases";
+    case Offer::Kind::files:
+      return "files";
+    case Offer::Kind::folders:
+      return "folders";
+    case Offer::Kind::nothing:
+      break;
+  }
+  return ":";
+}
+
+constexpr const char* kBash = R"sh(# Completion of prs in bash. `prs completion bash` wrote it.
+_prs_words() { mapfile -t COMPREPLY < <(compgen -W "$*" -- "$current"); }
+_prs_list() { _prs_words "$(prs list "$1" 2>/dev/null | sed 's/  .*//')"; }
+_prs_settings() {
+  compopt -o nospace
+  mapfile -t COMPREPLY < <(compgen -S = -W "$(prs list inputs 2>/dev/null | sed 's/  .*//')" -- "$current")
+}
+_prs_files() {
+  compopt -o filenames
+  mapfile -t COMPREPLY < <(compgen -f -- "$current")
+}
+_prs_folders() {
+  compopt -o filenames
+  mapfile -t COMPREPLY < <(compgen -d -- "$current")
+}
+_prs_cases() {
+  compopt -o filenames
+  mapfile -t COMPREPLY < <(compgen -W "$*" -- "$current"; compgen -d -- "$current"
+                           compgen -f -X '!*.yaml' -- "$current"
+                           compgen -f -X '!*.yml' -- "$current")
+}
+_prs() {
+  local current=${COMP_WORDS[COMP_CWORD]} before='' command='' word action=: i at=0
+  COMPREPLY=()
+  for ((i = 1; i < COMP_CWORD; ++i)); do
+    word=${COMP_WORDS[i]}
+    case "$command $before" in
+      @VALUES@) before=''; continue ;;
+    esac
+    before=$word
+    case "$command/$word" in
+@COMMANDS@
+      */-*) ;;
+      *) ((++at)) ;;
+    esac
+  done
+  case "$command $before" in
+@OPTIONS@
+    *)
+      case "$command" in
+@ARGUMENTS@
+      esac
+      if [[ $current == -* ]]; then
+        case "$command" in
+@NAMES@
+        esac
+      fi ;;
+  esac
+  [[ $action == : ]] || _prs_$action
+}
+complete -F _prs prs
+)sh";
+
+// zsh.
+
+/// Text within an argument of `_arguments`, which stands in single quotes.
+std::string zsh_text(std::string text) {
+  text = replaced(std::move(text), "'", "'\\''");
+  for (const char* special : {"[", "]", ":"})
+    text = replaced(std::move(text), special, std::string("\\") + special);
+  return text;
+}
+
+std::string zsh_action(const Offer& o) {
+  switch (o.kind) {
+    case Offer::Kind::words:
+      return "(" + joined(o.words) + ")";
+    case Offer::Kind::list:
+      return "_prs_list " + joined(o.words);
+    case Offer::Kind::settings:
+      return "_prs_settings";
+    case Offer::Kind::cases:
+      return "_files -g \"*.(yaml|yml)\"";
+    case Offer::Kind::files:
+      return "_files";
+    case Offer::Kind::folders:
+      return "_files -/";
+    case Offer::Kind::nothing:
+      break;
+  }
+  return " ";
+}
+
+std::string zsh_function(const CommandText& command) {
+  return "_prs_" + replaced(own_name(command), " ", "_");
+}
+
+std::string zsh_option(const CommandText& program, const OptionText& option) {
+  const std::string text = fmt::format("[{}]", zsh_text(option.help));
+  std::string value;
+  if (!option.value.empty())
+    value = fmt::format("{}{}:{}", option.optional_value ? "::" : ":", zsh_text(option.value),
+                        zsh_action(offer(program, option)));
+  if (option.repeatable) return fmt::format(" \\\n    '*{}{}{}'", option.names.back(), text, value);
+  std::string specs;
+  for (const std::string& name : option.names)
+    specs += fmt::format(" \\\n    '({}){}{}{}'", joined(option.names), name, text, value);
+  return specs;
+}
+
+std::string zsh_command(const CommandText& program, const CommandText& command) {
+  std::string text = fmt::format("{}() {{\n", zsh_function(command));
+  for (const CommandText& c : command.commands)
+    text += fmt::format(
+        "  if [[ ${{words[2]}} == {} ]]; then shift words; (( CURRENT-- )); {}; return; fi\n",
+        last_word(c), zsh_function(c));
+  text += "  _arguments -s";
+  for (const OptionText& option : command.options) text += zsh_option(program, option);
+  for (std::size_t k = 0; k < command.arguments.size(); ++k) {
+    const OptionText& argument = command.arguments[k];
+    std::string action = zsh_action(offer(program, argument));
+    if (k == 0 && !command.commands.empty())
+      action = fmt::format(" _alternative \"commands:command:({})\" \"files:FILE:_files\"",
+                           joined(command_words(command)));
+    text += fmt::format(" \\\n    '{}:{}:{}'", argument.repeatable ? "*" : std::to_string(k + 1),
+                        argument.value, action);
+  }
+  return text + "\n}\n";
+}
+
+// fish.
+
+std::string fish_text(const std::string& text) {
+  return "'" + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + "'";
+}
+
+std::string fish_action(const Offer& o) {
+  switch (o.kind) {
+    case Offer::Kind::words:
+      return " -a " + fish_text(joined(o.words));
+    case Offer::Kind::list:
+      return fmt::format(" -a '(__prs_list {})'", joined(o.words));
+    case Offer::Kind::settings:
+      return " -a '(__prs_list inputs)='";
+    case Offer::Kind::cases:
+      return " -a '(__fish_complete_suffix .yaml)'";
+    case Offer::Kind::files:
+      return " -F";
+    case Offer::Kind::folders:
+      return " -a '(__fish_complete_directories)'";
+    case Offer::Kind::nothing:
+      break;
+  }
+  return "";
+}
+
+std::string fish_command(const CommandText& program, const CommandText& command) {
+  std::string within;
+  const std::string name = own_name(command);
+  if (!name.empty()) {
+    within =
+        "__fish_seen_subcommand_from " + replaced(name, " ", "; and __fish_seen_subcommand_from ");
+    if (!command.commands.empty())
+      within += "; and not __fish_seen_subcommand_from " + joined(command_words(command));
+    within = fmt::format(" -n '{}'", within);
+  }
+  std::string lines;
+  for (const CommandText& c : command.commands)
+    lines += fmt::format("complete -c prs{} -a {} -d {}\n",
+                         name.empty() ? " -n __fish_use_subcommand" : within, last_word(c),
+                         fish_text(c.help));
+  for (const OptionText& argument : command.arguments)
+    lines += fmt::format("complete -c prs{}{}\n", within, fish_action(offer(program, argument)));
+  for (const OptionText& option : command.options) {
+    lines += "complete -c prs" + (name.empty() ? " -n __fish_use_subcommand" : within);
+    for (const std::string& n : option.names)
+      lines += n.starts_with("--") ? " -l " + n.substr(2) : " -s " + n.substr(1);
+    if (!option.value.empty() && !option.optional_value) lines += " -x";
+    lines += fish_action(offer(program, option)) + " -d " + fish_text(option.help) + "\n";
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string bash_completion(const CommandText& program) {
+  std::vector<std::string> values;
+  std::string commands, options, arguments, names;
+  const std::vector<const CommandText*> all = all_commands(program);
+  for (const CommandText* command : all) {
+    const std::string name = own_name(*command);
+    const std::size_t blank = name.rfind(' ');
+    commands += fmt::format("      {}/{}) command='{}' at=0 ;;\n",
+                            blank == std::string::npos ? "" : "'" + name.substr(0, blank) + "'",
+                            last_word(*command), name);
+    for (const OptionText& option : command->options) {
+      if (option.value.empty() || option.optional_value) continue;
+      std::vector<std::string> patterns;
+      for (const std::string& n : option.names) patterns.push_back(fmt::format("'{} {}'", name, n));
+      options += fmt::format("    {}) action='{}' ;;\n", joined(patterns, "|"),
+                             bash_action(offer(program, option)));
+      values.insert(values.end(), patterns.begin(), patterns.end());
+    }
+    arguments += fmt::format("        '{}')\n", name);
+    for (std::size_t k = 0; k < command->arguments.size(); ++k) {
+      const OptionText& argument = command->arguments[k];
+      std::string action = bash_action(offer(program, argument));
+      if (k == 0 && !command->commands.empty()) action += " " + joined(command_words(*command));
+      arguments += fmt::format("          (( at {} {} )) && action='{}'\n",
+                               argument.repeatable ? ">=" : "==", k, action);
+    }
+    arguments += "          ;;\n";
+    names +=
+        fmt::format("          '{}') action='words {}' ;;\n", name, joined(option_words(*command)));
+  }
+  arguments += fmt::format("        '') action='words {}' ;;\n", joined(command_words(program)));
+  names += fmt::format("          '') action='words {}' ;;\n", joined(option_words(program)));
+  const auto block = [](std::string lines) { return lines.substr(0, lines.size() - 1); };
+  std::string script = kBash;
+  script = replaced(std::move(script), "@VALUES@", joined(values, "|"));
+  script = replaced(std::move(script), "@COMMANDS@", block(commands));
+  script = replaced(std::move(script), "@OPTIONS@", block(options));
+  script = replaced(std::move(script), "@ARGUMENTS@", block(arguments));
+  return replaced(std::move(script), "@NAMES@", block(names));
+}
+
+std::string zsh_completion(const CommandText& program) {
+  std::string text =
+      "#compdef prs\n"
+      "# Completion of prs in zsh. `prs completion zsh` wrote it.\n"
+      "_prs_list() { local -a names=(${(f)\"$(prs list $1 2>/dev/null | sed 's/  .*//')\"}); "
+      "compadd -a names }\n"
+      "_prs_settings() { local -a names=(${(f)\"$(prs list inputs 2>/dev/null | sed 's/  "
+      ".*//')\"}); "
+      "compadd -S = -a names }\n";
+  for (const CommandText* command : all_commands(program)) text += zsh_command(program, *command);
+  text += "_prs() {\n  local -a commands=(";
+  for (const CommandText& command : program.commands)
+    text += fmt::format("\n    '{}:{}'", last_word(command), replaced(command.help, "'", "'\\''"));
+  text += "\n  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    _arguments -s";
+  for (const OptionText& option : program.options) text += zsh_option(program, option);
+  return text +
+         "\n    return\n  fi\n  shift words\n  (( CURRENT-- ))\n"
+         "  (( $+functions[_prs_${words[1]}] )) && _prs_${words[1]}\n}\n"
+         "compdef _prs prs\n";
+}
+
+std::string fish_completion(const CommandText& program) {
+  std::string text =
+      "# Completion of prs in fish. `prs completion fish` wrote it.\n"
+      "function __prs_list\n    prs list $argv 2>/dev/null | string replace -r '  .*' ''\nend\n"
+      "complete -c prs -f\n" +
+      fish_command(program, program);
+  for (const CommandText* command : all_commands(program)) text += fish_command(program, *command);
+  return text;
+}
+
+}  // namespace prs::cli

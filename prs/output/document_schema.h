@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string_view>
+
+namespace prs {
+
+/// Commands that have a document of `--json`.
+std::span<const std::string_view> documented_commands();
+
+/// JSON Schema (draft 2020-12) of the document of one of them. It knows every key; which of them a
+/// case defines is left open.
+nlohmann::ordered_json document_schema(std::string_view command);
+
+}  // namespace prs

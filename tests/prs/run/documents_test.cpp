@@ -1,0 +1,165 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "prs/output/document_schema.h"
+#include "prs/run/commands.h"
+#include "support/program.h"
+#include "support/temporary_directory.h"
+
+namespace prs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::filesystem::path kConfigs = PRS_SOURCE_DIR "/configs";
+
+std::vector<std::filesystem::path> all_lessons() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& file : std::filesystem::directory_iterator(kConfigs))
+    if (file.path().extension() == ".yaml") files.push_back(file.path());
+  return files;
+}
+
+Json document_of(const CommandRow& row, const input::Source& source) {
+  return run(row, source).document(document_info(source, row.command));
+}
+
+/// Runs `use` on every lesson and command that it is complete for.
+void for_each_run(const auto& use) {
+  for (const std::filesystem::path& file : all_lessons()) {
+    const input::Source source = input::load_source(file.string(), {});
+    const input::CaseInput in = input::read_case_input(source, Command::check);
+    for (const CommandRow& row : commands())
+      if (row.run && input::missing(in, row.command).empty()) use(row, source);
+  }
+}
+
+/// The document of a study or an optimization.
+Json printed(const std::string& arguments) {
+  const test::Outcome run = test::run_prs(arguments + " --json --quiet");
+  EXPECT_TRUE(run.status == 0 || run.status == 3) << arguments << run.err;
+  return Json::parse(run.out);
+}
+
+constexpr const char* kLongRuns[] = {
+    "study configs/10_parametric_study.yaml",
+    "study configs/15_sensitivity.yaml --set study.samples=40",
+    "study configs/15_sensitivity.yaml --set study.plan=sobol_indices --set study.samples=16",
+    "study configs/17_derivatives.yaml",
+    "study configs/21_jung_envelope.yaml",
+    "optimize configs/22_yao_optimum.yaml --set optimize.generations=3 --set optimize.check=nspso",
+    "optimize configs/23_crowning.yaml --set optimize.generations=2 --set optimize.population=8",
+    "configurations --screw-diameter 21mm --lead 5mm",
+};
+
+/// What jsonschema finds wrong: one line per document with the name of its schema.
+std::string verdict(const std::vector<std::pair<std::string, Json>>& documents) {
+  const test::TemporaryDirectory folder;
+  const auto save = [&](const std::string& name, const Json& json) {
+    std::ofstream(folder.path() / name) << json.dump();
+  };
+  for (const std::string_view command : documented_commands())
+    save(std::string(command), document_schema(command));
+  Json list = Json::array();
+  for (const auto& [command, document] : documents) list.push_back({command, document});
+  save("documents", list);
+  std::ofstream(folder.path() / "check.py")
+      << "import json\n"
+         "from functools import cache\n"
+         "from jsonschema import Draft202012Validator as Validator\n"
+         "@cache\n"
+         "def schema(name):\n"
+         "    Validator.check_schema(read := json.load(open(name)))\n"
+         "    return Validator(read)\n"
+         "for name, document in json.load(open('documents')):\n"
+         "    for error in list(schema(name).iter_errors(document))[:1]:\n"
+         "        print(name, error.json_path, error.message[:300])\n";
+  const std::string command =
+      "cd '" + folder.path().string() + "' && python3 check.py >found 2>&1 || echo failed >>found";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  return test::content_of(folder.path() / "found");
+}
+
+TEST(Documents, OfEveryLessonAndCommandAreAsTheirSchemaSays) {
+  std::vector<std::pair<std::string, Json>> documents;
+  for_each_run([&](const CommandRow& row, const input::Source& source) {
+    Json document = document_of(row, source);
+    if (document.contains("load_cases") && document["load_cases"].size() > 3) {
+      Json& cases = document["load_cases"];  // Hundreds of the same kind.
+      cases.erase(cases.begin() + 3, cases.end());
+    }
+    documents.emplace_back(name(row.command), std::move(document));
+  });
+  for (const std::string run : kLongRuns)
+    documents.emplace_back(run.substr(0, run.find(' ')), printed(run));
+  documents.emplace_back("solve", printed("solve configs/01_config_1_to_3.yaml --figures"));
+  EXPECT_EQ(verdict(documents), "");
+}
+
+TEST(Documents, TheirSchemasKnowEveryKeyAndTheTypeOfItsValue) {
+  const input::Source source =
+      input::load_source((kConfigs / "09_slip_and_dissipation.yaml").string(), {});
+  const Json document = document_of(row_of(Command::slip), source);
+  const auto with = [&](const char* pointer, Json value) {
+    Json changed = document;
+    changed[Json::json_pointer(pointer)] = std::move(value);
+    return std::pair<std::string, Json>("slip", std::move(changed));
+  };
+  Json headless = document;
+  headless.erase("command");
+  const std::string found = verdict({with("/efficiency", 0.9),
+                                     with("/load_cases/0/slip/efficency", 0.9),
+                                     with("/load_cases/0/slip/efficiency", "90 %"),
+                                     with("/command", "solve"),
+                                     with("/load_cases/0/screw/axial_load_N/0", "1 N"),
+                                     with("/resolved_input/mechanism/lead", 5),
+                                     {"slip", headless}});
+  EXPECT_EQ(std::ranges::count(found, '\n'), 7) << found;
+  EXPECT_THAT(found, testing::HasSubstr("efficency"));
+}
+
+/// Overrides and defaults are part of it; what the file refers to stands where it stood.
+TEST(Documents, TheirResolvedInputGivesTheSameResults) {
+  for_each_run([&](const CommandRow& row, const input::Source& source) {
+    Json document = document_of(row, source);
+    const std::string text = document["resolved_input"].dump();
+    Json again = document_of(row, input::source_of_text("again", text, {}, kConfigs));
+    for (Json* d : {&document, &again})
+      for (const char* key : {"case_file", "input_sha256", "overrides", "input"}) d->erase(key);
+    EXPECT_TRUE(document == again) << source.name << ' ' << name(row.command);
+  });
+}
+
+TEST(Documents, TheResolvedInputOfAStudyIsTheSameStudy) {
+  const test::TemporaryDirectory folder;
+  for (const std::string run : kLongRuns) {
+    if (run.starts_with("configurations")) continue;
+    Json document = printed(run);
+    const std::filesystem::path file = folder.path() / "again.yaml";
+    std::ofstream(file) << document["resolved_input"];
+    Json again = printed(run.substr(0, run.find(' ')) + " '" + file.string() + "'");
+    for (Json* d : {&document, &again})
+      for (const char* key : {"case_file", "input_sha256", "overrides"}) d->erase(key);
+    EXPECT_TRUE(document == again) << run;
+  }
+}
+
+TEST(Documents, SayWhichCommandMadeThemOfWhichFile) {
+  const Json document = printed("solve configs/01_config_1_to_3.yaml --set mechanism.rollers=9");
+  EXPECT_EQ(document["command"], "solve");
+  EXPECT_EQ(document["case_file"], "configs/01_config_1_to_3.yaml");
+  EXPECT_EQ(document["resolved_input"]["mechanism"]["rollers"], 9);
+  EXPECT_EQ(document["resolved_input"]["mechanism"]["geometry"], "simulation");
+  EXPECT_EQ(document["resolved_input"]["load_cases"][0]["axial_force"], "45 kN");
+}
+
+}  // namespace
+}  // namespace prs
