@@ -48,6 +48,17 @@ SparseSymmetric compress(std::vector<Column> columns) {
   return m;
 }
 
+/// The pattern with row i at place[i].
+SparseSymmetric permuted(const SparseSymmetric& m, const std::vector<int>& place) {
+  std::vector<Column> columns(place.size());
+  for (int j = 0; j < m.size(); ++j)
+    for (int k = at(m.column_start, j); k < at(m.column_start, j + 1); ++k) {
+      const auto [i, column] = std::minmax(at(place, at(m.row, k)), at(place, j));
+      at(columns, column).push_back(i);
+    }
+  return compress(std::move(columns));
+}
+
 /// Pattern of the upper triangle over the equations that `number` gives to the freedoms.
 /// A follower is coupled by the freedoms that it follows.
 SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, int size) {
@@ -98,7 +109,6 @@ struct LongState {
 
 Equations::Equations(const Model& model) {
   number_freedoms(model);
-  linear_ = pattern_of(model, number_, size());
   for (const Constraint& c : model.constraints) {
     Follower follower{{}, c.offset};
     follower.terms = terms_of(c.form, follower.offset);
@@ -134,9 +144,12 @@ void Equations::number_freedoms(const Model& model) {
     at(number_, global(c.node, c.dof)) = size + static_cast<int>(k);
   }
 
-  const std::vector<int> order = fill_reducing_order(pattern_of(model, number_, size));
+  const SparseSymmetric pattern = pattern_of(model, number_, size);
+  const std::vector<int> order = fill_reducing_order(pattern);
   std::vector<int> place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) at(place, order[k]) = static_cast<int>(k);
+
+  linear_ = permuted(pattern, place);
 
   kind_.resize(order.size());
   for (std::size_t freedom = 0; freedom < number_.size(); ++freedom) {

@@ -15,9 +15,7 @@ bool has_rollers(const LoadCaseResult& result) { return result.full && result.th
 
 bool has_turn(const LoadCaseResult& result) { return has_rollers(result) && result.full->orbit; }
 
-Axis roller_axis(int rollers) {
-  return {"Roller", {}, 0.5, rollers + 0.5, false, true};
-}
+Axis roller_axis(int rollers) { return {"Roller", {}, 0.5, rollers + 0.5, false, true}; }
 
 /// Rollers over threads, unrolled.
 GridData unrolled(const InterfaceLoads& loads) {
@@ -71,18 +69,16 @@ Figures roller_shares(const Result& result, const FigureOptions& options) {
   Panel& panel = figure.panels.emplace_back();
   panel.series.push_back({figure.add("equal shares", kMeanStyle), {ellipse(0, 0, 1, 1, 0)}});
   double reach = 1.0;
-  for (const Interface i : kInterfaces) {
-    const std::vector<double>& share = (*shown->threads)[i].rollers->share;
-    Style style = line_of(colour_of(body_of(i)), i == Interface::nut ? Dash::dashed : Dash::solid);
-    style.mark = i == Interface::nut ? Mark::square : Mark::circle;
-    Polyline line;
-    for (int j = 0; j <= rollers; ++j) {
-      const double relative = share[static_cast<std::size_t>(j % rollers)] * rollers;
-      line.push_back(towards(relative, azimuth(j % rollers)));
-      reach = std::max(reach, relative);
-    }
-    panel.series.push_back({figure.add(interface_title(i), style), {std::move(line)}});
+  const std::vector<double>& share = shown->threads->screw.rollers->share;
+  Polyline line;
+  for (int j = 0; j <= rollers; ++j) {
+    const double relative = share[static_cast<std::size_t>(j % rollers)] * rollers;
+    line.push_back(towards(relative, azimuth(j % rollers)));
+    reach = std::max(reach, relative);
   }
+  Style style = line_of(colour_of(Part::roller));
+  style.mark = Mark::circle;
+  panel.series.push_back({figure.add("share of each roller", style), {std::move(line)}});
   reach *= 1.25;
   for (int j = 0; j < rollers; ++j) {
     const auto [x, y] = towards(0.93 * reach, azimuth(j));
@@ -95,7 +91,7 @@ Figures roller_shares(const Result& result, const FigureOptions& options) {
   return {std::move(figure)};
 }
 
-/// Axial load of the first roller over a turn of the carrier.
+/// Largest thread load of the first roller over a turn of the carrier.
 Figures carrier_turn(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_turn);
   if (!shown) return {};
@@ -106,16 +102,14 @@ Figures carrier_turn(const Result& result, const FigureOptions& options) {
   for (const Interface i : kInterfaces) {
     Polyline line;
     for (std::size_t m = 0; m < orbit.carrier_angle.size(); ++m)
-      line.push_back({orbit.carrier_angle[m] * per_si::degree,
-                      orbit.loads[i].first_roller[m] * per_si::kilonewton});
+      line.push_back({orbit.carrier_angle[m] * per_si::degree, orbit.loads[i].first_roller[m]});
     panel.series.push_back(
-        {figure.add(interface_title(i), line_of(colour_of(body_of(i)), i == Interface::nut
-                                                                            ? Dash::dashed
-                                                                            : Dash::solid)),
+        {figure.add(interface_title(i), line_of(colour_of(body_of(i)),
+                                                i == Interface::nut ? Dash::dashed : Dash::solid)),
          {std::move(line)}});
   }
   figure.x = {"Angle of the carrier", "°"};
-  figure.y = {"Axial load of the first roller", "kN"};
+  figure.y = {"Largest normal load of the first roller", "N"};
   fit_y_range(figure);
   return {std::move(figure)};
 }

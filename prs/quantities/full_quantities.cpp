@@ -117,7 +117,7 @@ constexpr Quantity<Symmetric> kSymmetric[] = {
 };
 
 constexpr Quantity<OrbitLoads> kOrbitLoads[] = {
-    {"first_roller_axial_load_N", of<&OrbitLoads::first_roller>,
+    {"first_roller_largest_normal_load_N", of<&OrbitLoads::first_roller>,
      "of the first roller that is there, at each position"},
     {"equivalent_normal_load_N", of<&OrbitLoads::equivalent>,
      "(mean N^exponent)^(1/exponent) over the turn, by roller and thread"},

@@ -190,29 +190,32 @@ class Solution {
   std::vector<double> needed_;  ///< External force that each freedom needs for equilibrium.
 };
 
-/// K and B'tB condensed to the freedoms of the loaded section; idle rollers are left out.
-void add_compliance(const FullModel& f, FullDistribution& d) {
-  FullModel loaded = f;
-  std::erase_if(loaded.present, [&](const FullModel::Roller& r) {
-    return std::ranges::find(d.idle_rollers, r.number) != d.idle_rollers.end();
-  });
-  const FullStructure s = full_structure(loaded);
-  const double share =
-      kUnloaded * f.axial_force / (static_cast<double>(f.present.size()) * f.threads());
-  std::vector<double> tangent;
-  std::vector<bool> closed;
-  for (const FullModel::Roller& r : loaded.present)
+/// The loaded mechanism as linear springs in place of its contacts.
+struct Linearised {
+  std::vector<double> tangent;  ///< Of each spring [N/m].
+  std::vector<bool> closed;     ///< Whether it carries a load that counts.
+
+  bool all_closed() const { return std::ranges::find(closed, false) == closed.end(); }
+};
+
+Linearised linearised(const FullModel& f, const FullDistribution& d,
+                      const std::vector<FullModel::Roller>& rollers) {
+  const double share = kUnloaded * f.axial_force / (static_cast<double>(f.rollers) * f.threads());
+  Linearised l;
+  for (const FullModel::Roller& r : rollers)
     for (const Interface i : kInterfaces)
       for (const double approach : d.approach[i][static_cast<std::size_t>(r.number)]) {
         const fe::SpringResponse at =
             fe::evaluate({f.sector.hertz_constant[i], 0.0, 0.0}, approach);
-        tangent.push_back(at.tangent);
-        closed.push_back(at.force * f.sector.cosine[i] > share);
+        l.tangent.push_back(at.tangent);
+        l.closed.push_back(at.force * f.sector.cosine[i] > share);
       }
-  if (free_motions(loaded, s, closed).count > 0) return;
+  return l;
+}
 
-  const fe::Equations equations(s.model);
-  fe::NewtonSolver solver(equations, 0.0);
+/// K and B'tB condensed to the freedoms of the loaded section.
+void condense(const FullStructure& s, const fe::Equations& equations, fe::NewtonSolver& solver,
+              const Linearised& linear, FullDistribution& d) {
   const SpatialNode& end = s.screw[static_cast<std::size_t>(s.loaded)];
   const std::array<fe::NodalLoad, 5> units{{{end.y_plane, Dof::u, 1.0},
                                             {end.y_plane, Dof::v, 1.0},
@@ -228,7 +231,7 @@ void add_compliance(const FullModel& f, FullDistribution& d) {
     loads.push_back(equations.load_vector({unit}));
   }
   std::vector<Eigen::VectorXd> rates;
-  if (!solver.solve_linear(tangent, loads, rates)) return;
+  if (!solver.solve_linear(linear.tangent, loads, rates)) return;
   const auto count = static_cast<Eigen::Index>(loads.size());
   d.screw_end.compliance.resize(count, count);
   for (Eigen::Index i = 0; i < count; ++i)
@@ -237,6 +240,27 @@ void add_compliance(const FullModel& f, FullDistribution& d) {
           loads[static_cast<std::size_t>(i)].dot(rates[static_cast<std::size_t>(j)]);
   d.screw_end.stiffness = d.screw_end.compliance.inverse();
   d.tangent_stiffness = 1.0 / d.screw_end.compliance(0, 0);
+}
+
+/// Idle rollers are left out; nothing where the loaded threads alone leave a motion free.
+void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
+                    fe::NewtonSolver& solver, FullDistribution& d) {
+  if (d.idle_rollers.empty()) {
+    const Linearised linear = linearised(f, d, f.present);
+    if (linear.all_closed() || free_motions(f, s, linear.closed).count == 0)
+      condense(s, equations, solver, linear, d);
+    return;
+  }
+  FullModel loaded = f;
+  std::erase_if(loaded.present, [&](const FullModel::Roller& r) {
+    return std::ranges::find(d.idle_rollers, r.number) != d.idle_rollers.end();
+  });
+  const FullStructure without = full_structure(loaded);
+  const Linearised linear = linearised(f, d, loaded.present);
+  if (free_motions(loaded, without, linear.closed).count > 0) return;
+  const fe::Equations fewer(without.model);
+  fe::NewtonSolver of_fewer(fewer, 0.0);
+  condense(without, fewer, of_fewer, linear, d);
 }
 
 std::string why_not_held(const FullModel& f, const FullStructure& s) {
@@ -277,7 +301,7 @@ FullDistribution solve(const FullModel& f, Detail detail) {
   if (d.solve.status == fe::NewtonStatus::no_equilibrium) d.reason = why_not_held(f, s);
   if (!d.solve.converged()) return d;
   Solution(f, s, equations, q).read(d);
-  if (detail == Detail::complete) add_compliance(f, d);
+  if (detail == Detail::complete) add_compliance(f, s, equations, solver, d);
   return d;
 }
 

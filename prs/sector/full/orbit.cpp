@@ -31,9 +31,8 @@ class Collector {
     for (const Interface i : kInterfaces) {
       OrbitLoads& loads = orbit_.loads[i];
       const int first = (f_.present.front().number + shift) % f_.rollers;
-      double carried = 0.0;
-      for (const double load : d.normal_load[i][static_cast<std::size_t>(first)]) carried += load;
-      loads.first_roller.push_back(carried * f_.sector.cosine[i]);
+      loads.first_roller.push_back(
+          std::ranges::max(d.normal_load[i][static_cast<std::size_t>(first)]));
       for (const FullModel::Roller& r : f_.present) {
         const auto j = static_cast<std::size_t>(r.number);
         const auto from = static_cast<std::size_t>((r.number + shift) % f_.rollers);

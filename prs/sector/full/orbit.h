@@ -10,13 +10,13 @@ namespace prs {
 
 /// What a turn of the carrier does to the threads of each roller.
 struct OrbitLoads {
-  std::vector<double> first_roller;  ///< Its axial load at each position [N].
-  RollerThreads equivalent;         ///< (mean N^exponent)^(1/exponent) [N]
-  double largest_equivalent = 0.0;  ///< [N]
-  double largest = 0.0;             ///< N, of any position [N].
-  double least = 0.0;               ///< [N]
-  double carrier_angle = 0.0;       ///< At the largest load [rad].
-  int roller = 0, thread = 0;       ///< Of the largest load, from 1.
+  std::vector<double> first_roller;  ///< Its largest N at each position [N].
+  RollerThreads equivalent;          ///< (mean N^exponent)^(1/exponent) [N]
+  double largest_equivalent = 0.0;   ///< [N]
+  double largest = 0.0;              ///< N, of any position [N].
+  double least = 0.0;                ///< [N]
+  double carrier_angle = 0.0;        ///< At the largest load [rad].
+  int roller = 0, thread = 0;        ///< Of the largest load, from 1.
 };
 
 struct Orbit {

@@ -180,8 +180,21 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s,
                          const std::vector<bool>& closed) {
   const Motions motions(f, s);
   std::vector<fe::LinearForm> forms = bilateral(s.model);
-  for (std::size_t k = 0; k < s.model.form_springs.size(); ++k)
-    if (closed.empty() || closed[k]) forms.push_back(s.model.form_springs[k].approach);
+  const auto is_closed = [&](int spring) {
+    return closed.empty() || closed[static_cast<std::size_t>(spring)];
+  };
+  const auto add = [&](int spring) {
+    forms.push_back(s.model.form_springs[static_cast<std::size_t>(spring)].approach);
+  };
+  // Rows of a roller are linear in x: two of them span those between.
+  for (const FullStructure::Roller& r : s.rollers)
+    for (const Interface i : kInterfaces) {
+      std::size_t first = 0, last = r.contacts.size();
+      while (first < last && !is_closed(r.spring(i, first))) ++first;
+      while (last > first && !is_closed(r.spring(i, last - 1))) --last;
+      if (first < last) add(r.spring(i, first));
+      if (first + 1 < last) add(r.spring(i, last - 1));
+    }
   Eigen::MatrixXd rows = rows_over(motions, forms);
   for (Eigen::Index i = 0; i < rows.rows(); ++i)
     if (const double norm = rows.row(i).norm(); norm > 0.0) rows.row(i) /= norm;
