@@ -105,6 +105,96 @@ class InterfaceLoads(Record):
     peak_pressure_MPa: Array
     max_shear_stress_MPa: Array
     max_shear_depth_mm: Array
+    roller_share_percent: Array
+    largest_normal_load_N: float
+    largest_roller: int
+    largest_thread: int
+    overload_factor: float
+    unloaded_threads: int
+
+
+class ScrewEnd(Record):
+    """The loaded section of the screw of a full mechanism."""
+
+    __slots__ = ()
+    displacement_um: Array
+    rotation_mrad: Array
+    freedoms: list[str]
+    stiffness_SI: Array
+    compliance_SI: Array
+
+
+class NutSupport(Record):
+    """What holds the nut."""
+
+    __slots__ = ()
+    force_N: Array
+    moment_Nm: Array
+    at_mm: float
+
+
+class RingForce(Record):
+    """What a guide ring does to the rollers."""
+
+    __slots__ = ()
+    force_N: Array
+    roller_N: Array
+
+
+class BearingForce(Record):
+    """What a bearing does to the screw."""
+
+    __slots__ = ()
+    at_mm: float
+    force_N: Array
+    moment_Nm: Array
+
+
+class Reactions(Record):
+    """Forces of the supports of a full mechanism on its parts."""
+
+    __slots__ = ()
+    nut: NutSupport
+    rings: list[RingForce]
+    bearings: list[BearingForce]
+
+
+class SymmetricLoads(Record):
+    """The screw under its axial force alone."""
+
+    __slots__ = ()
+    axial_displacement_um: float
+    axial_stiffness_N_per_um: float
+    tangent_stiffness_N_per_um: float
+    largest_normal_load_N: Array
+
+
+class OrbitLoads(Record):
+    """What a turn of the carrier does at an interface."""
+
+    __slots__ = ()
+    first_roller_largest_normal_load_N: Array
+    equivalent_normal_load_N: Array
+    largest_normal_load_N: float
+    at_carrier_angle_deg: float
+    largest_roller: int
+    largest_thread: int
+    largest_equivalent_normal_load_N: float
+    least_normal_load_N: float
+
+
+class Orbit(Record):
+    """A turn of the carrier of a full mechanism."""
+
+    __slots__ = ()
+    steps: int
+    positions: int
+    exponent: float
+    carrier_angles_deg: Array
+    screw: OrbitLoads
+    nut: OrbitLoads
+    axial_displacement_um: Array
+    axial_error_um: float
 
 
 class SlipRatioEstimates(Record):
@@ -278,6 +368,14 @@ class LoadCase(Record):
     tangent_stiffness_N_per_um: float
     screw: InterfaceLoads
     nut: InterfaceLoads
+    dofs: int
+    rollers: int
+    carrier_angle_deg: float
+    idle_rollers: Array
+    screw_end: ScrewEnd
+    reactions: Reactions
+    symmetric: SymmetricLoads
+    orbit: Orbit
     slip: Slip
     warnings: list[str]
     newton_history: list[NewtonIteration]

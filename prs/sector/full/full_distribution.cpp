@@ -291,11 +291,8 @@ FullDistribution solve(const FullModel& f, Detail detail) {
   fe::NewtonSolver solver(equations, 0.0);
   fe::State q;
   const Eigen::VectorXd load = equations.load_vector(s.loads);
-  const bool started = solver.start(load, for_each_spring(f, equal_share_secant(f)), q);
-  if (!started) {
-    d.solve.status = fe::NewtonStatus::not_positive_definite;
-    return d;
-  }
+  if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q))
+    q = fe::State(Eigen::VectorXd::Zero(equations.size()));  // The solver has more digits.
   d.solve = solver.solve(load, newton_options(f), q);
   d.solve.history.insert(d.solve.history.begin(), {d.solve.energy, 1.0, 1.0, 0.0});
   if (d.solve.status == fe::NewtonStatus::no_equilibrium) d.reason = why_not_held(f, s);
