@@ -119,7 +119,7 @@ Panel butterfly_panel(const LoadedConfiguration& sweep, Interface i) {
 }
 
 bool has_ellipses(const LoadCaseResult& result) {
-  return result.threads && !result.threads->screw.semi_major.empty() &&
+  return result.threads && !result.full && !result.threads->screw.semi_major.empty() &&
          !result.threads->nut.semi_major.empty();
 }
 
