@@ -1,6 +1,8 @@
 #include "fe/equations.h"
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -95,15 +97,19 @@ SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, i
 }
 
 /// A state in numbers with more digits, for forces of elements that are much shorter than thick.
+template <class Number>
 struct LongState {
   const State& state;
 
-  long double operator[](int i) const {
-    return i < 0 ? 0.0L : static_cast<long double>(state.head[i]) + state.tail[i];
+  Number operator[](int i) const {
+    return i < 0 ? Number(0.0) : Number(state.head[i]) + Number(state.tail[i]);
   }
-  long double compensation(int) const { return 0.0L; }
-  long double difference(int i, int j) const { return (*this)[j] - (*this)[i]; }
+  Number compensation(int) const { return Number(0.0); }
+  Number difference(int i, int j) const { return (*this)[j] - (*this)[i]; }
 };
+
+/// Beams shorter than this take numbers of 113 binary digits [m].
+constexpr double kShortBeam = 2e-4;
 
 }  // namespace
 
@@ -299,16 +305,26 @@ void Equations::tangent_residual(const State& q, const State& x, const Eigen::Ve
   }
 }
 
-std::vector<double> Equations::nodal_forces(const State& q) const {
-  std::vector<long double> forces(static_cast<std::size_t>(size()) + followers_.size());
-  const LongState longer{q};
+template <class Number>
+std::vector<double> Equations::nodal_forces_by(const State& q) const {
+  std::vector<Number> forces(static_cast<std::size_t>(size()) + followers_.size());
+  const LongState<Number> longer{q};
   for_each_force(
-      Displacements<LongState>{*this, longer, 1.0},
-      [&](int equation, long double force) {
+      Displacements<LongState<Number>>{*this, longer, 1.0},
+      [&](int equation, const Number& force) {
         if (equation >= 0) at(forces, equation) += force;
       },
-      [](const NumberedLink&, long double) {});
-  return {forces.begin(), forces.end()};
+      [](const NumberedLink&, const Number&) {});
+  std::vector<double> rounded;
+  for (const Number& force : forces) rounded.push_back(static_cast<double>(force));
+  return rounded;
+}
+
+std::vector<double> Equations::nodal_forces(const State& q) const {
+  const bool has_short_beam =
+      std::ranges::any_of(beams_, [](const NumberedBeam& b) { return b.beam.length < kShortBeam; });
+  return has_short_beam ? nodal_forces_by<boost::multiprecision::cpp_bin_float_quad>(q)
+                        : nodal_forces_by<long double>(q);
 }
 
 double Equations::force_change(const State& q, const Eigen::VectorXd& x) const {

@@ -192,6 +192,8 @@ class Equations {
     for (const auto& [i, c] : followers_[static_cast<std::size_t>(equation - size())].terms)
       visit(i, c);
   }
+  template <class Number>
+  std::vector<double> nodal_forces_by(const State& q) const;
   template <class Read, class Vector>
   typename Vector::Scalar forces_of(const Read& q, Vector& forces) const;
   /// Calls add(equation, force on it) and link(link, its force) for every element.
