@@ -136,13 +136,13 @@ def program() -> Run:
 def written(
     program: Run, configs: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> Callable[[int, str], Path]:
-    """The folder with the files that the program writes of a lesson."""
+    """The folder with the files that the program writes of a lesson, all digits in CSV."""
 
     @cache
     def write(number: int, command: str) -> Path:
         (file,) = configs.glob(f"{number:02d}_*.yaml")
         folder = tmp_path_factory.mktemp(f"{file.stem}_{command}")
-        run = program(command, file, "--output", folder, "--quiet")
+        run = program(command, file, "--output", folder, "--quiet", "--csv-digits", 17)
         assert run.returncode in (0, 3), run.stderr
         return folder
 
