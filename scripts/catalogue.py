@@ -7,6 +7,7 @@ Runs check, contact, solve, slip, measures and life on the case of every row and
 ratios, computed over printed. Columns of the catalogue as in validation/standard_screws/screws.csv;
 lines that begin with # are skipped. Exit status 1 where a command fails.
 """
+
 import argparse
 import csv
 import json
@@ -25,15 +26,30 @@ RATIOS = (
     ("screw, kg/m", "screw_kg_per_m", "measures", "screw_weight_kg_per_m", 1.0),
     ("screw inertia/m", "screw_inertia_kg_mm2_per_m", "measures", "screw_inertia_kg_mm2", 1.0),
     ("nut inertia", "nut_inertia_kg_mm2", "measures", "nut_inertia_kg_mm2", 1.0),
-    ("roller inertia", "roller_inertia_seen_by_screw_kg_mm2", "measures", "roller_inertia_kg_mm2", 1.0),
+    (
+        "roller inertia",
+        "roller_inertia_seen_by_screw_kg_mm2",
+        "measures",
+        "roller_inertia_kg_mm2",
+        1.0,
+    ),
     ("efficiency", "efficiency", "slip", "efficiency", 1.0),
 )
 
 
 def new_case(prs, row, file):
-    options = ["--screw-diameter", row["screw_diameter_mm"] + "mm", "--lead", row["lead_mm"] + "mm",
-               "--starts", row["starts"], "--nut-diameter", row["nut_diameter_mm"] + "mm",
-               "--nut-length", row["nut_length_mm"] + "mm"]
+    options = [
+        "--screw-diameter",
+        row["screw_diameter_mm"] + "mm",
+        "--lead",
+        row["lead_mm"] + "mm",
+        "--starts",
+        row["starts"],
+        "--nut-diameter",
+        row["nut_diameter_mm"] + "mm",
+        "--nut-length",
+        row["nut_length_mm"] + "mm",
+    ]
     return subprocess.run([prs, "new", "standard", str(file), "--quiet", *options]).returncode == 0
 
 
@@ -41,8 +57,12 @@ def results(prs, file):
     """The documents of all commands; an error text in place of one that failed."""
     found = {}
     for command in COMMANDS:
-        run = subprocess.run([prs, command, str(file), "--json", "--quiet"], capture_output=True, text=True)
-        found[command] = json.loads(run.stdout) if run.returncode == 0 else run.stderr or str(run.returncode)
+        run = subprocess.run(
+            [prs, command, str(file), "--json", "--quiet"], capture_output=True, text=True
+        )
+        found[command] = (
+            json.loads(run.stdout) if run.returncode == 0 else run.stderr or str(run.returncode)
+        )
     return found
 
 
@@ -64,8 +84,12 @@ def ratio(row, found, column, command, key, factor):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("catalogue", nargs="?", default=ROOT / "validation/standard_screws/screws.csv")
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    )
+    parser.add_argument(
+        "catalogue", nargs="?", default=ROOT / "validation/standard_screws/screws.csv"
+    )
     parser.add_argument("--prs", default=str(ROOT / "build/release/prs/cli/prs"))
     parser.add_argument("--cases", help="folder that keeps the cases; they must be new")
     asked = parser.parse_args()
@@ -94,8 +118,11 @@ def main():
             if any(isinstance(document, str) for document in found.values()):
                 continue
             shown = [ratio(row, found, *of) for _, *of in RATIOS]
-            print(f"| {name} | {resolved(found, 'mechanism.rollers')} | "
-                  + " | ".join("-" if value is None else f"{value:.2f}" for value in shown) + " |")
+            print(
+                f"| {name} | {resolved(found, 'mechanism.rollers')} | "
+                + " | ".join("-" if value is None else f"{value:.2f}" for value in shown)
+                + " |"
+            )
     return 1 if failed else 0
 
 

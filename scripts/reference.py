@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docs/reference/ and Python's records from what `prs schema` says.
+"""Writes docs/reference/ and Python's records from `prs schema` and `prs help --json`.
 
     scripts/reference.py PRS            writes the files
     scripts/reference.py PRS --check    says which of them are not current
@@ -13,10 +13,6 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = ROOT / "docs/reference"
 NOTE = "<!-- Written by scripts/reference.py from the program's own tables. -->\n\n"
-COMMANDS = (
-    "check", "contact", "solve", "slip", "preload", "life", "measures", "study", "optimize",
-    "configurations",
-)  # fmt: skip
 KINDS = {
     "number": "float", "series": "Array", "matrix": "Array", "count": "int", "flag": "bool",
     "text": "str", "texts": "list[str]",
@@ -99,7 +95,8 @@ def value_of(value: dict) -> str:
         return f"`{{{', '.join(keys)}}}`" if len(keys) < 5 else "map"
     if kind == "array":
         return "list: " + value_of(value["items"])
-    return {"string": "text", "boolean": "`true`, `false`"}.get(str(kind), "as it would stand there")
+    words = {"string": "text", "boolean": "`true`, `false`"}
+    return words.get(str(kind), "as it would stand there")
 
 
 def maps_in(value: dict, path: str) -> list[tuple[str, dict]]:
@@ -128,8 +125,9 @@ def inputs_in(block: dict, before: str, rows: dict[str, tuple[str, ...]]) -> Non
 def input_page(schema: dict) -> str:
     text = (
         "# Inputs\n\nEvery key of a case. `[]` stands for the entries of a list. A path with the "
-        "number of an entry, `load_cases[0].axial_force`, is what `--set` and studies take. Required: "
-        "where the block that holds the key stands; what a command needs, `prs check` says.\n\n"
+        "number of an entry, `load_cases[0].axial_force`, is what `--set` and studies take. "
+        "Required: where the block that holds the key stands; what a command needs, `prs check` "
+        "says.\n\n"
     )
     for name, value in schema["properties"].items():
         rows: dict[str, tuple[str, ...]] = {}
@@ -199,8 +197,8 @@ def document_page(schemas: dict[str, dict], results: dict) -> str:
         for name in records_in(place["record"], results["records"], []):
             links.setdefault(name, f"[{name}]({page}.md#{name.lower()})")
     text = (
-        "# Documents\n\nWhat `--json` prints, and `--output` writes, by command. `.*` stands for any "
-        "key, `[]` for the entries of a list. `prs schema COMMAND` prints a JSON Schema of it. "
+        "# Documents\n\nWhat `--json` prints, and `--output` writes, by command. `.*` stands for "
+        "any key, `[]` for the entries of a list. `prs schema COMMAND` prints a JSON Schema of it. "
         "`resolved_input` is the case with overrides and defaults in place: as a file of its own, "
         "it gives the same results.\n\n"
     )
@@ -222,17 +220,73 @@ def document_page(schemas: dict[str, dict], results: dict) -> str:
     return NOTE + text.rstrip() + "\n"
 
 
-def reference(results: dict, inputs: dict, documents: dict[str, dict]) -> dict[Path, str]:
+def anchor(name: str) -> str:
+    return name.replace(" ", "-")
+
+
+def commands_in(command: dict) -> list[dict]:
+    """A command, then those in it."""
+    return [command, *(each for c in command.get("commands", []) for each in commands_in(c))]
+
+
+def term(option: dict) -> str:
+    """`-o, --output DIR`, as a cell."""
+    return f"`{' '.join([', '.join(option.get('names', [])), option.get('value', '')]).strip()}`"
+
+
+def effect(option: dict) -> str:
+    """The help of an option or argument, with the words that may stand for an argument."""
+    said, words = option["help"], option.get("words", [])
+    if words and "names" not in option and words[0] + ":" not in said:
+        said += ": " + ", ".join(words)
+    return said + "; required" * (option["required"] and "names" in option)
+
+
+def command_page(program: dict) -> str:
+    """Every command; options that more than half of them have are explained once."""
+    commands = commands_in(program)[1:]
+    given = [option for command in commands for option in command.get("options", [])]
+    common: list[dict] = []
+    for option in given:
+        if 2 * given.count(option) > len(commands) and option not in common:
+            common.append(option)
+    head = ("option", "what it does")
+    text = "# Commands\n\n" + program["help"] + ".\n\n"
+    rows = [(f"[`{c['name']}`](#{anchor(c['name'])})", c["help"]) for c in commands]
+    text += table(("command", "what it does"), rows)
+    rows = [(status, meaning) for status, meaning in program["exit_status"].items()]
+    text += "\n" + table(("exit status", "meaning"), rows)
+    text += "\n## Options of most commands\n\n"
+    text += table(head, [(term(option), effect(option)) for option in common])
+    for command in commands:
+        text += f"\n## {command['name']}\n{command['help']}.\n\n    {command['usage']}\n\n"
+        options = command.get("options", [])
+        own = [option for option in options if option not in common]
+        rows = [(term(option), effect(option)) for option in command.get("arguments", []) + own]
+        text += table(head, rows) + "\n" if rows else ""
+        shared = [f"`{option['names'][-1]}`" for option in options if option in common]
+        text += f"[Also](#options-of-most-commands) {', '.join(shared)}.\n"
+        if examples := command.get("examples"):
+            lines = "".join(f"    {line}\n" for line in examples.split("\n"))
+            text += f"\nExamples:\n\n{lines}"
+    return NOTE + text
+
+
+def reference(
+    program: dict, results: dict, inputs: dict, documents: dict[str, dict]
+) -> dict[Path, str]:
     pages = result_pages(results)
     links = "".join(
         f"- [`{place['path']}`]({name})\n"
         for place, name in zip(results["documents"], pages, strict=True)
     )
+    pages["commands.md"] = command_page(program)
     pages["inputs.md"] = input_page(inputs)
     pages["responses.md"] = response_page(results)
     pages["documents.md"] = document_page(documents, results)
     pages["README.md"] = (
         f"{NOTE}# Reference\n\n"
+        "- [Commands](commands.md): every command and option of the program\n"
         "- [Inputs](inputs.md): every key of a case, with unit, bounds and default\n"
         "- [Documents](documents.md): what every command prints with `--json`\n"
         "- [Responses](responses.md): the numbers that studies record\n\n"
@@ -273,8 +327,15 @@ def main() -> int:
         run = subprocess.run([sys.argv[1], *arguments], check=True, capture_output=True)
         return json.loads(run.stdout)
 
-    documents = {command: of("schema", command) for command in COMMANDS}
-    files = reference(of("schema", "results"), of("schema", "input"), documents)
+    program = of("help", "--json")
+    schema = next(c for c in program["commands"] if c["name"] == "prs schema")
+    tables = ("input", "results", "figures")
+    documents = {
+        command: of("schema", command)
+        for command in schema["arguments"][0]["words"]
+        if command not in tables
+    }
+    files = reference(program, of("schema", "results"), of("schema", "input"), documents)
     stale = [path for path, text in files.items() if not path.exists() or path.read_text() != text]
     stale += [path for path in PAGES.glob("*") if path not in files]
     if "--check" in sys.argv:

@@ -166,7 +166,8 @@ std::string help_text(const CommandText& command) {
 nlohmann::ordered_json help_json(const CommandText& command) {
   nlohmann::ordered_json json{
       {"name", command.name}, {"help", command.help}, {"usage", usage(command)}};
-  if (command.name.find(' ') != std::string::npos) json["group"] = command.group;
+  const bool is_program = command.name.find(' ') == std::string::npos;
+  if (!is_program) json["group"] = command.group;
   for (const auto& [key, texts] :
        {std::pair{"arguments", &command.arguments}, std::pair{"options", &command.options}})
     for (const OptionText& option : *texts) {
@@ -181,6 +182,8 @@ nlohmann::ordered_json help_json(const CommandText& command) {
     }
   if (!command.examples.empty()) json["examples"] = command.examples;
   for (const CommandText& c : command.commands) json["commands"].push_back(help_json(c));
+  if (is_program)
+    for (const auto& [status, meaning] : kExitStatuses) json["exit_status"][status] = meaning;
   return json;
 }
 

@@ -14,7 +14,7 @@ struct EchoEntry {
   std::string path;   ///< `mechanism.flank_angle`
   std::string value;  ///< With its unit, as it could stand in the file: `45 deg`.
   bool is_default = false;
-  std::string origin = {};  ///< Of a default that a name stands for: `of iso-vg-100`.
+  std::string origin = {};               ///< Of a default that a name stands for: `of iso-vg-100`.
   std::string written = {};              ///< As the file has it; empty for a default.
   std::optional<double> number = {};     ///< SI; of a range the end that is farther from 0.
   const Dimension* dimension = nullptr;  ///< Of the number, where it has one.

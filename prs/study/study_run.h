@@ -23,9 +23,10 @@ struct StudyProgress {
 };
 
 struct StudyRunOptions {
-  bool restart = false;                               ///< Discards what was computed before.
-  std::function<bool()> interrupted = {};             ///< Asked before designs are given away.
-  std::function<void(StudyProgress)> progress = {};   ///< Told first, and after each block; from any thread.
+  bool restart = false;                    ///< Discards what was computed before.
+  std::function<bool()> interrupted = {};  ///< Asked before designs are given away.
+  /// Told first, and after each block; from any thread.
+  std::function<void(StudyProgress)> progress = {};
   std::function<void(const std::string&)> warn = {};  ///< Told what is odd about the folder.
 };
 

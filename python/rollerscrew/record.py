@@ -154,7 +154,7 @@ class Result(Record):
     input_sha256: str
     overrides: list[str]
     warnings: list[str]
-    #: The case with overrides and defaults in place: what `Case.from_dict(..)` takes.
+    #: The case with overrides and defaults in place. That of the text is what `Case` takes.
     resolved_input: Values
 
     def __init__(self, document: _engine.Document) -> None:

@@ -594,6 +594,7 @@ def _optimization_result(text: str, best: Case | None) -> OptimizationResult:
 
 __all__ = [
     "CheckResult",
+    "CompareResult",
     "ContactResult",
     "DerivativesResult",
     "LifeResult",

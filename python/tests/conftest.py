@@ -20,20 +20,6 @@ import rollerscrew as rs
 REPOSITORY = Path(__file__).resolve().parents[2]
 CONFIGS = REPOSITORY / "configs"
 
-#: The block that a case needs for a command.
-BLOCKS = {
-    "check": "mechanism",
-    "contact": "mechanism",
-    "solve": "structure",
-    "compare": "structure",
-    "slip": "friction",
-    "preload": "preload",
-    "life": "life",
-    "measures": "measures",
-    "study": "study",
-    "optimize": "optimize",
-}
-
 #: What takes more than some seconds.
 SLOW = {("23_crowning", "optimize")}
 
@@ -45,13 +31,8 @@ def lessons() -> list[Path]:
 
 
 def commands(file: Path) -> list[str]:
-    """The commands that a file has the block for."""
-    lines = file.read_text(encoding="utf-8").splitlines()
-    return [
-        command
-        for command, block in BLOCKS.items()
-        if any(line.startswith(f"{block}:") for line in lines)
-    ]
+    """The commands that a file has all for."""
+    return [command for command, state in lesson(file.stem).check().commands.items() if state.ready]
 
 
 def lesson_commands() -> list[Any]:
@@ -136,13 +117,13 @@ def program() -> Run:
 def written(
     program: Run, configs: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> Callable[[int, str], Path]:
-    """The folder with the files that the program writes of a lesson."""
+    """The folder with the files that the program writes of a lesson, all digits in CSV."""
 
     @cache
     def write(number: int, command: str) -> Path:
         (file,) = configs.glob(f"{number:02d}_*.yaml")
         folder = tmp_path_factory.mktemp(f"{file.stem}_{command}")
-        run = program(command, file, "--output", folder, "--quiet")
+        run = program(command, file, "--output", folder, "--quiet", "--csv-digits", 17)
         assert run.returncode in (0, 3), run.stderr
         return folder
 

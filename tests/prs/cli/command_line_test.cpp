@@ -154,6 +154,10 @@ TEST(Help, ManualAndHelpHaveEveryOptionOfEveryCommand) {
     for (std::string line; std::getline(help_lines, line);) EXPECT_LE(line.size(), 90u) << line;
   });
   EXPECT_GT(commands, 15);
+  const std::string statuses = run_prs("help solve").out;
+  for (const auto& [status, meaning] : program["exit_status"].items())
+    EXPECT_THAT(statuses, HasSubstr("  " + status + " ")) << meaning;
+  EXPECT_GE(program["exit_status"].size(), 5u);
 }
 
 TEST(Help, PagesOfTheManualAreFiles) {
