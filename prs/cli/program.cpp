@@ -119,6 +119,9 @@ int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
     return failed("", error.what(), kWrongInput);
   } catch (const UsageError& error) {
     return failed("prs: error: ", error.what(), kWrongInput);
+  } catch (const Interrupted&) {
+    say("prs: interrupted\n");
+    return Interruption::status();
   } catch (const ReaderGone&) {
     return kFailed;
   } catch (const std::bad_alloc&) {

@@ -135,7 +135,8 @@ std::string life_table(const LifeResult& r) {
   if (r.converged())
     text += lives(r) + '\n' + capacities(r) + '\n' +
             (r.history ? fmt::format("History of {} samples\n", r.steps.size())
-                       : fmt::format("Spectrum of {} loads\n", r.steps.size())) +
+                       : fmt::format("Spectrum of {} load{}\n", r.steps.size(),
+                                     r.steps.size() == 1 ? "" : "s")) +
             loads(r);
   else
     text += fmt::format("NOT CONVERGED: {}\n", *r.failure);

@@ -82,6 +82,25 @@ TEST(Usage, ErrorsSayWhatWasFoundWhatIsAllowedAndWhereHelpIs) {
            {"new sideways", "TYPE: got sideways; expected one of standard, inverted"},
            {"new standard README.md", "README.md: the file exists already; give another name"},
            {"help sovle", "got sovle; expected a command; did you mean `solve`?"},
+           {"help solve x", "got x; expected a command; see `prs help help`"},
+           {"manual sovle",
+            "got sovle; expected a command; did you mean `solve`? See `prs help manual`"},
+           {"schema new", "WHAT: got new; expected one of input, results, figures, check"},
+           {"completion csh", "SHELL: got csh; expected one of bash, zsh, fish"},
+           {"list units x", "got x; expected no further word; see `prs help list`"},
+           {"list inputs " + screw, "got " + screw + "; expected no further word"},
+           {"solve a --all", "expected an option of `prs solve`; `prs check` has it; see"},
+           {"solve a --threads 2", "; `prs optimize` or `prs study` has it; see `prs help solve`"},
+           {"--json", "got --json; expected an option of `prs`; see `prs help`"},
+           {"solve a --csv german", "--csv: got german; expected one of plain, european; see"},
+           {"solve a --csv-digits 0", "--csv-digits: got 0; expected a whole number from 1 to 17"},
+           {"solve a --units xx", "--units: got xx; expected one of si, us; see"},
+           {"new --lesson 99", "--lesson: got 99; expected a number from 1 to"},
+           {"new --lesson 14 case.yaml --lead 5mm",
+            "--lead: got a value; expected none with --lesson, which copies what is there; change "
+            "the copy; see `prs help new`"},
+           {"solve --explain zzz",
+            "--explain: got zzz; expected a measure or the path of a result; see"},
            {"measures --explain efficency",
             "--explain: got efficency; expected a measure or the path of a result; did you mean "
             "`efficiency`?"},
@@ -251,6 +270,11 @@ TEST(Completion, OffersCommandsOptionsWordsAndCases) {
   EXPECT_THAT(completed({"help", "so"}), ElementsAre("solve"));
   EXPECT_THAT(completed({"list", "com"}), ElementsAre("commands"));
   EXPECT_THAT(completed({"new", "st"}), ElementsAre("standard"));
+
+  EXPECT_THAT(completed({"new", "--lesson", "14"}), ElementsAre("14_flight_spectrum"));
+  EXPECT_THAT(completed({"new", "--lubricant", ""}),
+              AllOf(Contains("iso-vg-100"), Not(Contains("name")), Not(Contains("nu")),
+                    Not(Contains("[1]"))));
   EXPECT_THAT(completed({"configurations", "--type", ""}), ElementsAre("standard", "inverted"));
   EXPECT_THAT(completed({"solve", "--outp"}), ElementsAre("--output"));
   EXPECT_THAT(completed({"study", "merge", "--res"}), ElementsAre());
