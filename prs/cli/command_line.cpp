@@ -129,7 +129,8 @@ std::string unknown_command(std::string_view word, const std::string& program,
 std::string unexpected(const std::vector<const CLI::App*>& chain, const Extra& extra) {
   const CLI::App& command = *chain[extra.depth];
   if (!extra.text.starts_with('-') || extra.text == "-") {
-    if (extra.depth > 0) return fmt::format("got {}; expected no further word", shown(extra.text));
+    if (extra.depth > 0 || command.get_subcommands({}).empty())
+      return fmt::format("got {}; expected no further word", shown(extra.text));
     std::vector<std::string> known;
     for (const CLI::App* c : command.get_subcommands({})) known.push_back(c->get_name());
     return unknown_command(extra.text, path_of(command), known);

@@ -18,7 +18,12 @@ char plain(char c) {
 }
 
 /// Letters to change, insert or delete to get from one word to the other.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
+struct EditDistance {
+  std::size_t whole;
+  std::size_t beginning;  ///< To what the other word begins with, where that is least.
+};
+
+EditDistance edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -29,18 +34,14 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
       row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
     }
   }
-  return row.back();
+  return {row.back(), *std::ranges::min_element(row)};
 }
 
-/// Distance of words of which one begins with the other, three letters or more.
-constexpr std::size_t kSameWord = 1;
-
+/// That of whole words, or little more than that of a word to what the other begins with.
 std::size_t distance(std::string_view word, std::string_view known) {
-  constexpr std::size_t kLeast = 3;
-  const std::size_t common = std::min(word.size(), known.size());
-  const bool begins = common >= kLeast && word.substr(0, common) == known.substr(0, common);
-  const std::size_t letters = edit_distance(word, known);
-  return begins ? std::min(letters, kSameWord) : letters;
+  const std::size_t beginning =
+      std::min(edit_distance(word, known).beginning, edit_distance(known, word).beginning);
+  return std::min(edit_distance(word, known).whole, beginning + 1);
 }
 
 }  // namespace

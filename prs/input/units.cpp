@@ -156,12 +156,11 @@ Head split_number(std::string_view text) {
   return {number, error == std::errc{}, {stop, static_cast<std::size_t>(end - stop)}};
 }
 
-/// Without the blanks in front: those of data sheets and spreadsheets are often wide, narrow or
-/// tabs.
+/// Without the blanks in front, those of typesetters included.
 std::string_view without_blanks(std::string_view text) {
   for (std::size_t length = 1; length > 0; text.remove_prefix(length)) {
     length = 0;
-    for (const std::string_view blank : {" ", "\t", "\u00A0", "\u2009", "\u202F"})
+    for (const std::string_view blank : {" ", "\u00A0", "\u2009", "\u202F"})
       if (text.starts_with(blank)) length = blank.size();
   }
   return text;
@@ -215,6 +214,8 @@ ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension)
   const Unit* u = find_unit(symbol, dimension);
   if (!u) {
     const Dimension* other = dimension_of(symbol);
+    if (symbol.starts_with('\t'))
+      return {std::nullopt, "there is a tab between number and unit; write a blank"};
     return {std::nullopt,
             fmt::format("`{}` is {}; use one of the units {}", symbol.substr(0, 40),
                         other ? fmt::format("the unit of {}", other->name) : "not a known unit",

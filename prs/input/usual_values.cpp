@@ -59,7 +59,6 @@ constexpr UsualValue kUsual[] = {
     {"lubricant.density", "600 kg/m^3", "2100 kg/m^3", "mineral oil has 860 kg/m^3 to 900 kg/m^3"},
     {"lubricant.pressure_viscosity", "3 1/GPa", "60 1/GPa", "oils have 10 1/GPa to 35 1/GPa"},
     {"lubricant.eyring_stress", "0.5 MPa", "50 MPa", "oils have 2 MPa to 20 MPa"},
-    {"friction.model.coulomb", "", "1", "dry steel on steel has 0.1 to 0.8"},
     {"carrier.roller_torque", "", "50 N m", "some mN m"},
     {"measures.friction_coefficient", "0.001", "0.3", "catalogues have 0.01"},
     {"measures.yield_strength", "100 MPa", "4 GPa", "steel has 300 MPa to 2 GPa"},

@@ -90,7 +90,7 @@ TEST(Usage, ErrorsSayWhatWasFoundWhatIsAllowedAndWhereHelpIs) {
            {"list units x", "got x; expected no further word; see `prs help list`"},
            {"list inputs " + screw, "got " + screw + "; expected no further word"},
            {"solve a --all", "expected an option of `prs solve`; `prs check` has it; see"},
-           {"solve a --threads 2", "; `prs optimize` or `prs study` has it; see `prs help solve`"},
+           {"solve a --threads 2", "; `prs study` or `prs optimize` has it; see `prs help solve`"},
            {"--json", "got --json; expected an option of `prs`; see `prs help`"},
            {"solve a --csv german", "--csv: got german; expected one of plain, european; see"},
            {"solve a --csv-digits 0", "--csv-digits: got 0; expected a whole number from 1 to 17"},
@@ -100,13 +100,14 @@ TEST(Usage, ErrorsSayWhatWasFoundWhatIsAllowedAndWhereHelpIs) {
             "--lead: got a value; expected none with --lesson, which copies what is there; change "
             "the copy; see `prs help new`"},
            {"solve --explain zzz",
-            "--explain: got zzz; expected a measure or the path of a result; see"},
+            "--explain: got zzz; expected a measure or the path of a result; `prs schema results`"},
            {"measures --explain efficency",
             "--explain: got efficency; expected a measure or the path of a result; did you mean "
             "`efficiency`?"},
            {"validate --diameters 3",
             "--diameters is given alone; expected --recipe with it; see "
             "`prs help validate`"},
+           {"validate a b", "got b; expected no further word; see `prs help validate`"},
            {"validate --recipe x", "--recipe: got x; expected one of"}}) {
     SCOPED_TRACE(arguments);
     const Outcome run = run_prs(arguments);
@@ -223,6 +224,23 @@ TEST(Interrupt, EndsEveryCommandWithStatus130) {
   for (int unread = 1; unread > 0;) ASSERT_EQ(::ioctl(end.get(), FIONREAD, &unread), 0);
   process.signal(SIGINT);
   EXPECT_EQ(process.wait(), 130);
+}
+
+TEST(Interrupt, WhilePicturesAreDrawnLeavesAListOfTheFiles) {
+  const test::TemporaryDirectory folder;
+  const auto gnuplot = folder.path() / "gnuplot";
+  std::ofstream(gnuplot) << "#!/bin/sh\nmkdir '" << folder.path().string()
+                         << "/told' 2>&- && kill -INT $PPID\nexit 0\n";
+  std::filesystem::permissions(gnuplot, std::filesystem::perms::owner_all);
+  const std::filesystem::path out = folder.path() / "out";
+  test::Process process({"sh", "-c",
+                         "PATH='" + folder.path().string() + "':$PATH exec '" +
+                             std::string(test::program()) + "' solve " + kScrew + " --quiet -o '" +
+                             out.string() + "'"});
+  EXPECT_EQ(process.wait(), 130);
+  const auto list = nlohmann::json::parse(test::content_of(out / ".prs-files.json"));
+  EXPECT_TRUE(list["runs"][0]["files"].contains("result.json"));
+  EXPECT_TRUE(nlohmann::json::accept(test::content_of(out / "result.json")));
 }
 
 TEST(Explain, SaysWhatAMeasureOrAResultIs) {
