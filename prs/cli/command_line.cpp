@@ -109,6 +109,15 @@ std::string option_suggestion(std::string_view name, const CLI::App& command) {
   return text;
 }
 
+/// The command that takes an option, where only one or two do: `prs check`.
+std::string commands_with(const std::string& option, const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({}))
+    if (command->get_option_no_throw(option) != nullptr)
+      names.push_back(fmt::format("`{}`", path_of(*command)));
+  return names.size() > 2 ? "" : fmt::format("{}", fmt::join(names, " or "));
+}
+
 std::string unknown_command(std::string_view word, const std::string& program,
                             const std::vector<std::string>& known) {
   if (word.ends_with(".yaml") || word.ends_with(".yml"))
@@ -120,7 +129,8 @@ std::string unknown_command(std::string_view word, const std::string& program,
 std::string unexpected(const std::vector<const CLI::App*>& chain, const Extra& extra) {
   const CLI::App& command = *chain[extra.depth];
   if (!extra.text.starts_with('-') || extra.text == "-") {
-    if (extra.depth > 0) return fmt::format("got {}; expected no further word", shown(extra.text));
+    if (extra.depth > 0 || command.get_subcommands({}).empty())
+      return fmt::format("got {}; expected no further word", shown(extra.text));
     std::vector<std::string> known;
     for (const CLI::App* c : command.get_subcommands({})) known.push_back(c->get_name());
     return unknown_command(extra.text, path_of(command), known);
@@ -130,8 +140,10 @@ std::string unexpected(const std::vector<const CLI::App*>& chain, const Extra& e
     if (chain[deeper]->get_option_no_throw(name) != nullptr)
       return fmt::format("got {0} before `{1}`; expected it after the command: `{2} .. {0}`", name,
                          chain[deeper]->get_name(), path_of(*chain[deeper]));
-  return fmt::format("got {}; expected an option of `{}`{}", shown(name), path_of(command),
-                     option_suggestion(name, command));
+  const std::string owners = commands_with(name, *chain.front());
+  return fmt::format(
+      "got {}; expected an option of `{}`{}", shown(name), path_of(command),
+      owners.empty() ? option_suggestion(name, command) : fmt::format("; {} has it", owners));
 }
 
 /// How the option is written: `--output DIR`.

@@ -106,12 +106,16 @@ std::string bash_action(const Offer& o) {
   return ":";
 }
 
+/// The names in a list of `prs list`, without headings and what is said of them.
+constexpr const char* kNames =
+    R"(sed -n -e '/^name  /d' -e '/^path  /d' -e 's/^\([^ ][^ ]*\)\(  .*\)\{0,1\}$/\1/p')";
+
 constexpr const char* kBash = R"sh(# Completion of prs in bash. `prs completion bash` wrote it.
 _prs_words() { mapfile -t COMPREPLY < <(compgen -W "$*" -- "$current"); }
-_prs_list() { _prs_words "$(prs list "$1" 2>/dev/null | sed 's/  .*//')"; }
+_prs_list() { _prs_words "$(prs list "$1" 2>/dev/null | @SED@)"; }
 _prs_settings() {
   compopt -o nospace
-  mapfile -t COMPREPLY < <(compgen -S = -W "$(prs list inputs 2>/dev/null | sed 's/  .*//')" -- "$current")
+  mapfile -t COMPREPLY < <(compgen -S = -W "$(prs list inputs 2>/dev/null | @SED@)" -- "$current")
 }
 _prs_files() {
   compopt -o filenames
@@ -319,19 +323,20 @@ std::string bash_completion(const CommandText& program) {
   script = replaced(std::move(script), "@COMMANDS@", block(commands));
   script = replaced(std::move(script), "@OPTIONS@", block(options));
   script = replaced(std::move(script), "@ARGUMENTS@", block(arguments));
-  return replaced(std::move(script), "@NAMES@", block(names));
+  script = replaced(std::move(script), "@NAMES@", block(names));
+  return replaced(std::move(script), "@SED@", kNames);
 }
 
 std::string zsh_completion(const CommandText& program) {
   std::string text =
       "#compdef prs\n"
       "# Completion of prs in zsh. `prs completion zsh` wrote it.\n"
-      "_prs_list() { local -a names=(${(f)\"$(prs list $1 2>/dev/null | sed 's/  .*//')\"}); "
+      "_prs_list() { local -a names=(${(f)\"$(prs list $1 2>/dev/null | @SED@)\"}); "
       "compadd -a names }\n"
-      "_prs_settings() { local -a names=(${(f)\"$(prs list inputs 2>/dev/null | sed 's/  "
-      ".*//')\"}); "
+      "_prs_settings() { local -a names=(${(f)\"$(prs list inputs 2>/dev/null | @SED@)\"}); "
       "compadd -S = -a names }\n";
   for (const CommandText* command : all_commands(program)) text += zsh_command(program, *command);
+  text = replaced(std::move(text), "@SED@", kNames);
   text += "_prs() {\n  local -a commands=(";
   for (const CommandText& command : program.commands)
     text += fmt::format("\n    '{}:{}'", last_word(command), replaced(command.help, "'", "'\\''"));
@@ -346,9 +351,10 @@ std::string zsh_completion(const CommandText& program) {
 std::string fish_completion(const CommandText& program) {
   std::string text =
       "# Completion of prs in fish. `prs completion fish` wrote it.\n"
-      "function __prs_list\n    prs list $argv 2>/dev/null | string replace -r '  .*' ''\nend\n"
+      "function __prs_list\n    prs list $argv 2>/dev/null | @SED@\nend\n"
       "complete -c prs -f\n" +
       fish_command(program, program);
+  text = replaced(std::move(text), "@SED@", kNames);
   for (const CommandText* command : all_commands(program)) text += fish_command(program, *command);
   return text;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "prs/cli/interruption.h"
 #include "prs/figures/figure_json.h"
 
 namespace prs::cli {
@@ -16,10 +17,12 @@ namespace {
 /// The document first; false where a picture is missing.
 bool write(const Delivery& delivery, const std::string& document, const Figures& shown,
            const OutputOptions& options) {
+  const Interruption after_the_files;  // What is written is listed, whatever ends the run.
   std::vector<OutputFile> files{{delivery.file, document}};
   if (delivery.files) std::ranges::move(delivery.files(options.csv), std::back_inserter(files));
   write_files(*options.output, files);
   Undrawn undrawn = draw_figures(shown, *options.output);
+  if (Interruption::asked()) throw Interrupted();
   for (const std::string& note : delivery.without_figure) undrawn.notes.push_back(note);
   return report(undrawn, options);
 }

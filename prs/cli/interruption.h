@@ -20,6 +20,9 @@ class Interruption {
   std::unique_ptr<Before> before_;
 };
 
+/// Thrown where a program that was asked to stop has left everything in order.
+struct Interrupted {};
+
 /// Ctrl-C ends the program with status 130, as a shell reports it.
 void end_on_interrupt();
 

@@ -7,7 +7,10 @@
 #include <optional>
 
 #include "prs/cli/lessons.h"
+#include "prs/cli/usage_error.h"
 #include "prs/input/schema.h"
+#include "prs/input/source.h"
+#include "prs/output/case_table.h"
 #include "prs/output/lists.h"
 #include "prs/quantities/json.h"
 #include "prs/run/responses.h"
@@ -63,8 +66,10 @@ std::string columns(const std::vector<Item>& items) {
   std::size_t longest = 0;
   for (const Item& item : items) longest = std::max(longest, width(item.name));
   std::string lines;
+  const std::size_t at = longest + 2;
   for (const auto& [name, meaning] : items)
-    lines += fmt::format("{:<{}}  {}\n", name, longest, meaning);
+    lines += padded(name, at, true) +
+             wrapped(meaning.empty() ? " " : meaning, std::string(at, ' '), kTableWidth).substr(at);
   return lines;
 }
 
@@ -90,6 +95,7 @@ struct List {
   const char* meaning;
   std::string (*text)(const Options&);
   Json (*json)(const Options&);
+  bool takes_file = false;
 };
 
 constexpr List kLists[] = {
@@ -97,7 +103,8 @@ constexpr List kLists[] = {
      [](const Options& o) { return names(command_items(o)); },
      [](const Options& o) {
        return Json{{"commands", entries(command_items(o))}};
-     }},
+     },
+     true},
     {"inputs", "keys of a case, as `--set` takes them",
      [](const Options&) { return columns(input_items()); },
      [](const Options&) {
@@ -109,7 +116,7 @@ constexpr List kLists[] = {
      [](const Options&) { return units_json(); }},
     {"responses", "what a study may record; with FILE, what its results have",
      [](const Options& o) { return responses_table(responses(o)); },
-     [](const Options& o) { return responses_json(responses(o)); }},
+     [](const Options& o) { return responses_json(responses(o)); }, true},
     {"lessons", "that `prs new --lesson` copies",
      [](const Options&) { return columns(lesson_items()); },
      [](const Options&) {
@@ -134,6 +141,8 @@ std::string list_help() {
 int list(const Options& options) {
   const List& list = *std::ranges::find(kLists, std::string_view(options.what),
                                         [](const List& l) { return std::string_view(l.word); });
+  if (!options.file.empty() && !list.takes_file)
+    throw UsageError(fmt::format("got {}; expected no further word", input::shown(options.file)));
   print(options.json ? json_text(list.json(options)) : list.text(options));
   return kDone;
 }

@@ -120,12 +120,22 @@ CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given)
   return l;
 }
 
+/// An option that says something of the screw; empty where none is given.
+std::string first_given(const NewOptions& o) {
+  if (o.screw_diameter) return "--screw-diameter";
+  if (o.lead) return "--lead";
+  if (o.starts) return "--starts";
+  if (o.rollers) return "--rollers";
+  if (o.lubricant) return "--lubricant";
+  if (o.temperature) return "--temperature";
+  for (const QuantityOption& q : kQuantities)
+    if (o.*q.text) return q.name;
+  return {};
+}
+
 std::string new_text(const NewOptions& o) {
   const auto type = o.type == "standard" ? Mechanism::Type::standard : Mechanism::Type::inverted;
-  const bool by_options =
-      o.screw_diameter || o.lead || o.starts || o.rollers || o.lubricant || o.temperature ||
-      std::ranges::any_of(kQuantities,
-                          [&](const QuantityOption& q) { return (o.*q.text).has_value(); });
+  const bool by_options = !first_given(o).empty();
   std::vector<std::string> given;
   try {
     const ScrewData data = by_options ? data_of(o, type, given) : example(type);
@@ -168,7 +178,8 @@ void copy_lesson(const Lesson& lesson, const fs::path& file) {
 
 void add_new_options(CLI::App& command, NewOptions& options) {
   command.add_option("type", options.type, "Type of the screw")->type_name("standard|inverted");
-  command.add_option("file", options.file, "New file; printed without one")->type_name("FILE");
+  command.add_option("file", options.file, "New file; printed without one, or with `-`")
+      ->type_name("FILE");
   const auto add = [&](const char* name, std::optional<std::string>& text, const char* what,
                        const char* kind) { command.add_option(name, text, what)->type_name(kind); };
   add("--screw-diameter", options.screw_diameter, "Nominal diameter, with its unit", "LENGTH");
@@ -185,12 +196,13 @@ void add_new_options(CLI::App& command, NewOptions& options) {
   add("--load", options.load, "Axial; default: 1.8 GPa with equal shares", "FORCE");
   add("--speed", options.speed,
       "Screw against nut; default: half of 150,000 mm/min over the diameter", "SPEED");
-  add("--lubricant", options.lubricant, "By its name; default: iso-vg-100", "NAME");
+  add("--lubricant", options.lubricant, "One of `prs list lubricants`; default: iso-vg-100",
+      "LUBRICANT");
   add("--temperature", options.temperature, "Of the lubricant; default: 60 degC", "TEMPERATURE");
   command
       .add_option("--lesson", options.lesson,
-                  "Copy a lesson and the files that it reads in place of writing a case")
-      ->type_name("N|NAME");
+                  "Copy a lesson, by number or name, and the files that it reads")
+      ->type_name("LESSON");
 }
 
 int new_case(const Options& all) {
@@ -199,6 +211,10 @@ int new_case(const Options& all) {
     if (!options.file.empty())
       fail_option("--lesson", fmt::format("got {} and {}; expected one FILE",
                                           input::shown(options.type), input::shown(options.file)));
+    if (const std::string name = first_given(options); !name.empty())
+      fail_option(name,
+                  "got a value; expected none with --lesson, which copies what is there; "
+                  "change the copy");
     std::swap(options.type, options.file);
   } else if (!options.type.empty() && options.type != "standard" && options.type != "inverted") {
     throw UsageError(fmt::format("TYPE: got {}; expected one of standard, inverted, then the FILE",
@@ -206,7 +222,7 @@ int new_case(const Options& all) {
   }
   const std::optional<Lesson> copied =
       options.lesson ? std::optional(lesson(*options.lesson)) : std::nullopt;
-  if (options.file.empty()) {
+  if (options.file.empty() || options.file == kStandardInput) {
     print(copied ? content_of_file(copied->file) : new_text(options));
     return kDone;
   }

@@ -119,6 +119,9 @@ int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
     return failed("", error.what(), kWrongInput);
   } catch (const UsageError& error) {
     return failed("prs: error: ", error.what(), kWrongInput);
+  } catch (const Interrupted&) {
+    say("prs: interrupted\n");
+    return Interruption::status();
   } catch (const ReaderGone&) {
     return kFailed;
   } catch (const std::bad_alloc&) {
@@ -127,7 +130,10 @@ int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
                   "fewer --threads",
                   kFailed);
   } catch (const std::exception& error) {
-    return failed("prs: error: ", error.what(), kFailed);
+    std::string text = error.what();
+    if (text.starts_with("cannot write"))
+      text += "; check that the place exists, may be written and has room";
+    return failed("prs: error: ", text, kFailed);
   } catch (...) {
     return failed("prs: error: ", "of an unknown kind", kFailed);
   }

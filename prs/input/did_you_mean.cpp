@@ -11,19 +11,37 @@ namespace prs::input {
 
 namespace {
 
+/// Without the difference of small and large letters, and of what joins words.
+char plain(char c) {
+  if (c == '-' || c == '_') return ' ';
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+}
+
 /// Letters to change, insert or delete to get from one word to the other.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
+struct EditDistance {
+  std::size_t whole;
+  std::size_t beginning;  ///< To what the other word begins with, where that is least.
+};
+
+EditDistance edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
     std::size_t diagonal = std::exchange(row[0], i + 1);
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      const std::size_t replaced = diagonal + (plain(a[i]) == plain(b[j]) ? 0 : 1);
       diagonal = row[j + 1];
       row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
     }
   }
-  return row.back();
+  return {row.back(), *std::ranges::min_element(row)};
+}
+
+/// That of whole words, or little more than that of a word to what the other begins with.
+std::size_t distance(std::string_view word, std::string_view known) {
+  const std::size_t beginning =
+      std::min(edit_distance(word, known).beginning, edit_distance(known, word).beginning);
+  return std::min(edit_distance(word, known).whole, beginning + 1);
 }
 
 }  // namespace
@@ -31,13 +49,13 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::vector<std::string_view> near_words(std::string_view word,
                                          const std::vector<std::string_view>& known) {
   constexpr std::size_t kMost = 3, kFarther = 2;
+  word = word.substr(0, 80);
   std::vector<std::pair<std::size_t, std::string_view>> by_distance;
-  for (const std::string_view k : known)
-    by_distance.emplace_back(edit_distance(word.substr(0, 80), k), k);
+  for (const std::string_view k : known) by_distance.emplace_back(distance(word, k), k);
   std::ranges::stable_sort(by_distance, {}, &std::pair<std::size_t, std::string_view>::first);
   std::vector<std::string_view> near;
   for (const auto& [distance, k] : by_distance)
-    if (near.size() < kMost && distance <= 1 + k.size() / 2 &&
+    if (near.size() < kMost && distance <= std::min(word.size(), k.size()) / 2 &&
         distance <= by_distance[0].first + kFarther)
       near.push_back(k);
   return near;

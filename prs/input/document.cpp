@@ -264,28 +264,36 @@ bool lacks_blank(std::string_view line) {
          line.substr(0, colon).find_first_of("\"'# ") == std::string_view::npos;
 }
 
-/// What is wrong with a text that is no YAML. `at`: where the parser gave up, which may be in the
-/// line below.
-std::string malformed(std::string_view text, std::size_t at, std::string_view why) {
-  text = text.substr(0, text.find('\n', std::min(at, text.size())));
+struct Malformed {
+  std::size_t offset;
+  std::string message;
+};
+
+/// What is wrong with a text that is no YAML, and where. `at`: where the parser gave up, which may
+/// be in the line below.
+Malformed malformed(std::string_view text, std::size_t at, std::string_view why) {
+  const std::size_t whole = text.size();
+  text = text.substr(0, text.find('\n', std::min(at, whole)));
   for (int lines = 0; lines < 2 && !text.empty(); ++lines) {
     const std::size_t end = text.rfind('\n');
     std::string_view line = text.substr(end + 1);  // The whole text where there is none.
     const std::size_t key = std::min(line.find_first_not_of(" \t-"), line.size());
     if (line.substr(0, key).find('\t') != std::string_view::npos)
-      return "got a tab before the key; expected blanks; replace every tab by blanks";
+      return {end + 1, "got a tab before the key; expected blanks; replace every tab by blanks"};
     line.remove_prefix(key);
     line = line.substr(0, std::min(line.find(" #"), line.find('\r')));
     line = line.substr(0, line.find_last_not_of(' ') + 1);
     if (lacks_blank(line))
-      return fmt::format("got {}; expected `key: value`; write a blank after the colon",
-                         shown(line));
+      return {
+          end + 1 + key,
+          fmt::format("got {}; expected `key: value`; write a blank after the colon", shown(line))};
     text = text.substr(0, end == std::string_view::npos ? 0 : end);
   }
-  return fmt::format(
-      "malformed YAML: {}; expected `key: value`; check indentation, quotes, brackets and colons "
-      "here and above",
-      why);
+  return {
+      std::min(at, whole),
+      fmt::format("malformed YAML: {}; expected `key: value`; check indentation, quotes, brackets "
+                  "and colons here and above",
+                  why)};
 }
 
 /// The tree of one YAML text; none where it holds nothing but comments.
@@ -300,8 +308,8 @@ std::optional<Node> parse_yaml(const std::string& text, std::optional<Place> at,
     }
   } catch (const YAML::Exception& e) {
     const auto offset = static_cast<std::size_t>(std::max(e.mark.pos, 0));
-    errors.fail(at.value_or(Place{std::min(offset, text.size())}), path,
-                malformed(text, offset, e.msg));
+    const Malformed found = malformed(text, offset, e.msg);
+    errors.fail(at.value_or(Place{found.offset}), path, found.message);
   }
   builder.report_keys();
   if (!builder.has_root()) return std::nullopt;

@@ -201,10 +201,10 @@ std::string force_history_text(const HistorySource& history, const Source& sourc
   };
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
-    refuse(
-        fmt::format("expected a file of comma-separated values; {} is not one; give its path "
-                    "relative to this file",
-                    shown(shown_path(history, source).string())));
+    refuse(fmt::format(
+        "expected a file of comma-separated values; {} {}; give its path relative to this file",
+        shown(shown_path(history, source).string()),
+        std::filesystem::exists(path, error) ? "is no file" : "does not exist"));
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error || size > kMostBytes)
     refuse(fmt::format("expected at most {} MiB; shorten the history or keep fewer columns",

@@ -162,6 +162,16 @@ Head split_number(std::string_view text) {
   return {number, error == std::errc{}, {stop, static_cast<std::size_t>(end - stop)}};
 }
 
+/// Without the blanks in front, those of typesetters included.
+std::string_view without_blanks(std::string_view text) {
+  for (std::size_t length = 1; length > 0; text.remove_prefix(length)) {
+    length = 0;
+    for (const std::string_view blank : {" ", "\u00A0", "\u2009", "\u202F"})
+      if (text.starts_with(blank)) length = blank.size();
+  }
+  return text;
+}
+
 /// `nan`, `-inf`, `.Inf`, ..
 bool names_no_number(std::string_view text) {
   std::string word;
@@ -206,11 +216,12 @@ ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension)
   if (head.rest.starts_with(','))
     return {std::nullopt, "write the decimal mark as a point, without thousands separators"};
 
-  const std::string_view symbol =
-      head.rest.substr(std::min(head.rest.find_first_not_of(' '), head.rest.size()));
+  const std::string_view symbol = without_blanks(head.rest);
   const Unit* u = find_unit(symbol, dimension);
   if (!u) {
     const Dimension* other = dimension_of(symbol);
+    if (symbol.starts_with('\t'))
+      return {std::nullopt, "there is a tab between number and unit; write a blank"};
     return {std::nullopt,
             fmt::format("`{}` is {}; use one of the units {}", symbol.substr(0, 40),
                         other ? fmt::format("the unit of {}", other->name) : "not a known unit",
@@ -242,8 +253,7 @@ std::optional<double> parse_number(std::string_view text) {
 std::optional<NumberAndUnit> split_unit(std::string_view text) {
   const Head head = split_number(text);
   if (!head.number || !head.representable) return std::nullopt;
-  return NumberAndUnit{
-      *head.number, head.rest.substr(std::min(head.rest.find_first_not_of(' '), head.rest.size()))};
+  return NumberAndUnit{*head.number, without_blanks(head.rest)};
 }
 
 bool is_unit(std::string_view symbol) {

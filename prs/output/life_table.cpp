@@ -25,7 +25,7 @@ std::string cell(std::optional<double> value, double factor = 1.0) {
 
 std::string columns(const std::string& first, std::initializer_list<std::string> cells) {
   std::string text = "  " + padded(first, 38, true);
-  for (const std::string& c : cells) text += padded(with_table_unit(c), 14, false);
+  for (const std::string& c : cells) text += padded(with_table_unit(c), 17, false);
   return text + '\n';
 }
 
@@ -135,7 +135,8 @@ std::string life_table(const LifeResult& r) {
   if (r.converged())
     text += lives(r) + '\n' + capacities(r) + '\n' +
             (r.history ? fmt::format("History of {} samples\n", r.steps.size())
-                       : fmt::format("Spectrum of {} loads\n", r.steps.size())) +
+                       : fmt::format("Spectrum of {} load{}\n", r.steps.size(),
+                                     r.steps.size() == 1 ? "" : "s")) +
             loads(r);
   else
     text += fmt::format("NOT CONVERGED: {}\n", *r.failure);

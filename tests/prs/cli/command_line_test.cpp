@@ -82,12 +82,32 @@ TEST(Usage, ErrorsSayWhatWasFoundWhatIsAllowedAndWhereHelpIs) {
            {"new sideways", "TYPE: got sideways; expected one of standard, inverted"},
            {"new standard README.md", "README.md: the file exists already; give another name"},
            {"help sovle", "got sovle; expected a command; did you mean `solve`?"},
+           {"help solve x", "got x; expected a command; see `prs help help`"},
+           {"manual sovle",
+            "got sovle; expected a command; did you mean `solve`? See `prs help manual`"},
+           {"schema new", "WHAT: got new; expected one of input, results, figures, check"},
+           {"completion csh", "SHELL: got csh; expected one of bash, zsh, fish"},
+           {"list units x", "got x; expected no further word; see `prs help list`"},
+           {"list inputs " + screw, "got " + screw + "; expected no further word"},
+           {"solve a --all", "expected an option of `prs solve`; `prs check` has it; see"},
+           {"solve a --threads 2", "; `prs study` or `prs optimize` has it; see `prs help solve`"},
+           {"--json", "got --json; expected an option of `prs`; see `prs help`"},
+           {"solve a --csv german", "--csv: got german; expected one of plain, european; see"},
+           {"solve a --csv-digits 0", "--csv-digits: got 0; expected a whole number from 1 to 17"},
+           {"solve a --units xx", "--units: got xx; expected one of si, us; see"},
+           {"new --lesson 99", "--lesson: got 99; expected a number from 1 to"},
+           {"new --lesson 14 case.yaml --lead 5mm",
+            "--lead: got a value; expected none with --lesson, which copies what is there; change "
+            "the copy; see `prs help new`"},
+           {"solve --explain zzz",
+            "--explain: got zzz; expected a measure or the path of a result; `prs schema results`"},
            {"measures --explain efficency",
             "--explain: got efficency; expected a measure or the path of a result; did you mean "
             "`efficiency`?"},
            {"validate --diameters 3",
             "--diameters is given alone; expected --recipe with it; see "
             "`prs help validate`"},
+           {"validate a b", "got b; expected no further word; see `prs help validate`"},
            {"validate --recipe x", "--recipe: got x; expected one of"}}) {
     SCOPED_TRACE(arguments);
     const Outcome run = run_prs(arguments);
@@ -210,6 +230,23 @@ TEST(Interrupt, EndsEveryCommandWithStatus130) {
   EXPECT_EQ(process.wait(), 130);
 }
 
+TEST(Interrupt, WhilePicturesAreDrawnLeavesAListOfTheFiles) {
+  const test::TemporaryDirectory folder;
+  const auto gnuplot = folder.path() / "gnuplot";
+  std::ofstream(gnuplot) << "#!/bin/sh\nmkdir '" << folder.path().string()
+                         << "/told' 2>&- && kill -INT $PPID\nexit 0\n";
+  std::filesystem::permissions(gnuplot, std::filesystem::perms::owner_all);
+  const std::filesystem::path out = folder.path() / "out";
+  test::Process process({"sh", "-c",
+                         "PATH='" + folder.path().string() + "':$PATH exec '" +
+                             std::string(test::program()) + "' solve " + kScrew + " --quiet -o '" +
+                             out.string() + "'"});
+  EXPECT_EQ(process.wait(), 130);
+  const auto list = nlohmann::json::parse(test::content_of(out / ".prs-files.json"));
+  EXPECT_TRUE(list["runs"][0]["files"].contains("result.json"));
+  EXPECT_TRUE(nlohmann::json::accept(test::content_of(out / "result.json")));
+}
+
 TEST(Explain, SaysWhatAMeasureOrAResultIs) {
   const Outcome by_name = run_prs("measures --explain critical_speed_rpm");
   EXPECT_EQ(by_name.status, 0);
@@ -255,6 +292,11 @@ TEST(Completion, OffersCommandsOptionsWordsAndCases) {
   EXPECT_THAT(completed({"help", "so"}), ElementsAre("solve"));
   EXPECT_THAT(completed({"list", "com"}), ElementsAre("commands"));
   EXPECT_THAT(completed({"new", "st"}), ElementsAre("standard"));
+
+  EXPECT_THAT(completed({"new", "--lesson", "14"}), ElementsAre("14_flight_spectrum"));
+  EXPECT_THAT(completed({"new", "--lubricant", ""}),
+              AllOf(Contains("iso-vg-100"), Not(Contains("name")), Not(Contains("nu")),
+                    Not(Contains("[1]"))));
   EXPECT_THAT(completed({"configurations", "--type", ""}), ElementsAre("standard", "inverted"));
   EXPECT_THAT(completed({"solve", "--outp"}), ElementsAre("--output"));
   EXPECT_THAT(completed({"study", "merge", "--res"}), ElementsAre());

@@ -350,7 +350,7 @@ TEST(ReadCase, TextsThatAreNoCaseAreRefused) {
 
 TEST(ReadCase, AKeyWithoutABlankBehindItIsNoUnknownWord) {
   EXPECT_THAT(error_of(abevi_with("contacts_per_roller: 20", "contacts_per_roller:20")),
-              StartsWith("case.yaml:11:10: error: got contacts_per_roller:20; expected"));
+              StartsWith("case.yaml:10:3: error: got contacts_per_roller:20; expected"));
   EXPECT_THAT(
       error_of(abevi_with("{screw: 3, roller: 1}", "{screw:3, roller: 1}")),
       HasSubstr("unknown key; expected one of screw, roller; write a blank after the colon: "

@@ -120,7 +120,8 @@ TEST(Units, FormattedValuesAreShort) {
 }
 
 TEST(Units, NumbersMayBeWrittenAsEngineersDo) {
-  for (const char* text : {"5 mm", "5mm", "+5 mm", "5.0 mm", "5. mm", "0.5e1 mm", "50E-1  mm"})
+  for (const char* text : {"5 mm", "5mm", "+5 mm", "5.0 mm", "5. mm", "0.5e1 mm", "50E-1  mm",
+                           "5\u00A0mm", "5\u202Fmm"})
     EXPECT_EQ(si(text, unit::length), 0.005) << text;
   EXPECT_EQ(si("-.5 mm", unit::length), -0.0005);
 }
