@@ -7,6 +7,7 @@
 
 #include "prs/configurations/roller_spacing.h"
 #include "prs/input/units.h"
+#include "prs/model/groove.h"
 #include "prs/model/quantity_text.h"
 #include "prs/quantities/configurations_json.h"
 #include "prs/text.h"
@@ -97,13 +98,18 @@ std::string thread_text(const Mechanism& m) {
         "thread heights are left out: contacts lie beyond crests of 0.15 pitches, as makers have "
         "them; flanks end where they meet",
         2);
+  const double pitch = axial_pitch(m);
+  const bool as_makers = m.thread.screw->addendum > 0.999 * kCrestHeight * pitch &&
+                         m.thread.screw->dedendum > 0.999 * kMeshedRootDepth * pitch;
   std::string text =
       case_remark(
           fmt::format(
-              "assumed: crests {:.2g} and roots {:.2g} pitches from the pitch line, after outer "
-              "and root diameters of a catalogue. Ellipses reach such crests below the static "
+              "assumed: crests {:.2g} and roots {:.2g} pitches from the pitch line, {}. Ellipses "
+              "reach such crests below the static "
               "capacity: makers count on what bears beyond, `prs measures` and `prs life` warn",
-              m.thread.screw->addendum / axial_pitch(m), m.thread.screw->dedendum / axial_pitch(m)),
+              m.thread.screw->addendum / pitch, m.thread.screw->dedendum / pitch,
+              as_makers ? "after outer and root diameters of a catalogue"
+                        : "as far as these flanks reach: makers have more"),
           2) +
       "  thread:\n";
   for (const Part p : kParts)
@@ -203,7 +209,7 @@ std::string loads_text(const CompleteScrew& s) {
   const double turn = s.c.mechanism.lead > 0.0 ? 1.0 : -1.0;
   return "\n" +
          case_line("model: {bodies: refined}",
-                   "or bars, 17 to 32 % stiffer; or influence, by finite elements") +
+                   "or bars, faster but stiffer; or influence, slower: see `prs compare`") +
          case_remark(
              origin_of(d.load.has_value(),
                        fmt::format("the load of {:g} GPa with equal shares, 9 % of the static "
