@@ -25,7 +25,7 @@ std::string cell(std::optional<double> value, double factor = 1.0) {
 
 std::string columns(const std::string& first, std::initializer_list<std::string> cells) {
   std::string text = "  " + padded(first, 38, true);
-  for (const std::string& c : cells) text += padded(with_table_unit(c), 14, false);
+  for (const std::string& c : cells) text += padded(with_table_unit(c), 16, false);
   return text + '\n';
 }
 
