@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "prs/configurations/roller_spacing.h"
-#include "prs/input/units.h"
 #include "prs/model/groove.h"
 #include "prs/model/quantity_text.h"
 #include "prs/quantities/configurations_json.h"
@@ -37,8 +36,8 @@ std::string origin_of(bool given, const std::string& assumed) {
 std::string degrees(double angle) {
   return fmt::format("{:.6g} deg", angle * 180.0 / std::numbers::pi);
 }
-/// What was given, to the last digit.
-std::string exact(double length) { return input::format_quantity(length, input::unit::length); }
+/// What was given, to 15 digits: 0.3937 in is 9.99998 mm, no 9.999979999999999 mm.
+std::string exact(double length) { return fmt::format("{:.15g} mm", 1e3 * length); }
 std::string length_text(const std::optional<double>& given, double otherwise) {
   return given ? exact(*given) : mm(otherwise);
 }
