@@ -11,6 +11,7 @@
 #include "prs/model/check_case.h"
 #include "prs/model/groove.h"
 #include "prs/model/quantity_text.h"
+#include "prs/threads/geometry_warnings.h"
 
 namespace prs {
 namespace {
@@ -185,9 +186,23 @@ void check_starts(const ScrewData& d) {
                     *d.starts, fewest, kStartsLimit, is_standard(d) ? "starts - 2" : "starts"));
 }
 
+/// An arc turns parallel to the axis r (1 - sin(flank angle)) above the pitch line.
+void check_profile_radius(const ScrewData& d, int starts) {
+  if (!d.roller_profile_radius) return;
+  const double pitch = std::abs(d.lead) / starts;
+  const double least = kLeastThreadHeight * kCrestHeight * pitch / (1.0 - std::sin(d.flank_angle));
+  if (*d.roller_profile_radius < least)
+    throw CaseError(
+        "roller_profile_radius",
+        fmt::format("got {}; expected at least {}, usually 5 pitches, {}: arcs of less end below "
+                    "half of a thread's usual height",
+                    mm(*d.roller_profile_radius), mm(up(least)), mm(kProfileRadius * pitch)));
+}
+
 Threads sound_threads(const ScrewData& d) {
   check_starts(d);
   const int starts = d.starts.value_or(usual_starts(d));
+  check_profile_radius(d, starts);
   Threads t = threads_for(d, starts);
   if (t.contacts) return t;
   ScrewData by_rule = d;
@@ -251,6 +266,20 @@ double nut_outer_diameter(const ScrewData& d, const Mechanism& m, double pitch_d
   return *d.nut_diameter;
 }
 
+double load_of(const ScrewData& d, const Mechanism& m, const Contacts& contacts) {
+  const double moderate = moderate_force(m, contacts);
+  if (!d.load)
+    return proposed(std::min(
+        moderate, kModerateStress * 0.25 * std::numbers::pi * d.screw_diameter * d.screw_diameter));
+  const double most = moderate * std::pow(kGreatestPressure / kModeratePressure, 3);
+  if (*d.load > most)
+    throw CaseError("load",
+                    fmt::format("got {:.6g} kN; expected at most {:.6g} kN, with which "
+                                "equal shares give {:g} GPa: twice the static capacity",
+                                1e-3 * *d.load, 1e-3 * down(most), 1e-9 * kGreatestPressure));
+  return *d.load;
+}
+
 Structure structure_of(const ScrewData& d, const Mechanism& m, double nut_diameter, double length) {
   const double roller = roller_diameter(d, m.starts.screw);
   const double threaded = m.contacts_per_roller * axial_pitch(m);
@@ -297,11 +326,10 @@ CompleteScrew complete_screw(const ScrewData& d) {
         std::min(m.contacts_per_roller, contacts_over(kInvertedThreads * d.screw_diameter, pitch));
   screw.position = 0.5 * (length - (m.contacts_per_roller - 1) * pitch);
   screw.gears = gear_pairs(m.type, m.starts, screw.centre_distance, m.rollers, 0.5 * pitch);
-  screw.load = d.load.value_or(
-      proposed(std::min(moderate_force(m, contacts), kModerateStress * 0.25 * std::numbers::pi *
-                                                         d.screw_diameter * d.screw_diameter)));
-  screw.speed = d.speed.value_or(std::numbers::pi / 30.0 *
-                                 proposed(kSpeedShare * kSpeedLimit / d.screw_diameter * 60.0));
+  screw.load = load_of(d, m, contacts);
+  constexpr double one_rpm = std::numbers::pi / 30.0;
+  screw.speed = d.speed.value_or(
+      one_rpm * proposed(kSpeedShare * kGreatestSpeedTimesDiameter / d.screw_diameter / one_rpm));
   screw.c.structure = structure_of(d, m, screw.pitch_diameter.nut, length);
   screw.c.structure->screw.free_length =
       is_standard(d) ? screw.position : screw.c.structure->roller.end_length;

@@ -77,7 +77,12 @@ inline constexpr double kThinnestRoller = 4e-3;
 inline constexpr double kInvertedThreads = 1.6, kInvertedNut = 3.0;
 /// Part of the limit that makers set to speed times diameter.
 inline constexpr double kSpeedShare = 0.5;
-inline constexpr double kSpeedLimit = 150.0 / 60.0;  ///< n d [m/s], 150,000 mm/min.
+
+/// Peak pressure with equal shares beyond which a load is refused [Pa]: twice the static capacity
+/// by 4.0 GPa, as makers' capacities are up to 1.5 times the computed ones.
+inline constexpr double kGreatestPressure = 5.0e9;
+/// Part of a maker's crest height that arcs must reach before they turn parallel to the axis.
+inline constexpr double kLeastThreadHeight = 0.5;
 
 /// Axial force at which equal shares reach `kModeratePressure` [N]; both contacts must be Hertz's.
 double moderate_force(const Mechanism& m, const Contacts& contacts);

@@ -27,11 +27,11 @@ constexpr UsualValue kUsual[] = {
     {"mechanism.lead", "0.2 mm", "100 mm", "catalogues have 1 mm to 50 mm"},
     {"mechanism.pitch_diameter", "1 mm", "500 mm", "screws in catalogues have 3.5 mm to 150 mm"},
     {"mechanism.centre_distance", "2 mm", "500 mm", "two thirds of the screw's diameter"},
-    // From magnesium to tungsten carbide; Poisson's ratio from ceramics to brass.
-    {"materials.youngs_modulus", "40 GPa", "700 GPa", "steel has 190 GPa to 215 GPa"},
-    {"materials.poisson_ratio", "0.2", "0.4", "steel has 0.27 to 0.3"},
-    {"materials.density", "1700 kg/m^3", "16000 kg/m^3", "steel has 7700 kg/m^3 to 8000 kg/m^3"},
-    {"materials.thermal_expansion", "2 um/m/K", "30 um/m/K", "steel has 10 um/m/K to 17 um/m/K"},
+    // From polymers of nuts (polyoxymethylene, polyether ether ketone) to tungsten carbide.
+    {"materials.youngs_modulus", "1 GPa", "700 GPa", "steel has 190 GPa to 215 GPa"},
+    {"materials.poisson_ratio", "0.15", "0.44", "steel has 0.27 to 0.3"},
+    {"materials.density", "900 kg/m^3", "16000 kg/m^3", "steel has 7700 kg/m^3 to 8000 kg/m^3"},
+    {"materials.thermal_expansion", "2 um/m/K", "150 um/m/K", "steel has 10 um/m/K to 17 um/m/K"},
     // The largest static capacities in catalogues are about 3 MN.
     {"load_cases.axial_force", "", "10 MN", "catalogues end at static capacities of 3 MN"},
     {"life.spectrum.force", "", "10 MN", "catalogues end at static capacities of 3 MN"},

@@ -6,10 +6,12 @@ namespace {
 using enum contact::BaseOil;
 
 /// Midpoints of the grades; at 100 degC what the viscosity index of 95 gives, for which the annex
-/// of ISO 3448 tabulates the grades; densities of mineral oils of these grades.
+/// of ISO 3448 tabulates the grades. Densities are typical ones of such oils, no data of a sheet,
+/// where the source says so.
 constexpr std::string_view kIso =
-    "ISO 3448 with viscosity index 95 by ASTM D2270; density: Shell Tellus S2 M, Omala S2 G";
-constexpr std::string_view kAeroShell = "The AeroShell Book, 19th edition (2012): base oil";
+    "midpoints of ISO 3448, viscosity index 95 by ASTM D2270; density: typical";
+constexpr std::string_view kAeroShell =
+    "The AeroShell Book, 19th edition (2012): base oil, typical; density: typical";
 
 constexpr NamedLubricant kLubricants[] = {
     {"iso-vg-32", "mineral oil", mineral, 32e-6, 5.29e-6, 875.0, kIso},
@@ -21,11 +23,11 @@ constexpr NamedLubricant kLubricants[] = {
     {"iso-vg-320", "mineral oil", mineral, 320e-6, 23.95e-6, 903.0, kIso},
     {"iso-vg-460", "mineral oil", mineral, 460e-6, 30.34e-6, 904.0, kIso},
     {"mil-prf-23699", "turbine oil, ester: Mobil Jet Oil II", ester, 27.6e-6, 5.1e-6, 1003.5,
-     "Mobil Jet Oil II, product data sheet"},
+     "Mobil Jet Oil II, product data sheet: typical values"},
     {"mil-prf-7808", "turbine oil, ester: grade 3", ester, 11.5e-6, 3.0e-6, 950.0,
-     "MIL-PRF-7808L, least viscosities of grade 3; density: typical of such oils"},
+     "MIL-PRF-7808L, least viscosities of grade 3; density: typical"},
     {"mil-prf-83282", "hydraulic fluid, polyalphaolefin", polyalphaolefin, 14.0e-6, 3.45e-6, 850.0,
-     "MIL-PRF-83282D, least viscosities; density: typical of such fluids"},
+     "MIL-PRF-83282D, least viscosities; density: typical"},
     {"mil-prf-23827", "grease for screws and gears: AeroShell Grease 33", polyalphaolefin, 14.2e-6,
      3.4e-6, 850.0, kAeroShell},
     {"mil-prf-81322", "grease, wide temperature range: AeroShell Grease 22", polyalphaolefin,

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "prs/configurations/roller_spacing.h"
-#include "prs/input/units.h"
+#include "prs/model/groove.h"
 #include "prs/model/quantity_text.h"
 #include "prs/quantities/configurations_json.h"
 #include "prs/text.h"
@@ -36,8 +36,8 @@ std::string origin_of(bool given, const std::string& assumed) {
 std::string degrees(double angle) {
   return fmt::format("{:.6g} deg", angle * 180.0 / std::numbers::pi);
 }
-/// What was given, to the last digit.
-std::string exact(double length) { return input::format_quantity(length, input::unit::length); }
+/// What was given, to 15 digits: 0.3937 in is 9.99998 mm, no 9.999979999999999 mm.
+std::string exact(double length) { return fmt::format("{:.15g} mm", 1e3 * length); }
 std::string length_text(const std::optional<double>& given, double otherwise) {
   return given ? exact(*given) : mm(otherwise);
 }
@@ -97,13 +97,18 @@ std::string thread_text(const Mechanism& m) {
         "thread heights are left out: contacts lie beyond crests of 0.15 pitches, as makers have "
         "them; flanks end where they meet",
         2);
+  const double pitch = axial_pitch(m);
+  const bool as_makers = m.thread.screw->addendum > 0.999 * kCrestHeight * pitch &&
+                         m.thread.screw->dedendum > 0.999 * kMeshedRootDepth * pitch;
   std::string text =
       case_remark(
           fmt::format(
-              "assumed: crests {:.2g} and roots {:.2g} pitches from the pitch line, after outer "
-              "and root diameters of a catalogue. Ellipses reach such crests below the static "
+              "assumed: crests {:.2g} and roots {:.2g} pitches from the pitch line, {}. Ellipses "
+              "reach such crests below the static "
               "capacity: makers count on what bears beyond, `prs measures` and `prs life` warn",
-              m.thread.screw->addendum / axial_pitch(m), m.thread.screw->dedendum / axial_pitch(m)),
+              m.thread.screw->addendum / pitch, m.thread.screw->dedendum / pitch,
+              as_makers ? "after outer and root diameters of a catalogue"
+                        : "as far as these flanks reach: makers have more"),
           2) +
       "  thread:\n";
   for (const Part p : kParts)
@@ -203,7 +208,7 @@ std::string loads_text(const CompleteScrew& s) {
   const double turn = s.c.mechanism.lead > 0.0 ? 1.0 : -1.0;
   return "\n" +
          case_line("model: {bodies: refined}",
-                   "or bars, 17 to 32 % stiffer; or influence, by finite elements") +
+                   "or bars, faster but stiffer; or influence, slower: see `prs compare`") +
          case_remark(
              origin_of(d.load.has_value(),
                        fmt::format("the load of {:g} GPa with equal shares, 9 % of the static "

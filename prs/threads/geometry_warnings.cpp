@@ -20,9 +20,6 @@ constexpr double kSteepestHelix = 20.0;
 constexpr double kMostSlender = 20.0;
 constexpr double kThinnestWall = 0.04;
 
-/// Speed times pitch diameter that makers allow at most [m rad/s]: 150,000 mm/min.
-constexpr double kFastest = 150.0 * std::numbers::pi / 30.0;
-
 /// Radial distance by which the pitch cylinders of an interface miss each other, overlap < 0 [m].
 double pitch_cylinder_gap(const contact::MechanismGeometry& m, Interface i) {
   return i == Interface::screw ? m.centre_distance - m.roller.pitch_radius - m.screw.pitch_radius
@@ -89,12 +86,12 @@ void warn_of_proportions(const Conditions& c, const Mechanism& m,
 void warn_of_speed(const std::string& path, double speed, double diameter,
                    std::vector<std::string>& warnings) {
   const double n_d = std::abs(speed) * diameter;
-  if (n_d > kFastest)
+  if (n_d > kGreatestSpeedTimesDiameter)
     warnings.push_back(fmt::format(
         "{}: got {}, which times the screw's pitch diameter of {} is n d = {:.3g} mm/min; makers "
         "allow up to {:g} mm/min; lower the speed, or ask the maker",
         path, rpm(speed), mm(diameter), n_d * 30e3 / std::numbers::pi,
-        kFastest * 30e3 / std::numbers::pi));
+        kGreatestSpeedTimesDiameter * 30e3 / std::numbers::pi));
 }
 
 void warn_of_speeds(const Conditions& c, const Mechanism& m, std::span<const LoadCase> loads,

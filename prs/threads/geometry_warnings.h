@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -8,6 +9,9 @@
 #include "prs/threads/contacts.h"
 
 namespace prs {
+
+/// Speed times pitch diameter that makers allow at most [m rad/s]: n d of 150,000 mm/min.
+inline constexpr double kGreatestSpeedTimesDiameter = 150.0 * std::numbers::pi / 30.0;
 
 /// Warnings on geometry that is possible but unusual: first on the contacts, then on the bodies
 /// around them, the faces that hold the nut, and the speed that the geometry stands. Each names the

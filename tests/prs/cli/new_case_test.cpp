@@ -142,6 +142,12 @@ TEST_F(NewCase, ABlankBeforeTheUnitChangesNothing) {
             case_of("--screw-diameter '30 mm' --lead '1 cm'"));
 }
 
+TEST_F(NewCase, InchesStandAsMillimetresWithoutATailOfDigits) {
+  const std::string text = prs("new standard --screw-diameter 0.3937in --lead '0.1 in'").out;
+  EXPECT_THAT(text, HasSubstr("  lead: 2.54 mm "));
+  EXPECT_THAT(text, HasSubstr("pitch_diameter: {screw: 9.99998 mm}"));
+}
+
 TEST_F(NewCase, WhatCannotBeIsOneErrorAndNoFile) {
   for (const auto& [arguments, message] :
        std::initializer_list<std::pair<std::string, const char*>>{

@@ -135,10 +135,14 @@ std::vector<Impossible> impossible_screws() {
   add("nut_length", [](ScrewData& d) { d.nut_length = 5e-3; });
   add("nut_length", [](ScrewData& d) { d.nut_length = 1e3; });
   add("roller_profile_radius", [](ScrewData& d) { d.roller_profile_radius = 1e3; });
+  add("roller_profile_radius", [](ScrewData& d) { d.roller_profile_radius = 0.5e-3; });
+  add("roller_profile_radius", [](ScrewData& d) { d.roller_profile_radius = 0.05e-3; });
+  add("load", [](ScrewData& d) { d.load = 1e12; });
+  add("load", [](ScrewData& d) { d.load = 2.5 * 281e3; });  // C_0 of 30 x 10 by its maker.
   return all;
 }
 
-/// Lengths in m, other numbers as they are.
+/// Lengths in mm, forces in kN, other numbers as they are.
 void set(ScrewData& d, const std::string& member, double value) {
   if (member == "lead") d.lead = 1e-3 * value;
   if (member == "starts") d.starts = static_cast<int>(value);
@@ -146,6 +150,7 @@ void set(ScrewData& d, const std::string& member, double value) {
   if (member == "nut_diameter") d.nut_diameter = 1e-3 * value;
   if (member == "nut_length") d.nut_length = 1e-3 * value;
   if (member == "roller_profile_radius") d.roller_profile_radius = 1e-3 * value;
+  if (member == "load") d.load = 1e3 * value;
 }
 
 TEST(CompleteScrew, WhatCannotBeIsRefusedWithTheNearestThatCan) {
@@ -158,7 +163,8 @@ TEST(CompleteScrew, WhatCannotBeIsRefusedWithTheNearestThatCan) {
       std::smatch limits;
       ASSERT_TRUE(std::regex_search(
           text, limits,
-          std::regex("expected (?:at (?:least|most) )?([0-9.e+]+)(?: mm)?(?: to ([0-9.e+]+))?")))
+          std::regex(
+              "expected (?:at (?:least|most) )?([0-9.e+]+)(?: mm| kN)?(?: to ([0-9.e+]+))?")))
           << text;
       for (std::size_t k = 1; k < limits.size() && limits[k].matched; ++k) {
         ScrewData possible = wrong.data;

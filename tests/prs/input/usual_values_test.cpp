@@ -41,6 +41,11 @@ TEST(UsualValues, OddOnesAreNamedAsWrittenWithTheUnitThatFits) {
       {"lubricant.pressure_viscosity", "20 1/MPa", "`20 1/GPa`?"},
       {"lubricant.eyring_stress", "12 Pa", "`12 MPa`?"},
       {"roughness", "100 um", "`100 nm`?"},
+      // Nuts of bronze and of polyether ether ketone.
+      {"materials.youngs_modulus", "105 GPa", ""},
+      {"materials.youngs_modulus", "3.7 GPa", ""},
+      {"materials.poisson_ratio", "0.4", ""},
+      {"materials.density", "1.3 g/cm^3", ""},
       {"roughness", "0.4 um", ""},
   };
   for (const auto& [path, written, fitting] : odd) {

@@ -137,7 +137,7 @@ TEST(Check, OddValuesAreToldByEveryCommand) {
     EXPECT_THAT(run(row_of(command), source)
                     .document(document_info(source, command))["warnings"][0]
                     .get<std::string>(),
-                StartsWith("materials.poisson_ratio: got 0.45; usual is 0.2 to 0.4"))
+                StartsWith("materials.poisson_ratio: got 0.45; usual is 0.15 to 0.44"))
         << name(command);
 }
 
