@@ -54,8 +54,7 @@ constexpr const char* kContactPoints = "a contact point at both interfaces";
 constexpr const char* kLoads = "a load case that converged, or equal shares";
 constexpr const char* kSweep =
     "a sweep of loads, `axial_force: {from: .., to: .., steps: ..}`, that converged";
-constexpr const char* kAllRollers =
-    "a load case of `model: {mechanism: full}` that converged";
+constexpr const char* kAllRollers = "a load case of `model: {mechanism: full}` that converged";
 constexpr const char* kSlip = "a load case whose slip converged";
 constexpr const char* kLives = "a load history or spectrum under which loads converge";
 

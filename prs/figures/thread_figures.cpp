@@ -104,7 +104,7 @@ bool has_shares(const LoadCaseResult& result) { return result.threads && !result
 
 bool has_pressure(const LoadCaseResult& result) {
   return has_shares(result) && !(result.threads->screw.peak_pressure.empty() &&
-                             result.threads->nut.peak_pressure.empty());
+                                 result.threads->nut.peak_pressure.empty());
 }
 
 bool has_thread_slip(const LoadCaseResult& result) { return has_slip(result) && result.threads; }

@@ -27,8 +27,7 @@ inline RollerSection<double> ring_rigidity(const Material& material, double oute
       modulus * (std::numbers::pi / 64.0 * (std::pow(outer, 4) - std::pow(inner, 4))), 0.0};
   if (!shear) return r;
   const double m2 = std::pow(inner / outer, 2), q = (1.0 + m2) * (1.0 + m2);
-  const double kappa =
-      6.0 * (1.0 + nu) * q / ((7.0 + 6.0 * nu) * q + (20.0 + 12.0 * nu) * m2);
+  const double kappa = 6.0 * (1.0 + nu) * q / ((7.0 + 6.0 * nu) * q + (20.0 + 12.0 * nu) * m2);
   r.shear = kappa * (modulus / (2.0 * (1.0 + nu))) * area;
   return r;
 }
