@@ -239,10 +239,9 @@ int Equations::slot(int i, int j) const {
 
 Eigen::VectorXd Equations::load_vector(const std::vector<NodalLoad>& loads) const {
   Eigen::VectorXd f = Eigen::VectorXd::Zero(size());
-  for (const NodalLoad& load : loads) {
-    const int i = number(load.node, load.dof);
-    if (i >= 0) f[i] += load.value;
-  }
+  for (const NodalLoad& load : loads)
+    for_each_term(number(load.node, load.dof),
+                  [&](int equation, double c) { f[equation] += c * load.value; });
   return f;
 }
 
