@@ -42,7 +42,8 @@ TEST(Check, ReadinessIsWhetherTheCommandReadsTheCase) {
                              "09_slip_and_dissipation.yaml", "14_flight_spectrum.yaml"}) {
     const input::Source source =
         input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson, {});
-    for (const auto& [command, state] : checked(lesson)["commands"].items()) {
+    const Json readiness = checked(lesson)["commands"];
+    for (const auto& [command, state] : readiness.items()) {
       const CommandRow& row = *std::ranges::find_if(
           commands(),
           [&, &named = command](const CommandRow& r) { return name(r.command) == named; });
