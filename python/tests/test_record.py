@@ -99,7 +99,7 @@ def fits(value: Any, hint: Any) -> bool:
         (item,) = typing.get_args(hint)
         return isinstance(value, list) and all(fits(each, item) for each in value)
     if hint == records.Array:
-        return isinstance(value, np.ndarray) and value.dtype == np.float64
+        return value == [] or isinstance(value, np.ndarray) and value.dtype == np.float64
     return type(value) is hint
 
 

@@ -238,9 +238,9 @@ TEST(Interrupt, WhilePicturesAreDrawnLeavesAListOfTheFiles) {
   std::filesystem::permissions(gnuplot, std::filesystem::perms::owner_all);
   const std::filesystem::path out = folder.path() / "out";
   test::Process process({"sh", "-c",
-                         "PATH='" + folder.path().string() + "':$PATH exec '" +
-                             std::string(test::program()) + "' solve " + kScrew + " --quiet -o '" +
-                             out.string() + "'"});
+                         "cd '" PRS_SOURCE_DIR "' && PATH='" + folder.path().string() +
+                             "':$PATH exec '" + std::string(test::program()) + "' solve " + kScrew +
+                             " --quiet -o '" + out.string() + "'"});
   EXPECT_EQ(process.wait(), 130);
   const auto list = nlohmann::json::parse(test::content_of(out / ".prs-files.json"));
   EXPECT_TRUE(list["runs"][0]["files"].contains("result.json"));
