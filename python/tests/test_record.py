@@ -99,7 +99,9 @@ def fits(value: Any, hint: Any) -> bool:
         (item,) = typing.get_args(hint)
         return isinstance(value, list) and all(fits(each, item) for each in value)
     if hint == records.Array:
-        return value == [] or isinstance(value, np.ndarray) and value.dtype == np.float64
+        if isinstance(value, list):
+            return not value
+        return isinstance(value, np.ndarray) and value.dtype == np.float64
     return type(value) is hint
 
 
