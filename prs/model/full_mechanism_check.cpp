@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
 #include <utility>
 
 #include "prs/model/block_checks.h"
@@ -88,6 +91,11 @@ void check_lists(const Case& c, Problems& problems) {
                                                       : "deviations.roller_position";
     for (const double value : *list) check_offset(path, value, m, problems);
   }
+  for (const Interface i : kInterfaces) {
+    const std::string path = fmt::format("deviations.thread_eccentricity.{}", name(i));
+    for (const double value : {d.thread_eccentricity[i].y, d.thread_eccentricity[i].z})
+      check_offset(path.c_str(), value, m, problems);
+  }
 }
 
 void check_missing_rollers(const Case& c, Problems& problems) {
@@ -104,6 +112,27 @@ void check_missing_rollers(const Case& c, Problems& problems) {
   else if (static_cast<int>(missing.size()) == rollers && rollers > 0)
     problems.add("deviations.missing_rollers",
                  fmt::format("got all {} rollers; expected one that is left", rollers));
+}
+
+/// Rotations for which sin(x) = x holds within 0.13 %, as the model takes it [rad].
+constexpr double kMostRotation = 5.0 * std::numbers::pi / 180.0;
+
+void check_rotation(std::string path, const Lateral& rotation, Problems& problems) {
+  for (const double value : {rotation.y, rotation.z})
+    if (std::abs(value) > kMostRotation)
+      problems.add(path, fmt::format("got {:.7g} deg; expected at most 5 deg, as the model is for "
+                                     "small rotations; check the unit",
+                                     value * 180.0 / std::numbers::pi));
+}
+
+void check_rotations(const Case& c, Problems& problems) {
+  for (const LoadCase& load : c.load_cases)
+    check_rotation(load.input_path + ".misalignment.nut_tilt", load.spatial.nut_tilt, problems);
+  if (!c.structure) return;
+  const auto& bearings = c.structure->screw.bearings;
+  for (std::size_t k = 0; k < bearings.size(); ++k)
+    check_rotation(fmt::format("structure.screw.bearings[{}].angle", k), bearings[k].angle,
+                   problems);
 }
 
 /// Places on the screw of a load case: from the loaded section to the far end.
@@ -147,6 +176,7 @@ void check_full_mechanism(const Case& c, Problems& problems) {
                                                   c.mechanism.rollers));
   check_lists(c, problems);
   check_missing_rollers(c, problems);
+  check_rotations(c, problems);
   if (!c.structure) return;
   const Rings& rings = c.structure->roller.rings;
   if (c.model.roller == ModelOptions::Roller::rigid_bending &&
