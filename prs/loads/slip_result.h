@@ -105,7 +105,7 @@ struct SlipResult {
   RollerMoments moments;
   RollerForces forces;
   std::optional<double> bearing_eccentricity;  ///< e/c of the roller heads.
-  std::optional<double> viscosity;             ///< eta_0 in operation [Pa s]; none without oil.
+  std::optional<double> viscosity;             ///< eta_0 in operation, mean oil [Pa s].
 
   ThreadOf hottest;                            ///< Thread with the largest power density.
   std::optional<EqualShareSlip> equal_shares;  ///< Only for solved cases.

@@ -122,49 +122,6 @@ bool load_drives(const SlipModel& model) {
   return model.axial_force * model.speed * model.geometry.lead < 0.0;
 }
 
-SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
-  const Conditions& c = models.conditions();
-  const SlipRange range = slip_range(model.geometry);
-  const SlipEquilibrium found = solve(model, c.operation ? c.operation->slip_ratio : std::nullopt);
-  const SlipBalance& b = found.balance;
-  SlipResult slip;
-  slip.status = found.status;
-  slip.evaluations = found.evaluations;
-  slip.speed = model.speed;
-  slip.gear_ratio = model.geometry.gear_ratio;
-  slip.ideal_slip_ratio = range.ideal;
-  slip.estimates = slip_estimates(model.geometry);
-  if (slip.status != SlipStatus::jammed) slip.relative_residue = relative_residue(model, b);
-  if (!slip.converged()) return slip;
-  slip.moments = b.moments;
-
-  slip.slip_ratio = b.motion.slip_ratio;
-  slip.optimality = optimality(range, slip.slip_ratio);
-  for (const Interface i : kInterfaces) {
-    std::optional<double> roughness;
-    if (c.roughness) roughness = composite_roughness(*c.roughness, i);
-    slip.threads[i] = interface_slip(model.threads[i], b.interfaces[i], model.lubricant, roughness);
-  }
-  slip.power = lost_power(model, b);
-  const DriveTorques torques = drive_torques(model, b);
-  const PowerFlow flow = power_flow(model, torques);
-  slip.torque_screw = torques.screw;
-  slip.torque_nut = torques.nut;
-  slip.power_loss_input_output = flow.lost();
-  slip.efficiency = flow.efficiency();
-  const bool jacod = c.friction->model == Friction::Model::jacod;
-  if (jacod && slip.status == SlipStatus::converged && !load_drives(model))
-    slip.efficiency_fit = sandu_efficiency_fit(*model.lubricant);
-  if (model.lubricant) slip.viscosity = model.lubricant->viscosity;
-  slip.forces = b.forces;
-  if (model.bearing) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
-  double hottest = -1.0;
-  for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
-    if (density > hottest) hottest = density, slip.hottest = thread;
-  });
-  return slip;
-}
-
 void warn_of_lubrication(const SlipResult& slip, const Friction& friction,
                          std::vector<std::string>& warnings) {
   const bool jacod = friction.model == Friction::Model::jacod;
@@ -299,6 +256,50 @@ std::optional<std::string> unknown_film_ratio(const Conditions& c) {
   if (!c.lubricant || c.roughness) return std::nullopt;
   return "roughness: missing, so that film over roughness, and with it the kind of lubrication, is "
          "not known; add `roughness: 0.4 um`, for example: the Rq of the ground flanks";
+}
+
+SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
+  const Conditions& c = models.conditions();
+  const SlipRange range = slip_range(model.geometry);
+  const SlipEquilibrium found = solve(model, c.operation ? c.operation->slip_ratio : std::nullopt);
+  const SlipBalance& b = found.balance;
+  SlipResult slip;
+  slip.status = found.status;
+  slip.evaluations = found.evaluations;
+  slip.speed = model.speed;
+  slip.gear_ratio = model.geometry.gear_ratio;
+  slip.ideal_slip_ratio = range.ideal;
+  slip.estimates = slip_estimates(model.geometry);
+  if (slip.status != SlipStatus::jammed) slip.relative_residue = relative_residue(model, b);
+  if (!slip.converged()) return slip;
+  slip.moments = b.moments;
+
+  slip.slip_ratio = b.motion.slip_ratio;
+  slip.optimality = optimality(range, slip.slip_ratio);
+  for (const Interface i : kInterfaces) {
+    std::optional<double> roughness;
+    if (c.roughness) roughness = composite_roughness(*c.roughness, i);
+    slip.threads[i] =
+        interface_slip(model.threads[i], b.interfaces[i], model.oils.threads[i], roughness);
+  }
+  slip.power = lost_power(model, b);
+  const DriveTorques torques = drive_torques(model, b);
+  const PowerFlow flow = power_flow(model, torques);
+  slip.torque_screw = torques.screw;
+  slip.torque_nut = torques.nut;
+  slip.power_loss_input_output = flow.lost();
+  slip.efficiency = flow.efficiency();
+  const bool jacod = c.friction->model == Friction::Model::jacod;
+  if (jacod && slip.status == SlipStatus::converged && !load_drives(model))
+    slip.efficiency_fit = sandu_efficiency_fit(*model.oils.carrier);
+  if (model.oils.carrier) slip.viscosity = model.oils.carrier->viscosity;
+  slip.forces = b.forces;
+  if (model.bearing) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
+  double hottest = -1.0;
+  for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
+    if (density > hottest) hottest = density, slip.hottest = thread;
+  });
+  return slip;
 }
 
 Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options) {

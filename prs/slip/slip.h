@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "prs/loads/analyze.h"
+#include "prs/slip/slip_model.h"
 
 namespace prs {
 
@@ -16,6 +17,9 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
 inline Result analyze_slip(const Case& c, AnalysisOptions options = {}) {
   return analyze_slip(c, checked_contacts(c, options.detail), options);
 }
+
+/// Slip of one load case, without the comparison with equal shares.
+SlipResult slip_result(const SlipModels& models, const SlipModel& model);
 
 /// A note where the film of a lubricant cannot be compared with the roughness of the flanks.
 std::optional<std::string> unknown_film_ratio(const Conditions& c);

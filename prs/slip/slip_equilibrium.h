@@ -29,6 +29,12 @@ struct LoadedThreads {
   std::vector<std::optional<std::size_t>> patch_of_thread;
 };
 
+/// The lubricant in operation, each at the temperature it has there; absent where there is none.
+struct Oils {
+  PerInterface<std::optional<contact::Lubricant>> threads;
+  std::optional<contact::Lubricant> carrier;  ///< In the bearings of the roller heads.
+};
+
 /// One roller between screw, nut, gears and carrier, loaded and turning (Sandu 2018, section 3.2,
 /// with a load of its own for each thread). SI units.
 struct SlipModel {
@@ -37,7 +43,7 @@ struct SlipModel {
   double axial_force = 0.0;    ///< F_N, signed, of the whole mechanism [N]
   int rollers = 1;
   PerInterface<LoadedThreads> threads;
-  std::optional<contact::Lubricant> lubricant;  ///< In operation, for films and bearing.
+  Oils oils;
 
   // Torques of the carrier, magnitudes [N m].
   double screw_torque = 0.0;

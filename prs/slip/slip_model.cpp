@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace prs {
 namespace {
@@ -39,14 +40,27 @@ double roller_mass(const Conditions& c, const Mechanism& m) {
 
 }  // namespace
 
-SlipModels::SlipModels(const Conditions& c, const Contacts& contacts)
-    : conditions_(c), contacts_(contacts), grid_(c.model.patch_points) {
-  if (c.lubricant) lubricant_ = in_operation(*c.lubricant);
+Oils oils_in_operation(const Conditions& c) {
+  if (!c.lubricant || (!c.lubricant->viscosity && !c.lubricant->temperature)) return {};
+  const contact::Lubricant oil = in_operation(*c.lubricant);
+  return {{oil, oil}, oil};
 }
 
-SlipModel SlipModels::of(const LoadCaseResult& loaded) const {
-  if (loaded.load_case.share == LoadCase::Share::equal) return equal_shares(loaded.load_case);
-  SlipModel model = unloaded(loaded.load_case);
+Oils oils_at(const Lubricant& lubricant, const PerInterface<double>& temperature) {
+  return {
+      {at_temperature(lubricant, temperature.screw), at_temperature(lubricant, temperature.nut)},
+      at_temperature(lubricant, 0.5 * (temperature.screw + temperature.nut))};
+}
+
+SlipModels::SlipModels(const Conditions& c, const Contacts& contacts)
+    : SlipModels(c, contacts, oils_in_operation(c)) {}
+
+SlipModels::SlipModels(const Conditions& c, const Contacts& contacts, Oils oils)
+    : conditions_(c), contacts_(contacts), grid_(c.model.patch_points), oils_(std::move(oils)) {}
+
+SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
+  if (loaded.load_case.share == LoadCase::Share::equal) return equal_shares(loaded.load_case, oils);
+  SlipModel model = unloaded(loaded.load_case, oils);
   for (const Interface i : kInterfaces)
     for (const double load : (*loaded.threads)[i].axial_load) {
       std::vector<std::optional<std::size_t>>& patch_of = model.threads[i].patch_of_thread;
@@ -58,8 +72,8 @@ SlipModel SlipModels::of(const LoadCaseResult& loaded) const {
   return model;
 }
 
-SlipModel SlipModels::equal_shares(const LoadCase& load_case) const {
-  SlipModel model = unloaded(load_case);
+SlipModel SlipModels::equal_shares(const LoadCase& load_case, const Oils& oils) const {
+  SlipModel model = unloaded(load_case, oils);
   const int alike = contacts_.mechanism.contacts_per_roller;
   for (const Interface i : kInterfaces) {
     model.threads[i].alike = alike;
@@ -69,7 +83,7 @@ SlipModel SlipModels::equal_shares(const LoadCase& load_case) const {
   return model;
 }
 
-SlipModel SlipModels::unloaded(const LoadCase& load_case) const {
+SlipModel SlipModels::unloaded(const LoadCase& load_case, const Oils& oils) const {
   SlipModel m;
   m.axial_force = axial_force_on_nut(load_case);
   m.speed = load_case.speed ? *load_case.speed : conditions_.operation->speed;
@@ -85,7 +99,7 @@ SlipModel SlipModels::unloaded(const LoadCase& load_case) const {
   m.nut_torque = conditions_.carrier.nut_torque;
   m.roller_torque = conditions_.carrier.roller_torque;
   m.bearing = conditions_.carrier.bearing;
-  m.lubricant = lubricant_;
+  m.oils = oils;
   m.gear_pressure_angle = conditions_.carrier.gear_pressure_angle;
   m.roller_mass = roller_mass(conditions_, contacts_.mechanism);
   return m;
@@ -105,7 +119,7 @@ void SlipModels::add_patch(SlipModel& model, Interface i, double axial_load) con
   if (conditions_.friction->model == Friction::Model::coulomb)
     threads.patches.emplace_back(grid_, ellipse, conditions_.friction->coefficient);
   else
-    threads.patches.emplace_back(grid_, ellipse, *lubricant_, threads.films.back());
+    threads.patches.emplace_back(grid_, ellipse, *model.oils.threads[i], threads.films.back());
 }
 
 }  // namespace prs
