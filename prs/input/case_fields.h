@@ -790,7 +790,8 @@ void fields(Io& io, Lubricant& l) {
 template <class Io>
 void fields(Io& io, Operation& o) {
   io.field("speed", o.speed, Quantity{unit::rotational_speed}, required,
-           "Screw against nut; its sign is that of the axial force (left-handed: either)");
+           "Screw against nut; with the sign of the axial force (left-handed: the other) the screw "
+           "drives, else the load");
   io.field("slip_ratio", o.slip_ratio, Number{{.least = 0.0, .greatest = 1.0}}, optional,
            "Imposed in place of that of the roller's equilibrium");
 }

@@ -66,6 +66,11 @@ enum class SlipStatus {
 
 std::string_view name(SlipStatus status);
 
+/// Whose power goes into the mechanism: force x speed x lead > 0 of a screw that drives its load.
+enum class DrivenBy { screw, load };
+
+constexpr std::string_view name(DrivenBy by) { return by == DrivenBy::screw ? "screw" : "load"; }
+
 struct ThreadOf {
   Interface interface = Interface::screw;
   int thread = 0;  ///< From 0.
@@ -97,7 +102,11 @@ struct SlipResult {
   PerInterface<InterfaceSlip> threads;
   PowerBySource power;
   double power_loss_input_output = 0.0;  ///< Input less output [W] (3.53)
-  std::optional<double> efficiency;      ///< Output over input, (3.52); absent where self-locking.
+  DrivenBy driven_by = DrivenBy::screw;
+  std::optional<double> efficiency;  ///< Output over input, (3.52); absent where self-locking.
+  // Only where the load drives:
+  std::optional<bool> self_locking;      ///< No power comes out: the shaft has to drive as well.
+  std::optional<double> holding_torque;  ///< C_S in the sense of the motion [N m]: < 0 brakes.
   /// (3.55), Sandu's fit near his reference example; absent with Coulomb.
   std::optional<double> efficiency_fit;
   double torque_screw = 0.0;  ///< C_S, by the drive on the screw [N m] (3.30)

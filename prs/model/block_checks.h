@@ -48,7 +48,7 @@ void check_life(const Case& c, Problems& problems);
 
 void require_preload(const Case& c, Problems& problems);
 void require_life(const Case& c, Problems& problems);
-void require_slip(const Case& c, Problems& problems);
+void require_slip(const Conditions& c, Problems& problems);
 
 inline constexpr std::string_view kMaterialsExample =
     "{youngs_modulus: 210 GPa, poisson_ratio: 0.3}";

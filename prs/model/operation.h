@@ -68,7 +68,7 @@ struct Friction {
 };
 
 struct Operation {
-  double speed = 0.0;  ///< Screw against nut [rad/s]; sign with the force as in Sandu (3.2).
+  double speed = 0.0;                ///< Screw against nut [rad/s].
   std::optional<double> slip_ratio;  ///< Imposed; else from the roller's equilibrium.
 };
 

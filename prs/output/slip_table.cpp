@@ -77,8 +77,12 @@ std::string efficiency_lines(const SlipResult& slip) {
   const std::string fit = slip.efficiency_fit ? fmt::format("Sandu's fit {:.2f} %",
                                                             *slip.efficiency_fit * per_si::percent)
                                               : "";
+  if (slip.driven_by == DrivenBy::screw)
+    return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2), fit);
   return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2),
-                    slip.efficiency ? fit : "self-locking");
+                    slip.efficiency ? "the load drives" : "the load helps, self-locking") +
+         block_line("holding torque, N m", four_digits(shown(*slip.holding_torque, "N m")),
+                    slip.efficiency ? "holds back the load" : "turns the screw");
 }
 
 std::string torque_lines(const SlipResult& slip) {

@@ -117,8 +117,16 @@ constexpr Quantity<SlipResult> kSlip[] = {
      "Sandu 2018, (2.16), (2.17)"},
     {"optimality_percent", found<&SlipResult::optimality>, "100 % at the ideal slip ratio",
      "Sandu 2018, (2.19)"},
+    {"driven_by", found<&SlipResult::driven_by>, "screw | load: force x speed x lead > 0 or < 0"},
     {"efficiency", found<&SlipResult::efficiency>,
-     "power out over power in; absent where self-locking", "Sandu 2018, (3.52)"},
+     "power out over power in: of the load over the shaft, or of the shaft over the load that "
+     "drives; absent where self-locking",
+     "Sandu 2018, (3.52)"},
+    {"self_locking", found<&SlipResult::self_locking>,
+     "whether no power comes out; where the load drives"},
+    {"holding_torque_Nm", found<&SlipResult::holding_torque>,
+     "by the drive on the screw in the sense of the motion, where the load drives: > 0 turns a "
+     "self-locking screw, < 0 holds back the load"},
     {"efficiency_fit", found<&SlipResult::efficiency_fit>,
      "fit near a reference example; absent with Coulomb friction", "Sandu 2018, (3.55)"},
     {"power_loss_W", found<[](const SlipResult& slip) { return slip.power.total(); }>,

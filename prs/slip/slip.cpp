@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "prs/loads/load_case_result.h"
+#include "prs/model/block_checks.h"
 #include "prs/model/case_error.h"
 #include "prs/slip/slip_equilibrium.h"
 #include "prs/slip/slip_model.h"
@@ -21,17 +22,26 @@ constexpr double kMixedLubrication = 3.0, kBoundaryLubrication = 1.0;
 /// Coulomb's coefficient from which surfaces are taken to touch.
 constexpr double kTouchingFriction = 0.05;
 
+bool leads_agree(const contact::KinematicConsistency& k,
+                 const contact::MechanismGeometry& threads) {
+  return std::abs(k.lead_difference) <= contact::kSamePitch * std::abs(threads.screw.lead);
+}
+
+bool ratios_agree(const contact::KinematicConsistency& k) {
+  return std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) <= kGearRatioTolerance;
+}
+
 /// (2.14): screw, roller and nut can only roll on each other without parting where the gears turn
 /// the rollers as their leads ask.
 void require_kinematics(const contact::MechanismGeometry& threads) {
   const contact::KinematicConsistency k = contact::kinematic_consistency(threads);
-  if (std::abs(k.lead_difference) > contact::kSamePitch * std::abs(threads.screw.lead))
+  if (!leads_agree(k, threads))
     throw CaseError("mechanism.pitch",
                     fmt::format("the leads of nut and screw differ by {:.4g} mm; expected equal "
                                 "leads for `slip`, or the contacts part as the screw turns (Sandu "
                                 "2018, (2.14)); leave the measured pitches out",
                                 k.lead_difference * 1e3));
-  if (std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) > kGearRatioTolerance)
+  if (!ratios_agree(k))
     throw CaseError("mechanism.pitch_diameter.roller",
                     fmt::format("the pitch diameters give the gear ratio {:.6f}; expected {:.6f} "
                                 "for `slip`, the ratio of the leads, or the rollers migrate (Sandu "
@@ -117,9 +127,9 @@ std::optional<double> sandu_efficiency_fit(const contact::Lubricant& lubricant) 
   return 0.981 - 0.0032 * megapascals * std::log(millipascal_seconds);
 }
 
-/// Whether the load's power flows into the mechanism.
-bool load_drives(const SlipModel& model) {
-  return model.axial_force * model.speed * model.geometry.lead < 0.0;
+DrivenBy driven_by(const SlipModel& model) {
+  return model.axial_force * model.speed * model.geometry.lead < 0.0 ? DrivenBy::load
+                                                                     : DrivenBy::screw;
 }
 
 void warn_of_lubrication(const SlipResult& slip, const Friction& friction,
@@ -149,8 +159,8 @@ void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads, const
         warnings.push_back(fmt::format("{}: {}", path_in(load, "axial_force"), *note));
 }
 
-void warn(const SlipResult& slip, const SlipModel& model, const Friction& friction,
-          const LoadCase& load, std::vector<std::string>& warnings) {
+void warn(const SlipResult& slip, const Friction& friction, const LoadCase& load,
+          std::vector<std::string>& warnings) {
   const std::string speed = load.speed ? path_in(load, "speed") : "operation.speed";
   if (slip.status == SlipStatus::jammed)
     warnings.push_back(
@@ -163,14 +173,11 @@ void warn(const SlipResult& slip, const SlipModel& model, const Friction& fricti
                     "carrier's torques",
                     name(slip.status)));
   if (!slip.converged()) return;
-  if (load_drives(model))
+  if (slip.self_locking.value_or(false))
     warnings.push_back(fmt::format(
-        "{}: {}", speed,
-        slip.efficiency
-            ? "the load drives the screw (left-handed: force and speed of one sign); the "
-              "efficiency is that of the shaft's power over the load's"
-            : "the load helps, but the screw is self-locking: the shaft has to drive as well, and "
-              "there is no efficiency"));
+        "{}: the load helps, but the screw is self-locking: only a torque of {:.4g} N m in the "
+        "sense of the motion turns it, and there is no efficiency",
+        speed, *slip.holding_torque));
   if (slip.optimality > 1.0 + 1e-12)
     warnings.push_back(
         fmt::format("carrier: the carrier is driven by its torques: the slip ratio {:.6f} "
@@ -289,8 +296,13 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   slip.torque_nut = torques.nut;
   slip.power_loss_input_output = flow.lost();
   slip.efficiency = flow.efficiency();
+  slip.driven_by = driven_by(model);
+  if (slip.driven_by == DrivenBy::load) {
+    slip.self_locking = !slip.efficiency;
+    slip.holding_torque = std::copysign(1.0, model.speed) * torques.screw;
+  }
   const bool jacod = c.friction->model == Friction::Model::jacod;
-  if (jacod && slip.status == SlipStatus::converged && !load_drives(model))
+  if (jacod && slip.status == SlipStatus::converged && slip.driven_by == DrivenBy::screw)
     slip.efficiency_fit = sandu_efficiency_fit(*model.oils.carrier);
   if (model.oils.carrier) slip.viscosity = model.oils.carrier->viscosity;
   slip.forces = b.forces;
@@ -319,10 +331,28 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
     }
     if (options.detail != Detail::complete) continue;
-    warn(*loaded.slip, model, *c.friction, loaded.load_case, loaded.warnings);
+    warn(*loaded.slip, *c.friction, loaded.load_case, loaded.warnings);
     warn_of_running_pressure(*loaded.threads, loaded.load_case, loaded.warnings);
   }
   return result;
+}
+
+std::optional<double> back_driving_efficiency(const Conditions& c, const Contacts& contacts,
+                                              const LoadCaseResult& loaded) {
+  Problems lacking;
+  require_slip(c, lacking);
+  if (!std::move(lacking).take().empty() || !loaded.threads) return std::nullopt;
+  for (const Interface i : kInterfaces)
+    if (!contacts.interfaces[i].geometry.ok() || !contacts.interfaces[i].has_hertz())
+      return std::nullopt;
+  const contact::KinematicConsistency k = contact::kinematic_consistency(contacts.threads);
+  if (!leads_agree(k, contacts.threads) || !ratios_agree(k)) return std::nullopt;
+  const SlipModels models(c, contacts);
+  SlipModel model = models.of(loaded);
+  if (driven_by(model) == DrivenBy::screw) model.speed = -model.speed;
+  const SlipEquilibrium found = find_slip_equilibrium(model);
+  if (!found.ok()) return std::nullopt;
+  return power_flow(model, drive_torques(model, found.balance)).efficiency();
 }
 
 SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_t load_case) {

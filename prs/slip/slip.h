@@ -21,6 +21,11 @@ inline Result analyze_slip(const Case& c, AnalysisOptions options = {}) {
 /// Slip of one load case, without the comparison with equal shares.
 SlipResult slip_result(const SlipModels& models, const SlipModel& model);
 
+/// Efficiency of the same load at the same speed where the load drives; absent where the screw
+/// locks itself, or the case lacks what `slip` needs.
+std::optional<double> back_driving_efficiency(const Conditions& c, const Contacts& contacts,
+                                              const LoadCaseResult& loaded);
+
 /// A note where the film of a lubricant cannot be compared with the roughness of the flanks.
 std::optional<std::string> unknown_film_ratio(const Conditions& c);
 

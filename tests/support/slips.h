@@ -55,6 +55,12 @@ inline prs::Case inverted(prs::Case c) {
   return c;
 }
 
+/// Where the screw drove, now the load does.
+inline prs::Case turned_back(prs::Case c) {
+  c.operation->speed = -c.operation->speed;
+  return c;
+}
+
 inline prs::Case left_handed(prs::Case c) {
   c.mechanism.lead = -c.mechanism.lead;
   return c;
@@ -102,8 +108,8 @@ inline prs::Case random_slip(std::mt19937_64& random) {
   }
   if (whole(0, 3) == 0) c = with_coulomb(c, uniform(0.01, 0.15));
   if (whole(0, 1) == 1) c = reversed(c);
-  if (whole(0, 2) == 0) c = left_handed(c);  // half of them are driven by their load
-  if (whole(0, 1) == 1) c.operation->speed *= c.mechanism.lead > 0.0 ? 1.0 : -1.0;
+  if (whole(0, 2) == 0) c = left_handed(c);
+  if (whole(0, 1) == 1) c = turned_back(c);  // of either hand half are driven by their load
   c.materials->nut = {uniform(100e9, 210e9), uniform(0.25, 0.35), {}};
   if (whole(0, 1) == 1) c.materials->roller.density = uniform(4000.0, 8000.0);
   c.model.patch_points = whole(1, 30);

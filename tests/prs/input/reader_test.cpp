@@ -406,11 +406,7 @@ TEST(ReadCase, SlipTellsWhatIsWrongWithSpeedAndLubricant) {
       message({"operation.speed=0 rpm"}),
       StartsWith("case.yaml:1:1: error: operation.speed: got 0 rpm in case `pull`; expected "
                  "a speed other than 0"));
-  EXPECT_THAT(message({"operation.speed=-400 rpm"}),
-              StartsWith("case.yaml:25:5: error: load_cases[0]: got 45 kN of axial force and "
-                         "-400 rpm in case `pull`; expected both of one sign (tension > 0, "
-                         "compression < 0), so that the screw drives the load"));
-  EXPECT_EQ(message({"operation.speed=-400 rpm", "mechanism.lead=-5 mm"}), "");
+  EXPECT_EQ(message({"operation.speed=-400 rpm"}), "");  // the load drives
   EXPECT_THAT(message({"operation.speed=400 rpm",
                        "carrier.bearing={length: 4 mm, diameter: 5 mm, "
                        "radial_clearance: 15 um}"}),

@@ -231,18 +231,63 @@ TEST(Slip, TheMirrorImageLosesAsMuch) {
   EXPECT_NEAR(b.torque_screw / a.torque_screw, -1.0, 1e-12);
 }
 
-/// Force and speed of one sign on a left-handed screw: the load drives, and gets less out.
+/// The load drives, and gets less out.
 TEST(Slip, ALoadThatDrivesTheScrewPaysForTheFriction) {
   const Case c = test::left_handed(test::sandu_reference());
-  const Result result = analyze_slip(c);
-  const SlipResult& s = *result.load_cases[0].slip;
+  const SlipResult s = slip_of(c);
+  EXPECT_EQ(s.driven_by, DrivenBy::load);
+  EXPECT_EQ(slip_of(test::turned_back(c)).driven_by, DrivenBy::screw);
   ASSERT_EQ(s.status, SlipStatus::converged);
   EXPECT_LT(std::abs(s.torque_screw), 35e3 * 10e-3 / (2 * std::numbers::pi));
   EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-10);
   const double shaft = -s.torque_screw * s.speed;
   EXPECT_NEAR(*s.efficiency, shaft / (shaft + s.power.total()), 1e-12);
-  EXPECT_THAT(result.load_cases[0].warnings,
-              ::testing::Contains(HasSubstr("the load drives the screw")));
+  EXPECT_EQ(s.self_locking, false);
+  EXPECT_NEAR(*s.holding_torque * s.speed, -shaft, 1e-12 * shaft);  // a brake
+}
+
+/// A plane through the axis mirrors hand and rotation, and leaves the force.
+TEST(Slip, DrivenByItsLoadAScrewIsItsMirrorImage) {
+  std::mt19937_64 random(21);
+  int compared = 0;
+  for (int n = 0; n < 20; ++n) {
+    SCOPED_TRACE(n);
+    Case driven = test::random_slip(random);
+    const double drive = driven.load_cases[0].axial_force * driven.operation->speed;
+    if (drive * driven.mechanism.lead > 0.0) driven = test::turned_back(driven);
+    const Case mirror = test::turned_back(test::left_handed(driven));
+    SlipResult a, b;
+    try {
+      a = slip_of(driven), b = slip_of(mirror);
+    } catch (const CaseError&) {  // no contact point with that profile
+      continue;
+    }
+    EXPECT_EQ(a.status, b.status);
+    EXPECT_EQ(a.driven_by, DrivenBy::load);
+    EXPECT_EQ(b.driven_by, DrivenBy::load);
+    if (!a.converged()) continue;
+    EXPECT_NEAR(a.slip_ratio, b.slip_ratio, 1e-11);
+    EXPECT_EQ(a.self_locking, b.self_locking);
+    EXPECT_NEAR(a.efficiency.value_or(0.0), b.efficiency.value_or(0.0), 1e-9);
+    EXPECT_NEAR(a.torque_screw / b.torque_screw, -1.0, 1e-9);
+    EXPECT_NEAR(*a.holding_torque / *b.holding_torque, 1.0, 1e-9);
+    for (const Interface i : kInterfaces)
+      EXPECT_NEAR(a.threads[i].power[0] / b.threads[i].power[0], 1.0, 1e-9);
+    ++compared;
+  }
+  EXPECT_GT(compared, 12);
+}
+
+TEST(Slip, BothSensesStandInOneListOfCases) {
+  Case c = test::sandu_reference();
+  c.load_cases.push_back(c.load_cases[0]);
+  c.load_cases[1].name = "back";
+  c.load_cases[1].speed = -c.operation->speed;
+  const Result result = analyze_slip(c);
+  EXPECT_EQ(result.load_cases[0].slip->driven_by, DrivenBy::screw);
+  EXPECT_EQ(result.load_cases[1].slip->driven_by, DrivenBy::load);
+  EXPECT_FALSE(result.load_cases[0].slip->holding_torque);
+  expect_as_plain(c, result, 1e-10);
 }
 
 TEST(Slip, WithoutFrictionTheIdealSlipRatioAndFullEfficiencyRemain) {
@@ -335,7 +380,10 @@ TEST(Slip, ASelfLockingScrewHasNoEfficiency) {
   const SlipResult& s = *result.load_cases[0].slip;
   ASSERT_EQ(s.status, SlipStatus::converged);
   EXPECT_FALSE(s.efficiency.has_value());
-  EXPECT_GT(s.torque_screw * s.speed, 0.0);  // the shaft drives although the load helps
+  EXPECT_EQ(s.self_locking, true);
+  EXPECT_GT(*s.holding_torque, 0.0);  // the shaft drives although the load helps
+  const double load_power = -35e3 * c.mechanism.lead / (2 * std::numbers::pi) * s.speed;
+  EXPECT_NEAR(*s.holding_torque * s.speed + load_power, s.power.total(), 1e-9 * s.power.total());
   EXPECT_THAT(result.load_cases[0].warnings, ::testing::Contains(HasSubstr("self-locking")));
 }
 
