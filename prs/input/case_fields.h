@@ -234,6 +234,8 @@ void alternatives(Io& io, Friction& f) {
   io.word("jacod", f.model, Friction::Model::jacod, "lubricated contact, after Jacod");
   io.map("coulomb", f.model, Friction::Model::coulomb, f.coefficient, Number{not_negative},
          "a constant coefficient of friction");
+  io.map("mixed", f.model, Friction::Model::mixed, f.mixed, Block{},
+         "a film after Jacod through which flanks touch, by film over roughness");
 }
 
 template <class Io>
@@ -785,6 +787,14 @@ void fields(Io& io, Lubricant& l) {
            named, "Pressure-viscosity coefficient; with `name` estimated from the viscosity");
   io.field("eyring_stress", l.eyring_stress, stress, named,
            "Eyring shear stress; with `name` 5 MPa by default");
+}
+
+template <class Io>
+void fields(Io& io, MixedFriction& m) {
+  io.field("boundary", m.boundary, Number{not_negative}, required,
+           "Coefficient of friction of flanks that touch");
+  io.field("exponent", m.exponent, Number{positive}, optional,
+           "Of (1 + film over roughness)^-exponent, the share of the load on flanks that touch");
 }
 
 template <class Io>

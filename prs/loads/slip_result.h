@@ -21,6 +21,7 @@ struct InterfaceSlip {
   std::vector<double> film_thickness;        ///< Sandu's h_c [m] (2.39); empty without lubricant.
   std::vector<double> central_film;          ///< By Nijenbanning, Venner and Moes [m]; the same.
   std::vector<double> film_ratio;            ///< Lambda, central film over roughness, if given.
+  std::vector<double> boundary_share;        ///< Of the load on flanks that touch; with film_ratio.
   std::vector<double> dynamic_normal_load;   ///< N_M [N] (3.11), (3.12)
 };
 

@@ -61,10 +61,19 @@ std::string origin_of(std::string_view key, LubricantName name);
 /// Which values of a lubricant are estimates, and how to replace them; empty where all are stated.
 std::string estimates_note(const Lubricant& lubricant);
 
+/// Flanks that a film parts in part only (Olver and Spikes 1998), see `contact::Patch`.
+struct MixedFriction {
+  double boundary = 0.0;  ///< Coefficient without film.
+  double exponent = 2.0;  ///< Of the share of touching flanks, `contact::boundary_share`.
+};
+
 struct Friction {
-  enum class Model { jacod, coulomb };
+  enum class Model { jacod, coulomb, mixed };
   Model model = Model::jacod;
   double coefficient = 0.0;  ///< Coulomb only.
+  MixedFriction mixed = {};
+
+  bool of_film() const { return model != Model::coulomb; }
 };
 
 struct Operation {

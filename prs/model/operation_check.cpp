@@ -144,9 +144,15 @@ void check_carrier(const Carrier& carrier, Problems& problems) {
 void require_slip(const Conditions& c, Problems& problems) {
   if (!c.friction)
     problems.add_missing("friction", "a law of friction for `slip`", "{model: jacod}");
-  if (c.friction && c.friction->model == Friction::Model::jacod && !c.lubricant)
-    problems.add_missing("lubricant", "the lubricant for `friction: {model: jacod}`",
-                         kLubricantExample);
+  const bool mixed = c.friction && c.friction->model == Friction::Model::mixed;
+  if (c.friction && c.friction->of_film() && !c.lubricant)
+    problems.add_missing(
+        "lubricant",
+        fmt::format("the lubricant for `friction: {{model: {}}}`", mixed ? "{mixed: ..}" : "jacod"),
+        kLubricantExample);
+  if (mixed && !c.roughness)
+    problems.add_missing("roughness", "the Rq of the flanks for `friction: {model: {mixed: ..}}`",
+                         "0.4 um");
   if (c.carrier.bearing && !c.lubricant)
     problems.add_missing("lubricant",
                          "the lubricant of `carrier.bearing`, whatever the law of friction",

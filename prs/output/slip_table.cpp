@@ -12,6 +12,7 @@
 #include "prs/output/table_units.h"
 #include "prs/output/warnings.h"
 #include "prs/quantities/slip_quantities.h"
+#include "prs/slip/slip.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -118,7 +119,18 @@ constexpr RangeLine kRangeLines[] = {
     {"film by Sandu, nm", "film_thickness_nm", 0},
     {"central film, nm", "central_film_nm", 0},
     {"film over roughness", "film_ratio", 2},
+    {"share on touching flanks", "boundary_share", 3},
 };
+
+/// `boundary–mixed`, from the thinnest film to the thickest.
+std::string regimes(const InterfaceSlip& slip) {
+  double least = HUGE_VAL, largest = 0.0;
+  for (const double ratio : slip.film_ratio)
+    if (ratio > 0.0) least = std::min(least, ratio), largest = std::max(largest, ratio);
+  if (least > largest) return std::string(kAbsent);
+  const std::string_view from = lubrication(least), to = lubrication(largest);
+  return from == to ? std::string(from) : fmt::format("{}–{}", from, to);
+}
 
 /// `0.0812–0.0934` over the threads that carry load.
 std::string range(const InterfaceSlip& slip, const RangeLine& line) {
@@ -146,6 +158,9 @@ std::string range_lines(const SlipResult& slip) {
     if (!quantity<InterfaceSlip>(line.key).value.series(slip.threads.screw).empty())
       lines += block_line(fmt::format("  {}", line.label), range(slip.threads.screw, line),
                           padded(range(slip.threads.nut, line), kValueWidth, false));
+  if (!slip.threads.screw.film_ratio.empty())
+    lines += block_line("  lubrication", regimes(slip.threads.screw),
+                        padded(regimes(slip.threads.nut), kValueWidth, false));
   return lines;
 }
 

@@ -23,7 +23,11 @@ constexpr Quantity<InterfaceSlip> kInterfaceSlip[] = {
     {"central_film_nm", of<&InterfaceSlip::central_film>, "central film; needs a lubricant",
      "Nijenbanning, Venner, Moes 1994"},
     {"film_ratio", of<&InterfaceSlip::film_ratio>,
-     "central film over the composite roughness; needs both roughnesses"},
+     "Lambda: central film over the composite roughness; needs lubricant and roughness"},
+    {"boundary_share", of<&InterfaceSlip::boundary_share>,
+     "share (1 + Lambda)^-exponent of the load on flanks that touch, exponent 2 where the case has "
+     "none; that of friction only if mixed",
+     "Olver and Spikes 1998"},
     {"dynamic_normal_load_N", of<&InterfaceSlip::dynamic_normal_load>,
      "normal load that keeps the axial load in balance with friction",
      "Sandu 2018, (3.11), (3.12)"},

@@ -17,8 +17,6 @@
 namespace prs {
 namespace {
 
-/// Film over roughness below which the surfaces begin to touch, and below which they carry.
-constexpr double kMixedLubrication = 3.0, kBoundaryLubrication = 1.0;
 /// Coulomb's coefficient from which surfaces are taken to touch.
 constexpr double kTouchingFriction = 0.05;
 
@@ -49,15 +47,11 @@ void require_kinematics(const contact::MechanismGeometry& threads) {
                                 k.gear_ratio, k.gear_ratio_by_leads));
 }
 
-/// Rms roughness of both flanks of a contact together [m].
-double composite_roughness(const PerPart<double>& roughness, Interface i) {
-  return std::hypot(roughness[body_of(i)], roughness.roller);
-}
-
 /// Results of each patch, handed out to the threads that it stands for.
-InterfaceSlip interface_slip(const LoadedThreads& threads, const InterfaceBalance& b,
-                             const std::optional<contact::Lubricant>& lubricant,
-                             const std::optional<double>& roughness) {
+InterfaceSlip interface_slip(const Conditions& c, const SlipModel& model,
+                             const SlipBalance& balance, Interface i) {
+  const LoadedThreads& threads = model.threads[i];
+  const InterfaceBalance& b = balance.interfaces[i];
   InterfaceSlip slip;
   const auto add = [&](std::vector<double>& values, auto value_of_patch) {
     std::vector<double> of_patch;
@@ -78,16 +72,22 @@ InterfaceSlip interface_slip(const LoadedThreads& threads, const InterfaceBalanc
       [&](std::size_t) { return std::hypot(b.motion.sliding_major, b.motion.sliding_minor); });
   add(slip.max_sliding_speed, [&](std::size_t k) { return b.friction[k].max_sliding_speed; });
   add(slip.dynamic_normal_load, [&](std::size_t k) { return b.normal_load[k]; });
-  if (!lubricant) return slip;
+  if (!model.oils.threads[i]) return slip;
+  const contact::Lubricant& oil = *model.oils.threads[i];
   const double rolling = b.motion.rolling_speed;
   const auto central_film = [&](std::size_t k) {
-    return contact::nijenbanning_film(*lubricant, threads.films[k], rolling).thickness;
+    return contact::nijenbanning_film(oil, threads.films[k], rolling).thickness;
   };
-  add(slip.film_thickness, [&](std::size_t k) {
-    return contact::sandu_film(*lubricant, threads.films[k], rolling).thickness;
-  });
+  add(slip.film_thickness,
+      [&](std::size_t k) { return contact::sandu_film(oil, threads.films[k], rolling).thickness; });
   add(slip.central_film, central_film);
-  if (roughness) add(slip.film_ratio, [&](std::size_t k) { return central_film(k) / *roughness; });
+  const std::optional<double> roughness = composite_roughness(c, i);
+  if (!roughness) return slip;
+  const auto film_ratio = [&](std::size_t k) { return central_film(k) / *roughness; };
+  add(slip.film_ratio, film_ratio);
+  add(slip.boundary_share, [&](std::size_t k) {
+    return contact::boundary_share(film_ratio(k), c.friction->mixed.exponent);
+  });
   return slip;
 }
 
@@ -134,18 +134,20 @@ DrivenBy driven_by(const SlipModel& model) {
 
 void warn_of_lubrication(const SlipResult& slip, const Friction& friction,
                          std::vector<std::string>& warnings) {
+  if (friction.model == Friction::Model::mixed) return;
   const bool jacod = friction.model == Friction::Model::jacod;
   if (!jacod && friction.coefficient >= kTouchingFriction) return;
   for (const Interface i : kInterfaces) {
     double least = std::numeric_limits<double>::infinity();
     for (const double ratio : slip.threads[i].film_ratio)
       if (ratio > 0.0) least = std::min(least, ratio);
-    if (least < kMixedLubrication)
+    if (least < kFullFilm)
       warnings.push_back(fmt::format(
           "roughness: {} lubrication at the {} contacts: film over roughness is {:.2f} at the "
           "least; {}",
-          least < kBoundaryLubrication ? "boundary" : "mixed", label(i), least,
-          jacod ? "real friction is higher than that of the full film computed here"
+          lubrication(least), label(i), least,
+          jacod ? "real friction is higher than that of the full film computed here: take "
+                  "`friction: {model: {mixed: {boundary: 0.11}}}`"
                 : "take a friction coefficient of surfaces that touch"));
   }
 }
@@ -259,6 +261,10 @@ std::string_view name(SlipStatus status) {
   return kNames[static_cast<std::size_t>(status)];
 }
 
+std::string_view lubrication(double film_ratio) {
+  return film_ratio < kTouchingFlanks ? "boundary" : film_ratio < kFullFilm ? "mixed" : "full film";
+}
+
 std::optional<std::string> unknown_film_ratio(const Conditions& c) {
   if (!c.lubricant || c.roughness) return std::nullopt;
   return "roughness: missing, so that film over roughness, and with it the kind of lubrication, is "
@@ -283,12 +289,7 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
 
   slip.slip_ratio = b.motion.slip_ratio;
   slip.optimality = optimality(range, slip.slip_ratio);
-  for (const Interface i : kInterfaces) {
-    std::optional<double> roughness;
-    if (c.roughness) roughness = composite_roughness(*c.roughness, i);
-    slip.threads[i] =
-        interface_slip(model.threads[i], b.interfaces[i], model.oils.threads[i], roughness);
-  }
+  for (const Interface i : kInterfaces) slip.threads[i] = interface_slip(c, model, b, i);
   slip.power = lost_power(model, b);
   const DriveTorques torques = drive_torques(model, b);
   const PowerFlow flow = power_flow(model, torques);
@@ -353,6 +354,32 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
   const SlipEquilibrium found = find_slip_equilibrium(model);
   if (!found.ok()) return std::nullopt;
   return power_flow(model, drive_torques(model, found.balance)).efficiency();
+}
+
+StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::size_t load_case) {
+  constexpr int kDecades = 4, kPerDecade = 10;
+  const SlipModels models(c, result.contacts);
+  SlipModel model = models.of(result.load_cases[load_case]);
+  const double speed = model.speed;
+  StribeckCurve curve;
+  for (int k = 0; k <= kDecades * kPerDecade; ++k) {
+    // From a thousandth to ten times the speed.
+    model.speed = speed * std::pow(10.0, static_cast<double>(k) / kPerDecade - 3.0);
+    const SlipResult slip = slip_result(models, model);
+    if (!slip.converged()) continue;
+    curve.speed.push_back(std::abs(model.speed));
+    curve.power.push_back(slip.power.total());
+    curve.efficiency.push_back(slip.efficiency);
+    for (const Interface i : kInterfaces) {
+      const InterfaceSlip& threads = slip.threads[i];
+      const auto most =
+          static_cast<std::size_t>(std::ranges::max_element(threads.dynamic_normal_load) -
+                                   threads.dynamic_normal_load.begin());
+      curve.friction[i].push_back(threads.friction_coefficient[most]);
+      if (!threads.film_ratio.empty()) curve.film_ratio[i].push_back(threads.film_ratio[most]);
+    }
+  }
+  return curve;
 }
 
 SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_t load_case) {

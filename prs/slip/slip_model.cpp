@@ -52,6 +52,11 @@ Oils oils_at(const Lubricant& lubricant, const PerInterface<double>& temperature
       at_temperature(lubricant, 0.5 * (temperature.screw + temperature.nut))};
 }
 
+std::optional<double> composite_roughness(const Conditions& c, Interface i) {
+  if (!c.roughness) return std::nullopt;
+  return std::hypot((*c.roughness)[body_of(i)], c.roughness->roller);
+}
+
 SlipModels::SlipModels(const Conditions& c, const Contacts& contacts)
     : SlipModels(c, contacts, oils_in_operation(c)) {}
 
@@ -116,10 +121,21 @@ void SlipModels::add_patch(SlipModel& model, Interface i, double axial_load) con
                            .curvature = relative.second,
                            .contact_modulus = contact.contact_modulus,
                            .curvature_ratio = relative.first / relative.second});
-  if (conditions_.friction->model == Friction::Model::coulomb)
-    threads.patches.emplace_back(grid_, ellipse, conditions_.friction->coefficient);
-  else
-    threads.patches.emplace_back(grid_, ellipse, *model.oils.threads[i], threads.films.back());
+  const Friction& friction = *conditions_.friction;
+  const contact::FilmContact& film = threads.films.back();
+  switch (friction.model) {
+    case Friction::Model::coulomb:
+      threads.patches.emplace_back(grid_, ellipse, friction.coefficient);
+      break;
+    case Friction::Model::jacod:
+      threads.patches.emplace_back(grid_, ellipse, *model.oils.threads[i], film);
+      break;
+    case Friction::Model::mixed:
+      threads.patches.emplace_back(
+          grid_, ellipse, *model.oils.threads[i], film,
+          contact::TouchingFlanks{friction.mixed.boundary, friction.mixed.exponent,
+                                  *composite_roughness(conditions_, i)});
+  }
 }
 
 }  // namespace prs

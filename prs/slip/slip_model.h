@@ -18,6 +18,9 @@ Oils oils_in_operation(const Conditions& c);
 /// bearings of the roller heads run at the mean of both.
 Oils oils_at(const Lubricant& lubricant, const PerInterface<double>& temperature);
 
+/// Composite Rq of the flanks of an interface [m]; absent where the case has none.
+std::optional<double> composite_roughness(const Conditions& c, Interface i);
+
 /// Builds the models of slip of one case from its contacts and loads. The models refer to the grid
 /// in here and to the contacts.
 class SlipModels {

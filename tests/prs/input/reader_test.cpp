@@ -142,6 +142,13 @@ TEST(ReadCase, FrictionMayBeWrittenInThreeWays) {
     EXPECT_EQ(c.friction->coefficient, 0.11) << text;
   }
   EXPECT_EQ(read(kAbevi, {"friction={model: jacod}"}).friction->model, Friction::Model::jacod);
+  for (const char* text : {"friction={model: {mixed: {boundary: 0.12}}}",
+                           "friction={mixed: {boundary: 0.12, exponent: 2}}"}) {
+    const Friction mixed = *read(kAbevi, {text}).friction;
+    EXPECT_EQ(mixed.model, Friction::Model::mixed);
+    EXPECT_EQ(mixed.mixed.boundary, 0.12);
+    EXPECT_EQ(mixed.mixed.exponent, 2.0);
+  }
 }
 
 const std::string kOil =

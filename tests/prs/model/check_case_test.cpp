@@ -251,6 +251,8 @@ TEST(CheckRequirements, JacodNeedsALubricantAndSlipASpeed) {
   c.load_cases.pop_back();
   c.friction = Friction{};
   EXPECT_EQ(paths(missing(c, Command::slip)), "lubricant operation");
+  c.friction->model = Friction::Model::mixed;
+  EXPECT_EQ(paths(missing(c, Command::slip)), "lubricant roughness operation");
   c.friction->model = Friction::Model::coulomb;
   c.load_cases[0].speed = 40.0;
   EXPECT_EQ(paths(missing(c, Command::slip)), "");

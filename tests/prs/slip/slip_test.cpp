@@ -85,6 +85,9 @@ void expect_as_plain(const Case& c, const Result& result, double tolerance) {
       if (!c.lubricant) continue;
       expect_relative(computed.film_thickness[k], threads[k].film_thickness, tolerance, "h_c");
       expect_relative(computed.central_film[k], threads[k].central_film, tolerance, "full fit");
+      EXPECT_EQ(computed.boundary_share.empty(), !c.roughness);
+      if (c.roughness)
+        expect_relative(computed.boundary_share[k], threads[k].boundary_share, tolerance, "share");
     }
   }
 }
@@ -212,6 +215,78 @@ TEST(Slip, RandomCasesMatchThePlainCalculation) {
     ++compared;
   }
   EXPECT_GT(compared, 4 * left_out);
+}
+
+TEST(MixedFriction, MatchesThePlainCalculation) {
+  std::mt19937_64 random(34);
+  std::uniform_real_distribution<double> unit;
+  int compared = 0;
+  for (int n = 0; n < 20; ++n) {
+    SCOPED_TRACE(n);
+    Case c = test::random_slip(random);
+    const auto rough = [&] { return std::exp(std::log(10e-9) + unit(random) * std::log(200.0)); };
+    c.roughness = PerPart<double>{rough(), rough(), rough()};
+    c = test::with_mixed_friction(c, 0.2 * unit(random), 0.5 + 3.0 * unit(random));
+    Result result;
+    try {
+      result = analyze_slip(c);
+    } catch (const CaseError&) {  // no contact point with that profile
+      continue;
+    }
+    if (!result.load_cases[0].slip->converged()) continue;
+    expect_as_plain(c, result, 1e-9);
+    ++compared;
+  }
+  EXPECT_GT(compared, 12);
+}
+
+/// Smooth flanks never touch, rough ones always.
+TEST(MixedFriction, IsJacodsOfAThickFilmAndCoulombsWithoutFilm) {
+  const auto expect_same = [](const SlipResult& a, const SlipResult& b, double tolerance) {
+    EXPECT_NEAR(a.slip_ratio, b.slip_ratio, tolerance);
+    EXPECT_NEAR(a.power.total() / b.power.total(), 1.0, tolerance);
+    EXPECT_NEAR(*a.efficiency, *b.efficiency, tolerance);
+    for (const Interface i : kInterfaces)
+      EXPECT_NEAR(a.threads[i].friction_coefficient[0] / b.threads[i].friction_coefficient[0], 1.0,
+                  tolerance);
+  };
+  Case c = test::sandu_reference();
+  const SlipResult jacod = slip_of(c);
+  c.roughness = PerPart<double>{1e-15, 1e-15, 1e-15};  // Lambda 3e8, share 1e-17
+  const SlipResult smooth = slip_of(test::with_mixed_friction(c, 0.11, 2.0));
+  expect_same(smooth, jacod, 1e-13);
+  EXPECT_FALSE(smooth.efficiency_fit);
+  c.roughness = PerPart<double>{1e4, 1e4, 1e4};  // Lambda 3e-11
+  const SlipResult rough = slip_of(test::with_mixed_friction(c, 0.11, 2.0));
+  expect_same(rough, slip_of(test::with_coulomb(c, 0.11)), 1e-9);
+  EXPECT_NEAR(rough.threads.screw.boundary_share[0], 1.0, 1e-9);
+}
+
+/// Films grow with the speed: from the friction of touching flanks down, then up with the shear of
+/// the film.
+TEST(MixedFriction, FollowsStribeck) {
+  Case c = test::with_mixed_friction(test::sandu_reference(), 0.13, 2.0);
+  c.roughness = PerPart<double>{0.05e-6, 0.05e-6, 0.05e-6};
+  const Result result = analyze_slip(c);
+  const StribeckCurve curve = stribeck_curve(c, result, 0);
+  ASSERT_EQ(curve.speed.size(), 41u);
+  EXPECT_NEAR(curve.speed[30] / result.load_cases[0].slip->speed, 1.0, 1e-12);
+  EXPECT_NEAR(curve.power[30] / result.load_cases[0].slip->power.total(), 1.0, 1e-9);
+  const std::vector<double>& nut = curve.friction.nut;
+  EXPECT_NEAR(nut.front(), 0.13, 0.02);
+  const auto least = std::ranges::min_element(nut);
+  EXPECT_LT(*least, 0.8 * nut.front());
+  EXPECT_LT(*least, 0.99 * nut.back());
+  EXPECT_TRUE(std::ranges::is_sorted(curve.film_ratio.screw));
+  EXPECT_GT(curve.film_ratio.screw.back(), kFullFilm);
+}
+
+TEST(MixedFriction, WarnsOfNoThinFilm) {
+  Case c = test::with_mixed_friction(test::sandu_reference(), 0.11, 2.0);
+  const Result result = analyze_slip(c);
+  EXPECT_LT(result.load_cases[0].slip->threads.screw.film_ratio[0], 3.0);
+  EXPECT_THAT(result.load_cases[0].warnings,
+              ::testing::Not(::testing::Contains(HasSubstr("lubrication"))));
 }
 
 TEST(Slip, AHalfTurnAboutTheRadialAxisReversesEverything) {
