@@ -798,6 +798,12 @@ void fields(Io& io, MixedFriction& m) {
 }
 
 template <class Io>
+void fields(Io& io, Wear& w) {
+  io.field("coefficient", w.coefficient, Quantity{unit::wear, positive}, required,
+           "Volume that both flanks lose for each force and sliding path (Archard)");
+}
+
+template <class Io>
 void fields(Io& io, Operation& o) {
   io.field("speed", o.speed, Quantity{unit::rotational_speed}, required,
            "Screw against nut; with the sign of the axial force (left-handed: the other) the screw "
@@ -947,6 +953,7 @@ void fields(Io& io, CaseFile& file) {
            "Rms roughness Rq of the flanks, for the film ratio");
   io.field("lubricant", c.lubricant, Block{}, optional, "The oil, or the base oil of the grease");
   io.field("friction", c.friction, ChoiceUnder{"model"}, optional, "Law of friction");
+  io.field("wear", c.wear, Block{}, optional, "Wear of the flanks, for `prs slip`");
   io.field("operation", c.operation, Block{}, optional, "How the mechanism runs");
   io.field("carrier", c.carrier, Block{}, optional, "What acts on the rollers besides the threads");
   io.field("study", file.study, Block{}, optional, "What `prs study` varies");

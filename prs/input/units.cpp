@@ -87,6 +87,11 @@ constexpr Unit kThermalExpansion[] = {
 constexpr Unit kDuration[] = {
     {{"s"}}, {{"ms"}, 1.0, 1e3}, {{"min"}, 60.0}, {{"h"}, 3600.0}, {{"d"}, 86400.0}};
 
+constexpr Unit kWear[] = {{{"mm^3/(N m)", "mm^3/Nm", "mm³/(N m)"}, 1.0, 1e9},
+                          {{"um^3/(N m)", "µm^3/(N m)", "μm^3/(N m)"}, 1.0, 1e18},
+                          {{"m^3/(N m)", "m^3/Nm"}},
+                          {{"in^3/(lbf in)"}, kInch* kInch / kPoundForce}};
+
 constexpr Unit kTemperature[] = {{{"degC", "°C", "C"}, 1.0, 1.0, 273.15},
                                  {{"K"}},
                                  {{"degF", "°F"}, 5.0, 9.0, 459.67 * 5.0 / 9.0}};
@@ -113,6 +118,7 @@ const Dimension temperature{"a temperature", "60 degC", "degC", kTemperature};
 const Dimension thermal_expansion{"a coefficient of thermal expansion", "11.5 um/m/K", "um/m/K",
                                   kThermalExpansion};
 const Dimension duration{"a duration", "1 h", "s", kDuration};
+const Dimension wear{"a wear coefficient", "1e-8 mm^3/(N m)", "mm^3/(N m)", kWear};
 }  // namespace unit
 
 namespace {
@@ -132,7 +138,8 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::torque,
                                             &unit::temperature,
                                             &unit::thermal_expansion,
-                                            &unit::duration};
+                                            &unit::duration,
+                                            &unit::wear};
 
 const Dimension* dimension_of(std::string_view symbol) {
   for (const Dimension* d : kDimensions)

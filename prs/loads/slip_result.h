@@ -23,6 +23,7 @@ struct InterfaceSlip {
   std::vector<double> film_ratio;            ///< Lambda, central film over roughness, if given.
   std::vector<double> boundary_share;        ///< Of the load on flanks that touch; with film_ratio.
   std::vector<double> dynamic_normal_load;   ///< N_M [N] (3.11), (3.12)
+  std::vector<double> wear;  ///< Volume of both bodies over travel [m^3/m]; empty without `wear`.
 };
 
 /// Power that the whole mechanism loses to each source of friction, >= 0 [W].

@@ -76,6 +76,12 @@ struct Friction {
   bool of_film() const { return model != Model::coulomb; }
 };
 
+/// Wear of flanks by Archard (J. Appl. Phys. 24, 1953, 981): volume = k times the integral of
+/// pressure times sliding path, from both bodies together.
+struct Wear {
+  double coefficient = 0.0;  ///< k [m^3/(N m)]
+};
+
 struct Operation {
   double speed = 0.0;                ///< Screw against nut [rad/s].
   std::optional<double> slip_ratio;  ///< Imposed; else from the roller's equilibrium.

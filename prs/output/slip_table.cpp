@@ -120,6 +120,7 @@ constexpr RangeLine kRangeLines[] = {
     {"central film, nm", "central_film_nm", 0},
     {"film over roughness", "film_ratio", 2},
     {"share on touching flanks", "boundary_share", 3},
+    {"wear, mm³/km", "wear_mm3_per_km", 4},
 };
 
 /// `boundary–mixed`, from the thinnest film to the thickest.

@@ -31,6 +31,9 @@ constexpr Quantity<InterfaceSlip> kInterfaceSlip[] = {
     {"dynamic_normal_load_N", of<&InterfaceSlip::dynamic_normal_load>,
      "normal load that keeps the axial load in balance with friction",
      "Sandu 2018, (3.11), (3.12)"},
+    {"wear_mm3_per_km", of<&InterfaceSlip::wear>,
+     "volume that both bodies lose at the thread for each km of travel of screw or nut; needs wear",
+     "Archard 1953"},
 };
 
 template <std::size_t source>

@@ -72,6 +72,13 @@ InterfaceSlip interface_slip(const Conditions& c, const SlipModel& model,
       [&](std::size_t) { return std::hypot(b.motion.sliding_major, b.motion.sliding_minor); });
   add(slip.max_sliding_speed, [&](std::size_t k) { return b.friction[k].max_sliding_speed; });
   add(slip.dynamic_normal_load, [&](std::size_t k) { return b.normal_load[k]; });
+  if (c.wear) {
+    const double travel = std::abs(model.geometry.lead * model.speed) / (2.0 * std::numbers::pi);
+    add(slip.wear, [&](std::size_t k) {
+      return c.wear->coefficient * b.normal_load[k] *
+             threads.patches[k].sliding_under_pressure(b.motion) / travel;
+    });
+  }
   if (!model.oils.threads[i]) return slip;
   const contact::Lubricant& oil = *model.oils.threads[i];
   const double rolling = b.motion.rolling_speed;

@@ -142,6 +142,7 @@ TEST(ReadCase, FrictionMayBeWrittenInThreeWays) {
     EXPECT_EQ(c.friction->coefficient, 0.11) << text;
   }
   EXPECT_EQ(read(kAbevi, {"friction={model: jacod}"}).friction->model, Friction::Model::jacod);
+  EXPECT_DOUBLE_EQ(read(kAbevi, {"wear={coefficient: 2e-8 mm^3/(N m)}"}).wear->coefficient, 2e-17);
   for (const char* text : {"friction={model: {mixed: {boundary: 0.12}}}",
                            "friction={mixed: {boundary: 0.12, exponent: 2}}"}) {
     const Friction mixed = *read(kAbevi, {text}).friction;

@@ -289,6 +289,22 @@ TEST(MixedFriction, WarnsOfNoThinFilm) {
               ::testing::Not(::testing::Contains(HasSubstr("lubrication"))));
 }
 
+/// Where friction is Coulomb's, power is mu times the pressure and speed that wear.
+TEST(Wear, IsArchardsVolumeByCoulombsPower) {
+  for (Case c : {few_threads(), test::inverted(few_threads())}) {
+    c = test::with_coulomb(c, 0.08);
+    EXPECT_TRUE(slip_of(c).threads.screw.wear.empty());
+    c.wear = Wear{1e-17};
+    const SlipResult s = slip_of(c);
+    const double advance = c.mechanism.lead * s.speed / (2 * std::numbers::pi);
+    for (const Interface i : kInterfaces)
+      EXPECT_NEAR(s.threads[i].wear[0] / (1e-17 * s.threads[i].power[0] / 0.08 / advance), 1.0,
+                  1e-12);
+    c.operation->speed *= 3.0;  // the same way for each metre
+    EXPECT_NEAR(slip_of(c).threads.nut.wear[0] / s.threads.nut.wear[0], 1.0, 1e-9);
+  }
+}
+
 TEST(Slip, AHalfTurnAboutTheRadialAxisReversesEverything) {
   const SlipResult a = slip_of(test::sandu_reference());
   const SlipResult b = slip_of(test::reversed(test::sandu_reference()));
