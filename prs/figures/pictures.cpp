@@ -28,6 +28,8 @@ Figures ellipses(const Result& result, const FigureOptions& options);
 Figures roller_loads(const Result& result, const FigureOptions& options);
 Figures roller_shares(const Result& result, const FigureOptions& options);
 Figures carrier_turn(const Result& result, const FigureOptions& options);
+Figures roller_power(const Result& result, const FigureOptions& options);
+Figures roller_friction(const Result& result, const FigureOptions& options);
 Figures thread_power(const Result& result, const FigureOptions& options);
 Figures friction(const Result& result, const FigureOptions& options);
 Figures power_by_source(const Result& result, const FigureOptions& options);
@@ -56,6 +58,8 @@ constexpr const char* kSweep =
     "a sweep of loads, `axial_force: {from: .., to: .., steps: ..}`, that converged";
 constexpr const char* kAllRollers = "a load case of `model: {mechanism: full}` that converged";
 constexpr const char* kSlip = "a load case whose slip converged";
+constexpr const char* kSlipOfRollers =
+    "a load case of `model: {mechanism: full}` whose slip converged";
 constexpr const char* kLives = "a load history or spectrum under which loads converge";
 
 /// A picture that a function makes of the result.
@@ -137,6 +141,8 @@ Pictures slip_pictures(const Case& c, const Result& r) {
   return with({{"power_by_source", kSlip, of(r, power_by_source)},
                {"thread_power", kSlip, of(r, thread_power)},
                {"friction", kSlip, of(r, friction)},
+               {"roller_power", kSlipOfRollers, of(r, roller_power)},
+               {"roller_friction", kSlipOfRollers, of(r, roller_friction)},
                {"stribeck", kSlip,
                 of_slip(r,
                         [&c, &r](std::size_t k) {

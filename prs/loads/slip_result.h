@@ -9,9 +9,10 @@
 
 namespace prs {
 
-/// Friction at the threads of one interface of one roller, thread 1 first. SI units. An open thread
-/// has zeros.
+/// Friction at the threads of one interface of one roller, thread 1 first; of a full mechanism
+/// roller after roller. SI units. An open thread has zeros.
 struct InterfaceSlip {
+  int threads_per_roller = 0;                ///< Of a full mechanism; 0: one roller stands for all.
   std::vector<double> power;                 ///< W_M, lost, >= 0 [W] (Sandu 2018, (3.51))
   std::vector<double> power_density;         ///< Over the ellipse pi a b [W/m^2]
   std::vector<double> friction_coefficient;  ///< mu_a, mean over the points (2.40)
@@ -75,7 +76,7 @@ constexpr std::string_view name(DrivenBy by) { return by == DrivenBy::screw ? "s
 
 struct ThreadOf {
   Interface interface = Interface::screw;
-  int thread = 0;  ///< From 0.
+  int thread = 0;  ///< Place in the lists of the interface.
 };
 
 /// Slip if all threads carried the same load.

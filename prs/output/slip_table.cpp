@@ -120,7 +120,7 @@ constexpr RangeLine kRangeLines[] = {
     {"central film, nm", "central_film_nm", 0},
     {"film over roughness", "film_ratio", 2},
     {"share on touching flanks", "boundary_share", 3},
-    {"wear, mm³/km", "wear_mm3_per_km", 4},
+    {"wear, mm³/km", "wear_mm3_per_km", 6},
 };
 
 /// `boundary–mixed`, from the thinnest film to the thickest.
@@ -169,7 +169,9 @@ std::string hottest_line(const SlipResult& slip) {
   const std::optional<HottestThread> hottest = hottest_thread(slip);
   if (!hottest || !hottest->power || *hottest->power == 0.0) return {};
   return block_line(
-      "hottest thread", fmt::format("{} {}", name(hottest->interface), hottest->thread),
+      "hottest thread",
+      fmt::format("{} {}{}", name(hottest->interface), hottest->thread,
+                  hottest->roller ? fmt::format(", roller {}", *hottest->roller) : ""),
       fmt::format("{} W, {} {}", four_digits(*hottest->power),
                   four_digits(shown(hottest->power_density, "W/mm²")), table_unit("W/mm²").text));
 }
@@ -265,6 +267,13 @@ constexpr CaseColumn kColumns[] = {
     {"hottest", "thread: W/mm²", true, hottest_cell},
 };
 
+std::vector<double> power_of_rollers(const InterfaceSlip& slip) {
+  const auto row = static_cast<std::size_t>(slip.threads_per_roller);
+  std::vector<double> sums(slip.power.size() / row, 0.0);
+  for (std::size_t k = 0; k < slip.power.size(); ++k) sums[k / row] += slip.power[k];
+  return sums;
+}
+
 }  // namespace
 
 std::string slip_table(const Result& result) {
@@ -284,6 +293,15 @@ std::string slip_chart(const LoadCaseResult& result) {
     return fmt::format("{}: no power at the threads ({})\n", title, slip_status_name(result));
 
   const SlipResult& slip = *result.slip;
+  if (slip.threads.screw.threads_per_roller > 0) {
+    const PerInterface<std::vector<double>> power = {power_of_rollers(slip.threads.screw),
+                                                     power_of_rollers(slip.threads.nut)};
+    return fmt::format("{}: power lost at each roller\n", title) +
+           bar_chart(
+               power,
+               decimals_of(std::max(std::ranges::max(power.screw), std::ranges::max(power.nut))),
+               "W");
+  }
   return fmt::format("{}: power lost at each thread of a roller\n", title) +
          bar_chart({slip.threads.screw.power, slip.threads.nut.power},
                    decimals_of(largest(slip, &InterfaceSlip::power)), "W");

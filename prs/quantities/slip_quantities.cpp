@@ -87,6 +87,7 @@ constexpr Quantity<HottestThread> kHottestThread[] = {
     {"thread", of<&HottestThread::thread>, "from 1, next to the loaded end of the screw"},
     {"power_W", of<&HottestThread::power>, "power that friction takes there"},
     {"power_density_W_per_mm2", of<&HottestThread::power_density>, "power over its ellipse"},
+    {"roller", of<&HottestThread::roller>, "from 1; of a full mechanism"},
 };
 
 constexpr Quantity<EqualShareSlip> kEqualShares[] = {
@@ -148,13 +149,15 @@ constexpr Quantity<SlipResult> kSlip[] = {
      "e/c of the roller heads in the carrier"},
     {"slip_ratio_estimates", found<&SlipResult::estimates>, "by geometry alone"},
     {"share_percent", found<shares>, "of each source in the power that is lost"},
-    {"roller_moments_Nmm", found<&SlipResult::moments>, "on one roller about its axis, by source"},
-    {"roller_forces_N", found<&SlipResult::forces>, "on one roller across its axis, by source"},
+    {"roller_moments_Nmm", found<&SlipResult::moments>,
+     "on one roller about its axis, by source; the mean of all in a full mechanism"},
+    {"roller_forces_N", found<&SlipResult::forces>,
+     "on one roller across its axis, by source; the mean of all in a full mechanism"},
     {"hottest_thread", found<hottest_thread>, "of the largest power density"},
     {"equal_shares", found<&SlipResult::equal_shares>,
      "what slip would be if all threads carried the same load"},
-    {"screw", threads<Interface::screw>, "threads of one roller at the screw"},
-    {"nut", threads<Interface::nut>, "threads of one roller at the nut"},
+    {"screw", threads<Interface::screw>, "threads at the screw, of one roller or of all"},
+    {"nut", threads<Interface::nut>, "threads at the nut, of one roller or of all"},
 };
 
 }  // namespace
@@ -164,7 +167,10 @@ std::optional<HottestThread> hottest_thread(const SlipResult& slip) {
   const auto thread = static_cast<std::size_t>(slip.hottest.thread);
   const std::optional<double> density = entry(threads.power_density, thread);
   if (!density) return std::nullopt;
-  return HottestThread{slip.hottest.interface, thread + 1, entry(threads.power, thread), *density};
+  const auto row = static_cast<std::size_t>(threads.threads_per_roller);
+  return HottestThread{slip.hottest.interface, (row ? thread % row : thread) + 1,
+                       row ? std::optional(thread / row + 1) : std::nullopt,
+                       entry(threads.power, thread), *density};
 }
 
 template <>

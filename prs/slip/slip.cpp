@@ -53,6 +53,7 @@ InterfaceSlip interface_slip(const Conditions& c, const SlipModel& model,
   const LoadedThreads& threads = model.threads[i];
   const InterfaceBalance& b = balance.interfaces[i];
   InterfaceSlip slip;
+  slip.threads_per_roller = threads.threads_per_roller;
   const auto add = [&](std::vector<double>& values, auto value_of_patch) {
     std::vector<double> of_patch;
     for (std::size_t k = 0; k < threads.patches.size(); ++k) of_patch.push_back(value_of_patch(k));

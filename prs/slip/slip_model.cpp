@@ -66,7 +66,10 @@ SlipModels::SlipModels(const Conditions& c, const Contacts& contacts, Oils oils)
 SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
   if (loaded.load_case.share == LoadCase::Share::equal) return equal_shares(loaded.load_case, oils);
   SlipModel model = unloaded(loaded.load_case, oils);
-  for (const Interface i : kInterfaces)
+  for (const Interface i : kInterfaces) {
+    const int row = (*loaded.threads)[i].threads_per_roller;
+    model.threads[i].threads_per_roller = row;
+    if (row > 0) model.threads[i].alike = 1.0 / model.rollers;
     for (const double load : (*loaded.threads)[i].axial_load) {
       std::vector<std::optional<std::size_t>>& patch_of = model.threads[i].patch_of_thread;
       patch_of.push_back(std::nullopt);
@@ -74,6 +77,7 @@ SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
       patch_of.back() = model.threads[i].patches.size();
       add_patch(model, i, load);
     }
+  }
   return model;
 }
 
@@ -94,6 +98,9 @@ SlipModel SlipModels::unloaded(const LoadCase& load_case, const Oils& oils) cons
   m.speed = load_case.speed ? *load_case.speed : conditions_.operation->speed;
   m.geometry = kinematic_geometry(contacts_, m.axial_force);
   m.rollers = contacts_.mechanism.rollers;
+  if (conditions_.model.mechanism == ModelOptions::Mechanism::full &&
+      load_case.share == LoadCase::Share::solved)
+    m.rollers -= static_cast<int>(conditions_.deviations.missing_rollers.size());
   for (const Interface i : kInterfaces) {
     const contact::InterfaceGeometry g = touching(contacts_.interfaces[i].geometry, m.axial_force);
     m.threads[i].normal = g.point.normal;

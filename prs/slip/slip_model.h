@@ -31,7 +31,8 @@ class SlipModels {
   SlipModels(const SlipModels&) = delete;
   SlipModels& operator=(const SlipModels&) = delete;
 
-  /// One patch for each thread that carries load; for equal shares one for all.
+  /// One patch for each thread that carries load, of all rollers of a full mechanism; for equal
+  /// shares one for all.
   SlipModel of(const LoadCaseResult& loaded) const { return of(loaded, oils_); }
   SlipModel of(const LoadCaseResult& loaded, const Oils& oils) const;
   /// One patch that stands for all threads of an interface (Sandu 2018).

@@ -691,6 +691,69 @@ TEST(SlipOnSolvedLoads, SaysWhatUnequalLoadsChange) {
             s.equal_shares->thread_power.nut);
 }
 
+Case full_case() {
+  Case c = solved_case();
+  c.model.mechanism = ModelOptions::Mechanism::full;
+  c.carrier.roller_torque = 0.001;
+  c.carrier.bearing.reset();
+  return c;
+}
+
+TEST(SlipOfAllRollers, IsThatOfTheSectorWhereAllAreAlike) {
+  Case sector = full_case();
+  sector.carrier.roller_torque = 0.0;
+  sector.carrier.bearing = contact::JournalBearing{5e-3, 5e-3, 0.1e-3};
+  sector.materials->roller.density = 7810.0;
+  sector.wear = Wear{1e-17};
+  sector.roughness = PerPart<double>{0.2e-6, 0.2e-6, 0.2e-6};
+  Case full = sector;
+  sector.model.mechanism = ModelOptions::Mechanism::sector;
+  const SlipResult a = slip_of(full), b = slip_of(sector);
+  ASSERT_EQ(a.status, SlipStatus::converged);
+  EXPECT_NEAR(a.slip_ratio, b.slip_ratio, 1e-12);
+  EXPECT_NEAR(a.power.total() / b.power.total(), 1.0, 1e-10);
+  EXPECT_NEAR(a.power.carrier_roller / b.power.carrier_roller, 1.0, 1e-10);
+  EXPECT_NEAR(a.power_loss_input_output / b.power_loss_input_output, 1.0, 1e-10);
+  EXPECT_NEAR(*a.efficiency / *b.efficiency, 1.0, 1e-10);
+  EXPECT_NEAR(a.torque_screw / b.torque_screw, 1.0, 1e-10);
+  EXPECT_NEAR(a.forces.carrier_x / b.forces.carrier_x, 1.0, 1e-10);
+  EXPECT_NEAR(a.moments.contacts / b.moments.contacts, 1.0, 1e-10);
+  EXPECT_NEAR(*a.bearing_eccentricity / *b.bearing_eccentricity, 1.0, 1e-10);
+  EXPECT_NEAR(a.equal_shares->power_loss / b.equal_shares->power_loss, 1.0, 1e-10);
+  for (const Interface i : kInterfaces) {
+    EXPECT_EQ(a.threads[i].threads_per_roller, 20);
+    ASSERT_EQ(a.threads[i].power.size(), 220u);
+    for (std::size_t k = 0; k < 220; ++k) {
+      EXPECT_NEAR(a.threads[i].power[k] / b.threads[i].power[k % 20], 1.0, 1e-10);
+      EXPECT_NEAR(a.threads[i].film_ratio[k] / b.threads[i].film_ratio[k % 20], 1.0, 1e-10);
+      EXPECT_NEAR(a.threads[i].wear[k] / b.threads[i].wear[k % 20], 1.0, 1e-10);
+    }
+  }
+}
+
+TEST(SlipOfAllRollers, KeepsTheEnergyBalanceOfUnequalRollers) {
+  Case c = full_case();
+  c.deviations.roller_diameters = {4e-6, -3e-6, 2e-6, 0.0, -1e-6, 5e-6, 0.0, 0.0, 1e-6, -4e-6, 0.0};
+  c.load_cases[0].spatial.side_force.value.y = 1e3;
+  for (const bool missing : {false, true}) {
+    if (missing) c.deviations.missing_rollers = {3};
+    for (const double speed : {40.0, -40.0}) {
+      c.operation->speed = speed;
+      const SlipResult s = slip_of(c);
+      ASSERT_EQ(s.status, SlipStatus::converged);
+      EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-9);
+      EXPECT_NEAR(s.torque_screw / s.torque_nut, -1.0, 1e-9);
+      double by_threads = 0.0;
+      for (const Interface i : kInterfaces)
+        by_threads += std::accumulate(s.threads[i].power.begin(), s.threads[i].power.end(), 0.0);
+      EXPECT_NEAR(by_threads / (s.power.screw + s.power.nut), 1.0, 1e-12);
+      const std::vector<double>& power = s.threads.nut.power;
+      EXPECT_GT(power[0], 1.05 * power[20]);  // a thicker roller
+      for (std::size_t k = 40; k < 60; ++k) EXPECT_EQ(power[k] == 0.0, missing);
+    }
+  }
+}
+
 /// Equal loads given thread by thread are Sandu's equal shares.
 TEST(SlipOnSolvedLoads, EqualLoadsGiveSandu) {
   Case c = solved_case();
