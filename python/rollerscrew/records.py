@@ -247,6 +247,7 @@ class HottestThread(Record):
     thread: int
     power_W: float
     power_density_W_per_mm2: float
+    roller: int
 
 
 class EqualShareSlip(Record):
@@ -273,7 +274,9 @@ class InterfaceSlip(Record):
     film_thickness_nm: Array
     central_film_nm: Array
     film_ratio: Array
+    boundary_share: Array
     dynamic_normal_load_N: Array
+    wear_mm3_per_km: Array
 
 
 class Slip(Record):
@@ -289,7 +292,10 @@ class Slip(Record):
     slip_ratio: float
     ideal_slip_ratio: float
     optimality_percent: float
+    driven_by: str
     efficiency: float
+    self_locking: bool
+    holding_torque_Nm: float
     efficiency_fit: float
     power_loss_W: float
     power_loss_input_output_W: float
@@ -345,6 +351,7 @@ class LoadMeasures(Record):
     l10_hours: float
     l10_travel_km: float
     drive_torque_Nm: float
+    back_driving_efficiency: float
     speed_safety: float
     static_safety_limit: str
     thread_static_safety_limit: str
