@@ -37,7 +37,7 @@ Figure stribeck_figure(const LoadCaseResult& result, const StribeckCurve& curve)
   const std::size_t speed = figure.add("speed of the case", line_of(Colour::muted));
 
   Panel& friction = figure.panels.emplace_back();
-  friction.title = "Friction coefficient of the most loaded threads";
+  friction.title = "Friction, most loaded threads";
   for (const Interface i : kInterfaces)
     friction.series.push_back(over_speed(
         style[i], curve, [&](std::size_t k) { return std::optional(curve.friction[i][k]); }));

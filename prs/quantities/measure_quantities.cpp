@@ -307,7 +307,7 @@ constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
     {"drive_torque_Nm", of<&LoadMeasures::drive_torque>, "F |l|/(2 pi eta)",
      "Jung 2017, (8.31), corrected, with (8.29)", "torque that drives against the load (estimate)",
      kDriveGroup, kEfficiencyValidity},
-    {"back_driving_efficiency", of<&LoadMeasures::back_driving_efficiency>,
+    {"back_driving_efficiency_by_slip", of<&LoadMeasures::back_driving_efficiency>,
      "shaft's power over that of the load that drives",
      "Sandu 2018, chapters 2 and 3, as `prs slip`", "efficiency, travel into rotation, by slip",
      kDriveGroup,

@@ -351,7 +351,7 @@ class LoadMeasures(Record):
     l10_hours: float
     l10_travel_km: float
     drive_torque_Nm: float
-    back_driving_efficiency: float
+    back_driving_efficiency_by_slip: float
     speed_safety: float
     static_safety_limit: str
     thread_static_safety_limit: str
