@@ -258,6 +258,11 @@ std::optional<std::string> unknown_film_ratio(const Conditions& c) {
          "not known; add `roughness: 0.4 um`, for example: the Rq of the ground flanks";
 }
 
+void require_rolling(const Conditions& c, const Contacts& contacts) {
+  require_contacts(c, contacts);
+  require_kinematics(contacts.threads);
+}
+
 SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   const Conditions& c = models.conditions();
   const SlipRange range = slip_range(model.geometry);
@@ -302,13 +307,14 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   return slip;
 }
 
-Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options) {
+Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options,
+                    const std::optional<Oils>& oils) {
   Result result = loaded_threads_of(c, std::move(contacts), options);
   require_kinematics(result.contacts.threads);
   if (options.detail == Detail::complete)
     if (std::optional<std::string> note = unknown_film_ratio(c))
       result.warnings.push_back(std::move(*note));
-  const SlipModels models(c, result.contacts);
+  const SlipModels models(c, result.contacts, oils ? *oils : oils_in_operation(c));
   for (LoadCaseResult& loaded : result.load_cases) {
     if (!loaded.threads) continue;
     const SlipModel model = models.of(loaded);
@@ -327,7 +333,8 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
 
 SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_t load_case) {
   const LoadCaseResult& loaded = result.load_cases[load_case];
-  const SlipModels models(c, result.contacts);
+  const SlipModels models(c, result.contacts,
+                          oils_of(c, loaded.heat ? loaded.heat->oil : std::nullopt));
   const SlipModel model = models.of(loaded);
   const SlipRange range = slip_range(model.geometry);
   // Far enough to both sides of the ideal slip ratio to show where the moment changes sign.

@@ -18,6 +18,9 @@ Oils oils_in_operation(const Conditions& c);
 /// bearings of the roller heads run at the mean of both.
 Oils oils_at(const Lubricant& lubricant, const PerInterface<double>& temperature);
 
+/// The lubricant of a load case: at the temperatures of its heat balance, else as in the file.
+Oils oils_of(const Conditions& c, const std::optional<PerInterface<double>>& oil);
+
 /// Builds the models of slip of one case from its contacts and loads. The models refer to the grid
 /// in here and to the contacts.
 class SlipModels {
