@@ -25,16 +25,17 @@ void check_conductance(const Heat::Conductance& c, Problems& problems) {
   rollers = rollers || (screw && screw_to_rollers) || (nut && rollers_to_nut);
   screw = screw || (rollers && screw_to_rollers);
   nut = nut || (rollers && rollers_to_nut);
-  const auto refuse = [&](bool holds, std::string_view part, std::string_view keys) {
+  const auto refuse = [&](bool holds, std::string_view part, std::string_view keys,
+                          std::string_view example) {
     if (!holds)
       problems.add("heat.conductance",
                    fmt::format("the heat of the {} finds no way to the surroundings; expected one "
-                               "of {} above 0; write `20 W/K` for one, for example",
-                               part, keys));
+                               "of {} above 0; state one, `{}: 20 W/K`, for example",
+                               part, keys, example));
   };
-  refuse(rollers, "rollers", "`screw_rollers`, `rollers_nut`, `rollers_ambient`");
-  refuse(screw, "screw", "`screw_ambient`, `screw_rollers`");
-  refuse(nut, "nut", "`nut_ambient`, `rollers_nut`");
+  refuse(rollers, "rollers", "`screw_rollers`, `rollers_nut`, `rollers_ambient`", "rollers_nut");
+  refuse(screw, "screw", "`screw_ambient`, `screw_rollers`", "screw_rollers");
+  refuse(nut, "nut", "`nut_ambient`, `rollers_nut`", "rollers_nut");
 }
 
 /// `a`, `b` and 3 more.
