@@ -219,10 +219,11 @@ void Equations::add_springs(const Model& model) {
       ++s.count;
     }
     s.law.gap -= offset;
-    std::size_t next = 0;
+    s.slot.reserve(s.count * (s.count + 1) / 2);
     for (std::size_t i = 0; i < s.count; ++i)
-      for (std::size_t j = i; j < s.count; ++j) s.slot[next++] = slot(s.equation[i], s.equation[j]);
-    springs_.push_back(s);
+      for (std::size_t j = i; j < s.count; ++j)
+        s.slot.push_back(slot(s.equation[i], s.equation[j]));
+    springs_.push_back(std::move(s));
   };
   for (const SpringElement& e : model.springs) add(approach_of(e), e.law);
   for (const FormSpring& e : model.form_springs) add(e.approach, e.law);

@@ -33,6 +33,7 @@ Figures roller_friction(const Result& result, const FigureOptions& options);
 Figures thread_power(const Result& result, const FigureOptions& options);
 Figures friction(const Result& result, const FigureOptions& options);
 Figures power_by_source(const Result& result, const FigureOptions& options);
+Figures heat_cycle(const Result& result);
 Figures yang(const MeasuresResult& result);
 Figures stiffness_terms(const MeasuresResult& result);
 Figures loads_by_model(const ModelComparison& result, const FigureOptions& options);
@@ -150,7 +151,8 @@ Pictures slip_pictures(const Case& c, const Result& r) {
                         }),
                 mixed},
                {"slip_patches", kSlip, of_fields(slip_patch_figure)},
-               {"slip_residue", kSlip, of_fields(slip_residue_figure)}},
+               {"slip_residue", kSlip, of_fields(slip_residue_figure)},
+               {"heat_cycle", "a `duty` in `heat` that comes to repeat itself", of(r, heat_cycle)}},
               solve_pictures(r));
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "prs/model/deviations.h"
+#include "prs/model/heat.h"
 #include "prs/model/life.h"
 #include "prs/model/load_case.h"
 #include "prs/model/materials.h"
@@ -42,6 +43,7 @@ struct Conditions {
   std::optional<Operation> operation;
   Carrier carrier;
   std::optional<PerPart<double>> roughness;  ///< Rq of the flanks, rms [m].
+  std::optional<Heat> heat;
 };
 
 /// Everything that a file states.

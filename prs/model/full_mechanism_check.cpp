@@ -165,11 +165,10 @@ void check_places(const Case& c, Problems& problems) {
 
 void check_full_mechanism(const Case& c, Problems& problems) {
   if (c.model.mechanism == ModelOptions::Mechanism::sector) return refuse_in_sector(c, problems);
-  if (c.model.bodies != ModelOptions::Bodies::bars)
-    problems.add(
-        "model.bodies",
-        "got other bodies with `mechanism: full`, which has beams; expected `bars`; delete "
-        "the key");
+  if (c.model.bodies == ModelOptions::Bodies::influence)
+    problems.add("model.bodies",
+                 "got `influence` with `mechanism: full`, whose bodies are beams and shells; "
+                 "expected `bars` or `refined`");
   if (c.mechanism.rollers < 2)
     problems.add("mechanism.rollers", fmt::format("got {}; expected at least 2 with `mechanism: "
                                                   "full`",

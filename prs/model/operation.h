@@ -44,6 +44,9 @@ inline constexpr double kTypicalEyringStress = 5e6;
 /// there, see `contact::gold_pressure_viscosity`.
 contact::Lubricant at_temperature(const Lubricant& lubricant, double temperature);
 
+/// Whether the file states the temperature or the viscosity in operation; with `heat` it need not.
+bool has_operating_point(const Lubricant& lubricant);
+
 /// The lubricant at its operating temperature, or with the viscosity stated for it. The case must
 /// have passed `check_case`.
 contact::Lubricant in_operation(const Lubricant& lubricant);

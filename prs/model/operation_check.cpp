@@ -79,19 +79,32 @@ void check_speed(const LoadCase& load, double speed, Problems& problems) {
 
 }  // namespace
 
-void check_lubricant(const Lubricant& lubricant, Problems& problems) {
+void check_lubricant(const Lubricant& lubricant, const std::optional<Heat>& heat,
+                     Problems& problems) {
   const Lubricant l = with_data_of_name(lubricant);
+  const bool has_line = l.walther || !l.viscosity_at.empty();
+  if (heat && (l.viscosity || !has_line))
+    return problems.add(
+        l.viscosity ? "lubricant.viscosity" : "lubricant.viscosity_at",
+        fmt::format("{}; expected a viscosity that follows the temperature, as `heat` computes it; "
+                    "state `name`, `viscosity_at` or `walther` in its place",
+                    l.viscosity ? fmt::format("got {:.7g} mPa s", 1e3 * *l.viscosity) : "missing"));
   if (l.viscosity && *l.viscosity <= contact::kRoelandsViscosity)
     problems.add("lubricant.viscosity",
                  fmt::format("got {:.7g} mPa s; expected more than {:.4f} mPa s, below which "
                              "Roelands' viscosity falls with pressure; check the unit",
                              1e3 * *l.viscosity, 1e3 * contact::kRoelandsViscosity));
-  if (l.name && !l.viscosity && !l.temperature)
-    problems.add("lubricant.temperature",
-                 fmt::format("missing; expected the temperature in operation, at which {} has its "
-                             "viscosity; add `temperature: 60 degC`, for example",
-                             data_of(*l.name).name));
-  if (!l.temperature) return;
+  if (!l.viscosity && !l.temperature && !heat) {
+    if (!has_line)
+      return problems.add("lubricant.viscosity",
+                          "missing; expected a dynamic viscosity > 0 (in place of `temperature`); "
+                          "add for example `viscosity: 160 mPa s`");
+    return problems.add("lubricant.temperature",
+                        fmt::format("missing; expected the temperature in operation, at which {} "
+                                    "has its viscosity; add `temperature: 60 degC`, for example",
+                                    l.name ? data_of(*l.name).name : "the oil"));
+  }
+  if (l.viscosity) return;
   const bool kinematic = l.walther || std::ranges::any_of(l.viscosity_at, [](const auto& p) {
                            return p.kinematic_viscosity.has_value();
                          });
@@ -104,14 +117,15 @@ void check_lubricant(const Lubricant& lubricant, Problems& problems) {
           ? l.walther
           : line_through(l.viscosity_at, l.density.value_or(contact::kTypicalOilDensity), problems);
   if (!line) return;
-  const double viscosity = contact::kinematic_viscosity(*line, *l.temperature);
+  const double temperature = heat ? heat->ambient : *l.temperature;
+  const double viscosity = contact::kinematic_viscosity(*line, temperature);
   if (viscosity > contact::kLeastKinematicViscosity &&
       viscosity <= contact::kGreatestKinematicViscosity)
     return;
-  problems.add("lubricant.temperature",
+  problems.add(heat ? "heat.ambient" : "lubricant.temperature",
                fmt::format("got {}, where the oil's line gives {}; expected more than {} and at "
                            "most {} there, within ASTM D341; check the temperature and {}",
-                           celsius(*l.temperature), mm2_per_s(viscosity),
+                           celsius(temperature), mm2_per_s(viscosity),
                            mm2_per_s(contact::kLeastKinematicViscosity),
                            mm2_per_s(contact::kGreatestKinematicViscosity),
                            l.walther                        ? "`walther`"

@@ -44,6 +44,7 @@ std::vector<Problem> missing(const Case& c, Command command) {
       command == Command::compare)
     require_sector(c, name(command), problems);
   if (command == Command::slip) require_slip(c, problems);
+  if (command == Command::slip && c.heat) require_heat(c, problems);
   if (command == Command::preload) require_preload(c, problems);
   if (command == Command::life) require_life(c, problems);
   return std::move(problems).take();

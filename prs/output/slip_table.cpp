@@ -11,6 +11,7 @@
 #include "prs/output/case_table.h"
 #include "prs/output/table_units.h"
 #include "prs/output/warnings.h"
+#include "prs/quantities/heat_quantities.h"
 #include "prs/quantities/slip_quantities.h"
 #include "prs/slip/slip.h"
 #include "prs/text.h"
@@ -165,6 +166,43 @@ std::string range_lines(const SlipResult& slip) {
   return lines;
 }
 
+/// A line with a number for screw, rollers and nut; rollers may have none.
+std::string parts_line(std::string_view label, double screw, std::optional<double> rollers,
+                       double nut, int decimals) {
+  return block_line(label, fixed(screw, 1.0, decimals),
+                    padded(rollers ? fixed(rollers, 1.0, decimals) : "", kValueWidth, false) +
+                        padded(fixed(nut, 1.0, decimals), kValueWidth, false));
+}
+
+std::string heat_lines(const std::optional<HeatResult>& heat) {
+  if (!heat) return {};
+  const PartNumbers t = celsius_of(heat->temperature);
+  std::string lines =
+      block_line("heat balance", "screw",
+                 padded("rollers", kValueWidth, false) + padded("nut", kValueWidth, false));
+  lines += parts_line("  temperature, °C", t.screw, t.rollers, t.nut, 2);
+  if (heat->oil) {
+    const InterfaceNumbers oil = celsius_of(*heat->oil);
+    lines += parts_line("  oil at the contacts, °C", oil.screw, std::nullopt, oil.nut, 2);
+  }
+  return lines + parts_line("  heat from friction, W", heat->heat.screw, heat->heat.roller,
+                            heat->heat.nut,
+                            decimals_of(heat->heat.screw + heat->heat.roller + heat->heat.nut));
+}
+
+std::string cycle_block(const HeatCycle& cycle) {
+  std::string lines = fmt::format("duty cycle: {:.7g} s\n", cycle.period);
+  if (!cycle.converged()) return lines + fmt::format("  NOT CONVERGED ({})\n", name(cycle.status));
+  const PartNumbers peak = celsius_of(cycle.peak), mean = celsius_of(cycle.mean);
+  lines += block_line("temperature", "screw",
+                      padded("rollers", kValueWidth, false) + padded("nut", kValueWidth, false));
+  lines += parts_line("  peak, °C", peak.screw, peak.rollers, peak.nut, 2);
+  lines += parts_line("  mean, °C", mean.screw, mean.rollers, mean.nut, 2);
+  lines += block_line("energy in, J", four_digits(cycle.energy_in));
+  lines += block_line("energy lost, J", four_digits(cycle.energy_lost));
+  return lines + block_line("efficiency, %", fixed(cycle.efficiency, per_si::percent, 2));
+}
+
 std::string hottest_line(const SlipResult& slip) {
   const std::optional<HottestThread> hottest = hottest_thread(slip);
   if (!hottest || !hottest->power || *hottest->power == 0.0) return {};
@@ -222,7 +260,8 @@ std::string block(const LoadCaseResult& result) {
   if (!has_slip(result)) return title_line(result) + fmt::format("  {}\n", failure(result));
   const SlipResult& slip = *result.slip;
   return title_line(result) + slip_ratio_lines(slip) + efficiency_lines(slip) + torque_lines(slip) +
-         power_lines(slip) + range_lines(slip) + hottest_line(slip) + equal_share_lines(slip);
+         power_lines(slip) + heat_lines(result.heat) + range_lines(slip) + hottest_line(slip) +
+         equal_share_lines(slip);
 }
 
 // A case in a row.
@@ -283,6 +322,7 @@ std::string slip_table(const Result& result) {
   else
     for (const LoadCaseResult& load_case : result.load_cases)
       table += (table.empty() ? "" : "\n") + block(load_case);
+  if (result.heat_cycle) table += '\n' + cycle_block(*result.heat_cycle);
   const std::string warnings = warning_summary(result);
   return warnings.empty() ? table : table + '\n' + warnings;
 }

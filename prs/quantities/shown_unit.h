@@ -31,6 +31,7 @@ inline constexpr ShownUnit kShownUnits[] = {
     {"_revolutions", "revolutions", 1.0},
     {"_percent", "%", 100.0},
     {"_hours", "h", 1.0},
+    {"_degC", "°C", 1.0},
     {"_mrad", "mrad", 1e3},
     {"_mPas", "mPa s", 1e3},
     {"_Nmm", "N mm", 1e3},
@@ -51,6 +52,7 @@ inline constexpr ShownUnit kShownUnits[] = {
     {"_J", "J", 1.0},
     {"_h", "h", 1.0 / 3600.0},
     {"_m", "m", 1.0},
+    {"_s", "s", 1.0},
 };
 
 /// The unit at the end of a key, `MPa` of `peak_pressure_MPa`; kNoUnit where there is none, as in

@@ -57,6 +57,7 @@ inline bool has_slip(const LoadCaseResult& result) {
 
 /// How the search for the slip ratio ended or, where the loads are not known, their solve.
 inline std::string_view slip_status_name(const LoadCaseResult& result) {
+  if (result.heat && !result.heat->converged()) return name(result.heat->status);
   if (result.slip) return name(result.slip->status);
   return result.converged() ? name(SlipStatus::not_computed) : status_name(result);
 }

@@ -279,6 +279,11 @@ std::optional<std::string> unknown_film_ratio(const Conditions& c) {
          "not known; add `roughness: 0.4 um`, for example: the Rq of the ground flanks";
 }
 
+void require_rolling(const Conditions& c, const Contacts& contacts) {
+  require_contacts(c, contacts);
+  require_kinematics(contacts.threads);
+}
+
 SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   const Conditions& c = models.conditions();
   const SlipRange range = slip_range(model.geometry);
@@ -323,13 +328,14 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   return slip;
 }
 
-Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options) {
+Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options,
+                    const std::optional<Oils>& oils) {
   Result result = loaded_threads_of(c, std::move(contacts), options);
   require_kinematics(result.contacts.threads);
   if (options.detail == Detail::complete)
     if (std::optional<std::string> note = unknown_film_ratio(c))
       result.warnings.push_back(std::move(*note));
-  const SlipModels models(c, result.contacts);
+  const SlipModels models(c, result.contacts, oils ? *oils : oils_in_operation(c));
   for (LoadCaseResult& loaded : result.load_cases) {
     if (!loaded.threads) continue;
     const SlipModel model = models.of(loaded);
@@ -366,8 +372,10 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
 
 StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::size_t load_case) {
   constexpr int kDecades = 4, kPerDecade = 10;
-  const SlipModels models(c, result.contacts);
-  SlipModel model = models.of(result.load_cases[load_case]);
+  const LoadCaseResult& loaded = result.load_cases[load_case];
+  const SlipModels models(c, result.contacts,
+                          oils_of(c, loaded.heat ? loaded.heat->oil : std::nullopt));
+  SlipModel model = models.of(loaded);
   const double speed = model.speed;
   StribeckCurve curve;
   for (int k = 0; k <= kDecades * kPerDecade; ++k) {
@@ -392,7 +400,8 @@ StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::siz
 
 SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_t load_case) {
   const LoadCaseResult& loaded = result.load_cases[load_case];
-  const SlipModels models(c, result.contacts);
+  const SlipModels models(c, result.contacts,
+                          oils_of(c, loaded.heat ? loaded.heat->oil : std::nullopt));
   const SlipModel model = models.of(loaded);
   const SlipRange range = slip_range(model.geometry);
   // Far enough to both sides of the ideal slip ratio to show where the moment changes sign.

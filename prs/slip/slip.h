@@ -14,10 +14,15 @@ namespace prs {
 /// for each load case the stationary slip and what friction takes. The case must have passed
 /// `check_case` and the requirements of `slip`. Throws CaseError where the geometry gives no
 /// contact, its gears break (2.14), or an imposed slip ratio lies outside its range.
-Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options = {});
+/// `oils`: in place of the lubricant at the temperature of the file.
+Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options = {},
+                    const std::optional<Oils>& oils = {});
 inline Result analyze_slip(const Case& c, AnalysisOptions options = {}) {
   return analyze_slip(c, checked_contacts(c, options.detail), options);
 }
+
+/// Throws CaseError where the geometry gives no contact or its gears break (2.14).
+void require_rolling(const Conditions& c, const Contacts& contacts);
 
 /// Slip of one load case, without the comparison with equal shares.
 SlipResult slip_result(const SlipModels& models, const SlipModel& model);

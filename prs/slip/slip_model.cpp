@@ -41,7 +41,7 @@ double roller_mass(const Conditions& c, const Mechanism& m) {
 }  // namespace
 
 Oils oils_in_operation(const Conditions& c) {
-  if (!c.lubricant || (!c.lubricant->viscosity && !c.lubricant->temperature)) return {};
+  if (!c.lubricant || !has_operating_point(*c.lubricant)) return {};
   const contact::Lubricant oil = in_operation(*c.lubricant);
   return {{oil, oil}, oil};
 }
@@ -50,6 +50,10 @@ Oils oils_at(const Lubricant& lubricant, const PerInterface<double>& temperature
   return {
       {at_temperature(lubricant, temperature.screw), at_temperature(lubricant, temperature.nut)},
       at_temperature(lubricant, 0.5 * (temperature.screw + temperature.nut))};
+}
+
+Oils oils_of(const Conditions& c, const std::optional<PerInterface<double>>& oil) {
+  return c.lubricant && oil ? oils_at(*c.lubricant, *oil) : oils_in_operation(c);
 }
 
 std::optional<double> composite_roughness(const Conditions& c, Interface i) {

@@ -21,6 +21,9 @@ Oils oils_at(const Lubricant& lubricant, const PerInterface<double>& temperature
 /// Composite Rq of the flanks of an interface [m]; absent where the case has none.
 std::optional<double> composite_roughness(const Conditions& c, Interface i);
 
+/// The lubricant of a load case: at the temperatures of its heat balance, else as in the file.
+Oils oils_of(const Conditions& c, const std::optional<PerInterface<double>>& oil);
+
 /// Builds the models of slip of one case from its contacts and loads. The models refer to the grid
 /// in here and to the contacts.
 class SlipModels {

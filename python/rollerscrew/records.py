@@ -197,6 +197,37 @@ class Orbit(Record):
     axial_error_um: float
 
 
+class PartNumbers(Record):
+    """A number of each part."""
+
+    __slots__ = ()
+    screw: float
+    rollers: float
+    nut: float
+
+
+class InterfaceNumbers(Record):
+    """A number of each interface."""
+
+    __slots__ = ()
+    screw: float
+    nut: float
+
+
+class Heat(Record):
+    """Steady temperatures: what friction puts into the parts flows off through the conductances."""
+
+    __slots__ = ()
+    converged: bool
+    status: str
+    reason: str
+    evaluations: int
+    other_steady_states: bool
+    temperature_degC: PartNumbers
+    oil_degC: InterfaceNumbers
+    heat_W: PartNumbers
+
+
 class SlipRatioEstimates(Record):
     """Slip ratios by formulas of geometry alone."""
 
@@ -383,10 +414,37 @@ class LoadCase(Record):
     reactions: Reactions
     symmetric: SymmetricLoads
     orbit: Orbit
+    heat: Heat
     slip: Slip
     warnings: list[str]
     newton_history: list[NewtonIteration]
     measures: LoadMeasures
+
+
+class PartSeries(Record):
+    """Numbers of each part over time."""
+
+    __slots__ = ()
+    screw: Array
+    rollers: Array
+    nut: Array
+
+
+class HeatCycle(Record):
+    """The state of a duty that repeats itself from cycle to cycle."""
+
+    __slots__ = ()
+    converged: bool
+    status: str
+    reason: str
+    period_s: float
+    time_s: Array
+    temperature_degC: PartSeries
+    peak_degC: PartNumbers
+    mean_degC: PartNumbers
+    energy_in_J: float
+    energy_lost_J: float
+    efficiency: float
 
 
 class Measures(Record):

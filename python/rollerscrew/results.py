@@ -16,7 +16,16 @@ import pandas as pd
 from rollerscrew import _engine
 from rollerscrew.designs import Designs, designs_of, study_inputs
 from rollerscrew.record import Record, Result, Values
-from rollerscrew.records import Comparison, Contacts, Life, LoadCase, Measures, Preload, Threads
+from rollerscrew.records import (
+    Comparison,
+    Contacts,
+    HeatCycle,
+    Life,
+    LoadCase,
+    Measures,
+    Preload,
+    Threads,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -234,6 +243,7 @@ class SlipResult(SolveResult):
     """Slip, friction, dissipated power, efficiency and torques of every load case."""
 
     __slots__ = ()
+    heat_cycle: HeatCycle  #: Where the case has a duty.
 
     def slip_frame(self) -> pd.DataFrame:
         """Slip ratio, efficiency, powers and torques, one row per load case."""
@@ -251,6 +261,29 @@ class SlipResult(SolveResult):
     def slip_threads_frame(self) -> pd.DataFrame:
         """Power, friction, sliding and film, one row per load case, interface and thread."""
         return self._by_case((case, case.slip) for case in self._load_cases if "slip" in case)
+
+    def heat_frame(self) -> pd.DataFrame:
+        """Steady temperatures and the heat that goes into each part, one row per load case."""
+        rows = [
+            {"case": case.name, **dict(_flat(case.heat))}
+            for case in self._load_cases
+            if "heat" in case
+        ]
+        return pd.DataFrame(rows)
+
+    def heat_cycle_frame(self) -> pd.DataFrame:
+        """Temperatures of the parts over the cycle of the duty, one row per time."""
+        cycle = self.heat_cycle
+        return pd.DataFrame(
+            {
+                "time_s": cycle.time_s,
+                **{f"{part}_degC": values for part, values in cycle.temperature_degC.items()},
+            }
+        )
+
+    def plot_heat_cycle(self, ax: Axes | None = None) -> Axes:
+        """Temperatures of the parts over the cycle of the duty."""
+        return self.plot_figure("heat_cycle", ax)
 
     def plot_power(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
         """Power that each thread of a roller dissipates."""

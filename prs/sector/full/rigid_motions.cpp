@@ -91,7 +91,8 @@ std::vector<fe::LinearForm> bilateral(const fe::Model& model) {
   for (const fe::ElasticLink& e : model.elastic_links) forms.push_back(e.form);
   for (const fe::ElasticSupport& e : model.elastic_supports)
     forms.push_back({{e.node, e.dof, 1.0}});
-  for (const fe::FixedSupport& e : model.fixed_supports) forms.push_back({{e.node, e.dof, 1.0}});
+  for (const fe::FixedSupport& e : model.fixed_supports)
+    if (e.dof != Dof::u) forms.push_back({{e.node, e.dof, 1.0}});  // No part moves those of u.
   return forms;
 }
 
@@ -189,7 +190,7 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s,
   // Rows of a roller are linear in x: two of them span those between.
   for (const FullStructure::Roller& r : s.rollers)
     for (const Interface i : kInterfaces) {
-      std::size_t first = 0, last = r.contacts.size();
+      std::size_t first = 0, last = r.contacts[i].size();
       while (first < last && !is_closed(r.spring(i, first))) ++first;
       while (last > first && !is_closed(r.spring(i, last - 1))) --last;
       if (first < last) add(r.spring(i, first));
