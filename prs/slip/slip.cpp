@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "prs/loads/load_case_result.h"
 #include "prs/model/block_checks.h"
@@ -362,7 +363,10 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
       return std::nullopt;
   const contact::KinematicConsistency k = contact::kinematic_consistency(contacts.threads);
   if (!leads_agree(k, contacts.threads) || !ratios_agree(k)) return std::nullopt;
-  const SlipModels models(c, contacts);
+  Oils oils = oils_in_operation(c);
+  const bool oiled = c.friction->of_film() || c.carrier.bearing;
+  if (oiled && !oils.carrier) return std::nullopt;  // only heat would tell its temperature
+  const SlipModels models(c, contacts, std::move(oils));
   SlipModel model = models.of(loaded);
   if (driven_by(model) == DrivenBy::screw) model.speed = -model.speed;
   const SlipEquilibrium found = find_slip_equilibrium(model);

@@ -28,7 +28,7 @@ void require_rolling(const Conditions& c, const Contacts& contacts);
 SlipResult slip_result(const SlipModels& models, const SlipModel& model);
 
 /// Efficiency of the same load at the same speed where the load drives; absent where the screw
-/// locks itself, or the case lacks what `slip` needs.
+/// locks itself, or the case lacks what `slip` needs or a temperature of its oil.
 std::optional<double> back_driving_efficiency(const Conditions& c, const Contacts& contacts,
                                               const LoadCaseResult& loaded);
 
