@@ -234,6 +234,8 @@ void alternatives(Io& io, Friction& f) {
   io.word("jacod", f.model, Friction::Model::jacod, "lubricated contact, after Jacod");
   io.map("coulomb", f.model, Friction::Model::coulomb, f.coefficient, Number{not_negative},
          "a constant coefficient of friction");
+  io.map("mixed", f.model, Friction::Model::mixed, f.mixed, Block{},
+         "a film after Jacod through which flanks touch, by film over roughness");
 }
 
 template <class Io>
@@ -787,9 +789,24 @@ void fields(Io& io, Lubricant& l) {
 }
 
 template <class Io>
+void fields(Io& io, MixedFriction& m) {
+  io.field("boundary", m.boundary, Number{not_negative}, required,
+           "Coefficient of friction of flanks that touch");
+  io.field("exponent", m.exponent, Number{positive}, optional,
+           "Of (1 + film over roughness)^-exponent, the share of the load on flanks that touch");
+}
+
+template <class Io>
+void fields(Io& io, Wear& w) {
+  io.field("coefficient", w.coefficient, Quantity{unit::wear, positive}, required,
+           "Volume that both flanks lose for each force and sliding path (Archard)");
+}
+
+template <class Io>
 void fields(Io& io, Operation& o) {
   io.field("speed", o.speed, Quantity{unit::rotational_speed}, required,
-           "Screw against nut; its sign is that of the axial force (left-handed: either)");
+           "Screw against nut; with the sign of the axial force (left-handed: the other) the screw "
+           "drives, else the load");
   io.field("slip_ratio", o.slip_ratio, Number{{.least = 0.0, .greatest = 1.0}}, optional,
            "Imposed in place of that of the roller's equilibrium");
 }
@@ -983,6 +1000,7 @@ void fields(Io& io, CaseFile& file) {
            "Rms roughness Rq of the flanks, for the film ratio");
   io.field("lubricant", c.lubricant, Block{}, optional, "The oil, or the base oil of the grease");
   io.field("friction", c.friction, ChoiceUnder{"model"}, optional, "Law of friction");
+  io.field("wear", c.wear, Block{}, optional, "Wear of the flanks, for `prs slip`");
   io.field("operation", c.operation, Block{}, optional, "How the mechanism runs");
   io.field("carrier", c.carrier, Block{}, optional, "What acts on the rollers besides the threads");
   io.field("heat", c.heat, Block{}, optional,

@@ -46,6 +46,7 @@ extern const Dimension duration;
 extern const Dimension thermal_conductance;
 extern const Dimension heat_capacity;
 extern const Dimension specific_heat;
+extern const Dimension wear;
 }  // namespace unit
 
 /// All dimensions, in the order in which they are shown.

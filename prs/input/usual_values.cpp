@@ -65,6 +65,9 @@ constexpr UsualValue kUsual[] = {
     {"heat.conductance.nut_ambient", "", "1000 W/K", "some W/K through seat and housing"},
     {"heat.conductance.rollers_ambient", "", "1000 W/K", "none, in a closed nut"},
     {"heat.specific_heat", "100 J/(kg K)", "3000 J/(kg K)", "steel has 460 J/(kg K)"},
+    // From full films to steel on steel without oil.
+    {"wear.coefficient", "1e-13 mm^3/(N m)", "1e-2 mm^3/(N m)",
+     "lubricated steel has about 1e-8 mm^3/(N m)"},
     {"carrier.roller_torque", "", "50 N m", "some mN m"},
     {"measures.friction_coefficient", "0.001", "0.3", "catalogues have 0.01"},
     {"measures.yield_strength", "100 MPa", "4 GPa", "steel has 300 MPa to 2 GPa"},

@@ -50,7 +50,7 @@ void check_heat(const Case& c, Problems& problems);
 
 void require_preload(const Case& c, Problems& problems);
 void require_life(const Case& c, Problems& problems);
-void require_slip(const Case& c, Problems& problems);
+void require_slip(const Conditions& c, Problems& problems);
 /// What `slip` needs where the case states `heat`.
 void require_heat(const Case& c, Problems& problems);
 

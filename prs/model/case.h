@@ -39,6 +39,7 @@ struct Conditions {
   std::optional<MeasureOptions> measures;
   std::optional<Lubricant> lubricant;
   std::optional<Friction> friction;
+  std::optional<Wear> wear;
   std::optional<Operation> operation;
   Carrier carrier;
   std::optional<PerPart<double>> roughness;  ///< Rq of the flanks, rms [m].

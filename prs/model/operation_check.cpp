@@ -67,23 +67,14 @@ std::optional<contact::WaltherLine> line_through(const std::vector<ViscosityPoin
   return contact::walther_line(cold.temperature, cold.viscosity, hot.temperature, hot.viscosity);
 }
 
-/// The screw drives the load where force and speed have one sign. A left-handed screw may also be
-/// driven by its load.
-void check_speed(const LoadCase& load, double speed, const Mechanism& m, Problems& problems) {
-  const double force = axial_force_on_nut(load);
-  const std::string path = load.input_path + (load.speed ? ".speed" : "");
+/// Either sense: force and speed say whether screw or load drives.
+void check_speed(const LoadCase& load, double speed, Problems& problems) {
   if (speed == 0.0)
-    problems.add(load.speed ? path : "operation.speed",
+    problems.add(load.speed ? load.input_path + ".speed" : "operation.speed",
                  fmt::format("got {} in case `{}`; expected a speed other than 0: at rest nothing "
                              "slips; change `operation.speed` or give the case a `speed` of its "
                              "own",
                              rpm(speed), load.name));
-  else if (m.lead > 0.0 && force * speed <= 0.0)
-    problems.add(path,
-                 fmt::format("got {} of axial force and {} in case `{}`; expected both of one sign "
-                             "(tension > 0, compression < 0), so that the screw drives the load; "
-                             "change the sign of the speed or give the case a `speed` of its own",
-                             newton(force), rpm(speed), load.name));
 }
 
 }  // namespace
@@ -164,12 +155,18 @@ void check_carrier(const Carrier& carrier, Problems& problems) {
                              mm(b.length), mm(2.0 * b.diameter)));
 }
 
-void require_slip(const Case& c, Problems& problems) {
+void require_slip(const Conditions& c, Problems& problems) {
   if (!c.friction)
     problems.add_missing("friction", "a law of friction for `slip`", "{model: jacod}");
-  if (c.friction && c.friction->model == Friction::Model::jacod && !c.lubricant)
-    problems.add_missing("lubricant", "the lubricant for `friction: {model: jacod}`",
-                         kLubricantExample);
+  const bool mixed = c.friction && c.friction->model == Friction::Model::mixed;
+  if (c.friction && c.friction->of_film() && !c.lubricant)
+    problems.add_missing(
+        "lubricant",
+        fmt::format("the lubricant for `friction: {{model: {}}}`", mixed ? "{mixed: ..}" : "jacod"),
+        kLubricantExample);
+  if (mixed && !c.roughness)
+    problems.add_missing("roughness", "the Rq of the flanks for `friction: {model: {mixed: ..}}`",
+                         "0.4 um");
   if (c.carrier.bearing && !c.lubricant)
     problems.add_missing("lubricant",
                          "the lubricant of `carrier.bearing`, whatever the law of friction",
@@ -179,7 +176,7 @@ void require_slip(const Case& c, Problems& problems) {
       problems.add_missing("operation", "the speed for `slip`", "{speed: 400 rpm}");
       continue;
     }
-    check_speed(load, load.speed ? *load.speed : c.operation->speed, c.mechanism, problems);
+    check_speed(load, load.speed ? *load.speed : c.operation->speed, problems);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "prs/output/warnings.h"
 #include "prs/quantities/heat_quantities.h"
 #include "prs/quantities/slip_quantities.h"
+#include "prs/slip/slip.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -78,8 +79,12 @@ std::string efficiency_lines(const SlipResult& slip) {
   const std::string fit = slip.efficiency_fit ? fmt::format("Sandu's fit {:.2f} %",
                                                             *slip.efficiency_fit * per_si::percent)
                                               : "";
+  if (slip.driven_by == DrivenBy::screw)
+    return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2), fit);
   return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2),
-                    slip.efficiency ? fit : "self-locking");
+                    slip.efficiency ? "the load drives" : "the load helps, self-locking") +
+         block_line("holding torque, N m", four_digits(shown(*slip.holding_torque, "N m")),
+                    slip.efficiency ? "holds back the load" : "turns the screw");
 }
 
 std::string torque_lines(const SlipResult& slip) {
@@ -115,7 +120,19 @@ constexpr RangeLine kRangeLines[] = {
     {"film by Sandu, nm", "film_thickness_nm", 0},
     {"central film, nm", "central_film_nm", 0},
     {"film over roughness", "film_ratio", 2},
+    {"share on touching flanks", "boundary_share", 3},
+    {"wear, mm³/km", "wear_mm3_per_km", 6},
 };
+
+/// `boundary–mixed`, from the thinnest film to the thickest.
+std::string regimes(const InterfaceSlip& slip) {
+  double least = HUGE_VAL, largest = 0.0;
+  for (const double ratio : slip.film_ratio)
+    if (ratio > 0.0) least = std::min(least, ratio), largest = std::max(largest, ratio);
+  if (least > largest) return std::string(kAbsent);
+  const std::string_view from = lubrication(least), to = lubrication(largest);
+  return from == to ? std::string(from) : fmt::format("{}–{}", from, to);
+}
 
 /// `0.0812–0.0934` over the threads that carry load.
 std::string range(const InterfaceSlip& slip, const RangeLine& line) {
@@ -143,6 +160,9 @@ std::string range_lines(const SlipResult& slip) {
     if (!quantity<InterfaceSlip>(line.key).value.series(slip.threads.screw).empty())
       lines += block_line(fmt::format("  {}", line.label), range(slip.threads.screw, line),
                           padded(range(slip.threads.nut, line), kValueWidth, false));
+  if (!slip.threads.screw.film_ratio.empty())
+    lines += block_line("  lubrication", regimes(slip.threads.screw),
+                        padded(regimes(slip.threads.nut), kValueWidth, false));
   return lines;
 }
 
@@ -187,7 +207,9 @@ std::string hottest_line(const SlipResult& slip) {
   const std::optional<HottestThread> hottest = hottest_thread(slip);
   if (!hottest || !hottest->power || *hottest->power == 0.0) return {};
   return block_line(
-      "hottest thread", fmt::format("{} {}", name(hottest->interface), hottest->thread),
+      "hottest thread",
+      fmt::format("{} {}{}", name(hottest->interface), hottest->thread,
+                  hottest->roller ? fmt::format(", roller {}", *hottest->roller) : ""),
       fmt::format("{} W, {} {}", four_digits(*hottest->power),
                   four_digits(shown(hottest->power_density, "W/mm²")), table_unit("W/mm²").text));
 }
@@ -284,6 +306,13 @@ constexpr CaseColumn kColumns[] = {
     {"hottest", "thread: W/mm²", true, hottest_cell},
 };
 
+std::vector<double> power_of_rollers(const InterfaceSlip& slip) {
+  const auto row = static_cast<std::size_t>(slip.threads_per_roller);
+  std::vector<double> sums(slip.power.size() / row, 0.0);
+  for (std::size_t k = 0; k < slip.power.size(); ++k) sums[k / row] += slip.power[k];
+  return sums;
+}
+
 }  // namespace
 
 std::string slip_table(const Result& result) {
@@ -304,6 +333,15 @@ std::string slip_chart(const LoadCaseResult& result) {
     return fmt::format("{}: no power at the threads ({})\n", title, slip_status_name(result));
 
   const SlipResult& slip = *result.slip;
+  if (slip.threads.screw.threads_per_roller > 0) {
+    const PerInterface<std::vector<double>> power = {power_of_rollers(slip.threads.screw),
+                                                     power_of_rollers(slip.threads.nut)};
+    return fmt::format("{}: power lost at each roller\n", title) +
+           bar_chart(
+               power,
+               decimals_of(std::max(std::ranges::max(power.screw), std::ranges::max(power.nut))),
+               "W");
+  }
   return fmt::format("{}: power lost at each thread of a roller\n", title) +
          bar_chart({slip.threads.screw.power, slip.threads.nut.power},
                    decimals_of(largest(slip, &InterfaceSlip::power)), "W");

@@ -18,6 +18,7 @@ inline constexpr ShownUnit kNoUnit;
 /// Longer suffixes before their own ends.
 inline constexpr ShownUnit kShownUnits[] = {
     {"_N_per_mm1_5", "N/mm^1.5", 3.16227766016837933e-5},  // 1000^-1.5
+    {"_mm3_per_km", "mm³/km", 1e12},
     {"_mm_per_N1_3", "mm/N^(1/3)", 1e3},
     {"_mm_per_rad", "mm/rad", 1e3},
     {"_kN_per_kg", "kN/kg", 1e-3},

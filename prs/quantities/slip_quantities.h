@@ -12,9 +12,10 @@ namespace prs {
 /// The thread of the largest power density.
 struct HottestThread {
   Interface interface = Interface::screw;
-  std::size_t thread = 0;       ///< From 1.
-  std::optional<double> power;  ///< [W]
-  double power_density = 0.0;   ///< [W/m^2]
+  std::size_t thread = 0;             ///< From 1.
+  std::optional<std::size_t> roller;  ///< From 1; of a full mechanism.
+  std::optional<double> power;        ///< [W]
+  double power_density = 0.0;         ///< [W/m^2]
 };
 
 template <>

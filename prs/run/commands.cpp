@@ -173,8 +173,8 @@ ModelComparison run_compare(const input::Source&, const input::CaseInput& in) {
 Result run_slip(const input::Source&, const input::CaseInput& in) {
   Result result = analyze_heat(in.values);
   warn_of_preload(in.values, result.warnings);
-  const bool jacod = in.values.friction->model == Friction::Model::jacod;
-  if (const std::string note = jacod ? estimates_note(*in.values.lubricant) : ""; !note.empty())
+  const bool film = in.values.friction->of_film();
+  if (const std::string note = film ? estimates_note(*in.values.lubricant) : ""; !note.empty())
     result.warnings.push_back(note);
   return result;
 }

@@ -52,8 +52,14 @@ Oils oils_at(const Lubricant& lubricant, const PerInterface<double>& temperature
       at_temperature(lubricant, 0.5 * (temperature.screw + temperature.nut))};
 }
 
-Oils oils_of(const Conditions& c, const std::optional<PerInterface<double>>& oil) {
-  return c.lubricant && oil ? oils_at(*c.lubricant, *oil) : oils_in_operation(c);
+Oils oils_of(const Conditions& c, const LoadCaseResult& loaded) {
+  return c.lubricant && loaded.heat && loaded.heat->oil ? oils_at(*c.lubricant, *loaded.heat->oil)
+                                                        : oils_in_operation(c);
+}
+
+std::optional<double> composite_roughness(const Conditions& c, Interface i) {
+  if (!c.roughness) return std::nullopt;
+  return std::hypot((*c.roughness)[body_of(i)], c.roughness->roller);
 }
 
 SlipModels::SlipModels(const Conditions& c, const Contacts& contacts)
@@ -65,7 +71,10 @@ SlipModels::SlipModels(const Conditions& c, const Contacts& contacts, Oils oils)
 SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
   if (loaded.load_case.share == LoadCase::Share::equal) return equal_shares(loaded.load_case, oils);
   SlipModel model = unloaded(loaded.load_case, oils);
-  for (const Interface i : kInterfaces)
+  for (const Interface i : kInterfaces) {
+    const int row = (*loaded.threads)[i].threads_per_roller;
+    model.threads[i].threads_per_roller = row;
+    if (row > 0) model.threads[i].alike = 1.0 / model.rollers;
     for (const double load : (*loaded.threads)[i].axial_load) {
       std::vector<std::optional<std::size_t>>& patch_of = model.threads[i].patch_of_thread;
       patch_of.push_back(std::nullopt);
@@ -73,6 +82,7 @@ SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
       patch_of.back() = model.threads[i].patches.size();
       add_patch(model, i, load);
     }
+  }
   return model;
 }
 
@@ -93,6 +103,9 @@ SlipModel SlipModels::unloaded(const LoadCase& load_case, const Oils& oils) cons
   m.speed = load_case.speed ? *load_case.speed : conditions_.operation->speed;
   m.geometry = kinematic_geometry(contacts_, m.axial_force);
   m.rollers = contacts_.mechanism.rollers;
+  if (conditions_.model.mechanism == ModelOptions::Mechanism::full &&
+      load_case.share == LoadCase::Share::solved)
+    m.rollers -= static_cast<int>(conditions_.deviations.missing_rollers.size());
   for (const Interface i : kInterfaces) {
     const contact::InterfaceGeometry g = touching(contacts_.interfaces[i].geometry, m.axial_force);
     m.threads[i].normal = g.point.normal;
@@ -120,10 +133,21 @@ void SlipModels::add_patch(SlipModel& model, Interface i, double axial_load) con
                            .curvature = relative.second,
                            .contact_modulus = contact.contact_modulus,
                            .curvature_ratio = relative.first / relative.second});
-  if (conditions_.friction->model == Friction::Model::coulomb)
-    threads.patches.emplace_back(grid_, ellipse, conditions_.friction->coefficient);
-  else
-    threads.patches.emplace_back(grid_, ellipse, *model.oils.threads[i], threads.films.back());
+  const Friction& friction = *conditions_.friction;
+  const contact::FilmContact& film = threads.films.back();
+  switch (friction.model) {
+    case Friction::Model::coulomb:
+      threads.patches.emplace_back(grid_, ellipse, friction.coefficient);
+      break;
+    case Friction::Model::jacod:
+      threads.patches.emplace_back(grid_, ellipse, *model.oils.threads[i], film);
+      break;
+    case Friction::Model::mixed:
+      threads.patches.emplace_back(
+          grid_, ellipse, *model.oils.threads[i], film,
+          contact::TouchingFlanks{friction.mixed.boundary, friction.mixed.exponent,
+                                  *composite_roughness(conditions_, i)});
+  }
 }
 
 }  // namespace prs

@@ -19,7 +19,10 @@ Oils oils_in_operation(const Conditions& c);
 Oils oils_at(const Lubricant& lubricant, const PerInterface<double>& temperature);
 
 /// The lubricant of a load case: at the temperatures of its heat balance, else as in the file.
-Oils oils_of(const Conditions& c, const std::optional<PerInterface<double>>& oil);
+Oils oils_of(const Conditions& c, const LoadCaseResult& loaded);
+
+/// Composite Rq of the flanks of an interface [m]; absent where the case has none.
+std::optional<double> composite_roughness(const Conditions& c, Interface i);
 
 /// Builds the models of slip of one case from its contacts and loads. The models refer to the grid
 /// in here and to the contacts.
@@ -31,7 +34,8 @@ class SlipModels {
   SlipModels(const SlipModels&) = delete;
   SlipModels& operator=(const SlipModels&) = delete;
 
-  /// One patch for each thread that carries load; for equal shares one for all.
+  /// One patch for each thread that carries load, of all rollers of a full mechanism; for equal
+  /// shares one for all.
   SlipModel of(const LoadCaseResult& loaded) const { return of(loaded, oils_); }
   SlipModel of(const LoadCaseResult& loaded, const Oils& oils) const;
   /// One patch that stands for all threads of an interface (Sandu 2018).

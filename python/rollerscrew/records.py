@@ -278,6 +278,7 @@ class HottestThread(Record):
     thread: int
     power_W: float
     power_density_W_per_mm2: float
+    roller: int
 
 
 class EqualShareSlip(Record):
@@ -304,7 +305,9 @@ class InterfaceSlip(Record):
     film_thickness_nm: Array
     central_film_nm: Array
     film_ratio: Array
+    boundary_share: Array
     dynamic_normal_load_N: Array
+    wear_mm3_per_km: Array
 
 
 class Slip(Record):
@@ -320,7 +323,10 @@ class Slip(Record):
     slip_ratio: float
     ideal_slip_ratio: float
     optimality_percent: float
+    driven_by: str
     efficiency: float
+    self_locking: bool
+    holding_torque_Nm: float
     efficiency_fit: float
     power_loss_W: float
     power_loss_input_output_W: float
@@ -376,6 +382,7 @@ class LoadMeasures(Record):
     l10_hours: float
     l10_travel_km: float
     drive_torque_Nm: float
+    back_driving_efficiency: float
     speed_safety: float
     static_safety_limit: str
     thread_static_safety_limit: str

@@ -59,8 +59,16 @@ def _numbers(record: Record) -> dict[str, Any]:
 
 
 def _arrays(record: Record) -> dict[str, Any]:
-    """The arrays over threads of a record, and the numbers of the threads."""
+    """The arrays over threads of a record, and the numbers of the threads, also of the rollers."""
     arrays = {name: value for name, value in record.items() if isinstance(value, np.ndarray)}
+    grid = next((value for value in arrays.values() if value.ndim == 2), None)
+    if grid is not None:
+        rollers, threads = grid.shape
+        return {
+            "roller": np.repeat(np.arange(1, rollers + 1), threads),
+            "thread": np.tile(np.arange(1, threads + 1), rollers),
+            **{name: value.ravel() for name, value in arrays.items() if value.ndim == 2},
+        }
     count = len(next(iter(arrays.values()), ()))
     return {"thread": np.arange(1, count + 1), **arrays}
 
@@ -288,6 +296,10 @@ class SlipResult(SolveResult):
     def plot_friction(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
         """Friction coefficient and sliding speed of each thread."""
         return self.plot_figure("friction", ax, load_case=self._place(load_case))
+
+    def plot_stribeck(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
+        """Friction, efficiency, power and film over the speed."""
+        return self.plot_figure("stribeck", ax, load_case=self._place(load_case))
 
 
 class MeasuresResult(SolveResult):
