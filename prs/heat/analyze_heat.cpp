@@ -83,7 +83,7 @@ Result analyze_heat(const Conditions& c, Contacts contacts, AnalysisOptions opti
     const SteadyHeat found = steady_heat_of(c, contacts, load);
     const OfParts temperature =
         found.converged() ? found.temperature : OfParts::Constant(c.heat->ambient);
-    const Oils oils = oils_of(c, oil_temperatures(temperature));
+    const Oils oils = warm_oils(c, oil_temperatures(temperature));
     Result one = analyze_slip(at_temperatures(c, load, temperature), contacts, options, oils);
     LoadCaseResult& loaded = one.load_cases.front();
     loaded.heat = result_of(found, c.lubricant.has_value());

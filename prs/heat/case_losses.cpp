@@ -13,10 +13,11 @@ Conditions at_temperatures(const Conditions& c, const LoadCase& load, const OfPa
   return warm;
 }
 
-bool heat_may_grow(const Conditions& c) {
-  return c.friction->model != Friction::Model::jacod &&
-         c.friction->model != Friction::Model::coulomb;
+Oils warm_oils(const Conditions& c, const PerInterface<double>& oil) {
+  return c.lubricant ? oils_at(*c.lubricant, oil) : Oils{};
 }
+
+bool heat_may_grow(const Conditions& c) { return c.friction->model == Friction::Model::mixed; }
 
 CaseLosses::CaseLosses(const Conditions& c, const Contacts& contacts, const LoadCase& load,
                        LoadCase::Share share)
@@ -25,7 +26,7 @@ CaseLosses::CaseLosses(const Conditions& c, const Contacts& contacts, const Load
 }
 
 std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
-  const Oils oils = oils_of(conditions_, oil_temperatures(temperature));
+  const Oils oils = warm_oils(conditions_, oil_temperatures(temperature));
   if (load_.share == LoadCase::Share::equal) return of(models_.equal_shares(load_, oils));
   const Result loads =
       analyze(at_temperatures(conditions_, load_, temperature), contacts_, kManyDesigns);
@@ -54,7 +55,7 @@ std::optional<Losses> CaseLosses::of(const SlipModel& model) {
 }
 
 std::optional<OfParts> CaseLosses::estimate(const PerInterface<double>& oil) const {
-  const SlipModel model = models_.equal_shares(load_, oils_of(conditions_, oil));
+  const SlipModel model = models_.equal_shares(load_, warm_oils(conditions_, oil));
   SlipBalance balance;
   if (!balance_at(model, slip_ratio_, balance)) return std::nullopt;
   return heat_of(lost_power(model, balance));

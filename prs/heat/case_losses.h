@@ -20,6 +20,9 @@ struct Losses {
 /// expand.
 Conditions at_temperatures(const Conditions& c, const LoadCase& load, const OfParts& temperature);
 
+/// The lubricant at these temperatures of the contacts [K]; none where the case has none.
+Oils warm_oils(const Conditions& c, const PerInterface<double>& oil);
+
 /// Whether friction may grow with temperature: that of full films falls, Coulomb's stays.
 bool heat_may_grow(const Conditions& c);
 

@@ -377,8 +377,7 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
 StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::size_t load_case) {
   constexpr int kDecades = 4, kPerDecade = 10;
   const LoadCaseResult& loaded = result.load_cases[load_case];
-  const SlipModels models(c, result.contacts,
-                          oils_of(c, loaded.heat ? loaded.heat->oil : std::nullopt));
+  const SlipModels models(c, result.contacts, oils_of(c, loaded));
   SlipModel model = models.of(loaded);
   const double speed = model.speed;
   StribeckCurve curve;
@@ -404,8 +403,7 @@ StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::siz
 
 SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_t load_case) {
   const LoadCaseResult& loaded = result.load_cases[load_case];
-  const SlipModels models(c, result.contacts,
-                          oils_of(c, loaded.heat ? loaded.heat->oil : std::nullopt));
+  const SlipModels models(c, result.contacts, oils_of(c, loaded));
   const SlipModel model = models.of(loaded);
   const SlipRange range = slip_range(model.geometry);
   // Far enough to both sides of the ideal slip ratio to show where the moment changes sign.

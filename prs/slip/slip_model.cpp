@@ -52,8 +52,9 @@ Oils oils_at(const Lubricant& lubricant, const PerInterface<double>& temperature
       at_temperature(lubricant, 0.5 * (temperature.screw + temperature.nut))};
 }
 
-Oils oils_of(const Conditions& c, const std::optional<PerInterface<double>>& oil) {
-  return c.lubricant && oil ? oils_at(*c.lubricant, *oil) : oils_in_operation(c);
+Oils oils_of(const Conditions& c, const LoadCaseResult& loaded) {
+  return c.lubricant && loaded.heat && loaded.heat->oil ? oils_at(*c.lubricant, *loaded.heat->oil)
+                                                        : oils_in_operation(c);
 }
 
 std::optional<double> composite_roughness(const Conditions& c, Interface i) {

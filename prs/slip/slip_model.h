@@ -18,11 +18,11 @@ Oils oils_in_operation(const Conditions& c);
 /// bearings of the roller heads run at the mean of both.
 Oils oils_at(const Lubricant& lubricant, const PerInterface<double>& temperature);
 
+/// The lubricant of a load case: at the temperatures of its heat balance, else as in the file.
+Oils oils_of(const Conditions& c, const LoadCaseResult& loaded);
+
 /// Composite Rq of the flanks of an interface [m]; absent where the case has none.
 std::optional<double> composite_roughness(const Conditions& c, Interface i);
-
-/// The lubricant of a load case: at the temperatures of its heat balance, else as in the file.
-Oils oils_of(const Conditions& c, const std::optional<PerInterface<double>>& oil);
 
 /// Builds the models of slip of one case from its contacts and loads. The models refer to the grid
 /// in here and to the contacts.
