@@ -1,8 +1,5 @@
 #include "prs/sector/full/full_distribution.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -267,17 +264,6 @@ void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equati
   condense(loaded, without, fewer, of_fewer, linear, d);
 }
 
-std::string why_not_held(const FullModel& f, const FullStructure& s) {
-  std::string text = fmt::format(
-      "no equilibrium: flanks that only push cannot hold this load ({:.3f} of the axial force is "
-      "left "
-      "over); add `structure.screw.bearings`",
-      load_left(f, s));
-  if (const std::optional<double> force = holding_force(f))
-    text += fmt::format(", or raise the axial force to {:.4g} kN", *force * 1e-3);
-  return text;
-}
-
 }  // namespace
 
 FullDistribution solve(const FullModel& f, Detail detail) {
@@ -285,9 +271,7 @@ FullDistribution solve(const FullModel& f, Detail detail) {
   FullDistribution d;
   if (const FreeMotions free = free_motions(f, s); free.count > 0) {
     d.solve.status = fe::NewtonStatus::mechanism;
-    d.reason =
-        fmt::format("mechanism: {} motion{} of {} meet{} no resistance", free.count,
-                    free.count == 1 ? "" : "s", free.parts.front(), free.count == 1 ? "s" : "");
+    d.reason = why_free(free);
     return d;
   }
   const fe::Equations equations(s.model);
@@ -308,7 +292,10 @@ FullDistribution solve(const FullModel& f, Detail detail) {
 
 SymmetricLoads symmetric_loads(const FullModel& f) {
   SectorSolver solver(build_sector(f.sector));
-  const LoadDistribution d = solver.solve(f.axial_force);
+  return symmetric_loads(f, solver.solve(f.axial_force));
+}
+
+SymmetricLoads symmetric_loads(const FullModel& f, const LoadDistribution& d) {
   SymmetricLoads s{d.axial_displacement, d.tangent_stiffness, {}};
   if (f.housing.axial < kRigid) {
     s.axial_displacement += f.axial_force / f.housing.axial;

@@ -219,4 +219,20 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s,
   return free;
 }
 
+std::string why_free(const FreeMotions& free) {
+  return fmt::format("mechanism: {} motion{} of {} meet{} no resistance", free.count,
+                     free.count == 1 ? "" : "s", free.parts.front(), free.count == 1 ? "s" : "");
+}
+
+std::string why_not_held(const FullModel& f, const FullStructure& s) {
+  std::string text = fmt::format(
+      "no equilibrium: flanks that only push cannot hold this load ({:.3f} of the axial force is "
+      "left "
+      "over); add `structure.screw.bearings`",
+      load_left(f, s));
+  if (const std::optional<double> force = holding_force(f))
+    text += fmt::format(", or raise the axial force to {:.4g} kN", *force * 1e-3);
+  return text;
+}
+
 }  // namespace prs
