@@ -46,6 +46,21 @@ RollerShares roller_shares(const InterfaceLoads& loads, const FullModel& f, doub
   return s;
 }
 
+/// Bearings that push against each other with more than this many times the axial force leave
+/// balances of less than nine digits.
+constexpr double kForcedBearing = 1e3;
+
+std::optional<std::string> forced_bearings(const std::vector<SupportForce>& bearings,
+                                           double axial_force) {
+  double largest = 0.0;
+  for (const SupportForce& b : bearings) largest = std::max(largest, b.force.norm());
+  if (largest <= kForcedBearing * axial_force) return std::nullopt;
+  return fmt::format(
+      "structure.screw.bearings: they push against each other with {:.3g} kN, {:.2g} times the "
+      "axial force; check their `offset`, or give them a stiffness in place of `lateral: rigid`",
+      largest * 1e-3, largest / axial_force);
+}
+
 /// Rollers without anything of their own.
 bool alike(const Deviations& d) {
   return d.roller_diameters.empty() && d.roller_position.near.empty() &&
@@ -56,7 +71,8 @@ bool alike(const Deviations& d) {
 }  // namespace
 
 LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-                           const PerInterface<ContactLaw>& laws, Detail detail) {
+                           const PerInterface<ContactLaw>& laws, FullSolver& solver,
+                           Detail detail) {
   const auto model_at = [&](double carrier_angle) {
     LoadCase at = load_case;
     at.spatial.carrier_angle = carrier_angle;
@@ -65,7 +81,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   };
   const SpatialLoad& load = load_case.spatial;
   const FullModel f = model_at(load.carrier_angle);
-  FullDistribution d = solve(f, detail);
+  FullDistribution d = solver.solve(f, detail);
   LoadDistribution flattened;
   flattened.solve = d.solve;
   flattened.axial_displacement = d.axial_displacement;
@@ -86,7 +102,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   full.screw_end = std::move(d.screw_end);
   full.nut = d.nut;
   full.rings = std::move(d.rings);
-  full.bearings = std::move(d.bearings);
+  full.bearings = d.bearings;
   full.symmetric = symmetric_loads(f);
   full.symmetric_stiffness = f.axial_force / full.symmetric.axial_displacement;
   for (const Interface i : kInterfaces) {
@@ -95,7 +111,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     loads.rollers = roller_shares(loads, f, full.symmetric.largest_normal_load[i]);
   }
   if (load.orbit) {
-    full.orbit = orbit(model_at, *load.orbit, load.carrier_angle, alike(c.deviations));
+    full.orbit = orbit(solver, model_at, *load.orbit, load.carrier_angle, alike(c.deviations));
     if (!full.orbit)
       result.warnings.push_back(
           "the orbit was left out: at some position of the carrier there is no equilibrium");
@@ -113,6 +129,8 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
           "would touch, which the model leaves out",
           label(i), opening * 1e3, point.backlash * 1e3));
   }
+  if (std::optional<std::string> warning = forced_bearings(d.bearings, f.axial_force))
+    result.warnings.push_back(std::move(*warning));
   result.full = std::make_shared<const FullLoads>(std::move(full));
   return result;
 }
