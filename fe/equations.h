@@ -21,6 +21,10 @@ class Equations {
  public:
   explicit Equations(const Model& model);
 
+  /// Takes the numbers of another model. Numbering and pattern stay, and what was built on them.
+  /// False, and nothing happens, where the model has other nodes, elements or forms.
+  bool take(const Model& model);
+
   int size() const { return static_cast<int>(kind_.size()); }
   /// Number of the equation of a freedom, or -1 where it is fixed or not stiffened by anything.
   /// From `size()` on, freedoms that follow others.
@@ -219,10 +223,12 @@ class Equations {
   };
 
   void number_freedoms(const Model& model);
+  void add_followers(const Model& model);
   void add_linear_elements(const Model& model);
   void add_springs(const Model& model);
   int slot(int i, int j) const;
 
+  std::vector<int> shape_;  ///< Which freedoms each part of the model joins.
   std::vector<int> number_;
   std::vector<Dof> kind_;
   std::vector<NumberedBar> bars_;

@@ -47,6 +47,21 @@ RollerShares roller_shares(const InterfaceLoads& loads, const FullModel& f, doub
   return s;
 }
 
+/// Bearings that push against each other with more than this many times the axial force leave
+/// balances of less than nine digits.
+constexpr double kForcedBearing = 1e3;
+
+std::optional<std::string> forced_bearings(const std::vector<SupportForce>& bearings,
+                                           double axial_force) {
+  double largest = 0.0;
+  for (const SupportForce& b : bearings) largest = std::max(largest, b.force.norm());
+  if (largest <= kForcedBearing * axial_force) return std::nullopt;
+  return fmt::format(
+      "structure.screw.bearings: they push against each other with {:.3g} kN, {:.2g} times the "
+      "axial force; check their `offset`, or give them a stiffness in place of `lateral: rigid`",
+      largest * 1e-3, largest / axial_force);
+}
+
 /// Rollers without anything of their own.
 bool alike(const Deviations& d) {
   return d.roller_diameters.empty() && d.roller_position.near.empty() &&
@@ -57,7 +72,8 @@ bool alike(const Deviations& d) {
 }  // namespace
 
 LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-                           const PerInterface<ContactLaw>& laws, Detail detail) {
+                           const PerInterface<ContactLaw>& laws, FullSolver& solver,
+                           Detail detail) {
   const auto model_at = [&](double carrier_angle) {
     LoadCase at = load_case;
     at.spatial.carrier_angle = carrier_angle;
@@ -69,7 +85,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   std::optional<FullBodies> bodies;
   if (c.model.bodies == ModelOptions::Bodies::influence) bodies = full_bodies(c, contacts, laws, f);
   const auto solved = [&](const FullModel& model, Detail wanted) {
-    return bodies ? solve(model, *bodies, wanted) : solve(model, wanted);
+    return bodies ? solve(model, *bodies, wanted) : solver.solve(model, wanted);
   };
   FullDistribution d = solved(f, detail);
   LoadDistribution flattened;
@@ -129,6 +145,8 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
           "would touch, which the model leaves out",
           label(i), opening * 1e3, point.backlash * 1e3));
   }
+  if (std::optional<std::string> warning = forced_bearings(d.bearings, f.axial_force))
+    result.warnings.push_back(std::move(*warning));
   result.full = std::make_shared<const FullLoads>(std::move(full));
   return result;
 }

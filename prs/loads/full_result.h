@@ -26,6 +26,7 @@ struct FullLoads {
 
 /// The answer to a load case on all rollers.
 LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-                           const PerInterface<ContactLaw>& laws, Detail detail);
+                           const PerInterface<ContactLaw>& laws, FullSolver& solver,
+                           Detail detail);
 
 }  // namespace prs

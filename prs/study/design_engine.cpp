@@ -25,6 +25,7 @@
 #include "prs/quantities/slip_quantities.h"
 #include "prs/sector/chain/bar_designs.h"
 #include "prs/sector/chain/fallback_solver.h"
+#include "prs/sector/full/full_distribution.h"
 #include "prs/study/design_reader.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
@@ -147,6 +148,7 @@ struct DesignEngine::Parts {
   std::optional<std::vector<ResultNumber>> numbers;
   std::vector<std::size_t> load_cases;  ///< Load cases that the numbers need.
   Bodies bodies = Bodies::bars;         ///< Bodies of the base case.
+  bool all_rollers = false;             ///< Whether it is a full mechanism.
   std::optional<LoadHistory> history;   ///< History of the base case.
   std::optional<HistorySource> history_source;
 
@@ -154,6 +156,7 @@ struct DesignEngine::Parts {
   struct Worker {
     DesignReader reader;
     BarDesignSolver solver = BarDesignSolver();
+    FullSolver full = FullSolver();
   };
 
   /// A worker that no other thread has.
@@ -225,6 +228,7 @@ struct DesignEngine::Parts {
     const DesignStatus status = status_after([&] {
       const Case& c = worker->reader.read(0);
       bodies = c.model.bodies;
+      all_rollers = c.model.mechanism == ModelOptions::Mechanism::full;
       if (study.command == Command::life && c.life->history) {
         history = history_of(c);
         history_source = c.life->history;
@@ -257,7 +261,7 @@ struct DesignEngine::Parts {
     }
   }
 
-  DesignStatus answer(const Case& c, double* row) const {
+  DesignStatus answer(const Case& c, FullSolver& full, double* row) const {
     if (!numbers) {
       Json document;
       const DesignStatus status = by_document(c, document);
@@ -271,14 +275,16 @@ struct DesignEngine::Parts {
     if (needed.heat) needed.heat->duty.clear();
     for (const std::size_t k : load_cases)
       if (k < c.load_cases.size()) needed.load_cases.push_back(c.load_cases[k]);
+    AnalysisOptions options = kManyDesigns;
+    options.full = &full;
     if (study.command == Command::measures) {
-      const MeasuresResult result = analyze_measures(needed, kManyDesigns);
+      const MeasuresResult result = analyze_measures(needed, options);
       DesignStatus status = status_of(result.analysis.load_cases);
       if (status.converged())
         set_numbers(row, result.analysis.contacts, result.analysis.load_cases, &result);
       return status;
     }
-    const Result result = analyze_for(study.command, needed, kManyDesigns);
+    const Result result = analyze_for(study.command, needed, options);
     DesignStatus status = status_of(result.load_cases);
     if (status.converged()) set_numbers(row, result.contacts, result.load_cases);
     return status;
@@ -342,7 +348,7 @@ struct DesignEngine::Parts {
           return prepare(c, design, designs.size(), sectors, bars, forces);
         }
         done = true;
-        return answer(c, row_of(block, row));
+        return answer(c, worker.full, row_of(block, row));
       });
       if (status.converged() && !done) {
         designs.push_back(std::move(design));
@@ -366,8 +372,9 @@ struct DesignEngine::Parts {
         set_numbers(row_of(block, design.row), design.contacts, design.load_cases);
         continue;
       }
-      DesignStatus status = status_after(
-          [&] { return answer(read(worker.reader, design.row), row_of(block, design.row)); });
+      DesignStatus status = status_after([&] {
+        return answer(read(worker.reader, design.row), worker.full, row_of(block, design.row));
+      });
       if (!status.converged()) block.failures.push_back({design.row, std::move(status)});
     }
   }
@@ -375,8 +382,8 @@ struct DesignEngine::Parts {
   void evaluate_one_by_one(const ReadRow& read, RowBlock& block) {
     Borrowed worker(*this);
     for (std::size_t row = 0; row < block.rows; ++row) {
-      DesignStatus status =
-          status_after([&] { return answer(read(worker->reader, row), row_of(block, row)); });
+      DesignStatus status = status_after(
+          [&] { return answer(read(worker->reader, row), worker->full, row_of(block, row)); });
       if (!status.converged()) block.failures.push_back({row, std::move(status)});
     }
   }
@@ -415,7 +422,7 @@ RowBlock DesignEngine::evaluate(const std::vector<std::vector<Draw>>& designs) c
 std::size_t DesignEngine::chunk() const {
   if (parts_->bodies == Bodies::influence) return 1;
   if (!parts_->numbers) return 8;
-  if (parts_->study.command == Command::slip) return 32;
+  if (parts_->study.command == Command::slip || parts_->all_rollers) return 32;
   return parts_->bodies == Bodies::bars ? 512 : 64;
 }
 

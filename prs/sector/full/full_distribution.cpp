@@ -266,7 +266,21 @@ void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equati
 
 }  // namespace
 
-FullDistribution solve(const FullModel& f, Detail detail) {
+struct FullSolver::Parts {
+  explicit Parts(const fe::Model& model) : equations(model), newton(equations, 0.0) {}
+
+  fe::Equations equations;
+  fe::NewtonSolver newton;
+};
+
+FullSolver::FullSolver() = default;
+FullSolver::~FullSolver() = default;
+FullSolver::FullSolver(FullSolver&&) noexcept = default;
+FullSolver& FullSolver::operator=(FullSolver&&) noexcept = default;
+
+FullDistribution solve(const FullModel& f, Detail detail) { return FullSolver().solve(f, detail); }
+
+FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   const FullStructure s = full_structure(f);
   FullDistribution d;
   if (const FreeMotions free = free_motions(f, s); free.count > 0) {
@@ -274,9 +288,13 @@ FullDistribution solve(const FullModel& f, Detail detail) {
     d.reason = why_free(free);
     return d;
   }
-  const fe::Equations equations(s.model);
+  if (parts_ && parts_->equations.take(s.model))
+    parts_->newton.equations_changed();
+  else
+    parts_ = std::make_unique<Parts>(s.model);
+  const fe::Equations& equations = parts_->equations;
+  fe::NewtonSolver& solver = parts_->newton;
   d.freedoms = equations.size();
-  fe::NewtonSolver solver(equations, 0.0);
   fe::State q;
   const Eigen::VectorXd load = equations.load_vector(s.loads);
   if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q))

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +64,22 @@ struct FullDistribution {
 /// and `no_equilibrium`, a load that flanks that only push cannot hold. The stiffness of the
 /// screw's end belongs to Detail::complete.
 FullDistribution solve(const FullModel& model, Detail detail = Detail::complete);
+
+/// `solve` for one model after the other: those that differ in numbers only share the numbering,
+/// the pattern and its symbolic factorization. No answer depends on those before.
+class FullSolver {
+ public:
+  FullSolver();
+  ~FullSolver();
+  FullSolver(FullSolver&&) noexcept;
+  FullSolver& operator=(FullSolver&&) noexcept;
+
+  FullDistribution solve(const FullModel& model, Detail detail = Detail::complete);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
 
 /// By one sector.
 SymmetricLoads symmetric_loads(const FullModel& model);

@@ -104,6 +104,24 @@ Eigen::MatrixXd rows_over(const Motions& motions, const std::vector<fe::LinearFo
   return rows;
 }
 
+/// Rows that are not zero, scaled to one.
+Eigen::MatrixXd unit_rows(const Eigen::MatrixXd& rows) {
+  Eigen::MatrixXd units(rows.rows(), rows.cols());
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    if (const double norm = rows.row(i).norm(); norm > 0.0) units.row(count++) = rows.row(i) / norm;
+  return units.topRows(count);
+}
+
+/// Whether the smallest singular value of a triangle is above kNoResistance times the largest, by
+/// 1/|R^-1| and |R| in Frobenius' norm, which bound them; far cheaper than the values.
+bool surely_regular(const Eigen::MatrixXd& r) {
+  if (r.rows() < r.cols()) return false;
+  const Eigen::MatrixXd inverse =
+      r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(r.rows(), r.cols()));
+  return kNoResistance * r.norm() * inverse.norm() < 1.0;  // False where one is no number.
+}
+
 /// x >= 0 that minimises |A x - b| (Lawson and Hanson, Solving Least Squares Problems, 1974,
 /// chapter 23); returns what is left of b.
 Eigen::VectorXd left_by_pushing(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
@@ -196,14 +214,12 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s,
       if (first < last) add(r.spring(i, first));
       if (first + 1 < last) add(r.spring(i, last - 1));
     }
-  Eigen::MatrixXd rows = rows_over(motions, forms);
-  for (Eigen::Index i = 0; i < rows.rows(); ++i)
-    if (const double norm = rows.row(i).norm(); norm > 0.0) rows.row(i) /= norm;
-
+  const Eigen::MatrixXd rows = unit_rows(rows_over(motions, forms));
   const Eigen::MatrixXd r = Eigen::HouseholderQR<Eigen::MatrixXd>(rows)
                                 .matrixQR()
                                 .topRows(std::min(rows.rows(), rows.cols()))
                                 .triangularView<Eigen::Upper>();
+  if (surely_regular(r)) return {};
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(r, Eigen::ComputeFullV);
   const Eigen::VectorXd& sizes = svd.singularValues();
   FreeMotions free;
