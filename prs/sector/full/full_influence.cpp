@@ -302,6 +302,7 @@ FullDistribution solve(const FullModel& f, const FullBodies& bodies, Detail deta
                              std::max(f.sector.cosine.screw, f.sector.cosine.nut));
   ContactSolveOptions options;
   options.least_tangent = 1e-7 * stiffness.minCoeff();
+  options.compliance = detail == Detail::complete;
   ContactSolution s = prs::solve(a.problem, a.load(), stiffness, options);
   std::vector<ContactIteration> history = s.history;
   if (bodies.face && s.converged()) {

@@ -99,7 +99,7 @@ ContactSolution solve_from(Trial at, const ContactProblem& p, const Eigen::Vecto
   s.openings = (-at.y).cwiseMax(0.0);
   s.motion = at.motion;
   s.screw_motion = at.motion[0];
-  if (s.converged()) {
+  if (s.converged() && options.compliance) {
     factorize();
     Eigen::MatrixXd rate = Eigen::MatrixXd::Zero(n + motions, motions);
     rate.bottomRows(motions).diagonal().setConstant(1.0 / force);  // units, relative

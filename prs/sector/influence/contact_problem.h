@@ -42,6 +42,7 @@ struct ContactSolveOptions {
   double tolerance = 1e-12;
   /// Least slope dN/dy in the matrix of a step, never in the residual [N/m].
   double least_tangent = 0.0;
+  bool compliance = true;  ///< Work out the tangent at the solution.
   int max_iterations = 50;
   int max_halvings = 40;
 };

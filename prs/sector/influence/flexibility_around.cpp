@@ -144,8 +144,11 @@ FlexibilityAround screw_around(const BodyGeometry& b, Direction direction,
                                const std::vector<double>& sections,
                                const FlexibilityOptions& options, MatrixCache& cache) {
   const LoadedBody body = loaded_screw(b, direction, options);
+  std::vector<double> within;
+  for (const double section : sections)
+    within.push_back(std::clamp(section, body.shape.start, body.shape.end));
   return around(
-      {{body, body.shape.start, false}, teeth_of(b, Part::screw, direction, options), sections, 1},
+      {{body, body.shape.start, false}, teeth_of(b, Part::screw, direction, options), within, 1},
       screw_flexibility(b, direction, options, cache), cache);
 }
 

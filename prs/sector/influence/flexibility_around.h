@@ -29,7 +29,7 @@ struct FlexibilityAround {
 
 /// Screw: n = 1 on the whole body, its loaded section clamped; higher harmonics on a block of equal
 /// ridges up to n a_t/r = `largest_wave`, then those of the half-space. `sections` are axial places
-/// from the loaded section [m].
+/// from the loaded section [m], its ends where they lie beyond.
 FlexibilityAround screw_around(const BodyGeometry& body, Direction direction,
                                const std::vector<double>& sections,
                                const FlexibilityOptions& options,
