@@ -274,7 +274,7 @@ std::vector<std::pair<int, double>> Equations::terms_of(const LinearForm& form,
 }
 
 void Equations::add_springs(const Model& model) {
-  const std::vector<Spring> before = std::exchange(springs_, {});
+  std::vector<Spring> before = std::exchange(springs_, {});
   springs_.reserve(model.springs.size() + model.form_springs.size());
   const auto add = [&](const LinearForm& approach, const PowerLawSpring& law) {
     Spring s;
@@ -287,16 +287,16 @@ void Equations::add_springs(const Model& model) {
       ++s.count;
     }
     s.law.gap -= offset;
-    const Spring* same = springs_.size() < before.size() ? &before[springs_.size()] : nullptr;
+    Spring* same = springs_.size() < before.size() ? &before[springs_.size()] : nullptr;
     if (same && same->count == s.count && same->equation == s.equation) {
-      s.slot = same->slot;
+      s.slot = std::move(same->slot);
     } else {
-      std::size_t next = 0;
+      s.slot.reserve(s.count * (s.count + 1) / 2);
       for (std::size_t i = 0; i < s.count; ++i)
         for (std::size_t j = i; j < s.count; ++j)
-          s.slot[next++] = slot(s.equation[i], s.equation[j]);
+          s.slot.push_back(slot(s.equation[i], s.equation[j]));
     }
-    springs_.push_back(s);
+    springs_.push_back(std::move(s));
   };
   for (const SpringElement& e : model.springs) add(approach_of(e), e.law);
   for (const FormSpring& e : model.form_springs) add(e.approach, e.law);

@@ -44,12 +44,12 @@ class Equations {
   /// A spring by its approach w = sum_i coefficient[i] q[equation[i]] over at most kMost freedoms;
   /// `slot` leads to the values of the tangent for each pair i <= j.
   struct Spring {
-    static constexpr int kMost = 13;
+    static constexpr int kMost = 24;
     PowerLawSpring law;
     std::size_t count = 0;
     std::array<int, kMost> equation{};
     std::array<double, kMost> coefficient{};
-    std::array<int, kMost*(kMost + 1) / 2> slot{};
+    std::vector<int> slot;
 
     double approach(const State& q) const;
     /// Approach less gap, to its own rounding: it may be far smaller than the displacements.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "prs/loads/load_case_result.h"
+#include "prs/sector/full/full_influence.h"
 
 namespace prs {
 namespace {
@@ -81,7 +82,12 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   };
   const SpatialLoad& load = load_case.spatial;
   const FullModel f = model_at(load.carrier_angle);
-  FullDistribution d = solver.solve(f, detail);
+  std::optional<FullBodies> bodies;
+  if (c.model.bodies == ModelOptions::Bodies::influence) bodies = full_bodies(c, contacts, laws, f);
+  const auto solved = [&](const FullModel& model, Detail wanted) {
+    return bodies ? solve(model, *bodies, wanted) : solver.solve(model, wanted);
+  };
+  FullDistribution d = solved(f, detail);
   LoadDistribution flattened;
   flattened.solve = d.solve;
   flattened.axial_displacement = d.axial_displacement;
@@ -103,7 +109,15 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   full.nut = d.nut;
   full.rings = std::move(d.rings);
   full.bearings = d.bearings;
-  full.symmetric = symmetric_loads(f);
+  if (bodies) {
+    Conditions nominal = c;
+    nominal.deviations = {};
+    full.symmetric = symmetric_loads(
+        f, influence_solver(nominal, contacts, laws, *load_case.direction, *load_case.position)
+               .solve(f.axial_force));
+  } else {
+    full.symmetric = symmetric_loads(f);
+  }
   full.symmetric_stiffness = f.axial_force / full.symmetric.axial_displacement;
   for (const Interface i : kInterfaces) {
     InterfaceLoads& loads = (*result.threads)[i];
@@ -111,7 +125,9 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     loads.rollers = roller_shares(loads, f, full.symmetric.largest_normal_load[i]);
   }
   if (load.orbit) {
-    full.orbit = orbit(solver, model_at, *load.orbit, load.carrier_angle, alike(c.deviations));
+    full.orbit = orbit(
+        model_at, [&](const FullModel& model) { return solved(model, Detail::numbers); },
+        *load.orbit, load.carrier_angle, alike(c.deviations));
     if (!full.orbit)
       result.warnings.push_back(
           "the orbit was left out: at some position of the carrier there is no equilibrium");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "prs/configurations/heat_estimate.h"
 #include "prs/configurations/roller_spacing.h"
 #include "prs/model/groove.h"
 #include "prs/model/quantity_text.h"
@@ -271,8 +272,25 @@ std::string lubricant_text(const CaseLubricant& l) {
       origin_of(!l.assumed, "others: `prs list lubricants`"));
 }
 
+/// Proposed length of the shaft between its supports [m].
+double shaft_length(const CompleteScrew& s) { return 20.0 * s.data.screw_diameter; }
+
+std::string heat_text(const CompleteScrew& s) {
+  const Heat::Conductance k = estimated_conductance(s, shaft_length(s));
+  return case_remark(fmt::format(
+             "For temperatures that follow from the losses, with `prs slip`, for example the next "
+             "two lines. Assumed: bare nut and shaft in still air, {:g} W/(m^2 K), and conduction "
+             "through the contact spots alone. A housing, grease and motion take several times as "
+             "much.",
+             kStillAir)) +
+         fmt::format(
+             "# heat: {{ambient: 25 degC, conductance: {{screw_ambient: {:.2g} W/K, "
+             "nut_ambient: {:.2g} W/K,\n"
+             "#   screw_rollers: {:.2g} W/K, rollers_nut: {:.2g} W/K}}}}\n",
+             k.screw_ambient, k.nut_ambient, k.screw_rollers, k.rollers_nut);
+}
+
 std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
-  const double d = s.data.screw_diameter;
   return case_line(fmt::format("friction: {{model: {{coulomb: {:g}}}}}", kFlankFriction),
                    "assumed: flanks that touch, 0.91 to 1.05 times the efficiencies of a "
                    "catalogue; jacod: full films") +
@@ -283,7 +301,7 @@ std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
          fmt::format("# carrier: {{bearing: {{length: {}, diameter: {}, radial_clearance: {}}}}}\n",
                      mm(0.5 * s.pitch_diameter.roller), mm(0.6 * s.pitch_diameter.roller),
                      mm(0.005 * s.pitch_diameter.roller)) +
-         "\nlife:\n" +
+         heat_text(s) + "\nlife:\n" +
          case_line(fmt::format("  position: {}", mm(s.position)),
                    "rollers in the middle of the nut") +
          case_line(
@@ -298,8 +316,9 @@ std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
                    "assumed: of the whole screw, for the estimate of "
                    "efficiency") +
          case_line("  yield_strength: 700 MPa", "assumed: core of a hardened screw, for buckling") +
-         case_line(fmt::format("  shaft: {{length: {}, ends: fixed_supported}}", mm(20.0 * d)),
-                   "assumed: 20 screw diameters between the supports") +
+         case_line(
+             fmt::format("  shaft: {{length: {}, ends: fixed_supported}}", mm(shaft_length(s))),
+             "assumed: 20 screw diameters between the supports") +
          "  # loaded_width: .. mm                # of a thread under one contact, for its tooth\n";
 }
 
@@ -310,8 +329,9 @@ std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubrican
   return case_heading(screw, origin) + mechanism_text(screw) + structure_text(screw, model) + "\n" +
          case_line(
              fmt::format("materials: {{youngs_modulus: {:g} GPa, poisson_ratio: {:g}, density: "
-                         "{:g} kg/m^3}}",
-                         1e-9 * kSteel.youngs_modulus, kSteel.poisson_ratio, *kSteel.density),
+                         "{:g} kg/m^3, thermal_expansion: {:g} um/m/K}}",
+                         1e-9 * kSteel.youngs_modulus, kSteel.poisson_ratio, *kSteel.density,
+                         1e6 * *kSteel.thermal_expansion),
              "assumed: steel; density of a catalogue's screws") +
          loads_text(screw, model) + rest_text(screw, lubricant);
 }

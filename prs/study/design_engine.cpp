@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "prs/heat/analyze_heat.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/force_history.h"
 #include "prs/life/analyze_life.h"
@@ -25,7 +26,6 @@
 #include "prs/sector/chain/bar_designs.h"
 #include "prs/sector/chain/fallback_solver.h"
 #include "prs/sector/full/full_distribution.h"
-#include "prs/slip/slip.h"
 #include "prs/study/design_reader.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
@@ -39,12 +39,15 @@ using Bodies = ModelOptions::Bodies;
 
 Result analyze_for(Command command, const Case& c, AnalysisOptions options) {
   if (command == Command::contact) return analyze_contacts(c, options.detail);
-  return command == Command::slip ? analyze_slip(c, options) : analyze(c, options);
+  return command == Command::slip ? analyze_heat(c, options) : analyze(c, options);
 }
 
 /// That of the first load case which did not converge.
 DesignStatus status_of(const std::vector<LoadCaseResult>& load_cases) {
   for (const LoadCaseResult& load_case : load_cases) {
+    if (load_case.heat && !load_case.heat->converged())
+      return {std::string(name(load_case.heat->status)),
+              fmt::format("load case {}: {}", load_case.load_case.name, load_case.heat->reason)};
     const bool slips = load_case.slip.has_value();
     if (load_case.converged() && (!slips || load_case.slip->converged())) continue;
     const std::string name(slips ? slip_status_name(load_case) : status_name(load_case));
@@ -213,6 +216,9 @@ struct DesignEngine::Parts {
     }
     const Result result = analyze_for(study.command, c, {});
     document = to_json(result, {});
+    if (result.heat_cycle && !result.heat_cycle->converged())
+      return {std::string(name(result.heat_cycle->status)),
+              fmt::format("duty: {}", result.heat_cycle->reason)};
     return status_of(result.load_cases);
   }
 
@@ -266,6 +272,7 @@ struct DesignEngine::Parts {
     }
     Case needed = c;
     needed.load_cases.clear();
+    if (needed.heat) needed.heat->duty.clear();
     for (const std::size_t k : load_cases)
       if (k < c.load_cases.size()) needed.load_cases.push_back(c.load_cases[k]);
     AnalysisOptions options = kManyDesigns;

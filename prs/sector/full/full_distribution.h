@@ -10,6 +10,7 @@
 #include "fe/newton.h"
 #include "prs/model/detail.h"
 #include "prs/sector/full/full_model.h"
+#include "prs/sector/load_distribution.h"
 
 namespace prs {
 
@@ -82,5 +83,7 @@ class FullSolver {
 
 /// By one sector.
 SymmetricLoads symmetric_loads(const FullModel& model);
+/// From the loads of a sector whose nut is held rigidly.
+SymmetricLoads symmetric_loads(const FullModel& model, const LoadDistribution& sector);
 
 }  // namespace prs

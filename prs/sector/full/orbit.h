@@ -32,7 +32,8 @@ struct Orbit {
 /// The carrier at carrier_angle + 2 pi m/(steps N), m < steps N. Where all rollers are alike, one
 /// spacing is solved and the rest is a permutation. `model` makes the mechanism at a carrier angle.
 /// Nothing where a position has no equilibrium.
-std::optional<Orbit> orbit(FullSolver& solver, const std::function<FullModel(double)>& model,
+std::optional<Orbit> orbit(const std::function<FullModel(double)>& model,
+                           const std::function<FullDistribution(const FullModel&)>& solver,
                            const SpatialLoad::Orbit& wanted, double carrier_angle, bool alike);
 
 }  // namespace prs

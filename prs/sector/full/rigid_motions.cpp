@@ -91,7 +91,8 @@ std::vector<fe::LinearForm> bilateral(const fe::Model& model) {
   for (const fe::ElasticLink& e : model.elastic_links) forms.push_back(e.form);
   for (const fe::ElasticSupport& e : model.elastic_supports)
     forms.push_back({{e.node, e.dof, 1.0}});
-  for (const fe::FixedSupport& e : model.fixed_supports) forms.push_back({{e.node, e.dof, 1.0}});
+  for (const fe::FixedSupport& e : model.fixed_supports)
+    if (e.dof != Dof::u) forms.push_back({{e.node, e.dof, 1.0}});  // No part moves those of u.
   return forms;
 }
 
@@ -207,7 +208,7 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s,
   // Rows of a roller are linear in x: two of them span those between.
   for (const FullStructure::Roller& r : s.rollers)
     for (const Interface i : kInterfaces) {
-      std::size_t first = 0, last = r.contacts.size();
+      std::size_t first = 0, last = r.contacts[i].size();
       while (first < last && !is_closed(r.spring(i, first))) ++first;
       while (last > first && !is_closed(r.spring(i, last - 1))) --last;
       if (first < last) add(r.spring(i, first));
@@ -232,6 +233,22 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s,
         free.parts.push_back(motions.part(part));
   }
   return free;
+}
+
+std::string why_free(const FreeMotions& free) {
+  return fmt::format("mechanism: {} motion{} of {} meet{} no resistance", free.count,
+                     free.count == 1 ? "" : "s", free.parts.front(), free.count == 1 ? "s" : "");
+}
+
+std::string why_not_held(const FullModel& f, const FullStructure& s) {
+  std::string text = fmt::format(
+      "no equilibrium: flanks that only push cannot hold this load ({:.3f} of the axial force is "
+      "left "
+      "over); add `structure.screw.bearings`",
+      load_left(f, s));
+  if (const std::optional<double> force = holding_force(f))
+    text += fmt::format(", or raise the axial force to {:.4g} kN", *force * 1e-3);
+  return text;
 }
 
 }  // namespace prs

@@ -341,8 +341,9 @@ TEST(FullMechanism, AnOrbitOfUnlikeRollersIsSolvedThroughout) {
   };
   const SpatialLoad::Orbit wanted{2, 3.0};
   FullSolver solver;
-  const Orbit permuted = *orbit(solver, at, wanted, 0.3, true);
-  const Orbit solved = *orbit(solver, at, wanted, 0.3, false);
+  const auto loads = [&](const FullModel& f) { return solver.solve(f, Detail::numbers); };
+  const Orbit permuted = *orbit(at, loads, wanted, 0.3, true);
+  const Orbit solved = *orbit(at, loads, wanted, 0.3, false);
   EXPECT_EQ(permuted.axial_displacement.size(), 2);
   EXPECT_EQ(solved.axial_displacement.size(), 22);
   for (const Interface i : kInterfaces) {
