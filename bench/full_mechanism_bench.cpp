@@ -109,7 +109,9 @@ void FullOrbitOfEightPositions(benchmark::State& state) {
   for (auto _ : state) {
     prs::FullSolver solver;
     benchmark::DoNotOptimize(prs::orbit(
-        solver, [](double angle) { return model_of(angle); }, {8, 3.0}, 0.0, true));
+        [](double angle) { return model_of(angle); },
+        [&](const prs::FullModel& model) { return solver.solve(model, prs::Detail::numbers); },
+        {8, 3.0}, 0.0, true));
   }
 }
 BENCHMARK(FullOrbitOfEightPositions);

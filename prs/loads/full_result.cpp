@@ -108,7 +108,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   full.screw_end = std::move(d.screw_end);
   full.nut = d.nut;
   full.rings = std::move(d.rings);
-  full.bearings = std::move(d.bearings);
+  full.bearings = d.bearings;
   if (bodies) {
     Conditions nominal = c;
     nominal.deviations = {};
