@@ -370,7 +370,7 @@ double Equations::energy_and_residual(const State& q, const Eigen::VectorXd& f,
 
 void Equations::tangent_residual(const State& q, const State& x, const Eigen::VectorXd& f,
                                  Eigen::VectorXd& residual) const {
-  forces_of(Displacements{*this, x, 0.0}, residual);
+  forces_of(Displacements<State>{*this, x, 0.0}, residual);
   residual = f - residual;
   for (const Spring& s : springs_) {
     const double force = evaluate(s.law, s.approach(q)).tangent * s.approach(x);
@@ -465,7 +465,7 @@ void Equations::secant_residual(const std::vector<double>& stiffness, const Eige
 
 void Equations::secant_residual(const std::vector<double>& stiffness, const State& x,
                                 const Eigen::VectorXd& f, Eigen::VectorXd& residual) const {
-  forces_of(Displacements{*this, x, 0.0}, residual);
+  forces_of(Displacements<State>{*this, x, 0.0}, residual);
   residual = f - residual;
   for (std::size_t k = 0; k < springs_.size(); ++k) {
     const Spring& s = springs_[k];

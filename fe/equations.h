@@ -35,7 +35,7 @@ class Equations {
 
   /// Displacement of a freedom [m or rad]; 0 where fixed.
   double displacement(const State& q, int node, Dof dof) const {
-    return Displacements{*this, q, 1.0}[number(node, dof)];
+    return Displacements<State>{*this, q, 1.0}[number(node, dof)];
   }
 
   /// Load vector over the free freedoms; loads on fixed ones go into the support.
@@ -87,7 +87,7 @@ class Equations {
   /// `StateOf` reads as State does.
   template <class StateOf, class Vector>
   auto linear_forces(const StateOf& q, Vector& forces) const {
-    return forces_of(Displacements{*this, q, 1.0}, forces);
+    return forces_of(Displacements<StateOf>{*this, q, 1.0}, forces);
   }
 
   /// Potential energy 1/2 q'Kq + sum of the springs' - f'q [J], and its gradient, the residual
@@ -128,7 +128,7 @@ class Equations {
   /// Force of an elastic link of the model [N or N m].
   double link_force(const State& q, int k) const {
     const NumberedLink& link = links_[static_cast<std::size_t>(k)];
-    return link.stiffness * Displacements{*this, q, 1.0}.stretch(link);
+    return link.stiffness * Displacements<State>{*this, q, 1.0}.stretch(link);
   }
   /// Forces that hold each freedom against the elements other than links, followers included, in
   /// the order of `number` [N, N m].

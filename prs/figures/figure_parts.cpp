@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "prs/model/units.h"
@@ -48,9 +49,72 @@ const LoadCaseResult* chosen_case(const Result& result, const FigureOptions& opt
                                   bool (*has)(const LoadCaseResult&)) {
   FigureOptions one = options;
   if (options.load_case) one.load_cases = {*options.load_case};
+  const LoadCaseResult* largest = nullptr;
   for (const LoadCaseResult* load_case : chosen(result, one))
-    if (has(*load_case)) return load_case;
-  return nullptr;
+    if (has(*load_case) &&
+        (!largest || load_case->load_case.axial_force > largest->load_case.axial_force))
+      largest = load_case;
+  return largest;
+}
+
+Figure in_kilonewtons(Figure figure) {
+  constexpr double kFrom = 1e4, kFactor = 1e-3;
+  const auto scale = [](auto&... values) { ((values *= kFactor), ...); };
+  const auto scale_all = [](std::vector<double>& values) {
+    for (double& value : values) value *= kFactor;
+  };
+  const auto is_large = [](const std::string& unit, const Range& range) {
+    return unit == "N" && std::max(-range.from, range.to) >= kFrom;
+  };
+  for (const std::size_t d : {0U, 1U}) {
+    const auto axis_of = [&](Panel& panel) -> Axis& {
+      std::optional<Axis>& own = d == 0 ? panel.x : panel.y;
+      return own ? *own : d == 0 ? figure.x : figure.y;
+    };
+    std::map<Axis*, Range> shown;
+    for (Panel& panel : figure.panels)
+      for (const Series& series : panel.series)
+        for (const Polyline& part : series.parts)
+          for (const auto& point : part) shown[&axis_of(panel)].include(point[d]);
+    std::erase_if(shown,
+                  [&](const auto& axis) { return !is_large(axis.first->unit, axis.second); });
+    for (const auto& axis : shown) {
+      Axis& a = *axis.first;
+      a.unit = "kN";
+      scale(a.from, a.to);
+      for (Tick& tick : a.ticks) scale(tick.at);
+    }
+    for (Panel& panel : figure.panels) {
+      if (!shown.contains(&axis_of(panel))) continue;
+      for (Series& series : panel.series)
+        for (Polyline& part : series.parts)
+          for (auto& point : part) scale(point[d]);
+      for (ReferenceLine& reference : panel.references)
+        if (reference.vertical == (d == 0)) scale(reference.at);
+      for (Label& label : panel.labels)
+        if (!label.in_panel) scale(d == 0 ? label.x : label.y);
+      scale_all(d == 0 ? panel.map.grid.x : panel.map.grid.y);
+      if (!panel.surface) continue;
+      scale_all(d == 0 ? panel.surface->grid.x : panel.surface->grid.y);
+      for (SurfacePoint& point : panel.surface->points) scale(d == 0 ? point.x : point.y);
+    }
+  }
+  if (!figure.colours ||
+      !is_large(figure.colours->unit, {figure.colours->from, figure.colours->to}))
+    return figure;
+  figure.colours->unit = "kN";
+  scale(figure.colours->from, figure.colours->to);
+  scale_all(figure.colours->levels);
+  for (Panel& panel : figure.panels) {
+    for (Series& series : panel.series) scale_all(series.values);
+    scale_all(panel.map.grid.values);
+    if (!panel.surface) continue;
+    panel.surface->z.unit = "kN";
+    scale(panel.surface->z.from, panel.surface->z.to);
+    scale_all(panel.surface->grid.values);
+    for (SurfacePoint& point : panel.surface->points) scale(point.z);
+  }
+  return figure;
 }
 
 Axis thread_axis(std::size_t threads) {

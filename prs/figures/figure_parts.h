@@ -47,7 +47,8 @@ inline constexpr std::string_view kSignedForce = "Axial force, tension >\u00a00"
 /// The load cases that the options choose. Throws NoFigure.
 std::vector<const LoadCaseResult*> chosen(const Result& result, const FigureOptions& options);
 
-/// The case that the options choose, else the first that `has` what is needed, else none.
+/// The case that the options choose, else the first of the largest force that `has` what is needed,
+/// else none.
 const LoadCaseResult* chosen_case(const Result& result, const FigureOptions& options,
                                   bool (*has)(const LoadCaseResult&));
 
@@ -68,6 +69,9 @@ std::string number(double value, int decimals);
 Axis ranked_axis(const std::vector<std::string>& names);
 /// Where the k-th stands, from 0.
 double rank_position(std::size_t k, std::size_t count);
+
+/// Forces of 10 kN and more in kN where the figure has them in N.
+Figure in_kilonewtons(Figure figure);
 
 /// A dashed line where all threads would share the load equally, at `mean`, in every panel.
 void add_mean(Figure& figure, double mean);

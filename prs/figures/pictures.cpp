@@ -63,14 +63,21 @@ constexpr const char* kSlipOfRollers =
     "a load case of `model: {mechanism: full}` whose slip converged";
 constexpr const char* kLives = "a load history or spectrum under which loads converge";
 
+Figures in_kilonewtons(Figures figures) {
+  for (Figure& figure : figures) figure = in_kilonewtons(std::move(figure));
+  return figures;
+}
+
 /// A picture that a function makes of the result.
 template <class Result_>
 auto of(const Result_& result, Figures (*make)(const Result_&, const FigureOptions&)) {
-  return [&result, make](const FigureOptions& options) { return make(result, options); };
+  return [&result, make](const FigureOptions& options) {
+    return in_kilonewtons(make(result, options));
+  };
 }
 template <class Result_>
 auto of(const Result_& result, Figures (*make)(const Result_&)) {
-  return [&result, make](const FigureOptions&) { return make(result); };
+  return [&result, make](const FigureOptions&) { return in_kilonewtons(make(result)); };
 }
 
 /// Those of another command, asked for by their names alone.

@@ -174,6 +174,8 @@ struct OneOrMany {
   T& one;
   std::vector<T>& many;
 };
+template <class T>
+OneOrMany(T&, std::vector<T>&) -> OneOrMany<T>;
 template <class Kind>
 struct ForEachRoller {
   Kind kind;

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "prs/output/gnuplot_parts.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {
@@ -81,7 +83,48 @@ std::string grid_data(const GridData& grid) {
   return data;
 }
 
-/// A block of data for the series of a panel, and one for its grid.
+/// The levels of a map that lines can follow.
+std::vector<double> lined_levels(const Figure& figure, const Panel& panel) {
+  std::vector<double> inner;
+  Range range;
+  for (const double value : panel.map.grid.values) range.include(value);
+  if (figure.colours && !panel.map.cells)
+    std::ranges::copy_if(figure.colours->levels, std::back_inserter(inner),
+                         [&](double level) { return range.from < level && level < range.to; });
+  return inner;
+}
+
+/// The lines of a map, and a text `X Y LEVEL ..` of the point of each that is nearest to its
+/// centre, where its number stands unless that is at the frame.
+std::string contour_data(const GridData& grid, const std::vector<double>& levels,
+                         std::size_t number) {
+  const double x = grid.x.front(), y = grid.y.front();
+  return fmt::format(
+      R"(set contour base; unset surface; set cntrparam levels discrete {1:.7g}
+set table $lines_{0}; splot $grid_{0} using 1:2:3; unset table
+unset contour; set surface
+numbers_{0} = ''
+across(x) = (x - {2:.7g}) / {3:.7g}
+up(y) = (y - {4:.7g}) / {5:.7g}
+off(x, y) = (across(x) - across(middle_x))**2 + (up(y) - up(middle_y))**2
+lines = 0
+if (|$lines_{0}| > 0) {{ stats $lines_{0} using 3 nooutput; lines = int(STATS_blocks) }}
+do for [k=0:lines-1] {{
+stats $lines_{0} index k using 3 nooutput; level = STATS_max
+stats $lines_{0} index k using 1 nooutput; middle_x = STATS_mean
+stats $lines_{0} index k using 2 nooutput; middle_y = STATS_mean
+stats $lines_{0} index k using (off($1, $2)) nooutput; least = STATS_min
+stats $lines_{0} index k using (off($1, $2) <= least ? $1 : NaN) nooutput; x = STATS_min
+stats $lines_{0} index k using (off($1, $2) <= least ? $2 : NaN) nooutput; y = STATS_min
+if (abs(across(x) - 0.5) < 0.44 && abs(up(y) - 0.5) < 0.47) {{
+numbers_{0} = numbers_{0}.sprintf('%.7g %.7g %.7g ', x, y, level)
+}}
+}}
+)",
+      number, fmt::join(levels, ", "), x, grid.x.back() - x, y, grid.y.back() - y);
+}
+
+/// Blocks of data: for the series of a panel, for its grid and for the lines in that.
 std::string data_blocks(std::size_t index, const Figure& figure) {
   const Panel& panel = figure.panels[index];
   std::string script;
@@ -91,6 +134,8 @@ std::string data_blocks(std::size_t index, const Figure& figure) {
   if (!panel.series.empty()) script += "END\n";
   const GridData& grid = panel.surface ? panel.surface->grid : panel.map.grid;
   if (!grid.empty()) script += fmt::format("$grid_{} << END\n{}END\n", index + 1, grid_data(grid));
+  if (const std::vector<double> levels = lined_levels(figure, panel); !levels.empty())
+    script += contour_data(grid, levels, index + 1);
   return script;
 }
 
@@ -117,7 +162,7 @@ void add_plots(std::vector<std::string>& plots, const Figure& figure, std::size_
   const std::string with = drawn_with(style, series.style, longest);
   const std::string data = fmt::format("$panel_{} index {}", index + 1, k);
   if (is_over_map)
-    plots.push_back(fmt::format("{} using 1:2:({:.7g}) with {} nocontour", data,
+    plots.push_back(fmt::format("{} using 1:2:({:.7g}) with {}", data,
                                 figure.colours ? figure.colours->from : 0.0, with));
   else if (series.values.empty())
     plots.push_back(fmt::format("{} with {}", data, with));
@@ -209,17 +254,12 @@ std::string palette_lines(const ColourScale& colours) {
       colours.levels.empty() ? 0 : colours.levels.size() - 1);
 }
 
-/// Turn about the vertical that brings the lowest corner to the front, so that the surface rises
-/// away from the eye [deg].
-double turn(const GridData& grid) {
-  const std::size_t i = grid.x.size() - 1, j = grid.y.size() - 1;
-  const double corners[] = {grid.at(0, 0), grid.at(i, 0), grid.at(i, j), grid.at(0, j)};
-  const auto lowest = std::ranges::min_element(corners) - std::begin(corners);
-  return std::fmod(30.0 + 90.0 * static_cast<double>(lowest), 360.0);
-}
-
 std::string space_axis_lines(char name, Axis a) {
   if (!longest_text(a)) a.ticks.clear();  // There is room for few.
+  if (name != 'z') {
+    a.label = shortened(text_of(a), 20);  // Two slanted lines would cover each other.
+    a.unit.clear();
+  }
   return axis_lines(name, a, true, name == 'z' ? 200 : 160) +
          fmt::format("set {0}tics offset 0,0\nset {0}label rotate parallel offset {1},0\n", name,
                      name == 'z' ? 3 - longest_tick(a, 200, false) : 0);
@@ -238,9 +278,9 @@ std::string surface_lines(const Figure& figure, const Layout& layout, std::size_
       "set pm3d scansautomatic interpolate 1,1 border lc rgb '#8c510a' lw 0.2; set palette "
       "maxcolors 0\n"
       "set origin {:.4f},{:.4f}; set size {:.4f},{:.4f}\n"
-      "set view 60,{},1,0.9\nset title {}\nunset label; unset arrow\n",
+      "set view 50,30,1,0.9\nset title {}\nunset label; unset arrow\n",
       (box.left - 10.0) / kImageWidth, 1.0 - (box.bottom + 70.0) / h,
-      (box.width() + 40.0) / kImageWidth, (box.height() + 100.0) / h, turn(surface.grid),
+      (box.width() + 10.0) / kImageWidth, (box.height() + 100.0) / h,
       gnuplot_fitted(panel.title, box.width()));
   script += space_axis_lines('x', x_axis(figure, panel)) +
             space_axis_lines('y', y_axis(figure, panel)) + space_axis_lines('z', surface.z);
@@ -260,27 +300,25 @@ std::string surface_lines(const Figure& figure, const Layout& layout, std::size_
 /// A map in bands with labelled lines between them, seen from above.
 std::string map_lines(const Figure& figure, std::size_t index) {
   constexpr std::size_t kFineNodes = 80;  // So many along an axis show no steps.
-  const bool lined = figure.colours && !figure.colours->levels.empty();
-  const GridData& grid = figure.panels[index].map.grid;
+  const Panel& panel = figure.panels[index];
+  const GridData& grid = panel.map.grid;
   std::string script = fmt::format(
       "set ylabel offset -1.4,0; set view map; set pm3d explicit corners2color mean border retrace "
       "interpolate {},{}\n",
       kFineNodes / grid.y.size() + 1, kFineNodes / grid.x.size() + 1);
-  std::vector<std::string> plots = {
-      fmt::format("$grid_{} using 1:2:3 with pm3d nocontour", index + 1)};
-  if (lined) {
+  std::vector<std::string> plots = {fmt::format("$grid_{} using 1:2:3 with pm3d", index + 1)};
+  if (!lined_levels(figure, panel).empty()) {
     script += fmt::format(
-        "set contour base; set cntrparam levels discrete {:.7g}\n"
-        "set cntrlabel onecolor format '%.7g' start 5 interval 10000\n",
-        fmt::join(figure.colours->levels, ", "));
-    plots.push_back(fmt::format("$grid_{} using 1:2:3 with lines nosurface lc rgb '#8c510a' lw 0.5",
-                                index + 1));
-    plots.push_back(fmt::format("$grid_{} using 1:2:3 with labels nosurface", index + 1));
+        "do for [k=3:words(numbers_{0}):3] {{\n"
+        "set label word(numbers_{0}, k) at 0 + word(numbers_{0}, k - 2), 0 + word(numbers_{0}, k - "
+        "1) "
+        "center front\n}}\n",
+        index + 1);
+    plots.push_back(
+        fmt::format("$lines_{} using 1:2:3 with lines lc rgb '#8c510a' lw 0.5", index + 1));
   }
-  for (std::size_t k = 0; k < figure.panels[index].series.size(); ++k)
-    add_plots(plots, figure, index, k);
-  return script + fmt::format("splot {}\nunset contour; set ylabel offset 0,0\n",
-                              fmt::join(plots, ", \\\n     "));
+  for (std::size_t k = 0; k < panel.series.size(); ++k) add_plots(plots, figure, index, k);
+  return script + fmt::format("splot {}\nset ylabel offset 0,0\n", fmt::join(plots, ", \\\n     "));
 }
 
 /// Half the distance of neighbouring nodes.

@@ -140,6 +140,10 @@ class LoadCasesResult(Result):
             raise KeyError(f"no load case {which!r}; there is {', '.join(names) or 'none'}")
         return names.index(which)
 
+    def _one(self, which: int | str | None) -> int | None:
+        """None: the picture is that of the largest force."""
+        return None if which is None else self._place(which)
+
     def _places(self, which: Which | None) -> list[int] | None:
         if which is None:
             return None
@@ -174,9 +178,9 @@ class LoadCasesResult(Result):
         """Peak pressure of each thread."""
         return self.plot_figure("peak_pressure", ax, load_cases=self._places(load_cases))
 
-    def plot_ellipses(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
+    def plot_ellipses(self, load_case: int | str | None = None, ax: Axes | None = None) -> Axes:
         """Contact ellipses of the threads, to scale."""
-        return self.plot_figure("ellipses", ax, load_case=self._place(load_case))
+        return self.plot_figure("ellipses", ax, load_case=self._one(load_case))
 
     def plot_contact_points(self, ax: Axes | None = None) -> Axes:
         """The contacts seen along the axis."""
@@ -293,9 +297,9 @@ class SlipResult(SolveResult):
         """Where the power goes, a bar a load case."""
         return self.plot_figure("power_by_source", ax, load_cases=self._places(load_cases))
 
-    def plot_friction(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
+    def plot_friction(self, load_case: int | str | None = None, ax: Axes | None = None) -> Axes:
         """Friction coefficient and sliding speed of each thread."""
-        return self.plot_figure("friction", ax, load_case=self._place(load_case))
+        return self.plot_figure("friction", ax, load_case=self._one(load_case))
 
     def plot_stribeck(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
         """Friction, efficiency, power and film over the speed."""

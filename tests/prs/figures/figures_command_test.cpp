@@ -15,13 +15,14 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Whether each picture of the document is as the schema says; jsonschema's verdict.
-bool agree(const std::filesystem::path& schema, const std::filesystem::path& document) {
+/// Whether each picture of the documents is as the schema says; jsonschema's verdict.
+bool agree(const std::filesystem::path& schema, const std::filesystem::path& documents) {
   const std::string command =
       "python3 -c 'import json, sys; from jsonschema import Draft202012Validator as V\n"
       "V.check_schema(schema := json.load(open(sys.argv[1])))\n"
-      "for figure in json.load(open(sys.argv[2]))[\"figures\"]: V(schema).validate(figure)' '" +
-      schema.string() + "' '" + document.string() + "'";
+      "for file in sys.argv[2:]:\n"
+      "  for figure in json.load(open(file))[\"figures\"]: V(schema).validate(figure)' '" +
+      schema.string() + "' '" + documents.string() + "'/*";
   return std::system(command.c_str()) == 0;
 }
 
@@ -30,6 +31,8 @@ TEST(FiguresCommand, DocumentsHoldThemAsTheirSchemaSays) {
   ASSERT_EQ(
       test::run_prs("schema figures --quiet --output '" + temporary.path().string() + "'").status,
       0);
+  const std::filesystem::path documents = temporary.path() / "documents";
+  std::filesystem::create_directory(documents);
   const auto expect = [&](const std::string& arguments, const std::set<std::string>& wanted) {
     const test::Outcome run = test::run_prs(arguments + " --figures --json --quiet");
     ASSERT_EQ(run.status, 0) << run.err;
@@ -37,9 +40,7 @@ TEST(FiguresCommand, DocumentsHoldThemAsTheirSchemaSays) {
     const auto parsed = nlohmann::json::parse(run.out);
     for (const auto& figure : parsed.at("figures")) names.insert(figure.at("name"));
     for (const std::string& name : wanted) EXPECT_TRUE(names.contains(name)) << name;
-    const auto document = temporary.path() / "document.json";
-    std::ofstream(document) << run.out;
-    EXPECT_TRUE(agree(temporary.path() / "prs.figures.json", document)) << arguments;
+    std::ofstream(documents / (arguments.substr(0, arguments.find(' ')) + ".json")) << run.out;
   };
   expect("contact configs/07_contact_geometry.yaml", {"contact_xy", "contact_ellipses"});
   expect("solve configs/03_load_sweep.yaml", {"load_distribution", "stiffness", "butterfly"});
@@ -48,6 +49,7 @@ TEST(FiguresCommand, DocumentsHoldThemAsTheirSchemaSays) {
   expect("life configs/14_flight_spectrum.yaml", {"rainflow", "thread_lives"});
   expect("measures configs/18_design_measures.yaml", {"yang", "stiffness_terms"});
   expect("study configs/17_derivatives.yaml", {});
+  EXPECT_TRUE(agree(temporary.path() / "prs.figures.json", documents));
 }
 
 TEST(FiguresCommand, WithoutTheFlagDocumentsHoldNone) {

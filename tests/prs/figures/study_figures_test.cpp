@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "prs/output/gnuplot_script.h"
@@ -29,6 +30,26 @@ TEST(StudyFigures, OfOneFactorAtATimeLeaveGaps) {
   EXPECT_THAT(lines[0].parts,
               ElementsAre(Polyline{{1.0, 10.0}, {2.0, 20.0}}, Polyline{{4.0, 40.0}}));
   EXPECT_THAT(lines[1].parts, ElementsAre(Polyline{{2.0, 20.0}}));
+}
+
+TEST(StudyFigures, ForcesOfTenKilonewtonsAndMoreAreInKilonewtons) {
+  const auto drawn = [](double largest) {
+    Study study;
+    study.plan = Plan::grid;
+    std::vector<double> many;
+    for (int k = 1; k <= 10; ++k) many.push_back(0.1 * k);
+    study.factors = {sample::counted("x", many), sample::counted("y", many)};
+    study.responses = {"measures.dynamic_capacity_N"};
+    const StudyResult result = sample::run(
+        study, [&](const std::vector<double>& x) { return std::vector{largest * x[0] * x[1]}; });
+    return figure(study_pictures(result), "map", {});
+  };
+  const Figure large = drawn(2e4), small = drawn(9e3);
+  EXPECT_EQ(large.colours->unit, "kN");
+  EXPECT_EQ(large.colours->to, 20.0);
+  EXPECT_DOUBLE_EQ(std::ranges::max(large.panels[0].map.grid.values), 20.0);
+  EXPECT_EQ(small.colours->unit, "N");
+  EXPECT_DOUBLE_EQ(std::ranges::max(small.panels[0].map.grid.values), 9e3);
 }
 
 Study slip_study() {

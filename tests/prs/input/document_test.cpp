@@ -5,9 +5,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "prs/input/reader.h"
-#include "support/cpu_time.h"
-
 namespace prs::input {
 namespace {
 
@@ -120,47 +117,6 @@ TEST(Document, AliasExpansionIsBounded) {
       std::string::npos);
   EXPECT_NE(read_text("a: &a [*a]").error.find("alias of a value that contains it"),
             std::string::npos);
-}
-
-constexpr std::size_t kMegabyte = std::size_t{1} << 20;
-
-/// Processor time of reading a megabyte of a plain list.
-double time_of_a_plain_megabyte() {
-  const std::string text = repeated("- 12.345 mm\n", kMegabyte);
-  return test::cpu_seconds([&] { EXPECT_EQ(read_text(text).error, ""); });
-}
-
-/// No text takes more than a few times as long as a plain one of its size: what grows with the
-/// square of the size would take 100,000 times as long.
-TEST(Document, AMegabyteOfAnythingIsRefusedAboutAsQuicklyAsPlainTextIsRead) {
-  const double plain = time_of_a_plain_megabyte();
-  for (const char* part :
-       {"[",     "]",    "{",   "}",   "- ",   "a: ",  "a: 1\n", "a:\n ",    "{? ",  "? ",
-        "&a ",   "*a ",  "!a ", "\"",  "'",    "\"\\", "|\n",    ">\n",      "%a\n", "---\n",
-        "...\n", ",",    ":",   "#",   "\n",   "\r",   "\t",     "a,",       "[a,",  "{a,",
-        "[[],",  "- - ", "-\n", "?\n", "<<: ", "a\n",  "k",      "\xC3\xA9", "\xFF", "@"}) {
-    std::string error;
-    const std::string text = repeated(part, kMegabyte).substr(0, kMegabyte);
-    const double taken = test::cpu_seconds([&] {
-      try {
-        read_case_text(text, "case.yaml", {}, Command::check);
-      } catch (const InputError& e) {
-        error = e.what();
-      }
-    });
-    EXPECT_LT(taken, 20.0 * plain) << part;
-    EXPECT_EQ(error.rfind("case.yaml:", 0), 0U) << part << error;
-    EXPECT_NE(error.find(": error: "), std::string::npos) << part << error;
-  }
-}
-
-TEST(Document, ManyDuplicateKeysAreRefusedAboutAsQuicklyAsPlainTextIsRead) {
-  const double plain = time_of_a_plain_megabyte();
-  std::string error;
-  const std::string text = repeated("a: 1\n", 450'000);
-  const double taken = test::cpu_seconds([&] { error = read_text(text).error; });
-  EXPECT_NE(error.find("duplicate key"), std::string::npos);
-  EXPECT_LT(taken, 20.0 * plain);
 }
 
 TEST(Document, TextsAreBoundedLikeFiles) {

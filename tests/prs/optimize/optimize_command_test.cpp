@@ -111,7 +111,7 @@ TEST_F(OptimizeCommand, EndsTheSameHoweverOftenItIsStopped) {
   const fs::path whole = temporary.path() / "whole", parts = temporary.path() / "parts";
   ASSERT_EQ(prs(into(whole, "--threads 1")).status, 0);
   int stopped = 0;
-  for (double patience = 0.03;; patience *= 1.2) {
+  for (double patience = 0.03;; patience *= 1.5) {
     const char* signal = stopped % 2 == 0 ? "INT" : "KILL";
     const Outcome run = prs(into(parts, "--threads 2"), "timeout --signal=" + std::string(signal) +
                                                             ' ' + std::to_string(patience));
