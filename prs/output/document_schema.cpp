@@ -393,6 +393,7 @@ constexpr Document kDocuments[] = {
      [](Parts& d) {
        put_load_cases(d);
        d.put_record<HeatCycle>("heat_cycle");
+       d.leave_open("heat_cycle");
      }},
     {"compare",
      [](Parts& d) {
