@@ -22,7 +22,9 @@ HeatSource source_of(CaseLosses& exact, const CaseLosses& equal, bool may_grow) 
             return losses ? std::optional(losses->heat) : std::nullopt;
           },
           [&exact] { return exact.failure(); },
-          [&equal](const PerInterface<double>& oil) { return equal.estimate(oil); }, may_grow};
+          [&equal](const PerInterface<double>& oil) { return equal.estimate(oil); },
+          [&equal](const PerInterface<double>& oil) { return equal.rough_estimate(oil); },
+          may_grow};
 }
 
 /// With solved shares from the steady state of equal ones.

@@ -5,6 +5,14 @@
 #include <algorithm>
 
 namespace prs {
+namespace {
+
+Conditions with_coarse_patches(Conditions c) {
+  c.model.patch_points = std::min(c.model.patch_points, kFewestPatchPoints);
+  return c;
+}
+
+}  // namespace
 
 Conditions at_temperatures(const Conditions& c, const LoadCase& load, const OfParts& temperature) {
   Conditions warm = c;
@@ -21,7 +29,11 @@ bool heat_may_grow(const Conditions& c) { return c.friction->model == Friction::
 
 CaseLosses::CaseLosses(const Conditions& c, const Contacts& contacts, const LoadCase& load,
                        LoadCase::Share share)
-    : conditions_(c), contacts_(contacts), load_(load), models_(c, contacts, Oils{}) {
+    : conditions_(c),
+      contacts_(contacts),
+      load_(load),
+      models_(c, contacts, Oils{}),
+      rough_models_(with_coarse_patches(c), contacts, Oils{}) {
   load_.share = share;
 }
 
@@ -54,8 +66,9 @@ std::optional<Losses> CaseLosses::of(const SlipModel& model) {
                 std::max(flow.shaft, 0.0) + std::max(flow.load, 0.0)};
 }
 
-std::optional<OfParts> CaseLosses::estimate(const PerInterface<double>& oil) const {
-  const SlipModel model = models_.equal_shares(load_, warm_oils(conditions_, oil));
+std::optional<OfParts> CaseLosses::estimate(const SlipModels& models,
+                                            const PerInterface<double>& oil) const {
+  const SlipModel model = models.equal_shares(load_, warm_oils(conditions_, oil));
   SlipBalance balance;
   if (!balance_at(model, slip_ratio_, balance)) return std::nullopt;
   return heat_of(lost_power(model, balance));

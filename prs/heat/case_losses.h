@@ -40,15 +40,23 @@ class CaseLosses {
 
   /// A good estimate for a small part of the effort: heat of equal shares at the slip ratio that
   /// `at` found last, for the temperatures of the oils [K].
-  std::optional<OfParts> estimate(const PerInterface<double>& oil) const;
+  std::optional<OfParts> estimate(const PerInterface<double>& oil) const {
+    return estimate(models_, oil);
+  }
+  /// The same on a coarse grid of points in the patches, some per cent off.
+  std::optional<OfParts> rough_estimate(const PerInterface<double>& oil) const {
+    return estimate(rough_models_, oil);
+  }
 
  private:
   std::optional<Losses> of(const SlipModel& model);
+  std::optional<OfParts> estimate(const SlipModels& models, const PerInterface<double>& oil) const;
 
   const Conditions& conditions_;
   const Contacts& contacts_;
   LoadCase load_;
   SlipModels models_;
+  SlipModels rough_models_;
   double slip_ratio_ = 0.0;
   std::string failure_;
 };

@@ -230,6 +230,16 @@ Duty duty_of(const Conditions& c, const Contacts& contacts) {
 /// Heat of the duty on average.
 HeatSource average(Duty& duty, bool may_grow) {
   const auto failure = std::make_shared<std::string>();
+  const auto of_oil = [&duty](const PerInterface<double>& oil,
+                              auto estimate) -> std::optional<OfParts> {
+    OfParts sum = OfParts::Zero();
+    for (std::size_t k = 0; k < duty.cases.size(); ++k) {
+      const std::optional<OfParts> heat = estimate(*duty.cases[k], oil);
+      if (!heat) return std::nullopt;
+      sum += duty.weights[k] * *heat;
+    }
+    return sum;
+  };
   return {[&duty, failure](const OfParts& t) -> std::optional<OfParts> {
             OfParts sum = OfParts::Zero();
             for (std::size_t k = 0; k < duty.cases.size(); ++k) {
@@ -243,14 +253,15 @@ HeatSource average(Duty& duty, bool may_grow) {
             return sum;
           },
           [failure] { return *failure; },
-          [&duty](const PerInterface<double>& oil) -> std::optional<OfParts> {
-            OfParts sum = OfParts::Zero();
-            for (std::size_t k = 0; k < duty.cases.size(); ++k) {
-              const std::optional<OfParts> heat = duty.cases[k]->estimate(oil);
-              if (!heat) return std::nullopt;
-              sum += duty.weights[k] * *heat;
-            }
-            return sum;
+          [of_oil](const PerInterface<double>& oil) {
+            return of_oil(oil, [](const CaseLosses& c, const PerInterface<double>& at) {
+              return c.estimate(at);
+            });
+          },
+          [of_oil](const PerInterface<double>& oil) {
+            return of_oil(oil, [](const CaseLosses& c, const PerInterface<double>& at) {
+              return c.rough_estimate(at);
+            });
           },
           may_grow};
 }

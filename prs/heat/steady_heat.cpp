@@ -24,13 +24,15 @@ bool is_sound(const OfParts& t) {
 /// The estimate, scaled to the exact heat where that is known.
 class ScaledEstimate {
  public:
-  ScaledEstimate(const ThermalNetwork& network, const HeatSource& source)
-      : network_(network), source_(source) {}
+  using OfOil = std::function<std::optional<OfParts>(const PerInterface<double>& oil)>;
+
+  ScaledEstimate(const ThermalNetwork& network, const OfOil& of_oil)
+      : network_(network), of_oil_(of_oil) {}
 
   void scale_to(const OfParts& temperature, const OfParts& exact) {
     ratio_.setOnes();
     offset_.setZero();
-    const std::optional<OfParts> at = source_.estimate(oil_temperatures(temperature));
+    const std::optional<OfParts> at = of_oil_(oil_temperatures(temperature));
     for (int i = 0; i < 3; ++i) {
       if (at && (*at)[i] > 0.0)
         ratio_[i] = exact[i] / (*at)[i];
@@ -40,7 +42,7 @@ class ScaledEstimate {
   }
 
   std::optional<OfParts> heat(const PerInterface<double>& oil) const {
-    std::optional<OfParts> q = source_.estimate(oil);
+    std::optional<OfParts> q = of_oil_(oil);
     if (q) *q = q->cwiseProduct(ratio_) + offset_;
     return q;
   }
@@ -69,7 +71,7 @@ class ScaledEstimate {
 
  private:
   const ThermalNetwork& network_;
-  const HeatSource& source_;
+  const OfOil& of_oil_;
   OfParts ratio_ = OfParts::Ones(), offset_ = OfParts::Zero();
 };
 
@@ -134,14 +136,14 @@ std::optional<double> surplus_share(const ScaledEstimate& estimate, const Therma
 /// Whether the parts would stop warming before they get there, or do not stay there.
 bool has_cooler_state(const ScaledEstimate& estimate, const ThermalNetwork& network,
                       const OfParts& steady, double total) {
-  for (const double share : {0.2, 0.35, 0.5, 0.65, 0.8, 0.95})
+  for (const double share : {0.3, 0.6, 0.85})
     if (surplus_share(estimate, network, steady, total, share).value_or(1.0) < 0.0) return true;
   return surplus_share(estimate, network, steady, total, 1.05).value_or(-1.0) > 0.0;
 }
 
 bool has_hotter_state(const ScaledEstimate& estimate, const ThermalNetwork& network,
                       const OfParts& steady, double total) {
-  for (const double share : {1.2, 1.5, 2.0, 2.8, 4.0, 6.0, 9.0, 14.0, 20.0, 30.0})
+  for (const double share : {1.3, 2.0, 3.5, 6.0, 10.0, 18.0, 30.0})
     if (surplus_share(estimate, network, steady, total, share).value_or(-1.0) > 0.0) return true;
   return false;
 }
@@ -163,7 +165,7 @@ std::string_view name(HeatStatus status) {
 SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& source,
                             const std::optional<OfParts>& start) {
   const OfParts ambient = OfParts::Constant(network.ambient);
-  ScaledEstimate estimate(network, source);
+  ScaledEstimate fine(network, source.estimate), rough(network, source.rough_estimate);
   SteadyHeat found;
   const auto end_as = [&](HeatStatus status, std::string reason) {
     found.status = status;
@@ -183,19 +185,20 @@ SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& sou
     found.temperature = network.steady(*heat);
     const double change = largest(found.temperature - t);
     if (change <= kTolerance) return end_as(HeatStatus::converged, {});
-    estimate.scale_to(t, *heat);
+    fine.scale_to(t, *heat);
     const OfParts surplus = network.conductance * (found.temperature - t);
     const double tolerance = round == 0 ? 1e-2 * change : 0.1 * kTolerance;
-    std::optional<OfParts> next = newton(estimate, t, surplus, derivative, tolerance);
+    std::optional<OfParts> next = newton(fine, t, surplus, derivative, tolerance);
     const auto total = [&] { return (network.conductance * (*next - ambient)).sum(); };
     const bool choose = source.may_grow && round == 0;
-    if (next && choose && has_cooler_state(estimate, network, *next, total())) next.reset();
+    if (choose) rough.scale_to(t, *heat);
+    if (next && choose && has_cooler_state(rough, network, *next, total())) next.reset();
     if (!next) {
-      next = follow(estimate, network, round == 0 ? start.value_or(ambient) : t);
+      next = follow(fine, network, round == 0 ? start.value_or(ambient) : t);
       derivative.reset();
       if (!next) return end_as(HeatStatus::no_steady_state, runaway(*heat));
     }
-    if (choose) found.others = has_hotter_state(estimate, network, *next, total());
+    if (choose) found.others = has_hotter_state(rough, network, *next, total());
     t = *next;
   }
   return end_as(HeatStatus::iteration_limit,

@@ -19,6 +19,8 @@ struct HeatSource {
   std::function<std::string()> failure;
   /// Nearly the same for a small part of the effort, near the last temperatures of `exact`.
   std::function<std::optional<OfParts>(const PerInterface<double>& oil)> estimate;
+  /// Some per cent off, for still less: to look for other steady states.
+  std::function<std::optional<OfParts>(const PerInterface<double>& oil)> rough_estimate;
   /// Whether heat may grow with temperature, as where films get thin and flanks touch: then several
   /// steady states are looked for. Full films and Coulomb's friction have one.
   bool may_grow = true;

@@ -106,6 +106,21 @@ TEST_F(NewCase, TheCaseAmongTheValidatedOnesIsOneOfThese) {
             test::content_of(PRS_SOURCE_DIR "/validation/standard_screws/screw_30x10.yaml"));
 }
 
+TEST_F(NewCase, TheProposedConductancesAreACaseOnceTheyAreNoComment) {
+  ASSERT_EQ(prs("new standard a.yaml " + kOf30 + "--speed 10rpm").status, 0);
+  std::string text = this->text("a.yaml");
+  const std::size_t first = text.find("# heat: {"),
+                    second = text.find("\n#   screw_rollers", first);
+  ASSERT_NE(second, std::string::npos);
+  text.erase(second + 1, 1);
+  text.erase(first, 2);
+  std::ofstream(folder.path() / "b.yaml") << text;
+  const test::Outcome run = prs("slip b.yaml --json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto document = nlohmann::json::parse(run.out);
+  EXPECT_GT(document["load_cases"][0]["heat"]["temperature_degC"]["nut"], 25.0);
+}
+
 TEST_F(NewCase, FewNumbersMakeACompleteCase) {
   for (const char* arguments :
        {"standard a.yaml --screw-diameter 25mm --lead 5mm",

@@ -81,6 +81,26 @@ TEST(SlipFigures, ThreadPowersWithoutEqualSharesHaveNoLevel) {
   EXPECT_EQ(figure->panels[0].series.size(), 1);
 }
 
+TEST(SlipFigures, TemperaturesOfADutyStandOverItsTime) {
+  Result result = slip_sweeps();
+  EXPECT_FALSE(slip_picture(result, "heat_cycle"));
+  HeatCycle& cycle = result.heat_cycle.emplace();
+  cycle.status = HeatStatus::converged;
+  cycle.period = 4.0;
+  cycle.time = {0.0, 2.0, 4.0};
+  cycle.temperature = {{300.0, 310.0, 300.0}, {300.0, 320.0, 300.0}, {300.0, 305.0, 300.0}};
+  cycle.mean = {305.0, 310.0, 302.0};
+  const std::optional<Figure> figure = slip_picture(result, "heat_cycle");
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->x.unit, "s");
+  EXPECT_EQ(figure->x.to, 4.0);
+  ASSERT_EQ(figure->panels.size(), 1U);
+  ASSERT_EQ(figure->panels[0].series.size(), 3U);
+  EXPECT_NEAR(figure->panels[0].series[1].parts[0][1][1], 320.0 - 273.15, 1e-12);
+  ASSERT_EQ(figure->legend.size(), 3U);
+  EXPECT_EQ(figure->legend[1].title, "rollers");
+}
+
 TEST(SlipFigures, CasesWithoutAnAnswerHaveNone) {
   Result result;
   result.load_cases = {without_equilibrium(solved_case("a", 45e3, Direction::tension)),
