@@ -215,10 +215,12 @@ struct DesignEngine::Parts {
 
   void read_base() {
     Json document;
+    bool full = false;
     Borrowed worker(*this);
     const DesignStatus status = status_after([&] {
       const Case& c = worker->reader.read(0);
       bodies = c.model.bodies;
+      full = c.model.mechanism == ModelOptions::Mechanism::full;
       if (study.command == Command::life && c.life->history) {
         history = history_of(c);
         history_source = c.life->history;
@@ -227,7 +229,11 @@ struct DesignEngine::Parts {
     });
     if (!status.converged()) document = nullptr;
     study.responses = recorded(study, document);
-    numbers = numbers_of(study.responses);
+    // A full mechanism has its tangent stiffness only with Detail::complete.
+    const bool complete = full && std::ranges::any_of(study.responses, [](const std::string& path) {
+                            return path.find("tangent_stiffness") != std::string::npos;
+                          });
+    if (!complete) numbers = numbers_of(study.responses);
     if (numbers) load_cases = load_cases_of(*numbers);
   }
 
