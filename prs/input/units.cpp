@@ -91,6 +91,8 @@ constexpr Unit kTemperature[] = {{{"degC", "°C", "C"}, 1.0, 1.0, 273.15},
                                  {{"K"}},
                                  {{"degF", "°F"}, 5.0, 9.0, 459.67 * 5.0 / 9.0}};
 
+constexpr Unit kShare[] = {{{"%"}, 1.0, 100.0}};
+
 }  // namespace
 
 namespace unit {
@@ -113,6 +115,7 @@ const Dimension temperature{"a temperature", "60 degC", "degC", kTemperature};
 const Dimension thermal_expansion{"a coefficient of thermal expansion", "11.5 um/m/K", "um/m/K",
                                   kThermalExpansion};
 const Dimension duration{"a duration", "1 h", "s", kDuration};
+const Dimension share{"a share", "95 %", "%", kShare};
 }  // namespace unit
 
 namespace {
@@ -132,7 +135,8 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::torque,
                                             &unit::temperature,
                                             &unit::thermal_expansion,
-                                            &unit::duration};
+                                            &unit::duration,
+                                            &unit::share};
 
 const Dimension* dimension_of(std::string_view symbol) {
   for (const Dimension* d : kDimensions)
@@ -209,10 +213,13 @@ ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension)
   const Head head = split_number(text);
   if (!head.number)
     return {std::nullopt, names_no_number(text) ? "NaN and infinity are no values" : ""};
-  if (head.rest.empty())
-    return {std::nullopt,
-            fmt::format("write the unit, for example `{} {}` (units: {})", text.substr(0, 40),
-                        dimension.canonical, unit_list(dimension))};
+  if (head.rest.empty()) {
+    const bool fraction = &dimension == &unit::share && *head.number <= 1.0;
+    return {std::nullopt, fmt::format("write the unit, for example `{} {}` (units: {})",
+                                      fraction ? fmt::format("{:g}", 100.0 * *head.number)
+                                               : std::string(text.substr(0, 40)),
+                                      dimension.canonical, unit_list(dimension))};
+  }
   if (head.rest.starts_with(','))
     return {std::nullopt, "write the decimal mark as a point, without thousands separators"};
 

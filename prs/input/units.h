@@ -43,6 +43,7 @@ extern const Dimension torque;
 extern const Dimension temperature;
 extern const Dimension thermal_expansion;
 extern const Dimension duration;
+extern const Dimension share;
 }  // namespace unit
 
 /// All dimensions, in the order in which they are shown.

@@ -53,18 +53,36 @@ bool alike(const Deviations& d) {
          d.pitch_error.roller.lists.empty();
 }
 
-}  // namespace
-
-LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-                           const PerInterface<ContactLaw>& laws, Detail detail) {
-  const auto model_at = [&](double carrier_angle) {
+/// The mechanism under a load case at a carrier angle.
+auto models_of(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
+               const PerInterface<ContactLaw>& laws) {
+  return [&](double carrier_angle) {
     LoadCase at = load_case;
     at.spatial.carrier_angle = carrier_angle;
     return full_model(contacts.mechanism, *c.structure, *c.materials, c.model, laws, at,
                       c.deviations);
   };
+}
+
+}  // namespace
+
+FullDistribution full_distribution(const LoadCase& load_case, const Conditions& c,
+                                   const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                                   Detail detail) {
+  return solve(models_of(load_case, c, contacts, laws)(load_case.spatial.carrier_angle), detail);
+}
+
+std::optional<Orbit> full_orbit(const LoadCase& load_case, const Conditions& c,
+                                const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                                const SpatialLoad::Orbit& wanted) {
+  return orbit(models_of(load_case, c, contacts, laws), wanted, load_case.spatial.carrier_angle,
+               alike(c.deviations));
+}
+
+LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
+                           const PerInterface<ContactLaw>& laws, Detail detail) {
   const SpatialLoad& load = load_case.spatial;
-  const FullModel f = model_at(load.carrier_angle);
+  const FullModel f = models_of(load_case, c, contacts, laws)(load.carrier_angle);
   FullDistribution d = solve(f, detail);
   LoadDistribution flattened;
   flattened.solve = d.solve;
@@ -95,7 +113,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     loads.rollers = roller_shares(loads, f, full.symmetric.largest_normal_load[i]);
   }
   if (load.orbit) {
-    full.orbit = orbit(model_at, *load.orbit, load.carrier_angle, alike(c.deviations));
+    full.orbit = full_orbit(load_case, c, contacts, laws, *load.orbit);
     if (!full.orbit)
       result.warnings.push_back(
           "the orbit was left out: at some position of the carrier there is no equilibrium");

@@ -50,8 +50,14 @@ def _numbers(record: Record) -> dict[str, Any]:
 
 
 def _arrays(record: Record) -> dict[str, Any]:
-    """The arrays over threads of a record, and the numbers of the threads."""
+    """The arrays over threads of a record, and the numbers of the threads, with all rollers of the
+    rollers too."""
     arrays = {name: value for name, value in record.items() if isinstance(value, np.ndarray)}
+    shape = next((value.shape for value in arrays.values() if value.ndim == 2), None)
+    if shape:
+        roller, thread = np.indices(shape) + 1
+        flat = {name: value.ravel() for name, value in arrays.items() if value.shape == shape}
+        return {"roller": roller.ravel(), "thread": thread.ravel(), **flat}
     count = len(next(iter(arrays.values()), ()))
     return {"thread": np.arange(1, count + 1), **arrays}
 
@@ -344,6 +350,19 @@ class LifeResult(Result):
                 frame = _interfaces(self.life[direction])
                 frame.insert(0, "direction", direction)
                 frames.append(frame)
+        return pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
+
+    def rollers_frame(self) -> pd.DataFrame:
+        """The threads of all rollers of a full mechanism, a row each; empty of one sector."""
+        frames = []
+        for direction in ("tension", "compression"):
+            for interface in INTERFACES:
+                record = self.life[direction][interface] if direction in self.life else {}
+                if "rollers" in record:
+                    frame = pd.DataFrame(_arrays(record["rollers"]))
+                    frame.insert(0, "interface", interface)
+                    frame.insert(0, "direction", direction)
+                    frames.append(frame)
         return pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
 
     def plot_lives(self, ax: Axes | None = None) -> Axes:
