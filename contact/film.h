@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "contact/lubricant.h"
 
 namespace contact {
@@ -69,6 +71,13 @@ double film_parameter(const FilmRegimes& regimes);
 /// zero without rolling.
 Film nijenbanning_film(const Lubricant& lubricant, const FilmContact& contact,
                        double rolling_speed);
+
+/// Share of the load on flanks that touch through a film of Lambda times their composite Rq,
+/// (1 + Lambda)^-exponent, with an exponent of 2 after Olver and Spikes (Proc. Instn Mech. Engrs J
+/// 212, 1998, 321): 1 without film, 0.25 where the film is as thick as the roughness.
+inline double boundary_share(double film_ratio, double exponent) {
+  return std::pow(1.0 + film_ratio, -exponent);
+}
 
 /// Factor K [s/m] of the sliding speed in Jacod's friction coefficient (Sandu 2018, (2.27),
 /// (2.30)),

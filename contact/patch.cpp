@@ -59,25 +59,35 @@ Patch::Patch(const PatchGrid& grid, const HertzContact& ellipse, const Lubricant
   viscosity_ratio_.tail(viscosity_ratio_.size() - grid.inside()).setZero();  // no friction there
 }
 
-double Patch::sliding_factor(const PatchMotion& motion) const {
+Patch::Patch(const PatchGrid& grid, const HertzContact& ellipse, const Lubricant& lubricant,
+             const FilmContact& film_contact, const TouchingFlanks& touching)
+    : Patch(grid, ellipse, lubricant, film_contact) {
+  touching_ = touching;
+}
+
+PatchLaw Patch::law(const PatchMotion& motion) const {
+  PatchLaw law;
+  law.coefficient = coefficient_;
+  if (!lubricant_) return law;
   const double speed = motion.rolling_speed;
-  return contact::sliding_factor(*lubricant_, film_contact_,
-                                 sandu_film(*lubricant_, film_contact_, speed), speed);
+  law.viscosity_ratio = viscosity_ratio_.data();
+  law.scale = lubricant_->eyring_stress / ellipse_.peak_pressure;
+  law.factor = sliding_factor(*lubricant_, film_contact_,
+                              sandu_film(*lubricant_, film_contact_, speed), speed);
+  if (!touching_) return law;
+  const double film = nijenbanning_film(*lubricant_, film_contact_, speed).thickness;
+  const double share = boundary_share(film / touching_->roughness, touching_->exponent);
+  law.coefficient = share * touching_->friction;
+  law.scale *= 1.0 - share;
+  return law;
 }
 
 PatchFriction Patch::friction(const PatchMotion& motion) const {
-  PatchLaw law;
-  law.coefficient = coefficient_;
-  if (lubricant_) {
-    law.viscosity_ratio = viscosity_ratio_.data();
-    law.scale = lubricant_->eyring_stress / ellipse_.peak_pressure;
-    law.factor = sliding_factor(motion);
-  }
   const double a = ellipse_.semi_major, b = ellipse_.semi_minor;
   const PatchSums sums = xsimd::dispatch<simd::Architectures>(PatchKernel{})(
       grid_->points(),
       SlidingField{motion.sliding_major, motion.sliding_minor, motion.spin * a, motion.spin * b},
-      law);
+      law(motion));
   const double weight = grid_->cell_load();
   return {weight * sums.traction_major,
           weight * sums.traction_minor,
@@ -95,14 +105,22 @@ Eigen::ArrayXd Patch::sliding_minor(const PatchMotion& motion) const {
   return motion.sliding_minor + motion.spin * ellipse_.semi_major * grid_->along_major();
 }
 
+Eigen::ArrayXd Patch::sliding_speed(const PatchMotion& motion) const {
+  return (sliding_major(motion).square() + sliding_minor(motion).square()).sqrt();
+}
+
+double Patch::sliding_under_pressure(const PatchMotion& motion) const {
+  return grid_->cell_load() * (grid_->dome() * sliding_speed(motion)).sum();
+}
+
 Eigen::ArrayXd Patch::friction_coefficient(const PatchMotion& motion) const {
-  if (!lubricant_) return Eigen::ArrayXd::Constant(grid_->inside(), coefficient_);
-  const Eigen::ArrayXd speed =
-      (sliding_major(motion).square() + sliding_minor(motion).square()).sqrt();
-  const double scale = lubricant_->eyring_stress / ellipse_.peak_pressure;
-  return scale *
-         (viscosity_ratio_.head(grid_->inside()) * (sliding_factor(motion) * speed)).asinh() /
-         grid_->dome();
+  const PatchLaw at = law(motion);
+  if (!lubricant_) return Eigen::ArrayXd::Constant(grid_->inside(), at.coefficient);
+  return at.coefficient +
+         at.scale *
+             (viscosity_ratio_.head(grid_->inside()) * (at.factor * sliding_speed(motion)))
+                 .asinh() /
+             grid_->dome();
 }
 
 }  // namespace contact

@@ -50,6 +50,13 @@ struct PatchFriction {
   double max_sliding_speed = 0.0;  ///< Over the points [m/s]
 };
 
+/// Flanks that touch through a thin film.
+struct TouchingFlanks {
+  double friction = 0.0;   ///< Coefficient without film.
+  double exponent = 2.0;   ///< Of `boundary_share`.
+  double roughness = 0.0;  ///< Composite Rq [m], > 0
+};
+
 /// One contact ellipse with its law of friction: what is constant while the slip ratio is sought.
 class Patch {
  public:
@@ -59,6 +66,11 @@ class Patch {
   /// *static* load in `ellipse`, Sandu's film of the whole contact.
   Patch(const PatchGrid& grid, const HertzContact& ellipse, const Lubricant& lubricant,
         const FilmContact& film_contact);
+  /// Mixed friction (Olver and Spikes 1998): mu_D = (1 - s) mu_film + s mu_touching at each point,
+  /// mu_film Jacod's, s the `boundary_share` of the whole contact by Nijenbanning's central film.
+  /// Jacod's for thick films, Coulomb's without film or entrainment.
+  Patch(const PatchGrid& grid, const HertzContact& ellipse, const Lubricant& lubricant,
+        const FilmContact& film_contact, const TouchingFlanks& touching);
 
   const HertzContact& ellipse() const { return ellipse_; }
 
@@ -66,6 +78,8 @@ class Patch {
   /// kNoDirection are left out of tractions, moment and power, not of the mean coefficient. No
   /// allocation.
   PatchFriction friction(const PatchMotion& motion) const;
+  /// Integral of pressure times sliding speed over the normal load [m/s], for wear.
+  double sliding_under_pressure(const PatchMotion& motion) const;
 
   // At every point inside:
   Eigen::ArrayXd sliding_major(const PatchMotion& motion) const;         ///< v_D . t_1 [m/s]
@@ -73,13 +87,15 @@ class Patch {
   Eigen::ArrayXd friction_coefficient(const PatchMotion& motion) const;  ///< mu_D
 
  private:
-  double sliding_factor(const PatchMotion& motion) const;
+  PatchLaw law(const PatchMotion& motion) const;
+  Eigen::ArrayXd sliding_speed(const PatchMotion& motion) const;
 
   const PatchGrid* grid_;
   HertzContact ellipse_;
   double coefficient_ = 0.0;
   std::optional<Lubricant> lubricant_;
   FilmContact film_contact_;
+  std::optional<TouchingFlanks> touching_;
   Eigen::ArrayXd viscosity_ratio_;  ///< eta_bar at the points; empty with Coulomb.
 };
 

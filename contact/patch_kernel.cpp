@@ -47,8 +47,12 @@ PatchSums PatchKernel::operator()(Arch, const PatchPoints& points, const Sliding
     return sums<Batch>(points, sliding, [&](auto load, const Batch&) {
       return law.coefficient * load(points.dome);
     });
-  return sums<Batch>(points, sliding, [&](auto load, const Batch& speed) {
+  const auto film = [&](auto load, const Batch& speed) {
     return law.scale * asinh(law.factor * load(law.viscosity_ratio) * speed);
+  };
+  if (law.coefficient == 0.0) return sums<Batch>(points, sliding, film);
+  return sums<Batch>(points, sliding, [&](auto load, const Batch& speed) {
+    return law.coefficient * load(points.dome) + film(load, speed);
   });
 }
 

@@ -23,10 +23,10 @@ struct SlidingField {
   double spin_major = 0.0, spin_minor = 0.0;  ///< Spin times semi-axis.
 };
 
-/// mu_D dome at a point: coefficient * dome, or scale asinh(factor viscosity_ratio |v|).
+/// mu_D dome at a point: coefficient dome + scale asinh(factor viscosity_ratio |v|).
 struct PatchLaw {
-  double coefficient = 0.0;
-  const double* viscosity_ratio = nullptr;  ///< Eyring fluid, at the points; null: Coulomb.
+  double coefficient = 0.0;                 ///< Of flanks that touch.
+  const double* viscosity_ratio = nullptr;  ///< Eyring fluid, at the points; null: none.
   double scale = 0.0;                       ///< tau_0/p_0
   double factor = 0.0;                      ///< K [s/m]
 };

@@ -6,14 +6,13 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "fe/cholesky.h"
 #include "fe/index.h"
 
 namespace fe {
 namespace {
-
-using Column = std::vector<int>;
 
 int global(int node, Dof dof) { return kDofsPerNode * node + static_cast<int>(dof); }
 
@@ -37,34 +36,53 @@ LinearForm approach_of(const SpringElement& e) {
   return form;
 }
 
-SparseSymmetric compress(std::vector<Column> columns) {
-  SparseSymmetric m;
-  m.column_start.push_back(0);
-  for (Column& column : columns) {
-    std::sort(column.begin(), column.end());
-    column.erase(std::unique(column.begin(), column.end()), column.end());
-    m.row.insert(m.row.end(), column.begin(), column.end());
-    m.column_start.push_back(static_cast<int>(m.row.size()));
+/// Places of an upper triangle, in any order, repeated or not.
+class Places {
+ public:
+  void add(int i, int j) { places_.push_back({std::min(i, j), std::max(i, j)}); }
+
+  SparseSymmetric compressed(int size) const {
+    std::vector<int> begin(static_cast<std::size_t>(size) + 1, 0);
+    for (const Place& p : places_) ++at(begin, p.column + 1);
+    for (int j = 0; j < size; ++j) at(begin, j + 1) += at(begin, j);
+    std::vector<int> rows(places_.size()), next = begin;
+    for (const Place& p : places_) at(rows, at(next, p.column)++) = p.row;
+
+    SparseSymmetric m;
+    m.column_start.push_back(0);
+    std::vector<int> seen_in(static_cast<std::size_t>(size), -1);
+    for (int j = 0; j < size; ++j) {
+      for (int k = at(begin, j); k < at(begin, j + 1); ++k) {
+        const int row = at(rows, k);
+        if (std::exchange(at(seen_in, row), j) != j) m.row.push_back(row);
+      }
+      std::sort(m.row.begin() + m.column_start.back(), m.row.end());
+      m.column_start.push_back(static_cast<int>(m.row.size()));
+    }
+    m.value.assign(m.row.size(), 0.0);
+    return m;
   }
-  m.value.assign(m.row.size(), 0.0);
-  return m;
-}
+
+ private:
+  struct Place {
+    int row, column;
+  };
+  std::vector<Place> places_;
+};
 
 /// The pattern with row i at place[i].
 SparseSymmetric permuted(const SparseSymmetric& m, const std::vector<int>& place) {
-  std::vector<Column> columns(place.size());
+  Places places;
   for (int j = 0; j < m.size(); ++j)
-    for (int k = at(m.column_start, j); k < at(m.column_start, j + 1); ++k) {
-      const auto [i, column] = std::minmax(at(place, at(m.row, k)), at(place, j));
-      at(columns, column).push_back(i);
-    }
-  return compress(std::move(columns));
+    for (int k = at(m.column_start, j); k < at(m.column_start, j + 1); ++k)
+      places.add(at(place, at(m.row, k)), at(place, j));
+  return places.compressed(m.size());
 }
 
 /// Pattern of the upper triangle over the equations that `number` gives to the freedoms.
 /// A follower is coupled by the freedoms that it follows.
 SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, int size) {
-  std::vector<Column> columns(static_cast<std::size_t>(size));
+  Places places;
   std::vector<int> coupled;
   const auto couple = [&](const auto& freedoms) {
     coupled.clear();
@@ -78,14 +96,14 @@ SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, i
     }
     for (const int i : coupled)
       for (const int j : coupled)
-        if (i >= 0 && j >= 0 && i <= j) at(columns, j).push_back(i);
+        if (i >= 0 && i <= j) places.add(i, j);
   };
   const auto couple_form = [&](const LinearForm& form) {
     std::vector<int> freedoms;
     for (const Term& term : form) freedoms.push_back(global(term.node, term.dof));
     couple(freedoms);
   };
-  for (int i = 0; i < size; ++i) at(columns, i).push_back(i);
+  for (int i = 0; i < size; ++i) places.add(i, i);
   for (const BarElement& e : model.bars)
     couple(std::array{global(e.first, Dof::u), global(e.second, Dof::u)});
   for (const BeamElement& e : model.beams) couple(globals(e));
@@ -93,7 +111,38 @@ SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, i
   for (const SpringElement& e : model.springs) couple_form(approach_of(e));
   for (const FormSpring& e : model.form_springs) couple_form(e.approach);
   for (const ElasticLink& e : model.elastic_links) couple_form(e.form);
-  return compress(std::move(columns));
+  return places.compressed(size);
+}
+
+/// Which freedoms the parts of a model join, in their order: equal for models that differ in
+/// numbers only.
+std::vector<int> shape_of(const Model& model) {
+  std::vector<int> shape{model.nodes};
+  const auto add = [&](const auto& parts, auto freedoms_of) {
+    shape.push_back(static_cast<int>(parts.size()));
+    for (const auto& part : parts) freedoms_of(part);
+  };
+  const auto ends = [&](const auto& e) { shape.insert(shape.end(), {e.first, e.second}); };
+  const auto support = [&](const auto& s) { shape.push_back(global(s.node, s.dof)); };
+  const auto form = [&](const LinearForm& terms) {
+    shape.push_back(static_cast<int>(terms.size()));
+    for (const Term& t : terms) shape.push_back(global(t.node, t.dof));
+  };
+  add(model.bars, ends);
+  add(model.beams, ends);
+  add(model.shells, ends);
+  add(model.springs, [&](const SpringElement& s) {
+    shape.insert(shape.end(), {s.from.node, s.to.node});
+  });
+  add(model.form_springs, [&](const FormSpring& s) { form(s.approach); });
+  add(model.elastic_supports, support);
+  add(model.elastic_links, [&](const ElasticLink& e) { form(e.form); });
+  add(model.fixed_supports, support);
+  add(model.constraints, [&](const Constraint& c) {
+    support(c);
+    form(c.form);
+  });
+  return shape;
 }
 
 /// A state in numbers with more digits, for forces of elements that are much shorter than thick.
@@ -113,15 +162,28 @@ constexpr double kShortBeam = 2e-4;
 
 }  // namespace
 
-Equations::Equations(const Model& model) {
+Equations::Equations(const Model& model) : shape_(shape_of(model)) {
   number_freedoms(model);
+  add_followers(model);
+  add_linear_elements(model);
+  add_springs(model);
+}
+
+bool Equations::take(const Model& model) {
+  if (shape_of(model) != shape_) return false;
+  add_followers(model);
+  add_linear_elements(model);
+  add_springs(model);
+  return true;
+}
+
+void Equations::add_followers(const Model& model) {
+  followers_.clear();
   for (const Constraint& c : model.constraints) {
     Follower follower{{}, c.offset};
     follower.terms = terms_of(c.form, follower.offset);
     followers_.push_back(std::move(follower));
   }
-  add_linear_elements(model);
-  add_springs(model);
 }
 
 void Equations::number_freedoms(const Model& model) {
@@ -167,6 +229,11 @@ void Equations::number_freedoms(const Model& model) {
 }
 
 void Equations::add_linear_elements(const Model& model) {
+  bars_.clear();
+  beams_.clear();
+  shells_.clear();
+  supports_.clear();
+  links_.clear();
   const auto numbered = [&](std::array<int, 6> freedoms) {
     for (int& freedom : freedoms) freedom = at(number_, freedom);
     return freedoms;
@@ -207,6 +274,7 @@ std::vector<std::pair<int, double>> Equations::terms_of(const LinearForm& form,
 }
 
 void Equations::add_springs(const Model& model) {
+  std::vector<Spring> before = std::exchange(springs_, {});
   springs_.reserve(model.springs.size() + model.form_springs.size());
   const auto add = [&](const LinearForm& approach, const PowerLawSpring& law) {
     Spring s;
@@ -219,10 +287,16 @@ void Equations::add_springs(const Model& model) {
       ++s.count;
     }
     s.law.gap -= offset;
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < s.count; ++i)
-      for (std::size_t j = i; j < s.count; ++j) s.slot[next++] = slot(s.equation[i], s.equation[j]);
-    springs_.push_back(s);
+    Spring* same = springs_.size() < before.size() ? &before[springs_.size()] : nullptr;
+    if (same && same->count == s.count && same->equation == s.equation) {
+      s.slot = std::move(same->slot);
+    } else {
+      s.slot.reserve(s.count * (s.count + 1) / 2);
+      for (std::size_t i = 0; i < s.count; ++i)
+        for (std::size_t j = i; j < s.count; ++j)
+          s.slot.push_back(slot(s.equation[i], s.equation[j]));
+    }
+    springs_.push_back(std::move(s));
   };
   for (const SpringElement& e : model.springs) add(approach_of(e), e.law);
   for (const FormSpring& e : model.form_springs) add(e.approach, e.law);

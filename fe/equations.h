@@ -21,6 +21,10 @@ class Equations {
  public:
   explicit Equations(const Model& model);
 
+  /// Takes the numbers of another model. Numbering and pattern stay, and what was built on them.
+  /// False, and nothing happens, where the model has other nodes, elements or forms.
+  bool take(const Model& model);
+
   int size() const { return static_cast<int>(kind_.size()); }
   /// Number of the equation of a freedom, or -1 where it is fixed or not stiffened by anything.
   /// From `size()` on, freedoms that follow others.
@@ -40,12 +44,12 @@ class Equations {
   /// A spring by its approach w = sum_i coefficient[i] q[equation[i]] over at most kMost freedoms;
   /// `slot` leads to the values of the tangent for each pair i <= j.
   struct Spring {
-    static constexpr int kMost = 13;
+    static constexpr int kMost = 24;
     PowerLawSpring law;
     std::size_t count = 0;
     std::array<int, kMost> equation{};
     std::array<double, kMost> coefficient{};
-    std::array<int, kMost*(kMost + 1) / 2> slot{};
+    std::vector<int> slot;
 
     double approach(const State& q) const;
     /// Approach less gap, to its own rounding: it may be far smaller than the displacements.
@@ -219,10 +223,12 @@ class Equations {
   };
 
   void number_freedoms(const Model& model);
+  void add_followers(const Model& model);
   void add_linear_elements(const Model& model);
   void add_springs(const Model& model);
   int slot(int i, int j) const;
 
+  std::vector<int> shape_;  ///< Which freedoms each part of the model joins.
   std::vector<int> number_;
   std::vector<Dof> kind_;
   std::vector<NumberedBar> bars_;

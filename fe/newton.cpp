@@ -21,10 +21,13 @@ constexpr double kNear = 1e-6;
 
 constexpr double kTangentTolerance = 1e-11;
 constexpr int kMostRefinements = 10;
+/// Relative correction after which the next one would be rounding.
+constexpr double kRefined = 1e-8;
 
 class DoubleNumbers {
  public:
   static constexpr int kMostStalls = 3;
+  static constexpr double kNoGain = 1e-3;
   using Energy = double;
   using State = fe::State;
   using Vector = Eigen::VectorXd;
@@ -49,6 +52,21 @@ class DoubleNumbers {
     }
   }
   FactorizationStatus factorize() { return cholesky_.factorize(tangent_, smallest_pivot_ratio); }
+  /// The factorized secant matrix, kept where it comes again: models that differ in gaps and loads
+  /// have it in common. Null where it is singular.
+  const Cholesky* start_factor() {
+    if (tangent_.value != start_value_) {
+      start_value_ = tangent_.value;
+      start_.reset();
+      return factorize() == FactorizationStatus::ok ? &cholesky_ : nullptr;
+    }
+    if (!start_) {
+      start_ = std::make_unique<Cholesky>(tangent_);
+      if (start_->factorize(tangent_, smallest_pivot_ratio) != FactorizationStatus::ok)
+        start_.reset();
+    }
+    return start_.get();
+  }
   double smallest_pivot_ratio = kSmallestPivotRatio;
   void solve(const Vector& b, Vector& x) { cholesky_.solve(b, x); }
   bool solved(const Vector& b, const Vector& x) const {
@@ -82,6 +100,8 @@ class DoubleNumbers {
   const Equations* equations_;
   SparseSymmetric tangent_;
   Cholesky cholesky_;
+  std::vector<double> start_value_;
+  std::unique_ptr<Cholesky> start_;
 };
 
 }  // namespace
@@ -108,6 +128,8 @@ NewtonSolver::NewtonSolver(const Equations& equations, double smallest_pivot_rat
 NewtonSolver::~NewtonSolver() = default;
 NewtonSolver::NewtonSolver(NewtonSolver&&) noexcept = default;
 NewtonSolver& NewtonSolver::operator=(NewtonSolver&&) noexcept = default;
+
+void NewtonSolver::equations_changed() { wide_.reset(); }
 
 WideNewton& NewtonSolver::wide() {
   if (!wide_) wide_ = std::make_unique<WideNewton>(*equations_);
@@ -136,16 +158,16 @@ bool NewtonSolver::start(const Eigen::VectorXd& f, const std::vector<double>& st
   q = State(Eigen::VectorXd::Zero(equations_->size()));
   equations_->secant_residual(stiffness, f, residual);
   numbers.secant(stiffness);
-  if (numbers.factorize() != FactorizationStatus::ok) return false;
-  numbers.solve(residual, doubles_->correction);
-  q.set_to_step(State(q), -1.0, doubles_->correction);
+  const Cholesky* factor = numbers.start_factor();
+  if (!factor) return false;
+  factor->solve(residual, doubles_->correction);
+  q.set_to_step(q, -1.0, doubles_->correction);
   return true;
 }
 
 bool NewtonSolver::solve_linear(const std::vector<double>& stiffness,
                                 const std::vector<Eigen::VectorXd>& loads,
                                 std::vector<Eigen::VectorXd>& displacements) {
-  constexpr int kRefinements = 2;
   DoubleNumbers& numbers = doubles_->method.numbers();
   numbers.secant(stiffness);
   if (numbers.factorize() != FactorizationStatus::ok) return false;
@@ -154,10 +176,12 @@ bool NewtonSolver::solve_linear(const std::vector<double>& stiffness,
     Eigen::VectorXd x;
     numbers.solve(load, x);
     State refined(std::move(x));
-    for (int k = 0; k < kRefinements; ++k) {
+    // A refinement leaves about the square of what it corrects.
+    for (int k = 0; k < kMostRefinements; ++k) {
       equations_->secant_residual(stiffness, refined, load, doubles_->residual);
       numbers.solve(doubles_->residual, correction);
-      refined.set_to_step(State(refined), -1.0, correction);
+      refined.set_to_step(refined, -1.0, correction);
+      if (correction.norm() <= kRefined * refined.head.norm()) break;
     }
     displacements.push_back(std::move(refined.head));
   }

@@ -24,6 +24,9 @@ class NewtonSolver {
   NewtonSolver(NewtonSolver&&) noexcept;
   NewtonSolver& operator=(NewtonSolver&&) noexcept;
 
+  /// To be called after Equations::take.
+  void equations_changed();
+
   /// Minimises the potential energy under the load `f`, from the state `q`, which it updates.
   /// Every step is searched along for a smaller energy; the energy is convex, so a Newton step
   /// always descends.

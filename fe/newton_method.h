@@ -26,7 +26,9 @@ namespace fe {
 /// - `force_change(q, step)`, `force_rounding(q)`: as Equations has them
 ///
 /// - `residual_is_rounding(q, r)`: whether the residual may be rounding only; `kMostStalls`: number
-/// of steps without a decrease of energy or residual after which it counts as rounding too
+/// of steps without a decrease of energy or residual after which it counts as rounding too;
+/// `kNoGain`: a shortened step whose promised gain is less than this share of `energy_rounding`
+/// shows that the step is none that descends
 template <class Numbers>
 class NewtonMethod {
  public:
@@ -141,6 +143,7 @@ class NewtonMethod {
     const double rounding = numbers_.energy_rounding(q, f, energy);
     double length = 1.0;
     for (int halvings = 0; halvings <= options.max_halvings; ++halvings, length *= 0.5) {
+      if (length < 1.0 && -slope * length < Numbers::kNoGain * rounding) return false;
       Numbers::set_to_step(trial_, q, length, step_);
       const Energy reached = numbers_.energy_and_residual(trial_, f, residual_);
       iteration.energy = static_cast<double>(reached);

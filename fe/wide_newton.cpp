@@ -44,6 +44,7 @@ State to_state(const WideState& q) {
 
 struct WideNewton::Numbers {
   static constexpr int kMostStalls = std::numeric_limits<int>::max();
+  static constexpr double kNoGain = 0.0;
   using Energy = Wide;
   using State = WideState;
   using Vector = WideVector;

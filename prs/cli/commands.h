@@ -30,7 +30,7 @@ struct NewOptions {
   std::string type, file;  ///< With `lesson`, `type` may hold the file.
   std::optional<std::string> lesson;
   std::optional<std::string> screw_diameter, lead, nut_diameter, nut_length, roller_profile_radius;
-  std::optional<std::string> load, speed, lubricant, temperature;
+  std::optional<std::string> load, speed, lubricant, temperature, mechanism;
   std::optional<int> starts, rollers;
 };
 

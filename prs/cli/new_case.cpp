@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
 #include "prs/cli/lessons.h"
 #include "prs/cli/quantity_option.h"
@@ -120,7 +121,11 @@ CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given)
   return l;
 }
 
-/// An option that says something of the screw; empty where none is given.
+ModelOptions::Mechanism mechanism_of(const NewOptions& o) {
+  return o.mechanism == "full" ? ModelOptions::Mechanism::full : ModelOptions::Mechanism::sector;
+}
+
+/// An option that says something of the case; empty where none is given.
 std::string first_given(const NewOptions& o) {
   if (o.screw_diameter) return "--screw-diameter";
   if (o.lead) return "--lead";
@@ -128,6 +133,7 @@ std::string first_given(const NewOptions& o) {
   if (o.rollers) return "--rollers";
   if (o.lubricant) return "--lubricant";
   if (o.temperature) return "--temperature";
+  if (o.mechanism) return "--mechanism";
   for (const QuantityOption& q : kQuantities)
     if (o.*q.text) return q.name;
   return {};
@@ -135,7 +141,9 @@ std::string first_given(const NewOptions& o) {
 
 std::string new_text(const NewOptions& o) {
   const auto type = o.type == "standard" ? Mechanism::Type::standard : Mechanism::Type::inverted;
-  const bool by_options = !first_given(o).empty();
+  NewOptions of_screw = o;
+  of_screw.mechanism.reset();
+  const bool by_options = !first_given(of_screw).empty();
   std::vector<std::string> given;
   try {
     const ScrewData data = by_options ? data_of(o, type, given) : example(type);
@@ -148,7 +156,7 @@ std::string new_text(const NewOptions& o) {
                   "`prs new {} FILE --screw-diameter \"{}\" --lead \"{}\"` and what else is known "
                   "of it.",
                   type_name(type), mm(data.screw_diameter), mm(data.lead));
-    return screw_case(complete_screw(data), lubricant, origin);
+    return screw_case(complete_screw(data), lubricant, origin, mechanism_of(o));
   } catch (const CaseError& error) {
     fail_option(option_of(error.path()), error.what());
   }
@@ -199,6 +207,9 @@ void add_new_options(CLI::App& command, NewOptions& options) {
   add("--lubricant", options.lubricant, "One of `prs list lubricants`; default: iso-vg-100",
       "LUBRICANT");
   add("--temperature", options.temperature, "Of the lubricant; default: 60 degC", "TEMPERATURE");
+  take_one_of(command.add_option("--mechanism", options.mechanism,
+                                 "One roller with its share, or all rollers; default: sector"),
+              {"sector", "full"});
   command
       .add_option("--lesson", options.lesson,
                   "Copy a lesson, by number or name, and the files that it reads")

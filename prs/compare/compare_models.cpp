@@ -23,7 +23,7 @@ Case with_bodies(Case c, Bodies bodies) {
   return c;
 }
 
-/// One sector of bars in place of all rollers, under the axial force alone: what only a full
+/// One sector in place of all rollers, under the axial force alone: what only a full
 /// mechanism has is left out.
 Case as_sector(Case c) {
   c.model.mechanism = ModelOptions::Mechanism::sector;

@@ -43,7 +43,7 @@ struct CompleteScrew {
 };
 
 /// Case-hardened bearing steel; density that of the catalogue in validation/standard_screws.
-inline constexpr Material kSteel{210e9, 0.3, 7800.0};
+inline constexpr Material kSteel{210e9, 0.3, 7800.0, 11.5e-6};
 
 /// Peak pressure of a first proposal [Pa]: 9 % of the load at which 4.0 GPa are reached.
 inline constexpr double kModeratePressure = 1.8e9;

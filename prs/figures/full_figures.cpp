@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "prs/figures/figure_parts.h"
 #include "prs/loads/full_result.h"
 #include "prs/model/units.h"
+#include "prs/quantities/slip_quantities.h"
 
 namespace prs {
 namespace {
@@ -15,19 +17,42 @@ bool has_rollers(const LoadCaseResult& result) { return result.full && result.th
 
 bool has_turn(const LoadCaseResult& result) { return has_rollers(result) && result.full->orbit; }
 
+bool has_power_of_rollers(const LoadCaseResult& result) {
+  return has_rollers(result) && has_slip(result);
+}
+
 Axis roller_axis(int rollers) { return {"Roller", {}, 0.5, rollers + 0.5, false, true}; }
 
-/// Rollers over threads, unrolled.
-GridData unrolled(const InterfaceLoads& loads) {
+/// Rollers over threads, unrolled, of values in shown units.
+GridData unrolled(const std::vector<double>& of_threads, int threads_per_roller) {
   GridData grid;
-  const auto threads = static_cast<std::size_t>(loads.threads_per_roller);
-  const std::size_t rollers = loads.normal_load.size() / threads;
+  const auto threads = static_cast<std::size_t>(threads_per_roller);
+  const std::size_t rollers = of_threads.size() / threads;
   for (std::size_t k = 0; k < threads; ++k) grid.x.push_back(static_cast<double>(k + 1));
   for (std::size_t j = 0; j < rollers; ++j) grid.y.push_back(static_cast<double>(j + 1));
   for (std::size_t k = 0; k < threads; ++k)
-    for (std::size_t j = 0; j < rollers; ++j)
-      grid.values.push_back(loads.normal_load[j * threads + k]);
+    for (std::size_t j = 0; j < rollers; ++j) grid.values.push_back(of_threads[j * threads + k]);
   return grid;
+}
+
+/// A map of all rollers for each interface.
+Figure map_of_rollers(Figure figure, const LoadCaseResult& shown, ColourScale colours,
+                      const PerInterface<const std::vector<double>*>& values) {
+  const int threads = shown.threads->screw.threads_per_roller;
+  Range range;
+  for (const Interface i : kInterfaces) {
+    Panel& panel = figure.panels.emplace_back();
+    panel.title = interface_title(i);
+    panel.map = {unrolled(*values[i], threads), true};
+    for (const double value : panel.map.grid.values) range.include(value);
+  }
+  figure.x = thread_axis(static_cast<std::size_t>(threads));
+  figure.y = roller_axis(shown.full->rollers);
+  figure.columns = 2;
+  colours.from = std::min(range.from, 0.0);
+  colours.to = range.to;
+  figure.colours = std::move(colours);
+  return figure;
 }
 
 std::array<double, 2> towards(double radius, double azimuth) {
@@ -40,20 +65,31 @@ std::array<double, 2> towards(double radius, double azimuth) {
 Figures roller_loads(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_rollers);
   if (!shown) return {};
-  Figure figure{"roller_loads",
-                fmt::format("Loads of all rollers, {}", shown_name(shown->load_case.name))};
-  Range range;
-  for (const Interface i : kInterfaces) {
-    Panel& panel = figure.panels.emplace_back();
-    panel.title = interface_title(i);
-    panel.map = {unrolled((*shown->threads)[i]), true};
-    for (const double load : panel.map.grid.values) range.include(load);
-  }
-  figure.x = thread_axis(static_cast<std::size_t>(shown->threads->screw.threads_per_roller));
-  figure.y = roller_axis(shown->full->rollers);
-  figure.columns = 2;
-  figure.colours = ColourScale{"Normal load", "N", std::min(range.from, 0.0), range.to};
-  return {std::move(figure)};
+  const PerInterface<InterfaceLoads>& threads = *shown->threads;
+  return {map_of_rollers(
+      {"roller_loads", fmt::format("Loads of all rollers, {}", shown_name(shown->load_case.name))},
+      *shown, {"Normal load", "N"}, {&threads.screw.normal_load, &threads.nut.normal_load})};
+}
+
+/// Power lost at every thread of every roller, at both interfaces.
+Figures roller_power(const Result& result, const FigureOptions& options) {
+  const LoadCaseResult* shown = chosen_case(result, options, has_power_of_rollers);
+  if (!shown) return {};
+  const PerInterface<InterfaceSlip>& threads = shown->slip->threads;
+  return {map_of_rollers({"roller_power", fmt::format("Power lost at all rollers, {}",
+                                                      shown_name(shown->load_case.name))},
+                         *shown, {"Power lost", "W"}, {&threads.screw.power, &threads.nut.power})};
+}
+
+/// Friction coefficient at every thread of every roller, at both interfaces.
+Figures roller_friction(const Result& result, const FigureOptions& options) {
+  const LoadCaseResult* shown = chosen_case(result, options, has_power_of_rollers);
+  if (!shown) return {};
+  const PerInterface<InterfaceSlip>& threads = shown->slip->threads;
+  return {map_of_rollers({"roller_friction", fmt::format("Friction at all rollers, {}",
+                                                         shown_name(shown->load_case.name))},
+                         *shown, {"Friction coefficient"},
+                         {&threads.screw.friction_coefficient, &threads.nut.friction_coefficient})};
 }
 
 /// Share of each roller at its azimuth, over that of equal shares, seen along the axis.

@@ -28,9 +28,12 @@ Figures ellipses(const Result& result, const FigureOptions& options);
 Figures roller_loads(const Result& result, const FigureOptions& options);
 Figures roller_shares(const Result& result, const FigureOptions& options);
 Figures carrier_turn(const Result& result, const FigureOptions& options);
+Figures roller_power(const Result& result, const FigureOptions& options);
+Figures roller_friction(const Result& result, const FigureOptions& options);
 Figures thread_power(const Result& result, const FigureOptions& options);
 Figures friction(const Result& result, const FigureOptions& options);
 Figures power_by_source(const Result& result, const FigureOptions& options);
+Figures heat_cycle(const Result& result);
 Figures yang(const MeasuresResult& result);
 Figures stiffness_terms(const MeasuresResult& result);
 Figures loads_by_model(const ModelComparison& result, const FigureOptions& options);
@@ -56,6 +59,8 @@ constexpr const char* kSweep =
     "a sweep of loads, `axial_force: {from: .., to: .., steps: ..}`, that converged";
 constexpr const char* kAllRollers = "a load case of `model: {mechanism: full}` that converged";
 constexpr const char* kSlip = "a load case whose slip converged";
+constexpr const char* kSlipOfRollers =
+    "a load case of `model: {mechanism: full}` whose slip converged";
 constexpr const char* kLives = "a load history or spectrum under which loads converge";
 
 /// A picture that a function makes of the result.
@@ -81,9 +86,8 @@ Pictures with(Pictures own, Pictures others) {
 using SlipFields = std::map<std::size_t, SlipPictures>;
 
 /// For the load cases whose slip converged, at most four; of several, names end in `_1`, `_2`, ..
-auto of_slip(const Case& c, const Result& result, std::shared_ptr<SlipFields> fields,
-             Figure (*make)(const LoadCaseResult&, const SlipPictures&)) {
-  return [&c, &result, fields = std::move(fields), make](const FigureOptions& options) {
+auto of_slip(const Result& result, std::function<Figure(std::size_t)> make) {
+  return [&result, make = std::move(make)](const FigureOptions& options) {
     constexpr std::size_t kMost = 4;
     std::vector<std::size_t> cases;
     for (std::size_t k = 0; k < result.load_cases.size() && cases.size() < kMost; ++k)
@@ -91,9 +95,7 @@ auto of_slip(const Case& c, const Result& result, std::shared_ptr<SlipFields> fi
         cases.push_back(k);
     Figures figures;
     for (std::size_t k = 0; k < cases.size(); ++k) {
-      if (!fields->contains(cases[k]))
-        fields->emplace(cases[k], slip_pictures(c, result, cases[k]));
-      figures.push_back(make(result.load_cases[cases[k]], fields->at(cases[k])));
+      figures.push_back(make(cases[k]));
       if (cases.size() > 1) figures.back().name += fmt::format("_{}", k + 1);
     }
     return figures;
@@ -129,11 +131,28 @@ Pictures solve_pictures(const Result& r) { return with(load_pictures(r), contact
 
 Pictures slip_pictures(const Case& c, const Result& r) {
   const auto fields = std::make_shared<SlipFields>();
+  using OfFields = Figure (*)(const LoadCaseResult&, const SlipPictures&);
+  const auto of_fields = [&](OfFields make) {
+    return of_slip(r, [&c, &r, fields, make](std::size_t k) {
+      if (!fields->contains(k)) fields->emplace(k, slip_pictures(c, r, k));
+      return make(r.load_cases[k], fields->at(k));
+    });
+  };
+  const bool mixed = c.friction && c.friction->model == Friction::Model::mixed;
   return with({{"power_by_source", kSlip, of(r, power_by_source)},
                {"thread_power", kSlip, of(r, thread_power)},
                {"friction", kSlip, of(r, friction)},
-               {"slip_patches", kSlip, of_slip(c, r, fields, slip_patch_figure)},
-               {"slip_residue", kSlip, of_slip(c, r, fields, slip_residue_figure)}},
+               {"roller_power", kSlipOfRollers, of(r, roller_power)},
+               {"roller_friction", kSlipOfRollers, of(r, roller_friction)},
+               {"stribeck", kSlip,
+                of_slip(r,
+                        [&c, &r](std::size_t k) {
+                          return stribeck_figure(r.load_cases[k], stribeck_curve(c, r, k));
+                        }),
+                mixed},
+               {"slip_patches", kSlip, of_fields(slip_patch_figure)},
+               {"slip_residue", kSlip, of_fields(slip_residue_figure)},
+               {"heat_cycle", "a `duty` in `heat` that comes to repeat itself", of(r, heat_cycle)}},
               solve_pictures(r));
 }
 

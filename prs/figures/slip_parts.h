@@ -12,6 +12,8 @@
 namespace prs {
 
 Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictures);
+/// Friction, power, efficiency and film over the speed (Stribeck's curve).
+Figure stribeck_figure(const LoadCaseResult& result, const StribeckCurve& curve);
 Figure slip_residue_figure(const LoadCaseResult& result, const SlipPictures& pictures);
 
 /// A point to compare with, as a measurement or the case that a sweep starts from.

@@ -107,7 +107,9 @@ bool has_pressure(const LoadCaseResult& result) {
                                  result.threads->nut.peak_pressure.empty());
 }
 
-bool has_thread_slip(const LoadCaseResult& result) { return has_slip(result) && result.threads; }
+bool has_thread_slip(const LoadCaseResult& result) {
+  return has_slip(result) && has_shares(result);
+}
 
 std::optional<double> with_equal_shares(const LoadCaseResult& result, Interface i) {
   const std::optional<EqualShareSlip>& equal = result.slip->equal_shares;

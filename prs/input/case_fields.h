@@ -228,6 +228,8 @@ void alternatives(Io& io, Friction& f) {
   io.word("jacod", f.model, Friction::Model::jacod, "lubricated contact, after Jacod");
   io.map("coulomb", f.model, Friction::Model::coulomb, f.coefficient, Number{not_negative},
          "a constant coefficient of friction");
+  io.map("mixed", f.model, Friction::Model::mixed, f.mixed, Block{},
+         "a film after Jacod through which flanks touch, by film over roughness");
 }
 
 template <class Io>
@@ -770,17 +772,16 @@ void fields(Io& io, Lubricant& l) {
            "In operation");
 
   const bool by_temperature = l.temperature.has_value();
-  const auto unless_named = [&](bool holds, std::string_view condition) {
-    return Presence{holds && !l.name, holds, condition};
-  };
   io.field("viscosity", l.viscosity, Quantity{unit::viscosity, positive},
-           unless_named(!by_temperature, "in place of `temperature`"),
+           optional_only_if(!by_temperature, "in place of `temperature`"),
            "Dynamic viscosity at ambient pressure in operation");
+  // With `heat` the temperature itself need not stand.
   io.field("walther", l.walther, Block{},
-           optional_only_if(by_temperature, "only with `temperature`"),
+           optional_only_if(by_temperature || !l.viscosity, "only with `temperature`"),
            "log10 log10(nu/(mm^2/s) + 0.7) = intercept - slope log10(T/K), nu = viscosity/density");
   io.field("viscosity_at", l.viscosity_at, List{Block{}, 2, 2},
-           unless_named(by_temperature && !l.walther, "with `temperature`, in place of `walther`"),
+           Presence{by_temperature && !l.walther && !l.name, !l.viscosity && !l.walther,
+                    "with `temperature`, in place of `walther`"},
            "Two points through which the line goes");
   io.field("density", l.density, Quantity{unit::density, positive}, optional,
            "Of the oil, between dynamic and kinematic viscosity");
@@ -792,9 +793,24 @@ void fields(Io& io, Lubricant& l) {
 }
 
 template <class Io>
+void fields(Io& io, MixedFriction& m) {
+  io.field("boundary", m.boundary, Number{not_negative}, required,
+           "Coefficient of friction of flanks that touch");
+  io.field("exponent", m.exponent, Number{positive}, optional,
+           "Of (1 + film over roughness)^-exponent, the share of the load on flanks that touch");
+}
+
+template <class Io>
+void fields(Io& io, Wear& w) {
+  io.field("coefficient", w.coefficient, Quantity{unit::wear, positive}, required,
+           "Volume that both flanks lose for each force and sliding path (Archard)");
+}
+
+template <class Io>
 void fields(Io& io, Operation& o) {
   io.field("speed", o.speed, Quantity{unit::rotational_speed}, required,
-           "Screw against nut; its sign is that of the axial force (left-handed: either)");
+           "Screw against nut; with the sign of the axial force (left-handed: the other) the screw "
+           "drives, else the load");
   io.field("slip_ratio", o.slip_ratio, Number{{.least = 0.0, .greatest = 1.0}}, optional,
            "Imposed in place of that of the roller's equilibrium");
 }
@@ -820,6 +836,54 @@ void fields(Io& io, Carrier& c) {
            "Plain bearings of the roller's heads, lubricated, in place of roller_torque");
   io.field("gear_pressure_angle", c.gear_pressure_angle, Quantity{unit::angle, gear_pressure_angle},
            optional, "Of the gears between rollers and nut, inverted: and screw");
+}
+
+template <class Io>
+void fields(Io& io, Heat::Conductance& c) {
+  const Quantity conductance{unit::thermal_conductance, not_negative};
+  io.field("screw_ambient", c.screw_ambient, conductance, required,
+           "From the screw to its surroundings, its bearings included");
+  io.field("nut_ambient", c.nut_ambient, conductance, required,
+           "From the nut to its surroundings, its seat included");
+  io.field("rollers_ambient", c.rollers_ambient, conductance, optional,
+           "From all rollers to their surroundings");
+  io.field("screw_rollers", c.screw_rollers, conductance, optional,
+           "From the screw to all rollers");
+  io.field("rollers_nut", c.rollers_nut, conductance, optional, "From all rollers to the nut");
+}
+
+template <class Io>
+void fields(Io& io, Heat::DutyStep& s) {
+  const Quantity duration{unit::duration, positive};
+  io.field("load_case", s.load_case, Text{"pull"}, optional, "Name of the load case that acts");
+  io.field("duration", s.duration, duration,
+           required_only_if(s.load_case.has_value(), "with `load_case`"), "For how long it acts");
+  io.field("rest", s.rest, duration,
+           required_only_if(!s.load_case, "in place of `load_case` and `duration`"),
+           "For how long nothing moves");
+}
+
+template <class Io>
+void fields(Io& io, Heat::Capacity& c) {
+  const Quantity capacity{unit::heat_capacity, positive};
+  io.field("screw", c.screw, capacity, required, "Of the screw");
+  io.field("rollers", c.rollers, capacity, required, "Of all rollers");
+  io.field("nut", c.nut, capacity, required, "Of the nut");
+}
+
+template <class Io>
+void fields(Io& io, Heat& h) {
+  io.field("ambient", h.ambient, Quantity{unit::temperature, positive}, required,
+           "Temperature of the surroundings");
+  io.field("conductance", h.conductance, Block{}, required,
+           "Heat flow over the difference of temperature");
+  io.field("duty", h.duty, List{Block{}, 1}, optional,
+           "Load cases and rests one after the other, again and again");
+  io.field("capacity", h.capacity, Block{}, optional, "Heat capacities of the parts, for `duty`");
+  io.field("specific_heat", h.specific_heat, Quantity{unit::specific_heat, positive},
+           optional_only_if(!h.capacity, "in place of `capacity`"),
+           "Of all parts, for `duty`: their masses are those of `prs measures`, the screw's over "
+           "the length of the nut");
 }
 
 template <class Io>
@@ -940,8 +1004,11 @@ void fields(Io& io, CaseFile& file) {
            "Rms roughness Rq of the flanks, for the film ratio");
   io.field("lubricant", c.lubricant, Block{}, optional, "The oil, or the base oil of the grease");
   io.field("friction", c.friction, ChoiceUnder{"model"}, optional, "Law of friction");
+  io.field("wear", c.wear, Block{}, optional, "Wear of the flanks, for `prs slip`");
   io.field("operation", c.operation, Block{}, optional, "How the mechanism runs");
   io.field("carrier", c.carrier, Block{}, optional, "What acts on the rollers besides the threads");
+  io.field("heat", c.heat, Block{}, optional,
+           "How the parts get rid of the heat of friction, for `prs slip`");
   io.field("study", file.study, Block{}, optional, "What `prs study` varies");
   io.field("optimize", file.optimize, Block{}, optional,
            "What `prs optimize` varies, and its aims");

@@ -308,6 +308,9 @@ void read(const Written& w, std::string& value, const Verbatim& kind) {
   value = flow_text(w.node);
 }
 
+template <class T>
+void read(const Written& w, T& value, const Block& kind);
+
 /// Reads the alternative of a choice that the document names.
 class ChoiceReader : public Visitor {
  public:

@@ -69,6 +69,9 @@ class Values : public Visitor {
   Json json_ = Json::object();
 };
 
+template <class T>
+Json value_of(const Node* node, T& value, const Block& kind);
+
 /// Visits the alternatives of a choice for the one that holds.
 struct ChosenValue : Visitor {
   const Node* written;

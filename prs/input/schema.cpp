@@ -138,6 +138,9 @@ class Properties : public Visitor {
   Json required_ = Json::array();
 };
 
+template <class T>
+Json schema_of(T& value, const Block& kind);
+
 /// Visits the alternatives of a choice.
 class Alternatives : public Visitor {
  public:

@@ -87,6 +87,18 @@ constexpr Unit kThermalExpansion[] = {
 constexpr Unit kDuration[] = {
     {{"s"}}, {{"ms"}, 1.0, 1e3}, {{"min"}, 60.0}, {{"h"}, 3600.0}, {{"d"}, 86400.0}};
 
+constexpr Unit kWear[] = {{{"mm^3/(N m)", "mm^3/Nm", "mm³/(N m)"}, 1.0, 1e9},
+                          {{"um^3/(N m)", "µm^3/(N m)", "μm^3/(N m)"}, 1.0, 1e18},
+                          {{"m^3/(N m)", "m^3/Nm"}},
+                          {{"in^3/(lbf in)"}, kInch* kInch / kPoundForce}};
+
+constexpr Unit kThermalConductance[] = {{{"W/K"}}, {{"mW/K"}, 1.0, 1e3}};
+
+constexpr Unit kHeatCapacity[] = {{{"J/K"}}, {{"kJ/K"}, 1e3}};
+
+constexpr Unit kSpecificHeat[] = {{{"J/(kg K)", "J/kg/K", "J/(kg*K)"}},
+                                  {{"kJ/(kg K)", "kJ/kg/K", "kJ/(kg*K)"}, 1e3}};
+
 constexpr Unit kTemperature[] = {{{"degC", "°C", "C"}, 1.0, 1.0, 273.15},
                                  {{"K"}},
                                  {{"degF", "°F"}, 5.0, 9.0, 459.67 * 5.0 / 9.0}};
@@ -116,6 +128,10 @@ const Dimension thermal_expansion{"a coefficient of thermal expansion", "11.5 um
                                   kThermalExpansion};
 const Dimension duration{"a duration", "1 h", "s", kDuration};
 const Dimension share{"a share", "95 %", "%", kShare};
+const Dimension wear{"a wear coefficient", "1e-8 mm^3/(N m)", "mm^3/(N m)", kWear};
+const Dimension thermal_conductance{"a thermal conductance", "8 W/K", "W/K", kThermalConductance};
+const Dimension heat_capacity{"a heat capacity", "400 J/K", "J/K", kHeatCapacity};
+const Dimension specific_heat{"a specific heat", "460 J/(kg K)", "J/(kg K)", kSpecificHeat};
 }  // namespace unit
 
 namespace {
@@ -136,7 +152,11 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::temperature,
                                             &unit::thermal_expansion,
                                             &unit::duration,
-                                            &unit::share};
+                                            &unit::share,
+                                            &unit::wear,
+                                            &unit::thermal_conductance,
+                                            &unit::heat_capacity,
+                                            &unit::specific_heat};
 
 const Dimension* dimension_of(std::string_view symbol) {
   for (const Dimension* d : kDimensions)

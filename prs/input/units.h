@@ -44,6 +44,10 @@ extern const Dimension temperature;
 extern const Dimension thermal_expansion;
 extern const Dimension duration;
 extern const Dimension share;
+extern const Dimension wear;
+extern const Dimension thermal_conductance;
+extern const Dimension heat_capacity;
+extern const Dimension specific_heat;
 }  // namespace unit
 
 /// All dimensions, in the order in which they are shown.

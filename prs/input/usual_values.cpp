@@ -59,6 +59,15 @@ constexpr UsualValue kUsual[] = {
     {"lubricant.density", "600 kg/m^3", "2100 kg/m^3", "mineral oil has 860 kg/m^3 to 900 kg/m^3"},
     {"lubricant.pressure_viscosity", "3 1/GPa", "60 1/GPa", "oils have 10 1/GPa to 35 1/GPa"},
     {"lubricant.eyring_stress", "0.5 MPa", "50 MPa", "oils have 2 MPa to 20 MPa"},
+    // From full films to steel on steel without oil.
+    {"wear.coefficient", "1e-13 mm^3/(N m)", "1e-2 mm^3/(N m)",
+     "lubricated steel has about 1e-8 mm^3/(N m)"},
+    {"heat.ambient", "200 K", "570 K", "-50 degC to 200 degC"},
+    // From a nut of a few mm in still air to one cooled by oil.
+    {"heat.conductance.screw_ambient", "", "1000 W/K", "some W/K through bearings and housing"},
+    {"heat.conductance.nut_ambient", "", "1000 W/K", "some W/K through seat and housing"},
+    {"heat.conductance.rollers_ambient", "", "1000 W/K", "none, in a closed nut"},
+    {"heat.specific_heat", "100 J/(kg K)", "3000 J/(kg K)", "steel has 460 J/(kg K)"},
     {"carrier.roller_torque", "", "50 N m", "some mN m"},
     {"measures.friction_coefficient", "0.001", "0.3", "catalogues have 0.01"},
     {"measures.yield_strength", "100 MPa", "4 GPa", "steel has 300 MPa to 2 GPa"},

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "prs/input/field.h"
 
@@ -67,6 +68,24 @@ class ChoiceText : public Visitor {
     if (selector == value) text = fmt::format("{{{}: {}}}", name, text_of(content, kind));
   }
 };
+
+/// Visits the keys of a block for their values.
+class BlockText : public Visitor {
+ public:
+  std::vector<std::string> items;
+
+  template <class T, class Kind>
+  void field(std::string_view key, T& value, const Kind& kind, Presence, std::string_view) {
+    items.push_back(fmt::format("{}: {}", key, text_of(value, kind)));
+  }
+};
+
+template <class T>
+std::string text_of(T value, const Block&) {
+  BlockText block;
+  fields(block, value);
+  return fmt::format("{{{}}}", fmt::join(block.items, ", "));
+}
 
 template <class T>
 std::string text_of(T value, const Choice&) {

@@ -91,10 +91,12 @@ ContactSolver full_solver(const LifeModel& model, Direction d) {
   const LoadCase load = load_case_of(model, d);
   SpatialLoad::Orbit turn = load.spatial.orbit.value_or(SpatialLoad::Orbit{});
   turn.exponent = kLifeExponent;
-  return [&model, d, load, turn](double force) {
+  const auto solver = std::make_shared<FullSolver>();
+  return [&model, d, load, turn, solver](double force) {
     LoadCase at = load;
     at.axial_force = force;
-    const std::optional<Orbit> orbit = full_orbit(at, model.c, model.contacts, model.laws, turn);
+    const std::optional<Orbit> orbit =
+        full_orbit(at, model.c, model.contacts, model.laws, *solver, turn);
     if (!orbit) return std::optional<ContactLoads>();
     const RatedContacts rated = model.rated();
     ContactLoads loads;
@@ -143,15 +145,16 @@ LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactS
     };
   std::vector<double> angles = {at.carrier_angle.screw};
   if (at.carrier_angle.nut != at.carrier_angle.screw) angles.push_back(at.carrier_angle.nut);
-  return [&model, load = load_case_of(model, d), angles](double force) {
+  const auto solver_of_all = std::make_shared<FullSolver>();
+  return [&model, load = load_case_of(model, d), angles, solver_of_all](double force) {
     LoadCase there = load;
     there.axial_force = force;
     LargestLoads largest;
     for (const Interface i : kInterfaces) largest[i].assign(model.rated().threads, 0.0);
     for (const double angle : angles) {
       there.spatial.carrier_angle = angle;
-      const FullDistribution solved =
-          full_distribution(there, model.c, model.contacts, model.laws, Detail::numbers);
+      const FullDistribution solved = full_distribution(there, model.c, model.contacts, model.laws,
+                                                        *solver_of_all, Detail::numbers);
       if (!solved.solve.converged()) return std::optional<LargestLoads>();
       for (const Interface i : kInterfaces)
         for (const std::vector<double>& roller : solved.normal_load[i])

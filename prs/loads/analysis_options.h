@@ -10,9 +10,13 @@ enum class Solver {
   chain,   ///< Station by station, several times as fast; `sparse` where it does not converge.
 };
 
+class FullSolver;
+
 struct AnalysisOptions {
   Detail detail = Detail::complete;
   Solver solver = Solver::sparse;
+  /// Of full mechanisms, for a thread that analyses many; null: one for each analysis.
+  FullSolver* full = nullptr;
 };
 
 /// Options for one of many designs.

@@ -69,13 +69,16 @@ Result analyze(const Conditions& c, Contacts contacts, AnalysisOptions options) 
   Result result = result_on(c, std::move(contacts), options.detail);
   const PerInterface<ContactLaw> laws = contact_laws(c, result.contacts);
   SolverPool pool(c, result.contacts, laws, options.solver);
+  FullSolver own;
+  FullSolver& full = options.full ? *options.full : own;
   for (const LoadCase& load_case : c.load_cases) {
     if (load_case.share == LoadCase::Share::equal) {
       add(result, equal_share_result(load_case, result.contacts, laws), options.detail);
       continue;
     }
     if (c.model.mechanism == ModelOptions::Mechanism::full) {
-      add(result, full_result(load_case, c, result.contacts, laws, options.detail), options.detail);
+      add(result, full_result(load_case, c, result.contacts, laws, full, options.detail),
+          options.detail);
       continue;
     }
     LoadDistribution loads =

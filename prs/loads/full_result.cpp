@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "prs/loads/load_case_result.h"
+#include "prs/sector/full/full_influence.h"
 
 namespace prs {
 namespace {
@@ -46,6 +47,21 @@ RollerShares roller_shares(const InterfaceLoads& loads, const FullModel& f, doub
   return s;
 }
 
+/// Bearings that push against each other with more than this many times the axial force leave
+/// balances of less than nine digits.
+constexpr double kForcedBearing = 1e3;
+
+std::optional<std::string> forced_bearings(const std::vector<SupportForce>& bearings,
+                                           double axial_force) {
+  double largest = 0.0;
+  for (const SupportForce& b : bearings) largest = std::max(largest, b.force.norm());
+  if (largest <= kForcedBearing * axial_force) return std::nullopt;
+  return fmt::format(
+      "structure.screw.bearings: they push against each other with {:.3g} kN, {:.2g} times the "
+      "axial force; check their `offset`, or give them a stiffness in place of `lateral: rigid`",
+      largest * 1e-3, largest / axial_force);
+}
+
 /// Rollers without anything of their own.
 bool alike(const Deviations& d) {
   return d.roller_diameters.empty() && d.roller_position.near.empty() &&
@@ -53,37 +69,63 @@ bool alike(const Deviations& d) {
          d.pitch_error.roller.lists.empty();
 }
 
-/// The mechanism under a load case at a carrier angle.
-auto models_of(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-               const PerInterface<ContactLaw>& laws) {
-  return [&](double carrier_angle) {
-    LoadCase at = load_case;
+/// A load case on all rollers, its models solved one after the other.
+class AllRollers {
+ public:
+  AllRollers(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
+             const PerInterface<ContactLaw>& laws, FullSolver& solver)
+      : load_case_(load_case), c_(c), contacts_(contacts), laws_(laws), solver_(solver) {
+    if (c.model.bodies == ModelOptions::Bodies::influence)
+      bodies_ = full_bodies(c, contacts, laws, model(load_case.spatial.carrier_angle));
+  }
+
+  bool influence() const { return bodies_.has_value(); }
+  FullModel model(double carrier_angle) const {
+    LoadCase at = load_case_;
     at.spatial.carrier_angle = carrier_angle;
-    return full_model(contacts.mechanism, *c.structure, *c.materials, c.model, laws, at,
-                      c.deviations);
-  };
-}
+    return full_model(contacts_.mechanism, *c_.structure, *c_.materials, c_.model, laws_, at,
+                      c_.deviations);
+  }
+  FullDistribution solved(const FullModel& model, Detail detail) const {
+    return bodies_ ? solve(model, *bodies_, detail) : solver_.solve(model, detail);
+  }
+  std::optional<Orbit> turned(const SpatialLoad::Orbit& wanted) const {
+    return orbit([this](double carrier_angle) { return model(carrier_angle); },
+                 [this](const FullModel& model) { return solved(model, Detail::numbers); }, wanted,
+                 load_case_.spatial.carrier_angle, alike(c_.deviations));
+  }
+
+ private:
+  const LoadCase& load_case_;
+  const Conditions& c_;
+  const Contacts& contacts_;
+  const PerInterface<ContactLaw>& laws_;
+  FullSolver& solver_;
+  std::optional<FullBodies> bodies_;
+};
 
 }  // namespace
 
 FullDistribution full_distribution(const LoadCase& load_case, const Conditions& c,
                                    const Contacts& contacts, const PerInterface<ContactLaw>& laws,
-                                   Detail detail) {
-  return solve(models_of(load_case, c, contacts, laws)(load_case.spatial.carrier_angle), detail);
+                                   FullSolver& solver, Detail detail) {
+  const AllRollers all(load_case, c, contacts, laws, solver);
+  return all.solved(all.model(load_case.spatial.carrier_angle), detail);
 }
 
 std::optional<Orbit> full_orbit(const LoadCase& load_case, const Conditions& c,
                                 const Contacts& contacts, const PerInterface<ContactLaw>& laws,
-                                const SpatialLoad::Orbit& wanted) {
-  return orbit(models_of(load_case, c, contacts, laws), wanted, load_case.spatial.carrier_angle,
-               alike(c.deviations));
+                                FullSolver& solver, const SpatialLoad::Orbit& wanted) {
+  return AllRollers(load_case, c, contacts, laws, solver).turned(wanted);
 }
 
 LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-                           const PerInterface<ContactLaw>& laws, Detail detail) {
+                           const PerInterface<ContactLaw>& laws, FullSolver& solver,
+                           Detail detail) {
   const SpatialLoad& load = load_case.spatial;
-  const FullModel f = models_of(load_case, c, contacts, laws)(load.carrier_angle);
-  FullDistribution d = solve(f, detail);
+  const AllRollers all(load_case, c, contacts, laws, solver);
+  const FullModel f = all.model(load.carrier_angle);
+  FullDistribution d = all.solved(f, detail);
   LoadDistribution flattened;
   flattened.solve = d.solve;
   flattened.axial_displacement = d.axial_displacement;
@@ -105,7 +147,15 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   full.nut = d.nut;
   full.rings = std::move(d.rings);
   full.bearings = std::move(d.bearings);
-  full.symmetric = symmetric_loads(f);
+  if (all.influence()) {
+    Conditions nominal = c;
+    nominal.deviations = {};
+    full.symmetric = symmetric_loads(
+        f, influence_solver(nominal, contacts, laws, *load_case.direction, *load_case.position)
+               .solve(f.axial_force));
+  } else {
+    full.symmetric = symmetric_loads(f);
+  }
   full.symmetric_stiffness = f.axial_force / full.symmetric.axial_displacement;
   for (const Interface i : kInterfaces) {
     InterfaceLoads& loads = (*result.threads)[i];
@@ -113,7 +163,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     loads.rollers = roller_shares(loads, f, full.symmetric.largest_normal_load[i]);
   }
   if (load.orbit) {
-    full.orbit = full_orbit(load_case, c, contacts, laws, *load.orbit);
+    full.orbit = all.turned(*load.orbit);
     if (!full.orbit)
       result.warnings.push_back(
           "the orbit was left out: at some position of the carrier there is no equilibrium");
@@ -131,6 +181,8 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
           "would touch, which the model leaves out",
           label(i), opening * 1e3, point.backlash * 1e3));
   }
+  if (std::optional<std::string> warning = forced_bearings(d.bearings, f.axial_force))
+    result.warnings.push_back(std::move(*warning));
   result.full = std::make_shared<const FullLoads>(std::move(full));
   return result;
 }

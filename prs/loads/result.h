@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fe/newton.h"
+#include "prs/loads/heat_result.h"
 #include "prs/loads/slip_result.h"
 #include "prs/model/load_case.h"
 #include "prs/model/model_options.h"
@@ -56,6 +57,7 @@ struct LoadCaseResult {
   std::optional<PerInterface<InterfaceLoads>> threads;  ///< Absent where not converged.
   std::shared_ptr<const FullLoads> full;  ///< Of the full mechanism, see full_result.h.
   std::optional<SlipResult> slip;         ///< Where it was asked for and the loads are known.
+  std::optional<HeatResult> heat;         ///< With `heat` the slip is that at its temperatures.
   std::vector<std::string> warnings;
 
   bool converged() const { return !solve || solve->converged(); }
@@ -66,6 +68,7 @@ struct Result {
   Contacts contacts;
   ModelOptions model;
   std::vector<LoadCaseResult> load_cases;
+  std::optional<HeatCycle> heat_cycle;  ///< Where the case has a duty.
   std::vector<std::string> warnings;
 };
 

@@ -9,9 +9,10 @@
 
 namespace prs {
 
-/// Friction at the threads of one interface of one roller, thread 1 first. SI units. An open thread
-/// has zeros.
+/// Friction at the threads of one interface of one roller, thread 1 first; of a full mechanism
+/// roller after roller. SI units. An open thread has zeros.
 struct InterfaceSlip {
+  int threads_per_roller = 0;                ///< Of a full mechanism; 0: one roller stands for all.
   std::vector<double> power;                 ///< W_M, lost, >= 0 [W] (Sandu 2018, (3.51))
   std::vector<double> power_density;         ///< Over the ellipse pi a b [W/m^2]
   std::vector<double> friction_coefficient;  ///< mu_a, mean over the points (2.40)
@@ -21,7 +22,9 @@ struct InterfaceSlip {
   std::vector<double> film_thickness;        ///< Sandu's h_c [m] (2.39); empty without lubricant.
   std::vector<double> central_film;          ///< By Nijenbanning, Venner and Moes [m]; the same.
   std::vector<double> film_ratio;            ///< Lambda, central film over roughness, if given.
+  std::vector<double> boundary_share;        ///< Of the load on flanks that touch; with film_ratio.
   std::vector<double> dynamic_normal_load;   ///< N_M [N] (3.11), (3.12)
+  std::vector<double> wear;  ///< Volume of both bodies over travel [m^3/m]; empty without `wear`.
 };
 
 /// Power that the whole mechanism loses to each source of friction, >= 0 [W].
@@ -66,9 +69,14 @@ enum class SlipStatus {
 
 std::string_view name(SlipStatus status);
 
+/// Whose power goes into the mechanism: force x speed x lead > 0 of a screw that drives its load.
+enum class DrivenBy { screw, load };
+
+constexpr std::string_view name(DrivenBy by) { return by == DrivenBy::screw ? "screw" : "load"; }
+
 struct ThreadOf {
   Interface interface = Interface::screw;
-  int thread = 0;  ///< From 0.
+  int thread = 0;  ///< Place in the lists of the interface.
 };
 
 /// Slip if all threads carried the same load.
@@ -97,7 +105,11 @@ struct SlipResult {
   PerInterface<InterfaceSlip> threads;
   PowerBySource power;
   double power_loss_input_output = 0.0;  ///< Input less output [W] (3.53)
-  std::optional<double> efficiency;      ///< Output over input, (3.52); absent where self-locking.
+  DrivenBy driven_by = DrivenBy::screw;
+  std::optional<double> efficiency;  ///< Output over input, (3.52); absent where self-locking.
+  // Only where the load drives:
+  std::optional<bool> self_locking;      ///< No power comes out: the shaft has to drive as well.
+  std::optional<double> holding_torque;  ///< C_S in the sense of the motion [N m]: < 0 brakes.
   /// (3.55), Sandu's fit near his reference example; absent with Coulomb.
   std::optional<double> efficiency_fit;
   double torque_screw = 0.0;  ///< C_S, by the drive on the screw [N m] (3.30)
@@ -105,7 +117,7 @@ struct SlipResult {
   RollerMoments moments;
   RollerForces forces;
   std::optional<double> bearing_eccentricity;  ///< e/c of the roller heads.
-  std::optional<double> viscosity;             ///< eta_0 in operation [Pa s]; none without oil.
+  std::optional<double> viscosity;             ///< eta_0 in operation, mean oil [Pa s].
 
   ThreadOf hottest;                            ///< Thread with the largest power density.
   std::optional<EqualShareSlip> equal_shares;  ///< Only for solved cases.

@@ -19,6 +19,7 @@
 #include "prs/measures/transmission.h"
 #include "prs/measures/yang_distribution.h"
 #include "prs/model/units.h"
+#include "prs/slip/slip.h"
 #include "prs/threads/thread_clearance.h"
 
 namespace prs {
@@ -395,6 +396,7 @@ LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
     if (speed && *speed > 0.0) m.life_hours = *m.life * 2.0 * std::numbers::pi / *speed / 3600.0;
   }
   if (measures.efficiency) m.drive_torque = drive_torque(force, lead, *measures.efficiency);
+  m.back_driving_efficiency = prs::back_driving_efficiency(c, contacts, result);
   if (speed && *speed > 0.0) m.speed_safety = ratio(measures.critical_speed, speed);
   return m;
 }

@@ -82,6 +82,8 @@ struct LoadMeasures {
   std::optional<double> life_travel;  ///< [m]
   // Drive
   std::optional<double> drive_torque;  ///< By the estimate of efficiency [N m].
+  /// Travel into rotation, by slip; absent where self-locking, or without friction or speed.
+  std::optional<double> back_driving_efficiency;
   std::optional<double> speed_safety;  ///< Critical over operating speed, where the screw turns.
 };
 

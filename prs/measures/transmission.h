@@ -42,9 +42,9 @@ double efficiency(double lead, double screw_diameter, double friction_coefficien
 
 /// Efficiency of turning travel into rotation, 1 - pi d_S mu/l = 2 - 1/eta, by the same argument.
 /// Absent where it is not positive: the screw is self-locking. A rough estimate: where the screw
-/// itself drives at 0.77 to 0.89, it misses a maker's values by -0.07 to +0.01 and `slip` with the
-/// lead negated by -0.06 to -0.03, as rolling and spinning contacts lose about the same share of
-/// the power both ways.
+/// itself drives at 0.77 to 0.89, it misses a maker's values by -0.07 to +0.01 and those of slip by
+/// -0.06 to -0.03, as rolling and spinning contacts lose about the same share of the power both
+/// ways.
 std::optional<double> back_driving_efficiency(double lead, double screw_diameter,
                                               double friction_coefficient);
 

@@ -22,8 +22,6 @@ void check_thickness(const Case& c, Problems& problems);
 
 /// What only a full mechanism knows, and what it does not know yet.
 void check_full_mechanism(const Case& c, Problems& problems);
-/// Commands that a full mechanism does not have yet.
-void require_sector(const Case& c, std::string_view command, Problems& problems);
 
 void check_load_cases(const Case& c, Problems& problems);
 /// The roller's contacts, from the first at the position, must lie on the nut. `block` states it.
@@ -37,18 +35,22 @@ void check_deviations(const Case& c, Problems& problems);
 /// An axial or radial offset of threads must lie within `kMostDeviation`.
 void check_offset(const char* path, double offset, const Mechanism& m, Problems& problems);
 
-/// The viscosity as it stands, or as it follows from the temperature.
-void check_lubricant(const Lubricant& l, Problems& problems);
+/// The viscosity as it stands, or as it follows from the temperature: that of the file, or any
+/// with `heat`.
+void check_lubricant(const Lubricant& l, const std::optional<Heat>& heat, Problems& problems);
 void check_carrier(const Carrier& carrier, Problems& problems);
 
 void check_preload(const Case& c, Problems& problems);
 void check_life(const Case& c, Problems& problems);
+void check_heat(const Case& c, Problems& problems);
 
 // What commands need of their blocks.
 
 void require_preload(const Case& c, Problems& problems);
 void require_life(const Case& c, Problems& problems);
-void require_slip(const Case& c, Problems& problems);
+void require_slip(const Conditions& c, Problems& problems);
+/// What `slip` needs where the case states `heat`.
+void require_heat(const Case& c, Problems& problems);
 
 inline constexpr std::string_view kMaterialsExample =
     "{youngs_modulus: 210 GPa, poisson_ratio: 0.3}";

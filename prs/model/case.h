@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "prs/model/deviations.h"
+#include "prs/model/heat.h"
 #include "prs/model/life.h"
 #include "prs/model/load_case.h"
 #include "prs/model/materials.h"
@@ -38,9 +39,11 @@ struct Conditions {
   std::optional<MeasureOptions> measures;
   std::optional<Lubricant> lubricant;
   std::optional<Friction> friction;
+  std::optional<Wear> wear;
   std::optional<Operation> operation;
   Carrier carrier;
   std::optional<PerPart<double>> roughness;  ///< Rq of the flanks, rms [m].
+  std::optional<Heat> heat;
 };
 
 /// Everything that a file states.

@@ -18,8 +18,9 @@ std::vector<Problem> check_case(const Case& c) {
   check_full_mechanism(c, problems);
   if (c.preload) check_preload(c, problems);
   if (c.life) check_life(c, problems);
-  if (c.lubricant) check_lubricant(*c.lubricant, problems);
+  if (c.lubricant) check_lubricant(*c.lubricant, c.heat, problems);
   check_carrier(c.carrier, problems);
+  if (c.heat) check_heat(c, problems);
   return std::move(problems).take();
 }
 

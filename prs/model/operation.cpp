@@ -62,12 +62,15 @@ contact::Lubricant in_operation(const Lubricant& lubricant) {
                              : at_temperature(lubricant, *lubricant.temperature);
 }
 
+bool has_operating_point(const Lubricant& l) { return l.viscosity || l.temperature; }
+
 Lubricant resolved(const Lubricant& lubricant) {
   if (!lubricant.name) return lubricant;
   Lubricant l = with_data_of_name(lubricant);
+  l.eyring_stress = l.eyring_stress.value_or(kTypicalEyringStress);
+  if (!has_operating_point(l)) return l;
   const contact::Lubricant in = in_operation(l);
   l.pressure_viscosity = in.pressure_viscosity;
-  l.eyring_stress = in.eyring_stress;
   return l;
 }
 
@@ -79,19 +82,19 @@ std::string origin_of(std::string_view key, LubricantName name) {
 
 std::string estimates_note(const Lubricant& l) {
   if (!l.name || (l.pressure_viscosity && l.eyring_stress)) return {};
-  const contact::Lubricant in = in_operation(l);
   std::string values, keys;
   const auto add = [](std::string& list, const std::string& item) {
     list += list.empty() ? item : " and " + item;
   };
   if (!l.pressure_viscosity) {
-    add(values,
-        fmt::format("pressure-viscosity {:.3g} 1/GPa (Gold 2001)", 1e9 * in.pressure_viscosity));
+    add(values, has_operating_point(l) ? fmt::format("pressure-viscosity {:.3g} 1/GPa (Gold 2001)",
+                                                     1e9 * in_operation(l).pressure_viscosity)
+                                       : "pressure-viscosity (Gold 2001)");
     add(keys, "`pressure_viscosity`");
   }
   if (!l.eyring_stress) {
     add(values,
-        fmt::format("Eyring stress {:.3g} MPa (oils have 2 to 10)", 1e-6 * in.eyring_stress));
+        fmt::format("Eyring stress {:.3g} MPa (oils have 2 to 10)", 1e-6 * kTypicalEyringStress));
     add(keys, "`eyring_stress`");
   }
   return fmt::format("{} of {} by estimate; efficiency follows them; state {} where measured",

@@ -44,6 +44,9 @@ inline constexpr double kTypicalEyringStress = 5e6;
 /// there, see `contact::gold_pressure_viscosity`.
 contact::Lubricant at_temperature(const Lubricant& lubricant, double temperature);
 
+/// Whether the file states the temperature or the viscosity in operation; with `heat` it need not.
+bool has_operating_point(const Lubricant& lubricant);
+
 /// The lubricant at its operating temperature, or with the viscosity stated for it. The case must
 /// have passed `check_case`.
 contact::Lubricant in_operation(const Lubricant& lubricant);
@@ -61,14 +64,29 @@ std::string origin_of(std::string_view key, LubricantName name);
 /// Which values of a lubricant are estimates, and how to replace them; empty where all are stated.
 std::string estimates_note(const Lubricant& lubricant);
 
+/// Flanks that a film parts in part only (Olver and Spikes 1998), see `contact::Patch`.
+struct MixedFriction {
+  double boundary = 0.0;  ///< Coefficient without film.
+  double exponent = 2.0;  ///< Of the share of touching flanks, `contact::boundary_share`.
+};
+
 struct Friction {
-  enum class Model { jacod, coulomb };
+  enum class Model { jacod, coulomb, mixed };
   Model model = Model::jacod;
   double coefficient = 0.0;  ///< Coulomb only.
+  MixedFriction mixed = {};
+
+  bool of_film() const { return model != Model::coulomb; }
+};
+
+/// Wear of flanks by Archard (J. Appl. Phys. 24, 1953, 981): volume = k times the integral of
+/// pressure times sliding path, from both bodies together.
+struct Wear {
+  double coefficient = 0.0;  ///< k [m^3/(N m)]
 };
 
 struct Operation {
-  double speed = 0.0;  ///< Screw against nut [rad/s]; sign with the force as in Sandu (3.2).
+  double speed = 0.0;                ///< Screw against nut [rad/s].
   std::optional<double> slip_ratio;  ///< Imposed; else from the roller's equilibrium.
 };
 

@@ -67,40 +67,44 @@ std::optional<contact::WaltherLine> line_through(const std::vector<ViscosityPoin
   return contact::walther_line(cold.temperature, cold.viscosity, hot.temperature, hot.viscosity);
 }
 
-/// The screw drives the load where force and speed have one sign. A left-handed screw may also be
-/// driven by its load.
-void check_speed(const LoadCase& load, double speed, const Mechanism& m, Problems& problems) {
-  const double force = axial_force_on_nut(load);
-  const std::string path = load.input_path + (load.speed ? ".speed" : "");
+/// Either sense: force and speed say whether screw or load drives.
+void check_speed(const LoadCase& load, double speed, Problems& problems) {
   if (speed == 0.0)
-    problems.add(load.speed ? path : "operation.speed",
+    problems.add(load.speed ? load.input_path + ".speed" : "operation.speed",
                  fmt::format("got {} in case `{}`; expected a speed other than 0: at rest nothing "
                              "slips; change `operation.speed` or give the case a `speed` of its "
                              "own",
                              rpm(speed), load.name));
-  else if (m.lead > 0.0 && force * speed <= 0.0)
-    problems.add(path,
-                 fmt::format("got {} of axial force and {} in case `{}`; expected both of one sign "
-                             "(tension > 0, compression < 0), so that the screw drives the load; "
-                             "change the sign of the speed or give the case a `speed` of its own",
-                             newton(force), rpm(speed), load.name));
 }
 
 }  // namespace
 
-void check_lubricant(const Lubricant& lubricant, Problems& problems) {
+void check_lubricant(const Lubricant& lubricant, const std::optional<Heat>& heat,
+                     Problems& problems) {
   const Lubricant l = with_data_of_name(lubricant);
+  const bool has_line = l.walther || !l.viscosity_at.empty();
+  if (heat && (l.viscosity || !has_line))
+    return problems.add(
+        l.viscosity ? "lubricant.viscosity" : "lubricant.viscosity_at",
+        fmt::format("{}; expected a viscosity that follows the temperature, as `heat` computes it; "
+                    "state `name`, `viscosity_at` or `walther` in its place",
+                    l.viscosity ? fmt::format("got {:.7g} mPa s", 1e3 * *l.viscosity) : "missing"));
   if (l.viscosity && *l.viscosity <= contact::kRoelandsViscosity)
     problems.add("lubricant.viscosity",
                  fmt::format("got {:.7g} mPa s; expected more than {:.4f} mPa s, below which "
                              "Roelands' viscosity falls with pressure; check the unit",
                              1e3 * *l.viscosity, 1e3 * contact::kRoelandsViscosity));
-  if (l.name && !l.viscosity && !l.temperature)
-    problems.add("lubricant.temperature",
-                 fmt::format("missing; expected the temperature in operation, at which {} has its "
-                             "viscosity; add `temperature: 60 degC`, for example",
-                             data_of(*l.name).name));
-  if (!l.temperature) return;
+  if (!l.viscosity && !l.temperature && !heat) {
+    if (!has_line)
+      return problems.add("lubricant.viscosity",
+                          "missing; expected a dynamic viscosity > 0 (in place of `temperature`); "
+                          "add for example `viscosity: 160 mPa s`");
+    return problems.add("lubricant.temperature",
+                        fmt::format("missing; expected the temperature in operation, at which {} "
+                                    "has its viscosity; add `temperature: 60 degC`, for example",
+                                    l.name ? data_of(*l.name).name : "the oil"));
+  }
+  if (l.viscosity) return;
   const bool kinematic = l.walther || std::ranges::any_of(l.viscosity_at, [](const auto& p) {
                            return p.kinematic_viscosity.has_value();
                          });
@@ -113,14 +117,15 @@ void check_lubricant(const Lubricant& lubricant, Problems& problems) {
           ? l.walther
           : line_through(l.viscosity_at, l.density.value_or(contact::kTypicalOilDensity), problems);
   if (!line) return;
-  const double viscosity = contact::kinematic_viscosity(*line, *l.temperature);
+  const double temperature = heat ? heat->ambient : *l.temperature;
+  const double viscosity = contact::kinematic_viscosity(*line, temperature);
   if (viscosity > contact::kLeastKinematicViscosity &&
       viscosity <= contact::kGreatestKinematicViscosity)
     return;
-  problems.add("lubricant.temperature",
+  problems.add(heat ? "heat.ambient" : "lubricant.temperature",
                fmt::format("got {}, where the oil's line gives {}; expected more than {} and at "
                            "most {} there, within ASTM D341; check the temperature and {}",
-                           celsius(*l.temperature), mm2_per_s(viscosity),
+                           celsius(temperature), mm2_per_s(viscosity),
                            mm2_per_s(contact::kLeastKinematicViscosity),
                            mm2_per_s(contact::kGreatestKinematicViscosity),
                            l.walther                        ? "`walther`"
@@ -150,12 +155,18 @@ void check_carrier(const Carrier& carrier, Problems& problems) {
                              mm(b.length), mm(2.0 * b.diameter)));
 }
 
-void require_slip(const Case& c, Problems& problems) {
+void require_slip(const Conditions& c, Problems& problems) {
   if (!c.friction)
     problems.add_missing("friction", "a law of friction for `slip`", "{model: jacod}");
-  if (c.friction && c.friction->model == Friction::Model::jacod && !c.lubricant)
-    problems.add_missing("lubricant", "the lubricant for `friction: {model: jacod}`",
-                         kLubricantExample);
+  const bool mixed = c.friction && c.friction->model == Friction::Model::mixed;
+  if (c.friction && c.friction->of_film() && !c.lubricant)
+    problems.add_missing(
+        "lubricant",
+        fmt::format("the lubricant for `friction: {{model: {}}}`", mixed ? "{mixed: ..}" : "jacod"),
+        kLubricantExample);
+  if (mixed && !c.roughness)
+    problems.add_missing("roughness", "the Rq of the flanks for `friction: {model: {mixed: ..}}`",
+                         "0.4 um");
   if (c.carrier.bearing && !c.lubricant)
     problems.add_missing("lubricant",
                          "the lubricant of `carrier.bearing`, whatever the law of friction",
@@ -165,7 +176,7 @@ void require_slip(const Case& c, Problems& problems) {
       problems.add_missing("operation", "the speed for `slip`", "{speed: 400 rpm}");
       continue;
     }
-    check_speed(load, load.speed ? *load.speed : c.operation->speed, c.mechanism, problems);
+    check_speed(load, load.speed ? *load.speed : c.operation->speed, problems);
   }
 }
 

@@ -40,8 +40,8 @@ std::vector<Problem> missing(const Case& c, Command command) {
     problems.add("load_cases",
                  "got equal shares in each; expected one that the models solve; add a load case "
                  "without `share: equal` for `compare`");
-  if (command == Command::slip) require_sector(c, name(command), problems);
   if (command == Command::slip) require_slip(c, problems);
+  if (command == Command::slip && c.heat) require_heat(c, problems);
   if (command == Command::preload) require_preload(c, problems);
   if (command == Command::life) require_life(c, problems);
   return std::move(problems).take();

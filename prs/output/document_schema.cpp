@@ -9,6 +9,7 @@
 #include "prs/input/schema.h"
 #include "prs/quantities/comparison_quantities.h"
 #include "prs/quantities/contact_quantities.h"
+#include "prs/quantities/heat_quantities.h"
 #include "prs/quantities/life_quantities.h"
 #include "prs/quantities/measure_quantities.h"
 #include "prs/quantities/preload_quantities.h"
@@ -388,7 +389,11 @@ constexpr Document kDocuments[] = {
     {"check", put_check},
     {"contact", put_load_cases},
     {"solve", put_load_cases},
-    {"slip", put_load_cases},
+    {"slip",
+     [](Parts& d) {
+       put_load_cases(d);
+       d.put_record<HeatCycle>("heat_cycle");
+     }},
     {"compare",
      [](Parts& d) {
        put_contacts(d);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "prs/configurations/heat_estimate.h"
 #include "prs/configurations/roller_spacing.h"
 #include "prs/model/groove.h"
 #include "prs/model/quantity_text.h"
@@ -42,6 +43,8 @@ std::string length_text(const std::optional<double>& given, double otherwise) {
   return given ? exact(*given) : mm(otherwise);
 }
 std::string kilonewton(double force) { return fmt::format("{:.7g} kN", 1e-3 * force); }
+
+using ModelOf = ModelOptions::Mechanism;
 
 bool is_standard(const CompleteScrew& s) { return s.data.type == Mechanism::Type::standard; }
 
@@ -160,23 +163,32 @@ std::string mechanism_text(const CompleteScrew& s) {
                    "assumed: " + rule);
 }
 
-std::string structure_text(const CompleteScrew& s) {
+std::string structure_text(const CompleteScrew& s, ModelOf model) {
   const Structure& of = *s.c.structure;
   const ScrewData& d = s.data;
-  const bool standard = is_standard(s);
+  const bool standard = is_standard(s), full = model == ModelOf::full;
   return "\nstructure:\n" +
-         case_line(
-             fmt::format("  screw: {{bore: 0 mm, free_length: {}}}", mm(of.screw.free_length)),
-             fmt::format("assumed: solid; loaded at {}, add your shaft's length",
-                         standard ? "the nut's face" : "the end of the rollers")) +
+         case_line(fmt::format("  screw: {{bore: 0 mm, free_length: {}{}}}",
+                               mm(of.screw.free_length), full ? ", far_length: 0 mm" : ""),
+                   fmt::format("assumed: solid; loaded at {}, add your shaft's length{}",
+                               standard ? "the nut's face" : "the end of the rollers",
+                               full ? "; far_length: of the shaft behind the last contact" : "")) +
+         (full ? case_remark(
+                     "assumed: the rollers alone hold the screw across its axis; bearings of its "
+                     "shaft: see `bearings` in docs/full_mechanism.md",
+                     2)
+               : "") +
          case_remark(
              standard
                  ? "assumed: toothed ends over 0.9 of the length that the threads leave in the "
                    "nut, 0.92 of the rollers' diameter, after inertias of a catalogue"
                  : "assumed: toothed ends 0.7 of the rollers' diameter long and 0.92 thick",
              2) +
-         fmt::format("  roller: {{end_length: {}, end_diameter: {}, guidance: both_end_nodes}}\n",
-                     mm(of.roller.end_length), mm(of.roller.end_diameter)) +
+         fmt::format("  roller: {{end_length: {}, end_diameter: {}, guidance: both_end_nodes{}}}\n",
+                     mm(of.roller.end_length), mm(of.roller.end_diameter),
+                     !full      ? ""
+                     : standard ? ", rings: nut"
+                                : ", rings: screw") +
          "  nut:\n" +
          case_line(
              fmt::format("    length: {}", length_text(d.nut_length, of.nut.length)),
@@ -200,27 +212,53 @@ std::string structure_text(const CompleteScrew& s) {
          case_line(fmt::format("    thrust: {{tension: 0 mm, compression: {}}}",
                                length_text(d.nut_length, of.nut.length)),
                    "assumed: the housing holds the nut at its end faces; with a flange, see "
-                   "`structure.nut.flanges`");
+                   "`structure.nut.flanges`") +
+         (full ? case_line("    housing: {axial: rigid, lateral: rigid, tilt: rigid}",
+                           "assumed: the nut's seat does not give; or as 5e5 N/mm, 2e5 N m/rad")
+               : "");
 }
 
-std::string loads_text(const CompleteScrew& s) {
+/// Model, and what of all rollers is no load.
+std::string model_text(ModelOf model) {
+  if (model == ModelOf::sector)
+    return case_line("model: {bodies: refined}",
+                     "or bars, faster but stiffer; or influence, slower: see `prs compare`");
+  return case_line("model: {mechanism: full, bodies: bars}",
+                   "all rollers on a screw and a nut that bend; or sector, one roller's share") +
+         case_remark(
+             "assumed: equal rollers, all there, and nominal threads; one value per roller or "
+             "start, in braces: deviations: {roller_diameter: [..], missing_rollers: [1], "
+             "index_error: {screw: [..]}, thread_eccentricity: {screw: {y: 4 um, z: 0 um}}}");
+}
+
+/// Loads across the axis, misalignment and a turn of the carrier, of one load case.
+std::string spatial_text(ModelOf model) {
+  if (model == ModelOf::sector) return "";
+  return ",\n"
+         "     eccentricity: {y: 0 mm, z: 0 mm}, side_force: {y: 0 N, z: 0 N},\n"
+         "     moment: {y: 0 N m, z: 0 N m}, misalignment: {nut_tilt: {y: 0 mrad, z: 0 mrad}}";
+}
+
+std::string loads_text(const CompleteScrew& s, ModelOf model) {
   const ScrewData& d = s.data;
   const double turn = s.c.mechanism.lead > 0.0 ? 1.0 : -1.0;
-  return "\n" +
-         case_line("model: {bodies: refined}",
-                   "or bars, faster but stiffer; or influence, slower: see `prs compare`") +
+  return "\n" + model_text(model) +
          case_remark(
              origin_of(d.load.has_value(),
                        fmt::format("the load of {:g} GPa with equal shares, 9 % of the static "
                                    "capacity by 4.0 GPa, but no more than {:g} MPa in the screw",
                                    1e-9 * kModeratePressure, 1e-6 * kModerateStress)) +
-             "; rollers in the middle of the nut. The screw drives in both cases.") +
+             "; rollers in the middle of the nut. The screw drives in both cases." +
+             (model == ModelOf::full ? " Assumed: in line, no load across the axis; y and z lie "
+                                       "across it, roller 1 on y. What a turn of the carrier does: "
+                                       "add `orbit: {steps: 8}`."
+                                     : "")) +
          "load_cases:\n" +
          fmt::format(
-             "  - {{name: tension, axial_force: {0}, direction: tension, position: {1}}}\n"
+             "  - {{name: tension, axial_force: {0}, direction: tension, position: {1}{3}}}\n"
              "  - {{name: compression, axial_force: {0}, direction: compression, position: {1}, "
-             "speed: {2}}}\n",
-             kilonewton(s.load), mm(s.position), rpm(-turn * s.speed)) +
+             "speed: {2}{3}}}\n",
+             kilonewton(s.load), mm(s.position), rpm(-turn * s.speed), spatial_text(model)) +
          "\n" +
          case_line(
              fmt::format("operation: {{speed: {}}}", rpm(turn * s.speed)),
@@ -234,8 +272,25 @@ std::string lubricant_text(const CaseLubricant& l) {
       origin_of(!l.assumed, "others: `prs list lubricants`"));
 }
 
+/// Proposed length of the shaft between its supports [m].
+double shaft_length(const CompleteScrew& s) { return 20.0 * s.data.screw_diameter; }
+
+std::string heat_text(const CompleteScrew& s) {
+  const Heat::Conductance k = estimated_conductance(s, shaft_length(s));
+  return case_remark(fmt::format(
+             "For temperatures that follow from the losses, with `prs slip`, for example the next "
+             "two lines. Assumed: bare nut and shaft in still air, {:g} W/(m^2 K), and conduction "
+             "through the contact spots alone. A housing, grease and motion take several times as "
+             "much.",
+             kStillAir)) +
+         fmt::format(
+             "# heat: {{ambient: 25 degC, conductance: {{screw_ambient: {:.2g} W/K, "
+             "nut_ambient: {:.2g} W/K,\n"
+             "#   screw_rollers: {:.2g} W/K, rollers_nut: {:.2g} W/K}}}}\n",
+             k.screw_ambient, k.nut_ambient, k.screw_rollers, k.rollers_nut);
+}
+
 std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
-  const double d = s.data.screw_diameter;
   return case_line(fmt::format("friction: {{model: {{coulomb: {:g}}}}}", kFlankFriction),
                    "assumed: flanks that touch, 0.91 to 1.05 times the efficiencies of a "
                    "catalogue; jacod: full films") +
@@ -246,7 +301,7 @@ std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
          fmt::format("# carrier: {{bearing: {{length: {}, diameter: {}, radial_clearance: {}}}}}\n",
                      mm(0.5 * s.pitch_diameter.roller), mm(0.6 * s.pitch_diameter.roller),
                      mm(0.005 * s.pitch_diameter.roller)) +
-         "\nlife:\n" +
+         heat_text(s) + "\nlife:\n" +
          case_line(fmt::format("  position: {}", mm(s.position)),
                    "rollers in the middle of the nut") +
          case_line(
@@ -261,22 +316,24 @@ std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
                    "assumed: of the whole screw, for the estimate of "
                    "efficiency") +
          case_line("  yield_strength: 700 MPa", "assumed: core of a hardened screw, for buckling") +
-         case_line(fmt::format("  shaft: {{length: {}, ends: fixed_supported}}", mm(20.0 * d)),
-                   "assumed: 20 screw diameters between the supports") +
+         case_line(
+             fmt::format("  shaft: {{length: {}, ends: fixed_supported}}", mm(shaft_length(s))),
+             "assumed: 20 screw diameters between the supports") +
          "  # loaded_width: .. mm                # of a thread under one contact, for its tooth\n";
 }
 
 }  // namespace
 
 std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubricant,
-                       const std::string& origin) {
-  return case_heading(screw, origin) + mechanism_text(screw) + structure_text(screw) + "\n" +
+                       const std::string& origin, ModelOf model) {
+  return case_heading(screw, origin) + mechanism_text(screw) + structure_text(screw, model) + "\n" +
          case_line(
              fmt::format("materials: {{youngs_modulus: {:g} GPa, poisson_ratio: {:g}, density: "
-                         "{:g} kg/m^3}}",
-                         1e-9 * kSteel.youngs_modulus, kSteel.poisson_ratio, *kSteel.density),
+                         "{:g} kg/m^3, thermal_expansion: {:g} um/m/K}}",
+                         1e-9 * kSteel.youngs_modulus, kSteel.poisson_ratio, *kSteel.density,
+                         1e6 * *kSteel.thermal_expansion),
              "assumed: steel; density of a catalogue's screws") +
-         loads_text(screw) + rest_text(screw, lubricant);
+         loads_text(screw, model) + rest_text(screw, lubricant);
 }
 
 std::string configuration_case(const Configuration& c) {

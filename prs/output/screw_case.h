@@ -5,6 +5,7 @@
 
 #include "prs/configurations/complete_screw.h"
 #include "prs/configurations/configurations.h"
+#include "prs/model/model_options.h"
 
 namespace prs {
 
@@ -16,9 +17,11 @@ struct CaseLubricant {
 };
 
 /// The screw as a commented case for which every command but `preload`, `study` and `optimize` has
-/// all it needs. `origin` says in its first lines where the data come from.
+/// all it needs. `origin` says in its first lines where the data come from. A full mechanism has
+/// supports and loads across the axis as well.
 std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubricant,
-                       const std::string& origin);
+                       const std::string& origin,
+                       ModelOptions::Mechanism mechanism = ModelOptions::Mechanism::sector);
 
 /// A line of `prs configurations` as such a case.
 std::string configuration_case(const Configuration& c);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "prs/output/quantity_csv.h"
 #include "prs/quantities/slip_quantities.h"
 
@@ -36,7 +38,7 @@ std::string slip_csv(const Result& result, const CsvStyle& style) {
   scalar_header<SlipEstimates>(csv, "slip_ratio_");
   for (const PowerSource& source : kPowerSources) csv.text(fmt::format("{}_power_W", source.key));
   for (const char* key : {"hottest_interface", "hottest_thread", "hottest_thread_power_W",
-                          "hottest_thread_power_density_W_per_mm2"})
+                          "hottest_thread_power_density_W_per_mm2", "hottest_roller"})
     csv.text(key);
   scalar_header<EqualShareSlip>(csv, "equal_shares_");
   csv.end_row();
@@ -52,6 +54,9 @@ std::string slip_csv(const Result& result, const CsvStyle& style) {
 std::string slip_threads_csv(const Result& result, const CsvStyle& style) {
   CsvWriter csv(style);
   load_header(csv);
+  const bool all_rollers = std::ranges::any_of(
+      result.load_cases, [](const LoadCaseResult& r) { return r.full != nullptr; });
+  if (all_rollers) csv.text("roller");
   for (const char* key : {"interface", "thread", "axial_load_N"}) csv.text(key);
   series_header<InterfaceSlip>(csv);
   csv.end_row();
@@ -61,9 +66,11 @@ std::string slip_threads_csv(const Result& result, const CsvStyle& style) {
     for (const Interface i : kInterfaces) {
       const InterfaceSlip& slip = load_case.slip->threads[i];
       for (std::size_t k = 0; k < slip.power.size(); ++k) {
+        const auto row = static_cast<std::size_t>(slip.threads_per_roller);
         load_fields(csv, load_case.load_case);
+        if (all_rollers) csv.integer(row ? std::optional(k / row + 1) : std::nullopt);
         csv.text(name(i));
-        csv.integer(k + 1);
+        csv.integer(row ? k % row + 1 : k + 1);
         csv.number(entry((*load_case.threads)[i].axial_load, k));
         series_fields(csv, slip, k);
         csv.end_row();

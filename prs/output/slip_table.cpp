@@ -11,7 +11,9 @@
 #include "prs/output/case_table.h"
 #include "prs/output/table_units.h"
 #include "prs/output/warnings.h"
+#include "prs/quantities/heat_quantities.h"
 #include "prs/quantities/slip_quantities.h"
+#include "prs/slip/slip.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -77,8 +79,12 @@ std::string efficiency_lines(const SlipResult& slip) {
   const std::string fit = slip.efficiency_fit ? fmt::format("Sandu's fit {:.2f} %",
                                                             *slip.efficiency_fit * per_si::percent)
                                               : "";
+  if (slip.driven_by == DrivenBy::screw)
+    return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2), fit);
   return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2),
-                    slip.efficiency ? fit : "self-locking");
+                    slip.efficiency ? "the load drives" : "the load helps, self-locking") +
+         block_line("holding torque, N m", four_digits(shown(*slip.holding_torque, "N m")),
+                    slip.efficiency ? "holds back the load" : "turns the screw");
 }
 
 std::string torque_lines(const SlipResult& slip) {
@@ -114,7 +120,19 @@ constexpr RangeLine kRangeLines[] = {
     {"film by Sandu, nm", "film_thickness_nm", 0},
     {"central film, nm", "central_film_nm", 0},
     {"film over roughness", "film_ratio", 2},
+    {"share on touching flanks", "boundary_share", 3},
+    {"wear, mm³/km", "wear_mm3_per_km", 6},
 };
+
+/// `boundary–mixed`, from the thinnest film to the thickest.
+std::string regimes(const InterfaceSlip& slip) {
+  double least = HUGE_VAL, largest = 0.0;
+  for (const double ratio : slip.film_ratio)
+    if (ratio > 0.0) least = std::min(least, ratio), largest = std::max(largest, ratio);
+  if (least > largest) return std::string(kAbsent);
+  const std::string_view from = lubrication(least), to = lubrication(largest);
+  return from == to ? std::string(from) : fmt::format("{}–{}", from, to);
+}
 
 /// `0.0812–0.0934` over the threads that carry load.
 std::string range(const InterfaceSlip& slip, const RangeLine& line) {
@@ -142,14 +160,56 @@ std::string range_lines(const SlipResult& slip) {
     if (!quantity<InterfaceSlip>(line.key).value.series(slip.threads.screw).empty())
       lines += block_line(fmt::format("  {}", line.label), range(slip.threads.screw, line),
                           padded(range(slip.threads.nut, line), kValueWidth, false));
+  if (!slip.threads.screw.film_ratio.empty())
+    lines += block_line("  lubrication", regimes(slip.threads.screw),
+                        padded(regimes(slip.threads.nut), kValueWidth, false));
   return lines;
+}
+
+/// A line with a number for screw, rollers and nut; rollers may have none.
+std::string parts_line(std::string_view label, double screw, std::optional<double> rollers,
+                       double nut, int decimals) {
+  return block_line(label, fixed(screw, 1.0, decimals),
+                    padded(rollers ? fixed(rollers, 1.0, decimals) : "", kValueWidth, false) +
+                        padded(fixed(nut, 1.0, decimals), kValueWidth, false));
+}
+
+std::string heat_lines(const std::optional<HeatResult>& heat) {
+  if (!heat) return {};
+  const PartNumbers t = celsius_of(heat->temperature);
+  std::string lines =
+      block_line("heat balance", "screw",
+                 padded("rollers", kValueWidth, false) + padded("nut", kValueWidth, false));
+  lines += parts_line("  temperature, °C", t.screw, t.rollers, t.nut, 2);
+  if (heat->oil) {
+    const InterfaceNumbers oil = celsius_of(*heat->oil);
+    lines += parts_line("  oil at the contacts, °C", oil.screw, std::nullopt, oil.nut, 2);
+  }
+  return lines + parts_line("  heat from friction, W", heat->heat.screw, heat->heat.roller,
+                            heat->heat.nut,
+                            decimals_of(heat->heat.screw + heat->heat.roller + heat->heat.nut));
+}
+
+std::string cycle_block(const HeatCycle& cycle) {
+  std::string lines = fmt::format("duty cycle: {:.7g} s\n", cycle.period);
+  if (!cycle.converged()) return lines + fmt::format("  NOT CONVERGED ({})\n", name(cycle.status));
+  const PartNumbers peak = celsius_of(cycle.peak), mean = celsius_of(cycle.mean);
+  lines += block_line("temperature", "screw",
+                      padded("rollers", kValueWidth, false) + padded("nut", kValueWidth, false));
+  lines += parts_line("  peak, °C", peak.screw, peak.rollers, peak.nut, 2);
+  lines += parts_line("  mean, °C", mean.screw, mean.rollers, mean.nut, 2);
+  lines += block_line("energy in, J", four_digits(cycle.energy_in));
+  lines += block_line("energy lost, J", four_digits(cycle.energy_lost));
+  return lines + block_line("efficiency, %", fixed(cycle.efficiency, per_si::percent, 2));
 }
 
 std::string hottest_line(const SlipResult& slip) {
   const std::optional<HottestThread> hottest = hottest_thread(slip);
   if (!hottest || !hottest->power || *hottest->power == 0.0) return {};
   return block_line(
-      "hottest thread", fmt::format("{} {}", name(hottest->interface), hottest->thread),
+      "hottest thread",
+      fmt::format("{} {}{}", name(hottest->interface), hottest->thread,
+                  hottest->roller ? fmt::format(", roller {}", *hottest->roller) : ""),
       fmt::format("{} W, {} {}", four_digits(*hottest->power),
                   four_digits(shown(hottest->power_density, "W/mm²")), table_unit("W/mm²").text));
 }
@@ -200,7 +260,8 @@ std::string block(const LoadCaseResult& result) {
   if (!has_slip(result)) return title_line(result) + fmt::format("  {}\n", failure(result));
   const SlipResult& slip = *result.slip;
   return title_line(result) + slip_ratio_lines(slip) + efficiency_lines(slip) + torque_lines(slip) +
-         power_lines(slip) + range_lines(slip) + hottest_line(slip) + equal_share_lines(slip);
+         power_lines(slip) + heat_lines(result.heat) + range_lines(slip) + hottest_line(slip) +
+         equal_share_lines(slip);
 }
 
 // A case in a row.
@@ -245,6 +306,13 @@ constexpr CaseColumn kColumns[] = {
     {"hottest", "thread: W/mm²", true, hottest_cell},
 };
 
+std::vector<double> power_of_rollers(const InterfaceSlip& slip) {
+  const auto row = static_cast<std::size_t>(slip.threads_per_roller);
+  std::vector<double> sums(slip.power.size() / row, 0.0);
+  for (std::size_t k = 0; k < slip.power.size(); ++k) sums[k / row] += slip.power[k];
+  return sums;
+}
+
 }  // namespace
 
 std::string slip_table(const Result& result) {
@@ -254,6 +322,7 @@ std::string slip_table(const Result& result) {
   else
     for (const LoadCaseResult& load_case : result.load_cases)
       table += (table.empty() ? "" : "\n") + block(load_case);
+  if (result.heat_cycle) table += '\n' + cycle_block(*result.heat_cycle);
   const std::string warnings = warning_summary(result);
   return warnings.empty() ? table : table + '\n' + warnings;
 }
@@ -264,6 +333,15 @@ std::string slip_chart(const LoadCaseResult& result) {
     return fmt::format("{}: no power at the threads ({})\n", title, slip_status_name(result));
 
   const SlipResult& slip = *result.slip;
+  if (slip.threads.screw.threads_per_roller > 0) {
+    const PerInterface<std::vector<double>> power = {power_of_rollers(slip.threads.screw),
+                                                     power_of_rollers(slip.threads.nut)};
+    return fmt::format("{}: power lost at each roller\n", title) +
+           bar_chart(
+               power,
+               decimals_of(std::max(std::ranges::max(power.screw), std::ranges::max(power.nut))),
+               "W");
+  }
   return fmt::format("{}: power lost at each thread of a roller\n", title) +
          bar_chart({slip.threads.screw.power, slip.threads.nut.power},
                    decimals_of(largest(slip, &InterfaceSlip::power)), "W");

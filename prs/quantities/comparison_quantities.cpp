@@ -73,7 +73,7 @@ constexpr Quantity<MostLoaded> kMostLoaded[] = {
 
 constexpr Quantity<ComparedModel> kModel[] = {
     {"bodies", of<&ComparedModel::model_name>,
-     "bars | refined | influence of one sector, or full: bars of all rollers"},
+     "bars | refined | influence of one sector, or full: all rollers"},
     {"converged", of<[](const ComparedModel& m) { return m.result().converged(); }>,
      "whether there is an equilibrium"},
     {"axial_stiffness_N_per_um",
@@ -113,7 +113,7 @@ constexpr Quantity<ComparedLoad> kLoad[] = {
 
 constexpr Quantity<ModelComparison> kComparison[] = {
     {"models", of<model_names>,
-     "that were compared: bars | refined | influence, or bars | full; the best last"},
+     "that were compared: bars | refined | influence, or one of them | full; the best last"},
     {"load_cases", of<[](const ModelComparison& c) {
        std::vector<ComparedLoad> loads;
        for (std::size_t k = 0; k < c.load_cases(); ++k) loads.push_back({&c, k});

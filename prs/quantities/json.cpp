@@ -4,6 +4,7 @@
 
 #include "prs/printable.h"
 #include "prs/quantities/contact_quantities.h"
+#include "prs/quantities/heat_quantities.h"
 #include "prs/quantities/life_json.h"
 #include "prs/quantities/life_quantities.h"
 #include "prs/quantities/measure_quantities.h"
@@ -67,6 +68,7 @@ Json to_json(const Result& result, const DocumentInfo& info) {
     if (result.load_cases.size() > kMostHistories)
       document["load_cases"].back().erase("newton_history");
   }
+  if (result.heat_cycle) document["heat_cycle"] = object_of(*result.heat_cycle);
   return document;
 }
 

@@ -1,4 +1,5 @@
 #include "prs/loads/full_result.h"
+#include "prs/quantities/heat_quantities.h"
 #include "prs/quantities/measure_quantities.h"
 #include "prs/quantities/quantities.h"
 #include "prs/quantities/record_table.h"
@@ -78,6 +79,8 @@ constexpr Quantity<LoadCaseResult> kLoadCase[] = {
     {"screw", of_loads<Interface::screw>, "threads of one roller at the screw"},
     {"nut", of_loads<Interface::nut>, "threads of one roller at the nut"},
     {"", of<[](const LoadCaseResult& r) { return r.full.get(); }>},
+    {"heat", of<&LoadCaseResult::heat>,
+     "with `heat`: loads and slip are those at its temperatures"},
     {"slip", of<&LoadCaseResult::slip>, "of `prs slip`"},
     {"warnings", of<&LoadCaseResult::warnings>, "what is unusual about this load"},
     {"newton_history",

@@ -29,9 +29,9 @@ constexpr std::string_view kEfficiencyValidity =
     "needs measures.friction_coefficient; mu is that of the whole mechanism "
     "as catalogues state it; no preload";
 constexpr std::string_view kBackDrivingValidity =
-    "as efficiency; misses a maker's 24 screws by -0.07 to +0.01 and `slip` with the lead negated "
-    "by -0.06 to -0.03 (lesson 10: 0.73 for 0.78), for contacts lose about the same share of the "
-    "power both ways: prefer `slip`";
+    "as efficiency; misses a maker's 24 screws by -0.07 to +0.01 and `slip` by -0.06 to -0.03 "
+    "(lesson 10: 0.73 for 0.78), for contacts lose about the same share of the power both ways: "
+    "prefer that of a load case, which is by slip";
 constexpr std::string_view kSectionValidity =
     "sections of the sector model between two threads; nut between its flanges";
 constexpr std::string_view kToothValidity =
@@ -307,6 +307,11 @@ constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
     {"drive_torque_Nm", of<&LoadMeasures::drive_torque>, "F |l|/(2 pi eta)",
      "Jung 2017, (8.31), corrected, with (8.29)", "torque that drives against the load (estimate)",
      kDriveGroup, kEfficiencyValidity},
+    {"back_driving_efficiency_by_slip", of<&LoadMeasures::back_driving_efficiency>,
+     "shaft's power over that of the load that drives",
+     "Sandu 2018, chapters 2 and 3, as `prs slip`", "efficiency, travel into rotation, by slip",
+     kDriveGroup,
+     "needs what `prs slip` needs; at the speed of the case; absent where the screw locks itself"},
     {"speed_safety", of<&LoadMeasures::speed_safety>, "critical speed over |speed|",
      "Euler-Bernoulli beam", "critical over operating speed", kDriveGroup,
      "standard mechanisms, whose screw turns; that of the critical speed"},

@@ -4,6 +4,7 @@
 
 #include "prs/quantities/comparison_quantities.h"
 #include "prs/quantities/contact_quantities.h"
+#include "prs/quantities/heat_quantities.h"
 #include "prs/quantities/life_quantities.h"
 #include "prs/quantities/measure_quantities.h"
 #include "prs/quantities/preload_quantities.h"
@@ -25,6 +26,7 @@ constexpr Place kPlaces[] = {
     {"contact", describe<Contacts>},
     {"threads", describe<contact::MechanismGeometry>},
     {"load_cases[]", describe<LoadCaseResult>},
+    {"heat_cycle", describe<HeatCycle>},
     {"measures", describe<Measures>},
     {"preload", describe<PreloadResult>},
     {"life", describe<LifeResult>},

@@ -18,6 +18,7 @@ inline constexpr ShownUnit kNoUnit;
 /// Longer suffixes before their own ends.
 inline constexpr ShownUnit kShownUnits[] = {
     {"_N_per_mm1_5", "N/mm^1.5", 3.16227766016837933e-5},  // 1000^-1.5
+    {"_mm3_per_km", "mm³/km", 1e12},
     {"_mm_per_N1_3", "mm/N^(1/3)", 1e3},
     {"_mm_per_rad", "mm/rad", 1e3},
     {"_kN_per_kg", "kN/kg", 1e-3},
@@ -30,6 +31,7 @@ inline constexpr ShownUnit kShownUnits[] = {
     {"_revolutions", "revolutions", 1.0},
     {"_percent", "%", 100.0},
     {"_hours", "h", 1.0},
+    {"_degC", "°C", 1.0},
     {"_mrad", "mrad", 1e3},
     {"_mPas", "mPa s", 1e3},
     {"_Nmm", "N mm", 1e3},
@@ -50,6 +52,7 @@ inline constexpr ShownUnit kShownUnits[] = {
     {"_J", "J", 1.0},
     {"_h", "h", 1.0 / 3600.0},
     {"_m", "m", 1.0},
+    {"_s", "s", 1.0},
 };
 
 /// The unit at the end of a key, `MPa` of `peak_pressure_MPa`; kNoUnit where there is none, as in

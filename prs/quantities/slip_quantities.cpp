@@ -23,10 +23,17 @@ constexpr Quantity<InterfaceSlip> kInterfaceSlip[] = {
     {"central_film_nm", of<&InterfaceSlip::central_film>, "central film; needs a lubricant",
      "Nijenbanning, Venner, Moes 1994"},
     {"film_ratio", of<&InterfaceSlip::film_ratio>,
-     "central film over the composite roughness; needs both roughnesses"},
+     "Lambda: central film over the composite roughness; needs lubricant and roughness"},
+    {"boundary_share", of<&InterfaceSlip::boundary_share>,
+     "share (1 + Lambda)^-exponent of the load on flanks that touch, exponent 2 where the case has "
+     "none; that of friction only if mixed",
+     "Olver and Spikes 1998"},
     {"dynamic_normal_load_N", of<&InterfaceSlip::dynamic_normal_load>,
      "normal load that keeps the axial load in balance with friction",
      "Sandu 2018, (3.11), (3.12)"},
+    {"wear_mm3_per_km", of<&InterfaceSlip::wear>,
+     "volume that both bodies lose at the thread for each km of travel of screw or nut; needs wear",
+     "Archard 1953"},
 };
 
 template <std::size_t source>
@@ -80,6 +87,7 @@ constexpr Quantity<HottestThread> kHottestThread[] = {
     {"thread", of<&HottestThread::thread>, "from 1, next to the loaded end of the screw"},
     {"power_W", of<&HottestThread::power>, "power that friction takes there"},
     {"power_density_W_per_mm2", of<&HottestThread::power_density>, "power over its ellipse"},
+    {"roller", of<&HottestThread::roller>, "from 1; of a full mechanism"},
 };
 
 constexpr Quantity<EqualShareSlip> kEqualShares[] = {
@@ -117,8 +125,16 @@ constexpr Quantity<SlipResult> kSlip[] = {
      "Sandu 2018, (2.16), (2.17)"},
     {"optimality_percent", found<&SlipResult::optimality>, "100 % at the ideal slip ratio",
      "Sandu 2018, (2.19)"},
+    {"driven_by", found<&SlipResult::driven_by>, "screw | load: force x speed x lead > 0 or < 0"},
     {"efficiency", found<&SlipResult::efficiency>,
-     "power out over power in; absent where self-locking", "Sandu 2018, (3.52)"},
+     "power out over power in: of the load over the shaft, or of the shaft over the load that "
+     "drives; absent where self-locking",
+     "Sandu 2018, (3.52)"},
+    {"self_locking", found<&SlipResult::self_locking>,
+     "whether no power comes out; where the load drives"},
+    {"holding_torque_Nm", found<&SlipResult::holding_torque>,
+     "by the drive on the screw in the sense of the motion, where the load drives: > 0 turns a "
+     "self-locking screw, < 0 holds back the load"},
     {"efficiency_fit", found<&SlipResult::efficiency_fit>,
      "fit near a reference example; absent with Coulomb friction", "Sandu 2018, (3.55)"},
     {"power_loss_W", found<[](const SlipResult& slip) { return slip.power.total(); }>,
@@ -133,13 +149,15 @@ constexpr Quantity<SlipResult> kSlip[] = {
      "e/c of the roller heads in the carrier"},
     {"slip_ratio_estimates", found<&SlipResult::estimates>, "by geometry alone"},
     {"share_percent", found<shares>, "of each source in the power that is lost"},
-    {"roller_moments_Nmm", found<&SlipResult::moments>, "on one roller about its axis, by source"},
-    {"roller_forces_N", found<&SlipResult::forces>, "on one roller across its axis, by source"},
+    {"roller_moments_Nmm", found<&SlipResult::moments>,
+     "on one roller about its axis, by source; the mean of all in a full mechanism"},
+    {"roller_forces_N", found<&SlipResult::forces>,
+     "on one roller across its axis, by source; the mean of all in a full mechanism"},
     {"hottest_thread", found<hottest_thread>, "of the largest power density"},
     {"equal_shares", found<&SlipResult::equal_shares>,
      "what slip would be if all threads carried the same load"},
-    {"screw", threads<Interface::screw>, "threads of one roller at the screw"},
-    {"nut", threads<Interface::nut>, "threads of one roller at the nut"},
+    {"screw", threads<Interface::screw>, "threads at the screw, of one roller or of all"},
+    {"nut", threads<Interface::nut>, "threads at the nut, of one roller or of all"},
 };
 
 }  // namespace
@@ -149,7 +167,10 @@ std::optional<HottestThread> hottest_thread(const SlipResult& slip) {
   const auto thread = static_cast<std::size_t>(slip.hottest.thread);
   const std::optional<double> density = entry(threads.power_density, thread);
   if (!density) return std::nullopt;
-  return HottestThread{slip.hottest.interface, thread + 1, entry(threads.power, thread), *density};
+  const auto row = static_cast<std::size_t>(threads.threads_per_roller);
+  return HottestThread{slip.hottest.interface, (row ? thread % row : thread) + 1,
+                       row ? std::optional(thread / row + 1) : std::nullopt,
+                       entry(threads.power, thread), *density};
 }
 
 template <>

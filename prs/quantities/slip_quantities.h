@@ -12,9 +12,10 @@ namespace prs {
 /// The thread of the largest power density.
 struct HottestThread {
   Interface interface = Interface::screw;
-  std::size_t thread = 0;       ///< From 1.
-  std::optional<double> power;  ///< [W]
-  double power_density = 0.0;   ///< [W/m^2]
+  std::size_t thread = 0;             ///< From 1.
+  std::optional<std::size_t> roller;  ///< From 1; of a full mechanism.
+  std::optional<double> power;        ///< [W]
+  double power_density = 0.0;         ///< [W/m^2]
 };
 
 template <>
@@ -56,6 +57,7 @@ inline bool has_slip(const LoadCaseResult& result) {
 
 /// How the search for the slip ratio ended or, where the loads are not known, their solve.
 inline std::string_view slip_status_name(const LoadCaseResult& result) {
+  if (result.heat && !result.heat->converged()) return name(result.heat->status);
   if (result.slip) return name(result.slip->status);
   return result.converged() ? name(SlipStatus::not_computed) : status_name(result);
 }

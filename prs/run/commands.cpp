@@ -11,6 +11,7 @@
 
 #include "prs/compare/compare_models.h"
 #include "prs/figures/pictures.h"
+#include "prs/heat/analyze_heat.h"
 #include "prs/input/compute_from.h"
 #include "prs/input/force_history.h"
 #include "prs/input/optimize_reader.h"
@@ -25,6 +26,7 @@
 #include "prs/output/comparison.h"
 #include "prs/output/contact_table.h"
 #include "prs/output/csv.h"
+#include "prs/output/heat_csv.h"
 #include "prs/output/life_files.h"
 #include "prs/output/life_table.h"
 #include "prs/output/measures_table.h"
@@ -40,7 +42,6 @@
 #include "prs/quantities/measures_json.h"
 #include "prs/quantities/preload_json.h"
 #include "prs/sha256.h"
-#include "prs/slip/slip.h"
 #include "prs/threads/geometry_warnings.h"
 #include "prs/version.h"
 
@@ -149,8 +150,16 @@ void warn_of_preload(const Case& c, std::vector<std::string>& warnings) {
         "`preload`");
 }
 
+void warn_of_heat(const Case& c, std::vector<std::string>& warnings) {
+  if (c.heat)
+    warnings.push_back(
+        "heat: the load cases are solved with all parts at the reference temperature; `prs slip` "
+        "takes the block `heat`");
+}
+
 Result run_solve(const input::Source&, const input::CaseInput& in) {
   Result result = analyze(in.values);
+  warn_of_heat(in.values, result.warnings);
   warn_of_preload(in.values, result.warnings);
   return result;
 }
@@ -162,10 +171,10 @@ ModelComparison run_compare(const input::Source&, const input::CaseInput& in) {
 }
 
 Result run_slip(const input::Source&, const input::CaseInput& in) {
-  Result result = analyze_slip(in.values);
+  Result result = analyze_heat(in.values);
   warn_of_preload(in.values, result.warnings);
-  const bool jacod = in.values.friction->model == Friction::Model::jacod;
-  if (const std::string note = jacod ? estimates_note(*in.values.lubricant) : ""; !note.empty())
+  const bool film = in.values.friction->of_film();
+  if (const std::string note = film ? estimates_note(*in.values.lubricant) : ""; !note.empty())
     result.warnings.push_back(note);
   return result;
 }
@@ -180,6 +189,7 @@ LifeResult run_life(const input::Source& source, const input::CaseInput& in) {
   if (in.values.life->history)
     history = input::read_force_history(*in.values.life->history, source);
   LifeResult result = analyze_life(in.values, std::move(history));
+  warn_of_heat(in.values, result.warnings);
   if (in.values.preload)
     result.warnings.push_back("preload: lives are those without preload, whose loads come on top");
   return result;
@@ -236,6 +246,10 @@ std::vector<OutputFile> slip_files(const Result& result, const CsvStyle& style) 
   std::vector<OutputFile> files = solve_files(result, style);
   files.push_back({"slip.csv", slip_csv(result, style)});
   files.push_back({"slip_threads.csv", slip_threads_csv(result, style)});
+  if (std::ranges::any_of(result.load_cases, [](const LoadCaseResult& r) { return r.heat.has_value(); }))
+    files.push_back({"heat.csv", heat_csv(result, style)});
+  if (result.heat_cycle && result.heat_cycle->converged())
+    files.push_back({"heat_cycle.csv", heat_cycle_csv(*result.heat_cycle, style)});
   return files;
 }
 
@@ -322,7 +336,8 @@ const std::vector<CommandRow>& table() {
            .pictures = [](const Result& r, const Case& c) { return slip_pictures(c, r); },
            .converged =
                [](const Result& r) {
-                 return all_converged(r) && std::ranges::all_of(r.load_cases, has_converged_slip);
+                 return all_converged(r) && std::ranges::all_of(r.load_cases, has_converged_slip) &&
+                        (!r.heat_cycle || r.heat_cycle->converged());
                }}),
       row<PreloadResult>(
           Command::preload, "Preload: curve through zero, lost motion, opening loads", run_preload,

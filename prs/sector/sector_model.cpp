@@ -13,6 +13,10 @@ namespace {
 /// Bars are refined bodies without any effect.
 constexpr RefinedEffects kBars{false, false, false, false, false, false, false};
 
+const RefinedEffects& effects_of(const ModelOptions& options) {
+  return options.bodies == ModelOptions::Bodies::refined ? options.refined : kBars;
+}
+
 /// What the numbers of a sector are made from.
 struct Given {
   const Mechanism& mechanism;
@@ -33,16 +37,20 @@ struct Given {
   }
   /// Outer diameter of what bends and carries axial force in screw and roller [m].
   double root_diameter(Part p) const { return *mechanism.pitch_diameter[p] - 2.0 * root_depth(p); }
+  /// Of the screw before its first contact [m].
+  double plain_screw_diameter() const {
+    const bool threaded = mechanism.type == Mechanism::Type::standard;
+    return threaded ? root_diameter(Part::screw) : *mechanism.pitch_diameter.screw;
+  }
 };
 
 void set_screw(SectorModel& s, const Given& g) {
   const double root = g.root_diameter(Part::screw);
-  const bool threaded = g.mechanism.type == Mechanism::Type::standard;
   const auto rigidity = [&](double diameter) {
     return g.materials.screw.youngs_modulus * ring_area(diameter, g.structure.screw.bore) /
            s.rollers;
   };
-  s.plain_screw_rigidity = rigidity(threaded ? root : *g.mechanism.pitch_diameter.screw);
+  s.plain_screw_rigidity = rigidity(g.plain_screw_diameter());
   s.screw_rigidity = rigidity(root);
   s.free_length = free_length(g.structure);
   if (g.effects.poisson)
@@ -114,10 +122,15 @@ void set_contacts(SectorModel& s, const Given& g, const Deviations& deviations,
                         {g.laws.screw.normal_angle, g.laws.nut.normal_angle}, direction);
 }
 
-void set_shell(SectorModel& s, const Given& g, const NutLine& line) {
+NutBore nut_bore(const Given& g, const NutLine& line) {
   NutBore bore{{}, g.pitch_radius(Part::nut)};
   const double depth = g.root_depth(Part::nut);
   for (const double outer : line.outer_radius) bore.root.push_back(nut_root(g, depth, outer));
+  return bore;
+}
+
+void set_shell(SectorModel& s, const Given& g, const NutLine& line) {
+  const NutBore bore = nut_bore(g, line);
   s.nut_shell = nut_shell(line, thrust_ring(line, g.structure.nut, bore), bore,
                           {s.sense, g.laws.nut.normal_angle}, g.materials.nut, g.mechanism.rollers,
                           g.effects);
@@ -163,7 +176,7 @@ SectorModel sector_model(const Mechanism& m, const Structure& structure, const M
                          const ModelOptions& options, const PerInterface<ContactLaw>& laws,
                          Direction direction, double position, const Deviations& deviations) {
   const bool refined = options.bodies == ModelOptions::Bodies::refined;
-  const Given g{m, structure, materials, laws, refined ? options.refined : kBars};
+  const Given g{m, structure, materials, laws, effects_of(options)};
   const RefinedEffects& effects = g.effects;
   SectorModel s;
   s.rollers = m.rollers;
@@ -185,6 +198,12 @@ SectorModel sector_model(const Mechanism& m, const Structure& structure, const M
 }
 
 NutLine nut_line(const SectorModel& s) {
+  std::vector<double> contacts;
+  for (int k = 0; k < s.contacts(); ++k) contacts.push_back(s.position + k * s.pitch);
+  return nut_line(s, contacts);
+}
+
+NutLine nut_line(const SectorModel& s, const std::vector<double>& contact_x) {
   NutLine line;
   std::vector<double>& sections = line.sections;
   sections = {0.0, s.nut_length, s.thrust};
@@ -192,8 +211,7 @@ NutLine nut_line(const SectorModel& s) {
     sections.push_back(flange.from);
     sections.push_back(flange.to);
   }
-  const auto contact = [&](int k) { return s.position + k * s.pitch; };
-  for (int k = 0; k < s.contacts(); ++k) sections.push_back(contact(k));
+  sections.insert(sections.end(), contact_x.begin(), contact_x.end());
   std::sort(sections.begin(), sections.end());
   const double same = kSamePlace * s.nut_length;
   const auto end = std::unique(sections.begin(), sections.end(),
@@ -212,9 +230,16 @@ NutLine nut_line(const SectorModel& s) {
     line.outer_radius.push_back(plain ? s.nut_radius : flange->outer_radius);
     line.axial_rigidity.push_back(plain ? s.nut_rigidity : flange->axial_rigidity);
   }
-  for (int k = 0; k < s.contacts(); ++k) line.contacts.push_back(node_at(contact(k)));
+  for (const double x : contact_x) line.contacts.push_back(node_at(x));
   line.thrust = node_at(s.thrust);
   return line;
+}
+
+BodyRadii body_radii(const Mechanism& m, const Structure& structure, const Materials& materials,
+                     const ModelOptions& options, const PerInterface<ContactLaw>& laws,
+                     const NutLine& line) {
+  const Given g{m, structure, materials, laws, effects_of(options)};
+  return {0.5 * g.plain_screw_diameter(), 0.5 * g.root_diameter(Part::screw), nut_bore(g, line)};
 }
 
 }  // namespace prs

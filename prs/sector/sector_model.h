@@ -64,5 +64,17 @@ SectorModel sector_model(const Mechanism& mechanism, const Structure& structure,
 
 /// Nodes at the ends, the flange faces, the thrust section and the contacts.
 NutLine nut_line(const SectorModel& model);
+/// The same with contacts at these places.
+NutLine nut_line(const SectorModel& model, const std::vector<double>& contact_x);
+
+/// Radii of what carries axial force and bends, as `sector_model` has them [m].
+struct BodyRadii {
+  double plain_screw = 0.0;  ///< Before the first contact.
+  double screw = 0.0;        ///< From the first contact on.
+  NutBore nut;               ///< Along a nut line.
+};
+BodyRadii body_radii(const Mechanism& mechanism, const Structure& structure,
+                     const Materials& materials, const ModelOptions& options,
+                     const PerInterface<ContactLaw>& laws, const NutLine& line);
 
 }  // namespace prs

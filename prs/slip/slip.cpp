@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "prs/loads/load_case_result.h"
+#include "prs/model/block_checks.h"
 #include "prs/model/case_error.h"
 #include "prs/slip/slip_equilibrium.h"
 #include "prs/slip/slip_model.h"
@@ -16,22 +18,29 @@
 namespace prs {
 namespace {
 
-/// Film over roughness below which the surfaces begin to touch, and below which they carry.
-constexpr double kMixedLubrication = 3.0, kBoundaryLubrication = 1.0;
 /// Coulomb's coefficient from which surfaces are taken to touch.
 constexpr double kTouchingFriction = 0.05;
+
+bool leads_agree(const contact::KinematicConsistency& k,
+                 const contact::MechanismGeometry& threads) {
+  return std::abs(k.lead_difference) <= contact::kSamePitch * std::abs(threads.screw.lead);
+}
+
+bool ratios_agree(const contact::KinematicConsistency& k) {
+  return std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) <= kGearRatioTolerance;
+}
 
 /// (2.14): screw, roller and nut can only roll on each other without parting where the gears turn
 /// the rollers as their leads ask.
 void require_kinematics(const contact::MechanismGeometry& threads) {
   const contact::KinematicConsistency k = contact::kinematic_consistency(threads);
-  if (std::abs(k.lead_difference) > contact::kSamePitch * std::abs(threads.screw.lead))
+  if (!leads_agree(k, threads))
     throw CaseError("mechanism.pitch",
                     fmt::format("the leads of nut and screw differ by {:.4g} mm; expected equal "
                                 "leads for `slip`, or the contacts part as the screw turns (Sandu "
                                 "2018, (2.14)); leave the measured pitches out",
                                 k.lead_difference * 1e3));
-  if (std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) > kGearRatioTolerance)
+  if (!ratios_agree(k))
     throw CaseError("mechanism.pitch_diameter.roller",
                     fmt::format("the pitch diameters give the gear ratio {:.6f}; expected {:.6f} "
                                 "for `slip`, the ratio of the leads, or the rollers migrate (Sandu "
@@ -39,16 +48,13 @@ void require_kinematics(const contact::MechanismGeometry& threads) {
                                 k.gear_ratio, k.gear_ratio_by_leads));
 }
 
-/// Rms roughness of both flanks of a contact together [m].
-double composite_roughness(const PerPart<double>& roughness, Interface i) {
-  return std::hypot(roughness[body_of(i)], roughness.roller);
-}
-
 /// Results of each patch, handed out to the threads that it stands for.
-InterfaceSlip interface_slip(const LoadedThreads& threads, const InterfaceBalance& b,
-                             const std::optional<contact::Lubricant>& lubricant,
-                             const std::optional<double>& roughness) {
+InterfaceSlip interface_slip(const Conditions& c, const SlipModel& model,
+                             const SlipBalance& balance, Interface i) {
+  const LoadedThreads& threads = model.threads[i];
+  const InterfaceBalance& b = balance.interfaces[i];
   InterfaceSlip slip;
+  slip.threads_per_roller = threads.threads_per_roller;
   const auto add = [&](std::vector<double>& values, auto value_of_patch) {
     std::vector<double> of_patch;
     for (std::size_t k = 0; k < threads.patches.size(); ++k) of_patch.push_back(value_of_patch(k));
@@ -68,16 +74,29 @@ InterfaceSlip interface_slip(const LoadedThreads& threads, const InterfaceBalanc
       [&](std::size_t) { return std::hypot(b.motion.sliding_major, b.motion.sliding_minor); });
   add(slip.max_sliding_speed, [&](std::size_t k) { return b.friction[k].max_sliding_speed; });
   add(slip.dynamic_normal_load, [&](std::size_t k) { return b.normal_load[k]; });
-  if (!lubricant) return slip;
+  if (c.wear) {
+    const double travel = std::abs(model.geometry.lead * model.speed) / (2.0 * std::numbers::pi);
+    add(slip.wear, [&](std::size_t k) {
+      return c.wear->coefficient * b.normal_load[k] *
+             threads.patches[k].sliding_under_pressure(b.motion) / travel;
+    });
+  }
+  if (!model.oils.threads[i]) return slip;
+  const contact::Lubricant& oil = *model.oils.threads[i];
   const double rolling = b.motion.rolling_speed;
   const auto central_film = [&](std::size_t k) {
-    return contact::nijenbanning_film(*lubricant, threads.films[k], rolling).thickness;
+    return contact::nijenbanning_film(oil, threads.films[k], rolling).thickness;
   };
-  add(slip.film_thickness, [&](std::size_t k) {
-    return contact::sandu_film(*lubricant, threads.films[k], rolling).thickness;
-  });
+  add(slip.film_thickness,
+      [&](std::size_t k) { return contact::sandu_film(oil, threads.films[k], rolling).thickness; });
   add(slip.central_film, central_film);
-  if (roughness) add(slip.film_ratio, [&](std::size_t k) { return central_film(k) / *roughness; });
+  const std::optional<double> roughness = composite_roughness(c, i);
+  if (!roughness) return slip;
+  const auto film_ratio = [&](std::size_t k) { return central_film(k) / *roughness; };
+  add(slip.film_ratio, film_ratio);
+  add(slip.boundary_share, [&](std::size_t k) {
+    return contact::boundary_share(film_ratio(k), c.friction->mixed.exponent);
+  });
   return slip;
 }
 
@@ -117,68 +136,27 @@ std::optional<double> sandu_efficiency_fit(const contact::Lubricant& lubricant) 
   return 0.981 - 0.0032 * megapascals * std::log(millipascal_seconds);
 }
 
-/// Whether the load's power flows into the mechanism.
-bool load_drives(const SlipModel& model) {
-  return model.axial_force * model.speed * model.geometry.lead < 0.0;
-}
-
-SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
-  const Conditions& c = models.conditions();
-  const SlipRange range = slip_range(model.geometry);
-  const SlipEquilibrium found = solve(model, c.operation ? c.operation->slip_ratio : std::nullopt);
-  const SlipBalance& b = found.balance;
-  SlipResult slip;
-  slip.status = found.status;
-  slip.evaluations = found.evaluations;
-  slip.speed = model.speed;
-  slip.gear_ratio = model.geometry.gear_ratio;
-  slip.ideal_slip_ratio = range.ideal;
-  slip.estimates = slip_estimates(model.geometry);
-  if (slip.status != SlipStatus::jammed) slip.relative_residue = relative_residue(model, b);
-  if (!slip.converged()) return slip;
-  slip.moments = b.moments;
-
-  slip.slip_ratio = b.motion.slip_ratio;
-  slip.optimality = optimality(range, slip.slip_ratio);
-  for (const Interface i : kInterfaces) {
-    std::optional<double> roughness;
-    if (c.roughness) roughness = composite_roughness(*c.roughness, i);
-    slip.threads[i] = interface_slip(model.threads[i], b.interfaces[i], model.lubricant, roughness);
-  }
-  slip.power = lost_power(model, b);
-  const DriveTorques torques = drive_torques(model, b);
-  const PowerFlow flow = power_flow(model, torques);
-  slip.torque_screw = torques.screw;
-  slip.torque_nut = torques.nut;
-  slip.power_loss_input_output = flow.lost();
-  slip.efficiency = flow.efficiency();
-  const bool jacod = c.friction->model == Friction::Model::jacod;
-  if (jacod && slip.status == SlipStatus::converged && !load_drives(model))
-    slip.efficiency_fit = sandu_efficiency_fit(*model.lubricant);
-  if (model.lubricant) slip.viscosity = model.lubricant->viscosity;
-  slip.forces = b.forces;
-  if (model.bearing) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
-  double hottest = -1.0;
-  for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
-    if (density > hottest) hottest = density, slip.hottest = thread;
-  });
-  return slip;
+DrivenBy driven_by(const SlipModel& model) {
+  return model.axial_force * model.speed * model.geometry.lead < 0.0 ? DrivenBy::load
+                                                                     : DrivenBy::screw;
 }
 
 void warn_of_lubrication(const SlipResult& slip, const Friction& friction,
                          std::vector<std::string>& warnings) {
+  if (friction.model == Friction::Model::mixed) return;
   const bool jacod = friction.model == Friction::Model::jacod;
   if (!jacod && friction.coefficient >= kTouchingFriction) return;
   for (const Interface i : kInterfaces) {
     double least = std::numeric_limits<double>::infinity();
     for (const double ratio : slip.threads[i].film_ratio)
       if (ratio > 0.0) least = std::min(least, ratio);
-    if (least < kMixedLubrication)
+    if (least < kFullFilm)
       warnings.push_back(fmt::format(
           "roughness: {} lubrication at the {} contacts: film over roughness is {:.2f} at the "
           "least; {}",
-          least < kBoundaryLubrication ? "boundary" : "mixed", label(i), least,
-          jacod ? "real friction is higher than that of the full film computed here"
+          lubrication(least), label(i), least,
+          jacod ? "real friction is higher than that of the full film computed here: take "
+                  "`friction: {model: {mixed: {boundary: 0.11}}}`"
                 : "take a friction coefficient of surfaces that touch"));
   }
 }
@@ -192,8 +170,8 @@ void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads, const
         warnings.push_back(fmt::format("{}: {}", path_in(load, "axial_force"), *note));
 }
 
-void warn(const SlipResult& slip, const SlipModel& model, const Friction& friction,
-          const LoadCase& load, std::vector<std::string>& warnings) {
+void warn(const SlipResult& slip, const Friction& friction, const LoadCase& load,
+          std::vector<std::string>& warnings) {
   const std::string speed = load.speed ? path_in(load, "speed") : "operation.speed";
   if (slip.status == SlipStatus::jammed)
     warnings.push_back(
@@ -206,14 +184,11 @@ void warn(const SlipResult& slip, const SlipModel& model, const Friction& fricti
                     "carrier's torques",
                     name(slip.status)));
   if (!slip.converged()) return;
-  if (load_drives(model))
+  if (slip.self_locking.value_or(false))
     warnings.push_back(fmt::format(
-        "{}: {}", speed,
-        slip.efficiency
-            ? "the load drives the screw (left-handed: force and speed of one sign); the "
-              "efficiency is that of the shaft's power over the load's"
-            : "the load helps, but the screw is self-locking: the shaft has to drive as well, and "
-              "there is no efficiency"));
+        "{}: the load helps, but the screw is self-locking: only a torque of {:.4g} N m in the "
+        "sense of the motion turns it, and there is no efficiency",
+        speed, *slip.holding_torque));
   if (slip.optimality > 1.0 + 1e-12)
     warnings.push_back(
         fmt::format("carrier: the carrier is driven by its torques: the slip ratio {:.6f} "
@@ -295,19 +270,73 @@ std::string_view name(SlipStatus status) {
   return kNames[static_cast<std::size_t>(status)];
 }
 
+std::string_view lubrication(double film_ratio) {
+  return film_ratio < kTouchingFlanks ? "boundary" : film_ratio < kFullFilm ? "mixed" : "full film";
+}
+
 std::optional<std::string> unknown_film_ratio(const Conditions& c) {
   if (!c.lubricant || c.roughness) return std::nullopt;
   return "roughness: missing, so that film over roughness, and with it the kind of lubrication, is "
          "not known; add `roughness: 0.4 um`, for example: the Rq of the ground flanks";
 }
 
-Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options) {
+void require_rolling(const Conditions& c, const Contacts& contacts) {
+  require_contacts(c, contacts);
+  require_kinematics(contacts.threads);
+}
+
+SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
+  const Conditions& c = models.conditions();
+  const SlipRange range = slip_range(model.geometry);
+  const SlipEquilibrium found = solve(model, c.operation ? c.operation->slip_ratio : std::nullopt);
+  const SlipBalance& b = found.balance;
+  SlipResult slip;
+  slip.status = found.status;
+  slip.evaluations = found.evaluations;
+  slip.speed = model.speed;
+  slip.gear_ratio = model.geometry.gear_ratio;
+  slip.ideal_slip_ratio = range.ideal;
+  slip.estimates = slip_estimates(model.geometry);
+  if (slip.status != SlipStatus::jammed) slip.relative_residue = relative_residue(model, b);
+  if (!slip.converged()) return slip;
+  slip.moments = b.moments;
+
+  slip.slip_ratio = b.motion.slip_ratio;
+  slip.optimality = optimality(range, slip.slip_ratio);
+  for (const Interface i : kInterfaces) slip.threads[i] = interface_slip(c, model, b, i);
+  slip.power = lost_power(model, b);
+  const DriveTorques torques = drive_torques(model, b);
+  const PowerFlow flow = power_flow(model, torques);
+  slip.torque_screw = torques.screw;
+  slip.torque_nut = torques.nut;
+  slip.power_loss_input_output = flow.lost();
+  slip.efficiency = flow.efficiency();
+  slip.driven_by = driven_by(model);
+  if (slip.driven_by == DrivenBy::load) {
+    slip.self_locking = !slip.efficiency;
+    slip.holding_torque = std::copysign(1.0, model.speed) * torques.screw;
+  }
+  const bool jacod = c.friction->model == Friction::Model::jacod;
+  if (jacod && slip.status == SlipStatus::converged && slip.driven_by == DrivenBy::screw)
+    slip.efficiency_fit = sandu_efficiency_fit(*model.oils.carrier);
+  if (model.oils.carrier) slip.viscosity = model.oils.carrier->viscosity;
+  slip.forces = b.forces;
+  if (model.bearing) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
+  double hottest = -1.0;
+  for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
+    if (density > hottest) hottest = density, slip.hottest = thread;
+  });
+  return slip;
+}
+
+Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options,
+                    const std::optional<Oils>& oils) {
   Result result = loaded_threads_of(c, std::move(contacts), options);
   require_kinematics(result.contacts.threads);
   if (options.detail == Detail::complete)
     if (std::optional<std::string> note = unknown_film_ratio(c))
       result.warnings.push_back(std::move(*note));
-  const SlipModels models(c, result.contacts);
+  const SlipModels models(c, result.contacts, oils ? *oils : oils_in_operation(c));
   for (LoadCaseResult& loaded : result.load_cases) {
     if (!loaded.threads) continue;
     const SlipModel model = models.of(loaded);
@@ -318,15 +347,63 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
     }
     if (options.detail != Detail::complete) continue;
-    warn(*loaded.slip, model, *c.friction, loaded.load_case, loaded.warnings);
+    warn(*loaded.slip, *c.friction, loaded.load_case, loaded.warnings);
     warn_of_running_pressure(*loaded.threads, loaded.load_case, loaded.warnings);
   }
   return result;
 }
 
+std::optional<double> back_driving_efficiency(const Conditions& c, const Contacts& contacts,
+                                              const LoadCaseResult& loaded) {
+  Problems lacking;
+  require_slip(c, lacking);
+  if (!std::move(lacking).take().empty() || !loaded.threads) return std::nullopt;
+  for (const Interface i : kInterfaces)
+    if (!contacts.interfaces[i].geometry.ok() || !contacts.interfaces[i].has_hertz())
+      return std::nullopt;
+  const contact::KinematicConsistency k = contact::kinematic_consistency(contacts.threads);
+  if (!leads_agree(k, contacts.threads) || !ratios_agree(k)) return std::nullopt;
+  Oils oils = oils_in_operation(c);
+  const bool oiled = c.friction->of_film() || c.carrier.bearing;
+  if (oiled && !oils.carrier) return std::nullopt;  // only heat would tell its temperature
+  const SlipModels models(c, contacts, std::move(oils));
+  SlipModel model = models.of(loaded);
+  if (driven_by(model) == DrivenBy::screw) model.speed = -model.speed;
+  const SlipEquilibrium found = find_slip_equilibrium(model);
+  if (!found.ok()) return std::nullopt;
+  return power_flow(model, drive_torques(model, found.balance)).efficiency();
+}
+
+StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::size_t load_case) {
+  constexpr int kDecades = 4, kPerDecade = 10;
+  const LoadCaseResult& loaded = result.load_cases[load_case];
+  const SlipModels models(c, result.contacts, oils_of(c, loaded));
+  SlipModel model = models.of(loaded);
+  const double speed = model.speed;
+  StribeckCurve curve;
+  for (int k = 0; k <= kDecades * kPerDecade; ++k) {
+    // From a thousandth to ten times the speed.
+    model.speed = speed * std::pow(10.0, static_cast<double>(k) / kPerDecade - 3.0);
+    const SlipResult slip = slip_result(models, model);
+    if (!slip.converged()) continue;
+    curve.speed.push_back(std::abs(model.speed));
+    curve.power.push_back(slip.power.total());
+    curve.efficiency.push_back(slip.efficiency);
+    for (const Interface i : kInterfaces) {
+      const InterfaceSlip& threads = slip.threads[i];
+      const auto most =
+          static_cast<std::size_t>(std::ranges::max_element(threads.dynamic_normal_load) -
+                                   threads.dynamic_normal_load.begin());
+      curve.friction[i].push_back(threads.friction_coefficient[most]);
+      if (!threads.film_ratio.empty()) curve.film_ratio[i].push_back(threads.film_ratio[most]);
+    }
+  }
+  return curve;
+}
+
 SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_t load_case) {
   const LoadCaseResult& loaded = result.load_cases[load_case];
-  const SlipModels models(c, result.contacts);
+  const SlipModels models(c, result.contacts, oils_of(c, loaded));
   const SlipModel model = models.of(loaded);
   const SlipRange range = slip_range(model.geometry);
   // Far enough to both sides of the ideal slip ratio to show where the moment changes sign.

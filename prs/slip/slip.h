@@ -2,9 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "prs/loads/analyze.h"
+#include "prs/slip/slip_model.h"
 
 namespace prs {
 
@@ -12,10 +14,31 @@ namespace prs {
 /// for each load case the stationary slip and what friction takes. The case must have passed
 /// `check_case` and the requirements of `slip`. Throws CaseError where the geometry gives no
 /// contact, its gears break (2.14), or an imposed slip ratio lies outside its range.
-Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options = {});
+/// `oils`: in place of the lubricant at the temperature of the file.
+Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options = {},
+                    const std::optional<Oils>& oils = {});
 inline Result analyze_slip(const Case& c, AnalysisOptions options = {}) {
   return analyze_slip(c, checked_contacts(c, options.detail), options);
 }
+
+/// Throws CaseError where the geometry gives no contact or its gears break (2.14).
+void require_rolling(const Conditions& c, const Contacts& contacts);
+
+/// Slip of one load case, without the comparison with equal shares.
+SlipResult slip_result(const SlipModels& models, const SlipModel& model);
+
+/// Efficiency of the same load at the same speed where the load drives; absent where the screw
+/// locks itself, or the case lacks what `slip` needs or a temperature of its oil.
+std::optional<double> back_driving_efficiency(const Conditions& c, const Contacts& contacts,
+                                              const LoadCaseResult& loaded);
+
+/// Film over roughness below which flanks begin to touch, and below which touching flanks carry
+/// most: the usual bounds of lubrication (Hamrock, Schmid, Jacobson, Fundamentals of Fluid Film
+/// Lubrication, 2004, chapter 3).
+inline constexpr double kFullFilm = 3.0, kTouchingFlanks = 1.0;
+
+/// `boundary`, `mixed` or `full film`.
+std::string_view lubrication(double film_ratio);
 
 /// A note where the film of a lubricant cannot be compared with the roughness of the flanks.
 std::optional<std::string> unknown_film_ratio(const Conditions& c);
@@ -41,6 +64,18 @@ struct SlipPictures {
   ResidueCurve residue_near_root;               ///< Around the ideal one, the root inside.
   PerInterface<PatchField> most_loaded_thread;  ///< At the result's slip ratio.
 };
+
+/// What friction does from a thousandth to ten times the speed of a load case, the loads and the
+/// oil as they are; speeds without an equilibrium are left out.
+struct StribeckCurve {
+  std::vector<double> speed;                      ///< Magnitude [rad/s], ascending.
+  std::vector<double> power;                      ///< Lost in the whole mechanism [W]
+  std::vector<std::optional<double>> efficiency;  ///< Absent where self-locking.
+  // At the thread of the largest load:
+  PerInterface<std::vector<double>> friction;    ///< mu_a, mean over the points.
+  PerInterface<std::vector<double>> film_ratio;  ///< Lambda; empty where it is not known.
+};
+StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::size_t load_case);
 
 /// For one load case with a converged slip, on the loads that the result holds.
 SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_t load_case);

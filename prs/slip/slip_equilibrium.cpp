@@ -90,7 +90,7 @@ void balance_carrier(const SlipModel& model, SlipBalance& b) {
   double torque = model.roller_torque;
   for (int i = 0; model.bearing && i < 30; ++i) {
     const RollerForces f = forces_with(model, b, sign(model.speed) * torque);
-    b.bearing = contact::short_bearing(*model.bearing, model.lubricant->viscosity,
+    b.bearing = contact::short_bearing(*model.bearing, model.oils.carrier->viscosity,
                                        std::abs(b.motion.roller_to_carrier),
                                        0.5 * std::hypot(f.carrier_x, f.carrier_y));
     const double before = std::exchange(torque, 2.0 * b.bearing.torque);  // two heads

@@ -15,8 +15,8 @@
 
 namespace prs {
 
-/// The loaded threads of one interface of one roller. All share contact point and directions; each
-/// patch has a load of its own.
+/// The loaded threads of one interface, of one roller or of all. They share contact point and
+/// directions, as all rollers have one speed of orbit and spin; each patch has a load of its own.
 struct LoadedThreads {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();      ///< n, outward from the roller
   Eigen::Vector3d major_axis = Eigen::Vector3d::Zero();  ///< t_1
@@ -24,20 +24,29 @@ struct LoadedThreads {
   std::vector<contact::Patch> patches;
   std::vector<contact::FilmContact> films;  ///< What a film knows of each patch.
   std::vector<double> axial_load;           ///< F_i of each patch, > 0 [N]
-  int alike = 1;                            ///< Threads that each patch stands for.
+  double alike = 1.0;          ///< Threads of the mean roller that each patch stands for.
+  int threads_per_roller = 0;  ///< Of the patches of all rollers, roller after roller; 0: of one.
   /// Patch of each thread; absent where the thread is open.
   std::vector<std::optional<std::size_t>> patch_of_thread;
 };
 
+/// The lubricant in operation, each at the temperature it has there; absent where there is none.
+struct Oils {
+  PerInterface<std::optional<contact::Lubricant>> threads;
+  std::optional<contact::Lubricant> carrier;  ///< In the bearings of the roller heads.
+};
+
 /// One roller between screw, nut, gears and carrier, loaded and turning (Sandu 2018, section 3.2,
-/// with a load of its own for each thread). SI units.
+/// with a load of its own for each thread). Of a full mechanism the mean of all rollers present:
+/// the carrier gives all one speed of orbit and the gears one spin, so that the balance is that of
+/// the sums over all. SI units.
 struct SlipModel {
   KinematicGeometry geometry;  ///< Points of the faces that touch under the force.
   double speed = 0.0;          ///< omega_s/n [rad/s]
   double axial_force = 0.0;    ///< F_N, signed, of the whole mechanism [N]
   int rollers = 1;
   PerInterface<LoadedThreads> threads;
-  std::optional<contact::Lubricant> lubricant;  ///< In operation, for films and bearing.
+  Oils oils;
 
   // Torques of the carrier, magnitudes [N m].
   double screw_torque = 0.0;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace prs {
 namespace {
@@ -39,15 +40,41 @@ double roller_mass(const Conditions& c, const Mechanism& m) {
 
 }  // namespace
 
-SlipModels::SlipModels(const Conditions& c, const Contacts& contacts)
-    : conditions_(c), contacts_(contacts), grid_(c.model.patch_points) {
-  if (c.lubricant) lubricant_ = in_operation(*c.lubricant);
+Oils oils_in_operation(const Conditions& c) {
+  if (!c.lubricant || !has_operating_point(*c.lubricant)) return {};
+  const contact::Lubricant oil = in_operation(*c.lubricant);
+  return {{oil, oil}, oil};
 }
 
-SlipModel SlipModels::of(const LoadCaseResult& loaded) const {
-  if (loaded.load_case.share == LoadCase::Share::equal) return equal_shares(loaded.load_case);
-  SlipModel model = unloaded(loaded.load_case);
-  for (const Interface i : kInterfaces)
+Oils oils_at(const Lubricant& lubricant, const PerInterface<double>& temperature) {
+  return {
+      {at_temperature(lubricant, temperature.screw), at_temperature(lubricant, temperature.nut)},
+      at_temperature(lubricant, 0.5 * (temperature.screw + temperature.nut))};
+}
+
+Oils oils_of(const Conditions& c, const LoadCaseResult& loaded) {
+  return c.lubricant && loaded.heat && loaded.heat->oil ? oils_at(*c.lubricant, *loaded.heat->oil)
+                                                        : oils_in_operation(c);
+}
+
+std::optional<double> composite_roughness(const Conditions& c, Interface i) {
+  if (!c.roughness) return std::nullopt;
+  return std::hypot((*c.roughness)[body_of(i)], c.roughness->roller);
+}
+
+SlipModels::SlipModels(const Conditions& c, const Contacts& contacts)
+    : SlipModels(c, contacts, oils_in_operation(c)) {}
+
+SlipModels::SlipModels(const Conditions& c, const Contacts& contacts, Oils oils)
+    : conditions_(c), contacts_(contacts), grid_(c.model.patch_points), oils_(std::move(oils)) {}
+
+SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
+  if (loaded.load_case.share == LoadCase::Share::equal) return equal_shares(loaded.load_case, oils);
+  SlipModel model = unloaded(loaded.load_case, oils);
+  for (const Interface i : kInterfaces) {
+    const int row = (*loaded.threads)[i].threads_per_roller;
+    model.threads[i].threads_per_roller = row;
+    if (row > 0) model.threads[i].alike = 1.0 / model.rollers;
     for (const double load : (*loaded.threads)[i].axial_load) {
       std::vector<std::optional<std::size_t>>& patch_of = model.threads[i].patch_of_thread;
       patch_of.push_back(std::nullopt);
@@ -55,11 +82,12 @@ SlipModel SlipModels::of(const LoadCaseResult& loaded) const {
       patch_of.back() = model.threads[i].patches.size();
       add_patch(model, i, load);
     }
+  }
   return model;
 }
 
-SlipModel SlipModels::equal_shares(const LoadCase& load_case) const {
-  SlipModel model = unloaded(load_case);
+SlipModel SlipModels::equal_shares(const LoadCase& load_case, const Oils& oils) const {
+  SlipModel model = unloaded(load_case, oils);
   const int alike = contacts_.mechanism.contacts_per_roller;
   for (const Interface i : kInterfaces) {
     model.threads[i].alike = alike;
@@ -69,12 +97,15 @@ SlipModel SlipModels::equal_shares(const LoadCase& load_case) const {
   return model;
 }
 
-SlipModel SlipModels::unloaded(const LoadCase& load_case) const {
+SlipModel SlipModels::unloaded(const LoadCase& load_case, const Oils& oils) const {
   SlipModel m;
   m.axial_force = axial_force_on_nut(load_case);
   m.speed = load_case.speed ? *load_case.speed : conditions_.operation->speed;
   m.geometry = kinematic_geometry(contacts_, m.axial_force);
   m.rollers = contacts_.mechanism.rollers;
+  if (conditions_.model.mechanism == ModelOptions::Mechanism::full &&
+      load_case.share == LoadCase::Share::solved)
+    m.rollers -= static_cast<int>(conditions_.deviations.missing_rollers.size());
   for (const Interface i : kInterfaces) {
     const contact::InterfaceGeometry g = touching(contacts_.interfaces[i].geometry, m.axial_force);
     m.threads[i].normal = g.point.normal;
@@ -85,7 +116,7 @@ SlipModel SlipModels::unloaded(const LoadCase& load_case) const {
   m.nut_torque = conditions_.carrier.nut_torque;
   m.roller_torque = conditions_.carrier.roller_torque;
   m.bearing = conditions_.carrier.bearing;
-  m.lubricant = lubricant_;
+  m.oils = oils;
   m.gear_pressure_angle = conditions_.carrier.gear_pressure_angle;
   m.roller_mass = roller_mass(conditions_, contacts_.mechanism);
   return m;
@@ -102,10 +133,21 @@ void SlipModels::add_patch(SlipModel& model, Interface i, double axial_load) con
                            .curvature = relative.second,
                            .contact_modulus = contact.contact_modulus,
                            .curvature_ratio = relative.first / relative.second});
-  if (conditions_.friction->model == Friction::Model::coulomb)
-    threads.patches.emplace_back(grid_, ellipse, conditions_.friction->coefficient);
-  else
-    threads.patches.emplace_back(grid_, ellipse, *lubricant_, threads.films.back());
+  const Friction& friction = *conditions_.friction;
+  const contact::FilmContact& film = threads.films.back();
+  switch (friction.model) {
+    case Friction::Model::coulomb:
+      threads.patches.emplace_back(grid_, ellipse, friction.coefficient);
+      break;
+    case Friction::Model::jacod:
+      threads.patches.emplace_back(grid_, ellipse, *model.oils.threads[i], film);
+      break;
+    case Friction::Model::mixed:
+      threads.patches.emplace_back(
+          grid_, ellipse, *model.oils.threads[i], film,
+          contact::TouchingFlanks{friction.mixed.boundary, friction.mixed.exponent,
+                                  *composite_roughness(conditions_, i)});
+  }
 }
 
 }  // namespace prs

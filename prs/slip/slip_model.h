@@ -10,33 +10,49 @@
 
 namespace prs {
 
+/// The case's lubricant at its operating temperature everywhere; none where the case has none, or
+/// states no temperature.
+Oils oils_in_operation(const Conditions& c);
+
+/// A lubricant that follows its temperature [K], that of the contacts of each interface; the
+/// bearings of the roller heads run at the mean of both.
+Oils oils_at(const Lubricant& lubricant, const PerInterface<double>& temperature);
+
+/// The lubricant of a load case: at the temperatures of its heat balance, else as in the file.
+Oils oils_of(const Conditions& c, const LoadCaseResult& loaded);
+
+/// Composite Rq of the flanks of an interface [m]; absent where the case has none.
+std::optional<double> composite_roughness(const Conditions& c, Interface i);
+
 /// Builds the models of slip of one case from its contacts and loads. The models refer to the grid
 /// in here and to the contacts.
 class SlipModels {
  public:
   /// The case must have passed the requirements of `slip`, the contacts must be its own.
   SlipModels(const Conditions& c, const Contacts& contacts);
+  SlipModels(const Conditions& c, const Contacts& contacts, Oils oils);
   SlipModels(const SlipModels&) = delete;
   SlipModels& operator=(const SlipModels&) = delete;
 
-  /// One patch for each thread that carries load; for equal shares one for all.
-  SlipModel of(const LoadCaseResult& loaded) const;
+  /// One patch for each thread that carries load, of all rollers of a full mechanism; for equal
+  /// shares one for all.
+  SlipModel of(const LoadCaseResult& loaded) const { return of(loaded, oils_); }
+  SlipModel of(const LoadCaseResult& loaded, const Oils& oils) const;
   /// One patch that stands for all threads of an interface (Sandu 2018).
-  SlipModel equal_shares(const LoadCase& load_case) const;
+  SlipModel equal_shares(const LoadCase& load_case) const { return equal_shares(load_case, oils_); }
+  SlipModel equal_shares(const LoadCase& load_case, const Oils& oils) const;
 
   const Conditions& conditions() const { return conditions_; }
-  /// At operating temperature; absent where the case has none.
-  const std::optional<contact::Lubricant>& lubricant() const { return lubricant_; }
   const contact::PatchGrid& grid() const { return grid_; }
 
  private:
-  SlipModel unloaded(const LoadCase& load_case) const;
+  SlipModel unloaded(const LoadCase& load_case, const Oils& oils) const;
   void add_patch(SlipModel& model, Interface i, double axial_load) const;
 
   Conditions conditions_;
   const Contacts& contacts_;
   contact::PatchGrid grid_;
-  std::optional<contact::Lubricant> lubricant_;
+  Oils oils_;
 };
 
 }  // namespace prs

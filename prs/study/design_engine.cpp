@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "prs/heat/analyze_heat.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/force_history.h"
 #include "prs/life/analyze_life.h"
@@ -24,7 +25,7 @@
 #include "prs/quantities/slip_quantities.h"
 #include "prs/sector/chain/bar_designs.h"
 #include "prs/sector/chain/fallback_solver.h"
-#include "prs/slip/slip.h"
+#include "prs/sector/full/full_distribution.h"
 #include "prs/study/design_reader.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
@@ -38,12 +39,15 @@ using Bodies = ModelOptions::Bodies;
 
 Result analyze_for(Command command, const Case& c, AnalysisOptions options) {
   if (command == Command::contact) return analyze_contacts(c, options.detail);
-  return command == Command::slip ? analyze_slip(c, options) : analyze(c, options);
+  return command == Command::slip ? analyze_heat(c, options) : analyze(c, options);
 }
 
 /// That of the first load case which did not converge.
 DesignStatus status_of(const std::vector<LoadCaseResult>& load_cases) {
   for (const LoadCaseResult& load_case : load_cases) {
+    if (load_case.heat && !load_case.heat->converged())
+      return {std::string(name(load_case.heat->status)),
+              fmt::format("load case {}: {}", load_case.load_case.name, load_case.heat->reason)};
     const bool slips = load_case.slip.has_value();
     if (load_case.converged() && (!slips || load_case.slip->converged())) continue;
     const std::string name(slips ? slip_status_name(load_case) : status_name(load_case));
@@ -144,6 +148,7 @@ struct DesignEngine::Parts {
   std::optional<std::vector<ResultNumber>> numbers;
   std::vector<std::size_t> load_cases;  ///< Load cases that the numbers need.
   Bodies bodies = Bodies::bars;         ///< Bodies of the base case.
+  bool all_rollers = false;             ///< Whether it is a full mechanism.
   std::optional<LoadHistory> history;   ///< History of the base case.
   std::optional<HistorySource> history_source;
 
@@ -151,6 +156,7 @@ struct DesignEngine::Parts {
   struct Worker {
     DesignReader reader;
     BarDesignSolver solver = BarDesignSolver();
+    FullSolver full = FullSolver();
   };
 
   /// A worker that no other thread has.
@@ -210,17 +216,19 @@ struct DesignEngine::Parts {
     }
     const Result result = analyze_for(study.command, c, {});
     document = to_json(result, {});
+    if (result.heat_cycle && !result.heat_cycle->converged())
+      return {std::string(name(result.heat_cycle->status)),
+              fmt::format("duty: {}", result.heat_cycle->reason)};
     return status_of(result.load_cases);
   }
 
   void read_base() {
     Json document;
-    bool full = false;
     Borrowed worker(*this);
     const DesignStatus status = status_after([&] {
       const Case& c = worker->reader.read(0);
       bodies = c.model.bodies;
-      full = c.model.mechanism == ModelOptions::Mechanism::full;
+      all_rollers = c.model.mechanism == ModelOptions::Mechanism::full;
       if (study.command == Command::life && c.life->history) {
         history = history_of(c);
         history_source = c.life->history;
@@ -230,9 +238,10 @@ struct DesignEngine::Parts {
     if (!status.converged()) document = nullptr;
     study.responses = recorded(study, document);
     // A full mechanism has its tangent stiffness only with Detail::complete.
-    const bool complete = full && std::ranges::any_of(study.responses, [](const std::string& path) {
-                            return path.find("tangent_stiffness") != std::string::npos;
-                          });
+    const bool complete =
+        all_rollers && std::ranges::any_of(study.responses, [](const std::string& path) {
+          return path.find("tangent_stiffness") != std::string::npos;
+        });
     if (!complete) numbers = numbers_of(study.responses);
     if (numbers) load_cases = load_cases_of(*numbers);
   }
@@ -257,7 +266,7 @@ struct DesignEngine::Parts {
     }
   }
 
-  DesignStatus answer(const Case& c, double* row) const {
+  DesignStatus answer(const Case& c, FullSolver& full, double* row) const {
     if (!numbers) {
       Json document;
       const DesignStatus status = by_document(c, document);
@@ -268,16 +277,19 @@ struct DesignEngine::Parts {
     }
     Case needed = c;
     needed.load_cases.clear();
+    if (needed.heat) needed.heat->duty.clear();
     for (const std::size_t k : load_cases)
       if (k < c.load_cases.size()) needed.load_cases.push_back(c.load_cases[k]);
+    AnalysisOptions options = kManyDesigns;
+    options.full = &full;
     if (study.command == Command::measures) {
-      const MeasuresResult result = analyze_measures(needed, kManyDesigns);
+      const MeasuresResult result = analyze_measures(needed, options);
       DesignStatus status = status_of(result.analysis.load_cases);
       if (status.converged())
         set_numbers(row, result.analysis.contacts, result.analysis.load_cases, &result);
       return status;
     }
-    const Result result = analyze_for(study.command, needed, kManyDesigns);
+    const Result result = analyze_for(study.command, needed, options);
     DesignStatus status = status_of(result.load_cases);
     if (status.converged()) set_numbers(row, result.contacts, result.load_cases);
     return status;
@@ -341,7 +353,7 @@ struct DesignEngine::Parts {
           return prepare(c, design, designs.size(), sectors, bars, forces);
         }
         done = true;
-        return answer(c, row_of(block, row));
+        return answer(c, worker.full, row_of(block, row));
       });
       if (status.converged() && !done) {
         designs.push_back(std::move(design));
@@ -365,8 +377,9 @@ struct DesignEngine::Parts {
         set_numbers(row_of(block, design.row), design.contacts, design.load_cases);
         continue;
       }
-      DesignStatus status = status_after(
-          [&] { return answer(read(worker.reader, design.row), row_of(block, design.row)); });
+      DesignStatus status = status_after([&] {
+        return answer(read(worker.reader, design.row), worker.full, row_of(block, design.row));
+      });
       if (!status.converged()) block.failures.push_back({design.row, std::move(status)});
     }
   }
@@ -374,8 +387,8 @@ struct DesignEngine::Parts {
   void evaluate_one_by_one(const ReadRow& read, RowBlock& block) {
     Borrowed worker(*this);
     for (std::size_t row = 0; row < block.rows; ++row) {
-      DesignStatus status =
-          status_after([&] { return answer(read(worker->reader, row), row_of(block, row)); });
+      DesignStatus status = status_after(
+          [&] { return answer(read(worker->reader, row), worker->full, row_of(block, row)); });
       if (!status.converged()) block.failures.push_back({row, std::move(status)});
     }
   }
@@ -414,7 +427,7 @@ RowBlock DesignEngine::evaluate(const std::vector<std::vector<Draw>>& designs) c
 std::size_t DesignEngine::chunk() const {
   if (parts_->bodies == Bodies::influence) return 1;
   if (!parts_->numbers) return 8;
-  if (parts_->study.command == Command::slip) return 32;
+  if (parts_->study.command == Command::slip || parts_->all_rollers) return 32;
   return parts_->bodies == Bodies::bars ? 512 : 64;
 }
 

@@ -10,11 +10,11 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "prs/heat/analyze_heat.h"
 #include "prs/input/compute_from.h"
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
 #include "prs/quantities/json.h"
-#include "prs/slip/slip.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -37,7 +37,7 @@ std::optional<double> number_at(const Json& document, std::string path) {
 Result result_of(const input::Source& source, Command command) {
   const Case c = input::read_case_input(source, command).values;
   return input::compute_from(source, [&] {
-    if (command == Command::slip) return analyze_slip(c);
+    if (command == Command::slip) return analyze_heat(c);
     return command == Command::contact ? analyze_contacts(c) : analyze(c);
   });
 }

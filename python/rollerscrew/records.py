@@ -197,6 +197,37 @@ class Orbit(Record):
     axial_error_um: float
 
 
+class PartNumbers(Record):
+    """A number of each part."""
+
+    __slots__ = ()
+    screw: float
+    rollers: float
+    nut: float
+
+
+class InterfaceNumbers(Record):
+    """A number of each interface."""
+
+    __slots__ = ()
+    screw: float
+    nut: float
+
+
+class Heat(Record):
+    """Steady temperatures: what friction puts into the parts flows off through the conductances."""
+
+    __slots__ = ()
+    converged: bool
+    status: str
+    reason: str
+    evaluations: int
+    other_steady_states: bool
+    temperature_degC: PartNumbers
+    oil_degC: InterfaceNumbers
+    heat_W: PartNumbers
+
+
 class SlipRatioEstimates(Record):
     """Slip ratios by formulas of geometry alone."""
 
@@ -247,6 +278,7 @@ class HottestThread(Record):
     thread: int
     power_W: float
     power_density_W_per_mm2: float
+    roller: int
 
 
 class EqualShareSlip(Record):
@@ -273,7 +305,9 @@ class InterfaceSlip(Record):
     film_thickness_nm: Array
     central_film_nm: Array
     film_ratio: Array
+    boundary_share: Array
     dynamic_normal_load_N: Array
+    wear_mm3_per_km: Array
 
 
 class Slip(Record):
@@ -289,7 +323,10 @@ class Slip(Record):
     slip_ratio: float
     ideal_slip_ratio: float
     optimality_percent: float
+    driven_by: str
     efficiency: float
+    self_locking: bool
+    holding_torque_Nm: float
     efficiency_fit: float
     power_loss_W: float
     power_loss_input_output_W: float
@@ -345,6 +382,7 @@ class LoadMeasures(Record):
     l10_hours: float
     l10_travel_km: float
     drive_torque_Nm: float
+    back_driving_efficiency_by_slip: float
     speed_safety: float
     static_safety_limit: str
     thread_static_safety_limit: str
@@ -376,10 +414,37 @@ class LoadCase(Record):
     reactions: Reactions
     symmetric: SymmetricLoads
     orbit: Orbit
+    heat: Heat
     slip: Slip
     warnings: list[str]
     newton_history: list[NewtonIteration]
     measures: LoadMeasures
+
+
+class PartSeries(Record):
+    """Numbers of each part over time."""
+
+    __slots__ = ()
+    screw: Array
+    rollers: Array
+    nut: Array
+
+
+class HeatCycle(Record):
+    """The state of a duty that repeats itself from cycle to cycle."""
+
+    __slots__ = ()
+    converged: bool
+    status: str
+    reason: str
+    period_s: float
+    time_s: Array
+    temperature_degC: PartSeries
+    peak_degC: PartNumbers
+    mean_degC: PartNumbers
+    energy_in_J: float
+    energy_lost_J: float
+    efficiency: float
 
 
 class Measures(Record):

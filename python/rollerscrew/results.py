@@ -16,7 +16,16 @@ import pandas as pd
 from rollerscrew import _engine
 from rollerscrew.designs import Designs, designs_of, study_inputs
 from rollerscrew.record import Record, Result, Values
-from rollerscrew.records import Comparison, Contacts, Life, LoadCase, Measures, Preload, Threads
+from rollerscrew.records import (
+    Comparison,
+    Contacts,
+    HeatCycle,
+    Life,
+    LoadCase,
+    Measures,
+    Preload,
+    Threads,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -50,14 +59,16 @@ def _numbers(record: Record) -> dict[str, Any]:
 
 
 def _arrays(record: Record) -> dict[str, Any]:
-    """The arrays over threads of a record, and the numbers of the threads, with all rollers of the
-    rollers too."""
+    """The arrays over threads of a record, and the numbers of the threads, also of the rollers."""
     arrays = {name: value for name, value in record.items() if isinstance(value, np.ndarray)}
-    shape = next((value.shape for value in arrays.values() if value.ndim == 2), None)
-    if shape:
-        roller, thread = np.indices(shape) + 1
-        flat = {name: value.ravel() for name, value in arrays.items() if value.shape == shape}
-        return {"roller": roller.ravel(), "thread": thread.ravel(), **flat}
+    grid = next((value for value in arrays.values() if value.ndim == 2), None)
+    if grid is not None:
+        rollers, threads = grid.shape
+        return {
+            "roller": np.repeat(np.arange(1, rollers + 1), threads),
+            "thread": np.tile(np.arange(1, threads + 1), rollers),
+            **{name: value.ravel() for name, value in arrays.items() if value.ndim == 2},
+        }
     count = len(next(iter(arrays.values()), ()))
     return {"thread": np.arange(1, count + 1), **arrays}
 
@@ -232,6 +243,7 @@ class SlipResult(SolveResult):
     """Slip, friction, dissipated power, efficiency and torques of every load case."""
 
     __slots__ = ()
+    heat_cycle: HeatCycle  #: Where the case has a duty.
 
     def slip_frame(self) -> pd.DataFrame:
         """Slip ratio, efficiency, powers and torques, one row per load case."""
@@ -250,6 +262,29 @@ class SlipResult(SolveResult):
         """Power, friction, sliding and film, one row per load case, interface and thread."""
         return self._by_case((case, case.slip) for case in self._load_cases if "slip" in case)
 
+    def heat_frame(self) -> pd.DataFrame:
+        """Steady temperatures and the heat that goes into each part, one row per load case."""
+        rows = [
+            {"case": case.name, **dict(_flat(case.heat))}
+            for case in self._load_cases
+            if "heat" in case
+        ]
+        return pd.DataFrame(rows)
+
+    def heat_cycle_frame(self) -> pd.DataFrame:
+        """Temperatures of the parts over the cycle of the duty, one row per time."""
+        cycle = self.heat_cycle
+        return pd.DataFrame(
+            {
+                "time_s": cycle.time_s,
+                **{f"{part}_degC": values for part, values in cycle.temperature_degC.items()},
+            }
+        )
+
+    def plot_heat_cycle(self, ax: Axes | None = None) -> Axes:
+        """Temperatures of the parts over the cycle of the duty."""
+        return self.plot_figure("heat_cycle", ax)
+
     def plot_power(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
         """Power that each thread of a roller dissipates."""
         return self.plot_figure("thread_power", ax, load_case=self._place(load_case))
@@ -261,6 +296,10 @@ class SlipResult(SolveResult):
     def plot_friction(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
         """Friction coefficient and sliding speed of each thread."""
         return self.plot_figure("friction", ax, load_case=self._place(load_case))
+
+    def plot_stribeck(self, load_case: int | str = 0, ax: Axes | None = None) -> Axes:
+        """Friction, efficiency, power and film over the speed."""
+        return self.plot_figure("stribeck", ax, load_case=self._place(load_case))
 
 
 class MeasuresResult(SolveResult):

@@ -431,6 +431,7 @@ PICTURES: dict[str, Callable[[Axes | None], Axes]] = {
     "slip: power": lambda ax: result(9, "slip").plot_power(ax=ax),
     "slip: power by source": lambda ax: result(9, "slip").plot_power_by_source(ax=ax),
     "slip: friction": lambda ax: result(9, "slip").plot_friction("push", ax),
+    "slip: heat cycle": lambda ax: result(30, "slip").plot_heat_cycle(ax),
     "slip: load distribution": lambda ax: result(9, "slip").plot_load_distribution(ax=ax),
     "slip: stiffness": lambda ax: result(9, "slip").plot_stiffness(ax),
     "measures: stiffness terms": lambda ax: result(18, "measures").plot_stiffness_terms(ax),

@@ -302,6 +302,17 @@ def test_slip_frame(written: Written) -> None:
     assert_columns(frame, table, names | {"slip_ratio_estimates_simple": "slip_ratio_simple"})
 
 
+def test_heat_frames(written: Written) -> None:
+    result = answer(30, "slip", rs.SlipResult)
+    frame, table = result.heat_frame(), csv_table(written(30, "slip") / "heat.csv")
+    assert list(frame["case"]) == ["pull", "return"]
+    assert list(frame["temperature_degC_rollers"]) == list(table["temperature_rollers_degC"])
+    cycle = result.heat_cycle_frame()
+    assert list(cycle.columns) == ["time_s", "screw_degC", "rollers_degC", "nut_degC"]
+    assert len(cycle) == len(csv_table(written(30, "slip") / "heat_cycle.csv"))
+    assert cycle["rollers_degC"].max() == result.heat_cycle.peak_degC.rollers
+
+
 def test_measures_frame(written: Written) -> None:
     result = answer(18, "measures", rs.MeasuresResult)
     frame = result.measures_frame()

@@ -47,6 +47,7 @@ struct Interface {
   Real larger_curvature = 0;      ///< rho_x of (2.31), relative [1/m].
   Real curvature_ratio = 1;       ///< lambda, smaller over larger relative curvature.
   Real relative_modulus = 0;      ///< E' = 2 E* [Pa].
+  Real roughness = 0;             ///< Composite Rq [m]; 0: not given.
   std::vector<Thread> threads{};  ///< Threads of one roller.
 };
 
@@ -68,6 +69,8 @@ struct Case {
   Interface nut{};                    ///< J.
   std::optional<Real> coulomb{};      ///< Friction coefficient; without it Jacod's law.
   Lubricant lubricant{};              ///< For Jacod's law.
+  std::optional<Real> boundary{};     ///< Friction of touching flanks: mixed.
+  Real exponent = 2;                  ///< Of the share of touching flanks.
   Real carrier_roller_torque = 0;     ///< |C_P/R| of one roller [N m].
   Real carrier_screw_torque = 0;      ///< |C_P/S| [N m].
   Real carrier_nut_torque = 0;        ///< |C_P/N| [N m].
@@ -198,6 +201,7 @@ struct ThreadFriction {
   Real max_sliding_speed = 0;     ///< Over the points inside [m/s].
   Real film_thickness = 0;        ///< h_c [m], with a lubricant.
   Real central_film = 0;          ///< By the full fit [m].
+  Real boundary_share = 0;        ///< With a roughness.
   int points = 0;                 ///< Inside the ellipse.
 };
 
@@ -218,6 +222,8 @@ inline ThreadFriction friction(const Case& c, bool screw, Motion v, const Thread
     central = film(m, c.lubricant, rolling, t.axial_load / std::abs(m.normal[2]));
     out.film_thickness = central.thickness;
     out.central_film = central.central;
+    if (m.roughness > 0)
+      out.boundary_share = std::pow(1 + central.central / m.roughness, -c.exponent);
   }
 
   const int n = c.patch_points;
@@ -235,9 +241,10 @@ inline ThreadFriction friction(const Case& c, bool screw, Motion v, const Thread
       const Real v2 = dot(v.sliding, t2) + normal_spin * d1;
       const Real speed = std::hypot(v1, v2);
       out.max_sliding_speed = std::max(out.max_sliding_speed, speed);
-      const Real mu =
-          c.coulomb ? *c.coulomb
+      Real mu = c.coulomb
+                    ? *c.coulomb
                     : jacod(m, c.lubricant, t.peak_pressure * root, speed, rolling, central.number);
+      if (c.boundary) mu = mu + (*c.boundary - mu) * out.boundary_share;
       ++out.points;
       coefficients += mu;
       if (speed < Real(1e-11L)) continue;  // no direction

@@ -27,7 +27,9 @@ inline InterfaceSlip sample_threads(const InterfaceLoads& loads, double friction
     slip.film_thickness.push_back(310e-9);
     slip.central_film.push_back(260e-9);
     slip.film_ratio.push_back(0.62);
+    slip.boundary_share.push_back(1.0 / (1.62 * 1.62));
     slip.dynamic_normal_load.push_back(1.01 * load);
+    slip.wear.push_back(1e-12 * load);
   }
   return slip;
 }

@@ -44,6 +44,12 @@ inline prs::Case with_coulomb(prs::Case c, double coefficient) {
   return c;
 }
 
+inline prs::Case with_mixed_friction(prs::Case c, double boundary, double exponent) {
+  c.friction = prs::Friction{prs::Friction::Model::mixed, 0.0, {boundary, exponent}};
+  if (!c.roughness) c.roughness = prs::PerPart<double>{0.3e-6, 0.4e-6, 0.2e-6};
+  return c;
+}
+
 inline prs::Case reversed(prs::Case c) {
   for (prs::LoadCase& load : c.load_cases) load.axial_force = -load.axial_force;
   c.operation->speed = -c.operation->speed;
@@ -52,6 +58,12 @@ inline prs::Case reversed(prs::Case c) {
 
 inline prs::Case inverted(prs::Case c) {
   c.mechanism.type = prs::Mechanism::Type::inverted;
+  return c;
+}
+
+/// Where the screw drove, now the load does.
+inline prs::Case turned_back(prs::Case c) {
+  c.operation->speed = -c.operation->speed;
   return c;
 }
 
@@ -102,8 +114,8 @@ inline prs::Case random_slip(std::mt19937_64& random) {
   }
   if (whole(0, 3) == 0) c = with_coulomb(c, uniform(0.01, 0.15));
   if (whole(0, 1) == 1) c = reversed(c);
-  if (whole(0, 2) == 0) c = left_handed(c);  // half of them are driven by their load
-  if (whole(0, 1) == 1) c.operation->speed *= c.mechanism.lead > 0.0 ? 1.0 : -1.0;
+  if (whole(0, 2) == 0) c = left_handed(c);
+  if (whole(0, 1) == 1) c = turned_back(c);  // of either hand half are driven by their load
   c.materials->nut = {uniform(100e9, 210e9), uniform(0.25, 0.35), {}};
   if (whole(0, 1) == 1) c.materials->roller.density = uniform(4000.0, 8000.0);
   c.model.patch_points = whole(1, 30);
@@ -135,6 +147,9 @@ inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std
     side.larger_curvature = g.relative.second;
     side.curvature_ratio = g.relative.first / side.larger_curvature;
     side.relative_modulus = 2 * contact.contact_modulus;
+    if (c.roughness)
+      side.roughness = std::hypot(static_cast<plain::Real>((*c.roughness)[prs::body_of(i)]),
+                                  static_cast<plain::Real>(c.roughness->roller));
     for (const double load : (*loaded.threads)[i].axial_load) {
       const contact::HertzContact e =
           contact::at_load(contact.hertz, load / std::abs(g.point.normal.z()));
@@ -145,6 +160,8 @@ inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std
   if (c.lubricant)
     p.lubricant = {*c.lubricant->viscosity, *c.lubricant->pressure_viscosity,
                    *c.lubricant->eyring_stress};
+  if (c.friction->model == prs::Friction::Model::mixed) p.boundary = c.friction->mixed.boundary;
+  p.exponent = c.friction->mixed.exponent;
   p.carrier_roller_torque = c.carrier.roller_torque;
   p.carrier_screw_torque = c.carrier.screw_torque;
   p.carrier_nut_torque = c.carrier.nut_torque;

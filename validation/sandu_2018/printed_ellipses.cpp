@@ -80,7 +80,7 @@ ValidationTable printed_ellipses(const Case& reference) {
     const auto add = [&](std::vector<double>& row, const contact::HertzContact& ellipse,
                          double larger_curvature, double rolling_speed) {
       const contact::Film film = contact::sandu_film(
-          *models.lubricant(), {load, larger_curvature, contact.contact_modulus}, rolling_speed);
+          *model.oils.threads[i], {load, larger_curvature, contact.contact_modulus}, rolling_speed);
       row.push_back(film.thickness * per_si::nanometre);
       row.push_back(contact::Patch(grid, ellipse, 0.0).friction(motion).max_sliding_speed *
                     per_si::millimetre);

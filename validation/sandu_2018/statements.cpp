@@ -384,7 +384,7 @@ Finding dynamic_ellipses_change_little(const Case& c) {
         patches.emplace_back(m.models.grid(), ellipse, c.friction->coefficient);
       else
         patches.emplace_back(
-            m.models.grid(), ellipse, *m.models.lubricant(),
+            m.models.grid(), ellipse, *model.oils.threads[i],
             contact::FilmContact{load, contact.geometry.relative.second, contact.contact_modulus});
     }
     e = find_slip_equilibrium(model);

@@ -1,8 +1,5 @@
 #include "prs/sector/full/full_distribution.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -89,6 +86,7 @@ class Solution {
     d.screw_end.displacement << at(end.y_plane, Dof::u), at(end.y_plane, Dof::v) + offset.y,
         at(end.z_plane, Dof::v) + offset.z, -(at(end.z_plane, Dof::theta) + slope.z),
         at(end.y_plane, Dof::theta) + slope.y;
+    d.screw_end.displacement[0] += f_.sense() * f_.offset_compliance() * f_.axial_force;
     d.axial_displacement = f_.sense() * d.screw_end.displacement[0];
   }
 
@@ -170,7 +168,7 @@ class Solution {
                                                                : elastic_support(node, dof);
     };
     SupportForce s{n.x,
-                   {held(n.y_plane, Dof::u), held(n.y_plane, Dof::v), held(n.z_plane, Dof::v)},
+                   {held(n.axial, Dof::u), held(n.y_plane, Dof::v), held(n.z_plane, Dof::v)},
                    {-held(n.z_plane, Dof::theta), held(n.y_plane, Dof::theta)}};
     return s;
   }
@@ -204,18 +202,20 @@ Linearised linearised(const FullModel& f, const FullDistribution& d,
   Linearised l;
   for (const FullModel::Roller& r : rollers)
     for (const Interface i : kInterfaces)
-      for (const double approach : d.approach[i][static_cast<std::size_t>(r.number)]) {
-        const fe::SpringResponse at =
-            fe::evaluate({f.sector.hertz_constant[i], 0.0, 0.0}, approach);
-        l.tangent.push_back(at.tangent);
-        l.closed.push_back(at.force * f.sector.cosine[i] > share);
+      for (std::size_t k = 0; k < static_cast<std::size_t>(f.threads()); ++k) {
+        const auto j = static_cast<std::size_t>(r.number);
+        const fe::PowerLawSpring law{f.sector.hertz_constant[i], 0.0,
+                                     f.sector.contact_compliance(i, k)};
+        const double approach = std::min(d.approach[i][j][k], fe::largest_deflection(law));
+        l.tangent.push_back(fe::response_in_series(law, approach).tangent);
+        l.closed.push_back(d.normal_load[i][j][k] * f.sector.cosine[i] > share);
       }
   return l;
 }
 
 /// K and B'tB condensed to the freedoms of the loaded section.
-void condense(const FullStructure& s, const fe::Equations& equations, fe::NewtonSolver& solver,
-              const Linearised& linear, FullDistribution& d) {
+void condense(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
+              fe::NewtonSolver& solver, const Linearised& linear, FullDistribution& d) {
   const SpatialNode& end = s.screw[static_cast<std::size_t>(s.loaded)];
   const std::array<fe::NodalLoad, 5> units{{{end.y_plane, Dof::u, 1.0},
                                             {end.y_plane, Dof::v, 1.0},
@@ -238,6 +238,7 @@ void condense(const FullStructure& s, const fe::Equations& equations, fe::Newton
     for (Eigen::Index j = 0; j < count; ++j)
       d.screw_end.compliance(i, j) =
           loads[static_cast<std::size_t>(i)].dot(rates[static_cast<std::size_t>(j)]);
+  d.screw_end.compliance(0, 0) += f.offset_compliance();
   d.screw_end.stiffness = d.screw_end.compliance.inverse();
   d.tangent_stiffness = 1.0 / d.screw_end.compliance(0, 0);
 }
@@ -248,7 +249,7 @@ void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equati
   if (d.idle_rollers.empty()) {
     const Linearised linear = linearised(f, d, f.present);
     if (linear.all_closed() || free_motions(f, s, linear.closed).count == 0)
-      condense(s, equations, solver, linear, d);
+      condense(f, s, equations, solver, linear, d);
     return;
   }
   FullModel loaded = f;
@@ -260,35 +261,40 @@ void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equati
   if (free_motions(loaded, without, linear.closed).count > 0) return;
   const fe::Equations fewer(without.model);
   fe::NewtonSolver of_fewer(fewer, 0.0);
-  condense(without, fewer, of_fewer, linear, d);
-}
-
-std::string why_not_held(const FullModel& f, const FullStructure& s) {
-  std::string text = fmt::format(
-      "no equilibrium: flanks that only push cannot hold this load ({:.3f} of the axial force is "
-      "left "
-      "over); add `structure.screw.bearings`",
-      load_left(f, s));
-  if (const std::optional<double> force = holding_force(f))
-    text += fmt::format(", or raise the axial force to {:.4g} kN", *force * 1e-3);
-  return text;
+  condense(loaded, without, fewer, of_fewer, linear, d);
 }
 
 }  // namespace
 
-FullDistribution solve(const FullModel& f, Detail detail) {
+struct FullSolver::Parts {
+  explicit Parts(const fe::Model& model) : equations(model), newton(equations, 0.0) {}
+
+  fe::Equations equations;
+  fe::NewtonSolver newton;
+};
+
+FullSolver::FullSolver() = default;
+FullSolver::~FullSolver() = default;
+FullSolver::FullSolver(FullSolver&&) noexcept = default;
+FullSolver& FullSolver::operator=(FullSolver&&) noexcept = default;
+
+FullDistribution solve(const FullModel& f, Detail detail) { return FullSolver().solve(f, detail); }
+
+FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   const FullStructure s = full_structure(f);
   FullDistribution d;
   if (const FreeMotions free = free_motions(f, s); free.count > 0) {
     d.solve.status = fe::NewtonStatus::mechanism;
-    d.reason =
-        fmt::format("mechanism: {} motion{} of {} meet{} no resistance", free.count,
-                    free.count == 1 ? "" : "s", free.parts.front(), free.count == 1 ? "s" : "");
+    d.reason = why_free(free);
     return d;
   }
-  const fe::Equations equations(s.model);
+  if (parts_ && parts_->equations.take(s.model))
+    parts_->newton.equations_changed();
+  else
+    parts_ = std::make_unique<Parts>(s.model);
+  const fe::Equations& equations = parts_->equations;
+  fe::NewtonSolver& solver = parts_->newton;
   d.freedoms = equations.size();
-  fe::NewtonSolver solver(equations, 0.0);
   fe::State q;
   const Eigen::VectorXd load = equations.load_vector(s.loads);
   if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q))
@@ -304,7 +310,10 @@ FullDistribution solve(const FullModel& f, Detail detail) {
 
 SymmetricLoads symmetric_loads(const FullModel& f) {
   SectorSolver solver(build_sector(f.sector));
-  const LoadDistribution d = solver.solve(f.axial_force);
+  return symmetric_loads(f, solver.solve(f.axial_force));
+}
+
+SymmetricLoads symmetric_loads(const FullModel& f, const LoadDistribution& d) {
   SymmetricLoads s{d.axial_displacement, d.tangent_stiffness, {}};
   if (f.housing.axial < kRigid) {
     s.axial_displacement += f.axial_force / f.housing.axial;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "fe/newton.h"
 #include "prs/model/detail.h"
 #include "prs/sector/full/full_model.h"
+#include "prs/sector/load_distribution.h"
 
 namespace prs {
 
@@ -63,7 +65,25 @@ struct FullDistribution {
 /// screw's end belongs to Detail::complete.
 FullDistribution solve(const FullModel& model, Detail detail = Detail::complete);
 
+/// `solve` for one model after the other: those that differ in numbers only share the numbering,
+/// the pattern and its symbolic factorization. No answer depends on those before.
+class FullSolver {
+ public:
+  FullSolver();
+  ~FullSolver();
+  FullSolver(FullSolver&&) noexcept;
+  FullSolver& operator=(FullSolver&&) noexcept;
+
+  FullDistribution solve(const FullModel& model, Detail detail = Detail::complete);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
 /// By one sector.
 SymmetricLoads symmetric_loads(const FullModel& model);
+/// From the loads of a sector whose nut is held rigidly.
+SymmetricLoads symmetric_loads(const FullModel& model, const LoadDistribution& sector);
 
 }  // namespace prs

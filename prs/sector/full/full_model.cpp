@@ -56,6 +56,14 @@ void take_off_smallest(std::vector<FullModel::Roller>& rollers) {
   }
 }
 
+/// Axial places of the contacts of all rollers, those of missing ones left out.
+std::vector<double> all_contacts(const FullModel& f) {
+  std::vector<double> x;
+  for (const FullModel::Roller& r : f.present)
+    x.insert(x.end(), r.contact_x.begin(), r.contact_x.end());
+  return x;
+}
+
 double delta_of(const std::vector<double>& list, std::size_t roller) {
   return list.empty() ? 0.0 : list[roller];
 }
@@ -106,15 +114,28 @@ FullModel full_model(const Mechanism& m, const Structure& structure, const Mater
   f.roller_ends = {first - reach, last + reach};
   set_rollers(f, m, materials, options, laws, *load_case.direction, deviations);
 
-  const auto section = [&](Part part, double outer, double inner) {
-    return ring_rigidity(materials[part], outer, inner, options.shear);
+  const auto section = [&](Part part, double outer_radius, double inner_radius) {
+    return ring_rigidity(materials[part], 2.0 * outer_radius, 2.0 * inner_radius, options.shear);
   };
-  f.screw = {{f.loaded_section, last + structure.screw.far_length,
-              section(Part::screw, *m.pitch_diameter.screw, structure.screw.bore)}};
-  const NutLine line = nut_line(f.sector);
-  for (std::size_t i = 0; i < line.outer_radius.size(); ++i) {
-    const auto piece = section(Part::nut, 2.0 * line.outer_radius[i], *m.pitch_diameter.nut);
-    f.nut.push_back({line.sections[i], line.sections[i + 1], piece});
+  const bool has_wall = f.sector.nut_shell.has_value();
+  const NutLine line = has_wall ? nut_line(f.sector, all_contacts(f)) : nut_line(f.sector);
+  const BodyRadii radii = body_radii(m, structure, materials, options, laws, line);
+  const auto screw = [&](double from, double to, double radius) {
+    if (to > from)
+      f.screw.push_back({from, to, section(Part::screw, radius, 0.5 * structure.screw.bore)});
+  };
+  screw(f.loaded_section, first, radii.plain_screw);
+  screw(first, last + structure.screw.far_length, radii.screw);
+  for (std::size_t i = 0; i < line.outer_radius.size(); ++i)
+    f.nut.push_back({line.sections[i], line.sections[i + 1],
+                     section(Part::nut, line.outer_radius[i], radii.nut.root[i])});
+  if (has_wall) {
+    const NutLoad equal_loads{f.sense(), laws.nut.normal_angle};
+    f.nut_wall = {line,
+                  nut_shell(line, thrust_ring(line, structure.nut, radii.nut), radii.nut,
+                            equal_loads, materials.nut, 1, options.refined),
+                  options.refined.hoop ? nut_harmonics(line, radii.nut, materials.nut, f.rollers)
+                                       : std::vector<NutHarmonic>{}};
   }
 
   const Rings& rings = structure.roller.rings;

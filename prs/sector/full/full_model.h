@@ -11,6 +11,7 @@
 #include "prs/model/mechanism.h"
 #include "prs/model/model_options.h"
 #include "prs/model/structure.h"
+#include "prs/sector/full/nut_harmonics.h"
 #include "prs/sector/sector_model.h"
 #include "prs/threads/contact_law.h"
 
@@ -23,6 +24,13 @@ using RollerThreads = std::vector<std::vector<double>>;
 struct BodyPiece {
   double from = 0.0, to = 0.0;  ///< x [m]
   RollerSection<double> section;
+};
+
+/// The wall of the whole nut in place of its bars.
+struct NutWall {
+  NutLine line;                        ///< With the contacts of all rollers.
+  NutShell shell;                      ///< Round.
+  std::vector<NutHarmonic> harmonics;  ///< Out of round.
 };
 
 /// All rollers on a spatial screw and nut as numbers, all that the solver reads. x along the axis
@@ -45,6 +53,7 @@ struct FullModel {
   int rollers = 0;               ///< Missing ones included.
   std::vector<Roller> present;
   std::vector<BodyPiece> screw, nut;  ///< Along x, without gaps between them.
+  std::optional<NutWall> nut_wall;    ///< Of refined bodies.
   double loaded_section = 0.0;        ///< x_L [m]
   double thrust = 0.0;                ///< x of the held section of the nut [m].
   Ends roller_ends;                   ///< Outer faces of the rollers' ends.
@@ -57,6 +66,8 @@ struct FullModel {
   SpatialLoad load;
 
   double sense() const { return sector.sense; }
+  /// What the contacts do not feel of the displacement along the load [m/N].
+  double offset_compliance() const { return sector.offset_compliance / rollers; }
   int threads() const { return sector.contacts(); }
   bool floating_rings() const { return ring_stiffness < kRigid; }
 };

@@ -27,6 +27,7 @@ class Builder {
   FullStructure build() {
     s_.screw = body(screw_stations(), f_.screw);
     s_.nut = body(nut_stations(), f_.nut);
+    if (f_.nut_wall) add_wall(*f_.nut_wall);
     s_.loaded = nearest(s_.screw, f_.loaded_section);
     s_.thrust = nearest(s_.nut, f_.thrust);
     add_rings();
@@ -66,6 +67,10 @@ class Builder {
   std::vector<double> nut_stations() const {
     std::vector<double> x{f_.thrust};
     add_contact_stations(x);
+    if (f_.nut_wall) {
+      const std::vector<double>& line = f_.nut_wall->line.sections;
+      x.insert(x.end(), line.begin(), line.end());
+    }
     add_ring_stations(x, Rings::Carrier::nut, f_.nut);
     const auto [first, last] = std::ranges::minmax(x);
     for (const BodyPiece& piece : f_.nut)
@@ -81,8 +86,8 @@ class Builder {
     std::vector<SpatialNode> nodes;
     for (const double at : x) {
       const int y_plane = s_.model.add_node(), z_plane = s_.model.add_node();
-      s_.model.fixed_supports.push_back({z_plane, Dof::u});
-      nodes.push_back({at, y_plane, z_plane});
+      hold_still(z_plane, Dof::u);
+      nodes.push_back({at, y_plane, z_plane, y_plane});
       if (nodes.size() == 1) continue;
       const SpatialNode& before = nodes[nodes.size() - 2];
       const double middle = 0.5 * (before.x + at);
@@ -97,6 +102,32 @@ class Builder {
     }
     return nodes;
   }
+
+  /// Puts the nut's u into its wall, and the wall's harmonics, cos before sin, behind it.
+  void add_wall(const NutWall& wall) {
+    for (fe::BeamElement& b : s_.model.beams)
+      if (b.first >= s_.nut.front().y_plane) b.beam.axial_rigidity = 0.0;
+    for (const SpatialNode& n : s_.nut) hold_still(n.y_plane, Dof::u);
+    const int nodes = 1 + 2 * static_cast<int>(wall.harmonics.size());
+    SpatialNode* before = nullptr;
+    for (std::size_t i = 0; i < wall.line.sections.size(); ++i) {
+      SpatialNode& n = s_.nut[static_cast<std::size_t>(nearest(s_.nut, wall.line.sections[i]))];
+      n.axial = n.wall = s_.model.nodes;
+      s_.model.nodes += nodes;
+      if (wall.shell.radially_rigid) hold_still(n.wall, Dof::v);
+      for (int k = 1; k < nodes; ++k) hold_still(n.wall + k, Dof::u);
+      if (before) {
+        s_.model.shells.push_back({before->wall, n.wall, wall.shell.segments[i - 1]});
+        for (int k = 1; k < nodes; ++k)
+          s_.model.shells.push_back(
+              {before->wall + k, n.wall + k,
+               wall.harmonics[static_cast<std::size_t>(k - 1) / 2].segments[i - 1]});
+      }
+      before = &n;
+    }
+    if (wall.shell.straight_thrust_section) hold_still(at(s_.nut, f_.thrust).wall, Dof::theta);
+  }
+  void hold_still(int node, Dof dof) { s_.model.fixed_supports.push_back({node, dof}); }
 
   int nearest(const std::vector<SpatialNode>& nodes, double x) const {
     const auto found = std::ranges::min_element(
@@ -125,8 +156,12 @@ class Builder {
     FullStructure::Roller roller;
     const SectorModel& sector = f_.sector;
     const double first = f_.roller_ends.first, last = f_.roller_ends.last;
+    const double half = sector.contact_half_distance;
     std::vector<double> x{first, first + sector.end_length};
-    x.insert(x.end(), r.contact_x.begin(), r.contact_x.end());
+    for (const double contact : r.contact_x) {
+      x.push_back(contact - half);
+      if (sector.contacts_apart()) x.push_back(contact + half);
+    }
     x.insert(x.end(), {last - sector.end_length, last});
     for (std::size_t i = 0; i < x.size(); ++i) {
       const bool same = i > 0 && x[i] - x[i - 1] < same_;
@@ -143,7 +178,13 @@ class Builder {
         roller.nodes.push_back(node);
         roller.x.push_back(x[i]);
       }
-      if (i >= 2 && i + 2 < x.size()) roller.contacts.push_back(node);
+      if (i >= 2 && i + 2 < x.size())
+        for (const Interface at : kInterfaces) {
+          // Of two contacts of a tooth the screw's looks against the load.
+          const bool second = (at == Interface::screw) == (f_.sense() < 0.0);
+          if (!sector.contacts_apart() || (i % 2 == 1) == second)
+            roller.contacts[at].push_back(node);
+        }
       if (i < 2) roller.guided[0].push_back(node);
       if (i + 2 >= x.size()) roller.guided[1].push_back(node);
     }
@@ -151,8 +192,8 @@ class Builder {
     guide(r, roller, e, x);
     roller.first_spring = static_cast<int>(s_.model.form_springs.size());
     for (const Interface i : kInterfaces)
-      for (std::size_t k = 0; k < roller.contacts.size(); ++k)
-        add_contact(i, r, roller.contacts[k], k, e);
+      for (std::size_t k = 0; k < r.contact_x.size(); ++k)
+        add_contact(i, r, roller.contacts[i][k], k, e);
     s_.rollers.push_back(std::move(roller));
   }
 
@@ -161,7 +202,7 @@ class Builder {
              const std::vector<double>& x) {
     if (!f_.sector.bends()) {
       for (const int node : roller.nodes)
-        for (const Dof dof : {Dof::v, Dof::theta}) s_.model.fixed_supports.push_back({node, dof});
+        for (const Dof dof : {Dof::v, Dof::theta}) hold_still(node, dof);
       return;
     }
     const std::array<std::size_t, 4> places{0, 1, x.size() - 2, x.size() - 1};
@@ -205,15 +246,28 @@ class Builder {
     const double along = f_.sense() * f_.sector.cosine[i], across = f_.sector.sine[i];
     const double arm = f_.centre_distance - sign * f_.sector.roller_radius;
     LinearForm w;
-    w.push_back({body.y_plane, Dof::u, sign * along});
+    w.push_back({body.axial, Dof::u, sign * along});
     add_along(w, body, Dof::theta, e, -sign * along * arm);
     w.push_back({node, Dof::u, -sign * along});
     w.push_back({node, Dof::theta, -along * f_.sector.roller_radius});
     add_along(w, body, Dof::v, e, sign * across);
     w.push_back({node, Dof::v, -sign * across});
+    if (body.wall >= 0) add_wall_motion(w, body, r.azimuth, along, across);
     s_.model.form_springs.push_back(
         {std::move(w),
          {f_.sector.hertz_constant[i], r.gaps[i][k], f_.sector.contact_compliance(i, k)}});
+  }
+
+  /// The nut's contacts lie at an arm from where its wall has its u, and move outwards with it.
+  void add_wall_motion(LinearForm& w, const SpatialNode& body, double azimuth, double along,
+                       double across) const {
+    w.push_back({body.wall, Dof::theta, along * f_.nut_wall->shell.contact_arm});
+    w.push_back({body.wall, Dof::v, -across});
+    int node = body.wall;
+    for (const NutHarmonic& h : f_.nut_wall->harmonics) {
+      w.push_back({++node, Dof::v, -across * std::cos(h.order * azimuth)});
+      w.push_back({++node, Dof::v, -across * std::sin(h.order * azimuth)});
+    }
   }
 
   void hold(int node, Dof dof, double stiffness, double rest) {
@@ -229,7 +283,7 @@ class Builder {
 
   void add_housing() {
     const SpatialNode& n = s_.nut[static_cast<std::size_t>(s_.thrust)];
-    hold(n.y_plane, Dof::u, f_.housing.axial, 0.0);
+    hold(n.axial, Dof::u, f_.housing.axial, 0.0);
     hold_across(n, Dof::v, f_.housing.lateral);
     hold_across(n, Dof::theta, f_.housing.tilt);
   }

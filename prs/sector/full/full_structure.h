@@ -8,26 +8,29 @@
 
 namespace prs {
 
-/// A node of screw or nut at x: (u, y, y') and (-, z, z') as two plane nodes.
+/// A node of screw or nut at x: (u, y, y') and (-, z, z') as two plane nodes. The wall of a nut has
+/// u, its radial displacement and tilt of its own, and those of its harmonics.
 struct SpatialNode {
   double x = 0.0;
   int y_plane = 0;
   int z_plane = 0;
+  int axial = 0;  ///< Node whose u it is: `y_plane`, or that of the wall.
+  int wall = -1;  ///< (u, v, theta) of the wall; those of its harmonics follow. -1: none.
 };
 
 /// The full mechanism as a structure of beams, springs and constraints. Displacements are counted
 /// from the rigid motion that takes the whole mechanism with the seat of the nut.
 struct FullStructure {
   struct Roller {
-    std::vector<int> nodes;                  ///< Along x.
-    std::vector<double> x;                   ///< Theirs [m].
-    std::vector<int> contacts;               ///< Node of each thread.
-    std::array<std::vector<int>, 2> guided;  ///< Nodes that the near and the far ring guide.
-    int first_spring = 0;                    ///< Of the screw's contacts; those at the nut follow.
+    std::vector<int> nodes;                   ///< Along x.
+    std::vector<double> x;                    ///< Theirs [m].
+    PerInterface<std::vector<int>> contacts;  ///< Node of each thread.
+    std::array<std::vector<int>, 2> guided;   ///< Nodes that the near and the far ring guide.
+    int first_spring = 0;                     ///< Of the screw's contacts; those at the nut follow.
 
     int spring(Interface i, std::size_t thread) const {
       return first_spring +
-             static_cast<int>(thread + (i == Interface::screw ? 0 : contacts.size()));
+             static_cast<int>(thread + (i == Interface::screw ? 0 : contacts.screw.size()));
     }
   };
   /// A constraint or an elastic link by which a ring guides a roller.

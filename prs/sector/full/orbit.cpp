@@ -72,6 +72,7 @@ class Collector {
 }  // namespace
 
 std::optional<Orbit> orbit(const std::function<FullModel(double)>& model,
+                           const std::function<FullDistribution(const FullModel&)>& solver,
                            const SpatialLoad::Orbit& wanted, double carrier_angle, bool alike) {
   const FullModel first = model(carrier_angle);
   const int positions = wanted.steps * first.rollers;
@@ -80,7 +81,7 @@ std::optional<Orbit> orbit(const std::function<FullModel(double)>& model,
   std::vector<FullDistribution> solved;
   std::vector<double> displacement;
   for (int m = 0; m < different; ++m) {
-    solved.push_back(solve(model(angle(m)), Detail::numbers));
+    solved.push_back(solver(model(angle(m))));
     if (!solved.back().solve.converged()) return std::nullopt;
     displacement.push_back(solved.back().axial_displacement);
   }

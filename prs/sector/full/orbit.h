@@ -34,6 +34,7 @@ struct Orbit {
 /// spacing is solved and the rest is a permutation. `model` makes the mechanism at a carrier angle.
 /// Nothing where a position has no equilibrium.
 std::optional<Orbit> orbit(const std::function<FullModel(double)>& model,
+                           const std::function<FullDistribution(const FullModel&)>& solver,
                            const SpatialLoad::Orbit& wanted, double carrier_angle, bool alike);
 
 }  // namespace prs

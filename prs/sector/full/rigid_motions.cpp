@@ -91,7 +91,8 @@ std::vector<fe::LinearForm> bilateral(const fe::Model& model) {
   for (const fe::ElasticLink& e : model.elastic_links) forms.push_back(e.form);
   for (const fe::ElasticSupport& e : model.elastic_supports)
     forms.push_back({{e.node, e.dof, 1.0}});
-  for (const fe::FixedSupport& e : model.fixed_supports) forms.push_back({{e.node, e.dof, 1.0}});
+  for (const fe::FixedSupport& e : model.fixed_supports)
+    if (e.dof != Dof::u) forms.push_back({{e.node, e.dof, 1.0}});  // No part moves those of u.
   return forms;
 }
 
@@ -101,6 +102,24 @@ Eigen::MatrixXd rows_over(const Motions& motions, const std::vector<fe::LinearFo
   for (std::size_t i = 0; i < forms.size(); ++i)
     motions.add(forms[i], rows.row(static_cast<Eigen::Index>(i)));
   return rows;
+}
+
+/// Rows that are not zero, scaled to one.
+Eigen::MatrixXd unit_rows(const Eigen::MatrixXd& rows) {
+  Eigen::MatrixXd units(rows.rows(), rows.cols());
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    if (const double norm = rows.row(i).norm(); norm > 0.0) units.row(count++) = rows.row(i) / norm;
+  return units.topRows(count);
+}
+
+/// Whether the smallest singular value of a triangle is above kNoResistance times the largest, by
+/// 1/|R^-1| and |R| in Frobenius' norm, which bound them; far cheaper than the values.
+bool surely_regular(const Eigen::MatrixXd& r) {
+  if (r.rows() < r.cols()) return false;
+  const Eigen::MatrixXd inverse =
+      r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(r.rows(), r.cols()));
+  return kNoResistance * r.norm() * inverse.norm() < 1.0;  // False where one is no number.
 }
 
 /// x >= 0 that minimises |A x - b| (Lawson and Hanson, Solving Least Squares Problems, 1974,
@@ -189,20 +208,18 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s,
   // Rows of a roller are linear in x: two of them span those between.
   for (const FullStructure::Roller& r : s.rollers)
     for (const Interface i : kInterfaces) {
-      std::size_t first = 0, last = r.contacts.size();
+      std::size_t first = 0, last = r.contacts[i].size();
       while (first < last && !is_closed(r.spring(i, first))) ++first;
       while (last > first && !is_closed(r.spring(i, last - 1))) --last;
       if (first < last) add(r.spring(i, first));
       if (first + 1 < last) add(r.spring(i, last - 1));
     }
-  Eigen::MatrixXd rows = rows_over(motions, forms);
-  for (Eigen::Index i = 0; i < rows.rows(); ++i)
-    if (const double norm = rows.row(i).norm(); norm > 0.0) rows.row(i) /= norm;
-
+  const Eigen::MatrixXd rows = unit_rows(rows_over(motions, forms));
   const Eigen::MatrixXd r = Eigen::HouseholderQR<Eigen::MatrixXd>(rows)
                                 .matrixQR()
                                 .topRows(std::min(rows.rows(), rows.cols()))
                                 .triangularView<Eigen::Upper>();
+  if (surely_regular(r)) return {};
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(r, Eigen::ComputeFullV);
   const Eigen::VectorXd& sizes = svd.singularValues();
   FreeMotions free;
@@ -216,6 +233,22 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s,
         free.parts.push_back(motions.part(part));
   }
   return free;
+}
+
+std::string why_free(const FreeMotions& free) {
+  return fmt::format("mechanism: {} motion{} of {} meet{} no resistance", free.count,
+                     free.count == 1 ? "" : "s", free.parts.front(), free.count == 1 ? "s" : "");
+}
+
+std::string why_not_held(const FullModel& f, const FullStructure& s) {
+  std::string text = fmt::format(
+      "no equilibrium: flanks that only push cannot hold this load ({:.3f} of the axial force is "
+      "left "
+      "over); add `structure.screw.bearings`",
+      load_left(f, s));
+  if (const std::optional<double> force = holding_force(f))
+    text += fmt::format(", or raise the axial force to {:.4g} kN", *force * 1e-3);
+  return text;
 }
 
 }  // namespace prs

@@ -30,4 +30,8 @@ double load_left(const FullModel& model, const FullStructure& structure);
 /// one; absent where none holds it.
 std::optional<double> holding_force(const FullModel& model);
 
+/// What to tell of a mechanism and of a load that nothing holds.
+std::string why_free(const FreeMotions& motions);
+std::string why_not_held(const FullModel& model, const FullStructure& structure);
+
 }  // namespace prs

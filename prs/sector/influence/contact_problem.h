@@ -16,10 +16,10 @@ namespace prs {
 ///
 ///     w = R U - C N,   N = k_0 <w - g>^1.5,   R' N = (F, 0).
 ///
-/// SI units.
+/// More rollers and motions likewise, with another right-hand side. SI units.
 struct ContactProblem {
   Eigen::MatrixXd flexibility;     ///< C [m/N], symmetric.
-  Eigen::MatrixXd rigid;           ///< R, one column for the screw and one for the roller [-].
+  Eigen::MatrixXd rigid;           ///< R, first of the screw, then of each roller [-].
   Eigen::VectorXd hertz_constant;  ///< k_0 [N/m^1.5]
   Eigen::VectorXd gap;             ///< g, initial gap along the normal [m].
 
@@ -40,6 +40,8 @@ struct ContactSolveOptions {
   /// Largest error of a compatibility condition over the mean Hertz approach, and of an equilibrium
   /// condition over the load.
   double tolerance = 1e-12;
+  /// Least slope dN/dy in the matrix of a step, never in the residual [N/m].
+  double least_tangent = 0.0;
   int max_iterations = 50;
   int max_halvings = 40;
 };
@@ -59,9 +61,12 @@ struct ContactSolution {
   double residual = 0.0;         ///< Largest, relative as in the options.
   Eigen::VectorXd normal_load;   ///< N, screw then nut [N].
   Eigen::VectorXd approach;      ///< delta = <w - g> [m]
+  Eigen::VectorXd openings;      ///< <g - w> of those that are open [m].
   double screw_motion = 0.0;     ///< U of the screw's loaded section [m].
   double roller_motion = 0.0;    ///< U of the roller [m].
-  double tangent_stiffness = 0;  ///< dF/dU of the sector at the load [N/m].
+  Eigen::VectorXd motion;        ///< U
+  double tangent_stiffness = 0;  ///< dF/dU of the first motion at the load [N/m].
+  Eigen::MatrixXd compliance;    ///< dU/dF of all motions at the load.
 
   bool converged() const { return status == ContactSolveStatus::converged; }
   /// Linear solves.
@@ -78,5 +83,9 @@ struct ContactSolution {
 /// meaning. `force` is the axial force on the sector [N], > 0. A few 10 us for 40 contacts.
 ContactSolution solve(const ContactProblem& problem, double force,
                       const ContactSolveOptions& options = {});
+
+/// The same with R' N = `load`, from linear contacts of the given stiffness [N/m].
+ContactSolution solve(const ContactProblem& problem, const Eigen::VectorXd& load,
+                      const Eigen::VectorXd& stiffness, const ContactSolveOptions& options);
 
 }  // namespace prs

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "prs/sector/influence/body_solver.h"
-#include "prs/sector/influence/cache_key.h"
+#include "prs/sector/influence/loaded_bodies.h"
 
 namespace prs {
 namespace {
@@ -29,15 +29,6 @@ std::vector<LoadedFlank> loaded_flanks(const Groove& g, double first, int contac
   for (int k = 0; k < contacts; ++k)
     flanks.push_back({first + k * g.pitch - g.position(side, 0.0), side, patch, cells});
   return flanks;
-}
-
-/// Nodes of some edges, each once.
-std::vector<int> nodes_of(const std::vector<fe::MeridianEdge>& edges) {
-  std::vector<int> nodes;
-  for (const fe::MeridianEdge& e : edges) nodes.insert(nodes.end(), e.begin(), e.end());
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
 }
 
 /// The innermost first.
@@ -88,17 +79,6 @@ std::vector<fe::MeridianEdge> within(const GroovedBody& body,
   return inner;
 }
 
-/// Loads of harmonic 1 that push sideways with 1 N, spread evenly over a section; also the weights
-/// of its mean sideways displacement, 1/2 (U - V).
-Eigen::VectorXd transverse_force(const GroovedBody& body,
-                                 const std::vector<fe::MeridianEdge>& section) {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(fe::kComponents * body.mesh.size());
-  for (const fe::MeridianEdge& e : section)
-    fe::add_edge_load(
-        body.mesh, e, 1, [](double, double) { return Eigen::Vector3d(1.0, -1.0, 0.0); }, load);
-  return load / load.cwiseAbs().sum();
-}
-
 /// A spring on the mean sideways displacement of a section.
 fe::HarmonicSpring sideways_spring(const GroovedBody& body,
                                    const std::vector<fe::MeridianEdge>& section, double stiffness) {
@@ -135,31 +115,12 @@ void add_guidance(const GroovedBody& body, const Guidance& guidance,
   }
 }
 
-/// Teeth of a body that all rollers touch alike.
-Teeth teeth_around(const BodyGeometry& b, const Groove& groove, double far_radius,
-                   const Material& material, const LoadedFlank& flank,
-                   const FlexibilityOptions& options) {
-  return {groove,    far_radius, elastic(material), {flank}, {false},
-          b.rollers, b.rollers,  b.contacts,        options};
-}
-
 /// Adds what the harmonics that die out along the body leave.
 void add_teeth(Flexibility& f, const Teeth& teeth, bool centred, MatrixCache& cache) {
   const TeethFlexibility of_teeth = teeth_flexibility(teeth, cache);
   add_teeth(of_teeth, teeth, centred, f.matrix);
   f.half_space = of_teeth.half_space[0];
 }
-
-/// A body under unit loads on its flanks.
-struct LoadedBody {
-  GroovedShape shape;
-  std::vector<LoadedFlank> flanks;
-  Material material;
-  MeshDensity density;
-
-  GroovedBody meshed() const { return mesh_grooved_body(shape, flanks, density); }
-};
-PRS_MEMBERS(LoadedBody, shape, flanks, material, density)
 
 /// Held where it starts.
 MatrixCache::Matrices held_at_start(const LoadedBody& b) {
@@ -203,8 +164,36 @@ BodyGeometry body_geometry(const Mechanism& m, const Structure& structure,
   return b;
 }
 
-Flexibility screw_flexibility(const BodyGeometry& b, Direction direction,
-                              const FlexibilityOptions& options, MatrixCache& cache) {
+std::vector<int> nodes_of(const std::vector<fe::MeridianEdge>& edges) {
+  std::vector<int> nodes;
+  for (const fe::MeridianEdge& e : edges) nodes.insert(nodes.end(), e.begin(), e.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+Eigen::VectorXd transverse_force(const GroovedBody& body,
+                                 const std::vector<fe::MeridianEdge>& section) {
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(fe::kComponents * body.mesh.size());
+  for (const fe::MeridianEdge& e : section)
+    fe::add_edge_load(
+        body.mesh, e, 1, [](double, double) { return Eigen::Vector3d(1.0, -1.0, 0.0); }, load);
+  return load / load.cwiseAbs().sum();
+}
+
+Teeth teeth_of(const BodyGeometry& b, Part part, Direction direction,
+               const FlexibilityOptions& options) {
+  const bool screw = part == Part::screw;
+  const LoadedFlank flank{0.0, screw ? pushing_flank(direction) : pushed_flank(direction),
+                          screw ? b.patches.screw : b.patches.nut, options.mesh.patch_cells};
+  const double far = 0.5 * (screw ? b.structure.screw.bore : b.structure.nut.outer_diameter);
+  return {b.grooves[part], far,        elastic(b.materials[part]),
+          {flank},         {false},    b.rollers,
+          b.rollers,       b.contacts, options};
+}
+
+LoadedBody loaded_screw(const BodyGeometry& b, Direction direction,
+                        const FlexibilityOptions& options) {
   const Groove& g = b.grooves.screw;
   const Structure::Screw& screw = b.structure.screw;
   const FlankSide side = pushing_flank(direction);
@@ -222,32 +211,21 @@ Flexibility screw_flexibility(const BodyGeometry& b, Direction direction,
     shape.end = last + 0.5 * g.pitch;
   }
   shape.far_radius = 0.5 * screw.bore;
-  const LoadedBody whole{
-      shape, loaded_flanks(g, first, b.contacts, side, b.patches.screw, options.mesh.patch_cells),
-      elastic(b.materials.screw), options.mesh};
+  return {shape,
+          loaded_flanks(g, first, b.contacts, side, b.patches.screw, options.mesh.patch_cells),
+          elastic(b.materials.screw), options.mesh};
+}
+
+Flexibility screw_flexibility(const BodyGeometry& b, Direction direction,
+                              const FlexibilityOptions& options, MatrixCache& cache) {
   Flexibility f;
-  f.matrix = b.rollers * cached(cache, "screw", whole, held_at_start)->front();
-  const LoadedFlank flank{0.0, side, b.patches.screw, options.mesh.patch_cells};
-  add_teeth(f, teeth_around(b, g, shape.far_radius, b.materials.screw, flank, options), false,
-            cache);
+  f.matrix = b.rollers *
+             cached(cache, "screw", loaded_screw(b, direction, options), held_at_start)->front();
+  add_teeth(f, teeth_of(b, Part::screw, direction, options), false, cache);
   return f;
 }
 
-namespace {
-
-/// A nut, held at a section; with a shoulder on what it reaches of a free face there, `radii` of
-/// the shape.
-struct HeldNut {
-  LoadedBody body;
-  double thrust = 0.0;
-  bool shoulder = false;
-};
-PRS_MEMBERS(HeldNut, body, thrust, shoulder)
-
-/// Harmonic 0; the last matrix says whether the section is a free face, which can lift off, or one
-/// inside, which is held both ways.
-MatrixCache::Matrices on_shoulder(const HeldNut& nut) {
-  const GroovedBody body = nut.body.meshed();
+std::vector<int> held_nodes(const GroovedBody& body, const HeldNut& nut) {
   const std::vector<fe::MeridianEdge>& face = body.free_face(nut.thrust);
   const bool on_face = !face.empty();
   std::vector<int> held = by_radius(body, nodes_of(on_face ? face : body.section(nut.thrust)));
@@ -260,14 +238,24 @@ MatrixCache::Matrices on_shoulder(const HeldNut& nut) {
     });
     if (held.empty()) throw std::invalid_argument("the shoulder does not reach the flange's face");
   }
-  const ThrustFace t = thrust_face(body, nut.body.material, held);
+  return held;
+}
+
+namespace {
+
+/// Harmonic 0; the last matrix says whether the section is a free face, which can lift off, or one
+/// inside, which is held both ways.
+MatrixCache::Matrices on_shoulder(const HeldNut& nut) {
+  const GroovedBody body = nut.body.meshed();
+  const bool on_face = !body.free_face(nut.thrust).empty();
+  const ThrustFace t = thrust_face(body, nut.body.material, held_nodes(body, nut));
   return {t.nodes, t.coupling, t.loads, t.resultants, Eigen::MatrixXd::Constant(1, 1, on_face)};
 }
 
 }  // namespace
 
-Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double position,
-                            const FlexibilityOptions& options, MatrixCache& cache) {
+HeldNut held_nut(const BodyGeometry& b, Direction direction, double position,
+                 const FlexibilityOptions& options) {
   const Groove& g = b.grooves.nut;
   const Structure::Nut& nut = b.structure.nut;
   const FlankSide side = pushed_flank(direction);
@@ -285,11 +273,16 @@ Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double p
   shape.sections.push_back(thrust);
   if (nut.shoulder)
     shape.radii = {0.5 * nut.shoulder->inner_diameter, 0.5 * nut.shoulder->outer_diameter};
-  const HeldNut held{
+  return {
       {shape, loaded_flanks(g, position, b.contacts, side, b.patches.nut, options.mesh.patch_cells),
        elastic(b.materials.nut), options.mesh},
       thrust,
       nut.shoulder.has_value()};
+}
+
+Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double position,
+                            const FlexibilityOptions& options, MatrixCache& cache) {
+  const HeldNut held = held_nut(b, direction, position, options);
   const auto whole = cached(cache, "nut", held, on_shoulder);
   const ThrustFace face{(*whole)[0], (*whole)[1], (*whole)[2], (*whole)[3]};
   const bool unilateral = options.unilateral_thrust && (*whole)[4](0) != 0.0;
@@ -301,8 +294,7 @@ Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double p
   Flexibility f;
   f.matrix = b.rollers * face.flexibility(touching);
   if (unilateral) f.face = face;
-  const LoadedFlank flank{0.0, side, b.patches.nut, options.mesh.patch_cells};
-  add_teeth(f, teeth_around(b, g, shape.far_radius, b.materials.nut, flank, options), false, cache);
+  add_teeth(f, teeth_of(b, Part::nut, direction, options), false, cache);
   return f;
 }
 

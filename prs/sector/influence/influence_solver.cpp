@@ -65,13 +65,7 @@ LoadDistribution InfluenceSolver::solve(double axial_force) const {
   }
 
   LoadDistribution d;
-  d.solve.status = newton_status(s.status);
-  d.solve.relative_residual = s.residual;
-  for (const ContactIteration& i : history)
-    d.solve.history.push_back({.energy = kNone,
-                               .relative_residual = i.residual,
-                               .step_length = i.step_length,
-                               .shift = kNone});
+  d.solve = newton_summary(s, history);
   const int contacts = problem_.contacts();
   for (const Interface i : kInterfaces) {
     const int first = i == Interface::screw ? 0 : contacts;
@@ -85,21 +79,39 @@ LoadDistribution InfluenceSolver::solve(double axial_force) const {
   return d;
 }
 
-InfluenceSolver influence_solver(const Conditions& c, const Contacts& contacts,
-                                 const PerInterface<ContactLaw>& laws, Direction direction,
-                                 double position, MatrixCache& cache) {
+fe::NewtonSummary newton_summary(const ContactSolution& s,
+                                 const std::vector<ContactIteration>& history) {
+  fe::NewtonSummary summary;
+  summary.status = newton_status(s.status);
+  summary.relative_residual = s.residual;
+  for (const ContactIteration& i : history)
+    summary.history.push_back({.energy = kNone,
+                               .relative_residual = i.residual,
+                               .step_length = i.step_length,
+                               .shift = kNone});
+  return summary;
+}
+
+BodyGeometry influence_geometry(const Conditions& c, const Contacts& contacts,
+                                const PerInterface<ContactLaw>& laws, Direction direction) {
   const Materials& materials = *c.materials;
   PerInterface<HertzPatch> patches;
   for (const Interface i : kInterfaces)
     patches[i] = nominal_patch(contacts.interfaces[i], laws[i], materials[body_of(i)],
                                materials[Part::roller]);
-  const BodyGeometry geometry =
-      body_geometry(contacts.mechanism, *c.structure, materials, laws, patches, direction, c.model);
+  return body_geometry(contacts.mechanism, *c.structure, materials, laws, patches, direction,
+                       c.model);
+}
+
+InfluenceSolver influence_solver(const Conditions& c, const Contacts& contacts,
+                                 const PerInterface<ContactLaw>& laws, Direction direction,
+                                 double position, MatrixCache& cache) {
+  const BodyGeometry geometry = influence_geometry(c, contacts, laws, direction);
   try {
     const BodyFlexibilities bodies = body_flexibilities(
         geometry, direction, position, flexibility_options(c.model.accuracy), cache);
     return {bodies, contacts.mechanism.rollers, laws,
-            initial_gaps(contacts.mechanism, c.deviations, materials,
+            initial_gaps(contacts.mechanism, c.deviations, *c.materials,
                          {laws.screw.normal_angle, laws.nut.normal_angle}, direction)};
   } catch (const std::invalid_argument& reason) {
     throw CaseError("model.bodies",

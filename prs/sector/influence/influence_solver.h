@@ -25,6 +25,14 @@ class InfluenceSolver {
   ThrustFace::Touching touching_;  ///< With equal loads, as `problem_` has it.
 };
 
+/// How a solve, or several in a row, ended.
+fe::NewtonSummary newton_summary(const ContactSolution& solution,
+                                 const std::vector<ContactIteration>& history);
+
+/// What the bodies of a case are worked out from.
+BodyGeometry influence_geometry(const Conditions& c, const Contacts& contacts,
+                                const PerInterface<ContactLaw>& laws, Direction direction);
+
 /// The influence model of a case for one direction of the load and one position of the first
 /// contact on the nut. Throws CaseError where a body cannot be meshed.
 InfluenceSolver influence_solver(const Conditions& c, const Contacts& contacts,

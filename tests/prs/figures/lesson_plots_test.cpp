@@ -1,9 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "prs/output/plots.h"
 #include "prs/run/commands.h"
@@ -41,8 +47,9 @@ void expect_silent(const Figures& all) {
   }
 }
 
-Figures of_lesson(const char* file, Command command) {
-  const auto source = input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + file, {});
+Figures of_lesson(const char* file, Command command, std::vector<std::string> overrides = {}) {
+  const auto source =
+      input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + file, std::move(overrides));
   const Delivery delivery = run(row_of(command), source);
   return figures(delivery.pictures());
 }
@@ -52,6 +59,40 @@ TEST(LessonPlots, GnuplotDrawsAndSaysNothing) {
   expect_silent(of_lesson("07_contact_geometry.yaml", Command::contact));
   expect_silent(of_lesson("09_slip_and_dissipation.yaml", Command::slip));
   expect_silent(of_lesson("18_design_measures.yaml", Command::measures));
+}
+
+std::optional<Figure> one_of(const Figures& figures, std::string_view name) {
+  const auto found = std::ranges::find(figures, name, &Figure::name);
+  return found == figures.end() ? std::nullopt : std::optional(*found);
+}
+
+TEST(LessonPlots, MixedFrictionHasStribecksCurve) {
+  const std::optional<Figure> shown =
+      one_of(of_lesson("29_stribeck.yaml", Command::slip), "stribeck");
+  ASSERT_TRUE(shown);
+  ASSERT_EQ(shown->panels.size(), 4u);  // friction, efficiency, power, film
+  EXPECT_TRUE(shown->x.logarithmic);
+  for (const Panel& panel : shown->panels) {
+    EXPECT_NEAR(panel.references.back().at, 200.0, 1e-9);  // the speed of the case
+    EXPECT_EQ(panel.series.front().parts.front().size(), 41u);
+  }
+  expect_silent({*shown});
+  EXPECT_FALSE(one_of(of_lesson("09_slip_and_dissipation.yaml", Command::slip), "stribeck"));
+}
+
+TEST(LessonPlots, SlipOfAllRollersHasMaps) {
+  const Figures shown = of_lesson("27_missing_roller.yaml", Command::slip,
+                                  {"friction={coulomb: 0.1}", "operation={speed: 100 rpm}"});
+  EXPECT_FALSE(one_of(shown, "thread_power"));
+  const std::optional<Figure> power = one_of(shown, "roller_power");
+  ASSERT_TRUE(power);
+  ASSERT_EQ(power->panels.size(), 2u);
+  const GridData& grid = power->panels[1].map.grid;
+  EXPECT_EQ(grid.x.size(), 20u);
+  EXPECT_EQ(grid.y.size(), 11u);
+  EXPECT_EQ(grid.at(3, 0), 0.0);  // the missing one
+  EXPECT_GT(grid.at(3, 1), grid.at(3, 5));
+  expect_silent({*power, *one_of(shown, "roller_friction")});
 }
 
 TEST(LessonPlots, PreloadHasItsStiffness) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "prs/measures/analyze_measures.h"
 #include "prs/quantities/measure_quantities.h"
 #include "prs/slip/slip.h"
 #include "tests/support/slips.h"
@@ -93,12 +94,19 @@ TEST(Efficiency, BackDrivingEstimateMissesAMakersValuesByUpToSevenHundredths) {
   EXPECT_NEAR(highest, 0.01, 0.005);
 }
 
-/// The left-handed screw under the same force and speed is driven by its load.
 TEST(Efficiency, BackDrivingEstimateLiesBelowThatOfContacts) {
   Case c = test::sandu_reference();
   const double lead = c.mechanism.lead, diameter = *c.mechanism.pitch_diameter.screw;
   const double forward = *analyze_slip(c).load_cases[0].slip->efficiency;
-  const double backward = *analyze_slip(test::left_handed(c)).load_cases[0].slip->efficiency;
+  const double backward = *analyze_slip(test::turned_back(c)).load_cases[0].slip->efficiency;
+  const MeasuresResult measures = analyze_measures(c);
+  EXPECT_DOUBLE_EQ(*measures.load_measures[0]->back_driving_efficiency, backward);
+  const std::optional<Lubricant> oil = c.lubricant;
+  c.lubricant->viscosity.reset();  // that heat would tell
+  EXPECT_FALSE(analyze_measures(c).load_measures[0]->back_driving_efficiency);
+  c.lubricant = oil;
+  c.friction.reset();
+  EXPECT_FALSE(analyze_measures(c).load_measures[0]->back_driving_efficiency);
   const double miss =
       *back_driving_efficiency(lead, diameter, friction_of(forward, lead, diameter)) - backward;
   EXPECT_LT(miss, -0.03);

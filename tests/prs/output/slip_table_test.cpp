@@ -47,12 +47,16 @@ TEST(SlipTable, AbsentQuantitiesHaveNoLine) {
   LoadCaseResult load_case = with_slip(equal_share_case("equal"));
   SlipResult& slip = *load_case.slip;
   slip.efficiency.reset();
+  slip.driven_by = DrivenBy::load;
+  slip.self_locking = true;
+  slip.holding_torque = 1.25;
   slip.estimates.jones.reset();
   slip.equal_shares.reset();
   for (const Interface i : kInterfaces)
     slip.threads[i].film_thickness = slip.threads[i].central_film = {};
   const std::string table = slip_table(result_of({load_case}));
   EXPECT_TRUE(contains(table, "self-locking"));
+  EXPECT_TRUE(contains(table, "1.250   turns the screw"));
   EXPECT_TRUE(contains(table, "equal shares"));
   for (const char* part : {"Jones", "thread loads", "film by Sandu", "central film", "NaN", "nan"})
     EXPECT_FALSE(contains(table, part)) << part << " in\n" << table;

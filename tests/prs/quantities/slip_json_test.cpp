@@ -51,6 +51,35 @@ TEST(SlipJson, ValuesHaveTheUnitOfTheirKey) {
                    slip.equal_shares->max_power_density * 1e-6);
 }
 
+TEST(SlipJson, TheLoadThatDrivesSaysWhatHoldsIt) {
+  SlipResult slip = sample();
+  auto json = object_of(slip);
+  EXPECT_EQ(json.at("driven_by"), "screw");
+  for (const char* key : {"self_locking", "holding_torque_Nm"}) EXPECT_FALSE(json.contains(key));
+  slip.driven_by = DrivenBy::load;
+  slip.efficiency.reset();
+  slip.self_locking = true;
+  slip.holding_torque = 1.5;
+  json = object_of(slip);
+  EXPECT_EQ(json.at("driven_by"), "load");
+  EXPECT_EQ(json.at("self_locking"), true);
+  EXPECT_EQ(json.at("holding_torque_Nm"), 1.5);
+  EXPECT_FALSE(json.contains("efficiency"));
+}
+
+TEST(SlipJson, ThreadsOfAllRollersStandInRows) {
+  SlipResult slip = sample();
+  slip.threads.nut.threads_per_roller = 5;
+  slip.hottest = {Interface::nut, 7};
+  const auto json = object_of(slip);
+  const auto& power = json.at("nut").at("power_W");
+  ASSERT_EQ(power.size(), 4u);
+  EXPECT_EQ(power[1][2], slip.threads.nut.power[7]);
+  EXPECT_EQ(json.at("hottest_thread").at("roller"), 2);
+  EXPECT_EQ(json.at("hottest_thread").at("thread"), 3);
+  EXPECT_EQ(json.at("screw").at("power_W")[7], slip.threads.screw.power[7]);
+}
+
 TEST(SlipJson, ThreadsHaveTheUnitOfTheirKey) {
   const SlipResult slip = sample();
   const InterfaceSlip& threads = slip.threads.nut;

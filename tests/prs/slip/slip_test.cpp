@@ -85,6 +85,9 @@ void expect_as_plain(const Case& c, const Result& result, double tolerance) {
       if (!c.lubricant) continue;
       expect_relative(computed.film_thickness[k], threads[k].film_thickness, tolerance, "h_c");
       expect_relative(computed.central_film[k], threads[k].central_film, tolerance, "full fit");
+      EXPECT_EQ(computed.boundary_share.empty(), !c.roughness);
+      if (c.roughness)
+        expect_relative(computed.boundary_share[k], threads[k].boundary_share, tolerance, "share");
     }
   }
 }
@@ -214,6 +217,94 @@ TEST(Slip, RandomCasesMatchThePlainCalculation) {
   EXPECT_GT(compared, 4 * left_out);
 }
 
+TEST(MixedFriction, MatchesThePlainCalculation) {
+  std::mt19937_64 random(34);
+  std::uniform_real_distribution<double> unit;
+  int compared = 0;
+  for (int n = 0; n < 20; ++n) {
+    SCOPED_TRACE(n);
+    Case c = test::random_slip(random);
+    const auto rough = [&] { return std::exp(std::log(10e-9) + unit(random) * std::log(200.0)); };
+    c.roughness = PerPart<double>{rough(), rough(), rough()};
+    c = test::with_mixed_friction(c, 0.2 * unit(random), 0.5 + 3.0 * unit(random));
+    Result result;
+    try {
+      result = analyze_slip(c);
+    } catch (const CaseError&) {  // no contact point with that profile
+      continue;
+    }
+    if (!result.load_cases[0].slip->converged()) continue;
+    expect_as_plain(c, result, 1e-9);
+    ++compared;
+  }
+  EXPECT_GT(compared, 12);
+}
+
+/// Smooth flanks never touch, rough ones always.
+TEST(MixedFriction, IsJacodsOfAThickFilmAndCoulombsWithoutFilm) {
+  const auto expect_same = [](const SlipResult& a, const SlipResult& b, double tolerance) {
+    EXPECT_NEAR(a.slip_ratio, b.slip_ratio, tolerance);
+    EXPECT_NEAR(a.power.total() / b.power.total(), 1.0, tolerance);
+    EXPECT_NEAR(*a.efficiency, *b.efficiency, tolerance);
+    for (const Interface i : kInterfaces)
+      EXPECT_NEAR(a.threads[i].friction_coefficient[0] / b.threads[i].friction_coefficient[0], 1.0,
+                  tolerance);
+  };
+  Case c = test::sandu_reference();
+  const SlipResult jacod = slip_of(c);
+  c.roughness = PerPart<double>{1e-15, 1e-15, 1e-15};  // Lambda 3e8, share 1e-17
+  const SlipResult smooth = slip_of(test::with_mixed_friction(c, 0.11, 2.0));
+  expect_same(smooth, jacod, 1e-13);
+  EXPECT_FALSE(smooth.efficiency_fit);
+  c.roughness = PerPart<double>{1e4, 1e4, 1e4};  // Lambda 3e-11
+  const SlipResult rough = slip_of(test::with_mixed_friction(c, 0.11, 2.0));
+  expect_same(rough, slip_of(test::with_coulomb(c, 0.11)), 1e-9);
+  EXPECT_NEAR(rough.threads.screw.boundary_share[0], 1.0, 1e-9);
+}
+
+/// Films grow with the speed: from the friction of touching flanks down, then up with the shear of
+/// the film.
+TEST(MixedFriction, FollowsStribeck) {
+  Case c = test::with_mixed_friction(test::sandu_reference(), 0.13, 2.0);
+  c.roughness = PerPart<double>{0.05e-6, 0.05e-6, 0.05e-6};
+  const Result result = analyze_slip(c);
+  const StribeckCurve curve = stribeck_curve(c, result, 0);
+  ASSERT_EQ(curve.speed.size(), 41u);
+  EXPECT_NEAR(curve.speed[30] / result.load_cases[0].slip->speed, 1.0, 1e-12);
+  EXPECT_NEAR(curve.power[30] / result.load_cases[0].slip->power.total(), 1.0, 1e-9);
+  const std::vector<double>& nut = curve.friction.nut;
+  EXPECT_NEAR(nut.front(), 0.13, 0.02);
+  const auto least = std::ranges::min_element(nut);
+  EXPECT_LT(*least, 0.8 * nut.front());
+  EXPECT_LT(*least, 0.99 * nut.back());
+  EXPECT_TRUE(std::ranges::is_sorted(curve.film_ratio.screw));
+  EXPECT_GT(curve.film_ratio.screw.back(), kFullFilm);
+}
+
+TEST(MixedFriction, WarnsOfNoThinFilm) {
+  Case c = test::with_mixed_friction(test::sandu_reference(), 0.11, 2.0);
+  const Result result = analyze_slip(c);
+  EXPECT_LT(result.load_cases[0].slip->threads.screw.film_ratio[0], 3.0);
+  EXPECT_THAT(result.load_cases[0].warnings,
+              ::testing::Not(::testing::Contains(HasSubstr("lubrication"))));
+}
+
+/// Where friction is Coulomb's, power is mu times the pressure and speed that wear.
+TEST(Wear, IsArchardsVolumeByCoulombsPower) {
+  for (Case c : {few_threads(), test::inverted(few_threads())}) {
+    c = test::with_coulomb(c, 0.08);
+    EXPECT_TRUE(slip_of(c).threads.screw.wear.empty());
+    c.wear = Wear{1e-17};
+    const SlipResult s = slip_of(c);
+    const double advance = c.mechanism.lead * s.speed / (2 * std::numbers::pi);
+    for (const Interface i : kInterfaces)
+      EXPECT_NEAR(s.threads[i].wear[0] / (1e-17 * s.threads[i].power[0] / 0.08 / advance), 1.0,
+                  1e-12);
+    c.operation->speed *= 3.0;  // the same way for each metre
+    EXPECT_NEAR(slip_of(c).threads.nut.wear[0] / s.threads.nut.wear[0], 1.0, 1e-9);
+  }
+}
+
 TEST(Slip, AHalfTurnAboutTheRadialAxisReversesEverything) {
   const SlipResult a = slip_of(test::sandu_reference());
   const SlipResult b = slip_of(test::reversed(test::sandu_reference()));
@@ -231,18 +322,63 @@ TEST(Slip, TheMirrorImageLosesAsMuch) {
   EXPECT_NEAR(b.torque_screw / a.torque_screw, -1.0, 1e-12);
 }
 
-/// Force and speed of one sign on a left-handed screw: the load drives, and gets less out.
+/// The load drives, and gets less out.
 TEST(Slip, ALoadThatDrivesTheScrewPaysForTheFriction) {
   const Case c = test::left_handed(test::sandu_reference());
-  const Result result = analyze_slip(c);
-  const SlipResult& s = *result.load_cases[0].slip;
+  const SlipResult s = slip_of(c);
+  EXPECT_EQ(s.driven_by, DrivenBy::load);
+  EXPECT_EQ(slip_of(test::turned_back(c)).driven_by, DrivenBy::screw);
   ASSERT_EQ(s.status, SlipStatus::converged);
   EXPECT_LT(std::abs(s.torque_screw), 35e3 * 10e-3 / (2 * std::numbers::pi));
   EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-10);
   const double shaft = -s.torque_screw * s.speed;
   EXPECT_NEAR(*s.efficiency, shaft / (shaft + s.power.total()), 1e-12);
-  EXPECT_THAT(result.load_cases[0].warnings,
-              ::testing::Contains(HasSubstr("the load drives the screw")));
+  EXPECT_EQ(s.self_locking, false);
+  EXPECT_NEAR(*s.holding_torque * s.speed, -shaft, 1e-12 * shaft);  // a brake
+}
+
+/// A plane through the axis mirrors hand and rotation, and leaves the force.
+TEST(Slip, DrivenByItsLoadAScrewIsItsMirrorImage) {
+  std::mt19937_64 random(21);
+  int compared = 0;
+  for (int n = 0; n < 20; ++n) {
+    SCOPED_TRACE(n);
+    Case driven = test::random_slip(random);
+    const double drive = driven.load_cases[0].axial_force * driven.operation->speed;
+    if (drive * driven.mechanism.lead > 0.0) driven = test::turned_back(driven);
+    const Case mirror = test::turned_back(test::left_handed(driven));
+    SlipResult a, b;
+    try {
+      a = slip_of(driven), b = slip_of(mirror);
+    } catch (const CaseError&) {  // no contact point with that profile
+      continue;
+    }
+    EXPECT_EQ(a.status, b.status);
+    EXPECT_EQ(a.driven_by, DrivenBy::load);
+    EXPECT_EQ(b.driven_by, DrivenBy::load);
+    if (!a.converged()) continue;
+    EXPECT_NEAR(a.slip_ratio, b.slip_ratio, 1e-11);
+    EXPECT_EQ(a.self_locking, b.self_locking);
+    EXPECT_NEAR(a.efficiency.value_or(0.0), b.efficiency.value_or(0.0), 1e-9);
+    EXPECT_NEAR(a.torque_screw / b.torque_screw, -1.0, 1e-9);
+    EXPECT_NEAR(*a.holding_torque / *b.holding_torque, 1.0, 1e-9);
+    for (const Interface i : kInterfaces)
+      EXPECT_NEAR(a.threads[i].power[0] / b.threads[i].power[0], 1.0, 1e-9);
+    ++compared;
+  }
+  EXPECT_GT(compared, 12);
+}
+
+TEST(Slip, BothSensesStandInOneListOfCases) {
+  Case c = test::sandu_reference();
+  c.load_cases.push_back(c.load_cases[0]);
+  c.load_cases[1].name = "back";
+  c.load_cases[1].speed = -c.operation->speed;
+  const Result result = analyze_slip(c);
+  EXPECT_EQ(result.load_cases[0].slip->driven_by, DrivenBy::screw);
+  EXPECT_EQ(result.load_cases[1].slip->driven_by, DrivenBy::load);
+  EXPECT_FALSE(result.load_cases[0].slip->holding_torque);
+  expect_as_plain(c, result, 1e-10);
 }
 
 TEST(Slip, WithoutFrictionTheIdealSlipRatioAndFullEfficiencyRemain) {
@@ -335,7 +471,10 @@ TEST(Slip, ASelfLockingScrewHasNoEfficiency) {
   const SlipResult& s = *result.load_cases[0].slip;
   ASSERT_EQ(s.status, SlipStatus::converged);
   EXPECT_FALSE(s.efficiency.has_value());
-  EXPECT_GT(s.torque_screw * s.speed, 0.0);  // the shaft drives although the load helps
+  EXPECT_EQ(s.self_locking, true);
+  EXPECT_GT(*s.holding_torque, 0.0);  // the shaft drives although the load helps
+  const double load_power = -35e3 * c.mechanism.lead / (2 * std::numbers::pi) * s.speed;
+  EXPECT_NEAR(*s.holding_torque * s.speed + load_power, s.power.total(), 1e-9 * s.power.total());
   EXPECT_THAT(result.load_cases[0].warnings, ::testing::Contains(HasSubstr("self-locking")));
 }
 
@@ -550,6 +689,69 @@ TEST(SlipOnSolvedLoads, SaysWhatUnequalLoadsChange) {
   EXPECT_EQ(s.hottest.interface, Interface::nut);  // where an inverted screw slides
   EXPECT_GT(s.threads.nut.power[static_cast<std::size_t>(s.hottest.thread)],
             s.equal_shares->thread_power.nut);
+}
+
+Case full_case() {
+  Case c = solved_case();
+  c.model.mechanism = ModelOptions::Mechanism::full;
+  c.carrier.roller_torque = 0.001;
+  c.carrier.bearing.reset();
+  return c;
+}
+
+TEST(SlipOfAllRollers, IsThatOfTheSectorWhereAllAreAlike) {
+  Case sector = full_case();
+  sector.carrier.roller_torque = 0.0;
+  sector.carrier.bearing = contact::JournalBearing{5e-3, 5e-3, 0.1e-3};
+  sector.materials->roller.density = 7810.0;
+  sector.wear = Wear{1e-17};
+  sector.roughness = PerPart<double>{0.2e-6, 0.2e-6, 0.2e-6};
+  Case full = sector;
+  sector.model.mechanism = ModelOptions::Mechanism::sector;
+  const SlipResult a = slip_of(full), b = slip_of(sector);
+  ASSERT_EQ(a.status, SlipStatus::converged);
+  EXPECT_NEAR(a.slip_ratio, b.slip_ratio, 1e-12);
+  EXPECT_NEAR(a.power.total() / b.power.total(), 1.0, 1e-10);
+  EXPECT_NEAR(a.power.carrier_roller / b.power.carrier_roller, 1.0, 1e-10);
+  EXPECT_NEAR(a.power_loss_input_output / b.power_loss_input_output, 1.0, 1e-10);
+  EXPECT_NEAR(*a.efficiency / *b.efficiency, 1.0, 1e-10);
+  EXPECT_NEAR(a.torque_screw / b.torque_screw, 1.0, 1e-10);
+  EXPECT_NEAR(a.forces.carrier_x / b.forces.carrier_x, 1.0, 1e-10);
+  EXPECT_NEAR(a.moments.contacts / b.moments.contacts, 1.0, 1e-10);
+  EXPECT_NEAR(*a.bearing_eccentricity / *b.bearing_eccentricity, 1.0, 1e-10);
+  EXPECT_NEAR(a.equal_shares->power_loss / b.equal_shares->power_loss, 1.0, 1e-10);
+  for (const Interface i : kInterfaces) {
+    EXPECT_EQ(a.threads[i].threads_per_roller, 20);
+    ASSERT_EQ(a.threads[i].power.size(), 220u);
+    for (std::size_t k = 0; k < 220; ++k) {
+      EXPECT_NEAR(a.threads[i].power[k] / b.threads[i].power[k % 20], 1.0, 1e-10);
+      EXPECT_NEAR(a.threads[i].film_ratio[k] / b.threads[i].film_ratio[k % 20], 1.0, 1e-10);
+      EXPECT_NEAR(a.threads[i].wear[k] / b.threads[i].wear[k % 20], 1.0, 1e-10);
+    }
+  }
+}
+
+TEST(SlipOfAllRollers, KeepsTheEnergyBalanceOfUnequalRollers) {
+  Case c = full_case();
+  c.deviations.roller_diameters = {4e-6, -3e-6, 2e-6, 0.0, -1e-6, 5e-6, 0.0, 0.0, 1e-6, -4e-6, 0.0};
+  c.load_cases[0].spatial.side_force.value.y = 1e3;
+  for (const bool missing : {false, true}) {
+    if (missing) c.deviations.missing_rollers = {3};
+    for (const double speed : {40.0, -40.0}) {
+      c.operation->speed = speed;
+      const SlipResult s = slip_of(c);
+      ASSERT_EQ(s.status, SlipStatus::converged);
+      EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-9);
+      EXPECT_NEAR(s.torque_screw / s.torque_nut, -1.0, 1e-9);
+      double by_threads = 0.0;
+      for (const Interface i : kInterfaces)
+        by_threads += std::accumulate(s.threads[i].power.begin(), s.threads[i].power.end(), 0.0);
+      EXPECT_NEAR(by_threads / (s.power.screw + s.power.nut), 1.0, 1e-12);
+      const std::vector<double>& power = s.threads.nut.power;
+      EXPECT_GT(power[0], 1.05 * power[20]);  // a thicker roller
+      for (std::size_t k = 40; k < 60; ++k) EXPECT_EQ(power[k] == 0.0, missing);
+    }
+  }
 }
 
 /// Equal loads given thread by thread are Sandu's equal shares.

@@ -1,0 +1,117 @@
+// All rollers of the Abevi screw (11 rollers, 20 threads, 45 kN, a side force): the parts of one
+// solve, whole solves, many designs of unequal rollers, a turn of the carrier, in the same run.
+// Compare ratios, not times.
+
+#include <benchmark/benchmark.h>
+
+#include <random>
+
+#include "fe/cholesky.h"
+#include "fe/supernodal_cholesky.h"
+#include "prs/sector/full/full_structure.h"
+#include "prs/sector/full/orbit.h"
+#include "prs/sector/full/rigid_motions.h"
+#include "support/sectors.h"
+
+namespace {
+
+/// With a normal deviation of 2 um of each roller's diameter where `random` is given.
+prs::FullModel model_of(double carrier_angle = 0.0, std::mt19937_64* random = nullptr) {
+  test::SectorCase c = test::abevi();
+  c.mechanism.centre_distance = 14e-3;
+  if (random)
+    for (int j = 0; j < c.mechanism.rollers; ++j)
+      c.deviations.roller_diameters.push_back(std::normal_distribution<>(0.0, 2e-6)(*random));
+  prs::LoadCase load;
+  load.axial_force = 45e3;
+  load.direction = c.direction;
+  load.position = c.position;
+  load.spatial.side_force.value = {1e3, -500.0};
+  load.spatial.carrier_angle = carrier_angle;
+  return prs::full_model(c.mechanism, c.structure, c.materials, c.options, c.laws, load,
+                         c.deviations);
+}
+
+/// The tangent with the stiffness of equal shares.
+struct Tangent {
+  prs::FullStructure structure = prs::full_structure(model_of());
+  fe::Equations equations{structure.model};
+  fe::SparseSymmetric matrix = equations.linear_stiffness();
+
+  Tangent() {
+    equations.secant_stiffness(std::vector<double>(equations.springs().size(), 3e8), matrix);
+  }
+};
+
+void FullStructure(benchmark::State& state) {
+  const prs::FullModel model = model_of();
+  for (auto _ : state) benchmark::DoNotOptimize(prs::full_structure(model).loaded);
+}
+BENCHMARK(FullStructure);
+
+void FullFreeMotions(benchmark::State& state) {
+  const prs::FullModel model = model_of();
+  const prs::FullStructure structure = prs::full_structure(model);
+  for (auto _ : state) benchmark::DoNotOptimize(prs::free_motions(model, structure).count);
+}
+BENCHMARK(FullFreeMotions);
+
+void FullEquations(benchmark::State& state) {
+  const Tangent t;
+  for (auto _ : state) benchmark::DoNotOptimize(fe::Equations(t.structure.model).size());
+}
+BENCHMARK(FullEquations);
+
+void FullEquationsTaken(benchmark::State& state) {
+  Tangent t;
+  for (auto _ : state) benchmark::DoNotOptimize(t.equations.take(t.structure.model));
+}
+BENCHMARK(FullEquationsTaken);
+
+void FullFactorize(benchmark::State& state) {
+  const Tangent t;
+  fe::Cholesky cholesky(t.matrix);
+  for (auto _ : state) benchmark::DoNotOptimize(cholesky.factorize(t.matrix));
+}
+BENCHMARK(FullFactorize);
+
+void FullFactorizeSupernodal(benchmark::State& state) {
+  const Tangent t;
+  const auto cholesky = modules::loaded<fe::CholmodModule>().factorization(t.matrix);
+  for (auto _ : state) benchmark::DoNotOptimize(cholesky->factorize(t.matrix));
+}
+BENCHMARK(FullFactorizeSupernodal);
+
+void full_case(benchmark::State& state, prs::Detail detail) {
+  const prs::FullModel model = model_of();
+  int solves = 0;
+  for (auto _ : state) solves = prs::solve(model, detail).solve.iterations();
+  state.counters["linear_solves"] = solves;
+}
+
+void FullCaseNumbers(benchmark::State& state) { full_case(state, prs::Detail::numbers); }
+BENCHMARK(FullCaseNumbers);
+
+/// With the stiffness of the screw's end.
+void FullCaseComplete(benchmark::State& state) { full_case(state, prs::Detail::complete); }
+BENCHMARK(FullCaseComplete);
+
+void FullDesignOfUnequalRollers(benchmark::State& state) {
+  std::mt19937_64 random(1);
+  prs::FullSolver solver;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        solver.solve(model_of(0.0, &random), prs::Detail::numbers).axial_displacement);
+}
+BENCHMARK(FullDesignOfUnequalRollers);
+
+void FullOrbitOfEightPositions(benchmark::State& state) {
+  for (auto _ : state) {
+    prs::FullSolver solver;
+    benchmark::DoNotOptimize(prs::orbit(
+        solver, [](double angle) { return model_of(angle); }, {8, 3.0}, 0.0, true));
+  }
+}
+BENCHMARK(FullOrbitOfEightPositions);
+
+}  // namespace

@@ -1,0 +1,64 @@
+#include "prs/heat/case_losses.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace prs {
+
+Conditions at_temperatures(const Conditions& c, const LoadCase& load, const OfParts& temperature) {
+  Conditions warm = c;
+  warm.load_cases = {load};
+  warm.deviations.temperature = per_part(temperature);
+  return warm;
+}
+
+Oils warm_oils(const Conditions& c, const PerInterface<double>& oil) {
+  return c.lubricant ? oils_at(*c.lubricant, oil) : Oils{};
+}
+
+bool heat_may_grow(const Conditions& c) { return c.friction->model == Friction::Model::mixed; }
+
+CaseLosses::CaseLosses(const Conditions& c, const Contacts& contacts, const LoadCase& load,
+                       LoadCase::Share share)
+    : conditions_(c), contacts_(contacts), load_(load), models_(c, contacts, Oils{}) {
+  load_.share = share;
+}
+
+std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
+  const Oils oils = warm_oils(conditions_, oil_temperatures(temperature));
+  if (load_.share == LoadCase::Share::equal) return of(models_.equal_shares(load_, oils));
+  const Result loads =
+      analyze(at_temperatures(conditions_, load_, temperature), contacts_, kManyDesigns);
+  if (loads.load_cases.front().threads) return of(models_.of(loads.load_cases.front(), oils));
+  failure_ = "the loads of the threads do not converge";
+  return std::nullopt;
+}
+
+std::optional<Losses> CaseLosses::of(const SlipModel& model) {
+  SlipEquilibrium found;
+  const std::optional<Operation>& operation = conditions_.operation;
+  if (!operation || !operation->slip_ratio)
+    found = find_slip_equilibrium(model);
+  else if (balance_at(model, *operation->slip_ratio, found.balance))
+    found.status = SlipStatus::converged;
+  else
+    found.status = SlipStatus::jammed;
+  if (!found.ok()) {
+    failure_ = fmt::format("slip ends as {}", name(found.status));
+    return std::nullopt;
+  }
+  slip_ratio_ = found.balance.motion.slip_ratio;
+  const PowerFlow flow = power_flow(model, drive_torques(model, found.balance));
+  return Losses{heat_of(lost_power(model, found.balance)),
+                std::max(flow.shaft, 0.0) + std::max(flow.load, 0.0)};
+}
+
+std::optional<OfParts> CaseLosses::estimate(const PerInterface<double>& oil) const {
+  const SlipModel model = models_.equal_shares(load_, warm_oils(conditions_, oil));
+  SlipBalance balance;
+  if (!balance_at(model, slip_ratio_, balance)) return std::nullopt;
+  return heat_of(lost_power(model, balance));
+}
+
+}  // namespace prs

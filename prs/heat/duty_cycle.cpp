@@ -1,0 +1,380 @@
+#include "prs/heat/duty_cycle.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "prs/heat/loss_table.h"
+#include "prs/heat/steady_heat.h"
+#include "prs/measures/bodies.h"
+#include "prs/model/quantity_text.h"
+
+namespace prs {
+namespace {
+
+constexpr double kStepTolerance = 1e-8;    // Of a step [K].
+constexpr double kPeriodTolerance = 1e-8;  // Between start and end of the cycle [K].
+constexpr double kUsefulTable = 1e-4;      // A coarser one is no answer.
+constexpr double kLeastPoints = 200;       // Of a cycle, for its picture.
+constexpr int kColumns = 6;                // Of the extrapolation.
+
+double largest_of(const OfParts& v) { return v.lpNorm<Eigen::Infinity>(); }
+
+/// A part of the duty: what acts, by its number among the tables, and for how long.
+struct Segment {
+  std::size_t table = 0;
+  double duration = 0.0;
+};
+
+/// Temperatures, their integral over time [K s], energy lost and energy in [J].
+struct State {
+  OfParts temperature = OfParts::Zero();
+  OfParts integral = OfParts::Zero();
+  double lost = 0.0, input = 0.0;
+
+  State& operator+=(const State& o) {
+    temperature += o.temperature;
+    integral += o.integral;
+    lost += o.lost;
+    input += o.input;
+    return *this;
+  }
+};
+State scaled_difference(const State& a, const State& b, double factor) {
+  return {factor * (a.temperature - b.temperature), factor * (a.integral - b.integral),
+          factor * (a.lost - b.lost), factor * (a.input - b.input)};
+}
+
+/// The lumped parts under one table of losses.
+struct Warming {
+  const ThermalNetwork& network;
+  const OfParts& capacity;
+  const LossTable& table;
+
+  OfParts rate(const OfParts& t, const Eigen::Vector4d& losses) const {
+    return (losses.head<3>() - network.conductance * (t.array() - network.ambient).matrix())
+        .cwiseQuotient(capacity);
+  }
+
+  /// After n linearly implicit Euler steps of h/n in all.
+  State steps(const State& from, const LossTable::Value& at_start, double h, int n) const {
+    const double small = h / n;
+    const Eigen::Matrix3d jacobian = capacity.cwiseInverse().asDiagonal() *
+                                     (at_start.by_temperature.topRows<3>() - network.conductance);
+    const Eigen::Matrix3d inverse = (Eigen::Matrix3d::Identity() - small * jacobian).inverse();
+    const Eigen::RowVector3d lost_by = at_start.by_temperature.topRows<3>().colwise().sum();
+    const Eigen::RowVector3d input_by = at_start.by_temperature.row(3);
+    State s = from;
+    for (int i = 0; i < n; ++i) {
+      const Eigen::Vector4d losses = i == 0 ? at_start.value : table.value_at(s.temperature);
+      const OfParts change = inverse * (small * rate(s.temperature, losses));
+      s.integral += small * (s.temperature + change);
+      s.lost += small * (losses.head<3>().sum() + lost_by.dot(change));
+      s.input += small * (losses[3] + input_by.dot(change));
+      s.temperature += change;
+    }
+    return s;
+  }
+
+  /// One extrapolated step; none where it does not reach the tolerance.
+  std::optional<State> step(const State& from, double h, int& columns) const {
+    const LossTable::Value at_start = table.at(from.temperature);
+    std::array<State, kColumns> row;
+    for (int j = 0; j < kColumns; ++j) {
+      State next = steps(from, at_start, h, j + 1);
+      // Aitken and Neville: row[k] becomes T_{j,k}.
+      for (int k = 0; k < j; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        const State before = std::exchange(row[at], next);
+        next += scaled_difference(next, before, 1.0 / ((j + 1.0) / (j - k) - 1.0));
+      }
+      row[static_cast<std::size_t>(j)] = next;
+      if (j == 0) continue;
+      const State& lower = row[static_cast<std::size_t>(j - 1)];
+      const double error = largest_of(next.temperature - lower.temperature);
+      if (!std::isfinite(error)) return std::nullopt;
+      if (error <= kStepTolerance) {
+        columns = j + 1;
+        return next;
+      }
+    }
+    return std::nullopt;
+  }
+};
+
+/// The duty as lumped parts see it.
+class Cycle {
+ public:
+  Cycle(const ThermalNetwork& network, const OfParts& capacity, std::vector<Segment> segments)
+      : network_(network), capacity_(capacity), segments_(std::move(segments)) {
+    for (const Segment& s : segments_) period_ += s.duration;
+  }
+
+  double period() const { return period_; }
+
+  /// Integrates over the cycle; `visit(table, time, state)` at every step's end. False where steps
+  /// become too small or temperatures leave all bounds.
+  template <class Visit>
+  bool run(const std::vector<LossTable>& tables, State& state, Visit visit) const {
+    const double longest = period_ / kLeastPoints;
+    double start = 0.0, h = longest;
+    for (const Segment& segment : segments_) {
+      const Warming warming{network_, capacity_, tables[segment.table]};
+      double done = 0.0;
+      while (done < segment.duration) {
+        const double left = segment.duration - done;
+        // Equal steps to the end, so that none is left tiny.
+        const double here = left / std::ceil(left / std::min({h, longest, left}) - 1e-9);
+        int columns = 0;
+        const std::optional<State> next = warming.step(state, here, columns);
+        if (!next) {
+          h = 0.5 * here;
+          if (h < 1e-9 * segment.duration) return false;
+          continue;
+        }
+        state = *next;
+        if (!(state.temperature.minCoeff() > 0.0 && state.temperature.maxCoeff() < 2.0 * kHottest))
+          return false;
+        const bool last = here >= left * (1.0 - 1e-12);
+        done = last ? segment.duration : done + here;
+        if (columns < kColumns - 1) h = std::max(h, 2.0 * here);
+        visit(segment.table, start + done, state.temperature);
+      }
+      start += segment.duration;
+    }
+    return true;
+  }
+
+  /// Temperatures at the start that are those at the end, from a guess.
+  std::optional<OfParts> periodic(const std::vector<LossTable>& tables, OfParts t) const {
+    const auto after = [&](const OfParts& from) -> std::optional<OfParts> {
+      State s;
+      s.temperature = from;
+      if (!run(tables, s, [](std::size_t, double, const OfParts&) {})) return std::nullopt;
+      return s.temperature;
+    };
+    std::optional<Eigen::PartialPivLU<Eigen::Matrix3d>> factors;
+    double before = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 50; ++i) {
+      const std::optional<OfParts> end = after(t);
+      if (!end) return std::nullopt;
+      if (!factors) {
+        constexpr double kDelta = 0.25;
+        Eigen::Matrix3d map = Eigen::Matrix3d::Identity();
+        for (int p = 0; p < 3; ++p) {
+          const std::optional<OfParts> moved = after(t + kDelta * OfParts::Unit(p));
+          if (!moved) return std::nullopt;
+          map.col(p) -= (*moved - *end) / kDelta;
+        }
+        factors.emplace(map);
+      }
+      const OfParts step = factors->solve(*end - t);
+      const double size = largest_of(step);
+      t += step;
+      if (size <= kPeriodTolerance) return t;
+      if (size > 0.3 * before) factors.reset();
+      before = size;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const ThermalNetwork& network_;
+  const OfParts& capacity_;
+  std::vector<Segment> segments_;
+  double period_ = 0.0;
+};
+
+/// The load cases that the duty names, each once.
+struct Duty {
+  std::vector<std::unique_ptr<CaseLosses>> cases;
+  std::vector<std::string> names;
+  std::vector<bool> by_rollers;  ///< Whether the shares of the threads follow the temperatures.
+  std::vector<double> weights;   ///< Share of the period.
+  std::vector<Segment> segments;
+};
+
+Duty duty_of(const Conditions& c, const Contacts& contacts) {
+  Duty duty;
+  double period = 0.0;
+  for (const Heat::DutyStep& step : c.heat->duty) {
+    period += step.time();
+    if (!step.load_case) {
+      duty.segments.push_back({std::numeric_limits<std::size_t>::max(), step.time()});
+      continue;
+    }
+    const auto known = std::ranges::find(duty.names, *step.load_case);
+    const auto index = static_cast<std::size_t>(known - duty.names.begin());
+    if (known == duty.names.end()) {
+      const LoadCase& load = *std::ranges::find(c.load_cases, *step.load_case,
+                                                [](const LoadCase& l) { return l.name; });
+      duty.names.push_back(*step.load_case);
+      duty.cases.push_back(std::make_unique<CaseLosses>(c, contacts, load, load.share));
+      duty.by_rollers.push_back(load.share == LoadCase::Share::solved);
+      duty.weights.push_back(0.0);
+    }
+    duty.weights[index] += step.time();
+    duty.segments.push_back({index, step.time()});
+  }
+  for (double& weight : duty.weights) weight /= period;
+  // Rests have the last table, in which nothing is lost.
+  for (Segment& s : duty.segments) s.table = std::min(s.table, duty.cases.size());
+  return duty;
+}
+
+/// Heat of the duty on average.
+HeatSource average(Duty& duty, bool may_grow) {
+  const auto failure = std::make_shared<std::string>();
+  return {[&duty, failure](const OfParts& t) -> std::optional<OfParts> {
+            OfParts sum = OfParts::Zero();
+            for (std::size_t k = 0; k < duty.cases.size(); ++k) {
+              const std::optional<Losses> losses = duty.cases[k]->at(t);
+              if (!losses) {
+                *failure = fmt::format("{} in `{}`", duty.cases[k]->failure(), duty.names[k]);
+                return std::nullopt;
+              }
+              sum += duty.weights[k] * losses->heat;
+            }
+            return sum;
+          },
+          [failure] { return *failure; },
+          [&duty](const PerInterface<double>& oil) -> std::optional<OfParts> {
+            OfParts sum = OfParts::Zero();
+            for (std::size_t k = 0; k < duty.cases.size(); ++k) {
+              const std::optional<OfParts> heat = duty.cases[k]->estimate(oil);
+              if (!heat) return std::nullopt;
+              sum += duty.weights[k] * *heat;
+            }
+            return sum;
+          },
+          may_grow};
+}
+
+/// Range of the temperatures while each load case acts.
+struct Visited {
+  std::vector<TemperatureBox> boxes;
+  std::vector<bool> any;
+
+  explicit Visited(std::size_t tables) : boxes(tables), any(tables, false) {}
+  void add(std::size_t table, const OfParts& t) {
+    const OfParts at = table_coordinates(t);
+    if (!any[table]) boxes[table] = {at, at};
+    any[table] = true;
+    boxes[table].include(at);
+  }
+};
+
+}  // namespace
+
+OfParts heat_capacities(const Conditions& c, const Mechanism& m) {
+  const Heat& heat = *c.heat;
+  if (heat.capacity) return {heat.capacity->screw, heat.capacity->rollers, heat.capacity->nut};
+  const Structure& s = *c.structure;
+  const PerPart<double> volume{screw_body(m, s.screw, s.nut.length).volume,
+                               m.rollers * roller_body(m, s.roller).volume,
+                               nut_body(m, s.nut).volume};
+  PerPart<double> capacity;
+  for (const Part p : kParts)
+    capacity[p] = *heat.specific_heat * *(*c.materials)[p].density * volume[p];
+  return of_parts(capacity);
+}
+
+HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
+                              std::vector<std::string>& warnings) {
+  HeatCycle cycle;
+  const auto end_as = [&](HeatStatus status, std::string reason) {
+    cycle.status = status;
+    cycle.reason = std::move(reason);
+    return cycle;
+  };
+  const ThermalNetwork network = thermal_network(*c.heat);
+  const OfParts capacity = heat_capacities(c, contacts.mechanism);
+  Duty duty = duty_of(c, contacts);
+  const std::size_t cases = duty.cases.size();
+  const Cycle integrate(network, capacity, duty.segments);
+  cycle.period = integrate.period();
+
+  const SteadyHeat steady = find_steady_heat(network, average(duty, heat_may_grow(c)));
+  if (!steady.converged()) return end_as(steady.status, steady.reason);
+  OfParts start = steady.temperature;
+  std::vector<LossTable> tables(cases + 1);
+  for (std::size_t k = 0; k < cases; ++k)
+    if (const std::optional<Losses> losses = duty.cases[k]->at(start))
+      tables[k] = LossTable(*losses);
+
+  // Each round takes tables over what the last one has visited.
+  bool inside = false;
+  std::vector<TemperatureBox> covered(cases);
+  for (int round = 0; round < 8 && !inside; ++round) {
+    const std::optional<OfParts> found = integrate.periodic(tables, start);
+    if (!found)
+      return end_as(HeatStatus::no_steady_state,
+                    "the temperatures of the cycle do not come to repeat themselves; give the "
+                    "parts more conductance, less load or more rest");
+    start = *found;
+    Visited visited(cases + 1);
+    State state;
+    state.temperature = start;
+    for (std::size_t k = 0; k < cases; ++k) visited.add(k, start);
+    std::size_t last = cases;
+    OfParts before = start;
+    integrate.run(tables, state, [&](std::size_t table, double, const OfParts& t) {
+      if (table != last) visited.add(table, before);
+      visited.add(table, t);
+      last = table, before = t;
+    });
+    inside = round > 0;
+    for (std::size_t k = 0; k < cases; ++k) {
+      if (round > 0 && covered[k].contains(visited.boxes[k])) continue;
+      inside = false;
+      TemperatureBox box = visited.boxes[k];
+      if (round > 0) box.include(covered[k].least), box.include(covered[k].greatest);
+      covered[k] = box.widened(0.25);
+      std::optional<LossTable> table = LossTable::over(
+          covered[k], [&](const OfParts& t) { return duty.cases[k]->at(t); }, duty.by_rollers[k]);
+      if (!table)
+        return end_as(HeatStatus::no_steady_state,
+                      fmt::format("{} in `{}` at temperatures of the cycle",
+                                  duty.cases[k]->failure(), duty.names[k]));
+      tables[k] = std::move(*table);
+    }
+  }
+  if (!inside)
+    return end_as(HeatStatus::iteration_limit,
+                  "the range of temperatures of the cycle still grows after 8 rounds");
+  for (std::size_t k = 0; k < cases; ++k)
+    if (tables[k].error() > kUsefulTable)
+      return end_as(HeatStatus::iteration_limit,
+                    fmt::format("the losses of `{}` are not smooth enough over the temperatures of "
+                                "the cycle: interpolated to {:.1e}",
+                                duty.names[k], tables[k].error()));
+    else if (tables[k].error() > 100.0 * kTableAccuracy)
+      warnings.push_back(
+          fmt::format("heat.duty: the losses of `{}` are interpolated to {:.1e} "
+                      "over the temperatures of the cycle",
+                      duty.names[k], tables[k].error()));
+
+  PerPart<std::vector<double>>& at = cycle.temperature;
+  const auto keep = [&](double time, const OfParts& t) {
+    cycle.time.push_back(time);
+    const PerPart<double> parts = per_part(t);
+    for (const Part p : kParts) at[p].push_back(parts[p]);
+  };
+  State state;
+  state.temperature = start;
+  keep(0.0, start);
+  integrate.run(tables, state, [&](std::size_t, double time, const OfParts& t) { keep(time, t); });
+  for (const Part p : kParts) cycle.peak[p] = std::ranges::max(at[p]);
+  cycle.mean = per_part(state.integral / cycle.period);
+  cycle.energy_in = state.input;
+  cycle.energy_lost = state.lost;
+  if (state.input > 0.0) cycle.efficiency = 1.0 - state.lost / state.input;
+  return end_as(HeatStatus::converged, {});
+}
+
+}  // namespace prs

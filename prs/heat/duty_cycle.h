@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prs/heat/case_losses.h"
+#include "prs/heat/thermal_network.h"
+#include "prs/loads/heat_result.h"
+#include "prs/loads/result.h"
+#include "prs/model/case.h"
+
+namespace prs {
+
+/// Heat capacities of screw, rollers and nut [J/K]: those of the file, or the specific heat times
+/// the masses of `measures`, the screw's over the length of the nut.
+OfParts heat_capacities(const Conditions& c, const Mechanism& mechanism);
+
+/// The state that repeats itself from cycle to cycle of the duty in `c.heat`: slip follows the
+/// temperatures at once, these follow
+///
+///     C dT/dt = Q_k(T) - K (T - T_ambient 1)
+///
+/// with the losses of load case k while it acts and none at rest. Losses stand in a `LossTable` of
+/// each load case over the temperatures of the cycle. Integrated by linearly implicit Euler steps,
+/// extrapolated (Deuflhard; Hairer and Wanner, Solving Ordinary Differential Equations II, IV.9),
+/// to 1e-8 K in a step; the start of the cycle that is also its end is found by Newton's method.
+/// Energies are integrated along with the temperatures, so that they balance to rounding.
+/// `warnings` tells how accurate tables are that do not reach `kTableAccuracy`.
+HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
+                              std::vector<std::string>& warnings);
+
+}  // namespace prs

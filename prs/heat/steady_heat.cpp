@@ -1,0 +1,206 @@
+#include "prs/heat/steady_heat.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "prs/model/quantity_text.h"
+
+namespace prs {
+namespace {
+
+constexpr double kTolerance = 1e-8;  // [K]
+constexpr double kCoolest = 50.0;    // Below, no oil's line is evaluated [K].
+constexpr int kMostRounds = 50;
+constexpr double kDifference = 0.05;  // Of temperatures, for derivatives [K].
+
+double largest(const OfParts& v) { return v.lpNorm<Eigen::Infinity>(); }
+bool is_sound(const OfParts& t) {
+  return t.allFinite() && t.minCoeff() > kCoolest && t.maxCoeff() < kHottest;
+}
+
+/// The estimate, scaled to the exact heat where that is known.
+class ScaledEstimate {
+ public:
+  ScaledEstimate(const ThermalNetwork& network, const HeatSource& source)
+      : network_(network), source_(source) {}
+
+  void scale_to(const OfParts& temperature, const OfParts& exact) {
+    ratio_.setOnes();
+    offset_.setZero();
+    const std::optional<OfParts> at = source_.estimate(oil_temperatures(temperature));
+    for (int i = 0; i < 3; ++i) {
+      if (at && (*at)[i] > 0.0)
+        ratio_[i] = exact[i] / (*at)[i];
+      else
+        ratio_[i] = 0.0, offset_[i] = exact[i];
+    }
+  }
+
+  std::optional<OfParts> heat(const PerInterface<double>& oil) const {
+    std::optional<OfParts> q = source_.estimate(oil);
+    if (q) *q = q->cwiseProduct(ratio_) + offset_;
+    return q;
+  }
+  std::optional<OfParts> heat(const OfParts& t) const { return heat(oil_temperatures(t)); }
+
+  /// Heat less what flows off [W].
+  std::optional<OfParts> surplus(const OfParts& t) const {
+    std::optional<OfParts> q = heat(t);
+    if (q) *q -= network_.conductance * (t.array() - network_.ambient).matrix();
+    return q;
+  }
+
+  /// d(surplus)/dT [W/K], forward differences; `at` is the surplus at t.
+  std::optional<Eigen::Matrix3d> derivative(const OfParts& t, const OfParts& at) const {
+    const OfParts q = at + network_.conductance * (t.array() - network_.ambient).matrix();
+    Eigen::Matrix<double, 3, 2> by_oil;
+    for (const Interface i : kInterfaces) {
+      PerInterface<double> oil = oil_temperatures(t);
+      oil[i] += kDifference;
+      const std::optional<OfParts> moved = heat(oil);
+      if (!moved) return std::nullopt;
+      by_oil.col(static_cast<int>(i)) = (*moved - q) / kDifference;
+    }
+    return by_oil * oil_by_parts() - network_.conductance;
+  }
+
+ private:
+  const ThermalNetwork& network_;
+  const HeatSource& source_;
+  OfParts ratio_ = OfParts::Ones(), offset_ = OfParts::Zero();
+};
+
+/// Newton's method from t, where the surplus is known; Broyden's update keeps the derivative.
+std::optional<OfParts> newton(const ScaledEstimate& estimate, OfParts t, OfParts surplus,
+                              std::optional<Eigen::Matrix3d>& derivative, double tolerance) {
+  double before = 0.0;
+  for (int i = 0; i < 25; ++i) {
+    if (!derivative) derivative = estimate.derivative(t, surplus);
+    if (!derivative) return std::nullopt;
+    const OfParts step = -derivative->partialPivLu().solve(surplus);
+    t += step;
+    if (!is_sound(t)) return std::nullopt;
+    const double size = largest(step);
+    if (size <= tolerance) return t;
+    const std::optional<OfParts> next = estimate.surplus(t);
+    if (!next) return std::nullopt;
+    surplus = *next;
+    *derivative += surplus * step.transpose() / step.squaredNorm();
+    if (i > 0 && size > 0.3 * before) derivative.reset();
+    before = size;
+  }
+  return std::nullopt;
+}
+
+/// Follows the warming parts from t, all with time constants of one, by linearly implicit Euler
+/// steps that grow; none where they pass `kHottest` or their heat is not known.
+std::optional<OfParts> follow(const ScaledEstimate& estimate, const ThermalNetwork& network,
+                              OfParts t) {
+  constexpr double kMostRise = 5.0;  // In a step [K].
+  const Eigen::Matrix3d capacity = network.conductance.diagonal().asDiagonal();
+  double h = 0.1;
+  for (int i = 0; i < 2000; ++i) {
+    const std::optional<OfParts> surplus = estimate.surplus(t);
+    if (!surplus) return std::nullopt;
+    const std::optional<Eigen::Matrix3d> derivative = estimate.derivative(t, *surplus);
+    if (!derivative) return std::nullopt;
+    const OfParts step = (capacity / h - *derivative).partialPivLu().solve(*surplus);
+    if (!step.allFinite() || largest(step) > kMostRise) {
+      h *= 0.25;
+      continue;
+    }
+    t += step;
+    if (!is_sound(t)) return std::nullopt;
+    if (h > 1e6 && largest(step) < 1e-6) return t;
+    h *= 2.0;
+  }
+  return std::nullopt;
+}
+
+/// Total heat over that at the steady state, less the share of the way from ambient to there: its
+/// zeros along this line tell where other steady states are.
+std::optional<double> surplus_share(const ScaledEstimate& estimate, const ThermalNetwork& network,
+                                    const OfParts& steady, double total, double share) {
+  const OfParts rise = (steady.array() - network.ambient).matrix();
+  const OfParts t = (network.ambient + (share * rise).array()).matrix();
+  if (!is_sound(t)) return std::nullopt;
+  const std::optional<OfParts> q = estimate.heat(t);
+  return q ? std::optional(q->sum() / total - share) : std::nullopt;
+}
+
+/// Whether the parts would stop warming before they get there, or do not stay there.
+bool has_cooler_state(const ScaledEstimate& estimate, const ThermalNetwork& network,
+                      const OfParts& steady, double total) {
+  for (const double share : {0.2, 0.35, 0.5, 0.65, 0.8, 0.95})
+    if (surplus_share(estimate, network, steady, total, share).value_or(1.0) < 0.0) return true;
+  return surplus_share(estimate, network, steady, total, 1.05).value_or(-1.0) > 0.0;
+}
+
+bool has_hotter_state(const ScaledEstimate& estimate, const ThermalNetwork& network,
+                      const OfParts& steady, double total) {
+  for (const double share : {1.2, 1.5, 2.0, 2.8, 4.0, 6.0, 9.0, 14.0, 20.0, 30.0})
+    if (surplus_share(estimate, network, steady, total, share).value_or(-1.0) > 0.0) return true;
+  return false;
+}
+
+std::string runaway(const OfParts& heat) {
+  return fmt::format(
+      "the parts warm on beyond {}: they take up more heat ({:.4g} W) than they pass on at any "
+      "temperature below; give them more conductance, less load or less speed",
+      celsius(kHottest), heat.sum());
+}
+
+}  // namespace
+
+std::string_view name(HeatStatus status) {
+  constexpr std::string_view kNames[] = {"converged", "no_steady_state", "iteration_limit"};
+  return kNames[static_cast<std::size_t>(status)];
+}
+
+SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& source,
+                            const std::optional<OfParts>& start) {
+  const OfParts ambient = OfParts::Constant(network.ambient);
+  ScaledEstimate estimate(network, source);
+  SteadyHeat found;
+  const auto end_as = [&](HeatStatus status, std::string reason) {
+    found.status = status;
+    found.reason = std::move(reason);
+    return found;
+  };
+  std::optional<Eigen::Matrix3d> derivative;
+  OfParts t = start.value_or(ambient);
+  for (int round = 0; round < kMostRounds; ++round) {
+    ++found.evaluations;
+    const std::optional<OfParts> heat = source.exact(t);
+    if (!heat)
+      return end_as(HeatStatus::no_steady_state,
+                    fmt::format("{} with the screw at {}, the rollers at {}, the nut at {}",
+                                source.failure(), celsius(t[0]), celsius(t[1]), celsius(t[2])));
+    found.heat = *heat;
+    found.temperature = network.steady(*heat);
+    const double change = largest(found.temperature - t);
+    if (change <= kTolerance) return end_as(HeatStatus::converged, {});
+    estimate.scale_to(t, *heat);
+    const OfParts surplus = network.conductance * (found.temperature - t);
+    const double tolerance = round == 0 ? 1e-2 * change : 0.1 * kTolerance;
+    std::optional<OfParts> next = newton(estimate, t, surplus, derivative, tolerance);
+    const auto total = [&] { return (network.conductance * (*next - ambient)).sum(); };
+    const bool choose = source.may_grow && round == 0;
+    if (next && choose && has_cooler_state(estimate, network, *next, total())) next.reset();
+    if (!next) {
+      next = follow(estimate, network, round == 0 ? start.value_or(ambient) : t);
+      derivative.reset();
+      if (!next) return end_as(HeatStatus::no_steady_state, runaway(*heat));
+    }
+    if (choose) found.others = has_hotter_state(estimate, network, *next, total());
+    t = *next;
+  }
+  return end_as(HeatStatus::iteration_limit,
+                fmt::format("the temperatures still change by {:.1e} K after {} rounds",
+                            largest(found.temperature - t), kMostRounds));
+}
+
+}  // namespace prs

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace prs {
+
+/// How the parts pass the heat of friction on, and the duty cycle that warms them. SI units.
+struct Heat {
+  /// Between two parts, or from a part to its surroundings [W/K].
+  struct Conductance {
+    double screw_ambient = 0.0;
+    double nut_ambient = 0.0;
+    double rollers_ambient = 0.0;
+    double screw_rollers = 0.0;
+    double rollers_nut = 0.0;
+
+    double to_ambient() const { return screw_ambient + nut_ambient + rollers_ambient; }
+  };
+  /// A load case for a while, or a rest without motion.
+  struct DutyStep {
+    std::optional<std::string> load_case;  ///< Its name; none: a rest.
+    std::optional<double> duration;        ///< Of the load case [s].
+    std::optional<double> rest;            ///< In place of both [s].
+
+    double time() const { return load_case ? *duration : *rest; }
+  };
+  /// Of all rollers together [J/K].
+  struct Capacity {
+    double screw = 0.0;
+    double rollers = 0.0;
+    double nut = 0.0;
+  };
+
+  double ambient = 0.0;  ///< [K]
+  Conductance conductance;
+  std::vector<DutyStep> duty;  ///< Repeated without end; none: no cycle.
+  std::optional<Capacity> capacity;
+  std::optional<double> specific_heat;  ///< Of all parts, in its place [J/(kg K)].
+};
+
+}  // namespace prs

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+
+#include "prs/model/case.h"
+#include "prs/sector/full/full_distribution.h"
+#include "prs/sector/influence/flexibility_around.h"
+#include "prs/sector/influence/influence_solver.h"
+
+namespace prs {
+
+/// The bodies of the full mechanism by their flexibilities, for one direction of the load and one
+/// position; each roller's is the same.
+struct FullBodies {
+  FlexibilityAround screw, nut;
+  Eigen::MatrixXd roller;          ///< Contacts at the screw, then those at the nut.
+  std::optional<ThrustFace> face;  ///< For a nut that can lift off its shoulder, in mode 0.
+};
+
+/// Where a ring guides the rollers: the middles of their ends, or the outer nodes [m].
+std::array<double, 2> guide_places(const FullModel& model);
+
+/// From finite elements. Throws CaseError where a body cannot be meshed.
+FullBodies full_bodies(const Conditions& c, const Contacts& contacts,
+                       const PerInterface<ContactLaw>& laws, const FullModel& model,
+                       MatrixCache& cache = shared_matrix_cache());
+
+/// Contacts of all rollers on elastic bodies,
+///
+///     w = R U - C N + w_0,   N = k_0 <w - g>^1.5,   R' N = f,
+///
+/// U the motions of the screw's loaded section and of each roller along its axis. C holds the
+/// flexibilities of screw and nut between all rollers, each roller's own, and what housing springs
+/// and rings give: a ring moves a roller as a rigid line through both rings, its forces on the body
+/// that carries it are those of the line's equilibrium. w_0 is a displaced seat of the nut and
+/// rollers out of place.
+FullDistribution solve(const FullModel& model, const FullBodies& bodies,
+                       Detail detail = Detail::complete);
+
+}  // namespace prs

@@ -1,0 +1,467 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <random>
+
+#include "prs/heat/analyze_heat.h"
+#include "prs/heat/duty_cycle.h"
+#include "prs/heat/loss_table.h"
+#include "prs/heat/steady_heat.h"
+#include "prs/slip/slip_model.h"
+#include "tests/support/count.h"
+#include "tests/support/slips.h"
+
+namespace prs {
+namespace {
+
+constexpr double kCelsius = 273.15;
+
+Heat some_heat() {
+  Heat heat;
+  heat.ambient = 25.0 + kCelsius;
+  heat.conductance = {.screw_ambient = 4.0,
+                      .nut_ambient = 8.0,
+                      .rollers_ambient = 0.5,
+                      .screw_rollers = 20.0,
+                      .rollers_nut = 30.0};
+  return heat;
+}
+
+/// Sandu's example in ISO VG 220, without a temperature of its own.
+Case warm_reference() {
+  Case c = test::sandu_reference();
+  c.lubricant = Lubricant{};
+  c.lubricant->density = 890.0;
+  c.lubricant->viscosity_at = {{313.15, {}, 220e-6}, {373.15, {}, 19e-6}};
+  c.lubricant->pressure_viscosity = 24e-9;
+  c.lubricant->eyring_stress = 8e6;
+  c.heat = some_heat();
+  return c;
+}
+
+/// The inverted screw of Abevi 2015, its shares solved.
+Case warm_solved() {
+  Case c = test::inverted(warm_reference());
+  Mechanism& m = c.mechanism;
+  m.geometry = Mechanism::Geometry::simulation;
+  m.lead = 5e-3;
+  m.starts = {3, 1};
+  m.pitch_diameter = {21e-3, 7e-3, 35e-3};
+  m.centre_distance = 14e-3;
+  m.profile.roller.radius = 4.949747468e-3;
+  m.rollers = 11;
+  m.contacts_per_roller = 20;
+  Structure s;
+  s.screw.bore = 6e-3;
+  s.screw.free_length = 10e-3;
+  s.roller.end_length = s.roller.end_diameter = 5e-3;
+  s.nut.length = 90e-3;
+  s.nut.outer_diameter = 46e-3;
+  s.nut.thrust = {10e-3, 80e-3};
+  c.structure = s;
+  for (const Part p : kParts) {
+    (*c.materials)[p] = {209e9, 0.3, 7810.0, 11.5e-6};
+  }
+  c.materials->nut.thermal_expansion = 17e-6;
+  LoadCase& load = c.load_cases[0];
+  load.name = "pull";
+  load.axial_force = 20e3;
+  load.share = LoadCase::Share::solved;
+  load.direction = Direction::tension;
+  load.position = 29.1666667e-3;
+  c.operation->speed = 600 * std::numbers::pi / 30;
+  c.heat->conductance.screw_ambient = 2.0;
+  return c;
+}
+
+/// Heat into screw, rollers and nut [W] at these temperatures, without what `heat` computes by.
+Eigen::Vector3d plain_heat(const Case& c, const Contacts& contacts, const Eigen::Vector3d& t,
+                           std::size_t k = 0) {
+  const LoadCase& load = c.load_cases[k];
+  Oils oils;
+  if (c.lubricant) {
+    oils.threads.screw = at_temperature(*c.lubricant, (t[0] + t[1]) / 2);
+    oils.threads.nut = at_temperature(*c.lubricant, (t[1] + t[2]) / 2);
+    oils.carrier = at_temperature(*c.lubricant, (t[0] + 2 * t[1] + t[2]) / 4);
+  }
+  Case at = c;
+  at.load_cases = {load};
+  at.heat.reset();
+  at.deviations.temperature = PerPart<double>{t[0], t[1], t[2]};
+  const SlipModels models(at, contacts, oils);
+  SlipModel model;
+  if (load.share == LoadCase::Share::equal)
+    model = models.equal_shares(load);
+  else
+    model = models.of(analyze(at, contacts).load_cases[0]);
+  const SlipEquilibrium found = find_slip_equilibrium(model);
+  if (!found.ok()) throw std::runtime_error("no slip");
+  const PowerBySource p = lost_power(model, found.balance);
+  return {p.screw / 2 + p.carrier_screw, p.screw / 2 + p.nut / 2 + p.carrier_roller,
+          p.nut / 2 + p.carrier_nut};
+}
+
+/// What flows from each part, link by link [W].
+Eigen::Vector3d plain_flow(const Heat& h, const Eigen::Vector3d& t) {
+  const Heat::Conductance& k = h.conductance;
+  const double a = h.ambient;
+  return {k.screw_ambient * (t[0] - a) + k.screw_rollers * (t[0] - t[1]),
+          k.rollers_ambient * (t[1] - a) + k.screw_rollers * (t[1] - t[0]) +
+              k.rollers_nut * (t[1] - t[2]),
+          k.nut_ambient * (t[2] - a) + k.rollers_nut * (t[2] - t[1])};
+}
+
+/// Slow and plain: small steps towards the balance, part by part.
+Eigen::Vector3d plain_steady(const Case& c, const Contacts& contacts) {
+  const Heat::Conductance& k = c.heat->conductance;
+  const Eigen::Vector3d own(k.screw_ambient + k.screw_rollers,
+                            k.rollers_ambient + k.screw_rollers + k.rollers_nut,
+                            k.nut_ambient + k.rollers_nut);
+  Eigen::Vector3d t = Eigen::Vector3d::Constant(c.heat->ambient);
+  for (int round = 0; round < 400; ++round) {
+    const Eigen::Vector3d heat = plain_heat(c, contacts, t), before = t;
+    Eigen::Vector3d target = t;
+    for (int sweep = 0; sweep < 4000; ++sweep) {
+      const Eigen::Vector3d off = (heat - plain_flow(*c.heat, target)).cwiseQuotient(own);
+      target += 0.9 * off;
+      if (off.cwiseAbs().maxCoeff() < 1e-12) break;
+    }
+    t += 0.6 * (target - t);
+    if ((t - before).cwiseAbs().maxCoeff() < 1e-9) return t;
+  }
+  throw std::runtime_error("plain iteration does not converge");
+}
+
+Eigen::Vector3d kelvin(const PerPart<double>& t) { return {t.screw, t.roller, t.nut}; }
+
+TEST(Heat, TemperaturesOfRandomMechanismsAreThoseOfAPlainIteration) {
+  std::mt19937_64 random(21);
+  const auto uniform = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  int seen = 0;
+  for (int i = 0; i < 200 && seen < test::samples(20, 60); ++i) {
+    Case c = test::random_slip(random);
+    if (c.operation->slip_ratio) continue;
+    if (c.load_cases[0].axial_force * c.operation->speed * c.mechanism.lead < 0.0) continue;
+    Lubricant& oil = *c.lubricant;
+    oil.viscosity.reset();
+    oil.density = 880.0;
+    const double thick = std::exp(uniform(std::log(30e-6), std::log(500e-6)));
+    oil.viscosity_at = {{313.15, {}, thick},
+                        {373.15, {}, 0.5 * std::pow(thick * 1e6, 0.65) * 1e-6}};
+    Heat heat;
+    heat.ambient = uniform(-20.0, 40.0) + kCelsius;
+    Heat::Conductance& k = heat.conductance;
+    k = {1.0, 1.0, 0.0, 1.0, 1.0};
+    c.heat = heat;
+    const Contacts contacts = checked_contacts(c, Detail::numbers);
+    // Losses warm the parts by some ten kelvin.
+    const double loss = plain_heat(c, contacts, Eigen::Vector3d::Constant(330.0)).sum();
+    const double unit = loss / uniform(10.0, 80.0);
+    k = {unit * uniform(0.0, 1.0), unit * uniform(0.1, 1.0), unit * uniform(0.0, 0.2),
+         unit * uniform(0.5, 5.0), unit * uniform(0.5, 5.0)};
+    c.heat = heat;
+    const LoadCaseResult found = analyze_heat(c).load_cases[0];
+    ASSERT_TRUE(found.heat->converged()) << i << found.heat->reason;
+    const Eigen::Vector3d plain = plain_steady(c, contacts);
+    EXPECT_LT((kelvin(found.heat->temperature) - plain).cwiseAbs().maxCoeff(), 1e-6) << i;
+    ++seen;
+  }
+  EXPECT_GE(seen, test::samples(20, 60));
+}
+
+TEST(Heat, SolvedSharesFollowTheTemperaturesOfTheParts) {
+  const Case c = warm_solved();
+  const LoadCaseResult found = analyze_heat(c).load_cases[0];
+  ASSERT_TRUE(found.heat->converged());
+  const Eigen::Vector3d plain = plain_steady(c, checked_contacts(c, Detail::numbers));
+  EXPECT_LT((kelvin(found.heat->temperature) - plain).cwiseAbs().maxCoeff(), 1e-6);
+  // Loads are those that `solve` finds at these temperatures.
+  Case at = c;
+  at.deviations.temperature = found.heat->temperature;
+  const LoadCaseResult solved = analyze(at).load_cases[0];
+  for (const Interface i : kInterfaces)
+    for (std::size_t k = 0; k < 20; ++k)
+      EXPECT_NEAR((*found.threads)[i].axial_load[k], (*solved.threads)[i].axial_load[k], 1e-6);
+}
+
+TEST(Heat, WhatGoesInComesOutOrFlowsToTheSurroundings) {
+  for (Case c : {warm_reference(), test::inverted(warm_reference()), warm_solved()}) {
+    c.carrier.screw_torque = 0.05;
+    c.carrier.nut_torque = 0.03;
+    c.carrier.roller_torque = 0.002;
+    const LoadCaseResult found = analyze_heat(c).load_cases[0];
+    ASSERT_TRUE(found.heat->converged());
+    const PerPart<double>& t = found.heat->temperature;
+    const Heat::Conductance& k = c.heat->conductance;
+    const double a = c.heat->ambient;
+    const double to_ambient = k.screw_ambient * (t.screw - a) + k.nut_ambient * (t.nut - a) +
+                              k.rollers_ambient * (t.roller - a);
+    EXPECT_NEAR(to_ambient / found.slip->power_loss_input_output, 1.0, 1e-8);
+    EXPECT_NEAR(to_ambient / found.slip->power.total(), 1.0, 1e-8);
+    const PerPart<double>& q = found.heat->heat;
+    EXPECT_NEAR(q.screw, found.slip->power.screw / 2 + found.slip->power.carrier_screw,
+                1e-8 * to_ambient);
+    EXPECT_NEAR(q.nut, found.slip->power.nut / 2 + found.slip->power.carrier_nut,
+                1e-8 * to_ambient);
+    EXPECT_NEAR(found.heat->oil->screw, (t.screw + t.roller) / 2, 1e-9);
+    EXPECT_NEAR(found.heat->oil->nut, (t.nut + t.roller) / 2, 1e-9);
+  }
+}
+
+TEST(Heat, WithoutHeatNothingChanges) {
+  Case c = warm_reference();
+  c.heat.reset();
+  c.lubricant->temperature = 333.15;
+  const Result a = analyze_heat(c), b = analyze_slip(c);
+  EXPECT_EQ(a.load_cases[0].slip->power.total(), b.load_cases[0].slip->power.total());
+  EXPECT_FALSE(a.load_cases[0].heat);
+}
+
+TEST(Heat, PartsThatCannotCoolHaveNoSteadyState) {
+  Case c = test::with_coulomb(warm_reference(), 0.1);
+  c.heat->conductance = {
+      .screw_ambient = 0.0, .nut_ambient = 1e-3, .screw_rollers = 20.0, .rollers_nut = 30.0};
+  const LoadCaseResult found = analyze_heat(c).load_cases[0];
+  EXPECT_EQ(found.heat->status, HeatStatus::no_steady_state);
+  EXPECT_THAT(found.heat->reason, ::testing::HasSubstr("more conductance"));
+  EXPECT_FALSE(found.slip);
+}
+
+/// Heat of one temperature: in halves to screw and nut by way of their oils.
+HeatSource lumped(double (*power)(double)) {
+  const auto at = [power](const PerInterface<double>& oil) -> std::optional<OfParts> {
+    const double screw = power(oil.screw), nut = power(oil.nut);
+    return OfParts(screw / 2, (screw + nut) / 2, nut / 2);
+  };
+  return {[at](const OfParts& t) { return at(oil_temperatures(t)); }, [] { return std::string(); },
+          at};
+}
+
+/// All parts nearly at one temperature: 20 W/K in all.
+ThermalNetwork tight_network() {
+  Heat heat;
+  heat.ambient = 300.0;
+  heat.conductance = {10.0, 10.0, 0.0, 1e7, 1e7};
+  return thermal_network(heat);
+}
+
+TEST(SteadyHeat, TheStateReachedFromAmbientIsTheCoolest) {
+  // 200 W and from about 350 K on 2000 W: 20 (T - 300) = P(T) near 310, between, and 400 K.
+  const auto power = [](double t) { return 100.0 + 900.0 / (1.0 + std::exp((350.0 - t) / 3.0)); };
+  const SteadyHeat found = find_steady_heat(tight_network(), lumped(+power));
+  ASSERT_TRUE(found.converged());
+  EXPECT_NEAR(found.temperature[1], 310.0, 0.1);
+  EXPECT_TRUE(found.others);
+  // From above the other one is reached.
+  const SteadyHeat hot =
+      find_steady_heat(tight_network(), lumped(+power), OfParts::Constant(420.0));
+  ASSERT_TRUE(hot.converged());
+  EXPECT_NEAR(hot.temperature[1], 400.0, 0.1);
+}
+
+TEST(SteadyHeat, WhereTheCoolStateIsGoneTheHotOneIsFound) {
+  const auto power = [](double t) { return 400.0 + 600.0 / (1.0 + std::exp((335.0 - t) / 3.0)); };
+  const SteadyHeat found = find_steady_heat(tight_network(), lumped(+power));
+  ASSERT_TRUE(found.converged());
+  EXPECT_NEAR(found.temperature[1], 400.0, 0.1);
+  EXPECT_FALSE(found.others);
+}
+
+TEST(SteadyHeat, HeatThatGrowsFasterThanItFlowsOffRunsAway) {
+  const auto power = [](double t) { return 100.0 * std::exp((t - 300.0) / 10.0); };
+  const SteadyHeat found = find_steady_heat(tight_network(), lumped(+power));
+  EXPECT_EQ(found.status, HeatStatus::no_steady_state);
+  EXPECT_THAT(found.reason, ::testing::HasSubstr("warm on beyond"));
+}
+
+// Duty cycles -------------------------------------------------------------------------------------
+
+Case with_duty(Case c, std::vector<Heat::DutyStep> steps) {
+  c.heat->duty = std::move(steps);
+  c.heat->capacity = Heat::Capacity{350.0, 120.0, 700.0};
+  return c;
+}
+
+Heat::DutyStep acting(const char* name, double duration) { return {name, duration, {}}; }
+Heat::DutyStep rest(double duration) { return {{}, {}, duration}; }
+
+HeatCycle cycle_of(const Case& c) {
+  const Result result = analyze_heat(c);
+  EXPECT_TRUE(result.heat_cycle->converged()) << result.heat_cycle->reason;
+  return *result.heat_cycle;
+}
+
+TEST(HeatCycle, ADutyOfOneLoadCaseEndsAtItsSteadyState) {
+  for (Case c : {warm_reference(), warm_solved()}) {
+    c = with_duty(c, {acting(c.load_cases[0].name.c_str(), 1e5)});
+    const Result result = analyze_heat(c);
+    const HeatCycle& cycle = *result.heat_cycle;
+    ASSERT_TRUE(cycle.converged()) << cycle.reason;
+    const HeatResult& steady = *result.load_cases[0].heat;
+    for (const Part p : kParts) {
+      EXPECT_NEAR(cycle.temperature[p].back(), steady.temperature[p], 1e-6);
+      EXPECT_NEAR(cycle.peak[p], steady.temperature[p], 1e-6);
+      EXPECT_NEAR(cycle.mean[p], steady.temperature[p], 1e-6);
+    }
+    const SlipResult& slip = *result.load_cases[0].slip;
+    EXPECT_NEAR(*cycle.efficiency, *slip.efficiency, 1e-7);
+    EXPECT_NEAR(cycle.energy_lost / (slip.power.total() * 1e5), 1.0, 1e-7);
+  }
+}
+
+TEST(HeatCycle, ConstantLossesGiveTheClosedFormOfALinearNetwork) {
+  // Without an oil Coulomb's losses do not follow the temperature.
+  Case c =
+      with_duty(test::with_coulomb(warm_reference(), 0.08),
+                {acting("reference", 40.0), rest(25.0), acting("reference", 10.0), rest(90.0)});
+  c.lubricant.reset();
+  const HeatCycle cycle = cycle_of(c);
+  const Contacts contacts = checked_contacts(c, Detail::numbers);
+  const Eigen::Vector3d heat = plain_heat(c, contacts, Eigen::Vector3d::Constant(300.0));
+  const Heat::Conductance& k = c.heat->conductance;
+  Eigen::Matrix3d conductance;
+  for (int i = 0; i < 3; ++i)
+    conductance.col(i) =
+        plain_flow(*c.heat, Eigen::Vector3d::Constant(c.heat->ambient) + Eigen::Vector3d::Unit(i));
+  const Eigen::Vector3d root = Eigen::Vector3d(350.0, 120.0, 700.0).cwiseSqrt();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(
+      root.cwiseInverse().asDiagonal() * conductance * root.cwiseInverse().asDiagonal());
+  const auto decay = [&](double time) -> Eigen::Matrix3d {
+    return root.cwiseInverse().asDiagonal() * modes.eigenvectors() *
+           (-modes.eigenvalues() * time).array().exp().matrix().asDiagonal() *
+           modes.eigenvectors().transpose() * root.asDiagonal();
+  };
+  const Eigen::Vector3d ambient = Eigen::Vector3d::Constant(c.heat->ambient);
+  const Eigen::Vector3d steady = ambient + conductance.ldlt().solve(heat);
+  const auto after = [&](const Eigen::Vector3d& from, double time, bool acts) -> Eigen::Vector3d {
+    const Eigen::Vector3d& to = acts ? steady : ambient;
+    return to + decay(time) * (from - to);
+  };
+  // Periodic start of the linear map.
+  const auto map = [&](Eigen::Vector3d t) {
+    t = after(t, 40.0, true), t = after(t, 25.0, false);
+    t = after(t, 10.0, true);
+    return after(t, 90.0, false);
+  };
+  const Eigen::Vector3d start = (Eigen::Matrix3d::Identity() - decay(165.0))
+                                    .partialPivLu()
+                                    .solve(map(ambient) - decay(165.0) * ambient);
+  const auto exact = [&](double time) {
+    Eigen::Vector3d t = start;
+    for (const auto& [duration, acts] :
+         {std::pair{40.0, true}, {25.0, false}, {10.0, true}, {90.0, false}}) {
+      const double here = std::min(time, duration);
+      t = after(t, here, acts);
+      time -= here;
+      if (time <= 0.0) break;
+    }
+    return t;
+  };
+  ASSERT_EQ(cycle.time.front(), 0.0);
+  ASSERT_NEAR(cycle.time.back(), 165.0, 1e-9);
+  for (std::size_t i = 0; i < cycle.time.size(); ++i) {
+    const Eigen::Vector3d t = exact(cycle.time[i]);
+    EXPECT_NEAR(cycle.temperature.screw[i], t[0], 1e-6) << cycle.time[i];
+    EXPECT_NEAR(cycle.temperature.roller[i], t[1], 1e-6) << cycle.time[i];
+    EXPECT_NEAR(cycle.temperature.nut[i], t[2], 1e-6) << cycle.time[i];
+  }
+  EXPECT_NEAR(cycle.energy_lost / (50.0 * heat.sum()), 1.0, 1e-10);
+  EXPECT_GT(k.nut_ambient, 0.0);
+}
+
+/// One load case of 35 kN, and one of 10 kN the other way at twice the speed.
+Case two_loads(Case c) {
+  c.load_cases[0].name = "pull";
+  LoadCase back = c.load_cases[0];
+  back.name = "return";
+  back.speed = -2.0 * c.operation->speed;
+  if (back.direction)
+    back.direction = Direction::compression, back.axial_force *= 0.3;
+  else
+    back.axial_force *= -0.3;
+  c.load_cases.push_back(back);
+  return c;
+}
+
+TEST(HeatCycle, EnergyThatIsLostFlowsToTheSurroundings) {
+  for (const Case& base : {warm_reference(), warm_solved()}) {
+    const Case c =
+        with_duty(two_loads(base), {acting("pull", 60.0), rest(30.0), acting("return", 45.0)});
+    const HeatCycle cycle = cycle_of(c);
+    const Heat::Conductance& k = c.heat->conductance;
+    const double a = c.heat->ambient;
+    const double to_ambient = cycle.period * (k.screw_ambient * (cycle.mean.screw - a) +
+                                              k.nut_ambient * (cycle.mean.nut - a) +
+                                              k.rollers_ambient * (cycle.mean.roller - a));
+    EXPECT_NEAR(to_ambient / cycle.energy_lost, 1.0, 1e-8);
+    EXPECT_NEAR(cycle.period, 135.0, 1e-9);
+    EXPECT_GT(*cycle.efficiency, 0.4);
+    EXPECT_LT(*cycle.efficiency, 1.0);
+    for (const Part p : kParts) {
+      EXPECT_NEAR(cycle.temperature[p].front(), cycle.temperature[p].back(), 1e-6);
+      EXPECT_GE(cycle.peak[p], cycle.mean[p]);
+      EXPECT_EQ(cycle.time.size(), cycle.temperature[p].size());
+    }
+  }
+}
+
+TEST(HeatCycle, IsTheEndOfManyCyclesOfAPlainIntegration) {
+  // Small capacities: the parts forget their start within few cycles.
+  Case c = with_duty(two_loads(warm_reference()), {acting("pull", 20.0), acting("return", 12.0)});
+  c.heat->capacity = Heat::Capacity{70.0, 25.0, 90.0};
+  const HeatCycle cycle = cycle_of(c);
+  const Contacts contacts = checked_contacts(c, Detail::numbers);
+  const Eigen::Vector3d capacity(70.0, 25.0, 90.0);
+  const auto rate = [&](const Eigen::Vector3d& t, std::size_t k) -> Eigen::Vector3d {
+    return (plain_heat(c, contacts, t, k) - plain_flow(*c.heat, t)).cwiseQuotient(capacity);
+  };
+  // Runge and Kutta, from ambient temperature.
+  Eigen::Vector3d t = Eigen::Vector3d::Constant(c.heat->ambient);
+  const double h = 0.25;
+  for (int turn = 0; turn < 8; ++turn)
+    for (const auto& [k, steps] : {std::pair<std::size_t, int>{0, 80}, {1, 48}})
+      for (int i = 0; i < steps; ++i) {
+        const Eigen::Vector3d a = rate(t, k), b = rate(t + h / 2 * a, k),
+                              d = rate(t + h / 2 * b, k), e = rate(t + h * d, k);
+        t += h / 6 * (a + 2 * b + 2 * d + e);
+      }
+  EXPECT_NEAR(cycle.temperature.screw.back(), t[0], 1e-4);
+  EXPECT_NEAR(cycle.temperature.roller.back(), t[1], 1e-4);
+  EXPECT_NEAR(cycle.temperature.nut.back(), t[2], 1e-4);
+}
+
+TEST(HeatCycle, MassesAreThoseOfTheParts) {
+  Case c = warm_solved();
+  c.heat->specific_heat = 460.0;
+  const OfParts capacity = heat_capacities(c, c.mechanism);
+  const double steel = 460.0 * 7810.0 * std::numbers::pi / 4.0;
+  EXPECT_NEAR(capacity[0], steel * (21e-3 * 21e-3 - 6e-3 * 6e-3) * 90e-3, 1e-9);
+  EXPECT_NEAR(capacity[2], steel * (46e-3 * 46e-3 - 35e-3 * 35e-3) * 90e-3, 1e-9);
+  EXPECT_NEAR(capacity[1], steel * 11.0 * (49e-6 * 20.0 * 5e-3 / 3.0 + 25e-6 * 10e-3), 1e-9);
+}
+
+TEST(LossTable, InterpolatesASmoothFunctionAndItsDerivatives) {
+  const auto at = [](const OfParts& t) -> std::optional<Losses> {
+    const double a = 1e3 * std::exp(-0.02 * (t[0] - 300.0)) / (1.0 + 0.01 * (t[2] - 300.0));
+    return Losses{OfParts(a, 2.0 * t[1], 5.0), a + t[1]};
+  };
+  const TemperatureBox box{OfParts(300.0, -4.0, -2.0), OfParts(330.0, 3.0, 2.0)};
+  const std::optional<LossTable> table = LossTable::over(box, at, true);
+  ASSERT_TRUE(table);
+  EXPECT_LT(table->error(), kTableAccuracy);
+  const OfParts t(314.0, 312.5, 313.0);
+  const LossTable::Value v = table->at(t);
+  const Losses exact = *at(t);
+  EXPECT_NEAR(v.value[0] / exact.heat[0], 1.0, 1e-6);
+  EXPECT_NEAR(v.value[3] / exact.input, 1.0, 1e-6);
+  EXPECT_LT((v.value - table->value_at(t)).norm(), 1e-9);
+  EXPECT_NEAR(v.by_temperature(0, 0), -0.02 * exact.heat[0], 1e-3);
+  EXPECT_NEAR(v.by_temperature(1, 1), 2.0, 1e-5);
+}
+
+}  // namespace
+}  // namespace prs

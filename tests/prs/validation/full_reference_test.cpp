@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "prs/input/reader.h"
+#include "prs/loads/analyze.h"
+
+namespace prs::reference_fe {
+namespace {
+
+using nlohmann::json;
+
+const std::filesystem::path kFullFolder = PRS_SOURCE_DIR "/validation/reference_fe";
+
+const json& full_reference() {
+  static const json data = json::parse(std::ifstream(kFullFolder / "data/full_mechanism.json"));
+  return data;
+}
+
+/// The load case of that name; the missing roller is one of the aligned case.
+LoadCaseResult computed(const std::string& name) {
+  std::vector<std::string> overrides;
+  if (name == "missing roller") overrides.push_back("deviations.missing_rollers=[1]");
+  if (name == "thick roller")
+    overrides.push_back("deviations.roller_diameter=[4 um, 0 um, 0 um, 0 um, 0 um]");
+  const Case c =
+      input::read_case((kFullFolder / "full_mechanism.yaml").string(), overrides, Command::solve);
+  const Result result = analyze(c);
+  const auto found = std::ranges::find(result.load_cases, overrides.empty() ? name : "aligned",
+                                       [](const LoadCaseResult& r) { return r.load_case.name; });
+  return *found;
+}
+
+constexpr const char* kFullCases[] = {"aligned", "missing roller", "thick roller", "moment",
+                                      "side force"};
+
+/// Largest difference of the rollers' shares, of the load.
+double share_difference(const RollerShares& s, const json& reference) {
+  double largest = 0.0;
+  for (std::size_t j = 0; j < s.share.size(); ++j)
+    largest = std::max(
+        largest, std::abs(s.share[j] - 0.01 * reference["roller_share_percent"][j].get<double>()));
+  return largest;
+}
+
+/// The script's own bars, whose contact problem is solved in another way.
+TEST(FullReference, BarsOfTheScriptGiveTheLoadsOfTheProgram) {
+  for (const std::string name : kFullCases) {
+    SCOPED_TRACE(name);
+    const LoadCaseResult got = computed(name);
+    const json& wanted = full_reference()["bars"][name];
+    EXPECT_NEAR(*got.axial_displacement * 1e6, wanted["axial_displacement_um"], 1e-7);
+    for (const Interface i : kInterfaces) {
+      const json& loads = wanted[i == Interface::screw ? "screw" : "nut"];
+      const double largest = loads["largest_normal_load_N"];
+      for (std::size_t j = 0; j < 5; ++j)
+        for (std::size_t k = 0; k < 4; ++k)
+          EXPECT_NEAR((*got.threads)[i].normal_load[4 * j + k],
+                      loads["normal_load_N"][j][k].get<double>(), 1e-8 * largest);
+      EXPECT_LT(share_difference(*(*got.threads)[i].rollers, loads), 1e-8);
+    }
+  }
+}
+
+/// Limits are what was found, widened by the error bar of the finite elements: they say how large
+/// the gap is and are no tolerance.
+TEST(FullReference, BarsAreThisFarFromFiniteElements) {
+  const json& elements = full_reference()["finite elements"];
+  struct Ratio {
+    const char* name;
+    PerInterface<double> overload;  ///< Of the bars, over that of the finite elements.
+    double share;                   ///< Largest difference of the shares of rollers.
+  };
+  const Ratio ratios[] = {{"missing roller", {0.974, 0.987}, 0.0},
+                          {"thick roller", {1.032, 1.034}, 0.0076},
+                          {"moment", {1.111, 1.011}, 0.0011},
+                          {"side force", {1.021, 1.004}, 0.0005}};
+  for (const Ratio& ratio : ratios) {
+    SCOPED_TRACE(ratio.name);
+    const LoadCaseResult got = computed(ratio.name);
+    const json& wanted = elements[ratio.name];
+    const json& bar = full_reference()["error_bar"][ratio.name];
+    const LoadCaseResult aligned = computed("aligned");
+    for (const Interface i : kInterfaces) {
+      const json& loads = wanted[i == Interface::screw ? "screw" : "nut"];
+      const RollerShares& shares = *(*got.threads)[i].rollers;
+      const double largest =
+          shares.largest_normal_load / (*aligned.threads)[i].rollers->largest_normal_load;
+      EXPECT_NEAR(largest / loads["overload_factor"].get<double>(), ratio.overload[i],
+                  0.001 + bar["overload_factor"].get<double>());
+      EXPECT_NEAR(share_difference(shares, loads), ratio.share,
+                  0.0001 + 0.01 * bar["roller_share_percent"].get<double>());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace prs::reference_fe
