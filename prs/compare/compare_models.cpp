@@ -23,6 +23,29 @@ Case with_bodies(Case c, Bodies bodies) {
   return c;
 }
 
+/// One sector in place of all rollers, under the axial force alone: what only a full
+/// mechanism has is left out.
+Case as_sector(Case c) {
+  c.model.mechanism = ModelOptions::Mechanism::sector;
+  c.model.contact_phase = ModelOptions::ContactPhase::equal;
+  c.model.roller_shear = c.model.roller_shear || c.model.shear;
+  c.model.shear = false;
+  Deviations& d = c.deviations;
+  d.roller_diameters.clear();
+  d.roller_position = {};
+  d.missing_rollers.clear();
+  d.index_error = {};
+  d.thread_eccentricity = {};
+  d.pitch_error.roller.lists.clear();
+  c.structure->screw.far_length = 0.0;
+  c.structure->screw.bearings.clear();
+  c.structure->roller.rings = {};
+  c.structure->nut.housing = {};
+  for (LoadCase& load : c.load_cases) load.spatial = {};
+  if (c.life) c.life->load_case.reset();
+  return c;
+}
+
 /// Whether the influence model takes no longer than the others.
 bool is_at_hand(const Case& c) {
   const Contacts contacts = checked_contacts(c, Detail::numbers);
@@ -38,16 +61,12 @@ void require_sound(const Case& c) {
   for (const Problem& problem : check_case(c)) throw CaseError(problem.path, problem.message);
 }
 
-}  // namespace
-
-ModelComparison compare_models(const Case& c) {
-  Case solved = c;
-  std::erase_if(solved.load_cases,
-                [](const LoadCase& load) { return load.share == LoadCase::Share::equal; });
+/// With each model of the bodies that is at hand.
+ModelComparison compare_bodies(const Case& c) {
   ModelComparison comparison;
   for (const Bodies bodies : {Bodies::bars, Bodies::refined, Bodies::influence}) {
     const bool stated = bodies == c.model.bodies;
-    const Case variant = with_bodies(solved, bodies);
+    const Case variant = with_bodies(c, bodies);
     try {
       if (!stated) require_sound(variant);
       if (!stated && bodies == Bodies::influence && !is_at_hand(variant)) continue;
@@ -59,6 +78,20 @@ ModelComparison compare_models(const Case& c) {
             fmt::format("{}: without `bodies: {}`: {}", error.path(), name(bodies), error.what()));
     }
   }
+  return comparison;
+}
+
+}  // namespace
+
+ModelComparison compare_models(const Case& c) {
+  Case solved = c;
+  std::erase_if(solved.load_cases,
+                [](const LoadCase& load) { return load.share == LoadCase::Share::equal; });
+  ModelComparison comparison;
+  if (c.model.mechanism == ModelOptions::Mechanism::full)
+    comparison.models = {analyze(as_sector(solved)), analyze(solved)};
+  else
+    comparison = compare_bodies(solved);
   const std::vector<std::string>& geometry = comparison.best().warnings;
   comparison.warnings.insert(comparison.warnings.begin(), geometry.begin(), geometry.end());
   return comparison;

@@ -8,8 +8,21 @@
 
 namespace prs {
 
-/// One line per model, one panel per interface; of the load case that the options choose, else of
-/// the first that every model has an answer to.
+namespace {
+
+/// Shares of the roller with the largest load; of a sector those of its roller.
+std::vector<double> of_most_loaded_roller(const InterfaceLoads& loads) {
+  if (!loads.rollers) return loads.load_rate;
+  const auto from =
+      loads.load_rate.begin() + (loads.rollers->largest_roller - 1) * loads.threads_per_roller;
+  return {from, from + loads.threads_per_roller};
+}
+
+}  // namespace
+
+/// One line per model, that of the most loaded roller of a full mechanism, and one panel per
+/// interface; of the load case that the options choose, else of the first that every model has an
+/// answer to.
 Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
   const auto answered = [&](std::size_t k) {
     return std::ranges::all_of(
@@ -25,14 +38,14 @@ Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
   figure.y = {"Share of the load", "%"};
   figure.columns = std::size(kInterfaces);
   for (std::size_t m = 0; m < c.models.size(); ++m)
-    figure.add(std::string(name(c.models[m].model.bodies)), marked_line(m));
-  const std::size_t threads = c.best().load_cases[k].threads->screw.load_rate.size();
+    figure.add(std::string(name_of_model(c.models[m].model)), marked_line(m));
+  const auto threads = static_cast<std::size_t>(c.best().contacts.mechanism.contacts_per_roller);
   for (const Interface i : kInterfaces) {
     Panel& panel = figure.panels.emplace_back();
     panel.title = interface_title(i);
     for (std::size_t m = 0; m < c.models.size(); ++m) {
       const InterfaceLoads& loads = (*c.models[m].load_cases[k].threads)[i];
-      panel.series.push_back({m, {over_threads(loads.load_rate, per_si::percent)}});
+      panel.series.push_back({m, {over_threads(of_most_loaded_roller(loads), per_si::percent)}});
     }
   }
   figure.x = thread_axis(threads);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <numbers>
 #include <optional>
@@ -136,19 +137,12 @@ void alternatives(Io& io, Guidance& g) {
 /// What the word of a block that may be one word chooses.
 inline std::optional<Rings::Carrier>& selector_of(Rings& r) { return r.carrier; }
 
-template <class Io>
-void alternatives(Io& io, std::optional<Rings::Carrier>& c) {
-  using Carrier = std::optional<Rings::Carrier>;
-  io.word("housing", c, Carrier(Rings::Carrier::housing), "the rings stand still");
-  io.word("nut", c, Carrier(Rings::Carrier::nut), "the rings go with the nut");
-  io.word("screw", c, Carrier(Rings::Carrier::screw), "the rings go with the screw");
-}
-
-template <class Io>
-void alternatives(Io& io, Rings::Carrier& c) {
-  io.word("housing", c, Rings::Carrier::housing, "the rings stand still");
-  io.word("nut", c, Rings::Carrier::nut, "the rings go with the nut");
-  io.word("screw", c, Rings::Carrier::screw, "the rings go with the screw");
+template <class Io, class C>
+requires std::same_as<C, Rings::Carrier> || std::same_as<C, std::optional<Rings::Carrier>>
+void alternatives(Io& io, C& c) {
+  io.word("housing", c, C(Rings::Carrier::housing), "the rings stand still");
+  io.word("nut", c, C(Rings::Carrier::nut), "the rings go with the nut");
+  io.word("screw", c, C(Rings::Carrier::screw), "the rings go with the screw");
 }
 
 template <class Io>
@@ -719,6 +713,16 @@ void fields(Io& io, Life& l) {
            "Of a catalogue, in place of Lemor's formula");
   io.field("static_capacity", l.static_capacity, capacity, optional,
            "Catalogue value, in addition to that by pressure");
+  io.field("reliability", l.reliability,
+           Quantity{unit::share, Bounds{.least = 0.90, .greatest = 0.99}}, optional,
+           "Share of many screws that shall reach the rated life: a1 of ISO 281");
+  io.field("modification_factor", l.modification_factor,
+           Number{{.least = 0.0, .greatest = 50.0, .least_excluded = true}}, optional,
+           "a_ISO of ISO 281 (film, cleanliness, fatigue limit), by which the rated life is "
+           "multiplied");
+  io.field("load_case", l.load_case, Text{}, optional,
+           "Name of the load case whose side loads, misalignment and orbit act together with all "
+           "forces; `mechanism: full`");
   io.field("fatigue_slope", l.fatigue_slope, Number{{.least = 1.0, .greatest = 20.0}}, optional,
            "Slope of the S-N curve, for equivalent load ranges");
 }

@@ -151,7 +151,10 @@ class SlotFinder : public Visitor {
   }
   template <class T, class Kind>
   void find(PerEnd<T>& value, const OneOrEnds<Kind>& kind) const {
-    find_key(value, kind);
+    const std::string_view key = path_.key();
+    if (key == "near" || key == "far" || value.near != value.far) return find_key(value, kind);
+    find(value.near, kind.kind);
+    if (!path_.ends()) find(value.far, kind.kind);
   }
   template <class T>
   void find(T& value, const WordOrBlock& kind) const {

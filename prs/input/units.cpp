@@ -103,6 +103,8 @@ constexpr Unit kTemperature[] = {{{"degC", "°C", "C"}, 1.0, 1.0, 273.15},
                                  {{"K"}},
                                  {{"degF", "°F"}, 5.0, 9.0, 459.67 * 5.0 / 9.0}};
 
+constexpr Unit kShare[] = {{{"%"}, 1.0, 100.0}};
+
 }  // namespace
 
 namespace unit {
@@ -125,6 +127,7 @@ const Dimension temperature{"a temperature", "60 degC", "degC", kTemperature};
 const Dimension thermal_expansion{"a coefficient of thermal expansion", "11.5 um/m/K", "um/m/K",
                                   kThermalExpansion};
 const Dimension duration{"a duration", "1 h", "s", kDuration};
+const Dimension share{"a share", "95 %", "%", kShare};
 const Dimension wear{"a wear coefficient", "1e-8 mm^3/(N m)", "mm^3/(N m)", kWear};
 const Dimension thermal_conductance{"a thermal conductance", "8 W/K", "W/K", kThermalConductance};
 const Dimension heat_capacity{"a heat capacity", "400 J/K", "J/K", kHeatCapacity};
@@ -149,10 +152,11 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::temperature,
                                             &unit::thermal_expansion,
                                             &unit::duration,
-                                             &unit::wear,
-                                             &unit::thermal_conductance,
-                                             &unit::heat_capacity,
-                                             &unit::specific_heat};
+                                            &unit::share,
+                                            &unit::wear,
+                                            &unit::thermal_conductance,
+                                            &unit::heat_capacity,
+                                            &unit::specific_heat};
 
 const Dimension* dimension_of(std::string_view symbol) {
   for (const Dimension* d : kDimensions)
@@ -229,10 +233,13 @@ ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension)
   const Head head = split_number(text);
   if (!head.number)
     return {std::nullopt, names_no_number(text) ? "NaN and infinity are no values" : ""};
-  if (head.rest.empty())
-    return {std::nullopt,
-            fmt::format("write the unit, for example `{} {}` (units: {})", text.substr(0, 40),
-                        dimension.canonical, unit_list(dimension))};
+  if (head.rest.empty()) {
+    const bool fraction = &dimension == &unit::share && *head.number <= 1.0;
+    return {std::nullopt, fmt::format("write the unit, for example `{} {}` (units: {})",
+                                      fraction ? fmt::format("{:g}", 100.0 * *head.number)
+                                               : std::string(text.substr(0, 40)),
+                                      dimension.canonical, unit_list(dimension))};
+  }
   if (head.rest.starts_with(','))
     return {std::nullopt, "write the decimal mark as a point, without thousands separators"};
 

@@ -43,6 +43,7 @@ extern const Dimension torque;
 extern const Dimension temperature;
 extern const Dimension thermal_expansion;
 extern const Dimension duration;
+extern const Dimension share;
 extern const Dimension wear;
 extern const Dimension thermal_conductance;
 extern const Dimension heat_capacity;

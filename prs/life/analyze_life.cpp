@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "prs/life/contact_loads.h"
 #include "prs/life/share_curve.h"
-#include "prs/loads/distribution_solver.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/model/case_error.h"
 #include "prs/threads/contact_laws.h"
@@ -20,46 +20,24 @@ namespace {
 /// Loads below this share of the largest have its shares: a million of them weigh 1e-9 of it.
 constexpr double kLeastLoad = 1e-5;
 
-/// A case with its threads and how they push.
-struct Prepared {
-  const Conditions& c;
-  const Contacts& contacts;
-  PerInterface<ContactLaw> laws;
+/// Forces of one sense up to this number are solved one by one where an equilibrium takes long or
+/// has no smooth curve.
+constexpr std::size_t kFewForces = 40;
 
-  std::size_t threads() const {
-    return static_cast<std::size_t>(contacts.mechanism.contacts_per_roller);
-  }
-  /// Axial load of a thread with equal shares per axial force.
-  double equal_share() const {
-    return 1.0 / (static_cast<double>(contacts.mechanism.rollers) * static_cast<double>(threads()));
-  }
-};
+/// Of curves over more forces than that.
+constexpr double kCurveTolerance = 1e-5;
 
-bool solves(const Conditions& c) { return c.life->share == LoadCase::Share::solved; }
-
-/// Shares of all threads, screw before nut: 1 where all carry the same.
-ShareCurve::Solve share_solver(const Prepared& p, Direction d) {
-  const std::size_t n = p.threads();
-  if (!solves(p.c)) return [n](double) { return std::vector<double>(2 * n, 1.0); };
-  DistributionSolver solver =
-      distribution_solver(p.c, p.contacts, p.laws, d, *p.c.life->position, Solver::chain);
-  return [&p, n, solve = std::move(solver)](double force) -> std::optional<std::vector<double>> {
-    const LoadDistribution loads = solve(force);
-    if (!loads.solve.converged()) return std::nullopt;
-    std::vector<double> shares;
-    shares.reserve(2 * n);
-    for (const Interface i : kInterfaces)
-      for (const double normal : loads.normal_load[i])
-        shares.push_back(normal * std::cos(p.laws[i].normal_angle) / (force * p.equal_share()));
-    return shares;
-  };
-}
-
-void find_capacity(const Prepared& p, LifeResult& r) {
+void find_capacity(const LifeModel& p, LifeResult& r) {
   const double angle = contact_angle({p.laws.screw.normal_angle, p.laws.nut.normal_angle});
   const LemorGeometry g = lemor_geometry(p.contacts.mechanism, angle);
   r.element_ratio = g.roller_diameter * std::cos(angle) / g.pitch_circle;
   r.failure_shares = failure_shares(r.element_ratio);
+  r.reliability_factor = reliability_factor(p.c.life->reliability);
+  const Mechanism& m = p.contacts.mechanism;
+  if (p.full())
+    r.roller_shares = {
+        roller_failure_share(m.rollers, *m.pitch_diameter.roller, *m.pitch_diameter.screw),
+        roller_failure_share(m.rollers, *m.pitch_diameter.roller, *m.pitch_diameter.nut)};
   if (p.c.life->dynamic_capacity) {
     r.dynamic_capacity = *p.c.life->dynamic_capacity;
     r.dynamic_capacity_range = {r.dynamic_capacity, r.dynamic_capacity};
@@ -104,7 +82,7 @@ void find_spectrum(const Conditions& c, LifeResult& r) {
     throw CaseError(path,
                     "got loads under which the screw does not turn; expected travel: rolling "
                     "contacts live by revolutions under load; check position, speed and time");
-  if (!(r.largest_force > 0.0))
+  if (!(r.largest_force > 0.0) && !c.preload)
     throw CaseError(path,
                     "got no load other than 0; expected loads; check the column of the force");
   if (r.duration && *r.duration > 0.0)
@@ -113,26 +91,28 @@ void find_spectrum(const Conditions& c, LifeResult& r) {
     r.revolution_rate = *speed / (2.0 * std::numbers::pi);
 }
 
-/// sum F^3 l^3 n of each thread, on equilibria alone: an interpolated cube of a share is a sum over
-/// nodes, so that the weights of all loads are first gathered there.
+/// sum (load)^3 n of each contact, on equilibria alone: an interpolated cube is a sum over nodes,
+/// so that the weights of all loads are first gathered there.
 class CubicSums {
  public:
-  CubicSums(const ShareCurve& curve, std::size_t threads)
-      : curve_(curve), weights_(curve.node_count(), 0.0), sums_(threads, 0.0) {}
+  CubicSums(const ShareCurve& curve, std::size_t contacts)
+      : curve_(curve), weights_(curve.node_count(), 0.0), sums_(contacts, 0.0) {}
 
-  void add(double force, double revolutions) {
+  /// `weight`: of the cubes of the curve's values at a force [N].
+  void add(double force, double weight) {
     const ShareCurve::Place place = curve_.place(force);
-    const double weight = force * force * force * revolutions;
     for (std::size_t j = 0; j < ShareCurve::kNodes; ++j)
       weights_[place.first + j] += weight * place.weights[j];
   }
 
   std::vector<double> take() && {
-    for (std::size_t node = 0; node < weights_.size(); ++node)
+    for (std::size_t node = 0; node < weights_.size(); ++node) {
+      if (weights_[node] == 0.0) continue;
       for (std::size_t k = 0; k < sums_.size(); ++k) {
         const double share = curve_.shares(node)[k];
         sums_[k] += weights_[node] * share * share * share;
       }
+    }
     return std::move(sums_);
   }
 
@@ -150,39 +130,114 @@ bool has_pressures(const Contacts& contacts) {
   return contacts.interfaces.screw.has_hertz() && contacts.interfaces.nut.has_hertz();
 }
 
-/// Largest normal load of the threads of an interface under an axial force [N].
-double largest_normal_load(const Prepared& p, Interface i, std::span<const double> shares,
-                           double force) {
-  const auto first = shares.begin() + (i == Interface::screw ? 0 : std::ssize(shares) / 2);
-  const double share = *std::max_element(first, first + std::ssize(shares) / 2);
-  return share * force * p.equal_share() / std::cos(p.laws[i].normal_angle);
+/// What the spectrum has of one sense of the force, and the loads that follow.
+struct Sense {
+  double revolutions = 0.0;    ///< Under a force other than 0.
+  double largest = 0.0;        ///< [N]
+  double running = 0.0;        ///< Largest force under which the screw turns [N].
+  double damage = 0.0;         ///< sum F^3 n
+  std::vector<double> forces;  ///< Magnitudes [N].
+  std::vector<double> turns;   ///< Revolutions under each.
+
+  ContactSolver solver;
+  std::optional<ContactLoads> at_largest, at_running;  ///< Loads under these forces, once solved.
+  std::optional<ShareCurve> curve;
+  std::vector<double>
+      cubes;  ///< sum (load)^3 n of each rated contact, as `LifeModel::rated` has it.
+
+  bool exists() const { return !forces.empty(); }
+  /// Keeps the loads under a force that is asked for again.
+  std::optional<ContactLoads> solve(double force) {
+    const auto is = [&](double kept) { return std::abs(force - kept) <= 1e-12 * kept; };
+    std::optional<ContactLoads> loads = solver(force);
+    if (is(largest)) at_largest = loads;
+    if (is(running)) at_running = loads;
+    return loads;
+  }
+  /// Loads of the rated contacts under a force [N].
+  std::vector<double> loads_at(double force, std::size_t count, bool preloaded) const {
+    std::vector<double> loads(count, 0.0);
+    if (!curve || (force == 0.0 && !preloaded)) return loads;
+    curve->shares_at(force, loads);
+    if (!preloaded)
+      for (double& load : loads) load *= force;
+    return loads;
+  }
+};
+
+/// Steps of a spectrum by the sense of their force; with preload a step without force belongs to
+/// tension.
+PerDirection<Sense> senses_of(const LifeModel& p, const LifeResult& r) {
+  PerDirection<Sense> senses;
+  for (const LoadStep& step : r.steps) {
+    if (step.axial_force == 0.0 && !p.preloaded()) continue;
+    const double force = std::abs(step.axial_force);
+    Sense& s = senses[step.axial_force < 0.0 ? Direction::compression : Direction::tension];
+    s.forces.push_back(force);
+    s.turns.push_back(step.revolutions);
+    if (force > 0.0) s.revolutions += step.revolutions;
+    s.largest = std::max(s.largest, force);
+    if (step.revolutions > 0.0) s.running = std::max(s.running, force);
+    s.damage += force * force * force * step.revolutions;
+  }
+  return senses;
 }
 
-/// Largest peak pressure of the threads of an interface under an axial force [Pa].
-double peak_pressure(const Prepared& p, Interface i, std::span<const double> shares, double force) {
-  return contact::at_load(p.contacts.interfaces[i].hertz, largest_normal_load(p, i, shares, force))
-      .peak_pressure;
+/// The curve of a sense, by few equilibria.
+ShareCurve curve_of_sense(const LifeModel& p, Sense& s) {
+  const ShareCurve::Solve solve = [&](double force) -> std::optional<std::vector<double>> {
+    std::optional<ContactLoads> loads = s.solve(force);
+    if (!loads) return std::nullopt;
+    return std::move(loads->rated);
+  };
+  const double least = std::max(*std::ranges::min_element(s.forces), kLeastLoad * s.largest);
+  if (!p.full() && !p.preloaded()) return ShareCurve(solve, least, s.largest);
+  std::vector<double> forces = s.forces;
+  if (p.preloaded()) forces.push_back(0.0);
+  std::ranges::sort(forces);
+  forces.erase(std::unique(forces.begin(), forces.end()), forces.end());
+  if (forces.size() <= kFewForces) return ShareCurve(solve, std::move(forces));
+  return ShareCurve(solve, p.preloaded() ? 0.0 : least, s.largest, kCurveTolerance);
 }
 
-/// Force at which the most loaded thread of one interface reaches its normal load: that load is
-/// nearly proportional to the force, so F N_limit/N converges in a few steps.
-std::optional<double> force_at(const Prepared& p, const ShareCurve::Solve& solve, double force,
+double largest_of(const std::vector<double>& loads) {
+  return loads.empty() ? 0.0 : *std::ranges::max_element(loads);
+}
+
+/// Largest normal load of the flanks of an interface [N].
+double largest_normal_load(const LifeModel& p, Interface i, const LargestLoads& loads) {
+  return largest_of(loads[i]) / std::cos(p.laws[i].normal_angle);
+}
+
+/// Force at which the most loaded thread of one interface reaches its normal load: the secant on
+/// logarithms, in which that load is nearly a straight line over the force.
+std::optional<double> force_at(const LifeModel& p, const LargestSolver& solve, double force,
                                const PerInterface<std::optional<double>>& limit) {
   if (!limit.screw && !limit.nut) return std::nullopt;
-  for (int step = 0; step < 60; ++step) {
-    const auto shares = solve(force);
-    if (!shares) return std::nullopt;
+  constexpr double kLargestStep = 2.0;
+  const double tolerance = p.full() ? 1e-7 : 1e-10;
+  double x = std::log(force), step = 0.0, last = 0.0;
+  for (int k = 0; k < 60; ++k) {
+    const auto loads = solve(std::exp(x));
+    if (!loads) return std::nullopt;
     double used = 0.0;
     for (const Interface i : kInterfaces)
-      if (limit[i]) used = std::max(used, largest_normal_load(p, i, *shares, force) / *limit[i]);
-    const double next = force / used;
-    if (std::abs(next - force) < 1e-10 * force) return next;
-    force = next;
+      if (limit[i]) used = std::max(used, largest_normal_load(p, i, *loads) / *limit[i]);
+    const double over = std::log(used);
+    const double slope = k == 0 ? 1.0 : (over - last) / step;
+    step = std::clamp(-over / (slope > 0.05 ? slope : 1.0), -kLargestStep, kLargestStep);
+    last = over;
+    x += step;
+    if (std::abs(step) < tolerance) return std::exp(x);
   }
   return std::nullopt;
 }
 
-void find_static_loads(const Prepared& p, const ShareCurve::Solve& solve, FlankLife& flank) {
+std::string failure_at(double force, Direction d) {
+  return fmt::format("the load distribution under {:.6g} N in {} did not converge", force, name(d));
+}
+
+void find_static_loads(const LifeModel& p, const LargestSolver& solve, FlankLife& flank) {
   PerInterface<std::optional<double>> pressure, deformation, edge;
   bool deforms_first = false;
   for (const Interface i : kInterfaces) {
@@ -201,7 +256,7 @@ void find_static_loads(const Prepared& p, const ShareCurve::Solve& solve, FlankL
   flank.static_rating = static_rating(forces, p.c.life->static_capacity);
 }
 
-void find_equal_shares_static_loads(const Prepared& p, LifeResult& r) {
+void find_equal_shares_static_loads(const LifeModel& p, LifeResult& r) {
   if (!has_pressures(p.contacts)) return;
   double pressure = std::numeric_limits<double>::infinity(), edge = pressure;
   for (const Interface i : kInterfaces) {
@@ -214,8 +269,9 @@ void find_equal_shares_static_loads(const Prepared& p, LifeResult& r) {
   r.equal_shares_flank_edge_load = edge;
 }
 
-void require_thrust(const Conditions& c, Direction d) {
-  if (!solves(c)) return;
+void require_thrust(const LifeModel& p, Direction d) {
+  if (!p.solved() || p.preloaded()) return;
+  const Conditions& c = p.c;
   const Structure::Thrust& thrust = c.structure->nut.thrust;
   if (d == Direction::tension ? thrust.tension : thrust.compression) return;
   throw CaseError(fmt::format("structure.nut.thrust.{}", name(d)),
@@ -224,21 +280,32 @@ void require_thrust(const Conditions& c, Direction d) {
                               name(d), name(d)));
 }
 
-/// Equivalent ranges of the threads' loads on the flanks of one direction over the cycles.
-std::vector<double> equivalent_ranges(const ShareCurve& curve, std::span<const Cycle> cycles,
-                                      Direction d, double slope, std::size_t threads) {
-  std::vector<double> high(threads), low(threads), damage(threads, 0.0);
+/// The contacts of a flank among all that are rated.
+std::span<const double> of_flank(const LifeModel& p, std::span<const double> all, Direction d) {
+  return all.subspan(p.rated().flank(d), p.rated().of_flank());
+}
+
+/// Equivalent ranges of the loads of the threads on the flanks of one direction over the cycles.
+std::vector<double> equivalent_ranges(const LifeModel& p, const PerDirection<Sense>& senses,
+                                      std::span<const Cycle> cycles, Direction d) {
+  const RatedContacts rated = p.rated();
+  const double slope = p.c.life->fatigue_slope;
+  std::vector<double> damage(rated.of_flank(), 0.0);
   double scale = 0.0;
-  for (const Cycle& c : cycles)
-    scale = std::max({scale, along(c.start.value, d), along(c.end.value, d)});
+  for (const Direction s : kDirections)
+    if (p.preloaded() || s == d) scale = std::max(scale, senses[s].largest);
+  const auto loads_at = [&](double axial_force) {
+    const bool pushed = axial_force < 0.0 || (axial_force == 0.0 && !senses.tension.curve);
+    const Direction s = pushed ? Direction::compression : Direction::tension;
+    if (!p.preloaded() && s != d) return std::vector<double>(rated.count(), 0.0);
+    return senses[s].loads_at(std::abs(axial_force), rated.count(), p.preloaded());
+  };
   for (const Cycle& c : cycles) {
-    const double a = along(c.start.value, d), b = along(c.end.value, d);
-    if (a == 0.0 && b == 0.0) continue;
-    curve.shares_at(std::max(a, b), high);
-    curve.shares_at(std::min(a, b), low);
-    for (std::size_t k = 0; k < threads; ++k) {
-      const double range = high[k] * std::max(a, b) - low[k] * std::min(a, b);
-      damage[k] += c.count * std::pow(std::abs(range) / scale, slope);
+    if (!p.preloaded() && along(c.start.value, d) == 0.0 && along(c.end.value, d) == 0.0) continue;
+    const std::vector<double> start = loads_at(c.start.value), end = loads_at(c.end.value);
+    for (std::size_t k = 0; k < damage.size(); ++k) {
+      const std::size_t at = rated.flank(d) + k;
+      damage[k] += c.count * std::pow(std::abs(start[at] - end[at]) / scale, slope);
     }
   }
   const double total = count(cycles);
@@ -246,76 +313,131 @@ std::vector<double> equivalent_ranges(const ShareCurve& curve, std::span<const C
   return damage;
 }
 
-/// The part of a list of all threads that belongs to an interface, times a factor.
-std::vector<double> part_of(std::span<const double> all, Interface i, double factor) {
-  const std::size_t n = all.size() / 2;
-  std::vector<double> part;
-  for (const double value : all.subspan(i == Interface::screw ? 0 : n, n))
-    part.push_back(value * factor);
-  return part;
+/// Values times a factor.
+std::vector<double> scaled(std::span<const double> values, double factor) {
+  std::vector<double> result;
+  for (const double value : values) result.push_back(value * factor);
+  return result;
 }
 
-void find_lives(const Prepared& p, LifeResult& r, Direction d) {
+/// Lives of contacts that share a part of the failures; `loads` of the mechanism at which all
+/// carried as much [N].
+std::vector<double> lives_of(const LifeResult& r, std::span<const double> loads,
+                             double failure_share) {
+  std::vector<double> lives;
+  for (const double load : loads)
+    lives.push_back(
+        thread_life(r.dynamic_capacity, load, failure_share, static_cast<int>(loads.size())));
+  return lives;
+}
+
+/// Threads of an interface from the equivalent loads of a flank's contacts; adds their lives.
+ThreadLives thread_lives_of(const LifeModel& p, const LifeResult& r, Interface i,
+                            std::span<const double> equivalent, std::vector<double>& lives) {
+  const RatedContacts rated = p.rated();
+  const double rollers = r.roller_shares ? (*r.roller_shares)[i] : 0.0;
+  const double per_load = p.equal_share(), share = r.failure_shares[i];
+  const auto bodies = equivalent.subspan(rated.body(i), rated.threads);
+  ThreadLives t;
+  t.equivalent_load = scaled(bodies, per_load);
+  t.life = lives_of(r, bodies, share * (1.0 - rollers));
+  t.rated_life = scaled(t.life, r.rated_over_l10());
+  lives.insert(lives.end(), t.life.begin(), t.life.end());
+  if (rated.rollers == 0) return t;
+  const auto loads = equivalent.subspan(rated.roller(i), rated.rollers * rated.threads);
+  RollerLives& own = t.rollers.emplace();
+  own.threads_per_roller = static_cast<int>(rated.threads);
+  own.equivalent_load = scaled(loads, per_load);
+  own.life = lives_of(r, loads, share * rollers);
+  own.rated_life = scaled(own.life, r.rated_over_l10());
+  lives.insert(lives.end(), own.life.begin(), own.life.end());
+  return t;
+}
+
+void find_flank(const LifeModel& p, const PerDirection<Sense>& senses, LifeResult& r, Direction d) {
+  const Sense& s = senses[d];
   FlankLife flank;
-  double least = std::numeric_limits<double>::infinity();
-  double running_force = 0.0, damage = 0.0;
-  for (const LoadStep& s : r.steps) {
-    const double force = along(s.axial_force, d);
-    if (force == 0.0) continue;
-    flank.revolutions += s.revolutions;
-    flank.largest_force = std::max(flank.largest_force, force);
-    if (s.revolutions > 0.0) running_force = std::max(running_force, force);
-    least = std::min(least, force);
-    damage += force * force * force * s.revolutions;
+  flank.revolutions = s.revolutions;
+  flank.largest_force = s.largest;
+  for (const Direction of : kDirections) {
+    if (!senses[of].curve || (of != d && !p.preloaded())) continue;
+    flank.solves += senses[of].curve->solves();
+    flank.interpolation_error = std::max(flank.interpolation_error, senses[of].curve->error());
   }
-  if (flank.largest_force == 0.0) return;
-  require_thrust(p.c, d);
-  flank.mean_load = std::cbrt(damage / r.revolutions);
-
-  const std::size_t threads = 2 * p.threads();
-  const ShareCurve::Solve solve = share_solver(p, d);
-  const ShareCurve curve(solve, std::max(least, kLeastLoad * flank.largest_force),
-                         flank.largest_force);
-  flank.solves = curve.solves();
-  flank.interpolation_error = curve.error();
-  if (curve.failed_at()) {
-    r.failure = fmt::format("the load distribution under {:.6g} N in {} did not converge",
-                            *curve.failed_at(), name(d));
-    return;
+  std::vector<double> equivalent(p.rated().of_flank(), 0.0);
+  for (const Direction of : kDirections) {
+    if (senses[of].cubes.empty() || (of != d && !p.preloaded())) continue;
+    const auto cubes = of_flank(p, senses[of].cubes, d);
+    for (std::size_t k = 0; k < equivalent.size(); ++k) equivalent[k] += cubes[k];
   }
-
-  CubicSums sums(curve, threads);
-  for (const LoadStep& s : r.steps)
-    if (const double force = along(s.axial_force, d); force > 0.0 && s.revolutions > 0.0)
-      sums.add(force, s.revolutions);
-  std::vector<double> equivalent = std::move(sums).take();
   for (double& f : equivalent) f = std::cbrt(std::max(f, 0.0) / r.revolutions);
-  std::vector<double> ranges;
-  if (r.cycles)
-    ranges = equivalent_ranges(curve, r.cycles->cycles, d, p.c.life->fatigue_slope, threads);
-  std::vector<double> largest(threads);
-  curve.shares_at(flank.largest_force, largest);
-  std::vector<double> largest_running(threads);
-  if (running_force > 0.0) curve.shares_at(running_force, largest_running);
+  flank.mean_load =
+      p.preloaded() ? equivalent[p.rated().side()] : std::cbrt(s.damage / r.revolutions);
 
   std::vector<double> lives;
-  for (const Interface i : kInterfaces) {
-    ThreadLives& t = flank.threads[i];
-    for (const double load : part_of(equivalent, i, 1.0))
-      t.life.push_back(thread_life(r.dynamic_capacity, load, r.failure_shares[i],
-                                   p.contacts.mechanism.contacts_per_roller));
-    lives.insert(lives.end(), t.life.begin(), t.life.end());
-    t.equivalent_load = part_of(equivalent, i, p.equal_share());
-    t.largest_load = part_of(largest, i, flank.largest_force * p.equal_share());
-    if (!ranges.empty()) t.equivalent_range = part_of(ranges, i, p.equal_share());
-    if (!p.contacts.interfaces[i].has_hertz()) continue;
-    flank.peak_pressure[i] = peak_pressure(p, i, largest, flank.largest_force);
-    if (running_force > 0.0)
-      flank.running_peak_pressure[i] = peak_pressure(p, i, largest_running, running_force);
-  }
+  for (const Interface i : kInterfaces)
+    flank.threads[i] = thread_lives_of(p, r, i, equivalent, lives);
   flank.life = combined_life(lives);
-  find_static_loads(p, solve, flank);
+  if (r.cycles) {
+    const std::vector<double> ranges = equivalent_ranges(p, senses, r.cycles->cycles, d);
+    for (const Interface i : kInterfaces)
+      flank.threads[i].equivalent_range =
+          scaled(std::span(ranges).subspan(p.rated().body(i), p.rated().threads), p.equal_share());
+  }
+
+  // Flanks that only the preload loads carry most without external load.
+  const Sense& worst = s.exists() ? s : senses[opposite(d)];
+  const bool runs = s.running > 0.0 || p.preloaded();
+  const auto solved = [&](const std::optional<ContactLoads>& kept, double force) {
+    return kept && s.exists() ? kept : worst.solver(force);
+  };
+  const auto largest = solved(s.at_largest, s.largest);
+  const auto running = runs ? solved(s.at_running, s.running) : largest;
+  if (!largest || !running) {
+    r.failure = failure_at(s.largest, d);
+    return;
+  }
+  for (const Interface i : kInterfaces) {
+    flank.threads[i].largest_load = largest->largest[d][i];
+    if (!p.contacts.interfaces[i].has_hertz()) continue;
+    const auto pressure = [&](const ContactLoads& loads) {
+      return contact::at_load(p.contacts.interfaces[i].hertz,
+                              largest_normal_load(p, i, loads.largest[d]))
+          .peak_pressure;
+    };
+    flank.peak_pressure[i] = pressure(*largest);
+    if (runs) flank.running_peak_pressure[i] = pressure(*running);
+  }
+  if (s.largest > 0.0) find_static_loads(p, largest_solver(p, d, s.solver, *largest), flank);
   r.flanks[d] = std::move(flank);
+}
+
+/// Equilibria of both senses, then the lives of the flanks that carry.
+void find_lives(const LifeModel& p, LifeResult& r) {
+  PerDirection<Sense> senses = senses_of(p, r);
+  const PerDirection<bool> wanted{senses.tension.exists(), senses.compression.exists()};
+  for (const Direction d : kDirections)
+    if (wanted[d]) require_thrust(p, d);
+  const PerDirection<ContactSolver> solvers = contact_solvers(p, wanted);
+  for (const Direction d : kDirections) {
+    if (!wanted[d]) continue;
+    Sense& s = senses[d];
+    s.solver = solvers[d];
+    s.curve = curve_of_sense(p, s);
+    if (s.curve->failed_at()) {
+      r.failure = failure_at(*s.curve->failed_at(), d);
+      return;
+    }
+    CubicSums sums(*s.curve, p.rated().count());
+    for (std::size_t k = 0; k < s.forces.size(); ++k) {
+      const double force = s.forces[k];
+      if (s.turns[k] > 0.0)
+        sums.add(force, s.turns[k] * (p.preloaded() ? 1.0 : force * force * force));
+    }
+    s.cubes = std::move(sums).take();
+  }
+  for (const Direction d : kDirections)
+    if (!r.failure && (wanted[d] || p.preloaded())) find_flank(p, senses, r, d);
 }
 
 void find_weakest(LifeResult& r) {
@@ -323,9 +445,24 @@ void find_weakest(LifeResult& r) {
     if (!r.flanks[d]) continue;
     for (const Interface i : kInterfaces) {
       const ThreadLives& t = r.flanks[d]->threads[i];
+      const auto weaker = [&](double life) {
+        return std::isfinite(life) && (!r.weakest || life < r.weakest->life);
+      };
+      std::optional<Part> body;
+      if (t.rollers) body = body_of(i);
       for (std::size_t k = 0; k < t.life.size(); ++k)
-        if (std::isfinite(t.life[k]) && (!r.weakest || t.life[k] < r.weakest->life))
-          r.weakest = WeakestThread{d, i, k, t.equivalent_load[k], t.life[k]};
+        if (weaker(t.life[k]))
+          r.weakest = WeakestThread{d, i, k, body, {}, t.equivalent_load[k], t.life[k]};
+      if (!t.rollers) continue;
+      for (std::size_t k = 0; k < t.rollers->life.size(); ++k)
+        if (weaker(t.rollers->life[k]))
+          r.weakest = WeakestThread{d,
+                                    i,
+                                    k % t.life.size(),
+                                    Part::roller,
+                                    k / t.life.size(),
+                                    t.rollers->equivalent_load[k],
+                                    t.rollers->life[k]};
     }
   }
 }
@@ -403,7 +540,7 @@ LifeResult analyze_life(const Conditions& c, Contacts contacts,
   r.contacts = std::move(contacts);
   r.warnings = geometry_warnings(c, r.contacts, {});
   r.history = std::move(history);
-  const Prepared p{c, r.contacts, contact_laws(c, r.contacts)};
+  const LifeModel p{c, r.contacts, contact_laws(c, r.contacts)};
 
   find_capacity(p, r);
   find_spectrum(c, r);
@@ -415,10 +552,8 @@ LifeResult analyze_life(const Conditions& c, Contacts contacts,
     r.cycles = std::move(cycles);
   }
 
-  for (const Direction d : kDirections) {
-    find_lives(p, r, d);
-    if (r.failure) return r;
-  }
+  find_lives(p, r);
+  if (r.failure) return r;
   find_equal_shares_static_loads(p, r);
   r.catalogue_life = rating_life(r.dynamic_capacity, r.mean_load);
   std::vector<double> equal, real;

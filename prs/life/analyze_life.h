@@ -15,21 +15,36 @@
 
 namespace prs {
 
-/// Threads of one interface of one roller over the whole spectrum, thread 1 first. SI units.
+/// Threads of the rollers of a full mechanism at one interface, roller after roller; zero load
+/// where one is missing. SI units.
+struct RollerLives {
+  int threads_per_roller = 0;
+  std::vector<double> equivalent_load;  ///< Axial, cubic mean over all revolutions [N].
+  std::vector<double> life;             ///< L10 of the thread [revolutions].
+  std::vector<double> rated_life;       ///< At the reliability that is asked for [revolutions].
+};
+
+/// Threads of one interface over the whole spectrum, thread 1 first: those of one roller and of
+/// what it meets. Of a full mechanism those of screw or nut, which meet all rollers in turn. SI
+/// units.
 struct ThreadLives {
   std::vector<double> equivalent_load;  ///< Axial, cubic mean over all revolutions [N].
   std::vector<double> life;             ///< L10 of the thread on all rollers [revolutions].
+  std::vector<double> rated_life;       ///< At the reliability that is asked for [revolutions].
   std::vector<double> largest_load;     ///< Axial, under the largest force [N].
   /// Equivalent range of the axial load over the cycles of the history [N]; empty without history.
   std::vector<double> equivalent_range;
+  std::optional<RollerLives> rollers;  ///< Of a full mechanism.
 };
 
-/// One sense of the load, whose flanks the other sense does not touch.
+/// One sense of the load, whose flanks the other sense does not touch unless they are preloaded.
 struct FlankLife {
   double revolutions = 0.0;    ///< Under this sense of the load.
-  double largest_force = 0.0;  ///< [N]
-  double mean_load = 0.0;      ///< Cubic mean over the revolutions of *both* senses [N].
-  double life = 0.0;           ///< L10 with the real thread loads [revolutions of both senses].
+  double largest_force = 0.0;  ///< Of this sense [N].
+  /// Cubic mean over the revolutions of *both* senses [N]; of what the flanks carry at the screw,
+  /// which differs from the force with preload alone.
+  double mean_load = 0.0;
+  double life = 0.0;  ///< L10 with the real thread loads [revolutions of both senses].
   PerInterface<ThreadLives> threads;
   PerInterface<std::optional<double>> peak_pressure;  ///< Under the largest force [Pa].
   /// Peak pressure under the largest force at which the screw turns [Pa].
@@ -42,7 +57,9 @@ struct FlankLife {
   std::optional<StaticRating> static_rating;
   /// The rating over the largest force.
   std::optional<double> static_safety() const {
-    return static_rating ? std::optional(static_rating->force / largest_force) : std::nullopt;
+    return static_rating && largest_force > 0.0
+               ? std::optional(static_rating->force / largest_force)
+               : std::nullopt;
   }
   int solves = 0;                    ///< Equilibria solved for this sense.
   double interpolation_error = 0.0;  ///< Relative error of thread loads between them.
@@ -60,6 +77,8 @@ struct WeakestThread {
   Direction direction = Direction::tension;
   Interface interface = Interface::screw;
   std::size_t thread = 0;
+  std::optional<Part> part;           ///< Of a full mechanism: whose thread it is.
+  std::optional<std::size_t> roller;  ///< Of a roller of a full mechanism: which.
   double equivalent_load = 0.0;
   double life = 0.0;
 };
@@ -73,7 +92,10 @@ struct LifeResult {
   double dynamic_capacity = 0.0;
   Interval dynamic_capacity_range;
   PerInterface<double> failure_shares;
-  double element_ratio = 0.0;  ///< gamma = d_r cos(alpha)/(2 c)
+  /// Of a full mechanism: the rollers' part of the failures of each interface.
+  std::optional<PerInterface<double>> roller_shares;
+  double reliability_factor = 1.0;  ///< a1
+  double element_ratio = 0.0;       ///< gamma = d_r cos(alpha)/(2 c)
 
   std::vector<LoadStep> steps;  ///< Steps of the history or the spectrum.
   std::optional<LoadHistory> history;
@@ -97,6 +119,8 @@ struct LifeResult {
   std::vector<std::string> warnings;
 
   bool converged() const { return !failure; }
+  /// Rated life over L10: a1 times the modification factor.
+  double rated_over_l10() const { return reliability_factor * life.modification_factor; }
   /// Static safety of the weaker sense of the load: the smaller ratio of rating to largest force.
   std::optional<double> static_safety() const;
   std::optional<StaticLimit> static_safety_limit() const;

@@ -27,6 +27,11 @@ struct LoadStep {
 /// Jung 2017, (8.25), whose L10 counts millions. Infinite without load.
 double rating_life(double capacity, double load);
 
+/// Life that a share S of many reaches over L10, a1 of ISO 281:2007, table 12: 1 at 90 %, 0.64 at
+/// 95 %, 0.55, 0.47, 0.37 and 0.25 at 99 %; between them ln a1 is linear in ln ln(1/S), as it is
+/// for a Weibull distribution. 0.90 <= S <= 0.99.
+double reliability_factor(double reliability);
+
 /// Equivalent load [N] over revolutions, cubic mean of the magnitudes (Jung 2017, (8.28)):
 ///
 ///     F_m = (sum |F_j|^3 n_j / sum n_j)^(1/3)
@@ -48,6 +53,17 @@ double combined_life(std::span<const double> lives);
 ///
 /// The screw, convex against the rollers, fails first. 0 <= gamma < 1.
 PerInterface<double> failure_shares(double gamma);
+
+/// Part of the rollers in the failures of an interface of a full mechanism, where all contacts
+/// carry alike; the rest is that of the thread of screw or nut. By Lundberg and Palmgren, both
+/// bodies of a contact have its stress and its depth, so that only cycles u and stressed volume V
+/// tell them apart, u^e V. Their tracks have the lengths pi d, and roll the same way s on each
+/// other:
+///
+///     rollers/body = N d_R (s/d_R)^e / (d (N s/d)^e) = (N d_R/d)^(1 - e)
+///
+/// N the rollers, d_R their pitch diameter and d that of screw or nut, e = 10/9.
+double roller_failure_share(int rollers, double roller_diameter, double body_diameter);
 
 /// L10 [revolutions] of one thread at one interface, that of all rollers together, under its
 /// equivalent load. With C the mechanism's capacity, w the share of the interface and N the threads

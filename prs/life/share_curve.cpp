@@ -64,13 +64,26 @@ double interpolation_error(std::span<const std::vector<double>> nodes, double t,
 
 }  // namespace
 
-ShareCurve::ShareCurve(const Solve& solve, double least, double greatest) {
+ShareCurve::ShareCurve(const Solve& solve, double least, double greatest, double tolerance)
+    : tolerance_(tolerance) {
   const Panel all{std::cbrt(least), std::cbrt(greatest)};
   if (least < greatest) {
     refine(solve, all, 0);
   } else if (const auto shares = solve_at(solve, all.from)) {
     panels_.push_back(all);
     nodes_.assign(kNodes, *shares);
+  }
+}
+
+ShareCurve::ShareCurve(const Solve& solve, std::vector<double> forces) {
+  std::ranges::sort(forces);
+  forces.erase(std::unique(forces.begin(), forces.end()), forces.end());
+  for (const double force : forces) {
+    const double x = std::cbrt(force);
+    const auto shares = solve_at(solve, x);
+    if (!shares) return;
+    panels_.push_back({x, x});
+    nodes_.insert(nodes_.end(), kNodes, *shares);
   }
 }
 
@@ -96,9 +109,9 @@ void ShareCurve::refine(const Solve& solve, Panel panel, int depth) {
     const std::optional<std::vector<double>> shares = solve_at(solve, at(t));
     if (!shares) return;
     error = std::max(error, interpolation_error(nodes, t, *shares));
-    if (error > kTolerance) break;
+    if (error > tolerance_) break;
   }
-  if (error > kTolerance && depth < kMostHalvings) {
+  if (error > tolerance_ && depth < kMostHalvings) {
     refine(solve, {panel.from, at(0.0)}, depth + 1);
     if (!failed_at_) refine(solve, {at(0.0), panel.to}, depth + 1);
     return;

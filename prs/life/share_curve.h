@@ -9,13 +9,14 @@
 
 namespace prs {
 
-/// Thread loads of one direction over the axial load. A million loads need only some tens of
+/// Thread loads of one direction over the axial load F, as shares l or, where both flanks carry at
+/// F = 0 too, as loads. A million loads need only some tens of
 /// equilibria: between them the shares are interpolated, with an error that is controlled.
 ///
 /// The value of a thread at one interface is its share l = N F_thread/(F/rollers), 1 where N
 /// threads share equally; l and l^3 are polynomials of degree 8 in F^(1/3) (in which Hertz contacts
 /// leave equal shares) on panels that are halved until both hit equilibria between the nodes within
-/// `kTolerance` of the largest. Threads that open leave a kink, on which panels pile up.
+/// a tolerance of the largest. Threads that open leave a kink, on which panels pile up.
 class ShareCurve {
  public:
   static constexpr std::size_t kNodes = 9;
@@ -25,9 +26,13 @@ class ShareCurve {
   /// where the solve fails.
   using Solve = std::function<std::optional<std::vector<double>>(double force)>;
 
-  /// Solves on [`least`, `greatest`] [N], 0 < least <= greatest. Loads below count with the shares
+  /// Solves on [`least`, `greatest`] [N], 0 <= least <= greatest. Loads below count with the shares
   /// at `least`.
-  ShareCurve(const Solve& solve, double least, double greatest);
+  ShareCurve(const Solve& solve, double least, double greatest, double tolerance = kTolerance);
+
+  /// Solves at these forces alone [N], of which there must be one; a load between them counts with
+  /// the shares at the next smaller one.
+  ShareCurve(const Solve& solve, std::vector<double> forces);
 
   /// Where no equilibrium was found; the curve must then not be used.
   std::optional<double> failed_at() const { return failed_at_; }
@@ -57,6 +62,7 @@ class ShareCurve {
 
   std::vector<Panel> panels_;
   std::vector<std::vector<double>> nodes_;  ///< kNodes a panel.
+  double tolerance_ = kTolerance;
   std::optional<double> failed_at_;
   int solves_ = 0;
   double error_ = 0.0;

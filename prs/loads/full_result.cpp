@@ -69,25 +69,63 @@ bool alike(const Deviations& d) {
          d.pitch_error.roller.lists.empty();
 }
 
+/// A load case on all rollers, its models solved one after the other.
+class AllRollers {
+ public:
+  AllRollers(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
+             const PerInterface<ContactLaw>& laws, FullSolver& solver)
+      : load_case_(load_case), c_(c), contacts_(contacts), laws_(laws), solver_(solver) {
+    if (c.model.bodies == ModelOptions::Bodies::influence)
+      bodies_ = full_bodies(c, contacts, laws, model(load_case.spatial.carrier_angle));
+  }
+
+  bool influence() const { return bodies_.has_value(); }
+  FullModel model(double carrier_angle) const {
+    LoadCase at = load_case_;
+    at.spatial.carrier_angle = carrier_angle;
+    return full_model(contacts_.mechanism, *c_.structure, *c_.materials, c_.model, laws_, at,
+                      c_.deviations);
+  }
+  FullDistribution solved(const FullModel& model, Detail detail) const {
+    return bodies_ ? solve(model, *bodies_, detail) : solver_.solve(model, detail);
+  }
+  std::optional<Orbit> turned(const SpatialLoad::Orbit& wanted) const {
+    return orbit([this](double carrier_angle) { return model(carrier_angle); },
+                 [this](const FullModel& model) { return solved(model, Detail::numbers); }, wanted,
+                 load_case_.spatial.carrier_angle, alike(c_.deviations));
+  }
+
+ private:
+  const LoadCase& load_case_;
+  const Conditions& c_;
+  const Contacts& contacts_;
+  const PerInterface<ContactLaw>& laws_;
+  FullSolver& solver_;
+  std::optional<FullBodies> bodies_;
+};
+
 }  // namespace
+
+FullDistribution full_distribution(const LoadCase& load_case, const Conditions& c,
+                                   const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                                   FullSolver& solver, Detail detail) {
+  const AllRollers all(load_case, c, contacts, laws, solver);
+  return all.solved(all.model(load_case.spatial.carrier_angle), detail);
+}
+
+std::optional<Orbit> full_orbit(const LoadCase& load_case, const Conditions& c,
+                                const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                                FullSolver& solver, const SpatialLoad::Orbit& wanted) {
+  return AllRollers(load_case, c, contacts, laws, solver).turned(wanted);
+}
 
 LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
                            const PerInterface<ContactLaw>& laws, FullSolver& solver,
                            Detail detail) {
-  const auto model_at = [&](double carrier_angle) {
-    LoadCase at = load_case;
-    at.spatial.carrier_angle = carrier_angle;
-    return full_model(contacts.mechanism, *c.structure, *c.materials, c.model, laws, at,
-                      c.deviations);
-  };
   const SpatialLoad& load = load_case.spatial;
-  const FullModel f = model_at(load.carrier_angle);
-  std::optional<FullBodies> bodies;
-  if (c.model.bodies == ModelOptions::Bodies::influence) bodies = full_bodies(c, contacts, laws, f);
-  const auto solved = [&](const FullModel& model, Detail wanted) {
-    return bodies ? solve(model, *bodies, wanted) : solver.solve(model, wanted);
-  };
-  FullDistribution d = solved(f, detail);
+  const AllRollers all(load_case, c, contacts, laws, solver);
+  const FullModel f = all.model(load.carrier_angle);
+  FullDistribution d = all.solved(f, detail);
   LoadDistribution flattened;
   flattened.solve = d.solve;
   flattened.axial_displacement = d.axial_displacement;
@@ -109,7 +147,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   full.nut = d.nut;
   full.rings = std::move(d.rings);
   full.bearings = d.bearings;
-  if (bodies) {
+  if (all.influence()) {
     Conditions nominal = c;
     nominal.deviations = {};
     full.symmetric = symmetric_loads(
@@ -125,9 +163,7 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     loads.rollers = roller_shares(loads, f, full.symmetric.largest_normal_load[i]);
   }
   if (load.orbit) {
-    full.orbit = orbit(
-        model_at, [&](const FullModel& model) { return solved(model, Detail::numbers); },
-        *load.orbit, load.carrier_angle, alike(c.deviations));
+    full.orbit = all.turned(*load.orbit);
     if (!full.orbit)
       result.warnings.push_back(
           "the orbit was left out: at some position of the carrier there is no equilibrium");

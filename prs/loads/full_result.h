@@ -26,7 +26,16 @@ struct FullLoads {
 
 /// The answer to a load case on all rollers.
 LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
-                           const PerInterface<ContactLaw>& laws, FullSolver& solver,
-                           Detail detail);
+                           const PerInterface<ContactLaw>& laws, FullSolver& solver, Detail detail);
+
+/// How a load case spreads over all rollers.
+FullDistribution full_distribution(const LoadCase& load_case, const Conditions& c,
+                                   const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                                   FullSolver& solver, Detail detail);
+
+/// A turn of the carrier under a load case; nothing where a position has no equilibrium.
+std::optional<Orbit> full_orbit(const LoadCase& load_case, const Conditions& c,
+                                const Contacts& contacts, const PerInterface<ContactLaw>& laws,
+                                FullSolver& solver, const SpatialLoad::Orbit& wanted);
 
 }  // namespace prs

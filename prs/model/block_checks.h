@@ -22,8 +22,6 @@ void check_thickness(const Case& c, Problems& problems);
 
 /// What only a full mechanism knows, and what it does not know yet.
 void check_full_mechanism(const Case& c, Problems& problems);
-/// Commands that a full mechanism does not have yet.
-void require_sector(const Case& c, std::string_view command, Problems& problems);
 
 void check_load_cases(const Case& c, Problems& problems);
 /// The roller's contacts, from the first at the position, must lie on the nut. `block` states it.

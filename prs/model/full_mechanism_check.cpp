@@ -32,6 +32,7 @@ void refuse_in_sector(const Case& c, Problems& problems) {
                              {"structure.roller.rings", s.roller.rings != Rings{}},
                              {"structure.nut.housing", s.nut.housing != Housing{}}});
   }
+  if (c.life) keys.emplace_back("life.load_case", c.life->load_case.has_value());
   const SpatialLoad nothing;
   for (const LoadCase& load : c.load_cases) {
     const SpatialLoad& s = load.spatial;
@@ -55,7 +56,10 @@ void check_list(std::string path, std::size_t size, int wanted, std::string_view
                 Problems& problems) {
   if (size != 0 && size != static_cast<std::size_t>(wanted))
     problems.add(std::move(path),
-                 fmt::format("got {} values; expected {}, one for each {}", size, wanted, of));
+                 fmt::format("got {} values; expected {}, one for each {}; {}", size, wanted, of,
+                             size < static_cast<std::size_t>(wanted)
+                                 ? "add the others, 0 where nothing deviates"
+                                 : "delete the others"));
 }
 
 void check_lists(const Case& c, Problems& problems) {
@@ -79,7 +83,7 @@ void check_lists(const Case& c, Problems& problems) {
     if (!d.pitch_error[part].lists.empty())
       problems.add(fmt::format("deviations.pitch_error.{}.list", name(part)),
                    "got a list of lists; expected one list, as the part has one thread for all "
-                   "rollers");
+                   "rollers; write one list");
   for (const Interface i : kInterfaces)
     check_list(fmt::format("deviations.index_error.{}", name(i)), d.index_error[i].size(),
                m.starts.screw, "start", problems);
@@ -104,14 +108,17 @@ void check_missing_rollers(const Case& c, Problems& problems) {
   std::ranges::sort(missing);
   const auto wrong = std::ranges::find_if(missing, [&](int k) { return k < 1 || k > rollers; });
   if (wrong != missing.end())
-    problems.add("deviations.missing_rollers",
-                 fmt::format("got {}; expected numbers from 1 to {}", *wrong, rollers));
+    problems.add(
+        "deviations.missing_rollers",
+        fmt::format("got {}; expected numbers from 1 to {}; write one of them, or delete it",
+                    *wrong, rollers));
   else if (const auto twice = std::ranges::adjacent_find(missing); twice != missing.end())
     problems.add("deviations.missing_rollers",
                  fmt::format("got {} twice; expected each number once; delete one", *twice));
   else if (static_cast<int>(missing.size()) == rollers && rollers > 0)
-    problems.add("deviations.missing_rollers",
-                 fmt::format("got all {} rollers; expected one that is left", rollers));
+    problems.add(
+        "deviations.missing_rollers",
+        fmt::format("got all {} rollers; expected one that is left; delete a number", rollers));
 }
 
 /// Rotations for which sin(x) = x holds within 0.13 %, as the model takes it [rad].
@@ -125,14 +132,33 @@ void check_rotation(std::string path, const Lateral& rotation, Problems& problem
                                      value * 180.0 / std::numbers::pi));
 }
 
-void check_rotations(const Case& c, Problems& problems) {
-  for (const LoadCase& load : c.load_cases)
+/// Displacements beyond this share of the screw's pitch diameter are not small.
+constexpr double kMostDisplacement = 0.1;
+
+void check_seat(std::string path, const Lateral& offset, const Mechanism& m, Problems& problems) {
+  if (!m.pitch_diameter.screw) return;
+  const double most = kMostDisplacement * *m.pitch_diameter.screw;
+  for (const double value : {offset.y, offset.z})
+    if (std::abs(value) > most)
+      problems.add(path,
+                   fmt::format("got {}; expected at most {}, a tenth of the screw's pitch "
+                               "diameter, as the model is for small displacements; check the unit",
+                               mm(value), mm(most)));
+}
+
+void check_small_motions(const Case& c, Problems& problems) {
+  for (const LoadCase& load : c.load_cases) {
     check_rotation(load.input_path + ".misalignment.nut_tilt", load.spatial.nut_tilt, problems);
+    check_seat(load.input_path + ".misalignment.nut_offset", load.spatial.nut_offset, c.mechanism,
+               problems);
+  }
   if (!c.structure) return;
   const auto& bearings = c.structure->screw.bearings;
-  for (std::size_t k = 0; k < bearings.size(); ++k)
-    check_rotation(fmt::format("structure.screw.bearings[{}].angle", k), bearings[k].angle,
-                   problems);
+  for (std::size_t k = 0; k < bearings.size(); ++k) {
+    const std::string path = fmt::format("structure.screw.bearings[{}]", k);
+    check_rotation(path + ".angle", bearings[k].angle, problems);
+    check_seat(path + ".offset", bearings[k].offset, c.mechanism, problems);
+  }
 }
 
 /// Places on the screw of a load case: from the loaded section to the far end.
@@ -191,7 +217,7 @@ void check_full_mechanism(const Case& c, Problems& problems) {
                                                   c.mechanism.rollers));
   check_lists(c, problems);
   check_missing_rollers(c, problems);
-  check_rotations(c, problems);
+  check_small_motions(c, problems);
   if (!c.structure) return;
   const Rings& rings = c.structure->roller.rings;
   if (c.model.roller == ModelOptions::Roller::rigid_bending &&
@@ -200,14 +226,6 @@ void check_full_mechanism(const Case& c, Problems& problems) {
                  "got rings that move with a part and rollers that stay straight; expected `rings: "
                  "housing` with `model.roller: rigid_bending`");
   check_places(c, problems);
-}
-
-void require_sector(const Case& c, std::string_view command, Problems& problems) {
-  if (c.model.mechanism == ModelOptions::Mechanism::full)
-    problems.add("model.mechanism",
-                 fmt::format("got `full`, with which `{}` does not compute yet; expected `sector`; "
-                             "`solve` computes with both",
-                             command));
 }
 
 }  // namespace prs

@@ -1,8 +1,10 @@
-#include "prs/model/block_checks.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
+
+#include "prs/model/block_checks.h"
+#include "prs/model/quantity_text.h"
 
 namespace prs {
 namespace {
@@ -22,7 +24,7 @@ void check_spectrum(const Case& c, Problems& problems) {
       problems.add(path + ".duration",
                    "got a duration without speed; expected the speed that turns it into "
                    "revolutions; add `operation: {speed: 400 rpm}`, for example");
-    if (c.structure && c.life->share == LoadCase::Share::solved)
+    if (c.structure && !c.preload && c.life->share == LoadCase::Share::solved)
       check_thrust(l.direction, path, c.structure->nut, problems);
   }
   if (c.life->spectrum.front().share && std::abs(shares - 1.0) > 1e-3)
@@ -49,6 +51,51 @@ void check_history(const Case& c, Problems& problems) {
                  "for example");
 }
 
+/// With preload, what the sides are built from.
+void check_preloaded_life(const Case& c, Problems& problems) {
+  if (c.preload->arrangement == Preload::Arrangement::double_nut && c.life->position &&
+      std::abs(*c.life->position - c.preload->position) > kSamePlace * c.structure->nut.length)
+    problems.add("life.position",
+                 fmt::format("got {} and preload.position {}; expected one place with "
+                             "`arrangement: double_nut`, whose second nut goes with it; change "
+                             "one of them",
+                             mm(*c.life->position), mm(c.preload->position)));
+}
+
+/// The load case whose side loads act together with the forces of `life`.
+void check_load_case_of_life(const Case& c, Problems& problems) {
+  if (!c.life->load_case || c.model.mechanism == ModelOptions::Mechanism::sector) return;
+  std::string names;
+  for (const LoadCase& load : c.load_cases) {
+    if (load.share == LoadCase::Share::equal) continue;
+    if (load.name == *c.life->load_case) return;
+    names += (names.empty() ? "" : ", ") + load.name;
+  }
+  problems.add("life.load_case",
+               fmt::format("got {}; expected the name of a load case that is solved: {}; write one "
+                           "of them, or delete the key",
+                           *c.life->load_case, names.empty() ? "the file has none" : names));
+}
+
+/// Side loads that differ between load cases leave open which act together with the forces.
+void require_load_case_of_life(const Case& c, Problems& problems) {
+  if (c.model.mechanism == ModelOptions::Mechanism::sector || c.life->load_case ||
+      c.life->share == LoadCase::Share::equal)
+    return;
+  const SpatialLoad* first = nullptr;
+  for (const LoadCase& load : c.load_cases) {
+    if (load.share == LoadCase::Share::equal) continue;
+    if (!first) first = &load.spatial;
+    if (load.spatial == *first) continue;
+    problems.add("life.load_case",
+                 fmt::format("missing; expected the load case whose side loads, misalignment and "
+                             "orbit act together with the forces of `life`, as they differ; add "
+                             "`load_case: {}`, for example",
+                             load.name));
+    return;
+  }
+}
+
 }  // namespace
 
 void check_life(const Case& c, Problems& problems) {
@@ -58,6 +105,8 @@ void check_life(const Case& c, Problems& problems) {
     check_history(c, problems);
   else
     check_spectrum(c, problems);
+  if (c.preload && c.structure) check_preloaded_life(c, problems);
+  check_load_case_of_life(c, problems);
 }
 
 void require_life(const Case& c, Problems& problems) {
@@ -71,6 +120,16 @@ void require_life(const Case& c, Problems& problems) {
     problems.add("structure",
                  "missing; expected the parts around the threads for `life`; add `structure` with "
                  "`roller` and `nut`, or `share: equal` to `life`");
+  if (!c.life) return;
+  require_load_case_of_life(c, problems);
+  if (!c.preload) return;
+  if (c.model.mechanism == ModelOptions::Mechanism::full &&
+      c.life->share == LoadCase::Share::solved)
+    problems.add("preload",
+                 "got a preload with `mechanism: full`, whose flanks of the other sense are not in "
+                 "the model; expected one of them; write `mechanism: sector`, or delete `preload`");
+  else
+    require_preload(c, problems);
 }
 
 }  // namespace prs

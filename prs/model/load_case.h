@@ -31,6 +31,8 @@ struct SpatialLoad {
   struct Orbit {
     int steps = 8;
     double exponent = 3.0;  ///< Of equivalent loads.
+
+    bool operator==(const Orbit&) const = default;
   };
   double carrier_angle = 0.0;  ///< Azimuth of the first roller, from y towards z [rad].
   Lateral eccentricity;        ///< Point of the loaded section where the axial force acts [m].
@@ -39,6 +41,8 @@ struct SpatialLoad {
   Lateral nut_tilt;    ///< Rotation of the seat of the nut [rad].
   Lateral nut_offset;  ///< Displacement of the seat of the nut [m].
   std::optional<Orbit> orbit;
+
+  bool operator==(const SpatialLoad&) const = default;
 };
 
 /// One load on the mechanism. A range in the input has been expanded to one case per point.

@@ -70,4 +70,9 @@ inline ModelOptions::RollerContacts roller_contacts(const ModelOptions& model, i
   return model.roller_contacts.value_or(roller_starts % 2 == 1 ? opposite : half_pitch_apart);
 }
 
+/// Name of a model: that of its bodies, or `full` of all rollers.
+constexpr std::string_view name_of_model(const ModelOptions& m) {
+  return m.mechanism == ModelOptions::Mechanism::full ? "full" : name(m.bodies);
+}
+
 }  // namespace prs

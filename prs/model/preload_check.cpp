@@ -88,6 +88,11 @@ void require_preload(const Case& c, Problems& problems) {
         "structure", "the parts around the threads for `preload`",
         "{roller: {end_length: 5 mm, end_diameter: 5 mm}, nut: {length: 90 mm, outer_diameter: "
         "46 mm, thrust: {tension: 10 mm}}}");
+  if (c.model.mechanism == ModelOptions::Mechanism::full)
+    problems.add("model.mechanism",
+                 "got full, whose rollers touch one flank; expected sector, which joins both for "
+                 "`preload`; write `mechanism: sector` and see the rollers of the loaded flank by "
+                 "`solve`");
   if (c.model.bodies == ModelOptions::Bodies::influence)
     problems.add("model.bodies",
                  "got influence; expected bars | refined: `preload` joins both sides in one "

@@ -40,9 +40,6 @@ std::vector<Problem> missing(const Case& c, Command command) {
     problems.add("load_cases",
                  "got equal shares in each; expected one that the models solve; add a load case "
                  "without `share: equal` for `compare`");
-  if (command == Command::preload || command == Command::life || command == Command::measures ||
-      command == Command::compare)
-    require_sector(c, name(command), problems);
   if (command == Command::slip) require_slip(c, problems);
   if (command == Command::slip && c.heat) require_heat(c, problems);
   if (command == Command::preload) require_preload(c, problems);

@@ -32,7 +32,7 @@ std::string comparison_row(std::initializer_list<std::string> cells) {
 
 std::string model_row(const std::string& load_case, const ComparedModel& m) {
   const LoadCaseResult& r = m.result();
-  const std::string bodies(name(m.bodies()));
+  const std::string bodies(m.model_name());
   if (!r.converged())
     return comparison_row({load_case, bodies,
                            fmt::format("NOT CONVERGED ({}), residual {:.1e}", status_name(r),
@@ -82,7 +82,7 @@ std::string comparison_csv(const ModelComparison& c, const CsvStyle& style) {
       const ComparedModel m{&c, k, model};
       const LoadCaseResult& r = m.result();
       load_fields(csv, r.load_case);
-      csv.text(name(m.bodies()));
+      csv.text(m.model_name());
       csv.text(r.converged() ? "true" : "false");
       csv.number(r.axial_stiffness, per_si::newton_per_micrometre);
       csv.number(stiffness_over_best(m));
@@ -90,9 +90,8 @@ std::string comparison_csv(const ModelComparison& c, const CsvStyle& style) {
       for (const Interface i : kInterfaces) {
         const std::vector<double> shares =
             r.threads ? (*r.threads)[i].load_rate : std::vector<double>{};
-        const auto thread = index_of_largest(shares);
-        csv.integer(thread ? std::optional(*thread + 1) : std::nullopt);
-        csv.number(entry(shares, thread), per_si::percent);
+        csv.integer(r.threads ? most_loaded_thread((*r.threads)[i]) : std::nullopt);
+        csv.number(entry(shares, index_of_largest(shares)), per_si::percent);
       }
       csv.number(largest_pressure(r), per_si::megapascal);
       csv.number(pressure_over_best(m));

@@ -23,15 +23,17 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostBars = 16;
 constexpr std::size_t kFactorWidth = 40;
 
-/// Factors that have an elasticity of a response, the strongest first.
+/// Factors that have an elasticity of a response, the strongest first, then those that are 0.
 std::vector<std::size_t> ranked(const CaseDerivatives& result, std::size_t response) {
   std::vector<std::size_t> order;
   const auto strength = [&](std::size_t factor) {
-    return std::abs(*result.factors[factor].responses[response]->elasticity);
+    const auto& elasticity = result.factors[factor].responses[response]->elasticity;
+    return elasticity ? std::abs(*elasticity) : -1.0;
   };
   for (std::size_t k = 0; k < result.factors.size(); ++k) {
     const std::optional<Derivative>& d = result.factors[k].responses[response];
-    if (d && d->elasticity) order.push_back(k);
+    const std::optional<Level>& base = result.study.factors[k].base;
+    if (d && (d->elasticity || (base && base->number == 0.0))) order.push_back(k);
   }
   std::ranges::stable_sort(order, std::greater{}, strength);
   return order;
@@ -122,9 +124,11 @@ std::string derivatives_table(const CaseDerivatives& result) {
     for (const std::size_t f : ranked(result, k)) {
       const Factor& factor = result.study.factors[f];
       const Derivative& d = *result.factors[f].responses[k];
-      text += fmt::format("  {}  {:>16.5f}  {:>16.7g}  {}\n",
-                          padded(label_of(factor), kFactorWidth, true), *d.elasticity, d.value,
-                          factor.unit.empty() ? "1" : printable(factor.unit));
+      text += fmt::format(
+          "  {}  {}  {:>16.7g}  {}\n", padded(label_of(factor), kFactorWidth, true),
+          padded(d.elasticity ? fmt::format("{:.5f}", *d.elasticity) : std::string(kAbsent), 16,
+                 false),
+          d.value, factor.unit.empty() ? "1" : printable(factor.unit));
     }
   }
   for (std::size_t f = 0; f < result.factors.size(); ++f)

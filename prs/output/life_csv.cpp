@@ -25,6 +25,29 @@ std::string life_threads_csv(const LifeResult& r, const CsvStyle& style) {
   return csv.take();
 }
 
+std::string life_rollers_csv(const LifeResult& r, const CsvStyle& style) {
+  CsvWriter csv(style);
+  for (const char* key : {"direction", "interface", "roller", "thread"}) csv.text(key);
+  series_header<RollerLives>(csv);
+  csv.end_row();
+  for (const Direction d : kDirections) {
+    if (!r.flanks[d]) continue;
+    for (const Interface i : kInterfaces) {
+      const RollerLives& t = *r.flanks[d]->threads[i].rollers;
+      const auto threads = static_cast<std::size_t>(t.threads_per_roller);
+      for (std::size_t k = 0; k < t.life.size(); ++k) {
+        csv.text(name(d));
+        csv.text(name(i));
+        csv.integer(k / threads + 1);
+        csv.integer(k % threads + 1);
+        series_fields(csv, t, k);
+        csv.end_row();
+      }
+    }
+  }
+  return csv.take();
+}
+
 std::string cycles_csv(const LoadCycles& cycles, const CsvStyle& style) {
   CsvWriter csv(style);
   for (const char* key : {"range_N", "mean_N", "count", "start_sample", "end_sample"})

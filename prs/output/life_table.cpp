@@ -35,22 +35,36 @@ std::string life_row(const LifeResult& r, const std::string& what, double revolu
                         cell(life.travel, table_unit("km").factor), cell(life.passes)});
 }
 
+/// Whether the rated life is another than L10.
+bool is_rated(const LifeResult& r) { return r.rated_over_l10() != 1.0; }
+
+std::string reliability(const LifeResult& r) {
+  return fmt::format("{:.4g} %", 100.0 * r.life.reliability);
+}
+
+/// `thread 3.1 at the screw, tension` where it is one of roller 3.
+std::string weakest_thread(const WeakestThread& w) {
+  const std::string number =
+      w.roller ? fmt::format("{}.{}", *w.roller + 1, w.thread + 1) : fmt::to_string(w.thread + 1);
+  return fmt::format("thread {} {} the {}, {}", number, w.part && !w.roller ? "of" : "at",
+                     name(w.interface), name(w.direction));
+}
+
 std::string lives(const LifeResult& r) {
   const bool solved = r.life.share == LoadCase::Share::solved;
   std::string text = columns(
       "Life L10", {"million rev.", "hours", "travel, km", r.history ? "histories" : "spectra"});
   text += life_row(r, solved ? "mechanism, real thread loads" : "mechanism, equal thread loads",
                    r.system_life);
+  if (is_rated(r))
+    text += life_row(r, fmt::format("  rated, {} reach it", reliability(r)),
+                     r.rated_over_l10() * r.system_life);
   for (const Direction d : kDirections)
     if (r.flanks[d])
       text += life_row(r, fmt::format("  {} flanks alone", name(d)), r.flanks[d]->life);
   if (solved) text += life_row(r, "mechanism, equal thread loads", r.equal_shares_life);
   text += life_row(r, "catalogue formula (C_a/F_m)^3", r.catalogue_life);
-  if (r.weakest)
-    text += life_row(r,
-                     fmt::format("thread {} at the {}, {}", r.weakest->thread + 1,
-                                 name(r.weakest->interface), name(r.weakest->direction)),
-                     r.weakest->life);
+  if (r.weakest) text += life_row(r, weakest_thread(*r.weakest), r.weakest->life);
   return text;
 }
 
@@ -84,6 +98,11 @@ std::string capacities(const LifeResult& r) {
         line("life of the mechanism by the readings",
              fmt::format("{:.4g} to {:.4g} million revolutions", 1e-6 * least, 1e-6 * greatest));
   }
+  if (is_rated(r))
+    text +=
+        line("rated life over L10",
+             fmt::format("{:.4g} (a1 {:.4g} at {}, modification factor {:.4g})", r.rated_over_l10(),
+                         r.reliability_factor, reliability(r), r.life.modification_factor));
   text += line("mean load F_m", kilonewtons(r.mean_load));
   text += line("largest force", kilonewtons(r.largest_force));
   if (r.life.static_capacity)

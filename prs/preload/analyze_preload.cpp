@@ -6,19 +6,12 @@
 #include <cmath>
 #include <string_view>
 
-#include "prs/model/case_error.h"
+#include "prs/preload/preloaded_mechanism.h"
 #include "prs/threads/contact_laws.h"
 #include "prs/threads/geometry_warnings.h"
 
 namespace prs {
 namespace {
-
-/// Rigid shoulders of the housing: each sense of the load rests on its own; the only one holds
-/// both.
-PerDirection<double> held_sections(const Structure::Thrust& thrust) {
-  return {thrust.tension ? *thrust.tension : *thrust.compression,
-          thrust.compression ? *thrust.compression : *thrust.tension};
-}
 
 std::vector<double> loads_of(const LoadSweep& sweep) {
   const double largest = std::max(std::abs(sweep.from), std::abs(sweep.to));
@@ -31,26 +24,8 @@ std::vector<double> loads_of(const LoadSweep& sweep) {
   return loads;
 }
 
-/// One solver for each sense of the load, which differ in the section that holds the nut.
-class SolverPair {
- public:
-  SolverPair(const PerDirection<PreloadSector>& sectors, const Fit& fit)
-      : tension_(fitted(sectors.tension, fit)), compression_(fitted(sectors.compression, fit)) {}
-
-  PreloadSolver& operator[](Direction d) {
-    return d == Direction::tension ? tension_ : compression_;
-  }
-  PreloadPoint solve(double axial_force) {
-    return (*this)[axial_force < 0.0 ? Direction::compression : Direction::tension].solve(
-        axial_force);
-  }
-
- private:
-  PreloadSolver tension_, compression_;
-};
-
 /// `where` introduces the reason why a load did not converge, which becomes a warning.
-PreloadCurve curve_of(SolverPair& solvers, const std::vector<double>& loads,
+PreloadCurve curve_of(PreloadedMechanism& solvers, const std::vector<double>& loads,
                       double lost_motion_load, std::string_view where,
                       std::vector<std::string>& warnings) {
   const auto warn = [&](double load, const fe::NewtonSummary& summary) {
@@ -93,17 +68,6 @@ void warn_of_pressure(PreloadResult& result) {
   }
 }
 
-/// Throws where no fit within the threads gives the preload force.
-void require_sound(double interference, const Mechanism& m) {
-  const double most = kMostDeviation * axial_pitch(m);
-  if (interference <= most) return;
-  throw CaseError(
-      "preload.force",
-      fmt::format("asks for an interference of {:.4g} mm; expected at most {:.4g} mm, a "
-                  "quarter of the pitch; take less preload",
-                  1e3 * interference, 1e3 * most));
-}
-
 }  // namespace
 
 std::optional<double> PreloadResult::peak_pressure(const SideLoads& loads) const {
@@ -134,20 +98,9 @@ PreloadResult analyze_preload(const Conditions& c, Contacts contacts) {
   const PerInterface<ContactLaw> laws = contact_laws(c, result.contacts);
   result.section = held_sections(c.structure->nut.thrust);
 
-  const PreloadParts parts{result.contacts.mechanism,
-                           *c.structure,
-                           *c.materials,
-                           c.model,
-                           laws,
-                           c.deviations,
-                           *c.preload};
-  PerDirection<PreloadSector> sectors;
-  for (const Direction d : kDirections)
-    sectors[d] = build_preload_sector(parts, d, result.section[d]);
-
-  const Fit fit = find_fit(sectors.tension, *c.preload);
-  require_sound(interference(sectors.tension, fit), result.contacts.mechanism);
-  SolverPair solvers(sectors, fit);
+  const PreloadSectors sectors = preload_sectors(c, result.contacts, laws, c.preload->position);
+  const Fit fit = preload_fit(c, result.contacts, sectors);
+  PreloadedMechanism solvers(sectors, fit);
   result.at_rest = solvers[Direction::tension].at_rest();
   if (!c.preload->backlash) result.interference = interference(sectors.tension, fit);
   for (const Direction d : kDirections) result.opening_force[d] = solvers[d].opening_force(d);
@@ -158,7 +111,7 @@ PreloadResult analyze_preload(const Conditions& c, Contacts contacts) {
   const std::vector<double> loads = loads_of(sweep);
   result.curve = curve_of(solvers, loads, result.lost_motion_load, "at ", result.warnings);
   if (!c.preload->backlash) {
-    SolverPair loose(sectors, Fit{});
+    PreloadedMechanism loose(sectors, Fit{});
     result.without_preload =
         curve_of(loose, loads, result.lost_motion_load, "without preload at ", result.warnings);
   }

@@ -125,6 +125,7 @@ class PreloadSolver::Branch {
       for (const int k : sector_.sides[side].springs[i]) {
         const double normal = equations_.response(q, k).force;
         sum += normal;
+        loads.normal_load[i].push_back(normal);
         loads.max_normal_load[i] = std::max(loads.max_normal_load[i], normal);
       }
       loads.axial_load[i] = sector_.rollers * std::cos(sector_.laws[i].normal_angle) * sum;

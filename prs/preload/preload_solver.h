@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "fe/newton.h"
 #include "prs/preload/preload_sector.h"
@@ -10,8 +11,9 @@ namespace prs {
 
 /// Loads of one side; zero where it has opened.
 struct SideLoads {
-  PerInterface<double> axial_load;       ///< [N]
-  PerInterface<double> max_normal_load;  ///< On one thread of one roller [N].
+  PerInterface<double> axial_load;                ///< [N]
+  PerInterface<double> max_normal_load;           ///< On one thread of one roller [N].
+  PerInterface<std::vector<double>> normal_load;  ///< On each thread of a roller [N].
 };
 
 /// Equilibrium under one external load.

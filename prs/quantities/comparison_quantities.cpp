@@ -19,6 +19,7 @@ struct ComparedLoad {
 /// Threads of one interface.
 struct MostLoaded {
   const InterfaceLoads* loads = nullptr;
+  int threads_per_roller = 0;
 
   const std::vector<double>& shares() const { return loads->load_rate; }
 };
@@ -34,12 +35,13 @@ std::optional<double> over(std::optional<double> value, std::optional<double> be
 
 std::optional<MostLoaded> most_loaded(const ComparedModel& m, Interface i) {
   if (!m.result().threads) return std::nullopt;
-  return MostLoaded{&(*m.result().threads)[i]};
+  const InterfaceLoads& loads = (*m.result().threads)[i];
+  return MostLoaded{&loads, loads.threads_per_roller};
 }
 
 std::vector<std::string> model_names(const ModelComparison& c) {
   std::vector<std::string> names;
-  for (const Result& model : c.models) names.emplace_back(name(model.model.bodies));
+  for (const Result& model : c.models) names.emplace_back(name_of_model(model.model));
   return names;
 }
 
@@ -54,18 +56,24 @@ namespace {
 
 constexpr Quantity<MostLoaded> kMostLoaded[] = {
     {"most_loaded_thread",
-     of<[](const MostLoaded& m) { return index_of_largest(m.shares()).value_or(0) + 1; }>,
+     of<[](const MostLoaded& m) { return most_loaded_thread(*m.loads).value_or(1); }>,
      "1 is next to the loaded end of the screw"},
+    {"most_loaded_roller", of<[](const MostLoaded& m) {
+       return m.loads->rollers ? std::optional(m.loads->rollers->largest_roller) : std::nullopt;
+     }>,
+     "from 1; of a full mechanism"},
     {"largest_load_rate_percent", of<[](const MostLoaded& m) { return largest_of(m.shares()); }>,
      "its share: axial load over force per roller"},
     {"largest_peak_pressure_MPa",
      of<[](const MostLoaded& m) { return largest_of(m.loads->peak_pressure); }>,
      "largest of a thread"},
-    {"load_rate_percent", of<&MostLoaded::shares>, "share of each thread"},
+    {"load_rate_percent", of<&MostLoaded::shares>,
+     "share of each thread; of a full mechanism [roller][thread]"},
 };
 
 constexpr Quantity<ComparedModel> kModel[] = {
-    {"bodies", of<&ComparedModel::bodies>, "bars | refined | influence"},
+    {"bodies", of<&ComparedModel::model_name>,
+     "bars | refined | influence of one sector, or full: all rollers"},
     {"converged", of<[](const ComparedModel& m) { return m.result().converged(); }>,
      "whether there is an equilibrium"},
     {"axial_stiffness_N_per_um",
@@ -104,7 +112,8 @@ constexpr Quantity<ComparedLoad> kLoad[] = {
 };
 
 constexpr Quantity<ModelComparison> kComparison[] = {
-    {"models", of<model_names>, "that were compared: bars | refined | influence, the best last"},
+    {"models", of<model_names>,
+     "that were compared: bars | refined | influence, or one of them | full; the best last"},
     {"load_cases", of<[](const ModelComparison& c) {
        std::vector<ComparedLoad> loads;
        for (std::size_t k = 0; k < c.load_cases(); ++k) loads.push_back({&c, k});
@@ -114,6 +123,12 @@ constexpr Quantity<ModelComparison> kComparison[] = {
 };
 
 }  // namespace
+
+std::optional<std::size_t> most_loaded_thread(const InterfaceLoads& loads) {
+  if (loads.rollers) return static_cast<std::size_t>(loads.rollers->largest_thread);
+  const auto thread = index_of_largest(loads.load_rate);
+  return thread ? std::optional(*thread + 1) : std::nullopt;
+}
 
 std::optional<double> largest_pressure(const LoadCaseResult& result) {
   if (!result.threads) return std::nullopt;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string_view>
 
 #include "prs/compare/compare_models.h"
 #include "prs/quantities/json.h"
@@ -16,10 +17,13 @@ struct ComparedModel {
   std::size_t load_case = 0;
   std::size_t model = 0;
 
-  ModelOptions::Bodies bodies() const { return comparison->models[model].model.bodies; }
+  std::string_view model_name() const { return name_of_model(comparison->models[model].model); }
   const LoadCaseResult& result() const { return comparison->models[model].load_cases[load_case]; }
   const LoadCaseResult& best() const { return comparison->best().load_cases[load_case]; }
 };
+
+/// Number of the thread that carries most, from 1, of whichever roller.
+std::optional<std::size_t> most_loaded_thread(const InterfaceLoads& loads);
 
 /// Largest pressure of a thread at either interface [Pa].
 std::optional<double> largest_pressure(const LoadCaseResult& result);

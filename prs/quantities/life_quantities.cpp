@@ -64,6 +64,21 @@ Range range_of(const Interval& i) { return {i.least, i.greatest}; }
 
 bool is_finite(const LifeInUse& life) { return std::isfinite(life.revolutions); }
 
+constexpr std::string_view kReliability = "ISO 281:2007, a1",
+                           kRated =
+                               "the L10 value times reliability_factor and modification_factor";
+
+/// A life, scaled to the reliability that is asked for.
+template <auto member>
+constexpr auto rated_of = of<[](const LifeInUse& life) {
+  const auto& value = std::invoke(member, life);
+  if constexpr (detail::is_optional<std::remove_cvref_t<decltype(value)>>)
+    return value ? std::optional(life.rated * *value) : std::nullopt;
+  else
+    return life.rated * value;
+},
+                             is_finite>;
+
 constexpr Quantity<LifeInUse> kLifeInUse[] = {
     {"l10_revolutions", of<&LifeInUse::revolutions, is_finite>, "that 90 % reach", source::kLife},
     {"l10_revolutions_range", of<&LifeInUse::revolutions_range, is_finite>,
@@ -72,6 +87,16 @@ constexpr Quantity<LifeInUse> kLifeInUse[] = {
     {"l10_travel_km", of<&LifeInUse::travel, is_finite>, "revolutions times lead", source::kLife},
     {"l10_passes", of<&LifeInUse::passes, is_finite>, "of the history or the spectrum",
      source::kLife},
+    {"rated_revolutions", rated_of<&LifeInUse::revolutions>, kRated, kReliability},
+    {"rated_revolutions_range",
+     of<[](const LifeInUse& l) {
+       return Range{l.rated * l.revolutions_range[0], l.rated * l.revolutions_range[1]};
+     },
+        is_finite>,
+     kRated, kReliability},
+    {"rated_hours", rated_of<&LifeInUse::hours>, kRated, kReliability},
+    {"rated_travel_km", rated_of<&LifeInUse::travel>, kRated, kReliability},
+    {"rated_passes", rated_of<&LifeInUse::passes>, kRated, kReliability},
 };
 
 constexpr Quantity<ThreadLives> kThreadLives[] = {
@@ -79,9 +104,19 @@ constexpr Quantity<ThreadLives> kThreadLives[] = {
      "axial, cubic mean over all revolutions", kPalmgrenMean},
     {"l10_revolutions", of<&ThreadLives::life>,
      "of the thread on all rollers; null where it is never loaded", source::kLife},
+    {"rated_revolutions", of<&ThreadLives::rated_life>, kRated, kReliability},
     {"largest_load_N", of<&ThreadLives::largest_load>, "axial, under the largest force"},
     {"equivalent_range_N", of<&ThreadLives::equivalent_range>,
      "of the axial load over the cycles of the history", kMiner},
+    {"rollers", of<&ThreadLives::rollers>, "threads of the rollers of a full mechanism"},
+};
+
+constexpr Quantity<RollerLives> kRollerLives[] = {
+    {"equivalent_load_N", of<&RollerLives::equivalent_load>,
+     "[roller][thread], axial, cubic mean over all revolutions", kPalmgrenMean},
+    {"l10_revolutions", of<&RollerLives::life>,
+     "[roller][thread]; null where the thread is never loaded", source::kLife},
+    {"rated_revolutions", of<&RollerLives::rated_life>, kRated, kReliability},
 };
 
 constexpr Quantity<InterfaceLife> kInterfaceLife[] = {
@@ -132,6 +167,13 @@ constexpr Quantity<WeakestLife> kWeakestLife[] = {
      "screw | nut"},
     {"thread", of<[](const WeakestLife& w) { return w.life->weakest->thread + 1; }>,
      "from 1, next to the loaded end of the screw"},
+    {"part", of<[](const WeakestLife& w) { return w.life->weakest->part; }>,
+     "screw | roller | nut: whose thread; of a full mechanism"},
+    {"roller", of<[](const WeakestLife& w) {
+       const auto& roller = w.life->weakest->roller;
+       return roller ? std::optional(*roller + 1) : std::nullopt;
+     }>,
+     "from 1; of a roller of a full mechanism"},
     {"equivalent_load_N", of<[](const WeakestLife& w) { return w.life->weakest->equivalent_load; }>,
      "axial, cubic mean over all revolutions", kPalmgrenMean},
 };
@@ -161,6 +203,9 @@ constexpr Quantity<Capacity> kCapacity[] = {
 >, "share of each interface in the failures under equal loads"
 }  // namespace prs
 ,
+    {"roller_failure_share", of<[](const Capacity& c) { return c.life->roller_shares; }>,
+     "part of the rollers in the failures of each interface; of a full mechanism",
+     "Lundberg and Palmgren"},
     {"static_capacity_equal_shares_N",
      of<[](const Capacity& c) { return c.life->equal_shares_static_capacity; }>,
      "force at which equal thread loads have a peak pressure of 4.0 GPa", "ISO 76:2006"},
@@ -242,6 +287,10 @@ constexpr Quantity<LifeResult> kLife[] = {
        return r.life.share == LoadCase::Share::equal ? "equal" : "solved";
      }>,
      "solved | equal: thread loads"},
+    {"reliability_factor", of<&LifeResult::reliability_factor>,
+     "a1 of the reliability that is asked for", kReliability},
+    {"modification_factor", of<[](const LifeResult& r) { return r.life.modification_factor; }>,
+     "a_ISO as the case states it", "ISO 281:2007"},
     {"capacity", of<[](const LifeResult& r) { return Capacity{&r}; }>, "of the mechanism"},
     {"loads", of<[](const LifeResult& r) { return Loads{&r}; }>, "of the history or the spectrum"},
     {"cycles",
@@ -278,6 +327,7 @@ LifeInUse in_use(const LifeResult& r, double revolutions) {
                  revolutions * std::abs(r.contacts.mechanism.lead),
                  {}};
   if (r.revolution_rate) life.hours = revolutions / *r.revolution_rate / 3600.0;
+  life.rated = r.rated_over_l10();
   if (r.revolutions_known) life.passes = revolutions / r.revolutions;
   return life;
 }
@@ -290,6 +340,11 @@ Record<LifeInUse> record_of() {
 template <>
 Record<ThreadLives> record_of() {
   return {"ThreadLives", "Lives of the threads of one interface.", kThreadLives};
+}
+
+template <>
+Record<RollerLives> record_of() {
+  return {"RollerLives", "Lives of the threads of the rollers at one interface.", kRollerLives};
 }
 
 template <>

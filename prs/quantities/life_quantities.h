@@ -15,12 +15,15 @@ struct LifeInUse {
   std::optional<double> hours;
   double travel = 0.0;           ///< [m]
   std::optional<double> passes;  ///< Passes through the history or the spectrum.
+  double rated = 1.0;            ///< The rated life over this one.
 };
 
 LifeInUse in_use(const LifeResult& r, double revolutions);
 
 template <>
 Record<LifeInUse> record_of();
+template <>
+Record<RollerLives> record_of();
 template <>
 Record<ThreadLives> record_of();
 template <>

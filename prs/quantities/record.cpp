@@ -12,6 +12,15 @@ std::string words_of(std::string_view key) {
   return words;
 }
 
+RowOfWord split_row(std::string_view word) {
+  const std::size_t end = word.find("][");
+  std::size_t row = 0;
+  if (!word.starts_with('[') || end == std::string_view::npos) return {{}, word};
+  const auto [stop, error] = std::from_chars(word.data() + 1, word.data() + end, row);
+  if (error != std::errc{} || stop != word.data() + end) return {{}, word};
+  return {row, word.substr(end + 1)};
+}
+
 std::function<std::optional<double>(std::span<const double>)> summary_named(std::string_view word,
                                                                             double factor) {
   using Values = std::span<const double>;

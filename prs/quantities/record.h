@@ -117,6 +117,13 @@ std::string words_of(std::string_view key);
 std::function<std::optional<double>(std::span<const double>)> summary_named(std::string_view word,
                                                                             double factor);
 
+/// `[j][k]` as j and `[k]`; any other words as they are.
+struct RowOfWord {
+  std::optional<std::size_t> row;
+  std::string_view place;
+};
+RowOfWord split_row(std::string_view word);
+
 /// The row with this key, which must be there.
 template <class Owner>
 const Quantity<Owner>& quantity(std::string_view key) {

@@ -242,11 +242,19 @@ std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& i
       return Reader<Owner>{
           [&q, &inherited](const Owner& owner) { return shown_number(q, owner, inherited); },
           q.delivery};
-    if (q.value.series)
-      if (auto summary = summary_named(rest, unit.factor))
+    if (q.value.series) {
+      const auto [row, place] = split_row(rest);
+      if (auto summary = summary_named(place, unit.factor))
         return Reader<Owner>{
-            [&q, summary](const Owner& owner) { return summary(q.value.series(owner)); },
+            [&q, summary, row, indexed = place.starts_with('[')](const Owner& owner) {
+              const std::span<const double> values = q.value.series(owner);
+              const std::size_t length = detail::row_length(owner);
+              if (!row && (!indexed || length == 0)) return summary(values);
+              const bool there = row && length > 0 && *row < values.size() / length;
+              return there ? summary(values.subspan(*row * length, length)) : std::nullopt;
+            },
             q.delivery};
+    }
     if (q.value.reader && rest.starts_with('.')) return q.value.reader(rest.substr(1), unit);
     return std::nullopt;
   }

@@ -11,9 +11,8 @@
 namespace prs {
 namespace {
 
-/// Takes `[k]` from the end of a key: the thread where the array is one over threads, else as it
-/// is.
-std::string take_index(std::string_view& key, bool over_threads) {
+/// Takes `[k]` from the end of a key: the number of a `thread`, for example, else as it is.
+std::string take_index(std::string_view& key, std::string_view what) {
   if (!key.ends_with(']')) return {};
   const std::size_t at = key.rfind('[');
   std::size_t index = 0;
@@ -21,7 +20,7 @@ std::string take_index(std::string_view& key, bool over_threads) {
   const auto [end, error] = std::from_chars(key.data() + at + 1, key.data() + key.size(), index);
   if (error != std::errc{} || end + 1 != key.data() + key.size()) return {};
   const std::string shown =
-      over_threads ? fmt::format(", thread {}", index + 1) : std::string(key.substr(at));
+      what.empty() ? std::string(key.substr(at)) : fmt::format(", {} {}", what, index + 1);
   key.remove_suffix(key.size() - at);
   return shown;
 }
@@ -37,7 +36,9 @@ ResponseTitle response_title(std::string_view path) {
     const std::size_t end = std::min(path.find('.'), path.size());
     std::string_view key = path.substr(0, end);
     path.remove_prefix(std::min(end + 1, path.size()));
-    const std::string index = take_index(key, of_threads);
+    const bool of_rollers = of_threads && key.starts_with("roller_share");
+    std::string index = take_index(key, of_rollers ? "roller" : of_threads ? "thread" : "");
+    if (key.ends_with(']')) index = take_index(key, of_threads ? "roller" : "") + index;
     if (const ShownUnit& unit = unit_of(key); !unit.text.empty()) {
       title.unit = unit.text;
       key.remove_suffix(unit.suffix.size());

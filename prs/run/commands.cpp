@@ -267,6 +267,10 @@ std::vector<std::string> contacts_without_figure(const Result& result) {
 
 std::vector<OutputFile> life_files(const LifeResult& result, const CsvStyle& style) {
   std::vector<OutputFile> files = {{"life_threads.csv", life_threads_csv(result, style)}};
+  const bool of_rollers = std::ranges::any_of(kDirections, [&](Direction d) {
+    return result.flanks[d] && result.flanks[d]->threads.screw.rollers;
+  });
+  if (of_rollers) files.push_back({"life_rollers.csv", life_rollers_csv(result, style)});
   if (result.cycles) {
     files.push_back({"cycles.csv", cycles_csv(*result.cycles, style)});
     files.push_back({"cycle_matrix.csv", cycle_matrix_csv(result.cycles->matrix, style)});

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
+#include "prs/input/units.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/model/case_error.h"
@@ -58,7 +61,25 @@ struct Model {
   PerInterface<ContactLaw> laws;
   std::vector<LoadCase> load_cases;
   std::vector<std::unique_ptr<SectorSolver>> solvers;  ///< One per load case, or null.
+  /// Of a full mechanism in place of solvers: one per load case that is needed.
+  std::vector<std::optional<LoadCaseResult>> solved;
 };
+
+std::string without_equilibrium(const LoadCase& load) {
+  return fmt::format(
+      "got {}, which does not converge; expected a load case that `prs solve` answers; its "
+      "derivatives do not exist",
+      load.name);
+}
+
+/// A load case on all rollers.
+LoadCaseResult solved_by_all(const Case& given, const LoadCase& load) {
+  Case one = given;
+  one.load_cases = {load};
+  LoadCaseResult result = std::move(analyze(one).load_cases.front());
+  if (!result.converged()) throw CaseError(load.input_path, without_equilibrium(load));
+  return result;
+}
 
 /// The load cases that responses need stand at their index, all others are left out.
 Model model_of(const Case& given, Command command, const std::vector<ResultNumber>& numbers) {
@@ -69,6 +90,7 @@ Model model_of(const Case& given, Command command, const std::vector<ResultNumbe
   const Conditions& c = given;
   model.load_cases = c.load_cases;
   model.solvers.resize(c.load_cases.size());
+  model.solved.resize(c.load_cases.size());
   if (command != Command::solve) return model;
   model.laws = contact_laws(c, model.contacts);
   for (const ResultNumber& number : numbers) {
@@ -76,6 +98,11 @@ Model model_of(const Case& given, Command command, const std::vector<ResultNumbe
     const LoadCase& load = c.load_cases[*number.load_case];
     std::unique_ptr<SectorSolver>& solver = model.solvers[*number.load_case];
     if (solver || load.share == LoadCase::Share::equal) continue;
+    if (c.model.mechanism == ModelOptions::Mechanism::full) {
+      std::optional<LoadCaseResult>& solved = model.solved[*number.load_case];
+      if (!solved) solved = solved_by_all(given, load);
+      continue;
+    }
     solver = std::make_unique<SectorSolver>(
         build_sector(model.contacts.mechanism, *c.structure, *c.materials, c.model, model.laws,
                      *load.direction, *load.position, c.deviations));
@@ -93,6 +120,7 @@ Eigen::VectorXd responses(Model& model, Command command, const std::vector<Resul
     if (const std::optional<std::size_t> index = numbers[k].load_case) {
       const LoadCase& load = model.load_cases[*index];
       std::optional<LoadCaseResult>& answer = results[*index];
+      if (model.solved[*index]) answer = model.solved[*index];
       if (!answer && model.solvers[*index]) {
         LoadDistribution loads = model.solvers[*index]->at(states[*index], load.axial_force);
         loads.solve.status = fe::NewtonStatus::converged;
@@ -131,14 +159,14 @@ class BaseCase {
       if (!model_.solvers[k]) continue;
       const LoadCase& load = model_.load_cases[k];
       if (!model_.solvers[k]->solve(load.axial_force).solve.converged())
-        throw CaseError(load.input_path,
-                        fmt::format("got {}, which does not converge; expected a load case that "
-                                    "`prs solve` answers; its derivatives do not exist",
-                                    load.name));
+        throw CaseError(load.input_path, without_equilibrium(load));
       states_[k] = model_.solvers[k]->state();
     }
   }
 
+  bool full() const {
+    return std::ranges::any_of(model_.solved, [](const auto& s) { return s.has_value(); });
+  }
   Eigen::VectorXd values() { return responses(model_, study_.command, numbers_, states_); }
 
   /// dR/dx with one step width. Throws where a value on the way has no mechanism.
@@ -203,19 +231,33 @@ class BaseCase {
   std::vector<fe::State> states_;
 };
 
+/// Size of the deviations and loads of a full mechanism that are 0 in the file, in a unit; 0 where
+/// the unit is of something else. Steps are shares of it.
+double usual_size(std::string_view unit) {
+  const std::pair<const input::Dimension*, double> sizes[] = {{&input::unit::length, 1e-5},
+                                                              {&input::unit::force, 1e3},
+                                                              {&input::unit::angle, 1e-3},
+                                                              {&input::unit::torque, 10.0}};
+  for (const auto& [dimension, size] : sizes)
+    if (const input::Unit* u = input::find_unit(unit, *dimension))
+      return size / u->multiply * u->divide;
+  return 0.0;
+}
+
 /// Keeps, response by response, the derivative with the smallest difference of its step widths.
 void keep_better(FactorDerivatives& kept, const Eigen::VectorXd& wide,
-                 const Eigen::VectorXd& narrow, const Eigen::VectorXd& values, double x) {
+                 const Eigen::VectorXd& narrow, const Eigen::VectorXd& values, double x,
+                 double size) {
   for (std::size_t k = 0; k < kept.responses.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
     const double error = std::abs(wide[at] - narrow[at]);
     // What changes by less than this share of the response over the factor is constant.
-    const double scale = std::abs(wide[at]) + 1e-6 * std::abs(values[at] / x);
+    const double scale = std::abs(wide[at]) + 1e-6 * std::abs(values[at] / size);
     if (!(error <= kSettled * scale)) continue;
     std::optional<Derivative>& best = kept.responses[k];
     if (best && best->error <= error) continue;
     best = Derivative{wide[at], std::nullopt, error};
-    if (values[at] != 0.0) best->elasticity = wide[at] * x / values[at];
+    if (values[at] != 0.0 && x != 0.0) best->elasticity = wide[at] * x / values[at];
   }
 }
 
@@ -234,14 +276,16 @@ FactorDerivatives derivatives_by(const Factor& factor, BaseCase& base,
     return result;
   }
   const double x = *factor.base->number;
-  if (x == 0.0) {
+  const double size = x == 0.0 && base.full() ? usual_size(factor.unit) : std::abs(x);
+  if (size == 0.0) {
     result.reason = "it is 0, of which a step cannot be a share";
     return result;
   }
   for (const double share : kSteps) {
-    const double step = share * std::abs(x);
+    const double step = share * size;
     try {
-      keep_better(result, base.rates(factor, step), base.rates(factor, 0.5 * step), values, x);
+      keep_better(result, base.rates(factor, step), base.rates(factor, 0.5 * step), values, x,
+                  size);
       result.reason.clear();
     } catch (const input::InputError& error) {
       result.reason = error.what();

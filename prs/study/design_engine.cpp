@@ -237,7 +237,12 @@ struct DesignEngine::Parts {
     });
     if (!status.converged()) document = nullptr;
     study.responses = recorded(study, document);
-    numbers = numbers_of(study.responses);
+    // A full mechanism has its tangent stiffness only with Detail::complete.
+    const bool complete =
+        all_rollers && std::ranges::any_of(study.responses, [](const std::string& path) {
+          return path.find("tangent_stiffness") != std::string::npos;
+        });
+    if (!complete) numbers = numbers_of(study.responses);
     if (numbers) load_cases = load_cases_of(*numbers);
   }
 

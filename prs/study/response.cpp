@@ -12,14 +12,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Numbers, or rows of numbers.
 bool is_series(const Json& json) {
-  return json.is_array() && !json.empty() &&
-         std::ranges::all_of(json, [](const Json& entry) { return entry.is_number(); });
+  return json.is_array() && !json.empty() && std::ranges::all_of(json, [](const Json& entry) {
+           return entry.is_number() || is_series(entry);
+         });
+}
+
+void collect(const Json& series, std::vector<double>& values) {
+  for (const Json& entry : series)
+    if (entry.is_array())
+      collect(entry, values);
+    else
+      values.push_back(entry.get<double>());
 }
 
 std::optional<double> summary(const Json& series, std::string_view word) {
   if (!is_series(series)) return std::nullopt;
-  const auto values = series.get<std::vector<double>>();
+  std::vector<double> values;
+  collect(series, values);
   if (word == "max") return std::ranges::max(values);
   if (word == "min") return std::ranges::min(values);
   if (word == "mean")

@@ -578,6 +578,7 @@ class Capacity(Record):
     diameter_ratio: float
     element_diameter_mm: float
     failure_share: PerInterface
+    roller_failure_share: PerInterface
     static_capacity_equal_shares_N: float
     flank_edge_load_equal_shares_N: float
     static_capacity_given_N: float
@@ -625,6 +626,11 @@ class LifeInUse(Record):
     l10_hours: float
     l10_travel_km: float
     l10_passes: float
+    rated_revolutions: float
+    rated_revolutions_range: Array
+    rated_hours: float
+    rated_travel_km: float
+    rated_passes: float
 
 
 class WeakestThread(Record):
@@ -636,10 +642,26 @@ class WeakestThread(Record):
     l10_hours: float
     l10_travel_km: float
     l10_passes: float
+    rated_revolutions: float
+    rated_revolutions_range: Array
+    rated_hours: float
+    rated_travel_km: float
+    rated_passes: float
     direction: str
     interface: str
     thread: int
+    part: str
+    roller: int
     equivalent_load_N: float
+
+
+class RollerLives(Record):
+    """Lives of the threads of the rollers at one interface."""
+
+    __slots__ = ()
+    equivalent_load_N: Array
+    l10_revolutions: Array
+    rated_revolutions: Array
 
 
 class InterfaceLife(Record):
@@ -648,8 +670,10 @@ class InterfaceLife(Record):
     __slots__ = ()
     equivalent_load_N: Array
     l10_revolutions: Array
+    rated_revolutions: Array
     largest_load_N: Array
     equivalent_range_N: Array
+    rollers: RollerLives
     peak_pressure_MPa: float
 
 
@@ -662,6 +686,11 @@ class DirectionLife(Record):
     l10_hours: float
     l10_travel_km: float
     l10_passes: float
+    rated_revolutions: float
+    rated_revolutions_range: Array
+    rated_hours: float
+    rated_travel_km: float
+    rated_passes: float
     share_of_revolutions: float
     mean_load_N: float
     largest_force_N: float
@@ -682,6 +711,8 @@ class Life(Record):
     converged: bool
     status: str
     share: str
+    reliability_factor: float
+    modification_factor: float
     capacity: Capacity
     loads: LifeLoads
     cycles: Cycles
@@ -700,6 +731,7 @@ class MostLoadedThread(Record):
 
     __slots__ = ()
     most_loaded_thread: int
+    most_loaded_roller: int
     largest_load_rate_percent: float
     largest_peak_pressure_MPa: float
     load_rate_percent: Array

@@ -395,6 +395,19 @@ class LifeResult(Result):
                 frames.append(frame)
         return pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
 
+    def rollers_frame(self) -> pd.DataFrame:
+        """The threads of all rollers of a full mechanism, a row each; empty of one sector."""
+        frames = []
+        for direction in ("tension", "compression"):
+            for interface in INTERFACES:
+                record = self.life[direction][interface] if direction in self.life else {}
+                if "rollers" in record:
+                    frame = pd.DataFrame(_arrays(record["rollers"]))
+                    frame.insert(0, "interface", interface)
+                    frame.insert(0, "direction", direction)
+                    frames.append(frame)
+        return pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
+
     def plot_lives(self, ax: Axes | None = None) -> Axes:
         """Life of each thread."""
         return self.plot_figure("thread_lives", ax)

@@ -17,7 +17,7 @@ class Collector {
     orbit_.positions = wanted.steps * f.rollers;
     orbit_.exponent = wanted.exponent;
     for (const Interface i : kInterfaces) {
-      orbit_.loads[i].equivalent =
+      orbit_.loads[i].equivalent = orbit_.loads[i].peak =
           RollerThreads(static_cast<std::size_t>(f.rollers),
                         std::vector<double>(static_cast<std::size_t>(f.threads()), 0.0));
       orbit_.loads[i].least = std::numeric_limits<double>::infinity();
@@ -39,6 +39,7 @@ class Collector {
         for (std::size_t k = 0; k < loads.equivalent[j].size(); ++k) {
           const double load = d.normal_load[i][from][k];
           loads.equivalent[j][k] += share * std::pow(load, orbit_.exponent);
+          loads.peak[j][k] = std::max(loads.peak[j][k], load);
           loads.least = std::min(loads.least, load);
           if (load <= loads.largest * (1.0 + kSameLoad)) continue;
           loads.largest = load;

@@ -12,6 +12,7 @@ namespace prs {
 struct OrbitLoads {
   std::vector<double> first_roller;  ///< Its largest N at each position [N].
   RollerThreads equivalent;          ///< (mean N^exponent)^(1/exponent) [N]
+  RollerThreads peak;                ///< Largest N of each contact [N].
   double largest_equivalent = 0.0;   ///< [N]
   double largest = 0.0;              ///< N, of any position [N].
   double least = 0.0;                ///< [N]

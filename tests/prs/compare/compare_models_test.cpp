@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
 #include "prs/sector/influence/matrix_cache.h"
@@ -90,6 +92,21 @@ TEST(CompareModels, InfluenceIsThereWhereItsMatricesAre) {
   const ModelComparison now = compare_models(c);
   EXPECT_THAT(models_of(now), ElementsAre(Bodies::bars, Bodies::refined, Bodies::influence));
   EXPECT_EQ(shared_matrix_cache().computed(), computed);
+}
+
+/// The sector knows neither tilt nor bearing: it is the screw under its axial force.
+TEST(CompareModels, AFullMechanismStandsNextToASector) {
+  const ModelComparison c = compare_models(compared_lesson("24_misalignment.yaml"));
+  ASSERT_EQ(c.models.size(), 2u);
+  EXPECT_EQ(name_of_model(c.models[0].model), "bars");
+  EXPECT_EQ(name_of_model(c.models[1].model), "full");
+  const auto largest = [&](std::size_t model, std::size_t load_case) {
+    return std::ranges::max(c.models[model].load_cases[load_case].threads->screw.normal_load);
+  };
+  EXPECT_NEAR(largest(0, 0) / largest(1, 0), 1.0, 1e-8);
+  EXPECT_EQ(largest(0, 0), largest(0, 1));
+  EXPECT_NEAR(largest(1, 1) / largest(0, 1),
+              c.best().load_cases[1].threads->screw.rollers->overload_factor, 1e-8);
 }
 
 }  // namespace

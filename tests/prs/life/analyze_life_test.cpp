@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -411,6 +413,227 @@ TEST(AnalyzeLife, PressuresInRunningAreThoseUnderLoadsThatTurn) {
   EXPECT_LT(*flank.running_peak_pressure.screw, 0.7 * *flank.peak_pressure.screw);
   EXPECT_GT(*flank.peak_pressure.screw, kRunningPressureLimit);
   EXPECT_THAT(r.warnings, ::testing::Not(::testing::Contains(::testing::HasSubstr("run"))));
+}
+
+/// Each L10 of the document with what stands next to it.
+void expect_rated(const nlohmann::ordered_json& object, double factor, int& found) {
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) expect_rated(value, factor, found);
+    if (!key.starts_with("l10_")) continue;
+    ++found;
+    const auto& rated = object.at("rated_" + key.substr(4));
+    if (value.is_number()) {
+      EXPECT_NEAR(rated.get<double>(), factor * value.get<double>(), 1e-12 * value.get<double>());
+      continue;
+    }
+    ASSERT_EQ(rated.size(), value.size());
+    for (std::size_t k = 0; k < value.size(); ++k)
+      EXPECT_NEAR(rated[k].get<double>(), factor * value[k].get<double>(),
+                  1e-12 * value[k].get<double>());
+  }
+}
+
+TEST(LifeOutput, HasTheRatedLifeNextToEachL10) {
+  const std::string more = ", reliability: 97 %, modification_factor: 3";
+  const Case c = life_case(spectrum(kMixed, more), {"operation={speed: 100 rpm}"});
+  const auto json = life_json(analyze_life(c), {})["life"];
+  EXPECT_EQ(json["reliability_factor"], 0.47);
+  EXPECT_EQ(json["modification_factor"], 3.0);
+  int found = 0;
+  expect_rated(json, 0.47 * 3.0, found);
+  EXPECT_GT(found, 25);
+  const auto plain = life_json(analyze_life(life_case(spectrum(kMixed))), {})["life"];
+  EXPECT_EQ(plain["reliability_factor"], 1.0);
+  EXPECT_EQ(plain["system"]["rated_revolutions"], plain["system"]["l10_revolutions"]);
+  EXPECT_EQ(plain["system"]["l10_revolutions"], json["system"]["l10_revolutions"]);
+}
+
+std::string preload(const std::string& force) {
+  return "preload={arrangement: single_nut, force: " + force +
+         ", position: 29.1666667 mm, load: {from: -10 kN, to: 10 kN}}";
+}
+
+TEST(PreloadedLife, WithoutPreloadIsThatOfTheFlanksAlone) {
+  const LifeResult without = analyze_life(life_case(spectrum(kMixed)));
+  const LifeResult with = analyze_life(life_case(spectrum(kMixed), {preload("1 N")}));
+  EXPECT_NEAR(with.system_life / without.system_life, 1.0, 1e-8);
+  EXPECT_NEAR(with.equal_shares_life / without.equal_shares_life, 1.0, 1e-8);
+  EXPECT_NEAR(*with.static_safety() / *without.static_safety(), 1.0, 1e-8);
+  for (const Direction d : kDirections)
+    for (const Interface i : kInterfaces)
+      for (std::size_t k = 0; k < kThreads; ++k)
+        EXPECT_NEAR(with.flanks[d]->threads[i].equivalent_load[k] /
+                        without.flanks[d]->threads[i].equivalent_load[k],
+                    1.0, 1e-7);
+}
+
+TEST(PreloadedLife, ShortensWithThePreload) {
+  double last = std::numeric_limits<double>::infinity();
+  for (const char* force : {"1 N", "6 kN", "12 kN"}) {
+    const LifeResult r = analyze_life(
+        life_case(spectrum("{force: 10 kN, direction: tension, share: 1}"), {preload(force)}));
+    ASSERT_TRUE(r.converged());
+    EXPECT_LT(r.system_life, last);
+    last = r.system_life;
+  }
+}
+
+/// One thread on each flank. At rest the screw's side carries the preload P on either flank, the
+/// roller floats, so that the nut's carries P tan(psi_S)/tan(psi_N); beyond the opening one flank
+/// carries the force.
+TEST(PreloadedLife, OfOneThreadIsThatOfFourContacts) {
+  const double p = 3e3, f = 60e3;
+  const LifeResult r =
+      analyze_life(life_case("{position: 29.1666667 mm, dynamic_capacity: 40 kN, spectrum: ["
+                             "{force: 0.001 N, direction: tension, share: 0.75},"
+                             "{force: 60 kN, direction: tension, share: 0.25}]}",
+                             {preload("3 kN"), "mechanism.contacts_per_roller=1",
+                              "contact={normal_angle: {screw: 44 deg, nut: 46 deg}}"}));
+  ASSERT_TRUE(r.converged());
+  const double at_nut =
+      p * std::tan(44 * std::numbers::pi / 180) / std::tan(46 * std::numbers::pi / 180);
+  const double screw_pulled = std::cbrt(0.75 * p * p * p + 0.25 * f * f * f);
+  const double nut_pulled = std::cbrt(0.75 * at_nut * at_nut * at_nut + 0.25 * f * f * f);
+  double hazard = 0.0;
+  const auto add = [&](double load, double share) {
+    hazard += share * std::pow(1e6 * std::pow(40e3 / load, 3), -10.0 / 9);
+  };
+  add(screw_pulled, r.failure_shares.screw);
+  add(nut_pulled, r.failure_shares.nut);
+  add(std::cbrt(0.75) * p, r.failure_shares.screw);
+  add(std::cbrt(0.75) * at_nut, r.failure_shares.nut);
+  EXPECT_NEAR(r.system_life / std::pow(hazard, -0.9), 1.0, 1e-7);
+  EXPECT_NEAR(r.flanks.compression->threads.screw.equivalent_load[0] * kRollers,
+              std::cbrt(0.75) * p, 1e-6 * p);
+}
+
+/// Where many forces are interpolated, and where each is solved.
+TEST(PreloadedLife, OfAHistoryIsThatOfItsSamples) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> force(1e3, 8e3);
+  std::vector<double> samples(60);
+  for (double& f : samples) f = force(random);
+  Case c = history_case();
+  c.preload = life_case(spectrum(kMixed), {preload("4 kN")}).preload;
+  const LifeResult r = analyze_life(c, history(samples));
+  ASSERT_TRUE(r.converged());
+  EXPECT_LT(r.flanks.tension->interpolation_error, 1e-5);
+  PerDirection<double> cubes;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const double turns = k == 0 || k + 1 == samples.size() ? 0.5 : 1.0;
+    Case one = c;
+    one.life->history.reset();
+    one.life->spectrum = {{std::abs(samples[k]),
+                           samples[k] < 0.0 ? Direction::compression : Direction::tension,
+                           1.0,
+                           {},
+                           {},
+                           {}}};
+    const LifeResult alone = analyze_life(one);
+    for (const Direction d : kDirections)
+      cubes[d] += turns * std::pow(alone.flanks[d]->threads.screw.equivalent_load[3], 3);
+  }
+  for (const Direction d : kDirections)
+    EXPECT_NEAR(r.flanks[d]->threads.screw.equivalent_load[3] / std::cbrt(cubes[d] / 59.0), 1.0,
+                1e-5);
+}
+
+/// The screw with all rollers, guided where a sector guides its own.
+Case full_case(const std::string& loads, const std::vector<std::string>& overrides = {}) {
+  std::vector<std::string> all = {"model={mechanism: full}"};
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  Case c = life_case(spectrum(loads), all);
+  c.load_cases.clear();
+  return c;
+}
+
+TEST(FullLife, OfRollersThatAreAlikeIsThatOfTheSector) {
+  const LifeResult full = analyze_life(full_case(kMixed));
+  const LifeResult sector = analyze_life(life_case(spectrum(kMixed)));
+  ASSERT_TRUE(full.converged());
+  EXPECT_NEAR(full.system_life / sector.system_life, 1.0, 1e-8);
+  for (const Direction d : kDirections) {
+    EXPECT_NEAR(full.flanks[d]->life / sector.flanks[d]->life, 1.0, 1e-8);
+    EXPECT_NEAR(*full.flanks[d]->static_capacity / *sector.flanks[d]->static_capacity, 1.0, 1e-8);
+    EXPECT_EQ(full.flanks[d]->threads.nut.rollers->life.size(), kRollers * kThreads);
+  }
+}
+
+/// Loads of unlike rollers over a turn of the carrier, solved one by one: a thread of the screw
+/// meets all of them, a thread of a roller its own.
+TEST(FullLife, RatesEachPartByTheLoadsThatItMeets) {
+  constexpr int kFew = 4, kSteps = 2;
+  const Case c = life_case(
+      "{position: 29.1666667 mm, spectrum: [{force: 3 kN, direction: tension, share: 0.8},"
+      "{force: 9 kN, direction: tension, share: 0.2}]}",
+      {"model={mechanism: full}", "mechanism.rollers=5", "mechanism.contacts_per_roller=4",
+       "deviations={roller_diameter: [4 um, 0 um, 0 um, -1 um, 0 um]}",
+       "load_cases=[{name: aside, axial_force: 9 kN, direction: tension, position: "
+       "29.1666667 mm, side_force: {y: 200 N, z: 0 N}, orbit: {steps: 2, exponent: 5}}]"});
+  const LifeResult r = analyze_life(c);
+  ASSERT_TRUE(r.converged());
+  PerInterface<std::vector<double>> cubes = {std::vector<double>(5 * kFew, 0.0),
+                                             std::vector<double>(5 * kFew, 0.0)};
+  for (const auto& [force, share] : {std::pair{3e3, 0.8}, std::pair{9e3, 0.2}})
+    for (int m = 0; m < 5 * kSteps; ++m) {
+      Case at = c;
+      at.load_cases[0].axial_force = force;
+      at.load_cases[0].spatial.carrier_angle = 2.0 * std::numbers::pi * m / (5 * kSteps);
+      at.load_cases[0].spatial.orbit.reset();
+      const Result solved = analyze(at);
+      for (const Interface i : kInterfaces)
+        for (std::size_t k = 0; k < 5 * kFew; ++k)
+          cubes[i][k] +=
+              share / (5 * kSteps) * std::pow((*solved.load_cases[0].threads)[i].axial_load[k], 3);
+    }
+  double hazard = 0.0;
+  const auto add = [&](double load, double contacts_of_capacity, double share) {
+    const double whole = load * 5 * kFew;  // The mechanism's load at equal shares.
+    hazard += share / contacts_of_capacity *
+              std::pow(1e6 * std::pow(r.dynamic_capacity / whole, 3), -10.0 / 9);
+  };
+  for (const Interface i : kInterfaces) {
+    const ThreadLives& t = r.flanks.tension->threads[i];
+    const double rollers = (*r.roller_shares)[i];
+    for (std::size_t k = 0; k < kFew; ++k) {
+      double all = 0.0;
+      for (std::size_t j = 0; j < 5; ++j) {
+        const double own = cubes[i][j * kFew + k];
+        all += own / 5.0;
+        EXPECT_NEAR(t.rollers->equivalent_load[j * kFew + k], std::cbrt(own),
+                    1e-8 * t.largest_load[0]);
+        add(std::cbrt(own), 5.0 * kFew, r.failure_shares[i] * rollers);
+      }
+      EXPECT_NEAR(t.equivalent_load[k], std::cbrt(all), 1e-8 * t.largest_load[0]);
+      add(std::cbrt(all), kFew, r.failure_shares[i] * (1.0 - rollers));
+    }
+  }
+  EXPECT_NEAR(r.system_life / std::pow(hazard, -0.9), 1.0, 1e-7);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Interface i : kInterfaces) {
+    const ThreadLives& t = r.flanks.tension->threads[i];
+    shortest =
+        std::min({shortest, std::ranges::min(t.life), std::ranges::min(t.rollers->life)});
+  }
+  ASSERT_TRUE(r.weakest);
+  EXPECT_EQ(r.weakest->life, shortest);
+}
+
+TEST(FullLife, AsksWhichSideLoadsActWhereTheyDiffer) {
+  const std::string loads =
+      "load_cases=[{name: straight, axial_force: 9 kN, direction: tension, position: 29 mm},"
+      "{name: aside, axial_force: 9 kN, direction: tension, position: 29 mm, "
+      "side_force: {y: 200 N, z: 0 N}}]";
+  const std::string block = spectrum("{force: 3 kN, direction: tension, share: 1}");
+  EXPECT_THAT(input_error(block, {"model={mechanism: full}", loads}),
+              testing::HasSubstr("life.load_case: missing"));
+  EXPECT_EQ(input_error(block, {"model={mechanism: full}", loads, "life.load_case=aside"}),
+            "no error");
+  EXPECT_THAT(input_error(block, {"model={mechanism: full}", loads, "life.load_case=askew"}),
+              testing::HasSubstr("got askew; expected the name of a load case that is solved: "
+                                 "straight, aside"));
+  EXPECT_THAT(input_error(block, {"life.load_case=aside"}),
+              testing::HasSubstr("life.load_case"));
 }
 
 }  // namespace

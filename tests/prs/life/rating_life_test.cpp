@@ -67,6 +67,34 @@ TEST(FailureShares, AreThoseOfTheRingsOfAThrustBallBearing) {
   EXPECT_NEAR(shares.nut, std::pow(outer, -10.0 / 3), 1e-15);
 }
 
+/// Table 12 of ISO 281:2007.
+TEST(ReliabilityFactor, IsThatOfTheStandard) {
+  const std::pair<double, double> table[] = {{0.90, 1.0},  {0.95, 0.64}, {0.96, 0.55},
+                                             {0.97, 0.47}, {0.98, 0.37}, {0.99, 0.25}};
+  for (const auto& [reliability, factor] : table)
+    EXPECT_NEAR(reliability_factor(reliability), factor, 1e-15);
+}
+
+TEST(ReliabilityFactor, FollowsAWeibullLineBetween) {
+  // ln a1 = ln(0.64) t with t from 0 at 90 % to 1 at 95 %, in ln ln(1/S).
+  const auto place = [](double s) { return std::log(std::log(1.0 / s)); };
+  for (const double s : {0.91, 0.925, 0.94}) {
+    const double t = (place(s) - place(0.90)) / (place(0.95) - place(0.90));
+    EXPECT_NEAR(reliability_factor(s), std::exp(t * std::log(0.64)), 1e-14);
+  }
+  const double t = (place(0.985) - place(0.98)) / (place(0.99) - place(0.98));
+  EXPECT_NEAR(reliability_factor(0.985), 0.37 * std::pow(0.25 / 0.37, t), 1e-14);
+}
+
+/// u^e V of both bodies by their numbers: 9 rollers of 7 mm that roll 1 m on a screw of 21 mm.
+TEST(RollerFailureShare, CountsCyclesAndTracks) {
+  constexpr double kTurn = 3.141592653589793;
+  const double way = 1.0, screw = kTurn * 21e-3, roller = kTurn * 7e-3;
+  const double of_rollers = 9 * roller * std::pow(way / roller, 10.0 / 9);
+  const double of_screw = screw * std::pow(9 * way / screw, 10.0 / 9);
+  EXPECT_NEAR(roller_failure_share(9, 7e-3, 21e-3), of_rollers / (of_rollers + of_screw), 1e-14);
+}
+
 TEST(ThreadLife, OfEqualThreadsCombinesToTheRatingLife) {
   for (const int threads : {1, 7, 40})
     for (const double gamma : {0.0, 0.1, 0.25}) {

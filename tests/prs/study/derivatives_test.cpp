@@ -10,6 +10,7 @@
 
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
+#include "prs/loads/full_result.h"
 #include "prs/model/case_error.h"
 #include "tests/prs/input/abevi.h"
 
@@ -64,6 +65,25 @@ TEST(Derivatives, OfTheLoadIsTheTangentStiffness) {
   const Derivative& u = *d.factors[0].responses[0];  // um/kN
   EXPECT_NEAR(u.value * *d.values[1] / 1e3, 1.0, 1e-9);
   EXPECT_LT(u.error, 1e-8 * u.value);
+}
+
+/// By the stiffness of the screw's end, also of a moment that the file has as 0.
+TEST(Derivatives, OfAllRollersAreTheComplianceOfTheScrewsEnd) {
+  const std::string text =
+      input::abevi_with("{name: pull,", "{name: pull, moment: {y: 0 N m, z: 0 N m},") +
+      "model: {mechanism: full}\n"
+      "deviations: {roller_diameter: [0 um, 4 um, 0 um, 0 um, 1 um, 0 um, 0 um, 0 um, 0 um, 0 um, "
+      "0 um]}\n";
+  const CaseDerivatives d =
+      derivatives_of("{path: 'load_cases[0].axial_force'}, {path: 'load_cases[0].moment.z'}", text,
+                     "axial_displacement_um, tangent_stiffness_N_per_um");
+  const Case c = input::read_case_text(text, "case.yaml", {}, Command::solve);
+  const Result solved = analyze(c);
+  const Eigen::MatrixXd& compliance = solved.load_cases[0].full->screw_end.compliance;
+  EXPECT_NEAR(d.factors[0].responses[0].value().value * *d.values[1] / 1e3, 1.0, 1e-6);
+  // Tension moves the end against x.
+  EXPECT_NEAR(d.factors[1].responses[0].value().value * 1e-6 / -compliance(0, 4), 1.0, 1e-6);
+  EXPECT_FALSE(d.factors[1].responses[0]->elasticity);
 }
 
 std::string exact(double x) {

@@ -31,6 +31,17 @@ TEST(Response, SummarisesArrays) {
   EXPECT_EQ(response(kDocument, "screw.axial_load_N.mean"), 2.0);
 }
 
+TEST(Response, SummarisesRowsByRollerAndThread) {
+  const Json document =
+      Json::parse(R"({"load_cases": [{"screw": {"normal_load_N": [[3, 1], [2, 6]]}}]})");
+  EXPECT_EQ(response(document, "screw.normal_load_N[1][0]"), 2.0);
+  EXPECT_EQ(response(document, "screw.normal_load_N[0].max"), 3.0);
+  EXPECT_EQ(response(document, "screw.normal_load_N.max"), 6.0);
+  EXPECT_EQ(response(document, "screw.normal_load_N.mean"), 3.0);
+  EXPECT_FALSE(response(document, "screw.normal_load_N[1]"));
+  EXPECT_THAT(response_paths(document), ElementsAre("screw.normal_load_N.max"));
+}
+
 TEST(Response, IsAbsentWhereThePathLeadsNowhere) {
   for (const char* path :
        {"", ".", "name", "slip", "slip.", "slip..efficiency", "slip.efficienc",

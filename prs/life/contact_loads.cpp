@@ -1,0 +1,191 @@
+#include "prs/life/contact_loads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "prs/life/rating_life.h"
+#include "prs/loads/distribution_solver.h"
+#include "prs/loads/full_result.h"
+#include "prs/preload/preloaded_mechanism.h"
+
+namespace prs {
+namespace {
+
+/// Every thread carries its share of the force on one flank.
+ContactSolver equal_solver(const LifeModel& model, Direction d) {
+  return [&model, d](double force) {
+    const std::size_t n = model.rated().threads;
+    ContactLoads loads;
+    loads.rated.assign(model.rated().count(), 1.0);
+    for (const Interface i : kInterfaces)
+      loads.largest[d][i].assign(n, force * model.equal_share());
+    return std::optional(std::move(loads));
+  };
+}
+
+ContactSolver sector_solver(const LifeModel& model, Direction d) {
+  return [&model, d,
+          solve = distribution_solver(model.c, model.contacts, model.laws, d,
+                                      *model.c.life->position, Solver::chain)](double force) {
+    const LoadDistribution solved = solve(force);
+    if (!solved.solve.converged()) return std::optional<ContactLoads>();
+    ContactLoads loads;
+    for (const Interface i : kInterfaces)
+      for (const double normal : solved.normal_load[i]) {
+        const double axial = normal * std::cos(model.laws[i].normal_angle);
+        loads.rated.push_back(axial / (force * model.equal_share()));
+        loads.largest[d][i].push_back(axial);
+      }
+    return std::optional(std::move(loads));
+  };
+}
+
+/// Both flanks under a force of one sense.
+ContactSolver preload_solver(const LifeModel& model, Direction d,
+                             std::shared_ptr<PreloadedMechanism> mechanism) {
+  return [&model, d, mechanism = std::move(mechanism)](double force) {
+    const PreloadPoint point = mechanism->solve(d == Direction::tension ? force : -force);
+    if (!point.solve.converged()) return std::optional<ContactLoads>();
+    ContactLoads loads;
+    for (const Direction flank : kDirections) {
+      const SideLoads& side = point.sides[flank];
+      for (const Interface i : kInterfaces) {
+        std::vector<double> axial = side.normal_load[i];
+        axial.resize(model.rated().threads, 0.0);
+        for (double& load : axial) load *= std::cos(model.laws[i].normal_angle);
+        const double mean = side.axial_load[i];
+        for (double& load : axial) {
+          if (!model.solved()) load = mean * model.equal_share();
+          loads.rated.push_back(load / model.equal_share());
+        }
+        loads.largest[flank][i] = std::move(axial);
+      }
+      loads.rated.push_back(side.axial_load.screw);
+    }
+    return std::optional(std::move(loads));
+  };
+}
+
+/// The load case that acts together with all forces, or none of its own.
+SpatialLoad spatial_load(const Conditions& c) {
+  const auto named = [&](const LoadCase& load) {
+    return load.share == LoadCase::Share::solved &&
+           (!c.life->load_case || load.name == *c.life->load_case);
+  };
+  const auto found = std::ranges::find_if(c.load_cases, named);
+  return found == c.load_cases.end() ? SpatialLoad{} : found->spatial;
+}
+
+/// A load case of `life`, still without force.
+LoadCase load_case_of(const LifeModel& model, Direction d) {
+  LoadCase load;
+  load.direction = d;
+  load.position = model.c.life->position;
+  load.spatial = spatial_load(model.c);
+  return load;
+}
+
+ContactSolver full_solver(const LifeModel& model, Direction d) {
+  const LoadCase load = load_case_of(model, d);
+  SpatialLoad::Orbit turn = load.spatial.orbit.value_or(SpatialLoad::Orbit{});
+  turn.exponent = kLifeExponent;
+  const auto solver = std::make_shared<FullSolver>();
+  return [&model, d, load, turn, solver](double force) {
+    LoadCase at = load;
+    at.axial_force = force;
+    const std::optional<Orbit> orbit =
+        full_orbit(at, model.c, model.contacts, model.laws, *solver, turn);
+    if (!orbit) return std::optional<ContactLoads>();
+    const RatedContacts rated = model.rated();
+    ContactLoads loads;
+    loads.rated.assign(rated.count(), 0.0);
+    for (const Interface i : kInterfaces) {
+      const OrbitLoads& turned = orbit->loads[i];
+      loads.carrier_angle[i] = turned.carrier_angle;
+      const double axial = std::cos(model.laws[i].normal_angle);
+      const double per_mean = axial / (force * model.equal_share());
+      loads.largest[d][i].assign(rated.threads, 0.0);
+      for (std::size_t k = 0; k < rated.threads; ++k) {
+        double cubes = 0.0;
+        for (std::size_t j = 0; j < rated.rollers; ++j) {
+          const double own = turned.equivalent[j][k];
+          cubes += own * own * own;
+          loads.rated[rated.roller(i) + j * rated.threads + k] = per_mean * own;
+          loads.largest[d][i][k] = std::max(loads.largest[d][i][k], axial * turned.peak[j][k]);
+        }
+        loads.rated[rated.body(i) + k] =
+            per_mean * std::cbrt(cubes / static_cast<double>(rated.rollers));
+      }
+    }
+    return std::optional(std::move(loads));
+  };
+}
+
+}  // namespace
+
+RatedContacts LifeModel::rated() const {
+  const Mechanism& m = contacts.mechanism;
+  return {static_cast<std::size_t>(m.contacts_per_roller),
+          full() ? static_cast<std::size_t>(m.rollers) : 0, preloaded()};
+}
+
+double LifeModel::equal_share() const {
+  const Mechanism& m = contacts.mechanism;
+  return 1.0 / (static_cast<double>(m.rollers) * static_cast<double>(m.contacts_per_roller));
+}
+
+LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactSolver& solver,
+                             const ContactLoads& at) {
+  if (!model.full())
+    return [d, solver](double force) {
+      std::optional<ContactLoads> loads = solver(force);
+      return loads ? std::optional(std::move(loads->largest[d])) : std::nullopt;
+    };
+  std::vector<double> angles = {at.carrier_angle.screw};
+  if (at.carrier_angle.nut != at.carrier_angle.screw) angles.push_back(at.carrier_angle.nut);
+  const auto solver_of_all = std::make_shared<FullSolver>();
+  return [&model, load = load_case_of(model, d), angles, solver_of_all](double force) {
+    LoadCase there = load;
+    there.axial_force = force;
+    LargestLoads largest;
+    for (const Interface i : kInterfaces) largest[i].assign(model.rated().threads, 0.0);
+    for (const double angle : angles) {
+      there.spatial.carrier_angle = angle;
+      const FullDistribution solved = full_distribution(there, model.c, model.contacts, model.laws,
+                                                        *solver_of_all, Detail::numbers);
+      if (!solved.solve.converged()) return std::optional<LargestLoads>();
+      for (const Interface i : kInterfaces)
+        for (const std::vector<double>& roller : solved.normal_load[i])
+          for (std::size_t k = 0; k < roller.size(); ++k)
+            largest[i][k] =
+                std::max(largest[i][k], roller[k] * std::cos(model.laws[i].normal_angle));
+    }
+    return std::optional(std::move(largest));
+  };
+}
+
+PerDirection<ContactSolver> contact_solvers(const LifeModel& model,
+                                            const PerDirection<bool>& wanted) {
+  std::shared_ptr<PreloadedMechanism> preloaded;
+  if (model.preloaded()) {
+    const auto sectors_at = [&](double position) {
+      return preload_sectors(model.c, model.contacts, model.laws, position);
+    };
+    const double position = model.c.preload->position;
+    const Fit fit = preload_fit(model.c, model.contacts, sectors_at(position));
+    preloaded = std::make_shared<PreloadedMechanism>(
+        sectors_at(model.c.life->position.value_or(position)), fit);
+  }
+  PerDirection<ContactSolver> solvers;
+  for (const Direction d : kDirections)
+    if (wanted[d])
+      solvers[d] = preloaded         ? preload_solver(model, d, preloaded)
+                   : !model.solved() ? equal_solver(model, d)
+                   : model.full()    ? full_solver(model, d)
+                                     : sector_solver(model, d);
+  return solvers;
+}
+
+}  // namespace prs

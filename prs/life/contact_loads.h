@@ -1,0 +1,81 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "prs/model/case.h"
+#include "prs/threads/contact_laws.h"
+
+namespace prs {
+
+/// The contacts that have a life of their own, in the order of a list of their loads. Flank after
+/// flank stand the threads of the screw, those of the nut and, of a full mechanism, those of each
+/// roller at the screw and at the nut. With preload the load of the flank follows, which is none of
+/// a contact.
+struct RatedContacts {
+  std::size_t threads = 0;   ///< Of a roller.
+  std::size_t rollers = 0;   ///< Of a full mechanism; 0: one roller stands for all.
+  bool both_flanks = false;  ///< Tension and compression flanks under each load: preload.
+
+  std::size_t of_flank() const { return 2 * threads * (1 + rollers) + (both_flanks ? 1 : 0); }
+  std::size_t count() const { return (both_flanks ? 2 : 1) * of_flank(); }
+  /// Where the flanks of a direction begin.
+  std::size_t flank(Direction d) const {
+    return both_flanks && d == Direction::compression ? of_flank() : 0;
+  }
+  /// Where those of an interface begin on a flank: of screw or nut, and of the rollers.
+  std::size_t body(Interface i) const { return i == Interface::screw ? 0 : threads; }
+  std::size_t roller(Interface i) const {
+    return threads * (i == Interface::screw ? 2 : 2 + rollers);
+  }
+  /// Where the load of a flank stands on it, with preload.
+  std::size_t side() const { return 2 * threads * (1 + rollers); }
+};
+
+/// Largest axial loads of the threads of an interface [N].
+using LargestLoads = PerInterface<std::vector<double>>;
+
+/// Loads of a mechanism under one axial force.
+struct ContactLoads {
+  /// Of each rated contact the load of the mechanism at which all carried as much as it does; as a
+  /// share of the force, with preload in N. A thread of screw or nut meets all rollers in turn and
+  /// has the cubic mean of their loads, over a turn of the carrier; a thread of a roller has its
+  /// own.
+  std::vector<double> rated;
+  /// Largest axial load of each thread over all rollers and positions of the carrier [N].
+  PerDirection<LargestLoads> largest;
+  /// Of a full mechanism: where the carrier stands when an interface has its largest load [rad].
+  PerInterface<double> carrier_angle;
+};
+
+/// Loads under a force > 0 of one sense, with preload >= 0 [N]; nothing where there is no
+/// equilibrium.
+using ContactSolver = std::function<std::optional<ContactLoads>(double force)>;
+using LargestSolver = std::function<std::optional<LargestLoads>(double force)>;
+
+/// What `life` rates: a case, its threads and how they push.
+struct LifeModel {
+  const Conditions& c;
+  const Contacts& contacts;
+  PerInterface<ContactLaw> laws;
+
+  bool solved() const { return c.life->share == LoadCase::Share::solved; }
+  bool preloaded() const { return c.preload.has_value(); }
+  bool full() const { return solved() && c.model.mechanism == ModelOptions::Mechanism::full; }
+  RatedContacts rated() const;
+  /// Axial load of a thread with equal shares per axial force.
+  double equal_share() const;
+};
+
+/// Largest loads of the flanks of a direction under a force of its sense; of a full mechanism with
+/// the carrier where `at` found them.
+LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactSolver& solver,
+                             const ContactLoads& at);
+
+/// A solver for each sense of the load that is wanted. Throws CaseError where the preload has no
+/// fit.
+PerDirection<ContactSolver> contact_solvers(const LifeModel& model,
+                                            const PerDirection<bool>& wanted);
+
+}  // namespace prs

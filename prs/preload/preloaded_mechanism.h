@@ -1,0 +1,44 @@
+#pragma once
+
+#include "prs/model/case.h"
+#include "prs/preload/preload_solver.h"
+#include "prs/threads/contacts.h"
+
+namespace prs {
+
+/// Sectors by the sense of the load, without play and without preload.
+using PreloadSectors = PerDirection<PreloadSector>;
+
+/// Where the first nut is held under each sense of the load [m]. Rigid shoulders of the housing:
+/// each sense rests on its own; the only one holds both.
+PerDirection<double> held_sections(const Structure::Thrust& thrust);
+
+/// Both senses of a case with a block `preload`, its first contact at a position on the nut [m].
+PreloadSectors preload_sectors(const Conditions& c, const Contacts& contacts,
+                               const PerInterface<ContactLaw>& laws, double position);
+
+/// The fit that the case asks for, with its first contact where `preload.position` has it. Throws
+/// CaseError where no fit within the threads gives the preload force.
+Fit preload_fit(const Conditions& c, const Contacts& contacts, const PreloadSectors& sectors);
+
+/// Equilibria of a fit under either sense of the load: one solver each, which differ in the section
+/// that holds the nut.
+class PreloadedMechanism {
+ public:
+  PreloadedMechanism(const PreloadSectors& sectors, const Fit& fit)
+      : tension_(fitted(sectors.tension, fit)), compression_(fitted(sectors.compression, fit)) {}
+
+  PreloadSolver& operator[](Direction d) {
+    return d == Direction::tension ? tension_ : compression_;
+  }
+  /// Under an external load [N], > 0 in tension.
+  PreloadPoint solve(double axial_force) {
+    return (*this)[axial_force < 0.0 ? Direction::compression : Direction::tension].solve(
+        axial_force);
+  }
+
+ private:
+  PreloadSolver tension_, compression_;
+};
+
+}  // namespace prs
