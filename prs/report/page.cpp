@@ -92,7 +92,8 @@ figure,.tiles>div,tr{break-inside:avoid}figcaption{break-after:avoid}
 .wide{overflow:visible}figure .wide svg,figure .wide img{min-width:0}
 figure.narrow{max-width:95mm}
 table{font-size:8pt;min-width:0}tbody th[scope=row]{min-width:0}thead{display:table-header-group}
-.quantities td{white-space:normal}a{color:inherit;text-decoration:none}
+.quantities td{white-space:normal}td.unit,th.unit{white-space:nowrap!important}th,td{padding:.15rem .35rem .15rem 0}
+figure svg{max-height:112mm}a{color:inherit;text-decoration:none}
 svg rect,svg path,.tiles{print-color-adjust:exact;-webkit-print-color-adjust:exact}}
 )";
 

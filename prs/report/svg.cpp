@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "prs/output/figure_layout.h"
-#include "prs/printable.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {
@@ -355,10 +355,10 @@ std::string y_axis_svg(const Frame& f, bool labelled, bool gridded) {
     if (!(y > f.box.top - 1.0 && y < f.box.bottom + 1.0)) continue;
     if (gridded) lines += segment(f.box.left, y, f.box.right, y, "class=\"g\"");
     all += segment(x - kTick, y, x, y, "class=\"t\"") + text(x - 9, y + 5, "q e", shown);
-    longest = std::max(longest, shown.size());
+    longest = std::max(longest, width(shown));
   }
   if (labelled && !f.y.hidden) {
-    const double at = x - 22 - kCharacter * longest_tick(f.y, f.box.height(), false);
+    const double at = x - 20 - kCharacter * static_cast<double>(longest);
     const double middle = 0.5 * (f.box.top + f.box.bottom);
     all += texts(at, middle, "m", fitted_lines(text_of(f.y), f.box.height()),
                  fmt::format(" transform=\"rotate(-90 {:.1f} {:.1f})\"", at, middle));
@@ -520,6 +520,7 @@ std::string svg_style() {
   }
   return fmt::format(
       ":root{{{}}}\n@media screen and (prefers-color-scheme:dark){{:root{{{}}}}}\n"
+      "svg rect{{shape-rendering:crispEdges}}"
       "svg{{display:block;width:100%;height:auto;font-family:inherit;font-size:{}px}}\n"
       "svg text{{fill:var(--ink)}}svg .q{{fill:var(--quiet)}}svg .m{{text-anchor:middle}}"
       "svg .e{{text-anchor:end}}svg .b{{font-weight:600}}\n"

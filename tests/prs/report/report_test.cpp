@@ -35,7 +35,6 @@ std::string malformed(const std::string& page) {
     const std::size_t end = page.find('>', at);
     if (end == std::string::npos) return "no end of a tag";
     const std::string text = page.substr(at, end + 1 - at);
-    if (text.find("\" ") == std::string::npos && text.size() > 100000) return "a long tag";
     // A regular expression recurses over long texts: those of files are checked by their quotes.
     if (text.starts_with("<a download=") || text.starts_with("<img alt=") ||
         text.starts_with("<path d=")) {
@@ -66,8 +65,9 @@ TEST_P(LessonReport, IsOnePageThatAsksForNothing) {
   EXPECT_THAT(report.html, HasSubstr("content=\"default-src 'none'; style-src 'sha256-"));
   for (const char* request :
        {"http:", "https:", " style=\"", "<link", "@import", "url(h", "onerror="})
-    EXPECT_THAT(report.html.find(request), std::string::npos) << request;
-  EXPECT_THAT(report.html, Not(HasSubstr("nan")));
+    EXPECT_EQ(report.html.find(request), std::string::npos) << request;
+  for (const char* none : {">nan", " nan", "Lnan", "inf ", ">inf"})
+    EXPECT_EQ(report.html.find(none), std::string::npos) << none;
   EXPECT_TRUE(report.converged);
 }
 
@@ -100,7 +100,7 @@ TEST(Report, ShowsTextsOfTheCaseAsText) {
   const std::string hostile = "</script><img src=x onerror=alert(1)>&\"'";
   input::Source source = lesson_source("01_config_1_to_3.yaml");
   const std::string name = "config1-tension";
-  source.text.replace(source.text.find(name), name.size(), "'" + hostile + "'''");
+  source.text.replace(source.text.find(name), name.size(), "'" + hostile + "''");
   source = input::source_of_text("<b>" + hostile + ".yaml", source.text, {});
   const Report report = make_report(source, {"prs report '" + hostile + "'"});
   EXPECT_EQ(malformed(report.html), "");
