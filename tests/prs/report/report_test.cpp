@@ -139,6 +139,17 @@ TEST(ReportCommand, WritesAFileAndNothingElse) {
   EXPECT_EQ(std::distance(begin(files), end(files)), 1);
 }
 
+TEST(ReportCommand, WritesAndMarksWhatDidNotConverge) {
+  const test::TemporaryDirectory folder;
+  const test::Outcome run =
+      test::run_prs("report " PRS_SOURCE_DIR
+                    "/configs/09_slip_and_dissipation.yaml --output page.html "
+                    "--set 'carrier.nut_torque=150 N m' --set 'load_cases[0].axial_force=80 kN'",
+                    folder.path());
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(test::content_of(folder.path() / "page.html"), HasSubstr("Slip did not converge."));
+}
+
 TEST(ReportCommand, RefusesWhatIsNoFile) {
   const test::TemporaryDirectory folder;
   const std::string lesson = PRS_SOURCE_DIR "/configs/05_standard_screw.yaml";
