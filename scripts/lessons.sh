@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs lessons, all of configs/ unless some are given, as many at once as there are processors: each
-# command for which the file has all that it needs (`prs list commands FILE`). The files of NAME.yaml
+# command for which the file has all that it needs (`prs list commands FILE`), then the report. The files of NAME.yaml
 # go to build/ci/NAME, what the program says to build/ci/NAME.log. Fails where a lesson does, and says
 # which and why. PRS names another program than that of build/release.
 set -euo pipefail
@@ -15,6 +15,8 @@ run_all_commands() {
     echo "prs $command $1"
     "$PRS" "$command" "$1" --quiet --output "$2"
   done
+  echo "prs report $1"
+  "$PRS" report "$1" --quiet --output "$2/report.html"
 }
 
 run_lesson() {

@@ -164,6 +164,23 @@ void add_new(CLI::App& command, Options& options) {
   add_quiet(command, options);
 }
 
+void add_report_options(CLI::App& command, Options& options) {
+  add_file(command, options)->required();
+  add_set(command, options);
+  command.add_option("-o,--output", options.report, "Write the page into this file")
+      ->type_name("FILE");
+  command
+      .add_option("--results", options.results,
+                  "Show the study and the optimization of the case that this folder holds; "
+                  "repeatable; default: the folder of the page")
+      ->type_name("DIR")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  add_json(command, options);
+  add_quiet(command, options);
+}
+
 void add_list_options(CLI::App& command, Options& options) {
   take_one_of(command.add_option("what", options.what, list_help())->required(), list_words());
   command.add_option("file", options.file, "A case: only what it has all for")->type_name("FILE");
@@ -229,6 +246,10 @@ constexpr OwnRow kOwnRows[] = {
      add_configurations_options, configurations,
      "prs configurations --screw-diameter '24 mm' --lead '6 mm'\n"
      "prs configurations --screw-diameter '24 mm' --lead '6 mm' --write 1 case.yaml"},
+    {"report", kAnalyse, "Write one page for a browser or a printer: all that the case asks for",
+     add_report_options, report,
+     "prs report case.yaml --output report.html\n"
+     "prs report case.yaml --results results --output report.html"},
     {"list", kLook, "List what there is to choose from", add_list_options, list,
      "prs list commands\nprs list commands case.yaml"},
     {"schema", kLook, "Print the JSON Schema of the input, of a command's document or of pictures",
@@ -361,6 +382,7 @@ void add_commands(Program& program) {
   app.require_subcommand(1);
   add_own(program, kStart);
   add_case_commands(program);
+  add_own(program, kAnalyse);
   add_merge(program);
   add_own(program, kLook);
   add_help(program);

@@ -44,6 +44,8 @@ struct Options : OutputOptions {
   std::vector<std::filesystem::path> folders;  ///< `prs study merge`: those of the shards.
   std::optional<std::string> explain;          ///< What to explain in place of numbers.
   std::filesystem::path pages;                 ///< `prs manual`: folder of its pages.
+  std::filesystem::path report;                ///< `prs report`: the page to write.
+  std::vector<std::filesystem::path> results;  ///< `prs report`: folders of stored results.
   std::string what;                            ///< `prs list`, `prs schema`: of what.
   std::vector<std::string> words;              ///< `prs help`: the command to explain.
   ConfigurationOptions configurations;
@@ -70,6 +72,8 @@ int merge_study(const Options& options);
 int configurations(const Options& options);
 /// Multi-objective design: writes the Pareto front and the chosen design of the file's `optimize`.
 int optimize(const Options& options);
+/// Writes all that a case asks for as one page.
+int report(const Options& options);
 int schema(const Options& options);
 void add_new_options(CLI::App& command, NewOptions& options);
 /// Prints a commented case, or writes it to a file, which must not exist; or copies a lesson.

@@ -30,6 +30,8 @@ Figures roller_shares(const Result& result, const FigureOptions& options);
 Figures carrier_turn(const Result& result, const FigureOptions& options);
 Figures roller_power(const Result& result, const FigureOptions& options);
 Figures roller_friction(const Result& result, const FigureOptions& options);
+Figures mechanism_section(const Case& c, const Result& result, const FigureOptions& options);
+Figures mechanism_end(const Case& c, const Result& result, const FigureOptions& options);
 Figures thread_power(const Result& result, const FigureOptions& options);
 Figures friction(const Result& result, const FigureOptions& options);
 Figures power_by_source(const Result& result, const FigureOptions& options);
@@ -54,6 +56,7 @@ Figures pareto_front(const OptimizationResult& result);
 namespace {
 
 constexpr const char* kContactPoints = "a contact point at both interfaces";
+constexpr const char* kMechanism = "a mechanism";
 constexpr const char* kLoads = "a load case that converged, or equal shares";
 constexpr const char* kSweep =
     "a sweep of loads, `axial_force: {from: .., to: .., steps: ..}`, that converged";
@@ -135,6 +138,14 @@ Pictures contact_pictures(const Result& r) {
 }
 
 Pictures solve_pictures(const Result& r) { return with(load_pictures(r), contact_pictures(r)); }
+
+Pictures drawings(const Case& c, const Result& r) {
+  const auto draw = [&c, &r](Figures (*make)(const Case&, const Result&, const FigureOptions&)) {
+    return [&c, &r, make](const FigureOptions& options) { return make(c, r, options); };
+  };
+  return {{"section", kMechanism, draw(mechanism_section), false},
+          {"end_view", kMechanism, draw(mechanism_end), false}};
+}
 
 Pictures slip_pictures(const Case& c, const Result& r) {
   const auto fields = std::make_shared<SlipFields>();

@@ -51,6 +51,8 @@ using Pictures = std::vector<Picture>;
 // What each command can show. The result must outlive the list.
 Pictures contact_pictures(const Result& result);
 Pictures solve_pictures(const Result& result);
+/// Of the mechanism, asked for by their names alone.
+Pictures drawings(const Case& c, const Result& result);
 Pictures slip_pictures(const Case& c, const Result& result);
 Pictures measures_pictures(const MeasuresResult& result);
 Pictures comparison_pictures(const ModelComparison& result);

@@ -13,23 +13,9 @@
 namespace prs {
 namespace {
 
-constexpr int kFontSize = 15;
 constexpr double kCellOverlap = 1.02;  // Hides the seams that smoothed edges leave.
-constexpr std::string_view kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                         "#e69f00", "#56b4e9", "#000000", "#7f7f7f",
-                                         "#555555", "#aaaaaa", "#cc3311"};
-constexpr std::string_view kPaleColours[] = {"#c9dfef", "#f6d9c6", "#cdebdf", "#f3dfe9",
-                                             "#f9e7c3", "#d9edfa", "#d0d0d0", "#dddddd",
-                                             "#d5d5d5", "#eeeeee", "#f3cfc8"};
 constexpr int kMarks[] = {0, 7, 5, 9, 13, 11, 1, 2, 3};      // Point types of gnuplot.
 constexpr int kOpenMarks[] = {0, 6, 4, 8, 12, 10, 1, 2, 3};  // Those that are outlined.
-constexpr double kWidths[] = {1.0, 1.6, 2.4};
-constexpr double kSizes[] = {0.4, 0.75, 1.1};
-
-template <class Table, class Value>
-const auto& look(const Table& table, Value value) {
-  return table[static_cast<std::size_t>(value)];
-}
 
 std::string margins(const Box& box, int height) {
   const double w = kImageWidth, h = height;
@@ -45,8 +31,8 @@ std::string style_lines(const std::vector<Style>& styles) {
     const Style& s = styles[k];
     script += fmt::format("set style line {} lc rgb '{}' dt {} lw {} pt {} ps {}\n", k + 1,
                           look(kColours, s.colour), std::max(1, static_cast<int>(s.dash)),
-                          look(kWidths, s.weight), look(s.open ? kOpenMarks : kMarks, s.mark),
-                          s.mark == Mark::none ? 0.0 : look(kSizes, s.weight));
+                          look(kLineWidths, s.weight), look(s.open ? kOpenMarks : kMarks, s.mark),
+                          s.mark == Mark::none ? 0.0 : look(kMarkSizes, s.weight));
   }
   return script;
 }
@@ -176,25 +162,6 @@ void add_plots(std::vector<std::string>& plots, const Figure& figure, std::size_
                       data, part, series.values[part]));
 }
 
-/// A little more about its middle where gnuplot would see no range.
-Axis with_length(Axis axis) {
-  constexpr double kLeast = 2e-6;  // Of the numbers, which are written with seven digits.
-  if (!(std::isfinite(axis.from) && std::isfinite(axis.to)) || axis.logarithmic) return axis;
-  const double size = std::max(std::abs(axis.from), std::abs(axis.to));
-  const double margin = size > 0.0 ? kLeast * size : 1.0;
-  if (std::abs(axis.to - axis.from) > margin) return axis;
-  axis.from -= margin;
-  axis.to += margin;
-  return axis;
-}
-
-/// Widens the range about its middle to that length.
-void widen(Axis& axis, double length) {
-  const double margin = std::max(0.0, 0.5 * (length - (axis.to - axis.from)));
-  axis.from -= margin;
-  axis.to += margin;
-}
-
 std::string range_end(double value) {
   return std::isfinite(value) ? fmt::format("{:.7g}", value) : "*";
 }
@@ -216,12 +183,7 @@ std::string axis_lines(char name, const Axis& a, bool labelled, int pixels) {
 std::string axes_lines(const Figure& figure, const Layout& layout, std::size_t index) {
   const Panel& panel = figure.panels[index];
   const Box box = layout.panel(index);
-  Axis x = with_length(x_axis(figure, panel)), y = with_length(y_axis(figure, panel));
-  if (figure.to_scale) {
-    const double unit = std::min(box.width() / (x.to - x.from), box.height() / (y.to - y.from));
-    widen(x, box.width() / unit);
-    widen(y, box.height() / unit);
-  }
+  const auto [x, y] = drawn_axes(figure, layout, index);
   return axis_lines('x', x, panel.x || layout.is_lowest(index), box.width()) +
          axis_lines('y', y, panel.y || layout.is_leftmost(index), box.height());
 }
@@ -247,10 +209,13 @@ std::string label_lines(const Panel& panel) {
 
 /// The colours, before the panels.
 std::string palette_lines(const ColourScale& colours) {
+  std::string steps;
+  for (const std::string_view& colour : kScaleColours)
+    steps += fmt::format("{}{} '{}'", steps.empty() ? "" : ", ", &colour - kScaleColours, colour);
   return fmt::format(
-      "set palette defined (0 '#ffffe5', 1 '#fee391', 2 '#fec44f', 3 '#ec7014', 4 '#cc4c02')\n"
+      "set palette defined ({})\n"
       "{} logscale cb\nset cbrange [{:.7g}:{:.7g}]\nunset colorbox\nset palette maxcolors {}\n",
-      colours.logarithmic ? "set" : "unset", colours.from, colours.to,
+      steps, colours.logarithmic ? "set" : "unset", colours.from, colours.to,
       colours.levels.empty() ? 0 : colours.levels.size() - 1);
 }
 

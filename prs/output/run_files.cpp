@@ -338,4 +338,30 @@ std::vector<std::string> RunFiles::update(bool complete) {
   return notes;
 }
 
+std::vector<OutputFile> files_of_run(const fs::path& folder, std::string_view command,
+                                     const input::Source& source) {
+  std::vector<OutputFile> files;
+  const FileDescriptor top(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!top.is_open()) return files;
+  const auto content = [&](const std::string& path) -> std::optional<std::string> {
+    const std::optional<Place> place = place_of(top, path);
+    if (!place) return std::nullopt;
+    const RegularFile opened =
+        open_regular(place->parts.back().c_str(), O_RDONLY, 0, place->parent(top));
+    return opened.file.is_open() ? content_of(opened.file, kLongestList) : std::nullopt;
+  };
+  const std::optional<std::string> list = content(std::string(kFileList));
+  const auto runs = list ? parsed_list(*list) : std::nullopt;
+  if (!runs) return files;
+  const std::string digest = digest_of_case(source.text, source.overrides);
+  for (const Listed& run : *runs) {
+    if (run.command != command || run.case_digest != digest) continue;
+    files.clear();
+    for (const auto& [path, listed] : run.files)
+      if (std::optional<std::string> text = content(path); text && sha256(*text) == listed)
+        files.push_back({path, *std::move(text)});
+  }
+  return files;
+}
+
 }  // namespace prs

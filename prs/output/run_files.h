@@ -5,6 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "prs/input/source.h"
+#include "prs/output/files.h"
+
 namespace prs {
 
 /// The list of files that runs keep in their output folder.
@@ -50,5 +53,10 @@ class RunFiles {
   std::filesystem::path case_file_;
   bool finished_ = false;
 };
+
+/// What the last run of a command on a case wrote below a folder, as far as it is unchanged; nothing
+/// where there is none.
+std::vector<OutputFile> files_of_run(const std::filesystem::path& folder, std::string_view command,
+                                     const input::Source& source);
 
 }  // namespace prs

@@ -1,5 +1,7 @@
 #include "prs/quantities/results_schema.h"
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "prs/quantities/comparison_quantities.h"
@@ -93,6 +95,11 @@ Json results_schema() {
     put_record(schema["records"], place.record());
   }
   return schema;
+}
+
+const RecordInfo* record_at(std::string_view path) {
+  const auto* place = std::ranges::find(kPlaces, path, &Place::path);
+  return place == std::end(kPlaces) ? nullptr : &place->record();
 }
 
 }  // namespace prs

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -278,6 +279,11 @@ std::vector<OutputFile> life_files(const LifeResult& result, const CsvStyle& sty
   return files;
 }
 
+Pictures with_drawings(Pictures pictures, const Case& c, const Result& result) {
+  std::ranges::move(drawings(c, result), std::back_inserter(pictures));
+  return pictures;
+}
+
 const std::vector<CommandRow>& table() {
   static const std::vector<CommandRow> rows = {
       row<CheckResult>(
@@ -294,14 +300,15 @@ const std::vector<CommandRow>& table() {
                  for (Picture& picture : pictures) picture.is_drawn = false;
                  return pictures;
                }}),
-      row<Result>(Command::contact, "Contact points, backlash, curvatures, ellipses, pictures",
-                  run_contact,
-                  {.file = "contact.json",
-                   .document = to_json,
-                   .table = contact_table,
-                   .notes = summary,
-                   .pictures = [](const Result& r, const Case&) { return contact_pictures(r); },
-                   .without_figure = contacts_without_figure}),
+      row<Result>(
+          Command::contact, "Contact points, backlash, curvatures, ellipses, pictures", run_contact,
+          {.file = "contact.json",
+           .document = to_json,
+           .table = contact_table,
+           .notes = summary,
+           .pictures = [](const Result& r,
+                          const Case& c) { return with_drawings(contact_pictures(r), c, r); },
+           .without_figure = contacts_without_figure}),
       row<Result>(Command::solve, "Load distribution, pressures, displacement and stiffness",
                   run_solve,
                   {.file = "result.json",
@@ -309,7 +316,8 @@ const std::vector<CommandRow>& table() {
                    .table = solve_text,
                    .notes = summary,
                    .files = solve_files,
-                   .pictures = [](const Result& r, const Case&) { return solve_pictures(r); },
+                   .pictures = [](const Result& r,
+                                  const Case& c) { return with_drawings(solve_pictures(r), c, r); },
                    .converged = all_converged}),
       row<ModelComparison>(
           Command::compare, "The models of the bodies side by side", run_compare,

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "prs/input/reader.h"
+#include "prs/output/staged_file.h"
+#include "prs/report/report.h"
 #include "prs/run/commands.h"
 #include "python/engine/interpreter_guard.h"
 
@@ -50,6 +52,16 @@ std::shared_ptr<Document> CaseSource::run(const CommandRow& row) const {
       delivery->pictures ? keeping(delivery->pictures(), delivery) : Pictures{});
 }
 
+bool CaseSource::report(const std::string& file, const std::vector<std::string>& results) const {
+  const GilRelease released;
+  const Report report = make_report(
+      *source_, {"Case.report of the Python package", {results.begin(), results.end()}});
+  StagedFile staged(file);
+  staged.append(report.html);
+  staged.publish();
+  return report.converged;
+}
+
 void bind_case(nb::module_& module) {
   nb::class_<input::Source>(module, "Source", "A case as it was written.")
       .def_static(
@@ -78,6 +90,8 @@ void bind_case(nb::module_& module) {
   bound
       .def(nb::init<input::Source>(), nb::arg("source"),
            "InputError with the text of `prs check` where something is wrong.")
+      .def("report", &CaseSource::report, nb::arg("file"), nb::arg("results"),
+           "Writes all that the case asks for as one page; whether all of it converged.")
       .def_prop_ro("source", &CaseSource::source, nb::rv_policy::copy);
   for (const CommandRow& row : commands())
     if (row.run)

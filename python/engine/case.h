@@ -26,6 +26,9 @@ class CaseSource {
   /// needs what the case lacks.
   std::shared_ptr<Document> run(const CommandRow& row) const;
 
+  /// Writes the page of `prs report`, with the studies that folders hold; whether all converged.
+  bool report(const std::string& file, const std::vector<std::string>& results) const;
+
  private:
   std::shared_ptr<const input::CaseInput> input(Command command) const;
 

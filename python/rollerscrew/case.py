@@ -137,6 +137,20 @@ class Case:
         """Capacity, weight, stiffness terms, inertia and the other design measures."""
         return MeasuresResult(self._case.measures())
 
+    def report(
+        self,
+        file: str | os.PathLike[str],
+        *,
+        results: str | os.PathLike[str] | Sequence[str | os.PathLike[str]] = (),
+    ) -> bool:
+        """Writes one HTML page of all that the case asks for, to read, print and hand over.
+
+        Of its study and its optimization the page shows what `prs study` or `prs optimize` left in
+        one of the folders `results`. False where something on the page did not converge.
+        """
+        folders = [results] if isinstance(results, str | os.PathLike) else results
+        return self._case.report(_file_name(file), [_file_name(folder) for folder in folders])
+
     def study(
         self,
         *,

@@ -1,0 +1,533 @@
+#include "prs/report/svg.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "prs/output/figure_layout.h"
+#include "prs/text.h"
+
+namespace prs {
+namespace {
+
+constexpr int kTick = 5, kTitleTop = 36, kLegendSymbol = 34, kLegendGap = 28;
+constexpr double kMarkRadius = 5.0, kOverlap = 0.4;  // Pixels; the second hides seams of cells.
+constexpr double kLooseEnds = 0.04;                  // Room at the ends of a free axis.
+constexpr std::string_view kDashes[] = {"", "", "7 5", "2 4", "9 4 2 4"};
+
+/// A colour between those of the scale, at a share of its length.
+std::string scale_colour(const ColourScale& scale, double value) {
+  if (!std::isfinite(value)) return "none";
+  const auto place = [&](double v) { return scale.logarithmic ? std::log(v) : v; };
+  double share = (place(value) - place(scale.from)) / (place(scale.to) - place(scale.from));
+  if (!std::isfinite(share)) share = 0.0;
+  if (const auto& levels = scale.levels; levels.size() > 2) {
+    const auto bands = static_cast<double>(levels.size() - 1);
+    const auto band = std::ranges::upper_bound(levels, value) - levels.begin() - 1;
+    share = std::clamp(static_cast<double>(band), 0.0, bands - 1.0) / (bands - 1.0);
+  }
+  constexpr auto kLast = static_cast<double>(std::size(kScaleColours) - 1);
+  const double at = std::clamp(share, 0.0, 1.0) * kLast;
+  const auto k = static_cast<std::size_t>(std::min(std::floor(at), kLast - 1.0));
+  std::string colour = "#";
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const auto part = [&](std::size_t c) {
+      return std::stoi(std::string(kScaleColours[c].substr(1 + 2 * channel, 2)), nullptr, 16);
+    };
+    colour += fmt::format("{:02x}", static_cast<int>(std::lround(std::lerp(
+                                        part(k), part(k + 1), at - static_cast<double>(k)))));
+  }
+  return colour;
+}
+
+/// Along one side of a panel: from coordinates to pixels.
+struct Ruler {
+  double from = 0.0, to = 1.0;
+  int start = 0, end = 1;
+  bool logarithmic = false;
+
+  double operator()(double value) const {
+    const double share =
+        logarithmic ? std::log(value / from) / std::log(to / from) : (value - from) / (to - from);
+    return start + share * (end - start);
+  }
+};
+
+/// A panel in its place, its axes with their ranges.
+struct Frame {
+  const Panel& panel;
+  Box box;
+  Axis x, y;
+  Ruler across, up;
+};
+
+/// All that a panel shows along one axis, 0 for x.
+Range shown_range(const Panel& panel, std::size_t axis) {
+  Range range;
+  for (const Series& series : panel.series)
+    for (const Polyline& part : series.parts)
+      for (const auto& point : part) range.include(point[axis]);
+  for (const ReferenceLine& line : panel.references)
+    if (line.vertical == (axis == 0)) range.include(line.at);
+  for (const double node : axis == 0 ? panel.map.grid.x : panel.map.grid.y) range.include(node);
+  return range;
+}
+
+void fit(Axis& axis, Range range) {
+  if (has_range(axis)) return;
+  if (range.empty()) range = {0.0, 1.0};
+  if (!axis.logarithmic) range.widen(kLooseEnds);
+  if (range.from == range.to) range = {range.from - 1.0, range.to + 1.0};
+  if (!std::isfinite(axis.from)) axis.from = range.from;
+  if (!std::isfinite(axis.to)) axis.to = range.to;
+}
+
+Frame frame_of(const Figure& figure, const Layout& layout, std::size_t index) {
+  const Panel& panel = figure.panels[index];
+  auto [x, y] = drawn_axes(figure, layout, index);
+  fit(x, shown_range(panel, 0));
+  fit(y, shown_range(panel, 1));
+  const Box box = layout.panel(index);
+  return {panel,
+          box,
+          x,
+          y,
+          {x.from, x.to, box.left, box.right, x.logarithmic},
+          {y.from, y.to, box.bottom, box.top, y.logarithmic}};
+}
+
+std::string text(double x, double y, std::string_view classes, std::string_view content,
+                 std::string_view more = "") {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"{}\"{}>{}</text>", x, y, classes,
+                     more, html(content));
+}
+
+/// Lines of text, the last one at y.
+std::string texts(double x, double y, std::string_view classes,
+                  const std::vector<std::string>& lines, std::string_view more = "") {
+  std::string all;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    all += text(x, y - 17.0 * static_cast<double>(lines.size() - 1 - k), classes, lines[k], more);
+  return all;
+}
+
+std::string segment(double x1, double y1, double x2, double y2, std::string_view attributes) {
+  return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" {}/>", x1, y1, x2, y2, attributes);
+}
+
+std::string stroke(const Style& style) {
+  std::string attributes =
+      fmt::format("class=\"s{}\" stroke-width=\"{}\"", static_cast<int>(style.colour),
+                  look(kLineWidths, style.weight));
+  if (const std::string_view dash = look(kDashes, style.dash); !dash.empty())
+    attributes += fmt::format(" stroke-dasharray=\"{}\"", dash);
+  return attributes;
+}
+
+/// On which sides of a panel a point lies well outside, a bit each.
+unsigned beyond(const Box& b, double x, double y) {
+  constexpr double kMargin = 20.0;
+  return (x < b.left - kMargin ? 1u : 0u) | (x > b.right + kMargin ? 2u : 0u) |
+         (y < b.top - kMargin ? 4u : 0u) | (y > b.bottom + kMargin ? 8u : 0u);
+}
+
+/// The way through the points, broken where one has no place. Points that only lead around outside
+/// of the panel are left out.
+std::string way(const Polyline& points, const Frame& f, bool closed) {
+  std::string d;
+  char next = 'M';
+  std::array<double, 2> last{}, at{};
+  const auto placed = [&](std::size_t k) {
+    return std::array{f.across(points[k][0]), f.up(points[k][1])};
+  };
+  unsigned before = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    at = placed(k);
+    if (!std::isfinite(at[0]) || !std::isfinite(at[1])) {
+      next = 'M';
+      before = 0;
+      continue;
+    }
+    const unsigned here = beyond(f.box, at[0], at[1]);
+    unsigned after = 0;
+    if (k + 1 < points.size()) {
+      const auto following = placed(k + 1);
+      after = beyond(f.box, following[0], following[1]);
+    }
+    const bool idle = (std::exchange(before, here) & here & after) != 0;
+    const bool same = std::abs(at[0] - last[0]) < 0.05 && std::abs(at[1] - last[1]) < 0.05;
+    if (next == 'L' && (idle || same)) continue;
+    d += fmt::format("{}{:.1f} {:.1f}", next, at[0], at[1]);
+    next = 'L';
+    last = at;
+  }
+  return closed && !d.empty() ? d + "Z" : d;
+}
+
+std::string mark(Mark shape, double x, double y, double r) {
+  const auto polygon = [&](int corners, double start, double step, double radius) {
+    std::string d;
+    for (int k = 0; k < corners; ++k)
+      d += fmt::format("{}{:.1f} {:.1f}", k ? 'L' : 'M', x + radius * std::sin(start + k * step),
+                       y - radius * std::cos(start + k * step));
+    return d + "Z";
+  };
+  constexpr double kTurn = 6.283185307179586;
+  const auto cross = [&](double w, double h) {
+    return fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}M{:.1f} {:.1f}L{:.1f} {:.1f}", x - w, y - h,
+                       x + w, y + h, x - h, y + w, x + h, y - w);
+  };
+  switch (shape) {
+    case Mark::square:
+      return polygon(4, kTurn / 8, kTurn / 4, 1.25 * r);
+    case Mark::triangle:
+      return polygon(3, 0.0, kTurn / 3, 1.3 * r);
+    case Mark::down:
+      return polygon(3, kTurn / 2, kTurn / 3, 1.3 * r);
+    case Mark::diamond:
+      return polygon(4, 0.0, kTurn / 4, 1.3 * r);
+    case Mark::plus:
+      return cross(r, 0.0);
+    case Mark::cross:
+      return cross(0.8 * r, 0.8 * r);
+    case Mark::star:
+      return cross(r, 0.0) + cross(0.7 * r, 0.7 * r);
+    default:
+      return fmt::format(
+          "M{0:.1f} {1:.1f}a{2:.1f} {2:.1f} 0 1 0 {3:.1f} 0a{2:.1f} {2:.1f} 0 1 0 "
+          "-{3:.1f} 0Z",
+          x - r, y, r, 2 * r);
+  }
+}
+
+bool is_strokes(const Style& style) { return style.open || style.mark >= Mark::plus; }
+
+/// A path in the style's colour, filled where the marks are.
+std::string mark_path(const Style& style, const std::string& d, const std::string& colour) {
+  if (d.empty()) return {};
+  if (!colour.empty()) return fmt::format("<path d=\"{}\" fill=\"{}\" class=\"o\"/>", d, colour);
+  return fmt::format("<path d=\"{}\" class=\"{}{}\"/>", d, is_strokes(style) ? 's' : 'f',
+                     static_cast<int>(style.colour));
+}
+
+std::string arrow(const Polyline& part, const Frame& f, const Style& style) {
+  if (part.size() < 2) return {};
+  const double x1 = f.across(part[0][0]), y1 = f.up(part[0][1]);
+  const double x2 = f.across(part[1][0]), y2 = f.up(part[1][1]);
+  const double length = std::hypot(x2 - x1, y2 - y1), head = std::min(6.0, 0.6 * length);
+  if (!(length > 0.5)) return {};
+  const double c = head * (x2 - x1) / length, s = head * (y2 - y1) / length;
+  return segment(x1, y1, x2, y2, stroke(style)) +
+         fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" class=\"f{}\"/>", x2,
+                     y2, x2 - c - 0.35 * s, y2 - s + 0.35 * c, x2 - c + 0.35 * s, y2 - s - 0.35 * c,
+                     static_cast<int>(style.colour));
+}
+
+std::string series_svg(const Figure& figure, const Series& series, const Frame& f) {
+  const Style& style = figure.styles[series.style];
+  std::size_t longest = 0;
+  for (const Polyline& part : series.parts) longest = std::max(longest, part.size());
+  const bool lined = style.dash != Dash::none;
+  const std::size_t stride = lined ? (longest + 11) / 12 : 1;
+  const double radius = kMarkRadius * look(kMarkSizes, style.weight);
+  std::string all, d, marks;
+  for (std::size_t k = 0; k < series.parts.size(); ++k) {
+    const Polyline& part = series.parts[k];
+    const bool valued = k < series.values.size() && figure.colours.has_value();
+    const std::string colour = valued ? scale_colour(*figure.colours, series.values[k]) : "";
+    if (style.shape == Shape::arrows) {
+      all += arrow(part, f, style);
+    } else if (style.shape == Shape::area) {
+      const std::string outline = way(part, f, true);
+      if (valued)
+        all += fmt::format("<path d=\"{}\" fill=\"{}\" class=\"o\"/>", outline, colour);
+      else
+        d += outline;
+    } else {
+      if (lined) d += way(part, f, false);
+      if (style.mark == Mark::none) continue;
+      std::string own;
+      for (std::size_t p = 0; p < part.size(); p += std::max<std::size_t>(1, stride))
+        if (const double x = f.across(part[p][0]), y = f.up(part[p][1]);
+            std::isfinite(x) && std::isfinite(y))
+          own += mark(style.mark, x, y, radius);
+      if (valued)
+        all += mark_path(style, own, colour);
+      else
+        marks += own;
+    }
+  }
+  if (!d.empty() && style.shape == Shape::area)
+    all += fmt::format("<path d=\"{}\" class=\"{}{}\"/>", d, style.pale ? "p" : "f",
+                       static_cast<int>(style.colour));
+  else if (!d.empty())
+    all += fmt::format("<path d=\"{}\" {}/>", d, stroke(style));
+  return all + mark_path(style, marks, "");
+}
+
+/// Half the way to the neighbours of a node, in pixels.
+std::pair<double, double> cell(const std::vector<double>& nodes, std::size_t k,
+                               const Ruler& ruler) {
+  const auto middle = [&](std::size_t a, std::size_t b) {
+    return ruler(0.5 * (nodes[a] + nodes[b]));
+  };
+  const double at = ruler(nodes[k]);
+  const bool single = nodes.size() < 2;
+  double before = k > 0 ? middle(k - 1, k) : single ? ruler.start : 2.0 * at - middle(k, k + 1);
+  double behind = k + 1 < nodes.size() ? middle(k, k + 1) : single ? ruler.end : 2.0 * at - before;
+  if (before > behind) std::swap(before, behind);
+  const auto [least, most] = std::minmax(ruler.start, ruler.end);
+  return {std::clamp<double>(before, least, most), std::clamp<double>(behind, least, most)};
+}
+
+std::string map_svg(const GridData& grid, const ColourScale& scale, const Frame& f) {
+  std::string all;
+  for (std::size_t i = 0; i < grid.x.size(); ++i)
+    for (std::size_t j = 0; j < grid.y.size(); ++j) {
+      const std::string colour = scale_colour(scale, grid.at(i, j));
+      if (colour == "none") continue;
+      const auto [left, right] = cell(grid.x, i, f.across);
+      const auto [top, bottom] = cell(grid.y, j, f.up);
+      all += fmt::format(
+          "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>", left,
+          top, right - left + kOverlap, bottom - top + kOverlap, colour);
+    }
+  return all;
+}
+
+/// A number at a tick, no finer than its step needs, with a typographic minus.
+std::string tick_text(double value, double step) {
+  const double size = std::abs(value);
+  if (step > 0.0 && size < 1e-9 * step) value = 0.0;
+  std::string shown = fmt::format("{:.6g}", value);
+  if (shown.starts_with('-')) shown.replace(0, 1, "\u2212");
+  return shown;
+}
+
+struct ShownTick {
+  double at;
+  std::string text;
+};
+
+std::vector<ShownTick> ticks_shown(const Axis& axis, int pixels, bool is_horizontal) {
+  std::vector<ShownTick> ticks;
+  if (axis.hidden) return ticks;
+  for (const Tick& tick : axis.ticks)
+    ticks.push_back({tick.at, tick.text.empty() ? tick_text(tick.at, 0.0) : tick.text});
+  if (!axis.ticks.empty()) return ticks;
+  const double step = axis.logarithmic ? 0.0 : tick_step(axis, pixels, is_horizontal);
+  for (const double at : ticks_of(axis, pixels, is_horizontal))
+    ticks.push_back({at, tick_text(at, step)});
+  return ticks;
+}
+
+std::string x_axis_svg(const Frame& f, bool labelled) {
+  const bool slanted = is_crowded(f.x, f.box.width());
+  const double y = f.box.bottom;
+  std::string all;
+  for (const auto& [at, shown] : ticks_shown(f.x, f.box.width(), true)) {
+    const double x = f.across(at);
+    if (!(x > f.box.left - 1.0 && x < f.box.right + 1.0)) continue;
+    all += segment(x, y, x, y + kTick, "class=\"t\"");
+    all += slanted ? text(x, y + 18, "q", shown,
+                          fmt::format(" transform=\"rotate(35 {:.1f} {:.1f})\"", x, y + 18))
+                   : text(x, y + 22, "q m", shown);
+  }
+  if (labelled && !f.x.hidden) {
+    const double slope = slanted ? 0.6 * kCharacter * static_cast<double>(longest_text(f.x)) : 0.0;
+    const auto lines = fitted_lines(text_of(f.x), f.box.width());
+    all += texts(0.5 * (f.box.left + f.box.right),
+                 y + 46 + slope + 17.0 * static_cast<double>(lines.size() - 1), "m", lines);
+  }
+  return all;
+}
+
+std::string y_axis_svg(const Frame& f, bool labelled, bool gridded) {
+  const double x = f.box.left;
+  std::string lines, all;
+  std::size_t longest = 0;
+  for (const auto& [at, shown] : ticks_shown(f.y, f.box.height(), false)) {
+    const double y = f.up(at);
+    if (!(y > f.box.top - 1.0 && y < f.box.bottom + 1.0)) continue;
+    if (gridded) lines += segment(f.box.left, y, f.box.right, y, "class=\"g\"");
+    all += segment(x - kTick, y, x, y, "class=\"t\"") + text(x - 9, y + 5, "q e", shown);
+    longest = std::max(longest, width(shown));
+  }
+  if (labelled && !f.y.hidden) {
+    const double at = x - 20 - kCharacter * static_cast<double>(longest);
+    const double middle = 0.5 * (f.box.top + f.box.bottom);
+    all += texts(at, middle, "m", fitted_lines(text_of(f.y), f.box.height()),
+                 fmt::format(" transform=\"rotate(-90 {:.1f} {:.1f})\"", at, middle));
+  }
+  return lines + all;
+}
+
+std::string label_svg(const Label& label, const Frame& f) {
+  constexpr std::string_view kAnchors[] = {"h", "h m", "h e"};
+  const double x = label.in_panel ? std::lerp(f.box.left, f.box.right, label.x) : f.across(label.x);
+  const double y = label.in_panel ? std::lerp(f.box.bottom, f.box.top, label.y) : f.up(label.y);
+  return std::isfinite(x + y) ? text(x, y + 5, look(kAnchors, label.anchor), label.text) : "";
+}
+
+std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t index,
+                      const std::string& id) {
+  const Frame f = frame_of(figure, layout, index);
+  const Panel& panel = f.panel;
+  const Box& b = f.box;
+  const GridData& grid = panel.surface ? panel.surface->grid : panel.map.grid;
+  const bool boxed = figure.to_scale || !grid.empty();
+  const bool bare = f.x.hidden && f.y.hidden;
+  const std::string clip = fmt::format("{}-{}", id, index);
+  std::string all = fmt::format(
+      "<clipPath id=\"{}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>", clip,
+      b.left - 7, b.top - 7, b.width() + 14, b.height() + 14);
+  if (!panel.title.empty())
+    all += texts(0.5 * (b.left + b.right), b.top - 14, "m b", fitted_lines(panel.title, b.width()));
+  all += x_axis_svg(f, panel.x || layout.is_lowest(index)) +
+         y_axis_svg(f, panel.y || layout.is_leftmost(index), !boxed);
+  all += fmt::format("<g clip-path=\"url(#{})\">", clip);
+  if (!grid.empty() && figure.colours) all += map_svg(grid, *figure.colours, f);
+  for (const ReferenceLine& r : panel.references)
+    all += r.vertical
+               ? segment(f.across(r.at), b.bottom, f.across(r.at), b.top,
+                         stroke(figure.styles[r.style]))
+               : segment(b.left, f.up(r.at), b.right, f.up(r.at), stroke(figure.styles[r.style]));
+  for (const Series& series : panel.series) all += series_svg(figure, series, f);
+  all += "</g>";
+  if (!bare)
+    all += fmt::format("<path d=\"M{0} {1}{2}\" class=\"t\"/>", b.left, b.top,
+                       boxed ? fmt::format("H{}V{}H{}Z", b.right, b.bottom, b.left)
+                             : fmt::format("V{}H{}", b.bottom, b.right));
+  for (const Label& label : panel.labels) all += label_svg(label, f);
+  return all;
+}
+
+std::string colour_bar_svg(const ColourScale& scale, const Layout& layout) {
+  const Box b = layout.colour_bar();
+  const Axis axis{scale.label, scale.unit, scale.from, scale.to, scale.logarithmic, scale.whole};
+  const Ruler across{scale.from, scale.to, b.left, b.right, scale.logarithmic};
+  constexpr int kSteps = 60;
+  std::string all;
+  for (int k = 0; k < kSteps; ++k) {
+    const double share = (k + 0.5) / kSteps;
+    const double value = scale.logarithmic ? scale.from * std::pow(scale.to / scale.from, share)
+                                           : std::lerp(scale.from, scale.to, share);
+    const double width = static_cast<double>(b.width()) / kSteps;
+    all += fmt::format("<rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>",
+                       b.left + k * width, b.top, width + (k + 1 < kSteps ? kOverlap : 0.0),
+                       b.height(), scale_colour(scale, value));
+  }
+  const double step = axis.logarithmic ? 0.0 : tick_step(axis, b.width(), true);
+  for (const double at : ticks_of(axis, b.width(), true)) {
+    all += segment(across(at), b.bottom, across(at), b.bottom + kTick, "class=\"t\"");
+    all += text(across(at), b.bottom + 21, "q m", tick_text(at, step));
+  }
+  return all + texts(0.5 * (b.left + b.right), b.bottom + 42, "m",
+                     {fitted_lines(text_of(axis), kImageWidth - 200).front()});
+}
+
+std::string legend_symbol(const Style& style, double x, double y) {
+  if (style.shape == Shape::area)
+    return fmt::format(
+        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"22\" height=\"12\" class=\"{}{}\"/>", x + 4, y - 6,
+        style.pale ? "p" : "f", static_cast<int>(style.colour));
+  std::string all;
+  if (style.dash != Dash::none) all += segment(x, y, x + kLegendSymbol - 6, y, stroke(style));
+  if (style.shape == Shape::arrows)
+    return all + fmt::format("<path d=\"M{0:.1f} {1:.1f}l-8 -4v8Z\" class=\"f{2}\"/>",
+                             x + kLegendSymbol - 4, y, static_cast<int>(style.colour));
+  if (style.mark != Mark::none)
+    all += mark_path(style,
+                     mark(style.mark, x + 14, y, kMarkRadius * look(kMarkSizes, style.weight)), "");
+  return all;
+}
+
+std::string legend_svg(const Figure& figure, const Layout& layout) {
+  if (figure.legend.empty()) return {};
+  double widest = 0.0;
+  for (const LegendEntry& entry : figure.legend)
+    widest = std::max(widest, kLegendSymbol + kLegendGap +
+                                  7.6 * static_cast<double>(longest_text(
+                                            Axis{"", {}, 0, 1, false, false, {{0, entry.title}}})));
+  const int columns = layout.legend_columns();
+  const Box b = layout.legend();
+  const double left = std::max(10.0, 0.5 * (kImageWidth - columns * widest + kLegendGap));
+  std::string all;
+  for (std::size_t k = 0; k < figure.legend.size(); ++k) {
+    const auto column = static_cast<int>(k) % columns, row = static_cast<int>(k) / columns;
+    const double x = left + column * widest, y = b.top + 16 + 25.0 * row;
+    all += legend_symbol(figure.styles[figure.legend[k].style], x, y) +
+           text(x + kLegendSymbol, y + 5, "q", figure.legend[k].title);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string html(std::string_view content) {
+  std::string escaped;
+  for (const char c : printable(content)) switch (c) {
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        escaped += c;
+    }
+  return escaped;
+}
+
+std::string svg(const Figure& figure, const std::string& id) {
+  const Layout layout(figure);
+  const bool titled =
+      std::ranges::any_of(figure.panels, [](const Panel& panel) { return !panel.title.empty(); });
+  const int top = titled ? kTitleTop - 6 : kTitleTop + 20;  // The page has the title.
+  std::string all = fmt::format("<svg viewBox=\"0 {} {} {}\" role=\"img\" aria-label=\"{}\">", top,
+                                kImageWidth, layout.height() - top, html(figure.title));
+  for (std::size_t k = 0; k < figure.panels.size(); ++k) all += panel_svg(figure, layout, k, id);
+  if (figure.colours) all += colour_bar_svg(*figure.colours, layout);
+  return all + legend_svg(figure, layout) + "</svg>";
+}
+
+std::string svg_style() {
+  std::string light, dark, classes;
+  // On dark paper, what is black or blue must be lighter.
+  constexpr std::string_view kOnDark[] = {"#56b4e9", "#ff8a3c", "#2fc79b", "#e6a3cb",
+                                          "#f0b73c", "#9bd4f5", "#e8e8e6", "#a5a5a5",
+                                          "#b5b5b5", "#6b6b6b", "#ff6b4a"};
+  for (std::size_t k = 0; k < std::size(kColours); ++k) {
+    light += fmt::format("--c{}:{};", k, kColours[k]);
+    dark += fmt::format("--c{}:{};", k, kOnDark[k]);
+    classes += fmt::format(
+        ".s{0}{{stroke:var(--c{0});fill:none}}.f{0}{{fill:var(--c{0})}}"
+        ".p{0}{{fill:var(--c{0});fill-opacity:.22}}\n",
+        k);
+  }
+  return fmt::format(
+      ":root{{{}}}\n@media screen and (prefers-color-scheme:dark){{:root{{{}}}}}\n"
+      "svg rect{{shape-rendering:crispEdges}}"
+      "svg{{display:block;width:100%;height:auto;font-family:inherit;font-size:{}px}}\n"
+      "svg text{{fill:var(--ink)}}svg .q{{fill:var(--quiet)}}svg .m{{text-anchor:middle}}"
+      "svg .e{{text-anchor:end}}svg .b{{font-weight:600}}\n"
+      "svg .h{{paint-order:stroke;stroke:var(--paper);stroke-width:4px;stroke-linejoin:round}}\n"
+      ".t{{stroke:var(--quiet);stroke-width:1;fill:none}}.g{{stroke:var(--line);stroke-width:1}}"
+      ".o{{stroke:#000;stroke-opacity:.55;stroke-width:.6}}\n{}",
+      light, dark, kFontSize, classes);
+}
+
+}  // namespace prs

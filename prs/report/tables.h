@@ -1,0 +1,46 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "prs/quantities/record.h"
+
+namespace prs {
+
+/// A number as the report shows it: five digits, stiffness with one decimal, never a separator of
+/// thousands. `unit` as people write it.
+std::string report_number(double value, std::string_view unit);
+
+/// What a document says, as HTML: of long arrays their range; empty where it is no number or text.
+std::string report_value(const nlohmann::ordered_json& value, std::string_view unit,
+                         bool is_range = false);
+
+/// A column of a table of quantities.
+struct RecordColumn {
+  std::string title;
+  const nlohmann::ordered_json* record = nullptr;
+};
+
+/// Which quantities a table shows.
+struct RecordChoice {
+  std::vector<std::string> without = {};  ///< Keys that are left out.
+  std::vector<std::string> only = {};     ///< Keys that are shown; empty: all others.
+  Reach reach = Reach::complete;          ///< `document`: those about the solution alone.
+};
+
+/// All single values of records, a row each, with titles and units of the table of results; empty
+/// where there is none.
+std::string record_table(const RecordInfo& info, const std::vector<RecordColumn>& columns,
+                         const RecordChoice& choice = {});
+
+/// The record under a key; null where there is none.
+const RecordInfo* record_in(const RecordInfo& info, std::string_view key);
+
+/// A table of texts that are HTML; the first cell of each row is its heading. A row of one cell is
+/// a heading over the next ones.
+std::string plain_table(const std::vector<std::string>& head,
+                        const std::vector<std::vector<std::string>>& rows, bool of_numbers = false);
+
+}  // namespace prs

@@ -1,0 +1,202 @@
+#include "prs/report/report.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <regex>
+#include <set>
+
+#include "prs/report/svg.h"
+#include "prs/report/tables.h"
+#include "prs/run/commands.h"
+#include "tests/support/program.h"
+
+namespace prs {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+input::Source lesson_source(const std::string& name, std::vector<std::string> overrides = {}) {
+  return input::load_source(PRS_SOURCE_DIR "/configs/" + name, std::move(overrides));
+}
+
+/// The first element that is not closed where it must be, or what else is no HTML; empty where all
+/// is well.
+std::string malformed(const std::string& page) {
+  static const std::set<std::string> kVoid = {"meta", "img"};
+  static const std::regex tag(
+      "<(/?)([a-z0-9A-Z]+)((?:\\s+[a-zA-Z:-]+(?:=\"[^\"<>]*\")?)*)\\s*(/?)>");
+  std::vector<std::string> open;
+  std::size_t at = page.find("<html");
+  while ((at = page.find('<', at)) != std::string::npos) {
+    std::smatch found;
+    const std::size_t end = page.find('>', at);
+    if (end == std::string::npos) return "no end of a tag";
+    const std::string text = page.substr(at, end + 1 - at);
+    // A regular expression recurses over long texts: those of files are checked by their quotes.
+    if (text.starts_with("<a download=") || text.starts_with("<img alt=") ||
+        text.starts_with("<path d=")) {
+      if (std::ranges::count(text, '"') % 2 != 0) return text.substr(0, 60);
+      if (text.starts_with("<a ")) open.push_back("a");
+      at = end;
+      continue;
+    }
+    if (!std::regex_match(text, found, tag)) return text.substr(0, 100);
+    const std::string name = found[2];
+    if (found[1].length() > 0) {
+      if (open.empty() || open.back() != name) return "</" + name + ">";
+      open.pop_back();
+    } else if (found[4].length() == 0 && !kVoid.contains(name)) {
+      open.push_back(name);
+    }
+    at = end;
+  }
+  return open.empty() ? "" : "<" + open.back() + ">";
+}
+
+struct LessonReport : testing::TestWithParam<std::string> {};
+
+TEST_P(LessonReport, IsOnePageThatAsksForNothing) {
+  const Report report = make_report(lesson_source(GetParam()), {"prs report"});
+  EXPECT_EQ(malformed(report.html), "");
+  EXPECT_LT(report.html.size(), 2'500'000u);
+  EXPECT_THAT(report.html, HasSubstr("content=\"default-src 'none'; style-src 'sha256-"));
+  for (const char* request :
+       {"http:", "https:", " style=\"", "<link", "@import", "url(h", "onerror="})
+    EXPECT_EQ(report.html.find(request), std::string::npos) << request;
+  for (const char* none : {">nan", " nan", "Lnan", "inf ", ">inf"})
+    EXPECT_EQ(report.html.find(none), std::string::npos) << none;
+  EXPECT_TRUE(report.converged);
+}
+
+TEST_P(LessonReport, SaysWhatTheCommandsSay) {
+  const input::Source source = lesson_source(GetParam());
+  const Report report = make_report(source, {"prs report"});
+  const input::CaseInput in = input::read_case_input(source, Command::check);
+  if (!input::missing(in, Command::solve).empty()) return;
+  const auto document =
+      run(row_of(Command::solve), source).document(document_info(source, Command::solve));
+  EXPECT_EQ(report.data["results"]["solve"]["load_cases"], document["load_cases"]);
+  const auto& first = document["load_cases"].front();
+  if (first.contains("axial_stiffness_N_per_um")) {
+    EXPECT_THAT(
+        report.html,
+        HasSubstr(fmt::format("<td>{:.1f}</td>", first["axial_stiffness_N_per_um"].get<double>())));
+  }
+}
+
+std::vector<std::string> lesson_files() {
+  std::set<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(PRS_SOURCE_DIR "/configs"))
+    if (file.path().extension() == ".yaml") names.insert(file.path().filename());
+  return {names.begin(), names.end()};
+}
+INSTANTIATE_TEST_SUITE_P(Each, LessonReport, testing::ValuesIn(lesson_files()),
+                         [](const auto& lesson) { return lesson.param.substr(0, 2); });
+
+TEST(Report, ShowsTextsOfTheCaseAsText) {
+  const std::string hostile = "</script><img src=x onerror=alert(1)>&\"'";
+  input::Source source = lesson_source("01_config_1_to_3.yaml");
+  const std::string name = "config1-tension";
+  source.text.replace(source.text.find(name), name.size(), "'" + hostile + "''");
+  source = input::source_of_text("<b>" + hostile + ".yaml", source.text, {});
+  const Report report = make_report(source, {"prs report '" + hostile + "'"});
+  EXPECT_EQ(malformed(report.html), "");
+  EXPECT_THAT(report.html, Not(HasSubstr("<img")));
+  EXPECT_THAT(report.html, Not(HasSubstr("<b>")));
+  EXPECT_THAT(report.html, HasSubstr("&lt;img src=x onerror=alert(1)&gt;"));
+  EXPECT_THAT(report.html, HasSubstr("\\u003c/script>\\u003cimg"));
+}
+
+TEST(Report, HasNumbersThatReadBack) {
+  EXPECT_EQ(report_number(854.8137, "N/µm"), "854.8");
+  EXPECT_EQ(report_number(1000.0, "N/µm"), "1000.0");
+  EXPECT_EQ(report_number(-0.0642634, "mm"), "\u22120.064263");
+  EXPECT_EQ(report_number(123456.7, "N"), "123457");
+  EXPECT_EQ(report_number(501520676.76, ""), "5.015 × 10<sup>8</sup>");
+  EXPECT_EQ(report_number(2.5e-7, ""), "2.500 × 10<sup>\u22127</sup>");
+}
+
+TEST(Report, KeepsTheDateThatItIsGiven) {
+  ::setenv("SOURCE_DATE_EPOCH", "86400", 1);
+  const input::Source source = lesson_source("05_standard_screw.yaml");
+  const Report first = make_report(source, {"prs report"});
+  EXPECT_THAT(first.html, HasSubstr("1970-01-02"));
+  EXPECT_EQ(first.html, make_report(source, {"prs report"}).html);
+  ::unsetenv("SOURCE_DATE_EPOCH");
+}
+
+TEST(ReportCommand, WritesAFileAndNothingElse) {
+  const test::TemporaryDirectory folder;
+  const std::string lesson = PRS_SOURCE_DIR "/configs/05_standard_screw.yaml";
+  const test::Outcome run =
+      test::run_prs("report " + lesson + " --output page.html", folder.path());
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(test::content_of(folder.path() / "page.html").ends_with("</html>\n"));
+  const auto files = std::filesystem::directory_iterator(folder.path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1);
+}
+
+TEST(ReportCommand, WritesAndMarksWhatDidNotConverge) {
+  const test::TemporaryDirectory folder;
+  const test::Outcome run =
+      test::run_prs("report " PRS_SOURCE_DIR
+                    "/configs/09_slip_and_dissipation.yaml --output page.html "
+                    "--set 'carrier.nut_torque=150 N m' --set 'load_cases[0].axial_force=80 kN'",
+                    folder.path());
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(test::content_of(folder.path() / "page.html"), HasSubstr("Slip did not converge."));
+}
+
+TEST(ReportCommand, RefusesWhatIsNoFile) {
+  const test::TemporaryDirectory folder;
+  const std::string lesson = PRS_SOURCE_DIR "/configs/05_standard_screw.yaml";
+  EXPECT_EQ(test::run_prs("report " + lesson, folder.path()).status, 2);
+  EXPECT_EQ(test::run_prs("report " + lesson + " --output .", folder.path()).status, 2);
+  EXPECT_EQ(test::run_prs("report " + lesson + " --output a/b.html", folder.path()).status, 1);
+  EXPECT_EQ(test::run_prs("report " + lesson + " --set mechanism.rollers=x --output page.html",
+                          folder.path())
+                .status,
+            2);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(ReportCommand, ShowsTheStudyOfTheSameCase) {
+  const test::TemporaryDirectory folder;
+  const std::string lesson = PRS_SOURCE_DIR "/configs/17_derivatives.yaml";
+  ASSERT_EQ(test::run_prs("study " + lesson + " --quiet --output results", folder.path()).status,
+            0);
+  const auto page = [&](const std::string& more) {
+    EXPECT_EQ(test::run_prs("report " + lesson + " --results results --output page.html" + more,
+                            folder.path())
+                  .status,
+              0);
+    return test::content_of(folder.path() / "page.html");
+  };
+  EXPECT_THAT(page(""), HasSubstr("download=\"derivatives.csv\""));
+  EXPECT_THAT(page(" --set mechanism.rollers=8"), Not(HasSubstr("derivatives.csv\"")));
+}
+
+TEST(Svg, DrawsEachKindOfPart) {
+  Figure figure{"all", "Lines & <marks>"};
+  figure.x = {"Force", "kN"};
+  figure.y = {"Share", "%", 0.0, 10.0};
+  Panel& panel = figure.panels.emplace_back();
+  panel.series.push_back({figure.add("line", line_of(Colour::blue)), {{{0, 1}, {1, 2}, {2, 3}}}});
+  panel.series.push_back({figure.add("marks", points_of(Colour::green, Mark::square)), {{{1, 4}}}});
+  panel.series.push_back({figure.add("bars", area_of(Colour::grey)), {{{0, 0}, {1, 0}, {1, 5}}}});
+  panel.references.push_back({figure.add(line_of(Colour::reference)), 5.0});
+  panel.labels.push_back({"a < b", 0.5, 0.5, true});
+  const std::string drawn = svg(figure, "f");
+  EXPECT_EQ(malformed("<html>" + drawn + "</html>"), "");
+  EXPECT_THAT(drawn, HasSubstr("aria-label=\"Lines &amp; &lt;marks&gt;\""));
+  EXPECT_THAT(drawn, HasSubstr("a &lt; b"));
+  EXPECT_THAT(drawn, HasSubstr("Force (kN)"));
+  for (const char* part : {"class=\"s0\"", "class=\"f2\"", "class=\"f7\"", "class=\"s8\""})
+    EXPECT_THAT(drawn, HasSubstr(part));
+}
+
+}  // namespace
+}  // namespace prs
