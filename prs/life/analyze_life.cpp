@@ -233,8 +233,10 @@ std::optional<double> force_at(const LifeModel& p, const LargestSolver& solve, d
   return std::nullopt;
 }
 
-std::string failure_at(double force, Direction d) {
-  return fmt::format("the load distribution under {:.6g} N in {} did not converge", force, name(d));
+std::string failure_at(const LifeModel& p, double force, Direction d) {
+  const std::string why = why_not_held(p, d, force);
+  return fmt::format("the load distribution under {:.6g} N in {} did not converge{}{}", force,
+                     name(d), why.empty() ? "" : ": ", why);
 }
 
 void find_static_loads(const LifeModel& p, const LargestSolver& solve, FlankLife& flank) {
@@ -394,7 +396,7 @@ void find_flank(const LifeModel& p, const PerDirection<Sense>& senses, LifeResul
   const auto largest = solved(s.at_largest, s.largest);
   const auto running = runs ? solved(s.at_running, s.running) : largest;
   if (!largest || !running) {
-    r.failure = failure_at(s.largest, d);
+    r.failure = failure_at(p, s.largest, d);
     return;
   }
   for (const Interface i : kInterfaces) {
@@ -425,7 +427,7 @@ void find_lives(const LifeModel& p, LifeResult& r) {
     s.solver = solvers[d];
     s.curve = curve_of_sense(p, s);
     if (s.curve->failed_at()) {
-      r.failure = failure_at(*s.curve->failed_at(), d);
+      r.failure = failure_at(p, *s.curve->failed_at(), d);
       return;
     }
     CubicSums sums(*s.curve, p.rated().count());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "prs/life/rating_life.h"
@@ -164,6 +165,23 @@ LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactS
     }
     return std::optional(std::move(largest));
   };
+}
+
+std::string why_not_held(const LifeModel& model, Direction d, double force) {
+  if (!model.full()) return {};
+  LoadCase load = load_case_of(model, d);
+  load.axial_force = force;
+  const double start = load.spatial.carrier_angle;
+  const int positions =
+      load.spatial.orbit.value_or(SpatialLoad::Orbit{}).steps * model.contacts.mechanism.rollers;
+  FullSolver solver;
+  for (int m = 0; m < positions; ++m) {
+    load.spatial.carrier_angle = start + 2.0 * std::numbers::pi * m / positions;
+    const FullDistribution found =
+        full_distribution(load, model.c, model.contacts, model.laws, solver, Detail::numbers);
+    if (!found.solve.converged()) return found.reason;
+  }
+  return {};
 }
 
 PerDirection<ContactSolver> contact_solvers(const LifeModel& model,

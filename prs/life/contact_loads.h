@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "prs/model/case.h"
@@ -72,6 +73,10 @@ struct LifeModel {
 /// the carrier where `at` found them.
 LargestSolver largest_solver(const LifeModel& model, Direction d, const ContactSolver& solver,
                              const ContactLoads& at);
+
+/// Why all rollers have no equilibrium under a force of this sense, at the first place of the
+/// carrier that has none; empty where the model says no more than that it did not converge.
+std::string why_not_held(const LifeModel& model, Direction d, double force);
 
 /// A solver for each sense of the load that is wanted. Throws CaseError where the preload has no
 /// fit.

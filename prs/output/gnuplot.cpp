@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -41,6 +42,28 @@ class SpawnActions {
   posix_spawn_file_actions_t actions_;
 };
 
+/// Ctrl-C reaches every process of a terminal; gnuplot's handler of it may wait for itself for ever
+/// where it interrupts a drawing library. So gnuplot ends its script, and the program what it does.
+class DeafToInterrupts {
+ public:
+  DeafToInterrupts() {
+    sigset_t blocked;
+    ::pthread_sigmask(SIG_SETMASK, nullptr, &blocked);
+    sigaddset(&blocked, SIGINT);
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setsigmask(&attributes_, &blocked);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK);
+  }
+  DeafToInterrupts(const DeafToInterrupts&) = delete;
+  DeafToInterrupts& operator=(const DeafToInterrupts&) = delete;
+  ~DeafToInterrupts() { posix_spawnattr_destroy(&attributes_); }
+
+  const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_;
+};
+
 }  // namespace
 
 GnuplotProcess::GnuplotProcess(const std::filesystem::path& directory, const std::string& script) {
@@ -49,8 +72,9 @@ GnuplotProcess::GnuplotProcess(const std::filesystem::path& directory, const std
   const SpawnActions actions(directory, pipe[1]);
   std::array<std::string, 3> words = {"gnuplot", "-d", script};  // -d: no start-up files.
   std::array<char*, 4> arguments = {words[0].data(), words[1].data(), words[2].data(), nullptr};
+  const DeafToInterrupts deaf;
   const int error =
-      posix_spawnp(&child_, words[0].c_str(), actions.get(), nullptr, arguments.data(), environ);
+      posix_spawnp(&child_, words[0].c_str(), actions.get(), deaf.get(), arguments.data(), environ);
   ::close(pipe[1]);
   messages_ = pipe[0];
   if (error == 0) return;

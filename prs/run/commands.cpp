@@ -191,8 +191,6 @@ LifeResult run_life(const input::Source& source, const input::CaseInput& in) {
     history = input::read_force_history(*in.values.life->history, source);
   LifeResult result = analyze_life(in.values, std::move(history));
   warn_of_heat(in.values, result.warnings);
-  if (in.values.preload)
-    result.warnings.push_back("preload: lives are those without preload, whose loads come on top");
   return result;
 }
 

@@ -619,6 +619,12 @@ TEST(FullLife, RatesEachPartByTheLoadsThatItMeets) {
   EXPECT_EQ(r.weakest->life, shortest);
 }
 
+TEST(FullLife, SaysWhyNothingHoldsTheLoad) {
+  const LifeResult r = analyze_life(full_case(kMixed, {"mechanism.rollers=2"}));
+  ASSERT_FALSE(r.converged());
+  EXPECT_THAT(*r.failure, testing::HasSubstr("did not converge: mechanism: 2 motions of screw"));
+}
+
 TEST(FullLife, AsksWhichSideLoadsActWhereTheyDiffer) {
   const std::string loads =
       "load_cases=[{name: straight, axial_force: 9 kN, direction: tension, position: 29 mm},"
