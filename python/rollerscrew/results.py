@@ -276,7 +276,9 @@ class SlipResult(SolveResult):
         return pd.DataFrame(rows)
 
     def heat_cycle_frame(self) -> pd.DataFrame:
-        """Temperatures of the parts over the cycle of the duty, one row per time."""
+        """Temperatures of the parts over the cycle of the duty, one row per time; empty without."""
+        if "heat_cycle" not in self:
+            return pd.DataFrame()
         cycle = self.heat_cycle
         return pd.DataFrame(
             {

@@ -495,7 +495,7 @@ def assert_labels_have_units(ax: Axes) -> None:
     for axes in ax.figure.axes:
         for label in (axes.get_xlabel(), axes.get_ylabel()):
             has_unit = re.search(
-                r"\((mm|µm|kN|%|N/µm|MPa|W|.*revolutions|kN/kg|mm/s|µm/kN|N)\)", label
+                r"\((mm|µm|kN|%|N/µm|MPa|W|.*revolutions|kN/kg|mm/s|µm/kN|N|s|°C)\)", label
             )
             counts = label.startswith(("Thread", "Size by", "Factor over", "Cycles", "Envelope"))
             assert not label or has_unit or counts or label in bare, label

@@ -33,6 +33,7 @@ RESULTS = [
 #: Annotated, and in none of the documents here: how a life that was not found failed.
 NEVER_MET = {("Life", "status")}
 
+_WAYS_OUT = ("screw_ambient", "nut_ambient", "rollers_ambient")
 _HEIGHTS = "{addendum: 0.4 mm, dedendum: 0.5 mm}"
 _THREADS = f"{{screw: {_HEIGHTS}, roller: {_HEIGHTS}, nut: {_HEIGHTS}}}"
 
@@ -58,6 +59,13 @@ VARIANTS: list[tuple[int, str, dict[str, Any]]] = [
     ),
     (14, "life", {"mechanism.thread": _THREADS}),
     (14, "life", {"life.static_capacity": "200 kN"}),
+    (14, "life", {"model.mechanism": "full"}),
+    (
+        24,
+        "slip",
+        {"friction": {"coulomb": 0.1}, "operation": {"speed": "100 rpm"}},
+    ),
+    (30, "slip", {"heat.conductance": dict.fromkeys(_WAYS_OUT, "1e-6 W/K")}),
     (
         22,
         "optimize",
