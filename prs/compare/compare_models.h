@@ -19,9 +19,9 @@ struct ModelComparison {
 
 /// Solves the case with bars, refined bodies and, where the case asks for it or its matrices are
 /// kept, the influence model. Models that the case does not state are left out where they cannot
-/// be, with the reason. A full mechanism is compared with one sector of the same bodies, which knows the axial
-/// force and the parts that all rollers have in common. Load cases of equal shares are left out.
-/// Throws as `analyze` does.
+/// be, with the reason. A full mechanism is compared with one sector of the same bodies, which
+/// knows the axial force and the parts that all rollers have in common. Load cases of equal shares
+/// are left out. Throws as `analyze` does.
 ModelComparison compare_models(const Case& c);
 
 }  // namespace prs

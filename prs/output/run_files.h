@@ -54,8 +54,8 @@ class RunFiles {
   bool finished_ = false;
 };
 
-/// What the last run of a command on a case wrote below a folder, as far as it is unchanged; nothing
-/// where there is none.
+/// What the last run of a command on a case wrote below a folder, as far as it is unchanged;
+/// nothing where there is none.
 std::vector<OutputFile> files_of_run(const std::filesystem::path& folder, std::string_view command,
                                      const input::Source& source);
 

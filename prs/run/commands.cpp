@@ -245,7 +245,8 @@ std::vector<OutputFile> slip_files(const Result& result, const CsvStyle& style) 
   std::vector<OutputFile> files = solve_files(result, style);
   files.push_back({"slip.csv", slip_csv(result, style)});
   files.push_back({"slip_threads.csv", slip_threads_csv(result, style)});
-  if (std::ranges::any_of(result.load_cases, [](const LoadCaseResult& r) { return r.heat.has_value(); }))
+  if (std::ranges::any_of(result.load_cases,
+                          [](const LoadCaseResult& r) { return r.heat.has_value(); }))
     files.push_back({"heat.csv", heat_csv(result, style)});
   if (result.heat_cycle && result.heat_cycle->converged())
     files.push_back({"heat_cycle.csv", heat_cycle_csv(*result.heat_cycle, style)});

@@ -67,7 +67,7 @@ def screw(level):
     centres = contacts + ax.PITCH / 4  # tension: the loaded flank faces -x
     begin, end = centres[0] - 0.75 * ax.PITCH, centres[-1] + ax.PITCH / 2
     breaks = ax.graded(0, begin, 0, 0.4, GROWTH[level], 2.0 / max(level, 1)) + [begin + ax.BELOW]
-    breaks += [v for v in teeth_breaks(centres, level, 0.0, a_s)]
+    breaks += list(teeth_breaks(centres, level, 0.0, a_s))
     inner = ax.SCREW_R - ax.BELOW - 0.45
     deep = np.array(ax.graded(ax.BORE_R, inner, 0, 0.5, GROWTH[level], 2.5))
     radius = ax.profile(centres, +1, ax.SCREW_R, lambda x: x > begin)

@@ -612,8 +612,7 @@ TEST(FullLife, RatesEachPartByTheLoadsThatItMeets) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const Interface i : kInterfaces) {
     const ThreadLives& t = r.flanks.tension->threads[i];
-    shortest =
-        std::min({shortest, std::ranges::min(t.life), std::ranges::min(t.rollers->life)});
+    shortest = std::min({shortest, std::ranges::min(t.life), std::ranges::min(t.rollers->life)});
   }
   ASSERT_TRUE(r.weakest);
   EXPECT_EQ(r.weakest->life, shortest);
@@ -638,8 +637,7 @@ TEST(FullLife, AsksWhichSideLoadsActWhereTheyDiffer) {
   EXPECT_THAT(input_error(block, {"model={mechanism: full}", loads, "life.load_case=askew"}),
               testing::HasSubstr("got askew; expected the name of a load case that is solved: "
                                  "straight, aside"));
-  EXPECT_THAT(input_error(block, {"life.load_case=aside"}),
-              testing::HasSubstr("life.load_case"));
+  EXPECT_THAT(input_error(block, {"life.load_case=aside"}), testing::HasSubstr("life.load_case"));
 }
 
 }  // namespace
