@@ -63,7 +63,8 @@ std::optional<Losses> CaseLosses::of(const SlipModel& model) {
   slip_ratio_ = found.balance.motion.slip_ratio;
   const PowerFlow flow = power_flow(model, drive_torques(model, found.balance));
   return Losses{heat_of(lost_power(model, found.balance)),
-                std::max(flow.shaft, 0.0) + std::max(flow.load, 0.0)};
+                std::max(flow.shaft, 0.0) + std::max(flow.load, 0.0),
+                std::max(-flow.shaft, 0.0) + std::max(-flow.load, 0.0)};
 }
 
 std::optional<OfParts> CaseLosses::estimate(const SlipModels& models,

@@ -14,6 +14,7 @@ namespace prs {
 struct Losses {
   OfParts heat = OfParts::Zero();  ///< Into each part.
   double input = 0.0;              ///< That shaft and load bring in, each while it drives.
+  double output = 0.0;             ///< That they take out, each while it is driven.
 };
 
 /// A case with one load case alone, its parts at these temperatures [K]: with solved shares they

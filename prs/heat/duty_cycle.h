@@ -26,7 +26,7 @@ OfParts heat_capacities(const Conditions& c, const Mechanism& mechanism);
 /// extrapolated (Deuflhard; Hairer and Wanner, Solving Ordinary Differential Equations II, IV.9),
 /// to 1e-8 K in a step; the start of the cycle that is also its end is found by Newton's method.
 /// Energies are integrated along with the temperatures, so that they balance to rounding.
-/// `warnings` tells how accurate tables are that do not reach `kTableAccuracy`.
+/// The peak is that within steps too. `warnings` tells of tables that losses are too rough for.
 HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
                               std::vector<std::string>& warnings);
 

@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <numbers>
+#include <utility>
 
 namespace prs {
 namespace {
 
-constexpr int kMostPoints = 13;        // Along a coordinate.
-constexpr int kMostEvaluations = 700;  // For a table.
+constexpr int kMostPoints = 9;       // Along a coordinate: 3, 5, 9, each within the next.
+constexpr int kMostOfAPanel = 250;   // Beyond that a panel is halved.
+constexpr double kNarrowest = 0.02;  // Of a panel [K].
+/// Where a panel is checked, between its points on [-1, 1].
+constexpr double kChecks[][3] = {{0.55, -0.19, -0.83}, {-0.85, 0.53, 0.21}};
 
 /// T_0 .. T_{n-1} at x, or their derivatives too.
 using Basis = std::array<double, kMostPoints>;
@@ -28,8 +34,36 @@ void derivatives(double x, int n, const Basis& value, Basis& slope) {
     slope[k] = 2.0 * value[k - 1] + 2.0 * x * slope[k - 1] - slope[k - 2];
 }
 
-/// Point j of n on [-1, 1], where T_n is zero.
-double node(int j, int n) { return std::cos(std::numbers::pi * (j + 0.5) / n); }
+/// Extreme point j of T_{n-1} on [-1, 1]; the middle where n = 1.
+double extreme_point(int j, int n) {
+  return n == 1 ? 0.0 : std::cos(std::numbers::pi * j / (n - 1));
+}
+
+/// Its number among `kMostPoints`.
+int on_finest(int j, int n) {
+  return n == 1 ? (kMostPoints - 1) / 2 : j * ((kMostPoints - 1) / (n - 1));
+}
+
+/// What the value at point j of n adds to coefficient k.
+double coefficient_weight(int j, int k, int n) {
+  if (n == 1) return 1.0;
+  const auto end = [n](int i) { return i == 0 || i == n - 1 ? 0.5 : 1.0; };
+  return end(j) * end(k) * 2.0 / (n - 1) * std::cos(std::numbers::pi * j * k / (n - 1));
+}
+
+/// What n coefficients of these sizes leave out: the last one, which may vanish by parity, and what
+/// follows on the last but one, as that followed on the one two before.
+double left_out(const Basis& size, std::size_t n) {
+  const double before = n > 4 ? size[n - 4] : 0.0;
+  const double falls = before > size[n - 2] ? size[n - 2] / before : 1.0;
+  return std::max(size[n - 1], falls * size[n - 2]);
+}
+
+Flows flows_of(const Losses& losses) {
+  Flows f;
+  f << losses.heat, losses.input, losses.output;
+  return f;
+}
 
 /// The temperatures of the parts that have these coordinates.
 OfParts temperatures(const OfParts& c) {
@@ -63,122 +97,203 @@ TemperatureBox TemperatureBox::widened(double margin) const {
 OfParts table_coordinates(const OfParts& t) { return coordinates_by_parts() * t; }
 
 LossTable::LossTable(const Losses& constant) {
-  coefficients_.front() << constant.heat, constant.input;
+  Panel all;
+  all.coefficients = {flows_of(constant)};
+  layers_ = {{Node{std::move(all)}}};
 }
 
-std::optional<LossTable> LossTable::over(const TemperatureBox& box, const At& at, bool by_rollers) {
-  LossTable table;
-  table.box_ = box;
-  std::array<int, 3> points{3, 3, by_rollers ? 3 : 1};
-  while (true) {
-    if (!table.fit(at, points)) return std::nullopt;
-    const auto worst = std::max_element(table.last_.begin(), table.last_.end());
-    table.error_ = *worst;
-    if (*worst <= kTableAccuracy) return table;
-    std::array<int, 3> more = points;
-    for (std::size_t d = 0; d < 3; ++d)
-      if (table.last_[d] > kTableAccuracy && points[d] > 1) more[d] += 2;
-    if (std::ranges::max(more) > kMostPoints ||
-        table.evaluations_ + more[0] * more[1] * more[2] > kMostEvaluations)
-      return table;
-    points = more;
-  }
-}
-
-bool LossTable::fit(const At& at, const std::array<int, 3>& n) {
-  points_ = n;
-  const auto index = [&](int i, int j, int k) {
-    return static_cast<std::size_t>((i * n[1] + j) * n[2] + k);
+std::optional<LossTable> LossTable::over(const TemperatureBox& box, const At& at, bool by_rollers,
+                                         const Effort& effort, LossTable rough) {
+  int evaluations = 0;
+  const auto panel_on = [&](const TemperatureBox& here) {
+    return rough.fit(here, at, by_rollers, effort.accuracy, evaluations);
   };
-  coefficients_.assign(index(n[0] - 1, n[1] - 1, n[2] - 1) + 1, Eigen::Vector4d::Zero());
-  const OfParts middle = 0.5 * (box_.least + box_.greatest);
-  const OfParts half = 0.5 * (box_.greatest - box_.least);
-  std::array<Basis, 3> basis{};
-  for (int i = 0; i < n[0]; ++i)
-    for (int j = 0; j < n[1]; ++j)
-      for (int k = 0; k < n[2]; ++k) {
-        const OfParts x(node(i, n[0]), node(j, n[1]), node(k, n[2]));
-        const std::optional<Losses> losses = at(temperatures(middle + half.cwiseProduct(x)));
-        ++evaluations_;
-        if (!losses) return false;
-        Eigen::Vector4d value;
-        value << losses->heat, losses->input;
-        for (int d = 0; d < 3; ++d)
-          chebyshev(x[d], n[static_cast<std::size_t>(d)], basis[static_cast<std::size_t>(d)]);
-        for (int p = 0; p < n[0]; ++p)
-          for (int q = 0; q < n[1]; ++q)
-            for (int r = 0; r < n[2]; ++r) {
-              const double weight = basis[0][static_cast<std::size_t>(p)] * (p > 0 ? 2.0 : 1.0) *
-                                    basis[1][static_cast<std::size_t>(q)] * (q > 0 ? 2.0 : 1.0) *
-                                    basis[2][static_cast<std::size_t>(r)] * (r > 0 ? 2.0 : 1.0) /
-                                    (n[0] * n[1] * n[2]);
-              coefficients_[index(p, q, r)] += weight * value;
-            }
-      }
+  std::optional<Panel> whole = panel_on(box);
+  if (!whole) return std::nullopt;
+  Layer layer{Node{std::move(*whole)}};
+  while (evaluations < effort.evaluations) {
+    std::optional<std::size_t> next;
+    for (std::size_t i = 0; i < layer.size(); ++i)
+      if (layer[i].along < 0 && layer[i].panel.worst(effort.accuracy) &&
+          (!next || layer[i].panel.error > layer[*next].panel.error))
+        next = i;
+    if (!next) break;
+    const int along = *layer[*next].panel.worst(effort.accuracy);
+    TemperatureBox below = layer[*next].panel.box, above = below;
+    const double middle = 0.5 * (below.least[along] + below.greatest[along]);
+    below.greatest[along] = above.least[along] = middle;
+    std::optional<Panel> lower = panel_on(below), upper = panel_on(above);
+    if (!lower || !upper) return std::nullopt;
+    layer[*next] = {{}, along, middle, layer.size()};
+    layer.push_back({std::move(*lower)});
+    layer.push_back({std::move(*upper)});
+  }
+  LossTable table = std::move(rough);
+  table.error_ = 0.0;
+  for (const Node& node : layer) table.error_ = std::max(table.error_, node.panel.error);
+  table.layers_.push_back(std::move(layer));
+  return table;
+}
+
+std::optional<LossTable::Panel> LossTable::fit(const TemperatureBox& box, const At& at,
+                                               bool by_rollers, double accuracy,
+                                               int& evaluations) const {
+  Panel panel;
+  panel.box = box;
+  const OfParts middle = 0.5 * (box.least + box.greatest);
+  const OfParts half = 0.5 * (box.greatest - box.least);
   double largest = 0.0;
-  for (const Eigen::Vector4d& c : coefficients_)
-    largest = std::max(largest, c.lpNorm<Eigen::Infinity>());
-  last_ = {};
+  const auto left_at = [&](const OfParts& unit) -> std::optional<Flows> {
+    const OfParts t = temperatures(middle + half.cwiseProduct(unit));
+    const std::optional<Losses> losses = at(t);
+    ++evaluations;
+    if (!losses) return std::nullopt;
+    const Flows flows = flows_of(*losses);
+    largest = std::max(largest, flows.lpNorm<Eigen::Infinity>());
+    return flows - value_at(t);
+  };
+  std::map<std::array<int, 3>, Flows> known;
+  std::array<int, 3> n{3, 3, by_rollers ? 3 : 1};
+  while (true) {
+    panel.points = n;
+    std::vector<Flows> values;
+    for (int i = 0; i < n[0]; ++i)
+      for (int j = 0; j < n[1]; ++j)
+        for (int k = 0; k < n[2]; ++k) {
+          const auto [found, is_new] = known.try_emplace(
+              {on_finest(i, n[0]), on_finest(j, n[1]), on_finest(k, n[2])}, Flows::Zero());
+          if (is_new) {
+            const std::optional<Flows> left =
+                left_at({extreme_point(i, n[0]), extreme_point(j, n[1]), extreme_point(k, n[2])});
+            if (!left) return std::nullopt;
+            found->second = *left;
+          }
+          values.push_back(found->second);
+        }
+    panel.transform(values, largest);
+    panel.error = std::ranges::max(panel.last);
+    if (panel.error <= accuracy) break;
+    // More points where they lack, the worst coordinate first.
+    std::array<std::size_t, 3> order{0, 1, 2};
+    std::ranges::sort(order, std::greater{}, [&](std::size_t d) { return panel.last[d]; });
+    for (const std::size_t d : order) {
+      const int more = 2 * n[d] - 1;
+      if (panel.last[d] > accuracy && more <= kMostPoints &&
+          n[0] * n[1] * n[2] / n[d] * more <= kMostOfAPanel)
+        n[d] = more;
+    }
+    if (n == panel.points) return panel;
+  }
+  for (const auto& [x, y, z] : kChecks) {
+    const OfParts unit(x, y, by_rollers ? z : 0.0);
+    const std::optional<Flows> left = left_at(unit);
+    if (!left) return std::nullopt;
+    const Flows off = *left - panel.value(middle + half.cwiseProduct(unit));
+    if (largest > 0.0) panel.error = std::max(panel.error, off.lpNorm<Eigen::Infinity>() / largest);
+  }
+  return panel;
+}
+
+void LossTable::Panel::transform(const std::vector<Flows>& values, double largest) {
+  const auto& n = points;
+  coefficients.clear();
+  last = {};
+  std::array<Basis, 3> size{};
   for (int p = 0; p < n[0]; ++p)
     for (int q = 0; q < n[1]; ++q)
       for (int r = 0; r < n[2]; ++r) {
-        const double size = coefficients_[index(p, q, r)].lpNorm<Eigen::Infinity>();
-        const int at_end[] = {p, q, r};
+        Flows sum = Flows::Zero();
+        std::size_t at = 0;
+        for (int i = 0; i < n[0]; ++i)
+          for (int j = 0; j < n[1]; ++j) {
+            const double ij = coefficient_weight(i, p, n[0]) * coefficient_weight(j, q, n[1]);
+            for (int k = 0; k < n[2]; ++k)
+              sum += ij * coefficient_weight(k, r, n[2]) * values[at++];
+          }
+        coefficients.push_back(sum);
+        const std::size_t number[] = {static_cast<std::size_t>(p), static_cast<std::size_t>(q),
+                                      static_cast<std::size_t>(r)};
         for (std::size_t d = 0; d < 3; ++d)
-          if (n[d] > 1 && at_end[d] == n[d] - 1 && largest > 0.0)
-            last_[d] = std::max(last_[d], size / largest);
+          size[d][number[d]] = std::max(size[d][number[d]], sum.lpNorm<Eigen::Infinity>());
       }
-  return true;
+  if (largest <= 0.0) return;
+  for (std::size_t d = 0; d < 3; ++d)
+    if (n[d] > 1) last[d] = left_out(size[d], static_cast<std::size_t>(n[d])) / largest;
 }
 
-OfParts LossTable::unit_coordinates(const OfParts& t) const {
-  const OfParts half = 0.5 * (box_.greatest - box_.least);
-  OfParts x = table_coordinates(t) - 0.5 * (box_.least + box_.greatest);
+std::optional<int> LossTable::Panel::worst(double accuracy) const {
+  if (error <= accuracy) return std::nullopt;
+  std::optional<int> found;
+  for (int d = 0; d < 3; ++d) {
+    const auto at = static_cast<std::size_t>(d);
+    if (points[at] > 1 && box.greatest[d] - box.least[d] > kNarrowest &&
+        (!found || last[at] > last[static_cast<std::size_t>(*found)]))
+      found = d;
+  }
+  return found;
+}
+
+OfParts LossTable::Panel::unit(const OfParts& c) const {
+  const OfParts half = 0.5 * (box.greatest - box.least);
+  OfParts x = c - 0.5 * (box.least + box.greatest);
   for (int d = 0; d < 3; ++d) x[d] = half[d] > 0.0 ? x[d] / half[d] : 0.0;
   return x;
 }
 
-Eigen::Vector4d LossTable::value_at(const OfParts& t) const {
-  if (coefficients_.size() == 1) return coefficients_.front();
-  const OfParts x = unit_coordinates(t);
+Flows LossTable::Panel::value(const OfParts& c) const {
+  const OfParts x = unit(c);
   std::array<Basis, 3> b;
-  for (std::size_t d = 0; d < 3; ++d) chebyshev(x[static_cast<int>(d)], points_[d], b[d]);
-  Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+  for (std::size_t d = 0; d < 3; ++d) chebyshev(x[static_cast<int>(d)], points[d], b[d]);
+  Flows sum = Flows::Zero();
   std::size_t at = 0;
-  for (int p = 0; p < points_[0]; ++p)
-    for (int q = 0; q < points_[1]; ++q) {
-      const double pq = b[0][static_cast<std::size_t>(p)] * b[1][static_cast<std::size_t>(q)];
-      for (int r = 0; r < points_[2]; ++r)
-        sum += pq * b[2][static_cast<std::size_t>(r)] * coefficients_[at++];
-    }
+  for (std::size_t p = 0; p < static_cast<std::size_t>(points[0]); ++p)
+    for (std::size_t q = 0; q < static_cast<std::size_t>(points[1]); ++q)
+      for (std::size_t r = 0; r < static_cast<std::size_t>(points[2]); ++r)
+        sum += b[0][p] * b[1][q] * b[2][r] * coefficients[at++];
+  return sum;
+}
+
+const LossTable::Panel& LossTable::panel_at(const Layer& layer, const OfParts& c) {
+  const Node* node = &layer.front();
+  while (node->along >= 0) node = &layer[node->below + (c[node->along] > node->halved_at ? 1 : 0)];
+  return node->panel;
+}
+
+Flows LossTable::value_at(const OfParts& t) const {
+  const OfParts c = table_coordinates(t);
+  Flows sum = Flows::Zero();
+  for (const Layer& layer : layers_) sum += panel_at(layer, c).value(c);
   return sum;
 }
 
 LossTable::Value LossTable::at(const OfParts& t) const {
-  Value v{coefficients_.front(), Eigen::Matrix<double, 4, 3>::Zero()};
-  if (coefficients_.size() == 1) return v;
-  const OfParts x = unit_coordinates(t);
-  std::array<Basis, 3> b, s;
-  for (std::size_t d = 0; d < 3; ++d) {
-    chebyshev(x[static_cast<int>(d)], points_[d], b[d]);
-    derivatives(x[static_cast<int>(d)], points_[d], b[d], s[d]);
+  const OfParts c = table_coordinates(t);
+  Value v;
+  Eigen::Matrix<double, 5, 3> by_coordinates = Eigen::Matrix<double, 5, 3>::Zero();
+  for (const Layer& layer : layers_) {
+    const Panel& panel = panel_at(layer, c);
+    const OfParts x = panel.unit(c);
+    std::array<Basis, 3> b, s;
+    for (std::size_t d = 0; d < 3; ++d) {
+      chebyshev(x[static_cast<int>(d)], panel.points[d], b[d]);
+      derivatives(x[static_cast<int>(d)], panel.points[d], b[d], s[d]);
+    }
+    Eigen::Matrix<double, 5, 3> slope = Eigen::Matrix<double, 5, 3>::Zero();
+    std::size_t at = 0;
+    for (std::size_t p = 0; p < static_cast<std::size_t>(panel.points[0]); ++p)
+      for (std::size_t q = 0; q < static_cast<std::size_t>(panel.points[1]); ++q)
+        for (std::size_t r = 0; r < static_cast<std::size_t>(panel.points[2]); ++r) {
+          const Flows& f = panel.coefficients[at++];
+          v.value += b[0][p] * b[1][q] * b[2][r] * f;
+          slope.col(0) += s[0][p] * b[1][q] * b[2][r] * f;
+          slope.col(1) += b[0][p] * s[1][q] * b[2][r] * f;
+          slope.col(2) += b[0][p] * b[1][q] * s[2][r] * f;
+        }
+    const OfParts half = 0.5 * (panel.box.greatest - panel.box.least);
+    for (int d = 0; d < 3; ++d)
+      if (half[d] > 0.0) by_coordinates.col(d) += slope.col(d) / half[d];
   }
-  v.value.setZero();
-  Eigen::Matrix<double, 4, 3> slope = Eigen::Matrix<double, 4, 3>::Zero();
-  std::size_t at = 0;
-  for (std::size_t p = 0; p < static_cast<std::size_t>(points_[0]); ++p)
-    for (std::size_t q = 0; q < static_cast<std::size_t>(points_[1]); ++q)
-      for (std::size_t r = 0; r < static_cast<std::size_t>(points_[2]); ++r) {
-        const Eigen::Vector4d& c = coefficients_[at++];
-        v.value += b[0][p] * b[1][q] * b[2][r] * c;
-        slope.col(0) += s[0][p] * b[1][q] * b[2][r] * c;
-        slope.col(1) += b[0][p] * s[1][q] * b[2][r] * c;
-        slope.col(2) += b[0][p] * b[1][q] * s[2][r] * c;
-      }
-  const OfParts half = 0.5 * (box_.greatest - box_.least);
-  for (int d = 0; d < 3; ++d)
-    if (half[d] > 0.0) slope.col(d) /= half[d];
-  v.by_temperature = slope * coordinates_by_parts();
+  v.by_temperature = by_coordinates * coordinates_by_parts();
   return v;
 }
 

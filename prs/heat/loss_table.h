@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -24,9 +25,13 @@ struct TemperatureBox {
 /// less that mean [K]. Along a cycle the two differences change little.
 OfParts table_coordinates(const OfParts& temperature);
 
-/// Losses over the temperatures of the parts as polynomials: interpolated at Chebyshev's points of
-/// a box, a product of one for each coordinate, with as many points along each as it takes until
-/// their last coefficients are below `kTableAccuracy` of the largest.
+/// Heat into screw, rollers and nut, power that flows in and power that comes out [W].
+using Flows = Eigen::Matrix<double, 5, 1>;
+
+/// Losses over the temperatures of the parts as polynomials: products of one for each coordinate
+/// through up to nine of Chebyshev's extreme points, on panels of a box that are halved, the worst
+/// one first, until what their last coefficients let expect beyond them, and the difference to
+/// losses off the points, are below `Effort::accuracy` of the panel's largest losses.
 class LossTable {
  public:
   /// Nothing is lost.
@@ -34,34 +39,57 @@ class LossTable {
   /// The same at all temperatures.
   explicit LossTable(const Losses& constant);
   using At = std::function<std::optional<Losses>(const OfParts& temperature)>;
+  struct Effort {
+    double accuracy = 0.0;
+    int evaluations = 0;  ///< No panel is halved beyond that many.
+  };
   /// `by_rollers`: whether the losses depend on the parts' temperatures other than by the oils'.
-  /// None where `at` has none.
-  static std::optional<LossTable> over(const TemperatureBox& box, const At& at, bool by_rollers);
+  /// What `rough`, nearly the same losses, leaves over takes fewer points. None where `at` has
+  /// none.
+  static std::optional<LossTable> over(const TemperatureBox& box, const At& at, bool by_rollers,
+                                       const Effort& effort, LossTable rough);
 
   struct Value {
-    Eigen::Vector4d value;  ///< Heat into screw, rollers, nut; power that flows in.
-    Eigen::Matrix<double, 4, 3> by_temperature;  ///< d/d(screw, rollers, nut) [W/K]
+    Flows value = Flows::Zero();
+    /// d/d(screw, rollers, nut) [W/K]
+    Eigen::Matrix<double, 5, 3> by_temperature = Eigen::Matrix<double, 5, 3>::Zero();
   };
   Value at(const OfParts& temperature) const;
-  Eigen::Vector4d value_at(const OfParts& temperature) const;
+  Flows value_at(const OfParts& temperature) const;
 
-  int evaluations() const { return evaluations_; }
-  /// Size of the last coefficients over the largest one.
+  /// Largest of all panels, as for `Effort::accuracy`.
   double error() const { return error_; }
 
  private:
-  bool fit(const At& at, const std::array<int, 3>& points);
-  OfParts unit_coordinates(const OfParts& temperature) const;
+  struct Panel {
+    TemperatureBox box;
+    std::array<int, 3> points{1, 1, 1};
+    /// Coefficients of Chebyshev's polynomials, the last coordinate fastest.
+    std::vector<Flows> coefficients;
+    std::array<double, 3> last{};  ///< Left out along each coordinate, over the largest losses.
+    double error = 0.0;
 
-  TemperatureBox box_;
-  std::array<int, 3> points_{1, 1, 1};
-  /// Coefficients of Chebyshev's polynomials, the last coordinate fastest.
-  std::vector<Eigen::Vector4d> coefficients_{Eigen::Vector4d::Zero()};
-  std::array<double, 3> last_{};  ///< Of each coordinate: last coefficients over the largest.
-  int evaluations_ = 0;
+    OfParts unit(const OfParts& coordinates) const;
+    Flows value(const OfParts& coordinates) const;
+    void transform(const std::vector<Flows>& values, double largest);
+    /// The coordinate to halve along; none where the panel is good or too narrow.
+    std::optional<int> worst(double accuracy) const;
+  };
+  /// A panel, or where it was halved.
+  struct Node {
+    Panel panel;
+    int along = -1;
+    double halved_at = 0.0;
+    std::size_t below = 0;  ///< The half below, followed by that above.
+  };
+  using Layer = std::vector<Node>;
+
+  std::optional<Panel> fit(const TemperatureBox& box, const At& at, bool by_rollers,
+                           double accuracy, int& evaluations) const;
+  static const Panel& panel_at(const Layer& layer, const OfParts& coordinates);
+
+  std::vector<Layer> layers_;  ///< Which add up.
   double error_ = 0.0;
 };
-
-inline constexpr double kTableAccuracy = 1e-7;
 
 }  // namespace prs

@@ -447,23 +447,144 @@ TEST(HeatCycle, MassesAreThoseOfTheParts) {
   EXPECT_NEAR(capacity[1], steel * 11.0 * (49e-6 * 20.0 * 5e-3 / 3.0 + 25e-6 * 10e-3), 1e-9);
 }
 
+Case with_thin_films(const Case& c) {
+  Case mixed = test::with_mixed_friction(c, 0.12, 1.0);
+  mixed.roughness = PerPart<double>{0.2e-6, 0.2e-6, 0.2e-6};
+  return mixed;
+}
+
+TEST(HeatCycle, EndsOfLongStepsAreSteadyStatesInTheColdToo) {
+  // Losses are many times larger at the start of the step than at its end.
+  for (const double ambient : {25.0, -10.0, -40.0})
+    for (Case c : {warm_reference(), warm_solved()}) {
+      c = with_duty(with_thin_films(c), {acting(c.load_cases[0].name.c_str(), 6e3), rest(6e3)});
+      c.heat->ambient = ambient + kCelsius;
+      const Result result = analyze_heat(c);
+      const HeatCycle& cycle = *result.heat_cycle;
+      ASSERT_TRUE(cycle.converged()) << cycle.reason;
+      for (const Part p : kParts)
+        EXPECT_NEAR(cycle.peak[p], result.load_cases[0].heat->temperature[p], 1e-6)
+            << name(p) << " at " << ambient;
+    }
+}
+
+TEST(HeatCycle, ShortCyclesInTheColdConverge) {
+  Case c = with_duty(with_thin_films(warm_solved()), {acting("pull", 60.0), rest(540.0)});
+  c.heat->ambient = -40.0 + kCelsius;
+  const Result result = analyze_heat(c);
+  EXPECT_TRUE(result.heat_cycle->converged()) << result.heat_cycle->reason;
+  EXPECT_THAT(result.warnings, ::testing::Not(::testing::Contains(::testing::HasSubstr("duty"))));
+}
+
+TEST(HeatCycle, NeitherLongStepsNorLightPartsEndIt) {
+  for (const auto& [duration, capacity] : {std::pair{1e9, 300.0}, {4.0, 1e-9}}) {
+    Case c = with_duty(warm_reference(), {acting("reference", duration), rest(duration)});
+    c.heat->capacity = Heat::Capacity{capacity, capacity, capacity};
+    const Result result = analyze_heat(c);
+    const HeatCycle& cycle = *result.heat_cycle;
+    ASSERT_TRUE(cycle.converged()) << cycle.reason;
+    const PerPart<double>& steady = result.load_cases[0].heat->temperature;
+    for (const Part p : kParts) {
+      EXPECT_NEAR(cycle.peak[p], steady[p], 1e-6);
+      EXPECT_NEAR(cycle.mean[p], 0.5 * (steady[p] + c.heat->ambient), 1e-3);
+    }
+  }
+}
+
+TEST(HeatCycle, PeaksBetweenTheStepsCount) {
+  // As the rest begins the rollers are hotter than the screw and warm it on for a while.
+  Case c = with_duty(test::with_coulomb(two_loads(warm_reference()), 0.08),
+                     {acting("pull", 30.0), acting("return", 20.0), rest(300.0)});
+  c.lubricant.reset();
+  const Eigen::Vector3d capacity(300.0, 300.0, 900.0);
+  c.heat->capacity = Heat::Capacity{300.0, 300.0, 900.0};
+  c.heat->conductance.screw_ambient = 0.5;
+  c.heat->conductance.nut_ambient = 20.0;
+  const HeatCycle cycle = cycle_of(c);
+  // Losses are constant: small steps of Runge and Kutta from the start of the cycle.
+  const Contacts contacts = checked_contacts(c, Detail::numbers);
+  const Eigen::Vector3d some = Eigen::Vector3d::Constant(300.0);
+  Eigen::Vector3d t(cycle.temperature.screw[0], cycle.temperature.roller[0],
+                    cycle.temperature.nut[0]);
+  Eigen::Vector3d peak = t;
+  const double h = 0.02;
+  const std::pair<Eigen::Vector3d, int> acts[] = {{plain_heat(c, contacts, some, 0), 1500},
+                                                  {plain_heat(c, contacts, some, 1), 1000},
+                                                  {Eigen::Vector3d::Zero(), 15000}};
+  for (const auto& act : acts)
+    for (int i = 0; i < act.second; ++i) {
+      const auto rate = [&](const Eigen::Vector3d& at) -> Eigen::Vector3d {
+        return (act.first - plain_flow(*c.heat, at)).cwiseQuotient(capacity);
+      };
+      const Eigen::Vector3d k1 = rate(t), k2 = rate(t + h / 2 * k1), k3 = rate(t + h / 2 * k2),
+                            k4 = rate(t + h * k3);
+      t += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      peak = peak.cwiseMax(t);
+    }
+  EXPECT_LT((kelvin(cycle.peak) - peak).cwiseAbs().maxCoeff(), 1e-6);
+  // One of them lies within a step.
+  double between = 0.0;
+  for (const Part p : kParts)
+    between = std::max(between, cycle.peak[p] - std::ranges::max(cycle.temperature[p]));
+  EXPECT_GT(between, 1e-5);
+}
+
+TEST(HeatCycle, EfficiencyIsWhatComesOutOverWhatGoesIn) {
+  // A load that drives a screw with much friction: all that flows in is lost.
+  Case locking = test::left_handed(test::with_coulomb(warm_reference(), 0.5));
+  locking.mechanism.lead = -2e-3;
+  locking = with_duty(locking, {acting("reference", 50.0), rest(50.0)});
+  const HeatCycle held = cycle_of(locking);
+  EXPECT_FALSE(held.efficiency);
+  EXPECT_GT(held.energy_in, 0.0);
+  // With an imposed slip ratio more is lost than powers of shaft and load tell.
+  Case imposed = test::with_coulomb(warm_reference(), 0.08);
+  imposed = with_duty(imposed, {acting("reference", 50.0), rest(50.0)});
+  const Result free = analyze_heat(imposed);
+  imposed.operation->slip_ratio = 0.98 * free.load_cases[0].slip->slip_ratio;
+  const Result result = analyze_heat(imposed);
+  EXPECT_NEAR(*result.heat_cycle->efficiency, *result.load_cases[0].slip->efficiency, 1e-9);
+}
+
 TEST(LossTable, InterpolatesASmoothFunctionAndItsDerivatives) {
   const auto at = [](const OfParts& t) -> std::optional<Losses> {
     const double a = 1e3 * std::exp(-0.02 * (t[0] - 300.0)) / (1.0 + 0.01 * (t[2] - 300.0));
-    return Losses{OfParts(a, 2.0 * t[1], 5.0), a + t[1]};
+    return Losses{OfParts(a, 2.0 * t[1], 5.0), a + t[1], t[1]};
   };
   const TemperatureBox box{OfParts(300.0, -4.0, -2.0), OfParts(330.0, 3.0, 2.0)};
-  const std::optional<LossTable> table = LossTable::over(box, at, true);
+  const std::optional<LossTable> table = LossTable::over(box, at, true, {1e-9, 10000}, {});
   ASSERT_TRUE(table);
-  EXPECT_LT(table->error(), kTableAccuracy);
+  EXPECT_LE(table->error(), 3e-9);
   const OfParts t(314.0, 312.5, 313.0);
   const LossTable::Value v = table->at(t);
   const Losses exact = *at(t);
-  EXPECT_NEAR(v.value[0] / exact.heat[0], 1.0, 1e-6);
-  EXPECT_NEAR(v.value[3] / exact.input, 1.0, 1e-6);
+  EXPECT_NEAR(v.value[0] / exact.heat[0], 1.0, 1e-8);
+  EXPECT_NEAR(v.value[3] / exact.input, 1.0, 1e-8);
+  EXPECT_NEAR(v.value[4] / exact.output, 1.0, 1e-8);
   EXPECT_LT((v.value - table->value_at(t)).norm(), 1e-9);
   EXPECT_NEAR(v.by_temperature(0, 0), -0.02 * exact.heat[0], 1e-3);
   EXPECT_NEAR(v.by_temperature(1, 1), 2.0, 1e-5);
+}
+
+TEST(LossTable, HalvesPanelsAtAKinkAndTellsWhatIsLeft) {
+  // Even about the middle of the box in one coordinate, with a kink in the other.
+  const auto at = [](const OfParts& t) -> std::optional<Losses> {
+    const OfParts c = table_coordinates(t);
+    const double a = 1e3 + std::abs(c[0] - 311.0) + std::cos(c[1]);
+    return Losses{OfParts(a, 0.0, 0.0), a, 0.0};
+  };
+  const TemperatureBox box{OfParts(300.0, -4.0, 0.0), OfParts(330.0, 4.0, 0.0)};
+  const std::optional<LossTable> table = LossTable::over(box, at, false, {1e-9, 5000}, {});
+  ASSERT_TRUE(table);
+  double worst = 0.0;
+  for (double mean = 300.0; mean < 330.0; mean += 0.0917)
+    for (double difference = -4.0; difference < 4.0; difference += 0.37) {
+      const double screw_oil = mean + 0.5 * difference, nut_oil = mean - 0.5 * difference;
+      const OfParts t(2.0 * screw_oil - mean, mean, 2.0 * nut_oil - mean);
+      worst = std::max(worst, std::abs(table->value_at(t)[0] / at(t)->heat[0] - 1.0));
+    }
+  EXPECT_LT(worst, 1e-5);
+  EXPECT_LE(worst, std::max(2.0 * table->error(), 1e-9));
 }
 
 }  // namespace
