@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "prs/model/units.h"
 #include "prs/text.h"
@@ -49,11 +50,16 @@ const LoadCaseResult* chosen_case(const Result& result, const FigureOptions& opt
                                   bool (*has)(const LoadCaseResult&)) {
   FigureOptions one = options;
   if (options.load_case) one.load_cases = {*options.load_case};
+  const auto loads = [](const LoadCaseResult& r) {
+    double thread = 0.0;
+    for (const Interface i : kInterfaces)
+      if (r.threads)
+        for (const double load : (*r.threads)[i].normal_load) thread = std::max(thread, load);
+    return std::pair(r.load_case.axial_force, thread);
+  };
   const LoadCaseResult* largest = nullptr;
   for (const LoadCaseResult* load_case : chosen(result, one))
-    if (has(*load_case) &&
-        (!largest || load_case->load_case.axial_force > largest->load_case.axial_force))
-      largest = load_case;
+    if (has(*load_case) && (!largest || loads(*load_case) > loads(*largest))) largest = load_case;
   return largest;
 }
 

@@ -47,8 +47,8 @@ inline constexpr std::string_view kSignedForce = "Axial force, tension >\u00a00"
 /// The load cases that the options choose. Throws NoFigure.
 std::vector<const LoadCaseResult*> chosen(const Result& result, const FigureOptions& options);
 
-/// The case that the options choose, else the first of the largest force that `has` what is needed,
-/// else none.
+/// The case that the options choose, else of those that `has` says have what is needed that of the
+/// largest force, among equals that with the largest load of a thread; else none.
 const LoadCaseResult* chosen_case(const Result& result, const FigureOptions& options,
                                   bool (*has)(const LoadCaseResult&));
 

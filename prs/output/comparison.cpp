@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kLongestName = 28;
 
 std::string comparison_row(std::initializer_list<std::string> cells) {
-  constexpr std::size_t kWidths[] = {0, 11, 10, 7, 8, 11, 11, 12, 7};  // Behind the name.
+  constexpr std::size_t kWidths[] = {0, 11, 10, 7, 8, 13, 13, 12, 7};  // Behind the name.
   std::string line;
   std::size_t column = 0;
   for (const std::string& cell : cells) {

@@ -218,13 +218,13 @@ std::string structure_text(const CompleteScrew& s, ModelOf model) {
                : "");
 }
 
-/// Model, and what of all rollers is no load.
+/// Model, and what belongs to all rollers but is not a load.
 std::string model_text(ModelOf model) {
   if (model == ModelOf::sector)
     return case_line("model: {bodies: refined}",
                      "or bars, faster but stiffer; or influence, slower: see `prs compare`");
-  return case_line("model: {mechanism: full, bodies: bars}",
-                   "all rollers on a screw and a nut that bend; or sector, one roller's share") +
+  return case_line("model: {mechanism: full, bodies: refined}",
+                   "all rollers on a screw and a nut that bend; or bars, faster but stiffer") +
          case_remark(
              "assumed: equal rollers, all there, and nominal threads; one value per roller or "
              "start, in braces: deviations: {roller_diameter: [..], missing_rollers: [1], "

@@ -84,7 +84,7 @@ std::string efficiency_lines(const SlipResult& slip) {
   return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2),
                     slip.efficiency ? "the load drives" : "the load helps, self-locking") +
          block_line("holding torque, N m", four_digits(shown(*slip.holding_torque, "N m")),
-                    slip.efficiency ? "holds back the load" : "turns the screw");
+                    slip.efficiency ? "holds back the load" : "releases the screw");
 }
 
 std::string torque_lines(const SlipResult& slip) {

@@ -45,8 +45,8 @@ bool has_yamamoto(const ModelOptions& m) {
 /// What the model is known to be off by, at the full load of lesson 1's screw against finite
 /// elements (docs/refined.md, docs/influence.md); empty where it was changed for comparison.
 std::string_view known_bias(const ModelOptions& m) {
-  if (m.mechanism == ModelOptions::Mechanism::full)
-    return "all rollers; beams are about as much too stiff as `bars` of a sector";
+  if (m.mechanism == ModelOptions::Mechanism::full && m.bodies == Bodies::bars)
+    return "all rollers; about as much too stiff as `bars` of a sector";
   if (has_yamamoto(m)) return "for comparison: Hertz has the deflection of the teeth already";
   switch (m.bodies) {
     case Bodies::bars:

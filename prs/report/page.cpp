@@ -40,7 +40,7 @@ padding:1px}
 .tiles>div{box-shadow:0 0 0 1px var(--line);padding:.8rem 1rem}
 .tiles dt{color:var(--quiet);font-size:.82rem}
 .tiles dd{margin:.1rem 0 0}
-.tiles .value{font-size:1.3rem;white-space:nowrap;font-weight:600;font-variant-numeric:tabular-nums;line-height:1.3}
+.tiles .value{font-size:1.3rem;overflow-wrap:anywhere;font-weight:600;font-variant-numeric:tabular-nums;line-height:1.3}
 .tiles .value small{font-size:.85rem;font-weight:400;color:var(--quiet)}
 .tiles .where{font-size:.8rem;color:var(--quiet);overflow-wrap:anywhere}
 .state{font-weight:600}.state.good{color:var(--good)}.state.bad{color:var(--warn)}

@@ -25,7 +25,7 @@ C45 = np.cos(np.pi / 4)
 # crests to depth: rows of elements; growth and largest element below them
 ROWS = {0: [0, 0.7, 1.0], 1: [0, 0.55, 0.85, 1.0], 2: [0, 0.37, 0.62, 0.79, 0.91, 1.0]}
 GROWTH = {0: 2.5, 1: 2.0, 2: 1.5}
-ACROSS = {0: 1, 1: 2, 2: 4}  # elements across a patch; half as many beside its plane, at least one
+ACROSS = {0: 1, 1: 2, 2: 4}  # elements across a patch; half as many elements_off_plane its plane, at least one
 LARGEST = {0: 0.6, 1: 0.45, 2: 0.32}  # rad, of an element around
 HOLE = 0.3  # mm, of the roller in place of its axis, 5e-5 of its bending section
 
@@ -48,13 +48,13 @@ def unique(points):
 def layers(level, around):
     """Angles of the layers over half a turn, fine at phi in `around` {phi: half width of the patch over the radius}."""
     marks = sorted({round(v, 12): v for v in [*AZIMUTHS, np.pi]}.values()) if 1 == len(around) else [0.0, np.pi / 2, np.pi]
-    beside = max(1, ACROSS[level] // 2)
+    elements_off_plane = max(1, ACROSS[level] // 2)
     out = []
     for a, b in zip(marks[:-1], marks[1:]):
-        step = lambda phi: around[phi] / beside if phi in around else 0.0
+        step = lambda phi: around[phi] / elements_off_plane if phi in around else 0.0
         lo, hi = a, b
-        head = list(np.linspace(0, around[a], beside + 1)) if a in around else [0.0]
-        tail = list(np.linspace(around[b], 0, beside + 1)) if b in around else [0.0]
+        head = list(np.linspace(0, around[a], elements_off_plane + 1)) if a in around else [0.0]
+        tail = list(np.linspace(around[b], 0, elements_off_plane + 1)) if b in around else [0.0]
         lo, hi = a + head[-1], b - tail[0]
         middle = ax.graded(lo, hi, 1.3 * step(a), 1.3 * step(b), GROWTH[level], LARGEST[level])
         out += [a + v for v in head[:-1]] + middle + [b - v for v in tail[1:]]
