@@ -25,7 +25,7 @@ C45 = np.cos(np.pi / 4)
 # crests to depth: rows of elements; growth and largest element below them
 ROWS = {0: [0, 0.7, 1.0], 1: [0, 0.55, 0.85, 1.0], 2: [0, 0.37, 0.62, 0.79, 0.91, 1.0]}
 GROWTH = {0: 2.5, 1: 2.0, 2: 1.5}
-ACROSS = {0: 1, 1: 2, 2: 4}  # elements across a patch; half as many elements_off_plane its plane, at least one
+ACROSS = {0: 1, 1: 2, 2: 4}  # elements across a patch; half as many next to its plane, at least one
 LARGEST = {0: 0.6, 1: 0.45, 2: 0.32}  # rad, of an element around
 HOLE = 0.3  # mm, of the roller in place of its axis, 5e-5 of its bending section
 
