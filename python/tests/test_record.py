@@ -30,8 +30,8 @@ RESULTS = [
     rs.OptimizationResult,
 ]
 
-#: Annotated, and in none of the documents here: how a life that was not found failed, and the roller
-#: whose thread fails first.
+#: Annotated, and in none of the documents here: how a life that was not found failed, and the
+#: roller whose thread fails first.
 NEVER_MET = {("Life", "status"), ("WeakestThread", "roller")}
 
 _WAYS_OUT = ("screw_ambient", "nut_ambient", "rollers_ambient")
