@@ -107,7 +107,7 @@ Polyline closed_below(Polyline line, double y) {
 Polyline roller_outline(const Case& c, const Place& p, const Teeth& t, double y) {
   const double from = p.first - 0.5 * p.pitch, to = p.last() + 0.5 * p.pitch;
   Polyline line;
-  const auto stub = [&](double x, double out) {
+  const auto shaft_end = [&](double x, double out) {
     if (!c.structure) return;
     const double r = 0.5 * c.structure->roller.end_diameter * kMm;
     const double end = x + out * c.structure->roller.end_length * kMm;
@@ -117,9 +117,9 @@ Polyline roller_outline(const Case& c, const Place& p, const Teeth& t, double y)
   };
   const Polyline teeth = outline(t, p.first, from, to);
   for (const auto& [x, r] : teeth) line.push_back({x, y - r});
-  stub(to, 1.0);
+  shaft_end(to, 1.0);
   for (auto at = teeth.rbegin(); at != teeth.rend(); ++at) line.push_back({(*at)[0], y + (*at)[1]});
-  stub(from, -1.0);
+  shaft_end(from, -1.0);
   line.push_back(line.front());
   return line;
 }

@@ -9,7 +9,7 @@
 
 namespace prs {
 
-/// What a load case of the full mechanism has beside the loads of its threads.
+/// What a load case of the full mechanism has in addition to the loads of its threads.
 struct FullLoads {
   int freedoms = 0;
   int rollers = 0;                ///< Missing ones included.
