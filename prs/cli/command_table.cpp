@@ -164,11 +164,10 @@ void add_new(CLI::App& command, Options& options) {
   add_quiet(command, options);
 }
 
-void add_report_options(CLI::App& command, Options& options) {
+void add_page_options(CLI::App& command, Options& options, const char* output) {
   add_file(command, options)->required();
   add_set(command, options);
-  command.add_option("-o,--output", options.report, "Write the page into this file")
-      ->type_name("FILE");
+  command.add_option("-o,--output", options.report, output)->type_name("FILE");
   command
       .add_option("--results", options.results,
                   "Show the study and the optimization of the case that this folder holds; "
@@ -177,7 +176,21 @@ void add_report_options(CLI::App& command, Options& options) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
+}
+
+void add_report_options(CLI::App& command, Options& options) {
+  add_page_options(command, options, "Write the page into this file");
+  command
+      .add_flag("--static", options.without_engine,
+                "Leave the engine and the scripts out: a page for reading and printing alone")
+      ->disable_flag_override();
   add_json(command, options);
+  add_quiet(command, options);
+}
+
+void add_explore_options(CLI::App& command, Options& options) {
+  add_page_options(command, options,
+                   "Write the page into this file; default: one in a folder for temporary files");
   add_quiet(command, options);
 }
 
@@ -249,7 +262,10 @@ constexpr OwnRow kOwnRows[] = {
     {"report", kAnalyse, "Write one page for a browser or a printer: all that the case asks for",
      add_report_options, report,
      "prs report case.yaml --output report.html\n"
-     "prs report case.yaml --results results --output report.html"},
+     "prs report case.yaml --static --results results --output report.html"},
+    {"explore", kAnalyse, "Write that page and open it in the browser, to try other values",
+     add_explore_options, explore,
+     "prs explore case.yaml\nprs explore case.yaml --output page.html"},
     {"list", kLook, "List what there is to choose from", add_list_options, list,
      "prs list commands\nprs list commands case.yaml"},
     {"schema", kLook, "Print the JSON Schema of the input, of a command's document or of pictures",

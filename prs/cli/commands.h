@@ -45,6 +45,7 @@ struct Options : OutputOptions {
   std::optional<std::string> explain;          ///< What to explain in place of numbers.
   std::filesystem::path pages;                 ///< `prs manual`: folder of its pages.
   std::filesystem::path report;                ///< `prs report`: the page to write.
+  bool without_engine = false;                 ///< `prs report --static`.
   std::vector<std::filesystem::path> results;  ///< `prs report`: folders of stored results.
   std::string what;                            ///< `prs list`, `prs schema`: of what.
   std::vector<std::string> words;              ///< `prs help`: the command to explain.
@@ -74,6 +75,8 @@ int configurations(const Options& options);
 int optimize(const Options& options);
 /// Writes all that a case asks for as one page.
 int report(const Options& options);
+/// The same page, written to a temporary folder where no file is named, and opened.
+int explore(const Options& options);
 int schema(const Options& options);
 void add_new_options(CLI::App& command, NewOptions& options);
 /// Prints a commented case, or writes it to a file, which must not exist; or copies a lesson.

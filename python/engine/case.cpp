@@ -9,7 +9,7 @@
 
 #include "prs/input/reader.h"
 #include "prs/output/staged_file.h"
-#include "prs/report/report.h"
+#include "prs/page/page.h"
 #include "prs/run/commands.h"
 #include "python/engine/interpreter_guard.h"
 

@@ -1,4 +1,3 @@
-#include "prs/report/report.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -7,6 +6,7 @@
 #include <regex>
 #include <set>
 
+#include "prs/page/page.h"
 #include "prs/report/svg.h"
 #include "prs/report/tables.h"
 #include "prs/run/commands.h"

@@ -1,0 +1,1 @@
+// In a worker of its own: receives the module once, then questions, and posts answers.
