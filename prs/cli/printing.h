@@ -9,11 +9,11 @@
 #include "prs/output/csv_style.h"
 #include "prs/output/plots.h"
 #include "prs/output/table_units.h"
+#include "prs/run/exit_status.h"
 
 namespace prs::cli {
 
-/// Exit statuses of the programs.
-enum Exit { kDone = 0, kFailed = 1, kWrongInput = 2, kNotConverged = 3 };
+using enum Exit;
 
 /// What a run is to print, and where its files go.
 struct OutputOptions {

@@ -195,10 +195,16 @@ std::filesystem::path path_of(const HistorySource& history, const Source& source
 }  // namespace
 
 std::string force_history_text(const HistorySource& history, const Source& source) {
-  const std::filesystem::path path = path_of(history, source);
   const auto refuse = [&](const std::string& why) {
     fail_at(source, "life.history.file", fmt::format("got {}; {}", shown(history.file), why));
   };
+  if (source.files) {
+    const auto found = source.files->find(history.file);
+    if (found == source.files->end())
+      refuse("expected the name of a history that was given; give its text under this name");
+    return found->second;
+  }
+  const std::filesystem::path path = path_of(history, source);
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     refuse(fmt::format(

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -35,6 +37,8 @@ struct Source {
   std::vector<std::string> overrides;  ///< `path=value` each.
   /// Where the files that it names are looked for; empty: in the folder of `name`.
   std::filesystem::path folder = {};
+  /// The texts of the files that it names, by their names: no file is read then.
+  std::optional<std::map<std::string, std::string>> files = {};
 };
 
 /// Reads a file of at most 1 MiB. Throws InputError where it is missing, unreadable, too large or

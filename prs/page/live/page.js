@@ -129,7 +129,7 @@ function show(answer, asked) {
   for (const control of controls) control.mark(wrong && answer.messages.join('\n'));
   document.body.classList.toggle('is-wrong', wrong);
   if (wrong) return;
-  for (const [id, html] of Object.entries(answer.sections)) showSection(id, html, asked.report.quick);
+  for (const [id, html] of Object.entries(answer.document.sections)) showSection(id, html, asked.report.quick);
 }
 
 const quick = new Latest(show);
@@ -273,7 +273,7 @@ element('copy-set').addEventListener('click', () => {
 
 element('copy-yaml').addEventListener('click', async () => {
   const answer = await complete.engine.ask(question({ command: 'write' }));
-  copy('The case with these values', answer.yaml ?? answer.messages.join('\n'));
+  copy('The case with these values', answer.document?.yaml ?? answer.messages.join('\n'));
 });
 
 // One thread -------------------------------------------------------------------------------------
@@ -318,6 +318,13 @@ function fillThreadForm() {
 
 element('thread-form').addEventListener('input', askThread);
 element('thread-form').addEventListener('submit', (event) => event.preventDefault());
+
+// Its pictures are made when it is first looked at.
+new IntersectionObserver((seen, observer) => {
+  if (!seen.some((entry) => entry.isIntersecting)) return;
+  observer.disconnect();
+  if (!threadIsShown && threadCase.length > 0) askThread();
+}).observe(element('thread-form'));
 
 // Pictures over threads have a field that says where which thread stands.
 document.querySelector('main').addEventListener('click', (event) => {

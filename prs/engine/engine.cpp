@@ -1,0 +1,215 @@
+#include "prs/engine/engine.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <exception>
+#include <iterator>
+#include <map>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "prs/figures/figure_json.h"
+#include "prs/input/reader.h"
+#include "prs/input/written_case.h"
+#include "prs/report/live.h"
+#include "prs/run/commands.h"
+#include "prs/run/exit_status.h"
+
+namespace prs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The question is wrong, not its case.
+class QuestionError : public std::runtime_error {
+ public:
+  QuestionError(std::string_view got, std::string_view expected)
+      : std::runtime_error(fmt::format("question: got {}; expected {}", got, expected)) {}
+  QuestionError(std::string_view key, std::string_view got, std::string_view expected)
+      : std::runtime_error(fmt::format("question: {}: got {}; expected {}", key, got, expected)) {}
+};
+
+/// Names that are no command: sections of the report, and the case with its overrides written in.
+constexpr std::string_view kReport = "report", kWrite = "write";
+
+struct Question {
+  std::string name;
+  LiveQuestion report;
+  input::Source source;
+  std::vector<std::string> load_cases;
+  bool figures = false;
+};
+
+struct Answer {
+  Exit status = kDone;
+  Json document = nullptr;
+  Json figures = Json::array();
+  std::vector<std::string> messages = {};
+};
+
+// The question
+
+template <class T>
+T value_of(const Json& question, const char* key, T absent, const char* expected) {
+  const auto found = question.find(key);
+  if (found == question.end()) return absent;
+  try {
+    return found->get<T>();
+  } catch (const Json::exception&) {
+    throw QuestionError(key, input::shown(found->dump()), expected);
+  }
+}
+
+const CommandRow& row_named(const std::string& name) {
+  std::vector<std::string_view> known;
+  for (const CommandRow& row : commands()) {
+    if (!row.run) continue;
+    if (prs::name(row.command) == name) return row;
+    known.push_back(prs::name(row.command));
+  }
+  known.insert(known.end(), {kReport, kWrite});
+  throw QuestionError("command", input::shown(name),
+                      fmt::format("one of {}", fmt::join(known, ", ")));
+}
+
+LiveQuestion live_question(const Json& json) {
+  LiveQuestion question;
+  question.own = value_of<std::size_t>(json, "own", 0, "a number of overrides");
+  question.quick = value_of<bool>(json, "quick", false, "true or false");
+  question.sections =
+      value_of<std::vector<std::string>>(json, "sections", {}, "a list of names of sections");
+  if (const Json thread = value_of<Json>(json, "thread", nullptr, "an object"); thread.is_object())
+    question.thread = {value_of<std::size_t>(thread, "load_case", 0, "a number from 0"),
+                       value_of<std::size_t>(thread, "thread", 0, "a number from 0")};
+  return question;
+}
+
+Question parsed(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) throw QuestionError(input::shown(text), "a JSON object");
+  constexpr std::string_view kKeys[] = {"command",   "yaml",       "file",    "set",
+                                        "histories", "load_cases", "figures", "report"};
+  for (const auto& item : json.items())
+    if (std::ranges::find(kKeys, item.key()) == std::end(kKeys))
+      throw QuestionError(input::shown(item.key()),
+                          fmt::format("the keys {}", fmt::join(kKeys, ", ")));
+  for (const char* key : {"command", "yaml"})
+    if (!json.contains(key)) throw QuestionError(key, "nothing", "a text");
+
+  Question question;
+  question.name = value_of<std::string>(json, "command", "", "a text");
+  if (question.name != kReport && question.name != kWrite) row_named(question.name);
+  question.report = live_question(value_of<Json>(json, "report", Json::object(), "an object"));
+  std::vector<std::string> overrides;
+  for (const Json& pair : value_of<std::vector<Json>>(json, "set", {}, "a list of pairs")) {
+    if (!pair.is_array() || pair.size() != 2 || !pair[0].is_string() || !pair[1].is_string())
+      throw QuestionError("set", input::shown(pair.dump()), "a pair of path and value, two texts");
+    overrides.push_back(
+        fmt::format("{}={}", pair[0].get<std::string>(), pair[1].get<std::string>()));
+  }
+  std::istringstream yaml(value_of<std::string>(json, "yaml", "", "a text"));
+  question.source = input::read_source(
+      yaml, value_of<std::string>(json, "file", "case.yaml", "a text"), std::move(overrides));
+  question.source.files = value_of<std::map<std::string, std::string>>(
+      json, "histories", {}, "texts by the names of their files");
+  question.load_cases =
+      value_of<std::vector<std::string>>(json, "load_cases", {}, "a list of names");
+  question.figures = value_of<bool>(json, "figures", false, "true or false");
+  return question;
+}
+
+/// Leaves the load cases of these names; a range has its name before the `[`.
+void choose(const std::vector<std::string>& names, Command command, Case& c) {
+  constexpr Command kOneByOne[] = {Command::contact, Command::solve, Command::compare,
+                                   Command::slip, Command::measures};
+  if (std::ranges::find(kOneByOne, command) == std::end(kOneByOne))
+    throw QuestionError("load_cases", fmt::format("a choice for `{}`", name(command)),
+                        "none: it takes all load cases together; leave `load_cases` out");
+  const auto is_called = [](const LoadCase& load, const std::string& name) {
+    return load.name == name || load.name.substr(0, load.name.rfind('[')) == name;
+  };
+  for (const std::string& name : names)
+    if (std::ranges::none_of(c.load_cases,
+                             [&](const LoadCase& load) { return is_called(load, name); }))
+      throw QuestionError("load_cases", input::shown(name), "the name of a load case of the file");
+  std::erase_if(c.load_cases, [&](const LoadCase& load) {
+    return std::ranges::none_of(names,
+                                [&](const std::string& name) { return is_called(load, name); });
+  });
+  if (c.heat) c.heat->duty.clear();
+}
+
+// The answer
+
+Answer report_answer(const Question& question) {
+  LiveAnswer found = live_sections(question.source, question.report);
+  return {.status = found.converged ? kDone : kNotConverged,
+          .document = {{"sections", std::move(found.sections)}},
+          .messages = std::move(found.notes)};
+}
+
+Answer written_answer(const Question& question) {
+  const std::optional<std::string> text = input::written_case(question.source);
+  if (!text)
+    throw QuestionError("set", "a value that cannot be written into the file in its place",
+                        "other values; give them as --set");
+  return {.document = {{"yaml", *text}}};
+}
+
+Answer answer_to(const Question& question) {
+  if (question.name == kReport) return report_answer(question);
+  if (question.name == kWrite) return written_answer(question);
+  const CommandRow& row = row_named(question.name);
+  input::CaseInput in = input::read_case_input(question.source, row.command);
+  if (!question.load_cases.empty()) choose(question.load_cases, row.command, in.values);
+  const Delivery delivery = row.run(question.source, in);
+  Answer answer;
+  answer.status = delivery.converged ? kDone : kNotConverged;
+  answer.document = delivery.document(document_info(question.source, row.command));
+  if (question.figures && delivery.pictures) answer.figures = to_json(figures(delivery.pictures()));
+  answer.messages = delivery.notes;
+  return answer;
+}
+
+Answer refusal(Exit status, std::string_view lines, std::string_view before = "") {
+  Answer answer{.status = status};
+  while (!lines.empty()) {
+    const std::size_t end = std::min(lines.find('\n'), lines.size());
+    answer.messages.push_back(fmt::format("{}{}", before, lines.substr(0, end)));
+    lines.remove_prefix(std::min(end + 1, lines.size()));
+  }
+  return answer;
+}
+
+Answer answer_or_refusal(std::string_view question) {
+  constexpr std::string_view kOwn = "prs: error: ";
+  try {
+    return answer_to(parsed(question));
+  } catch (const input::InputError& error) {
+    return refusal(kWrongInput, error.what());
+  } catch (const QuestionError& error) {
+    return refusal(kWrongInput, error.what(), kOwn);
+  } catch (const std::bad_alloc&) {
+    return refusal(kFailed, "out of memory; give it a smaller case", kOwn);
+  } catch (const std::exception& error) {
+    return refusal(kFailed, error.what(), kOwn);
+  }
+}
+
+}  // namespace
+
+std::string answer(std::string_view question) {
+  const Answer answer = answer_or_refusal(question);
+  return fmt::format("{{\"status\": {},\n\"document\": {},\n\"figures\": {},\n\"messages\": {}}}\n",
+                     static_cast<int>(answer.status), json_text(answer.document),
+                     json_text(answer.figures), json_text(answer.messages));
+}
+
+}  // namespace prs
