@@ -11,6 +11,7 @@ packages=(
   python3-dev python3-venv
   libgtest-dev libgmock-dev libbenchmark-dev python3-jsonschema
   gnuplot-nox
+  chromium chromium-driver
   "$@"
 )
 

@@ -135,10 +135,10 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
     text += data_block("case", case_of(source));
     text += data_block("threads", parts.threads);
     text += fmt::format(
-        "{}<script type=\"text/plain\" id=\"worker\">{}</script>\n"
+        "{}<script type=\"text/plain\" id=\"worker\">{}{}</script>\n"
         "<script type=\"text/plain\" id=\"engine\">{}</script>\n"
         "<script type=\"module\">{}</script>\n",
-        kCopyDialog, worker_script(), base64(engine), page_script());
+        kCopyDialog, engine_loader(), worker_script(), base64(engine), page_script());
   }
   return text + "</body>\n</html>\n";
 }

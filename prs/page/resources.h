@@ -8,5 +8,6 @@ namespace prs {
 std::string_view page_style();
 std::string_view page_script();
 std::string_view worker_script();
+std::string_view engine_loader();
 
 }  // namespace prs

@@ -79,7 +79,7 @@ std::string thread_html(Findings& all, const ThreadChoice& choice) {
   add(loads, "thread_pressure");
   add(loads, "thread_stress");
   add(slip, "thread_friction");
-  return plain_table({"", "Roller-screw", "Roller-nut", "Unit"}, rows, true) + text;
+  return text + plain_table({"", "Roller-screw", "Roller-nut", "Unit"}, rows, true);
 }
 
 Json thread_choices(const Findings& all) {

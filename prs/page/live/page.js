@@ -119,7 +119,7 @@ const trouble = element('trouble');
 
 /** The first of several, without its place in the file: the reader moved a slider. */
 function told(messages) {
-  const first = messages[0].replace(/^.*?:\d+:\d+: error: /, '').replace(/ \(from --set .*\)$/, '');
+  const first = (messages[0] ?? '').replace(/^.*?:\d+:\d+: error: /, '').replace(/ \(from --set .*\)$/, '');
   return messages.length > 1 ? `${first}\n(and ${messages.length - 1} more)` : first;
 }
 
