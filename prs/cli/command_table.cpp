@@ -194,6 +194,33 @@ void add_explore_options(CLI::App& command, Options& options) {
   add_quiet(command, options);
 }
 
+void add_export_options(CLI::App& command, Options& options) {
+  ExportOptions& o = options.export_model;
+  add_file(command, options)->required();
+  add_set(command, options);
+  command.add_flag("--fmu", o.fmu, "Write a co-simulation unit of FMI 2.0, CASE.fmu")
+      ->disable_flag_override();
+  command.add_flag("--modelica", o.modelica, "Write a Modelica package, CASE.mo")
+      ->disable_flag_override();
+  command
+      .add_flag("--step", o.step, "Grooved bodies for CAD: says how the Python package writes them")
+      ->disable_flag_override();
+  command.add_option("--force", o.force, "Largest force of the curves; default: that of the case")
+      ->type_name("FORCE");
+  command.add_option("--speed", o.speed, "Largest speed of the torque; default: that of the case")
+      ->type_name("SPEED");
+  command
+      .add_option("--load-case", o.load_case,
+                  "Whose position, misalignment and temperatures hold; default: the first")
+      ->type_name("NAME");
+  command
+      .add_option("-o,--output", o.output,
+                  "The file to write, or a folder for it; default: the current folder")
+      ->type_name("PATH");
+  add_json(command, options);
+  add_quiet(command, options);
+}
+
 void add_list_options(CLI::App& command, Options& options) {
   take_one_of(command.add_option("what", options.what, list_help())->required(), list_words());
   command.add_option("file", options.file, "A case: only what it has all for")->type_name("FILE");
@@ -266,6 +293,10 @@ constexpr OwnRow kOwnRows[] = {
     {"explore", kAnalyse, "Write that page and open it in the browser, to try other values",
      add_explore_options, explore,
      "prs explore case.yaml\nprs explore case.yaml --output page.html"},
+    {"export", kAnalyse, "Write the screw as a model for other programs: FMI, Modelica",
+     add_export_options, export_model,
+     "prs export case.yaml --fmu\n"
+     "prs export case.yaml --fmu --modelica --output models --force '60 kN'"},
     {"list", kLook, "List what there is to choose from", add_list_options, list,
      "prs list commands\nprs list commands case.yaml"},
     {"schema", kLook, "Print the JSON Schema of the input, of a command's document or of pictures",
