@@ -62,6 +62,21 @@ std::optional<std::string> forced_bearings(const std::vector<SupportForce>& bear
       largest * 1e-3, largest / axial_force);
 }
 
+/// A ring under linear pressure lifts off on one side from the moment F (r_o^2 + r_i^2)/(4 r_o) on.
+std::optional<std::string> lifted_shoulder(const Structure::Nut& nut, const SupportForce& seat) {
+  const auto [one, other] = nut_diameters_at(nut, seat.position);
+  const double inner = 0.5 * (nut.shoulder ? nut.shoulder->inner_diameter : std::min(one, other));
+  const double outer = 0.5 * (nut.shoulder ? nut.shoulder->outer_diameter : std::max(one, other));
+  const double held = std::abs(seat.force[0]) * (outer * outer + inner * inner) / (4.0 * outer);
+  const double moment = std::hypot(seat.moment.y, seat.moment.z);
+  if (moment <= held) return std::nullopt;
+  return fmt::format(
+      "structure.nut.shoulder: a moment of {:.3g} N m would lift it off on one side, from {:.3g} N "
+      "m "
+      "on; the model keeps it closed there, as bolts do",
+      moment, held);
+}
+
 /// Rollers without anything of their own.
 bool alike(const Deviations& d) {
   return d.roller_diameters.empty() && d.roller_position.near.empty() &&
@@ -80,6 +95,7 @@ class AllRollers {
   }
 
   bool influence() const { return bodies_.has_value(); }
+  bool shoulder_lifts() const { return bodies_ && bodies_->face; }
   FullModel model(double carrier_angle) const {
     LoadCase at = load_case_;
     at.spatial.carrier_angle = carrier_angle;
@@ -183,6 +199,9 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   }
   if (std::optional<std::string> warning = forced_bearings(d.bearings, f.axial_force))
     result.warnings.push_back(std::move(*warning));
+  if (all.shoulder_lifts())
+    if (std::optional<std::string> warning = lifted_shoulder(c.structure->nut, d.nut))
+      result.warnings.push_back(std::move(*warning));
   result.full = std::make_shared<const FullLoads>(std::move(full));
   return result;
 }

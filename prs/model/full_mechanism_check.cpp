@@ -187,30 +187,15 @@ void check_places(const Case& c, Problems& problems) {
   }
 }
 
-/// What beams take and bodies of revolution by finite elements do not.
-void refuse_with_influence(const Case& c, Problems& problems) {
-  std::vector<std::pair<std::string, bool>> keys = {
-      {"model.contact_phase", c.model.contact_phase != ModelOptions::ContactPhase::equal},
-      {"model.shear", c.model.shear}};
-  if (c.structure)
-    keys.emplace_back("structure.screw.bearings", !c.structure->screw.bearings.empty());
-  for (const LoadCase& load : c.load_cases) {
-    keys.emplace_back(load.input_path + ".side_force.at", load.spatial.side_force.at.has_value());
-    keys.emplace_back(load.input_path + ".moment.at", load.spatial.moment.at.has_value());
-  }
-  for (auto& [path, stands] : keys)
-    if (stands)
-      problems.add(std::move(path),
-                   "stands with `bodies: influence`, whose ridges have no lead and whose screw is "
-                   "loaded at its end; expected no such key there; delete it, or take `bodies: "
-                   "refined`");
-}
-
 }  // namespace
 
 void check_full_mechanism(const Case& c, Problems& problems) {
   if (c.model.mechanism == ModelOptions::Mechanism::sector) return refuse_in_sector(c, problems);
-  if (c.model.bodies == ModelOptions::Bodies::influence) refuse_with_influence(c, problems);
+  if (c.model.bodies == ModelOptions::Bodies::influence &&
+      c.model.contact_phase != ModelOptions::ContactPhase::equal)
+    problems.add("model.contact_phase",
+                 "got helical with `bodies: influence`, bodies of revolution whose ridges have no "
+                 "lead; expected equal; delete it, or take `bodies: refined`");
   if (c.mechanism.rollers < 2)
     problems.add("mechanism.rollers", fmt::format("got {}; expected at least 2 with `mechanism: "
                                                   "full`",

@@ -266,6 +266,15 @@ void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equati
 
 }  // namespace
 
+std::optional<FullDistribution> mechanism(const FullModel& f, const FullStructure& s) {
+  const FreeMotions free = free_motions(f, s);
+  if (free.count == 0) return std::nullopt;
+  FullDistribution d;
+  d.solve.status = fe::NewtonStatus::mechanism;
+  d.reason = why_free(free);
+  return d;
+}
+
 struct FullSolver::Parts {
   explicit Parts(const fe::Model& model) : equations(model), newton(equations, 0.0) {}
 
@@ -282,12 +291,8 @@ FullDistribution solve(const FullModel& f, Detail detail) { return FullSolver().
 
 FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   const FullStructure s = full_structure(f);
+  if (std::optional<FullDistribution> d = mechanism(f, s)) return *d;
   FullDistribution d;
-  if (const FreeMotions free = free_motions(f, s); free.count > 0) {
-    d.solve.status = fe::NewtonStatus::mechanism;
-    d.reason = why_free(free);
-    return d;
-  }
   if (parts_ && parts_->equations.take(s.model))
     parts_->newton.equations_changed();
   else

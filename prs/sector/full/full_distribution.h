@@ -59,6 +59,10 @@ struct FullDistribution {
   std::vector<SupportForce> bearings;
 };
 
+struct FullStructure;
+/// The outcome where motions are free; nothing where none is.
+std::optional<FullDistribution> mechanism(const FullModel& model, const FullStructure& structure);
+
 /// Equilibrium by Newton's method from the state of linear contacts with the secant stiffness of
 /// equal shares. Two outcomes are none of the solver's: `mechanism`, a motion that nothing resists,
 /// and `no_equilibrium`, a load that flanks that only push cannot hold. The stiffness of the
