@@ -20,6 +20,26 @@ void check_force(const LoadCase& load, Problems& problems) {
                            load.direction ? "`direction` gives its sense" : "give it a value"));
 }
 
+/// Which of the load cases, one after the other, has the name of an earlier one. Few of them, as
+/// designs of a study have, need no memory.
+class RepeatedNames {
+ public:
+  explicit RepeatedNames(const std::vector<LoadCase>& loads) : loads_(loads) {}
+
+  bool next(std::string_view name) {
+    const std::size_t k = next_++;
+    if (loads_.size() > kFew) return !names_.insert(name).second;
+    const auto same = [&](const LoadCase& load) { return load.name == name; };
+    return std::any_of(loads_.begin(), loads_.begin() + static_cast<std::ptrdiff_t>(k), same);
+  }
+
+ private:
+  static constexpr std::size_t kFew = 16;
+  const std::vector<LoadCase>& loads_;
+  std::size_t next_ = 0;
+  std::unordered_set<std::string_view> names_;
+};
+
 }  // namespace
 
 void check_position(std::string_view block, double position, const Mechanism& m,
@@ -51,9 +71,9 @@ void check_thrust(Direction direction, std::string_view load, const Structure::N
 }
 
 void check_load_cases(const Case& c, Problems& problems) {
-  std::unordered_set<std::string_view> names;
+  RepeatedNames repeated(c.load_cases);
   for (const LoadCase& load : c.load_cases) {
-    if (!names.insert(load.name).second)
+    if (repeated.next(load.name))
       problems.add(load.input_path + ".name",
                    fmt::format("got `{}` a second time; expected names that differ, ranges "
                                "expanded; rename this case",
