@@ -42,6 +42,7 @@ void refuse_in_sector(const Case& c, Problems& problems) {
   const SpatialLoad nothing;
   for (const LoadCase& load : c.load_cases) {
     const SpatialLoad& s = load.spatial;
+    if (s == nothing) continue;
     refuse(s.carrier_angle != 0.0, load.input_path, "carrier_angle");
     refuse(s.eccentricity != nothing.eccentricity, load.input_path, "eccentricity");
     refuse(s.side_force != nothing.side_force, load.input_path, "side_force");

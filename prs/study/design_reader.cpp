@@ -161,15 +161,15 @@ DesignReader::DesignReader(const input::StudyInput& input) : parts_(new Parts{.i
 DesignReader::~DesignReader() = default;
 DesignReader::DesignReader(DesignReader&&) noexcept = default;
 
-const Case& DesignReader::read(std::size_t k) {
+Case& DesignReader::read(std::size_t k) {
   set_draws(parts_->input.study, k, parts_->drawn);
   return read(parts_->drawn);
 }
 
-const Case& DesignReader::read(const std::vector<Draw>& draws) {
+Case& DesignReader::read(const std::vector<Draw>& draws) {
   Parts& p = *parts_;
   if (p.frame_of(draws) && p.set_numbers(draws)) {
-    const Case& values = p.frame->file.values;
+    Case& values = p.frame->file.values;
     const std::vector<Problem> problems = input::problems_of(values, p.input.study.command);
     if (problems.empty()) return values;
     if (problems.size() == 1) {
