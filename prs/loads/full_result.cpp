@@ -62,18 +62,14 @@ std::optional<std::string> forced_bearings(const std::vector<SupportForce>& bear
       largest * 1e-3, largest / axial_force);
 }
 
-/// A ring under linear pressure lifts off on one side from the moment F (r_o^2 + r_i^2)/(4 r_o) on.
 std::optional<std::string> lifted_shoulder(const Structure::Nut& nut, const SupportForce& seat) {
-  const auto [one, other] = nut_diameters_at(nut, seat.position);
-  const double inner = 0.5 * (nut.shoulder ? nut.shoulder->inner_diameter : std::min(one, other));
-  const double outer = 0.5 * (nut.shoulder ? nut.shoulder->outer_diameter : std::max(one, other));
-  const double held = std::abs(seat.force[0]) * (outer * outer + inner * inner) / (4.0 * outer);
+  const double held = lifting_moment(nut, seat);
   const double moment = std::hypot(seat.moment.y, seat.moment.z);
   if (moment <= held) return std::nullopt;
   return fmt::format(
-      "structure.nut.shoulder: a moment of {:.3g} N m would lift it off on one side, from {:.3g} N "
-      "m "
-      "on; the model keeps it closed there, as bolts do",
+      "structure.nut.shoulder: the moment of {:.3g} N m lifts a shoulder that only pushes off on "
+      "one "
+      "side, from {:.3g} N m on; the model holds it there, as bolts do",
       moment, held);
 }
 

@@ -67,8 +67,8 @@ struct WaveMotion {
 ///
 ///     (I + W (S/S_m - 1)) dy = dy_m,   W = I - (M^-1)_yy,
 ///
-/// dy_m the step for slopes S_m and M its matrix, which the waves split into small ones. Equal
-/// rollers need no iteration. Two rollers of 2 n_t contacts differ little in S ~ N^(1/3).
+/// dy_m the step for slopes S_m and M its matrix, which the waves split into small ones. Rollers
+/// that are alike need no iteration; where GMRES fails, the same equations are solved densely.
 ContactsAroundSolution solve(const ContactsAround& contacts, const ContactsAroundOptions& options,
                              const ContactsAroundSolution* from = nullptr);
 

@@ -444,6 +444,14 @@ FullBodies full_bodies(const Conditions& c, const Contacts& contacts,
   }
 }
 
+double lifting_moment(const Structure::Nut& nut, const SupportForce& seat) {
+  const auto [before, behind] = nut_diameters_at(nut, seat.position);
+  const Structure::Shoulder ring = nut.shoulder.value_or(
+      Structure::Shoulder{std::min(before, behind), std::max(before, behind)});
+  const double inner = 0.5 * ring.inner_diameter, outer = 0.5 * ring.outer_diameter;
+  return std::abs(seat.force[0]) * (outer * outer + inner * inner) / (4.0 * outer);
+}
+
 FullDistribution solve(const FullModel& f, const FullBodies& bodies, Detail detail) {
   const FullStructure structure = full_structure(f);
   if (std::optional<FullDistribution> d = mechanism(f, structure)) return *d;

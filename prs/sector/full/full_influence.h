@@ -31,6 +31,10 @@ FullBodies full_bodies(const Conditions& c, const Contacts& contacts,
                        const PerInterface<ContactLaw>& laws, const FullModel& model,
                        MatrixCache& cache = shared_matrix_cache());
 
+/// Moment on the seat of a nut from which on its shoulder, a ring from r_i to r_o under linear
+/// pressure, is free of it on one side: F (r_o^2 + r_i^2)/(4 r_o) [N m].
+double lifting_moment(const Structure::Nut& nut, const SupportForce& seat);
+
 /// Contacts of all rollers on elastic bodies,
 ///
 ///     w = R U - C N + w_0,   N = k_0 <w - g>^1.5,   R' N = f,

@@ -263,6 +263,23 @@ TEST(FullInfluence, ALoadThatNothingHoldsHasNoEquilibrium) {
   EXPECT_EQ(solve(screw.model(), beams).solve.status, fe::NewtonStatus::mechanism);
 }
 
+/// Where the pressure of a thin ring, of a disc and of the face of a flange is zero at the edge.
+TEST(FullInfluence, AShoulderLiftsOffWhereItsPressureEnds) {
+  Structure::Nut nut;
+  nut.length = 90e-3;
+  nut.outer_diameter = 46e-3;
+  nut.flanges = {{0.0, 10e-3, 62e-3}};
+  const SupportForce seat{10e-3, {-1000.0, 300.0, 0.0}, {}};
+  nut.shoulder = Structure::Shoulder{60e-3, 60e-3};
+  EXPECT_NEAR(lifting_moment(nut, seat), 1000.0 * 30e-3 / 2.0, 1e-9);
+  nut.shoulder = Structure::Shoulder{0.0, 60e-3};
+  EXPECT_NEAR(lifting_moment(nut, seat), 1000.0 * 30e-3 / 4.0, 1e-9);
+  nut.shoulder.reset();
+  const double area = ring_area(62e-3, 46e-3);
+  const double second = std::numbers::pi / 64.0 * (std::pow(62e-3, 4) - std::pow(46e-3, 4));
+  EXPECT_NEAR(1000.0 / area, lifting_moment(nut, seat) * 31e-3 / second, 1e-6 * 1000.0 / area);
+}
+
 /// Coarse finite elements of a short screw.
 struct CoarseBodies {
   FullScrew screw{test::short_screw()};
