@@ -120,6 +120,15 @@ void check_missing_rollers(const Case& c, Problems& problems) {
     problems.add(
         "deviations.missing_rollers",
         fmt::format("got all {} rollers; expected one that is left; delete a number", rollers));
+  if (missing.empty()) return;
+  const auto refuse_equal = [&](LoadCase::Share share, std::string path) {
+    if (share == LoadCase::Share::equal)
+      problems.add(std::move(path),
+                   "got equal, which has all rollers carry alike, with "
+                   "`deviations.missing_rollers`; expected solved; write it, or delete the list");
+  };
+  for (const LoadCase& load : c.load_cases) refuse_equal(load.share, load.input_path + ".share");
+  if (c.life) refuse_equal(c.life->share, "life.share");
 }
 
 /// Rotations for which sin(x) = x holds within 0.13 %, as the model takes it [rad].

@@ -21,6 +21,7 @@ struct ScrewEnd {
   std::vector<int> freedoms;                 ///< Those that no bearing holds there.
   /// Their displacements per load and the inverse, at the load; empty where a motion is free.
   Eigen::MatrixXd compliance, stiffness;
+  std::string left_out;  ///< Why they are.
 };
 
 /// Force and moment of a support on the part that it holds.
@@ -32,6 +33,7 @@ struct SupportForce {
 
 struct RingForce {
   Lateral force;                ///< Of the ring on the rollers [N].
+  Lateral moment;               ///< The same about y and z at its outer face, by beams [N m].
   std::vector<double> rollers;  ///< On each roller, outwards; missing ones 0 [N].
 };
 

@@ -234,6 +234,15 @@ TEST(Heat, PartsThatCannotCoolHaveNoSteadyState) {
   EXPECT_FALSE(found.slip);
 }
 
+TEST(Heat, SaysWhyAllRollersDoNotHoldTheLoad) {
+  Case c = warm_solved();
+  c.model.mechanism = ModelOptions::Mechanism::full;
+  c.load_cases[0].spatial.side_force.value.y = 10.0 * c.load_cases[0].axial_force;
+  const LoadCaseResult found = analyze_heat(c).load_cases[0];
+  EXPECT_FALSE(found.heat->converged());
+  EXPECT_THAT(found.heat->reason, ::testing::HasSubstr("flanks that only push"));
+}
+
 /// Heat of one temperature: in halves to screw and nut by way of their oils.
 HeatSource lumped(double (*power)(double)) {
   const auto at = [power](const PerInterface<double>& oil) -> std::optional<OfParts> {
