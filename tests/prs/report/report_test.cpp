@@ -58,8 +58,9 @@ std::string malformed(const std::string& page) {
 
 struct LessonReport : testing::TestWithParam<std::string> {};
 
-TEST_P(LessonReport, IsOnePageThatAsksForNothing) {
-  const Report report = make_report(lesson_source(GetParam()), {"prs report"});
+TEST_P(LessonReport, IsOnePageThatAsksForNothingAndSaysWhatTheCommandsSay) {
+  const input::Source source = lesson_source(GetParam());
+  const Report report = make_report(source, {"prs report"});
   EXPECT_EQ(malformed(report.html), "");
   EXPECT_LT(report.html.size(), 2'500'000u);
   EXPECT_THAT(report.html, HasSubstr("content=\"default-src 'none'; style-src 'sha256-"));
@@ -69,11 +70,7 @@ TEST_P(LessonReport, IsOnePageThatAsksForNothing) {
   for (const char* none : {">nan", " nan", "Lnan", "inf ", ">inf"})
     EXPECT_EQ(report.html.find(none), std::string::npos) << none;
   EXPECT_TRUE(report.converged);
-}
 
-TEST_P(LessonReport, SaysWhatTheCommandsSay) {
-  const input::Source source = lesson_source(GetParam());
-  const Report report = make_report(source, {"prs report"});
   const input::CaseInput in = input::read_case_input(source, Command::check);
   if (!input::missing(in, Command::solve).empty()) return;
   const auto document =
