@@ -146,7 +146,7 @@ class Result(Record):
 
     __slots__ = ("_case", "_document")
     _document: _engine.Document
-    _case: Case | None
+    _case: Any  # Case | None
 
     #: The block that a document of this kind has.
     _block: ClassVar[str] = "prs_version"
