@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kThread = "thread";
 
 bool is_wanted(const LiveQuestion& q, const SectionRow& row) {
-  constexpr std::string_view kOfReport[] = {"studies", "provenance"};
+  constexpr std::string_view kOfReport[] = {"models", "studies", "provenance"};
   if (std::ranges::find(kOfReport, row.id) != std::end(kOfReport)) return false;
   if (q.quick && !row.is_quick) return false;
   return q.sections.empty() || std::ranges::find(q.sections, row.id) != q.sections.end();
@@ -23,7 +23,11 @@ bool is_wanted(const LiveQuestion& q, const SectionRow& row) {
 std::vector<Command> commands_for(const input::Source& source, const LiveQuestion& q) {
   const auto all = reported_commands();
   const bool of_thread = q.sections == std::vector{std::string(kThread)};
-  if (!q.quick && !of_thread) return {all.begin(), all.end()};
+  if (!q.quick && !of_thread) {
+    std::vector<Command> most(all.begin(), all.end());
+    std::erase(most, Command::compare);  // Three models, for a section that stays the report's.
+    return most;
+  }
   const input::CaseInput in = input::read_case_input(source, Command::check);
   std::vector<Command> few{input::missing(in, Command::solve).empty() ? Command::solve
                                                                       : Command::contact};

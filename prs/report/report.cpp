@@ -304,12 +304,13 @@ std::string optimization_html(const Json& document) {
     return design.contains(block) && design[block].contains(key) ? design[block][key] : Json();
   };
   for (const char* block : {"variables", "responses"})
-    for (const auto& [path, value] : under(after, block).items()) {
+    for (const auto& entry : under(after, block).items()) {
+      const std::string& path = entry.key();
       const auto shown = [&](const Json& v) {
         return v.is_object() ? html(v.value("value", ""))
                              : report_value(v, report_unit(path, unit_in(path)));
       };
-      rows.push_back({html(path), shown(number_of(before, block, path)), shown(value)});
+      rows.push_back({html(path), shown(number_of(before, block, path)), shown(entry.value())});
     }
   return plain_table({"", "In the file", "Chosen"}, rows, true);
 }

@@ -42,11 +42,13 @@ TEST(LiveReport, ShowsTheReportBehindOtherValues) {
   const std::string before =
       live_sections(live_lesson("04_contacts_from_geometry.yaml"), {}).sections["verdict"];
   std::smatch found;
-  ASSERT_TRUE(std::regex_search(before, found, std::regex("<div class=\"value\">([^<]*) <small>")));
+  static const std::regex value("<div class=\"value\">([^<]*) <small>");
+  ASSERT_TRUE(std::regex_search(before, found, value));
   EXPECT_THAT(verdict, HasSubstr("report: " + found[1].str()));
   EXPECT_THAT(before, Not(HasSubstr("report: ")));
   const auto paths = [](const std::string& text) {
-    return std::distance(std::sregex_iterator(text.begin(), text.end(), std::regex("<path ")), {});
+    static const std::regex path("<path ");
+    return std::distance(std::sregex_iterator(text.begin(), text.end(), path), {});
   };
   EXPECT_GT(paths(live_sections(changed, {}).sections["loads"]),
             paths(live_sections(changed, {.own = 1}).sections["loads"]));
@@ -88,8 +90,11 @@ TEST(LivePage, CarriesTheEngineUnlessStatic) {
   const input::Source source = live_lesson("04_contacts_from_geometry.yaml");
   const std::string still = make_report(source, {.live = false}).html;
   EXPECT_THAT(still, Not(HasSubstr("script-src")));
-  ASSERT_FALSE(page_engine().empty());
   const std::string live = make_report(source).html;
+  if (page_engine().empty()) {  // A build without the module.
+    EXPECT_EQ(live, still);
+    return;
+  }
   EXPECT_THAT(live, HasSubstr("script-src 'sha256-"));
   EXPECT_THAT(live, HasSubstr("connect-src 'none'"));
   EXPECT_GT(live.size(), still.size() + page_engine().size());
