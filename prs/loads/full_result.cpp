@@ -48,6 +48,13 @@ RollerShares roller_shares(const InterfaceLoads& loads, const FullModel& f, doub
   return s;
 }
 
+std::string why_left_out(const FullLoads& full, bool influence) {
+  if (!influence || full.idle_rollers.empty()) return full.screw_end.left_out;
+  return fmt::format(
+      "roller {} carries nothing, which `bodies: influence` does not take out of the stiffness",
+      full.idle_rollers.front());
+}
+
 /// Bearings that push against each other with more than this many times the axial force leave
 /// balances of less than nine digits.
 constexpr double kForcedBearing = 1e3;
@@ -61,13 +68,6 @@ std::optional<std::string> forced_bearings(const std::vector<SupportForce>& bear
       "structure.screw.bearings: they push against each other with {:.3g} kN, {:.2g} times the "
       "axial force; check their `offset`, or give them a stiffness in place of `lateral: rigid`",
       largest * 1e-3, largest / axial_force);
-}
-
-std::string why_left_out(const FullLoads& full, bool influence) {
-  if (!influence || full.idle_rollers.empty()) return full.screw_end.left_out;
-  return fmt::format(
-      "roller {} carries nothing, which `bodies: influence` does not take out of the stiffness",
-      full.idle_rollers.front());
 }
 
 /// Rollers without anything of their own.
