@@ -114,8 +114,9 @@ class NewtonMethod {
  private:
   /// Number of linear solves after which their accuracy is checked.
   static constexpr int kUsualIterations = 20;
-  /// Share of a residual that counts as no decrease.
-  static constexpr double kNoLess = 0.5;
+  /// Share of a residual that counts as no decrease: of digits that are lost, not of threads that
+  /// close.
+  static constexpr double kNoLess = 0.3;
 
   double relative_residual(const NewtonOptions& options) const {
     double force = 0.0, moment = 0.0;

@@ -48,6 +48,13 @@ RollerShares roller_shares(const InterfaceLoads& loads, const FullModel& f, doub
   return s;
 }
 
+std::string why_left_out(const FullLoads& full, bool influence) {
+  if (!influence || full.idle_rollers.empty()) return full.screw_end.left_out;
+  return fmt::format(
+      "roller {} carries nothing, which `bodies: influence` does not take out of the stiffness",
+      full.idle_rollers.front());
+}
+
 /// Bearings that push against each other with more than this many times the axial force leave
 /// balances of less than nine digits.
 constexpr double kForcedBearing = 1e3;
@@ -71,13 +78,6 @@ std::optional<std::string> lifted_shoulder(const Structure::Nut& nut, const Supp
       "structure.nut.shoulder: the moment of {:.3g} N m lifts one side of a shoulder that only "
       "pushes, from {:.3g} N m on; the model holds it there, as bolts do",
       moment, held);
-}
-
-std::string why_left_out(const FullLoads& full, bool influence) {
-  if (!influence || full.idle_rollers.empty()) return full.screw_end.left_out;
-  return fmt::format(
-      "roller {} carries nothing, which `bodies: influence` does not take out of the stiffness",
-      full.idle_rollers.front());
 }
 
 /// Rollers without anything of their own.
