@@ -13,6 +13,7 @@
 #include "prs/loads/analyze.h"
 #include "prs/quantities/json.h"
 #include "prs/slip/slip.h"
+#include "prs/study/designs.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
 #include "tests/prs/input/abevi.h"
