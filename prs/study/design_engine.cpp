@@ -8,6 +8,7 @@
 #include <mutex>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -42,9 +43,12 @@ Result analyze_for(Command command, const Case& c, AnalysisOptions options) {
   return command == Command::slip ? analyze_heat(c, options) : analyze(c, options);
 }
 
-/// That of the first load case which did not converge.
-DesignStatus status_of(const std::vector<LoadCaseResult>& load_cases) {
-  for (const LoadCaseResult& load_case : load_cases) {
+/// That of a duty, or of the first load case, which did not converge.
+DesignStatus status_of(const Result& result) {
+  if (result.heat_cycle && !result.heat_cycle->converged())
+    return {std::string(name(result.heat_cycle->status)),
+            fmt::format("duty: {}", result.heat_cycle->reason)};
+  for (const LoadCaseResult& load_case : result.load_cases) {
     if (load_case.heat && !load_case.heat->converged())
       return {std::string(name(load_case.heat->status)),
               fmt::format("load case {}: {}", load_case.load_case.name, load_case.heat->reason)};
@@ -102,14 +106,19 @@ std::optional<std::vector<ResultNumber>> numbers_of(const std::vector<std::strin
   std::vector<ResultNumber> numbers;
   for (const std::string& path : responses) {
     std::optional<ResultNumber> number = result_number(path);
-    if (!number || number->needs_complete) return std::nullopt;
+    if (!number) return std::nullopt;
     numbers.push_back(std::move(*number));
   }
   return numbers;
 }
 
-std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers) {
+/// Load cases of `all` that the numbers need, ascending.
+std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers, std::size_t all) {
   std::vector<std::size_t> indices;
+  if (std::ranges::any_of(numbers, &ResultNumber::needs_duty)) {
+    indices.resize(all);
+    std::iota(indices.begin(), indices.end(), std::size_t{0});
+  }
   for (const ResultNumber& number : numbers)
     if (number.load_case) indices.push_back(*number.load_case);
   std::ranges::sort(indices);
@@ -129,6 +138,7 @@ struct Pending {
   Contacts contacts;
   PerInterface<ContactLaw> laws;
   std::vector<LoadCaseResult> load_cases;  ///< Those that the responses need.
+  std::optional<Conditions> conditions;    ///< Where measures are taken of the solved load cases.
   bool complete = true;                    ///< Needs no other solver.
 };
 
@@ -147,6 +157,8 @@ struct DesignEngine::Parts {
   Study study;
   std::optional<std::vector<ResultNumber>> numbers;
   std::vector<std::size_t> load_cases;  ///< Load cases that the numbers need.
+  bool needs_duty = false;              ///< Whether one of the numbers is of a duty.
+  Detail detail = Detail::numbers;      ///< What the numbers need.
   Bodies bodies = Bodies::bars;         ///< Bodies of the base case.
   bool all_rollers = false;             ///< Whether it is a full mechanism.
   std::optional<LoadHistory> history;   ///< History of the base case.
@@ -190,7 +202,10 @@ struct DesignEngine::Parts {
     idle.push_back(std::move(worker));
   }
 
-  bool in_batches() const { return numbers && study.command == Command::solve; }
+  bool in_batches() const {
+    return numbers && (study.command == Command::solve ||
+                       (study.command == Command::measures && !load_cases.empty()));
+  }
 
   /// The history of a case; that of the base case is read once.
   std::optional<LoadHistory> history_of(const Case& c) const {
@@ -199,34 +214,36 @@ struct DesignEngine::Parts {
     return input::read_force_history(*c.life->history, input.source);
   }
 
-  DesignStatus life_by_document(const Case& c, Json& document) const {
+  /// Lives, of which `use` is told where there are any.
+  template <class Use>
+  DesignStatus with_lives(const Case& c, Use use) const {
     const LifeResult result = analyze_life(c, history_of(c));
     if (!result.converged()) return {"not_converged", *result.failure};
-    document = life_json(result, {});
+    use(result);
     return {};
   }
 
   /// The chain of the command on one case, the whole document.
   DesignStatus by_document(const Case& c, Json& document) const {
-    if (study.command == Command::life) return life_by_document(c, document);
+    if (study.command == Command::life)
+      return with_lives(c, [&](const LifeResult& lives) { document = life_json(lives, {}); });
     if (study.command == Command::measures) {
       const MeasuresResult result = analyze_measures(c);
       document = measures_json(result, {});
-      return status_of(result.analysis.load_cases);
+      return status_of(result.analysis);
     }
     const Result result = analyze_for(study.command, c, {});
     document = to_json(result, {});
-    if (result.heat_cycle && !result.heat_cycle->converged())
-      return {std::string(name(result.heat_cycle->status)),
-              fmt::format("duty: {}", result.heat_cycle->reason)};
-    return status_of(result.load_cases);
+    return status_of(result);
   }
 
   void read_base() {
     Json document;
+    std::size_t all_load_cases = 0;
     Borrowed worker(*this);
     const DesignStatus status = status_after([&] {
       const Case& c = worker->reader.read(0);
+      all_load_cases = c.load_cases.size();
       bodies = c.model.bodies;
       all_rollers = c.model.mechanism == ModelOptions::Mechanism::full;
       if (study.command == Command::life && c.life->history) {
@@ -237,33 +254,40 @@ struct DesignEngine::Parts {
     });
     if (!status.converged()) document = nullptr;
     study.responses = recorded(study, document);
+    numbers = numbers_of(study.responses);
+    if (!numbers) return;
+    load_cases = load_cases_of(*numbers, all_load_cases);
+    needs_duty = std::ranges::any_of(*numbers, &ResultNumber::needs_duty);
     // A full mechanism has its tangent stiffness only with Detail::complete.
-    const bool complete =
-        all_rollers && std::ranges::any_of(study.responses, [](const std::string& path) {
-          return path.find("tangent_stiffness") != std::string::npos;
-        });
-    if (!complete) numbers = numbers_of(study.responses);
-    if (numbers) load_cases = load_cases_of(*numbers);
+    const auto is_tangent = [](const std::string& path) {
+      return path.find("tangent_stiffness") != std::string::npos;
+    };
+    if (std::ranges::any_of(*numbers, &ResultNumber::needs_complete) ||
+        (all_rollers && std::ranges::any_of(study.responses, is_tangent)))
+      detail = Detail::complete;
   }
 
-  /// `measured`: what measures are read from, where the command has them.
-  void set_numbers(double* row, const Contacts& contacts,
-                   const std::vector<LoadCaseResult>& results,
-                   const MeasuresResult* measured = nullptr) const {
+  /// `known`: all that does not depend on the load case.
+  void set_numbers(double* row, const Answer& known,
+                   const std::vector<LoadCaseResult>& results = {},
+                   const std::vector<std::optional<LoadMeasures>>& measures = {}) const {
     for (std::size_t k = 0; k < numbers->size(); ++k) {
       const ResultNumber& number = (*numbers)[k];
-      Answer answer{contacts};
-      if (measured) answer.measures = &measured->measures;
+      Answer answer = known;
       if (number.load_case) {
         const auto at = std::ranges::find(load_cases, *number.load_case);
         const auto index = static_cast<std::size_t>(at - load_cases.begin());
         if (index >= results.size()) continue;
         answer.load_case = &results[index];
-        if (measured && measured->load_measures[index])
-          answer.load_measures = &*measured->load_measures[index];
+        if (index < measures.size() && measures[index]) answer.load_measures = &*measures[index];
       }
       row[k] = number.value(answer).value_or(kNoResponse);
     }
+  }
+
+  void set_numbers(double* row, const MeasuresResult& result) const {
+    set_numbers(row, {.contacts = result.analysis.contacts, .measures = &result.measures},
+                result.analysis.load_cases, result.load_measures);
   }
 
   DesignStatus answer(const Case& c, FullSolver& full, double* row) const {
@@ -275,24 +299,38 @@ struct DesignEngine::Parts {
           row[k] = response(document, study.responses[k]).value_or(kNoResponse);
       return status;
     }
+    if (study.command == Command::life)
+      return with_lives(c, [&](const LifeResult& lives) {
+        set_numbers(row, {.contacts = lives.contacts, .life = &lives});
+      });
     Case needed = c;
-    needed.load_cases.clear();
-    if (needed.heat) needed.heat->duty.clear();
-    for (const std::size_t k : load_cases)
-      if (k < c.load_cases.size()) needed.load_cases.push_back(c.load_cases[k]);
+    keep_needed(needed);
     AnalysisOptions options = kManyDesigns;
+    options.detail = detail;
     options.full = &full;
     if (study.command == Command::measures) {
       const MeasuresResult result = analyze_measures(needed, options);
-      DesignStatus status = status_of(result.analysis.load_cases);
-      if (status.converged())
-        set_numbers(row, result.analysis.contacts, result.analysis.load_cases, &result);
+      DesignStatus status = status_of(result.analysis);
+      if (status.converged()) set_numbers(row, result);
       return status;
     }
     const Result result = analyze_for(study.command, needed, options);
-    DesignStatus status = status_of(result.load_cases);
-    if (status.converged()) set_numbers(row, result.contacts, result.load_cases);
+    DesignStatus status = status_of(result);
+    if (status.converged())
+      set_numbers(
+          row,
+          {.contacts = result.contacts, .cycle = result.heat_cycle ? &*result.heat_cycle : nullptr},
+          result.load_cases);
     return status;
+  }
+
+  /// Leaves out load cases that no response needs.
+  void keep_needed(Conditions& c) const {
+    if (c.heat && !needs_duty) c.heat->duty.clear();
+    std::vector<LoadCase> needed;
+    for (const std::size_t k : load_cases)
+      if (k < c.load_cases.size()) needed.push_back(std::move(c.load_cases[k]));
+    c.load_cases = std::move(needed);
   }
 
   /// Adds the sectors of one design of a batch, whose contacts are found.
@@ -300,6 +338,10 @@ struct DesignEngine::Parts {
                        std::vector<PendingSector>& sectors, std::vector<SectorModel>& bars,
                        std::vector<double>& forces) const {
     design.laws = contact_laws(c, design.contacts);
+    const std::size_t first = sectors.size();
+    const auto on_same_sector = [](const LoadCase& x, const LoadCase& y) {
+      return x.direction == y.direction && x.position == y.position;
+    };
     for (const std::size_t k : load_cases) {
       if (k >= c.load_cases.size()) break;
       const LoadCase& load = c.load_cases[k];
@@ -307,8 +349,15 @@ struct DesignEngine::Parts {
         design.load_cases.push_back(equal_share_result(load, design.contacts, design.laws));
         continue;
       }
-      bars.push_back(sector_model(design.contacts.mechanism, *c.structure, *c.materials, c.model,
-                                  design.laws, *load.direction, *load.position, c.deviations));
+      std::size_t known = first;
+      while (known < sectors.size() &&
+             !on_same_sector(load, design.load_cases[sectors[known].load_case].load_case))
+        ++known;
+      if (known < sectors.size())
+        bars.push_back(bars[known]);
+      else
+        bars.push_back(sector_model(design.contacts.mechanism, *c.structure, *c.materials, c.model,
+                                    design.laws, *load.direction, *load.position, c.deviations));
       forces.push_back(load.axial_force);
       sectors.push_back({index, design.load_cases.size()});
       design.load_cases.emplace_back().load_case = load;
@@ -343,13 +392,15 @@ struct DesignEngine::Parts {
     designs.reserve(to - from);
     for (std::size_t row = from; row < to; ++row) {
       const std::size_t waiting = sectors.size();
-      Pending design{.row = row, .contacts = {}, .laws = {}, .load_cases = {}};
+      Pending design;
+      design.row = row;
       bool done = false;
       DesignStatus status = status_after([&]() -> DesignStatus {
         const Case& c = read(worker.reader, row);
         if (c.model.bodies == Bodies::bars &&
             c.model.mechanism == ModelOptions::Mechanism::sector) {
-          design.contacts = checked_contacts(c, Detail::numbers);
+          design.contacts = checked_contacts(c, detail);
+          if (study.command == Command::measures) design.conditions = c;
           return prepare(c, design, designs.size(), sectors, bars, forces);
         }
         done = true;
@@ -372,14 +423,21 @@ struct DesignEngine::Parts {
       LoadCaseResult& result = design.load_cases[sectors[k].load_case];
       result = solved_result(result.load_case, design.contacts, design.laws, std::move(loads[k]));
     }
-    for (const Pending& design : designs) {
-      if (design.complete) {
-        set_numbers(row_of(block, design.row), design.contacts, design.load_cases);
+    for (Pending& design : designs) {
+      double* const row = row_of(block, design.row);
+      if (design.complete && design.conditions) {
+        Result known;
+        known.contacts = std::move(design.contacts);
+        known.load_cases = std::move(design.load_cases);
+        set_numbers(row, measured(*design.conditions, std::move(known), detail));
         continue;
       }
-      DesignStatus status = status_after([&] {
-        return answer(read(worker.reader, design.row), worker.full, row_of(block, design.row));
-      });
+      if (design.complete) {
+        set_numbers(row, {.contacts = design.contacts}, design.load_cases);
+        continue;
+      }
+      DesignStatus status =
+          status_after([&] { return answer(read(worker.reader, design.row), worker.full, row); });
       if (!status.converged()) block.failures.push_back({design.row, std::move(status)});
     }
   }
@@ -425,8 +483,8 @@ RowBlock DesignEngine::evaluate(const std::vector<std::vector<Draw>>& designs) c
 }
 
 std::size_t DesignEngine::chunk() const {
-  if (parts_->bodies == Bodies::influence) return 1;
-  if (!parts_->numbers) return 8;
+  if (parts_->bodies == Bodies::influence || parts_->needs_duty) return 1;
+  if (!parts_->numbers || parts_->study.command == Command::life) return 8;
   if (parts_->study.command == Command::slip || parts_->all_rollers) return 32;
   return parts_->bodies == Bodies::bars ? 512 : 64;
 }
