@@ -22,9 +22,10 @@ inline RollerSection<double> ring_rigidity(const Material& material, double oute
                                            bool shear) {
   const double modulus = material.youngs_modulus, nu = material.poisson_ratio;
   const double area = ring_area(outer, inner);
+  const auto fourth_power = [](double d) { return (d * d) * (d * d); };
   RollerSection<double> r{
       modulus * area,
-      modulus * (std::numbers::pi / 64.0 * (std::pow(outer, 4) - std::pow(inner, 4))), 0.0};
+      modulus * (std::numbers::pi / 64.0 * (fourth_power(outer) - fourth_power(inner))), 0.0};
   if (!shear) return r;
   const double m2 = std::pow(inner / outer, 2), q = (1.0 + m2) * (1.0 + m2);
   const double kappa = 6.0 * (1.0 + nu) * q / ((7.0 + 6.0 * nu) * q + (20.0 + 12.0 * nu) * m2);
