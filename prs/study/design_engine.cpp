@@ -8,6 +8,7 @@
 #include <mutex>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -46,9 +47,12 @@ Result analyze_for(Command command, const Conditions& c, Contacts contacts,
                                   : analyze(c, std::move(contacts), options);
 }
 
-/// That of the first load case which did not converge.
-DesignStatus status_of(const std::vector<LoadCaseResult>& load_cases) {
-  for (const LoadCaseResult& load_case : load_cases) {
+/// That of a duty, or of the first load case, which did not converge.
+DesignStatus status_of(const Result& result) {
+  if (result.heat_cycle && !result.heat_cycle->converged())
+    return {std::string(name(result.heat_cycle->status)),
+            fmt::format("duty: {}", result.heat_cycle->reason)};
+  for (const LoadCaseResult& load_case : result.load_cases) {
     if (load_case.heat && !load_case.heat->converged())
       return {std::string(name(load_case.heat->status)),
               fmt::format("load case {}: {}", load_case.load_case.name, load_case.heat->reason)};
@@ -106,14 +110,19 @@ std::optional<std::vector<ResultNumber>> numbers_of(const std::vector<std::strin
   std::vector<ResultNumber> numbers;
   for (const std::string& path : responses) {
     std::optional<ResultNumber> number = result_number(path);
-    if (!number || number->needs_complete) return std::nullopt;
+    if (!number) return std::nullopt;
     numbers.push_back(std::move(*number));
   }
   return numbers;
 }
 
-std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers) {
+/// Load cases of `all` that the numbers need, ascending.
+std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers, std::size_t all) {
   std::vector<std::size_t> indices;
+  if (std::ranges::any_of(numbers, &ResultNumber::needs_duty)) {
+    indices.resize(all);
+    std::iota(indices.begin(), indices.end(), std::size_t{0});
+  }
   for (const ResultNumber& number : numbers)
     if (number.load_case) indices.push_back(*number.load_case);
   std::ranges::sort(indices);
@@ -128,11 +137,12 @@ constexpr std::size_t kBatch = 64;
 /// Reads the case of the design that a row of a block answers.
 using ReadRow = std::function<Case&(DesignReader& reader, std::size_t row)>;
 
-/// A case with nothing but some of its load cases, as long as this lives.
+/// A case with nothing but some of its load cases, and with its duty or not, as long as this lives.
 class OnlyLoadCases {
  public:
-  OnlyLoadCases(Case& c, const std::vector<std::size_t>& indices, std::vector<LoadCase>& memory)
-      : case_(c), others_(memory) {
+  OnlyLoadCases(Case& c, const std::vector<std::size_t>& indices, bool with_duty,
+                std::vector<LoadCase>& memory)
+      : case_(c), with_duty_(with_duty), others_(memory) {
     const auto missing = [&](std::size_t k) { return k >= c.load_cases.size(); };
     const auto known = std::ranges::find_if(indices, missing) - indices.begin();
     others_.resize(static_cast<std::size_t>(known));
@@ -146,10 +156,11 @@ class OnlyLoadCases {
  private:
   void exchange() {
     std::swap(case_.load_cases, others_);
-    if (case_.heat) std::swap(case_.heat->duty, duty_);
+    if (case_.heat && !with_duty_) std::swap(case_.heat->duty, duty_);
   }
 
   Case& case_;
+  bool with_duty_;
   std::vector<LoadCase>& others_;
   decltype(Heat::duty) duty_;
 };
@@ -189,21 +200,26 @@ struct BatchContacts {
 /// What is known of one design while its sectors wait to be solved together.
 struct Pending {
   std::size_t row = 0;
-  Conditions conditions;  ///< What a sector of bars is made of.
+  Conditions conditions;  ///< What a sector of bars is made of, or measures are taken of.
   Contacts contacts;
   bool has_contacts = false;
   PerInterface<ContactLaw> laws;
   std::vector<LoadCaseResult> load_cases;  ///< Those that the responses need.
   bool complete = true;                    ///< Needs no other solver.
 
-  void set(std::size_t of_row, const Case& c, const std::vector<std::size_t>& indices) {
+  void set(std::size_t of_row, const Case& c, const std::vector<std::size_t>& indices,
+           bool is_measured) {
     row = of_row;
     complete = true;
-    conditions.structure = c.structure;
-    conditions.materials = c.materials;
-    conditions.deviations = c.deviations;
-    conditions.contact = c.contact;
-    conditions.model = c.model;
+    if (is_measured) {
+      conditions = c;
+    } else {
+      conditions.structure = c.structure;
+      conditions.materials = c.materials;
+      conditions.deviations = c.deviations;
+      conditions.contact = c.contact;
+      conditions.model = c.model;
+    }
     const auto missing = [&](std::size_t k) { return k >= c.load_cases.size(); };
     const auto known = std::ranges::find_if(indices, missing) - indices.begin();
     load_cases.resize(static_cast<std::size_t>(known));
@@ -246,11 +262,13 @@ struct DesignEngine::Parts {
   Study study;
   simd::InstructionSet set;
   std::optional<std::vector<ResultNumber>> numbers;
-  std::vector<std::size_t> load_cases;         ///< Load cases that the numbers need.
-  ContactDetail detail = ContactDetail::laws;  ///< What the numbers need of the contacts.
-  Bodies bodies = Bodies::bars;                ///< Bodies of the base case.
-  bool all_rollers = false;                    ///< Whether it is a full mechanism.
-  std::optional<LoadHistory> history;          ///< History of the base case.
+  std::vector<std::size_t> load_cases;                 ///< Load cases that the numbers need.
+  bool needs_duty = false;                             ///< Whether one of the numbers is of a duty.
+  Detail detail = Detail::numbers;                     ///< What the numbers need of the results.
+  ContactDetail contact_detail = ContactDetail::laws;  ///< What they need of the contacts.
+  Bodies bodies = Bodies::bars;                        ///< Bodies of the base case.
+  bool all_rollers = false;                            ///< Whether it is a full mechanism.
+  std::optional<LoadHistory> history;                  ///< History of the base case.
   std::optional<HistorySource> history_source;
 
   /// What a thread needs for itself.
@@ -293,7 +311,14 @@ struct DesignEngine::Parts {
     idle.push_back(std::move(worker));
   }
 
-  bool in_batches() const { return numbers && study.command == Command::solve; }
+  bool measures() const { return study.command == Command::measures; }
+  bool in_batches() const {
+    return numbers && (study.command == Command::solve || (measures() && !load_cases.empty()));
+  }
+  /// Whether contacts of many designs are found together; those of Detail::complete are not.
+  bool shares_contacts() const {
+    return numbers && detail == Detail::numbers && study.command != Command::life;
+  }
 
   /// The history of a case; that of the base case is read once.
   std::optional<LoadHistory> history_of(const Case& c) const {
@@ -302,34 +327,36 @@ struct DesignEngine::Parts {
     return input::read_force_history(*c.life->history, input.source);
   }
 
-  DesignStatus life_by_document(const Case& c, Json& document) const {
+  /// Lives, of which `use` is told where there are any.
+  template <class Use>
+  DesignStatus with_lives(const Case& c, Use use) const {
     const LifeResult result = analyze_life(c, history_of(c));
     if (!result.converged()) return {"not_converged", *result.failure};
-    document = life_json(result, {});
+    use(result);
     return {};
   }
 
   /// The chain of the command on one case, the whole document.
   DesignStatus by_document(const Case& c, Json& document) const {
-    if (study.command == Command::life) return life_by_document(c, document);
-    if (study.command == Command::measures) {
+    if (study.command == Command::life)
+      return with_lives(c, [&](const LifeResult& lives) { document = life_json(lives, {}); });
+    if (measures()) {
       const MeasuresResult result = analyze_measures(c);
       document = measures_json(result, {});
-      return status_of(result.analysis.load_cases);
+      return status_of(result.analysis);
     }
     const Result result = analyze_for(study.command, c, checked_contacts(c, Detail::complete), {});
     document = to_json(result, {});
-    if (result.heat_cycle && !result.heat_cycle->converged())
-      return {std::string(name(result.heat_cycle->status)),
-              fmt::format("duty: {}", result.heat_cycle->reason)};
-    return status_of(result.load_cases);
+    return status_of(result);
   }
 
   void read_base() {
     Json document;
+    std::size_t all_load_cases = 0;
     Borrowed worker(*this);
     const DesignStatus status = status_after([&] {
       const Case& c = worker->reader.read(0);
+      all_load_cases = c.load_cases.size();
       bodies = c.model.bodies;
       all_rollers = c.model.mechanism == ModelOptions::Mechanism::full;
       if (study.command == Command::life && c.life->history) {
@@ -340,36 +367,44 @@ struct DesignEngine::Parts {
     });
     if (!status.converged()) document = nullptr;
     study.responses = recorded(study, document);
-    // A full mechanism has its tangent stiffness only with Detail::complete.
-    const bool complete =
-        all_rollers && std::ranges::any_of(study.responses, [](const std::string& path) {
-          return path.find("tangent_stiffness") != std::string::npos;
-        });
-    if (!complete) numbers = numbers_of(study.responses);
+    numbers = numbers_of(study.responses);
     if (!numbers) return;
-    load_cases = load_cases_of(*numbers);
+    load_cases = load_cases_of(*numbers, all_load_cases);
+    needs_duty = std::ranges::any_of(*numbers, &ResultNumber::needs_duty);
     const auto of_mechanism = [](const ResultNumber& number) { return !number.load_case; };
-    if (std::ranges::any_of(*numbers, of_mechanism)) detail = ContactDetail::numbers;
+    if (measures() || std::ranges::any_of(*numbers, of_mechanism))
+      contact_detail = ContactDetail::numbers;
+    // A full mechanism has its tangent stiffness only with Detail::complete.
+    const auto is_tangent = [](const std::string& path) {
+      return path.find("tangent_stiffness") != std::string::npos;
+    };
+    if (std::ranges::any_of(*numbers, &ResultNumber::needs_complete) ||
+        (all_rollers && std::ranges::any_of(study.responses, is_tangent)))
+      detail = Detail::complete;
   }
 
-  /// `measured`: what measures are read from, where the command has them.
-  void set_numbers(double* row, const Contacts& contacts,
-                   const std::vector<LoadCaseResult>& results,
-                   const MeasuresResult* measured = nullptr) const {
+  /// `known`: all that does not depend on the load case.
+  void set_numbers(double* row, const Answer& known,
+                   const std::vector<LoadCaseResult>& results = {},
+                   const std::vector<std::optional<LoadMeasures>>& load_measures = {}) const {
     for (std::size_t k = 0; k < numbers->size(); ++k) {
       const ResultNumber& number = (*numbers)[k];
-      Answer answer{contacts};
-      if (measured) answer.measures = &measured->measures;
+      Answer answer = known;
       if (number.load_case) {
         const auto at = std::ranges::find(load_cases, *number.load_case);
         const auto index = static_cast<std::size_t>(at - load_cases.begin());
         if (index >= results.size()) continue;
         answer.load_case = &results[index];
-        if (measured && measured->load_measures[index])
-          answer.load_measures = &*measured->load_measures[index];
+        if (index < load_measures.size() && load_measures[index])
+          answer.load_measures = &*load_measures[index];
       }
       row[k] = number.value(answer).value_or(kNoResponse);
     }
+  }
+
+  void set_numbers(double* row, const MeasuresResult& result) const {
+    set_numbers(row, {.contacts = result.analysis.contacts, .measures = &result.measures},
+                result.analysis.load_cases, result.load_measures);
   }
 
   /// `found`: the contacts, where they are known.
@@ -382,20 +417,26 @@ struct DesignEngine::Parts {
           row[k] = response(document, study.responses[k]).value_or(kNoResponse);
       return status;
     }
-    const OnlyLoadCases needed(c, load_cases, worker.batch.load_cases);
+    if (study.command == Command::life)
+      return with_lives(c, [&](const LifeResult& lives) {
+        set_numbers(row, {.contacts = lives.contacts, .life = &lives});
+      });
+    const OnlyLoadCases needed(c, load_cases, needs_duty, worker.batch.load_cases);
     AnalysisOptions options = kManyDesigns;
+    options.detail = detail;
     options.full = &worker.full;
     Contacts contacts = found ? *found : checked_contacts(c, options.detail);
-    if (study.command == Command::measures) {
+    if (measures()) {
       const MeasuresResult result = analyze_measures(c, std::move(contacts), options);
-      DesignStatus status = status_of(result.analysis.load_cases);
-      if (status.converged())
-        set_numbers(row, result.analysis.contacts, result.analysis.load_cases, &result);
+      DesignStatus status = status_of(result.analysis);
+      if (status.converged()) set_numbers(row, result);
       return status;
     }
     const Result result = analyze_for(study.command, c, std::move(contacts), options);
-    DesignStatus status = status_of(result.load_cases);
-    if (status.converged()) set_numbers(row, result.contacts, result.load_cases);
+    DesignStatus status = status_of(result);
+    const HeatCycle* cycle = result.heat_cycle ? &*result.heat_cycle : nullptr;
+    if (status.converged())
+      set_numbers(row, {.contacts = result.contacts, .cycle = cycle}, result.load_cases);
     return status;
   }
 
@@ -404,6 +445,13 @@ struct DesignEngine::Parts {
     Pending& design = batch.designs[k];
     const Conditions& c = design.conditions;
     design.laws = contact_laws(c, design.contacts);
+    const auto on_sector_of = [&](const LoadCase& load) {
+      return [&design, &load](const Batch::Sector& sector) {
+        const LoadCase& other = design.load_cases[sector.load_case].load_case;
+        return other.direction == load.direction && other.position == load.position;
+      };
+    };
+    const auto first = static_cast<std::ptrdiff_t>(batch.sectors.size());
     for (std::size_t i = 0; i < design.load_cases.size(); ++i) {
       LoadCaseResult& result = design.load_cases[i];
       const LoadCase& load = result.load_case;
@@ -411,9 +459,14 @@ struct DesignEngine::Parts {
         result = equal_share_result(load, design.contacts, design.laws);
         continue;
       }
-      set_sector_model(at(batch.bars, batch.sectors.size()), design.contacts.mechanism,
-                       *c.structure, *c.materials, c.model, design.laws, *load.direction,
-                       *load.position, c.deviations);
+      SectorModel& bars = at(batch.bars, batch.sectors.size());
+      const auto known =
+          std::find_if(batch.sectors.begin() + first, batch.sectors.end(), on_sector_of(load));
+      if (known != batch.sectors.end())
+        bars = batch.bars[static_cast<std::size_t>(known - batch.sectors.begin())];
+      else
+        set_sector_model(bars, design.contacts.mechanism, *c.structure, *c.materials, c.model,
+                         design.laws, *load.direction, *load.position, c.deviations);
       batch.forces.push_back(load.axial_force);
       batch.sectors.push_back({k, i});
     }
@@ -447,8 +500,8 @@ struct DesignEngine::Parts {
     batch.forces.clear();
     for (std::size_t k = 0; k < designs; ++k) {
       Pending& design = batch.designs[k];
-      design.complete =
-          design.has_contacts || batch.contacts.get(design.row - from, detail, design.contacts);
+      design.complete = design.has_contacts ||
+                        batch.contacts.get(design.row - from, contact_detail, design.contacts);
       if (!design.complete) continue;
       const std::size_t waiting = batch.sectors.size();
       design.complete = status_after([&] { return prepare(batch, k); }).converged();
@@ -466,12 +519,25 @@ struct DesignEngine::Parts {
                         batch.loads[k], set);
     }
     for (std::size_t k = 0; k < designs; ++k) {
-      const Pending& design = batch.designs[k];
-      if (design.complete)
-        set_numbers(row_of(block, design.row), design.contacts, design.load_cases);
-      else
+      Pending& design = batch.designs[k];
+      if (!design.complete)
         answer_alone(read, design.row, worker, block);
+      else if (measures())
+        measure(design, row_of(block, design.row));
+      else
+        set_numbers(row_of(block, design.row), {.contacts = design.contacts}, design.load_cases);
     }
+  }
+
+  /// Of a design whose load cases are solved.
+  void measure(Pending& design, double* row) const {
+    Result solved;
+    std::swap(solved.contacts, design.contacts);
+    std::swap(solved.load_cases, design.load_cases);
+    MeasuresResult result = measured(design.conditions, std::move(solved), detail);
+    set_numbers(row, result);
+    std::swap(result.analysis.contacts, design.contacts);
+    std::swap(result.analysis.load_cases, design.load_cases);
   }
 
   /// What has no place in a batch, or no answer: by the scalar chain, which says why.
@@ -493,10 +559,11 @@ struct DesignEngine::Parts {
         if (c.model.bodies != Bodies::bars || c.model.mechanism == ModelOptions::Mechanism::full)
           return answer(c, worker, row_of(block, row));
         Pending& design = at(batch.designs, designs);
-        design.set(row, c, load_cases);
-        design.has_contacts = c.mechanism.geometry == Mechanism::Geometry::design;
+        design.set(row, c, load_cases, measures());
+        design.has_contacts =
+            !shares_contacts() || c.mechanism.geometry == Mechanism::Geometry::design;
         if (design.has_contacts)
-          design.contacts = checked_contacts(c, Detail::numbers);
+          design.contacts = checked_contacts(c, detail);
         else
           batch.contacts.add(row - from, c.mechanism, c.materials);
         ++designs;
@@ -518,7 +585,7 @@ struct DesignEngine::Parts {
                            RowBlock& block) {
     BatchContacts& contacts = worker.batch.contacts;
     contacts.start(to - from);
-    if (numbers) {
+    if (shares_contacts()) {
       for (std::size_t row = from; row < to; ++row)
         status_after([&]() -> DesignStatus {
           const Case& c = read(worker.reader, row);
@@ -529,7 +596,7 @@ struct DesignEngine::Parts {
     }
     Contacts found;
     for (std::size_t row = from; row < to; ++row) {
-      const bool known = contacts.get(row - from, detail, found);
+      const bool known = contacts.get(row - from, contact_detail, found);
       DesignStatus status = status_after([&] {
         return answer(read(worker.reader, row), worker, row_of(block, row),
                       known ? &found : nullptr);
@@ -568,8 +635,8 @@ RowBlock DesignEngine::evaluate(const std::vector<std::vector<Draw>>& designs) c
 }
 
 std::size_t DesignEngine::chunk() const {
-  if (parts_->bodies == Bodies::influence) return 1;
-  if (!parts_->numbers) return 8;
+  if (parts_->bodies == Bodies::influence || parts_->needs_duty) return 1;
+  if (!parts_->numbers || parts_->study.command == Command::life) return 8;
   if (parts_->study.command == Command::slip || parts_->all_rollers) return 32;
   return parts_->bodies == Bodies::bars ? 512 : 64;
 }

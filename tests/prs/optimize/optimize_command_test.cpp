@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/processes.h"
+#include "tests/prs/input/abevi.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 #include "yao_file.h"
@@ -133,6 +134,23 @@ TEST_F(OptimizeCommand, FilesDependOnTheSeedNotOnThreads) {
   const fs::path other = temporary.path() / "other";
   ASSERT_EQ(prs(into(other, "--set optimize.seed=2")).status, 0);
   EXPECT_NE(files.at("history.csv"), files_in(other).at("history.csv"));
+}
+
+/// Measures under two load cases, by algorithms that hand over a generation at a time.
+TEST_F(OptimizeCommand, ThreadsDoNotMatterWhereLoadCasesAreSolved) {
+  std::ofstream(file) << input::kAbevi
+                      << "optimize:\n  command: measures\n  variables:\n"
+                         "    - {path: deviations.crowning, from: 0 um, to: 20 um}\n"
+                         "    - {path: mechanism.flank_angle, from: 40 deg, to: 60 deg}\n"
+                         "  objectives: [{minimize: measures.largest_load_rate_percent}]\n"
+                         "  constraints: [{response: "
+                         "'load_cases[1].measures.largest_load_rate_percent', at_most: {initial: "
+                         "1.1}}]\n  algorithm: sade\n  check: cmaes\n  population: 21\n  "
+                         "generations: 6\n";
+  const fs::path one = temporary.path() / "1", two = temporary.path() / "2";
+  ASSERT_EQ(prs(into(one, "--threads 1")).status, 0);
+  ASSERT_EQ(prs(into(two, "--threads 2")).status, 0);
+  EXPECT_TRUE(files_in(one) == files_in(two));
 }
 
 TEST_F(OptimizeCommand, EndsTheSameHoweverOftenItIsStopped) {
