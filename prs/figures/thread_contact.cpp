@@ -148,8 +148,9 @@ Figures thread_friction(const Case& c, const Result& result, const FigureOptions
   const auto chosen = chosen_thread(result, options, has_slip_of_threads);
   if (!chosen) return {};
   const auto place = static_cast<std::size_t>(chosen->load_case - result.load_cases.data());
-  return {thread_friction_figure(*chosen->load_case,
-                                 thread_patches(c, result, place, chosen->thread), chosen->thread)};
+  const auto patches = thread_patches(c, result, place, chosen->thread);
+  if (!patches) return {};
+  return {thread_friction_figure(*chosen->load_case, *patches, chosen->thread)};
 }
 
 }  // namespace prs

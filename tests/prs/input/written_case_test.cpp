@@ -18,7 +18,7 @@ Source lesson_with(const std::string& name, std::vector<std::string> overrides) 
 
 TEST(WrittenCase, IsTheCaseOfItsOverrides) {
   const Source source = lesson_with(
-      "24_full_mechanism.yaml",
+      "24_misalignment.yaml",
       {"mechanism.rollers=9", "structure.nut.length=95 mm", "load_cases[0].axial_force=20 kN",
        "load_cases[0].misalignment.nut_tilt.z=0.05 deg", "load_cases[1].side_force={y: 100 N}",
        "deviations.crowning=2 um", "mechanism.profile.roller={convex: 5 mm}"});

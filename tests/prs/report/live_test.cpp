@@ -76,7 +76,7 @@ TEST(LiveReport, ShowsOneThread) {
 }
 
 TEST(LiveReport, MovesInputsThatMatter) {
-  const std::string controls = report_parts(live_lesson("24_full_mechanism.yaml"), {}).controls;
+  const std::string controls = report_parts(live_lesson("24_misalignment.yaml"), {}).controls;
   EXPECT_THAT(controls, HasSubstr("data-paths=\"load_cases[0].axial_force "
                                   "load_cases[1].axial_force\" data-value=\"45000 N\""));
   EXPECT_THAT(controls, HasSubstr("misalignment.nut_tilt.z"));
