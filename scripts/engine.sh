@@ -26,14 +26,9 @@ cmake --preset wasm
 cmake --build --preset wasm
 gzip -n -9 <build/wasm/wasm/engine.wasm >"$module"
 
-# What the objects that the linker took were made of.
-taken=$(grep -oE '[^ :/]+\.cxx\.o|[^ :/]+\.cpp\.o' build/wasm/wasm/engine.map | sort -u)
 mapfile -t sources < <(
   {
-    ninja -C build/wasm -t deps | awk -v taken="$taken" '
-      BEGIN { split(taken, names, "\n"); for (k in names) is_taken[names[k]] }
-      /^[^ ]/ { name = $1; sub(":$", "", name); sub(".*/", "", name); wanted = name in is_taken }
-      /^ / && wanted { print $1 }' | (cd build/wasm && xargs realpath -q)
+    ninja -C build/wasm -t deps | awk '/^ / { print $1 }' | (cd build/wasm && xargs realpath)
     realpath cmake/webassembly.cmake wasm/CMakeLists.txt
   } | grep "^$PWD/" | grep -v "^$PWD/build/" | sed "s|^$PWD/||" | LC_ALL=C sort -u
 )

@@ -26,7 +26,7 @@ namespace prs {
 ///     converged
 ///      "document": {..},  // what `prs solve --json` prints, byte by byte; null after an error
 ///      "figures": [..],   // what `--figures` adds to it; empty where they are not asked for
-///      "messages": [..]}  // what the program says on standard error, a line each
+///      "messages": [..]}  // what the program says on standard error, line by line
 ///
 /// Throws nothing but std::bad_alloc, where there is no memory left for an answer.
 std::string answer(std::string_view question);

@@ -33,7 +33,7 @@ export function run(...words) {
     maxBuffer: 1 << 30,
   });
   if (ended.error) throw ended.error;
-  return {status: ended.status, out: ended.stdout, lines: ended.stderr.split('\n').slice(0, -1)};
+  return {status: ended.status, out: ended.stdout, lines: ended.stderr.split('\n').filter((line) => line)};
 }
 
 /** The commands that one case answers. */
