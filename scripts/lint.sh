@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Order of rooms, format, Python's style and types, by the tools on the PATH and those that
+# Order of rooms, shipped engine, format, Python's style and types, by the tools on the PATH and those that
 # scripts/test_python.sh installs. clang-tidy reads the FILEs named, with --all every source.
 # --strict: a missing tool is an error.
 set -euo pipefail
@@ -28,6 +28,7 @@ has() { # TOOL
 
 export PATH=$PWD/build/venv/bin:$PATH
 check rooms scripts/check_rooms.py
+check engine scripts/engine.sh --check
 if has clang-format; then
   check format xargs -a <(git ls-files '*.h' '*.cpp') clang-format --dry-run --Werror
 fi

@@ -163,6 +163,15 @@ Answer written_answer(const Question& question) {
   return {.document = {{"yaml", *text}}};
 }
 
+void put_lines(std::vector<std::string>& messages, std::string_view text,
+               std::string_view before = "") {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (!line.empty()) messages.push_back(fmt::format("{}{}", before, line));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+}
+
 Answer answer_to(const Question& question) {
   if (question.name == kReport) return report_answer(question);
   if (question.name == kWrite) return written_answer(question);
@@ -174,17 +183,13 @@ Answer answer_to(const Question& question) {
   answer.status = delivery.converged ? kDone : kNotConverged;
   answer.document = delivery.document(document_info(question.source, row.command));
   if (question.figures && delivery.pictures) answer.figures = to_json(figures(delivery.pictures()));
-  answer.messages = delivery.notes;
+  for (const std::string& note : delivery.notes) put_lines(answer.messages, note);
   return answer;
 }
 
 Answer refusal(Exit status, std::string_view lines, std::string_view before = "") {
   Answer answer{.status = status};
-  while (!lines.empty()) {
-    const std::size_t end = std::min(lines.find('\n'), lines.size());
-    answer.messages.push_back(fmt::format("{}{}", before, lines.substr(0, end)));
-    lines.remove_prefix(std::min(end + 1, lines.size()));
-  }
+  put_lines(answer.messages, lines, before);
   return answer;
 }
 

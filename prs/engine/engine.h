@@ -26,7 +26,7 @@ namespace prs {
 ///     converged
 ///      "document": {..},  // what `prs solve --json` prints, byte by byte; null after an error
 ///      "figures": [..],   // what `--figures` adds to it; empty where they are not asked for
-///      "messages": [..]}  // what the program says on standard error, a line each
+///      "messages": [..]}  // what the program says on standard error, line by line
 ///
 /// Two further commands serve pages. `write`: the document is {"yaml": ..}, the case with its
 /// overrides in it. `report` asks, under a key of that name, for sections of the report, see

@@ -67,7 +67,7 @@ void CsvWriter::number(std::optional<double> si, double factor) {
   const char* end = style_.digits >= CsvStyle::kAllDigits
                         ? fmt::format_to(text.data(), "{}", value)
                         : fmt::format_to(text.data(), "{:.{}g}", value, style_.digits);
-  append_number({text.data(), end});
+  append_number({text.data(), static_cast<std::size_t>(end - text.data())});
 }
 
 void CsvWriter::integer(std::optional<std::size_t> value) {

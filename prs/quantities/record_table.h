@@ -306,7 +306,7 @@ std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& i
       const auto [row, place] = split_row(rest);
       if (auto summary = summary_named(place, unit.factor))
         return Reader<Owner>{
-            [&q, summary, row, indexed = place.starts_with('[')](const Owner& owner) {
+            [&q, summary, row = row, indexed = place.starts_with('[')](const Owner& owner) {
               const std::span<const double> values = q.value.series(owner);
               const std::size_t length = detail::row_length(owner);
               if (!row && (!indexed || length == 0)) return summary(values);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,15 @@ void PrintTo(const Asked& asked, std::ostream* out) {
   *out << asked.command << ' ' << asked.lesson;
 }
 
+/// The lines that are not empty.
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
 class EngineAnswer : public testing::TestWithParam<Asked> {};
 
 /// The program without what earlier runs have kept of bodies.
@@ -73,9 +83,7 @@ TEST_P(EngineAnswer, IsWhatTheProgramPrints) {
   const Json answer = answer_of(question);
   EXPECT_EQ(document_text(question), run.out);
   EXPECT_EQ(answer["status"], run.status);
-  std::string said;
-  for (const Json& line : answer["messages"]) said += line.get<std::string>() + '\n';
-  EXPECT_EQ(said, run.err);
+  EXPECT_EQ(answer["messages"].get<std::vector<std::string>>(), lines_of(run.err));
 }
 
 INSTANTIATE_TEST_SUITE_P(

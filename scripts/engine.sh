@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Builds the engine of live pages by emscripten and ships it as prs/engine/engine.wasm.gz, with the list
+# of its sources and their hash in prs/engine/engine.sources. --check: whether these sources are still
+# those; needs no emscripten.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+module=prs/engine/engine.wasm.gz
+manifest=prs/engine/engine.sources
+
+hash_of() { # FILE..: of their names and contents
+  sha256sum -- "$@" | sha256sum | cut -d ' ' -f 1
+}
+
+if [[ ${1:-} == --check ]]; then
+  mapfile -t lines <"$manifest"
+  if [[ $(hash_of "$module" "${lines[@]:1}") != "${lines[0]}" ]]; then
+    echo "engine: $module is not that of its sources ($manifest); run scripts/engine.sh" >&2
+    exit 1
+  fi
+  exit
+fi
+
+scripts/setup.sh emscripten libfast-float-dev
+cmake --preset wasm
+cmake --build --preset wasm
+gzip -n -9 <build/wasm/wasm/engine.wasm >"$module"
+
+mapfile -t sources < <(
+  {
+    ninja -C build/wasm -t deps | awk '/^ / { print $1 }' | (cd build/wasm && xargs realpath)
+    realpath cmake/webassembly.cmake wasm/CMakeLists.txt
+  } | grep "^$PWD/" | grep -v "^$PWD/build/" | sed "s|^$PWD/||" | LC_ALL=C sort -u
+)
+{
+  hash_of "$module" "${sources[@]}"
+  printf '%s\n' "${sources[@]}"
+} >"$manifest"
+ls -l build/wasm/wasm/engine.wasm "$module"

@@ -1,0 +1,42 @@
+// The shipped engine, as a page has it, and the program that it is compared with.
+import {spawnSync} from 'node:child_process';
+import {readFileSync, readdirSync} from 'node:fs';
+import {fileURLToPath} from 'node:url';
+import {gunzipSync} from 'node:zlib';
+
+export const root = fileURLToPath(new URL('../..', import.meta.url));
+const program = process.env.PRS ?? `${root}/build/release/prs/cli/prs`;
+const script = readFileSync(`${root}/prs/engine/engine.js`, 'utf8');
+const shipped = process.env.PRS_ENGINE ?? `${root}/prs/engine/engine.wasm.gz`;
+
+export const loadEngine = () =>
+    new Function(`${script}; return loadEngine;`)()(gunzipSync(readFileSync(shipped)));
+
+export const textOf = (lesson) => readFileSync(`${root}/configs/${lesson}`, 'utf8');
+
+export const lessons = readdirSync(`${root}/configs`).filter((name) => name.endsWith('.yaml'));
+
+const histories = Object.fromEntries(readdirSync(`${root}/configs`)
+                                         .filter((name) => name.endsWith('.csv'))
+                                         .map((name) => [name, textOf(name)]));
+
+/** A question on a lesson by the name that the program is given. */
+export const questionOn = (command, lesson, more = {}) =>
+    ({command, yaml: textOf(lesson), file: `configs/${lesson}`, histories, ...more});
+
+/** The program without what earlier runs have kept of bodies. */
+export function run(...words) {
+  const ended = spawnSync(program, words, {
+    cwd: root,
+    env: {...process.env, PRS_CACHE_DIR: ''},
+    encoding: 'utf8',
+    maxBuffer: 1 << 30,
+  });
+  if (ended.error) throw ended.error;
+  return {status: ended.status, out: ended.stdout, lines: ended.stderr.split('\n').filter((line) => line)};
+}
+
+/** The commands that one case answers. */
+export const commandsFor = (lesson) => run('list', 'commands', `configs/${lesson}`)
+                                           .out.trim().split('\n')
+                                           .filter((name) => !['study', 'optimize'].includes(name));

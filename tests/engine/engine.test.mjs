@@ -1,0 +1,133 @@
+// The shipped engine of live pages against the program, which must have been built.
+import assert from 'node:assert/strict';
+import {createHash} from 'node:crypto';
+import test from 'node:test';
+
+import {commandsFor, lessons, loadEngine, questionOn, run, textOf} from './engine.mjs';
+
+const ask = await loadEngine();
+const answerTo = (question) => JSON.parse(ask(JSON.stringify(question)));
+
+// What tells how a solution was found, not what it is.
+const ofTheWay = new Set(['newton_history', 'iterations', 'residual']);
+// Where a curve is flat, its highest point moves by the root of what its values do.
+const ofFlatMaxima = /depth/;
+
+const largest = (value) => typeof value === 'number' ? Math.abs(value)
+    : value !== null && typeof value === 'object'
+    ? Math.max(0, ...Object.values(value).map(largest)) : 0;
+
+/** Where two documents differ by more than they may, a line each. */
+function differences(ours, theirs, path = '', scale = 0) {
+  if (typeof ours === 'number' && typeof theirs === 'number') {
+    const most = (ofFlatMaxima.test(path) ? 1e-7 : 1e-12) * Math.max(scale, Math.abs(theirs));
+    return Math.abs(ours - theirs) <= most
+        ? [] : [`${path}: ${ours} for ${theirs}, ${Math.abs(ours - theirs) / Math.abs(theirs)}`];
+  }
+  if (ours === null || theirs === null || typeof ours !== 'object' || typeof theirs !== 'object')
+    return ours === theirs ? [] : [`${path}: ${ours} for ${theirs}`];
+  const keys = new Set([...Object.keys(ours), ...Object.keys(theirs)]);
+  const all = Array.isArray(theirs) ? largest(theirs) : 0;  // Of the threads of a roller.
+  return [...keys].filter((key) => !ofTheWay.has(key))
+      .flatMap((key) => key in ours && key in theirs
+          ? differences(ours[key], theirs[key], `${path}.${key}`, all)
+          : [`${path}.${key}: only ${key in ours ? 'here' : 'there'}`]);
+}
+
+for (const lesson of lessons)
+  for (const command of commandsFor(lesson))
+    test(`${command} of lesson ${lesson} is the program's`, async () => {
+      // `compare` takes what is kept of bodies: as the program that has just started.
+      const engine = command === 'compare' ? await loadEngine() : ask;
+      const answer = JSON.parse(engine(JSON.stringify(questionOn(command, lesson))));
+      const program = run(command, `configs/${lesson}`, '--json');
+      assert.equal(answer.status, program.status, answer.messages.join('\n'));
+      assert.deepEqual(answer.messages, program.lines);
+      assert.deepEqual(differences(answer.document, JSON.parse(program.out)).slice(0, 5), []);
+    });
+
+test('values are set as by --set', () => {
+  const set = [['mechanism.rollers', '9'], ['load_cases[0].axial_force', '20 kN']];
+  const answer = answerTo(questionOn('solve', '01_config_1_to_3.yaml', {set}));
+  const words = set.flatMap(([path, value]) => ['--set', `${path}=${value}`]);
+  const program = run('solve', 'configs/01_config_1_to_3.yaml', '--json', ...words);
+  assert.deepEqual(differences(answer.document, JSON.parse(program.out)), []);
+});
+
+test('figures are those of --figures', () => {
+  const answer = answerTo(questionOn('contact', '07_contact_geometry.yaml', {figures: true}));
+  const program = run('contact', 'configs/07_contact_geometry.yaml', '--json', '--figures');
+  assert.ok(answer.figures.length > 3);
+  assert.deepEqual(differences(answer.figures, JSON.parse(program.out).figures), []);
+});
+
+test('wrong input has the lines and the status of the program', () => {
+  const wrong = [
+    ['mechanism.rollers', 'no'], ['mechanism.rollers', '1e9'], ['mechanism.lead', '5 parsec'],
+    ['structure.nut.length', 'nan'], ['structure.nut.bore', '3'], ['load_cases', '[]'],
+    ['load_cases[9].axial_force', '1 kN'], ['life', '{history: {file: no.csv}}'],
+  ];
+  for (const [path, value] of wrong) {
+    const answer = answerTo(questionOn('solve', '01_config_1_to_3.yaml', {set: [[path, value]]}));
+    const program = run('solve', 'configs/01_config_1_to_3.yaml', '--json', '--set',
+                        `${path}=${value}`);
+    assert.equal(program.status, 2, program.out);
+    assert.deepEqual(answer, {status: 2, document: null, figures: [], messages: program.lines});
+  }
+});
+
+test('hostile texts are refused, and the next question is answered', () => {
+  const lesson = textOf('01_config_1_to_3.yaml');
+  const hostile = {
+    'nothing': '',
+    'no text': '\u0000\u0001\uFFFE',
+    'a deep list': '['.repeat(1 << 19),
+    'a deep map': '{a: '.repeat(1 << 17),
+    'deep dashes': '- '.repeat(1 << 18),
+    'much nesting by columns': Array.from({length: 900}, (_, k) => `${' '.repeat(k)}a:`).join('\n'),
+    'aliases that multiply': 'a: &a [x, x, x, x, x, x, x, x, x]\n' +
+        'bcdefghi'.split('').map((name, k) =>
+          `${name}: &${name} [${Array(9).fill(`*${'abcdefgh'[k]}`).join(', ')}]`).join('\n'),
+    'an alias of itself': 'mechanism: &a {b: *a}',
+    'a tag': `${lesson}\nextra: !!python/object:os.system x`,
+    'two documents': `${lesson}\n---\n${lesson}`,
+    'a long key': `${'k'.repeat(900_000)}: 1`,
+    'more than a file may have': ' '.repeat((1 << 20) + 1),
+    'a tab': 'mechanism:\n\ttype: standard',
+    'an open quote': 'mechanism: "',
+    'half of a pair of surrogates': 'mechanism: \uD800',
+  };
+  for (const [name, yaml] of Object.entries(hostile)) {
+    const answer = answerTo({command: 'solve', yaml});
+    assert.equal(answer.status, 2, `${name}: ${answer.messages}`);
+    assert.match(answer.messages[0], /^(case\.yaml:\d+:\d+|prs): error: /, name);
+  }
+  for (const text of ['', '{', '[]', 'null', '{"command": "study", "yaml": ""}', '['.repeat(1 << 20)])
+    assert.equal(JSON.parse(ask(text)).status, 2, text.slice(0, 40));
+  assert.equal(answerTo(questionOn('solve', '01_config_1_to_3.yaml')).status, 0);
+});
+
+test('a case is known by its SHA-256, whatever its length', () => {
+  const text = textOf('01_config_1_to_3.yaml');
+  for (let length = 0; length <= 128; ++length) {
+    const yaml = `${text}#${'x'.repeat(length)}\n`;
+    const {document} = answerTo({command: 'check', yaml});
+    assert.equal(document.input_sha256, createHash('sha256').update(yaml).digest('hex'));
+  }
+});
+
+test('a thousand answers leave no memory behind', () => {
+  const questions = [
+    ...['contact', 'solve', 'slip', 'measures', 'life'].map(
+        (command) => questionOn(command, '14_flight_spectrum.yaml', {figures: true})),
+    questionOn('solve', '25_side_load.yaml'), questionOn('preload', '12_preload.yaml'),
+    {command: 'solve', yaml: 'mechanism: 1'}, {command: 'none'},
+    questionOn('slip', '30_duty_cycle.yaml', {load_cases: ['pull']}),
+  ];
+  const askAll = () => questions.forEach((question) => ask(JSON.stringify(question)));
+  askAll();
+  askAll();
+  const before = ask.used();
+  for (let k = 0; k < 100; ++k) askAll();
+  assert.equal(ask.used(), before);
+});

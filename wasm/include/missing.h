@@ -1,0 +1,292 @@
+#pragma once
+
+/// What libc++ 13, that of Debian 12's emscripten, lacks of C++20: the algorithms of std::ranges
+/// that this project uses, std::from_chars of double, the order of texts by `<=>`. Included before
+/// every source, by that compiler alone.
+
+#include <algorithm>
+#include <charconv>
+#include <compare>
+#include <concepts>
+#include <functional>
+#include <initializer_list>
+#include <iterator>
+#include <ranges>
+#include <string>
+#include <utility>
+
+#include <fast_float/fast_float.h>
+
+namespace std {
+
+inline from_chars_result from_chars(const char* first, const char* last, double& value) {
+  // Both of them take `inf`, `nan` and no leading `+`.
+  const auto [end, error] = fast_float::from_chars(first, last, value);
+  return {end, error};
+}
+
+inline strong_ordering operator<=>(const string& a, const string& b) noexcept {
+  return a.compare(b) <=> 0;
+}
+
+namespace ranges {
+
+namespace prs_missing {
+
+template <class P>
+constexpr auto projected_to(auto& predicate, P& projection) {
+  return [&](auto&& value) -> bool {
+    return std::invoke(predicate, std::invoke(projection, std::forward<decltype(value)>(value)));
+  };
+}
+
+template <class C, class P>
+constexpr auto compared_by(C& compare, P& projection) {
+  return [&](auto&& a, auto&& b) -> bool {
+    return std::invoke(compare, std::invoke(projection, std::forward<decltype(a)>(a)),
+                       std::invoke(projection, std::forward<decltype(b)>(b)));
+  };
+}
+
+/// An algorithm NAME of a predicate, by that of iterators.
+#define PRS_OF_PREDICATE(NAME)                                                   \
+  struct NAME##_fn {                                                             \
+    template <class R, class F, class P = std::identity>                         \
+    constexpr auto operator()(R&& r, F f, P p = {}) const {                      \
+      return std::NAME(ranges::begin(r), ranges::end(r), projected_to(f, p));    \
+    }                                                                            \
+    template <std::input_or_output_iterator I, class F, class P = std::identity> \
+    constexpr auto operator()(I first, I last, F f, P p = {}) const {            \
+      return std::NAME(first, last, projected_to(f, p));                         \
+    }                                                                            \
+  };
+PRS_OF_PREDICATE(all_of)
+PRS_OF_PREDICATE(any_of)
+PRS_OF_PREDICATE(none_of)
+PRS_OF_PREDICATE(find_if)
+PRS_OF_PREDICATE(count_if)
+PRS_OF_PREDICATE(partition_point)
+#undef PRS_OF_PREDICATE
+
+/// An algorithm NAME of an order, by that of iterators.
+#define PRS_OF_ORDER(NAME)                                                                      \
+  struct NAME##_fn {                                                                            \
+    template <ranges::range R, class C = ranges::less, class P = std::identity>                 \
+    constexpr auto operator()(R&& r, C c = {}, P p = {}) const {                                \
+      return std::NAME(ranges::begin(r), ranges::end(r), compared_by(c, p));                    \
+    }                                                                                           \
+    template <std::input_or_output_iterator I, class C = ranges::less, class P = std::identity> \
+    constexpr auto operator()(I first, I last, C c = {}, P p = {}) const {                      \
+      return std::NAME(first, last, compared_by(c, p));                                         \
+    }                                                                                           \
+  };
+PRS_OF_ORDER(is_sorted)
+PRS_OF_ORDER(max_element)
+PRS_OF_ORDER(min_element)
+PRS_OF_ORDER(pop_heap)
+PRS_OF_ORDER(push_heap)
+PRS_OF_ORDER(sort)
+PRS_OF_ORDER(stable_sort)
+#undef PRS_OF_ORDER
+
+struct minmax_element_fn {
+  template <class R, class C = ranges::less, class P = std::identity>
+  constexpr auto operator()(R&& r, C c = {}, P p = {}) const {
+    const auto [least, largest] =
+        std::minmax_element(ranges::begin(r), ranges::end(r), compared_by(c, p));
+    struct result {
+      decltype(ranges::begin(r)) min, max;
+    };
+    return result{least, largest};
+  }
+};
+
+template <class R>
+using value_of = std::iter_value_t<decltype(ranges::begin(std::declval<R&>()))>;
+
+struct max_fn {
+  template <class R, class C = ranges::less, class P = std::identity>
+  constexpr value_of<R> operator()(R&& r, C c = {}, P p = {}) const {
+    return *max_element_fn{}(r, c, p);
+  }
+};
+
+struct min_fn {
+  template <class R, class C = ranges::less, class P = std::identity>
+  constexpr value_of<R> operator()(R&& r, C c = {}, P p = {}) const {
+    return *min_element_fn{}(r, c, p);
+  }
+};
+
+struct minmax_fn {
+  template <class R, class C = ranges::less, class P = std::identity>
+  constexpr auto operator()(R&& r, C c = {}, P p = {}) const {
+    const auto [least, largest] = minmax_element_fn{}(r, c, p);
+    struct result {
+      value_of<R> min, max;
+    };
+    return result{*least, *largest};
+  }
+};
+
+struct find_fn {
+  template <class R, class T, class P = std::identity>
+  constexpr auto operator()(R&& r, const T& value, P p = {}) const {
+    return (*this)(ranges::begin(r), ranges::end(r), value, p);
+  }
+  template <std::input_or_output_iterator I, class T, class P = std::identity>
+  constexpr I operator()(I first, I last, const T& value, P p = {}) const {
+    while (first != last && !(std::invoke(p, *first) == value)) ++first;
+    return first;
+  }
+};
+
+struct count_fn {
+  template <class R, class T, class P = std::identity>
+  constexpr auto operator()(R&& r, const T& value, P p = {}) const {
+    const auto equal = [&](const auto& found) { return found == value; };
+    return count_if_fn{}(r, equal, p);
+  }
+};
+
+struct adjacent_find_fn {
+  template <class R>
+  constexpr auto operator()(R&& r) const {
+    return std::adjacent_find(ranges::begin(r), ranges::end(r));
+  }
+};
+
+struct lower_bound_fn {
+  template <class R, class T, class C = ranges::less, class P = std::identity>
+  constexpr auto operator()(R&& r, const T& value, C c = {}, P p = {}) const {
+    return std::lower_bound(
+        ranges::begin(r), ranges::end(r), value,
+        [&](const auto& a, const T& b) -> bool { return std::invoke(c, std::invoke(p, a), b); });
+  }
+};
+
+struct upper_bound_fn {
+  template <class R, class T, class C = ranges::less, class P = std::identity>
+  constexpr auto operator()(R&& r, const T& value, C c = {}, P p = {}) const {
+    return std::upper_bound(
+        ranges::begin(r), ranges::end(r), value,
+        [&](const T& a, const auto& b) -> bool { return std::invoke(c, a, std::invoke(p, b)); });
+  }
+};
+
+struct equal_fn {
+  template <class A, class B, class F = ranges::equal_to>
+  constexpr bool operator()(A&& a, B&& b, F f = {}) const {
+    return std::equal(ranges::begin(a), ranges::end(a), ranges::begin(b), ranges::end(b), f);
+  }
+};
+
+// Those that write return nothing: nobody asks.
+
+struct copy_fn {
+  template <class R, class O>
+  constexpr void operator()(R&& r, O out) const {
+    std::copy(ranges::begin(r), ranges::end(r), out);
+  }
+};
+
+struct copy_if_fn {
+  template <class R, class O, class F, class P = std::identity>
+  constexpr void operator()(R&& r, O out, F f, P p = {}) const {
+    std::copy_if(ranges::begin(r), ranges::end(r), out, projected_to(f, p));
+  }
+};
+
+struct move_fn {
+  template <class R, class O>
+  constexpr void operator()(R&& r, O out) const {
+    std::move(ranges::begin(r), ranges::end(r), out);
+  }
+};
+
+struct transform_fn {
+  template <class R, class O, class F>
+  constexpr void operator()(R&& r, O out, F f) const {
+    std::transform(ranges::begin(r), ranges::end(r), out,
+                   [&](auto&& value) -> decltype(auto) { return std::invoke(f, value); });
+  }
+};
+
+struct fill_fn {
+  template <class R, class T>
+  constexpr void operator()(R&& r, const T& value) const {
+    std::fill(ranges::begin(r), ranges::end(r), value);
+  }
+};
+
+struct for_each_fn {
+  template <class R, class F>
+  constexpr void operator()(R&& r, F f) const {
+    for (auto&& value : r) std::invoke(f, value);
+  }
+};
+
+struct replace_fn {
+  template <ranges::range R, class T>
+  constexpr void operator()(R&& r, const T& from, const T& to) const {
+    std::replace(ranges::begin(r), ranges::end(r), from, to);
+  }
+  template <std::input_or_output_iterator I, class T>
+  constexpr void operator()(I first, I last, const T& from, const T& to) const {
+    std::replace(first, last, from, to);
+  }
+};
+
+struct replace_if_fn {
+  template <class R, class F, class T>
+  constexpr void operator()(R&& r, F f, const T& to) const {
+    std::replace_if(ranges::begin(r), ranges::end(r), f, to);
+  }
+};
+
+struct reverse_fn {
+  template <class R>
+  constexpr void operator()(R&& r) const {
+    std::reverse(ranges::begin(r), ranges::end(r));
+  }
+};
+
+}  // namespace prs_missing
+
+inline namespace prs_functions {
+inline constexpr prs_missing::adjacent_find_fn adjacent_find;
+inline constexpr prs_missing::all_of_fn all_of;
+inline constexpr prs_missing::any_of_fn any_of;
+inline constexpr prs_missing::copy_fn copy;
+inline constexpr prs_missing::copy_if_fn copy_if;
+inline constexpr prs_missing::count_fn count;
+inline constexpr prs_missing::count_if_fn count_if;
+inline constexpr prs_missing::equal_fn equal;
+inline constexpr prs_missing::fill_fn fill;
+inline constexpr prs_missing::find_fn find;
+inline constexpr prs_missing::find_if_fn find_if;
+inline constexpr prs_missing::for_each_fn for_each;
+inline constexpr prs_missing::is_sorted_fn is_sorted;
+inline constexpr prs_missing::lower_bound_fn lower_bound;
+inline constexpr prs_missing::max_element_fn max_element;
+inline constexpr prs_missing::max_fn max;
+inline constexpr prs_missing::min_element_fn min_element;
+inline constexpr prs_missing::min_fn min;
+inline constexpr prs_missing::minmax_element_fn minmax_element;
+inline constexpr prs_missing::minmax_fn minmax;
+inline constexpr prs_missing::move_fn move;
+inline constexpr prs_missing::none_of_fn none_of;
+inline constexpr prs_missing::partition_point_fn partition_point;
+inline constexpr prs_missing::pop_heap_fn pop_heap;
+inline constexpr prs_missing::push_heap_fn push_heap;
+inline constexpr prs_missing::replace_fn replace;
+inline constexpr prs_missing::replace_if_fn replace_if;
+inline constexpr prs_missing::reverse_fn reverse;
+inline constexpr prs_missing::sort_fn sort;
+inline constexpr prs_missing::stable_sort_fn stable_sort;
+inline constexpr prs_missing::transform_fn transform;
+inline constexpr prs_missing::upper_bound_fn upper_bound;
+}  // namespace prs_functions
+
+}  // namespace ranges
+}  // namespace std
