@@ -67,7 +67,8 @@ std::span<const Command> reported_commands();
 /// Runs those of the commands for which the case has all that it needs; of studies and
 /// optimizations, takes what `results` of the options hold. Throws InputError where the case is
 /// wrong.
-Findings findings_of(input::Source source, ReportOptions options, std::span<const Command> commands);
+Findings findings_of(input::Source source, ReportOptions options,
+                     std::span<const Command> commands);
 
 /// What stands under a key; null where there is nothing.
 const nlohmann::ordered_json& under(const nlohmann::ordered_json& json, const std::string& key);

@@ -22,7 +22,7 @@ from selenium.webdriver.common.keys import Keys  # noqa: E402
 from selenium.webdriver.remote.webelement import WebElement  # noqa: E402
 from selenium.webdriver.support.ui import WebDriverWait  # noqa: E402
 
-#: Those that run at once: many load cases, contacts from the geometry, a history, all rollers, films.
+#: Those that run at once: load cases, contacts from the geometry, a history, all rollers, films.
 QUICK = {1, 4, 14, 24, 29}
 
 #: Seconds until something that must come is missing.
