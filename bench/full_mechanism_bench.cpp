@@ -4,10 +4,12 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <random>
 
 #include "fe/cholesky.h"
 #include "fe/supernodal_cholesky.h"
+#include "prs/sector/full/full_influence.h"
 #include "prs/sector/full/full_structure.h"
 #include "prs/sector/full/orbit.h"
 #include "prs/sector/full/rigid_motions.h"
@@ -95,6 +97,41 @@ BENCHMARK(FullCaseNumbers);
 /// With the stiffness of the screw's end.
 void FullCaseComplete(benchmark::State& state) { full_case(state, prs::Detail::complete); }
 BENCHMARK(FullCaseComplete);
+
+/// Flexibilities that only look like those of bodies: a beam's and, from thread to thread, less and
+/// less. What they cost does not depend on what they are.
+prs::FullBodies made_up_bodies(const prs::FullModel& model) {
+  const Eigen::Index threads = model.threads();
+  const auto decaying = [&](double compliance) {
+    Eigen::MatrixXd c(threads, threads);
+    for (Eigen::Index i = 0; i < threads; ++i)
+      for (Eigen::Index k = 0; k < threads; ++k)
+        c(i, k) = compliance * std::exp(-0.3 * static_cast<double>(std::abs(i - k)));
+    return c;
+  };
+  prs::FullBodies b;
+  for (int m = 0; m <= model.rollers / 2; ++m) {
+    b.screw.modes.push_back(decaying(3e-9 / (1 + m)));
+    b.nut.modes.push_back(decaying(2e-9 / (1 + m)));
+  }
+  const auto stations = 2 * static_cast<Eigen::Index>(prs::nut_stations(model).size());
+  b.nut.coupling = Eigen::MatrixXd::Constant(threads, stations, 1e-11);
+  b.nut.sections = 1e-10 * Eigen::MatrixXd::Identity(stations, stations);
+  b.roller = Eigen::MatrixXd::Zero(2 * threads, 2 * threads);
+  b.roller.topLeftCorner(threads, threads) = b.roller.bottomRightCorner(threads, threads) =
+      decaying(1e-9);
+  return b;
+}
+
+/// A load on kept matrices of `bodies: influence`.
+void FullInfluenceLoad(benchmark::State& state) {
+  const prs::FullModel model = model_of();
+  const prs::FullBodies bodies = made_up_bodies(model);
+  int solves = 0;
+  for (auto _ : state) solves = prs::solve(model, bodies).solve.iterations();
+  state.counters["linear_solves"] = solves;
+}
+BENCHMARK(FullInfluenceLoad);
 
 void FullDesignOfUnequalRollers(benchmark::State& state) {
   std::mt19937_64 random(1);

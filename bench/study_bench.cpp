@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <string>
 
+#include "prs/input/optimize_reader.h"
 #include "prs/output/study_files.h"
+#include "prs/run/optimization.h"
 #include "prs/study/analysis.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/schedule.h"
@@ -92,5 +94,17 @@ BENCHMARK(FullChainWithFiles)
     ->Arg(1'000'000)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+
+/// Lesson 23: designs of 8 load cases, measured, in generations of 40.
+void Optimization(benchmark::State& state) {
+  const auto threads = static_cast<std::size_t>(state.range(0));
+  const prs::input::OptimizeInput in = prs::input::read_optimize_input(
+      prs::input::load_source(PRS_SOURCE_DIR "/configs/23_crowning.yaml", {}));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(prs::run_optimization(in, threads, prs::Journal::temporary, {}));
+  state.SetItemsProcessed(state.iterations() *
+                          static_cast<std::int64_t>(prs::design_count(in.optimization)));
+}
+BENCHMARK(Optimization)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace

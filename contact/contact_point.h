@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "contact/contact_status.h"
 #include "contact/curvature.h"
 #include "contact/thread_surface.h"
 
@@ -33,16 +34,6 @@ constexpr RollerFace roller_face_at_screw(Configuration c) {
 constexpr RollerFace roller_face_at_nut(Configuration c) {
   return c == Configuration::i1_j2 ? RollerFace::bottom : RollerFace::top;
 }
-
-enum class ContactPointStatus {
-  ok,
-  not_computed,
-  straight_on_straight,  ///< Neither profile is curved: no point contact.
-  out_of_reach,          ///< The axes are so far apart or so close that the flanks never overlap.
-  outside_flank,         ///< The point lies beyond the end of a flank.
-  not_a_minimum,         ///< The clearance has only a saddle there: the surfaces cut each other.
-  not_converged,  ///< The clearance has no minimum on the flanks that the descent could find.
-};
 
 std::string_view name(ContactPointStatus status);
 
@@ -101,6 +92,11 @@ struct ContactPoint {
   bool ok() const { return status == ContactPointStatus::ok; }
   double normal_angle() const;  ///< psi, between normal and axis, arccos|n_z| [rad].
 };
+
+template <class Real>
+struct PointNumbers;
+/// From what formulas give; violations are not among it.
+ContactPoint contact_point_of(const PointNumbers<double>& numbers);
 
 /// Finds the contact point of a pair: the minimum of the axial clearance between the two flanks
 ///

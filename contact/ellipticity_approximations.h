@@ -3,7 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "simd/lanes.h"
+
 namespace contact {
+
+using simd::exp, simd::log10;
 
 // Published fits of the ellipticity ratio a/b >= 1 to the ratio q = kappa_2/kappa_1 >= 1 of the
 // relative curvatures (Sandu 2018, table 1.5), for comparison with `ellipticity`, which is exact;
@@ -20,14 +24,15 @@ inline double johnson_ellipticity(double q) { return std::pow(q, 2.0 / 3.0); }
 
 /// a/b = q^gamma(q) with a rational function gamma of X = log10(q) (Antoine et al.; Sandu 2018,
 /// (1.75), (1.76)): within 6e-6 for q <= 1e6.
-inline double antoine_ellipticity(double q) {
-  const double x = std::log10(q);
-  const double y = x * x;
-  const double numerator =
+template <class Real>
+Real antoine_ellipticity(const Real& q) {
+  const Real x = log10(q);
+  const Real y = x * x;
+  const Real numerator =
       1.0 + y * (0.40227436 + y * (3.7491752e-2 + y * (7.4855761e-4 + y * 2.1667028e-6)));
-  const double denominator =
+  const Real denominator =
       1.0 + y * (0.42678878 + y * (4.2605401e-2 + y * (9.0786922e-4 + y * 2.7868927e-6)));
-  return std::exp(2.0 / 3.0 * numerator / denominator * x * std::numbers::ln10);
+  return exp(Real(2.0 / 3.0 * numerator / denominator * x * std::numbers::ln10));
 }
 
 }  // namespace contact

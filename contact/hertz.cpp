@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
-#include "contact/elliptic_integrals.h"
-#include "contact/ellipticity_approximations.h"
+#include "contact/hertz_formulas.h"
 
 namespace contact {
 
@@ -23,46 +21,15 @@ std::string_view name(HertzStatus status) {
   return kNames[static_cast<std::size_t>(status)];
 }
 
-double ellipticity(double curvature_ratio) {
-  // Newton on ln((b/a)^2 D/B) = ln(ratio) over ln(b/a): nearly a straight line, slope between 1.5
-  // (circle) and 2 (line). The residual is the logarithm of a number near 1, so its rounding does
-  // not grow with the ratio. A second order step needs no check once the first is below 1e-8.
-  double k = std::min(1.0, 1.0 / antoine_ellipticity(1.0 / curvature_ratio));
-  for (int i = 0; i < 20; ++i) {
-    const EllipticIntegrals e = complete_elliptic_integrals(k);
-    const double residual = std::log(k * k * e.d / (e.b * curvature_ratio));
-    const double slope = 1.0 + e.c / e.d + k * k * e.c / e.b;
-    const double step = residual / slope;
-    k = std::min(1.0, k * std::exp(-step));
-    if (std::abs(step) < 1e-8) break;
-  }
-  return k;
+double ellipticity(double curvature_ratio) { return ellipticity_of(curvature_ratio); }
+
+HertzConstants hertz_constants_of(const HertzNumbers<double>& n) {
+  return {static_cast<HertzStatus>(static_cast<int>(n.status)), n.ellipticity, n.hertz_constant,
+          n.semi_major_per_cbrt_load, n.semi_minor_per_cbrt_load};
 }
 
 HertzConstants hertz_constants(double kappa_1, double kappa_2, double contact_modulus) {
-  if (kappa_1 > kappa_2) std::swap(kappa_1, kappa_2);
-  HertzConstants h;
-  if (!std::isfinite(kappa_1) || !std::isfinite(kappa_2) || !std::isfinite(contact_modulus)) {
-    h.status = HertzStatus::not_finite;
-  } else if (kappa_1 < 0.0) {
-    h.status = HertzStatus::conforming_surface;
-  } else if (kappa_1 == 0.0) {
-    h.status = HertzStatus::no_point_contact;
-  } else if (contact_modulus <= 0.0) {
-    h.status = HertzStatus::no_stiffness;
-  } else {
-    constexpr double pi = std::numbers::pi;
-    const double k = ellipticity(kappa_1 / kappa_2);
-    const EllipticIntegrals e = complete_elliptic_integrals(k);
-    h.ellipticity = k;
-    h.semi_minor_per_cbrt_load = std::cbrt(3.0 * k * e.b / (pi * kappa_2 * contact_modulus));
-    h.semi_major_per_cbrt_load = h.semi_minor_per_cbrt_load / k;
-    const double stiffness =
-        2.0 * pi * h.semi_major_per_cbrt_load * contact_modulus / (3.0 * e.first);
-    h.hertz_constant = stiffness * std::sqrt(stiffness);
-    h.status = HertzStatus::ok;
-  }
-  return h;
+  return hertz_constants_of(hertz_numbers(PrincipalValues{kappa_1, kappa_2, 0.0}, contact_modulus));
 }
 
 double HertzContact::pressure(double along_major, double along_minor) const {
@@ -75,14 +42,14 @@ double HertzContact::pressure(double along_major, double along_minor) const {
 HertzContact at_load(const HertzConstants& constants, double normal_load) {
   HertzContact contact;
   if (normal_load <= 0.0) return contact;
-  const double cbrt_load = std::cbrt(normal_load);
   const double cbrt_approach = std::cbrt(normal_load / constants.hertz_constant);
+  const EllipseNumbers<double> ellipse = ellipse_numbers(
+      constants.semi_major_per_cbrt_load, constants.semi_minor_per_cbrt_load, normal_load);
   contact.normal_load = normal_load;
   contact.approach = cbrt_approach * cbrt_approach;
-  contact.semi_major = constants.semi_major_per_cbrt_load * cbrt_load;
-  contact.semi_minor = constants.semi_minor_per_cbrt_load * cbrt_load;
-  contact.peak_pressure =
-      1.5 * normal_load / (std::numbers::pi * contact.semi_major * contact.semi_minor);
+  contact.semi_major = ellipse.semi_major;
+  contact.semi_minor = ellipse.semi_minor;
+  contact.peak_pressure = ellipse.peak_pressure;
   return contact;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
+
+#include "simd/instruction_set.h"
 
 namespace contact {
 
@@ -40,6 +43,11 @@ struct HertzConstants {
   bool ok() const { return status == HertzStatus::ok; }
 };
 
+template <class Real>
+struct HertzNumbers;
+/// From what formulas give.
+HertzConstants hertz_constants_of(const HertzNumbers<double>& numbers);
+
 /// Contact ellipse of two elastic bodies whose *relative* principal curvatures are kappa_1 and
 /// kappa_2 [1/m], the eigenvalues of the sum of the two curvature tensors in the common tangent
 /// plane (no factor 1/2; either order). The major axis lies along the smaller one.
@@ -75,5 +83,10 @@ struct HertzContact {
 
 /// The contact under the normal load N [N]; a load <= 0 leaves it open (all zero).
 HertzContact at_load(const HertzConstants& constants, double normal_load);
+
+/// Ellipses and pressures under many loads, as many side by side as a batch has numbers.
+void set_ellipses(const HertzConstants& constants, const std::vector<double>& normal_load,
+                  std::vector<double>& semi_major, std::vector<double>& semi_minor,
+                  std::vector<double>& peak_pressure, simd::InstructionSet set);
 
 }  // namespace contact

@@ -6,16 +6,14 @@
 #include <limits>
 #include <numbers>
 
+#include "contact/contact_formulas.h"
 #include "contact/flank_edge.h"
 
 namespace contact {
 
 namespace {
 
-/// Unit tangent of the helix through a point of a thread, towards growing theta.
-Eigen::Vector3d helix_tangent(const ThreadSurface& surface, const Eigen::Vector2d& from_axis) {
-  return Eigen::Vector3d(-from_axis.y(), from_axis.x(), surface.reduced_lead).normalized();
-}
+Eigen::Vector3d vector_of(const Vector3<double>& v) { return {v.x, v.y, v.z}; }
 
 /// The contact point as one of the two flanks sees it.
 struct FlankSpot {
@@ -49,32 +47,27 @@ double InterfaceGeometry::first_directions_angle() const {
   return std::abs(std::remainder(body.angle - roller.angle, std::numbers::pi));
 }
 
-InterfaceGeometry interface_geometry(const ThreadPair& pair, RollerFace face) {
+InterfaceGeometry interface_geometry_of(const InterfaceNumbers<double>& numbers) {
   InterfaceGeometry g;
-  g.point = find_contact_point(pair, face);
-  if (!g.ok()) return g;
-
-  const Eigen::Vector2d on_body = g.point.position;
-  const Eigen::Vector2d on_roller = on_body - Eigen::Vector2d(pair.centre_distance, 0.0);
-  const Eigen::Vector3d& n = g.point.normal;
-  const Eigen::Vector3d body_tangent = helix_tangent(pair.body, on_body);
-  g.helix_tangent = helix_tangent(pair.roller, on_roller);
-
-  // Both tensors in the frame (roller's helix tangent, n x it). A screw's own frame is seen from
-  // its other side here, since its normal is -n; the air in a nut has the roller's normal.
-  const double turn =
-      std::atan2(n.dot(g.helix_tangent.cross(body_tangent)), g.helix_tangent.dot(body_tangent));
-  const SymmetricTensor of_roller = curvature_tensor(pair.roller, g.point.radius_on_roller);
-  const SymmetricTensor in_own_frame = curvature_tensor(pair.body, g.point.radius_on_body);
-  const SymmetricTensor of_body =
-      in_turned_axes(pair.body.side > 0.0 ? mirrored(in_own_frame) : in_own_frame, -turn);
-
-  g.body = principal_by_magnitude(of_body);
-  g.roller = principal_by_magnitude(of_roller);
-  g.relative = principal_ascending(of_body + of_roller);
-  g.major_axis = g.direction(g.relative.angle);
-  g.minor_axis = n.cross(g.major_axis);
+  g.point = contact_point_of(numbers.point);
+  g.body = numbers.body;
+  g.roller = numbers.roller;
+  g.relative = numbers.relative;
+  g.helix_tangent = vector_of(numbers.helix_tangent);
+  g.major_axis = vector_of(numbers.major_axis);
+  g.minor_axis = vector_of(numbers.minor_axis);
   return g;
+}
+
+InterfaceGeometry interface_geometry(const ThreadPair& pair, RollerFace face) {
+  const FlankPair<double> flanks{pair.body, pair.roller, pair.centre_distance,
+                                 static_cast<double>(face)};
+  const PointNumbers<double> point = point_numbers(flanks);
+  if (point.status == static_cast<double>(ContactPointStatus::ok))
+    return interface_geometry_of(interface_numbers(flanks, point));
+  InterfaceGeometry none;
+  none.point = find_contact_point(pair, face);
+  return none;
 }
 
 FlankViolations ellipse_beyond_flanks(const ThreadPair& pair, const InterfaceGeometry& interface,

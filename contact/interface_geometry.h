@@ -36,6 +36,11 @@ struct InterfaceGeometry {
   Eigen::Vector3d direction(double angle) const;
 };
 
+template <class Real>
+struct InterfaceNumbers;
+/// From what formulas give.
+InterfaceGeometry interface_geometry_of(const InterfaceNumbers<double>& numbers);
+
 /// Solves for the contact point on one face of the roller and works out the curvatures there. The
 /// ellipse is oriented by the *signed* sum of the curvature tensors; Sandu 2018, (1.65) and table
 /// 1.4, and Yao 2023, (35), take absolute values or differences of them, which is wrong where one

@@ -3,7 +3,9 @@
 #include <type_traits>
 #include <utility>
 
-/// Arithmetic that reads alike for a number and for a batch of numbers, one lane per chain.
+#include "simd/lanes.h"
+
+/// simd/lanes.h, one chain per lane, and loops that the compiler writes out.
 namespace fe {
 
 template <int I>
@@ -18,16 +20,7 @@ template <int N, class F>
   (std::make_integer_sequence<int, N>{});
 }
 
-/// The operations that batches have, for single numbers.
-[[gnu::always_inline]] inline double select(bool condition, double a, double b) {
-  return condition ? a : b;
-}
-[[gnu::always_inline]] inline bool any(bool condition) { return condition; }
-[[gnu::always_inline]] inline double sqrt(double x) { return __builtin_sqrt(x); }
-[[gnu::always_inline]] inline double abs(double x) { return __builtin_fabs(x); }
-[[gnu::always_inline]] inline double max(double a, double b) { return a > b ? a : b; }
-[[gnu::always_inline]] inline double min(double a, double b) { return a < b ? a : b; }
-[[gnu::always_inline]] inline double cbrt(double x) { return __builtin_cbrt(x); }
+using simd::select, simd::any, simd::sqrt, simd::abs, simd::max, simd::min, simd::cbrt;
 
 /// The larger of both; keeps a NaN in `a` or `b`.
 template <class Real>
@@ -35,9 +28,7 @@ template <class Real>
   return select(b <= a, a, select(a <= b, b, a + b));
 }
 
-/// Yes or no for each lane.
-template <class Real>
-using Lanes = decltype(Real() < Real());
+using simd::Lanes;
 
 template <class Real, int N>
 [[gnu::always_inline]] inline void set_zero(Real (&values)[N]) {

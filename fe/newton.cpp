@@ -136,14 +136,18 @@ WideNewton& NewtonSolver::wide() {
   return *wide_;
 }
 
-NewtonSummary NewtonSolver::solve(const Eigen::VectorXd& f, const NewtonOptions& options,
-                                  State& q) {
+NewtonSummary NewtonSolver::solve(const Eigen::VectorXd& f, const NewtonOptions& options, State& q,
+                                  const std::function<bool()>& held) {
   const int limit = options.iteration_limit(static_cast<int>(equations_->springs().size()));
   const State start = q;
   NewtonSummary summary = doubles_->method.solve(f, options, limit, kMostShifted, q);
   const bool digits_may_help = summary.status == NewtonStatus::line_search_failed ||
                                summary.status == NewtonStatus::not_positive_definite;
   if (!digits_may_help || !std::isfinite(summary.relative_residual)) return summary;
+  if (held && !held()) {
+    summary.status = NewtonStatus::no_equilibrium;
+    return summary;
+  }
   if (!(summary.relative_residual <= kNear)) q = start;
   NewtonSummary further = wide().solve(f, options, limit - summary.iterations(), q);
   further.wide = true;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 
 #include "fe/equations.h"
@@ -29,8 +30,10 @@ class NewtonSolver {
 
   /// Minimises the potential energy under the load `f`, from the state `q`, which it updates.
   /// Every step is searched along for a smaller energy; the energy is convex, so a Newton step
-  /// always descends.
-  NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, State& q);
+  /// always descends. `held`, where given, is asked before wider numbers are taken: where it says
+  /// no, nothing holds the load and they would only find that out more slowly.
+  NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, State& q,
+                      const std::function<bool()>& held = {});
 
   /// State of bilateral linear springs of the given stiffnesses in place of the contacts, gaps
   /// included. False where the structure is singular even so.

@@ -60,10 +60,11 @@ class NewtonMethod {
     };
 
     bool fresh = false;  // whether the factorization is that of the last step's start
+    bool slow = false;   // whether the last step left more than a tenth of the residual
     int shifted = 0, stalls = 0;
     while (summary.iterations() < limit) {
       NewtonIteration iteration;
-      fresh = !(fresh && summary.relative_residual <= options.reuse_factorization_below);
+      fresh = !(fresh && !slow && summary.relative_residual <= options.reuse_factorization_below);
       if (fresh) {
         numbers_.tangent(q, options.least_tangent);
         if (factorize_shifted(options, iteration.shift) != FactorizationStatus::ok)
@@ -86,10 +87,10 @@ class NewtonMethod {
       const double before = summary.relative_residual;
       summary.energy = iteration.energy;
       summary.relative_residual = iteration.relative_residual;
+      const bool stalled = slow = options.stalled(summary.relative_residual, before);
       if (!options.settled(-slope, summary.energy)) continue;
       const bool energy_is_rounding = -slope <= numbers_.energy_rounding(q, f, energy);
 
-      const bool stalled = options.stalled(summary.relative_residual, before);
       const bool small = options.small(summary.relative_residual);
       if (!small && !stalled) continue;
       const double change = numbers_.force_change(q, step_);
@@ -97,7 +98,8 @@ class NewtonMethod {
       const auto told = [&] { return numbers_.force_rounding(q) <= options.force_tolerance; };
       if (small && exact)
         return stop(told() ? NewtonStatus::converged : NewtonStatus::line_search_failed);
-      if (stalled && energy_is_rounding) ++stalls;
+      // Springs at the point of closing leave a fifth of the residual a step.
+      if (energy_is_rounding && summary.relative_residual > kNoLess * before) ++stalls;
       if (stalls > Numbers::kMostStalls ||
           (stalled && numbers_.residual_is_rounding(q, residual_))) {
         summary.at_rounding = true;
@@ -112,6 +114,9 @@ class NewtonMethod {
  private:
   /// Number of linear solves after which their accuracy is checked.
   static constexpr int kUsualIterations = 20;
+  /// Share of a residual that counts as no decrease: of digits that are lost, not of threads that
+  /// close.
+  static constexpr double kNoLess = 0.3;
 
   double relative_residual(const NewtonOptions& options) const {
     double force = 0.0, moment = 0.0;

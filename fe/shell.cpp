@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -71,7 +72,15 @@ ShellMatrix piece(const ShellRigidity& shell, double length) {
   Eigen::Matrix<double, kAll, kAll> k = Eigen::Matrix<double, kAll, kAll>::Zero();
   for (int i = 0; i <= kDegree; ++i) {
     const ShellStrains b = legendre_strains(i, length);
-    k.noalias() += length / (2 * i + 1) * b.transpose() * (d * b);
+    std::array<int, kAll> there;  // freedoms that strain so at all: few
+    std::size_t count = 0;
+    for (int column = 0; column < kAll; ++column)
+      if (!b.col(column).isZero(0.0)) there[count++] = column;
+    const double weight = length / (2 * i + 1);
+    for (std::size_t m = 0; m < count; ++m) {
+      const Eigen::Vector4d stress = weight * d * b.col(there[m]);
+      for (std::size_t n = 0; n < count; ++n) k(there[n], there[m]) += b.col(there[n]).dot(stress);
+    }
   }
   if (shell.radially_rigid) {
     const int v = kOuter + kInner;
@@ -79,9 +88,11 @@ ShellMatrix piece(const ShellRigidity& shell, double length) {
     k.middleCols<kInner>(v).setZero();
     k.block<kInner, kInner>(v, v).setIdentity();
   }
-  const auto inner = k.bottomRightCorner<3 * kInner, 3 * kInner>();
-  const auto coupling = k.bottomLeftCorner<3 * kInner, kOuter>();
-  return k.topLeftCorner<kOuter, kOuter>() - coupling.transpose() * inner.llt().solve(coupling);
+  for (int p = kAll - 1; p >= kOuter; --p) {
+    const auto coupling = k.col(p).head(p);
+    k.topLeftCorner(p, p).noalias() -= (coupling / k(p, p)) * coupling.transpose();
+  }
+  return k.topLeftCorner<kOuter, kOuter>();
 }
 
 /// (u_1, v_1, theta_1, u_2, v_2, theta_2) from the deformation, without axial translation.

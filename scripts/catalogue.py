@@ -12,6 +12,7 @@ import argparse
 import csv
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -93,6 +94,8 @@ def main():
     parser.add_argument("--prs", default=str(ROOT / "build/release/prs/cli/prs"))
     parser.add_argument("--cases", help="folder that keeps the cases; they must be new")
     asked = parser.parse_args()
+    if shutil.which(asked.prs) is None:
+        parser.error(f"--prs: got {asked.prs}, which is no program; build prs, or say where it is")
     with open(asked.catalogue, encoding="utf-8") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Makes what users install, in dist/: the Debian package for the release of Debian that this runs on,
-# the wheel with the libraries that it needs, and the sources for pip. Compiles in build/release.
+# the wheel with the libraries that it needs, the sources for pip, and the list of all libraries used.
+# Compiles in build/release.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -26,4 +27,5 @@ pip wheel . --disable-pip-version-check --no-deps --no-build-isolation \
 auditwheel repair build/wheel/*.whl -w dist \
   --exclude 'libcholmod.so.*' --exclude 'libmpi.so.*' --exclude 'libnetcdf.so.*'
 scripts/wheel_licences.py dist/*.whl
+scripts/sbom.py >dist/prs.cdx.json
 ls -l dist

@@ -10,7 +10,8 @@ packages=(
   libtbb-dev libnetcdf-dev libopenmpi-dev libpagmo-dev openmpi-bin
   python3-dev python3-venv
   libgtest-dev libgmock-dev libbenchmark-dev python3-jsonschema
-  gnuplot-nox nodejs
+  gnuplot-nox nodejs strace
+  chromium chromium-driver
   "$@"
 )
 

@@ -164,11 +164,10 @@ void add_new(CLI::App& command, Options& options) {
   add_quiet(command, options);
 }
 
-void add_report_options(CLI::App& command, Options& options) {
+void add_page_options(CLI::App& command, Options& options, const char* output) {
   add_file(command, options)->required();
   add_set(command, options);
-  command.add_option("-o,--output", options.report, "Write the page into this file")
-      ->type_name("FILE");
+  command.add_option("-o,--output", options.report, output)->type_name("FILE");
   command
       .add_option("--results", options.results,
                   "Show the study and the optimization of the case that this folder holds; "
@@ -177,6 +176,47 @@ void add_report_options(CLI::App& command, Options& options) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
+}
+
+void add_report_options(CLI::App& command, Options& options) {
+  add_page_options(command, options, "Write the page into this file");
+  command
+      .add_flag("--static", options.without_engine,
+                "Leave the engine and the scripts out: a page for reading and printing alone")
+      ->disable_flag_override();
+  add_json(command, options);
+  add_quiet(command, options);
+}
+
+void add_explore_options(CLI::App& command, Options& options) {
+  add_page_options(command, options,
+                   "Write the page into this file; default: one in a folder for temporary files");
+  add_quiet(command, options);
+}
+
+void add_export_options(CLI::App& command, Options& options) {
+  ExportOptions& o = options.export_model;
+  add_file(command, options)->required();
+  add_set(command, options);
+  command.add_flag("--fmu", o.fmu, "Write a co-simulation unit of FMI 2.0, CASE.fmu")
+      ->disable_flag_override();
+  command.add_flag("--modelica", o.modelica, "Write a Modelica package, CASE.mo")
+      ->disable_flag_override();
+  command
+      .add_flag("--step", o.step, "Grooved bodies for CAD: says how the Python package writes them")
+      ->disable_flag_override();
+  command.add_option("--force", o.force, "Largest force of the curves; default: that of the case")
+      ->type_name("FORCE");
+  command.add_option("--speed", o.speed, "Largest speed of the torque; default: that of the case")
+      ->type_name("SPEED");
+  command
+      .add_option("--load-case", o.load_case,
+                  "Whose position, misalignment and temperatures hold; default: the first")
+      ->type_name("NAME");
+  command
+      .add_option("-o,--output", o.output,
+                  "The file to write, or a folder for it; default: the current folder")
+      ->type_name("PATH");
   add_json(command, options);
   add_quiet(command, options);
 }
@@ -249,7 +289,14 @@ constexpr OwnRow kOwnRows[] = {
     {"report", kAnalyse, "Write one page for a browser or a printer: all that the case asks for",
      add_report_options, report,
      "prs report case.yaml --output report.html\n"
-     "prs report case.yaml --results results --output report.html"},
+     "prs report case.yaml --static --results results --output report.html"},
+    {"explore", kAnalyse, "Write that page and open it in the browser, to try other values",
+     add_explore_options, explore,
+     "prs explore case.yaml\nprs explore case.yaml --output page.html"},
+    {"export", kAnalyse, "Write the screw as a model for other programs: FMI, Modelica",
+     add_export_options, export_model,
+     "prs export case.yaml --fmu\n"
+     "prs export case.yaml --fmu --modelica --output models --force '60 kN'"},
     {"list", kLook, "List what there is to choose from", add_list_options, list,
      "prs list commands\nprs list commands case.yaml"},
     {"schema", kLook, "Print the JSON Schema of the input, of a command's document or of pictures",

@@ -34,6 +34,13 @@ struct NewOptions {
   std::optional<int> starts, rollers;
 };
 
+/// Arguments of `prs export`; quantities as the user wrote them.
+struct ExportOptions {
+  bool fmu = false, modelica = false, step = false;
+  std::optional<std::string> force, speed, load_case;
+  std::optional<std::filesystem::path> output;  ///< A file or a folder.
+};
+
 /// Arguments of all commands.
 struct Options : OutputOptions {
   std::string file;
@@ -45,11 +52,13 @@ struct Options : OutputOptions {
   std::optional<std::string> explain;          ///< What to explain in place of numbers.
   std::filesystem::path pages;                 ///< `prs manual`: folder of its pages.
   std::filesystem::path report;                ///< `prs report`: the page to write.
+  bool without_engine = false;                 ///< `prs report --static`.
   std::vector<std::filesystem::path> results;  ///< `prs report`: folders of stored results.
   std::string what;                            ///< `prs list`, `prs schema`: of what.
   std::vector<std::string> words;              ///< `prs help`: the command to explain.
   ConfigurationOptions configurations;
   NewOptions new_case;
+  ExportOptions export_model;
 };
 
 inline constexpr std::size_t kMostThreads = 4096;
@@ -74,6 +83,10 @@ int configurations(const Options& options);
 int optimize(const Options& options);
 /// Writes all that a case asks for as one page.
 int report(const Options& options);
+/// The same page, written to a temporary folder where no file is named, and opened.
+int explore(const Options& options);
+/// Writes models of the screw for other programs.
+int export_model(const Options& options);
 int schema(const Options& options);
 void add_new_options(CLI::App& command, NewOptions& options);
 /// Prints a commented case, or writes it to a file, which must not exist; or copies a lesson.

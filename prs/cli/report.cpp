@@ -1,7 +1,13 @@
-#include "prs/report/report.h"
+#include "prs/page/page.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <spawn.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstdlib>
+#include <stdexcept>
 #include <system_error>
 
 #include "prs/cli/commands.h"
@@ -27,8 +33,55 @@ std::string command_of(const Options& options) {
   for (const std::string& text : options.overrides) command += " --set " + quoted(text);
   for (const std::filesystem::path& folder : options.results)
     command += " --results " + quoted(folder.string());
+  if (options.without_engine) command += " --static";
   if (!options.report.empty()) command += " --output " + quoted(options.report.string());
   return command;
+}
+
+void require_file(const std::filesystem::path& file) {
+  if (std::error_code error; std::filesystem::is_directory(file, error))
+    throw UsageError(
+        fmt::format("--output: got {}, which is a folder; expected a file, for example {}",
+                    input::shown(file.string()), input::shown((file / "report.html").string())));
+}
+
+/// The page of a case, written where the options say.
+Report write_page(const Options& options) {
+  const input::Source source = case_source(options);
+  PageOptions asked{command_of(options), options.results, !options.without_engine};
+  if (asked.results.empty())
+    asked.results = {std::filesystem::absolute(options.report).parent_path()};
+  Report report = make_report(source, asked);
+  if (!options.report.empty()) {
+    StagedFile file(options.report);
+    file.append(report.html);
+    file.publish();
+  }
+  for (const std::string& text : report.notes) note(options, "prs: " + text);
+  return report;
+}
+
+/// A page of this case in a new folder for temporary files.
+std::filesystem::path temporary_page(const std::string& file) {
+  std::string folder = (std::filesystem::temp_directory_path() / "prs-XXXXXX").string();
+  if (mkdtemp(folder.data()) == nullptr)
+    throw std::system_error(errno, std::generic_category(), folder);
+  const std::string stem = std::filesystem::path(file).stem().string();
+  return std::filesystem::path(folder) / ((stem.empty() || stem == "-" ? "case" : stem) + ".html");
+}
+
+/// Hands a file to the desktop's program for it, and does not wait; false where there is none.
+bool open_in_browser(const std::filesystem::path& file) {
+  posix_spawn_file_actions_t quiet;
+  posix_spawn_file_actions_init(&quiet);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    posix_spawn_file_actions_addopen(&quiet, stream, "/dev/null", O_RDWR, 0);
+  std::string program = "xdg-open", argument = std::filesystem::absolute(file).string();
+  char* arguments[] = {program.data(), argument.data(), nullptr};
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, program.c_str(), &quiet, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&quiet);
+  return error == 0;
 }
 
 }  // namespace
@@ -36,27 +89,30 @@ std::string command_of(const Options& options) {
 int report(const Options& options) {
   if (options.report.empty() && !options.json)
     throw UsageError("--output is missing; expected a file, for example --output report.html");
-  if (std::error_code error; std::filesystem::is_directory(options.report, error))
-    throw UsageError(
-        fmt::format("--output: got {}, which is a folder; expected a file, for example {}",
-                    input::shown(options.report.string()),
-                    input::shown((options.report / "report.html").string())));
-  const input::Source source = case_source(options);
-  ReportOptions asked{command_of(options), options.results};
-  if (asked.results.empty())
-    asked.results = {std::filesystem::absolute(options.report).parent_path()};
-  const Report report = make_report(source, asked);
-  if (!options.report.empty()) {
-    StagedFile file(options.report);
-    file.append(report.html);
-    file.publish();
-  }
-  for (const std::string& text : report.notes) note(options, "prs: " + text);
+  require_file(options.report);
+  const Report report = write_page(options);
+  if (!options.without_engine && page_engine().empty())
+    note(options, "prs: this program was built without the engine of pages: the page is static");
   if (options.json)
     print(json_text(report.data));
   else if (!options.quiet)
     print(fmt::format("{}: {:.0f} kB\n", options.report.string(),
                       static_cast<double>(report.html.size()) / 1000.0));
+  return exit_status(true, report.converged);
+}
+
+int explore(const Options& options) {
+  if (page_engine().empty())
+    throw std::runtime_error(
+        "this program was built without the engine of pages; `prs report` writes a page for "
+        "reading");
+  require_file(options.report);
+  Options at = options;
+  if (at.report.empty()) at.report = temporary_page(options.file);
+  const Report report = write_page(at);
+  if (!options.quiet) print(at.report.string() + "\n");
+  if (!open_in_browser(at.report))
+    note(options, "prs: xdg-open is missing; open the page in a browser yourself");
   return exit_status(true, report.converged);
 }
 

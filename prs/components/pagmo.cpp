@@ -21,13 +21,31 @@ namespace {
 
 using pagmo::vector_double;
 
+/// Points of one generation of an algorithm that asks for them one after the other, although none
+/// depends on the answers to the others. In a rehearsal on copies they are written down; then all
+/// are evaluated at once, and the algorithm itself finds the answers here.
+struct Generation {
+  bool rehearsal = false;
+  Points points, answers;
+  std::size_t next = 0;
+};
+
 /// The unit cube as pagmo's problem.
 struct CubeProblem {
   std::size_t dimensions = 1;
   std::size_t objectives = 1;
   const EvaluatePoints* evaluate = nullptr;
+  Generation* generation = nullptr;
 
-  vector_double fitness(const vector_double& x) const { return (*evaluate)({x}).front(); }
+  vector_double fitness(const vector_double& x) const {
+    Generation& g = *generation;
+    if (g.rehearsal) {
+      g.points.push_back(x);
+      return vector_double(objectives, 0.0);
+    }
+    if (g.next < g.answers.size() && g.points[g.next] == x) return g.answers[g.next++];
+    return (*evaluate)({x}).front();
+  }
 
   vector_double batch_fitness(const vector_double& xs) const {
     Points points;
@@ -44,6 +62,24 @@ struct CubeProblem {
     return {vector_double(dimensions, 0.0), vector_double(dimensions, 1.0)};
   }
 };
+
+/// Evolves by an algorithm of one generation that keeps its memory from call to call.
+void evolve_rehearsed(const pagmo::algorithm& algorithm, std::size_t generations,
+                      const EvaluatePoints& evaluate, Generation& generation,
+                      pagmo::population population) {
+  for (std::size_t k = 0; k < generations; ++k) {
+    generation = {.rehearsal = true, .points = {}, .answers = {}};
+    pagmo::algorithm(algorithm).evolve(population);
+    generation.answers = evaluate(generation.points);
+    generation.rehearsal = false;
+    population = algorithm.evolve(population);
+  }
+}
+
+/// Whether `algorithm_of` gives one for `evolve_rehearsed`.
+bool is_rehearsed(Algorithm algorithm) {
+  return algorithm == Algorithm::sade || algorithm == Algorithm::cmaes;
+}
 
 template <class A>
 pagmo::algorithm in_batches(A algorithm) {
@@ -73,7 +109,7 @@ pagmo::algorithm algorithm_of(const SearchOptions& options, std::size_t dimensio
                        "tchebycheff", neighbours, 1.0, 0.5, 20.0, 0.9, 2, true, seed));
     }
     case Algorithm::sade:
-      return pagmo::algorithm(pagmo::sade(generations, 2, 1, 0.0, 0.0, false, seed));
+      return pagmo::algorithm(pagmo::sade(1, 2, 1, 0.0, 0.0, true, seed));
     case Algorithm::pso: {
       pagmo::pso_gen swarm(generations);
       swarm.set_seed(seed);
@@ -82,20 +118,25 @@ pagmo::algorithm algorithm_of(const SearchOptions& options, std::size_t dimensio
     case Algorithm::cmaes:
       break;
   }
-  return pagmo::algorithm(
-      pagmo::cmaes(generations, -1, -1, -1, -1, 0.3, 0.0, 0.0, false, true, seed));
+  return pagmo::algorithm(pagmo::cmaes(1, -1, -1, -1, -1, 0.3, 0.0, 0.0, true, true, seed));
 }
 
 void search_cube(const SearchOptions& options, const Points& first_population,
                  const EvaluatePoints& evaluate) {
   const std::size_t dimensions = first_population.front().size();
+  Generation generation;
   pagmo::population population(
-      pagmo::problem(CubeProblem{dimensions, options.objectives, &evaluate}), 0U, 0U);
+      pagmo::problem(CubeProblem{dimensions, options.objectives, &evaluate, &generation}), 0U, 0U);
   const Points fitness = evaluate(first_population);
   for (std::size_t k = 0; k < first_population.size(); ++k)
     population.push_back(first_population[k], fitness[k]);
   if (options.generations < 2) return;
-  algorithm_of(options, dimensions, first_population.size()).evolve(population);
+  const pagmo::algorithm algorithm = algorithm_of(options, dimensions, first_population.size());
+  if (is_rehearsed(options.algorithm))
+    evolve_rehearsed(algorithm, options.generations - 1, evaluate, generation,
+                     std::move(population));
+  else
+    algorithm.evolve(population);
 }
 
 double hypervolume(const Points& points, const std::vector<double>& corner) {

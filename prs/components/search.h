@@ -29,8 +29,8 @@ struct SearchModule : modules::Module {
   static constexpr modules::Name kName{"prs_pagmo.so", "pagmo", "libpagmo-dev", ""};
 
   /// Evaluates the first population in one call and lets pagmo evolve it: generations x population
-  /// points in all, in an order that depends on the options and the answers alone. NSGA-II and the
-  /// particle swarms ask for a generation at a time, the others for one point after the other.
+  /// points in all, in an order that depends on the options and the answers alone. All algorithms
+  /// ask for a generation at a time but MOEA/D, whose next point depends on the answer to the last.
   void (*search_cube)(const SearchOptions& options, const Points& first_population,
                       const EvaluatePoints& evaluate);
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -16,6 +17,8 @@
 
 #include "prs/figures/figure_json.h"
 #include "prs/input/reader.h"
+#include "prs/input/written_case.h"
+#include "prs/report/live.h"
 #include "prs/run/commands.h"
 #include "prs/run/exit_status.h"
 
@@ -33,8 +36,12 @@ class QuestionError : public std::runtime_error {
       : std::runtime_error(fmt::format("question: {}: got {}; expected {}", key, got, expected)) {}
 };
 
+/// Names that are no command: sections of the report, and the case with its overrides written in.
+constexpr std::string_view kReport = "report", kWrite = "write";
+
 struct Question {
-  Command command = Command::check;
+  std::string name;
+  LiveQuestion report;
   input::Source source;
   std::vector<std::string> load_cases;
   bool figures = false;
@@ -67,15 +74,28 @@ const CommandRow& row_named(const std::string& name) {
     if (prs::name(row.command) == name) return row;
     known.push_back(prs::name(row.command));
   }
+  known.insert(known.end(), {kReport, kWrite});
   throw QuestionError("command", input::shown(name),
                       fmt::format("one of {}", fmt::join(known, ", ")));
+}
+
+LiveQuestion live_question(const Json& json) {
+  LiveQuestion question;
+  question.own = value_of<std::size_t>(json, "own", 0, "a number of overrides");
+  question.quick = value_of<bool>(json, "quick", false, "true or false");
+  question.sections =
+      value_of<std::vector<std::string>>(json, "sections", {}, "a list of names of sections");
+  if (const Json thread = value_of<Json>(json, "thread", nullptr, "an object"); thread.is_object())
+    question.thread = {value_of<std::size_t>(thread, "load_case", 0, "a number from 0"),
+                       value_of<std::size_t>(thread, "thread", 0, "a number from 0")};
+  return question;
 }
 
 Question parsed(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) throw QuestionError(input::shown(text), "a JSON object");
-  constexpr std::string_view kKeys[] = {"command",   "yaml",       "file",   "set",
-                                        "histories", "load_cases", "figures"};
+  constexpr std::string_view kKeys[] = {"command",   "yaml",       "file",    "set",
+                                        "histories", "load_cases", "figures", "report"};
   for (const auto& item : json.items())
     if (std::ranges::find(kKeys, item.key()) == std::end(kKeys))
       throw QuestionError(input::shown(item.key()),
@@ -84,7 +104,9 @@ Question parsed(std::string_view text) {
     if (!json.contains(key)) throw QuestionError(key, "nothing", "a text");
 
   Question question;
-  question.command = row_named(value_of<std::string>(json, "command", "", "a text")).command;
+  question.name = value_of<std::string>(json, "command", "", "a text");
+  if (question.name != kReport && question.name != kWrite) row_named(question.name);
+  question.report = live_question(value_of<Json>(json, "report", Json::object(), "an object"));
   std::vector<std::string> overrides;
   for (const Json& pair : value_of<std::vector<Json>>(json, "set", {}, "a list of pairs")) {
     if (!pair.is_array() || pair.size() != 2 || !pair[0].is_string() || !pair[1].is_string())
@@ -126,6 +148,21 @@ void choose(const std::vector<std::string>& names, Command command, Case& c) {
 
 // The answer
 
+Answer report_answer(const Question& question) {
+  LiveAnswer found = live_sections(question.source, question.report);
+  return {.status = found.converged ? kDone : kNotConverged,
+          .document = {{"sections", std::move(found.sections)}},
+          .messages = std::move(found.notes)};
+}
+
+Answer written_answer(const Question& question) {
+  const std::optional<std::string> text = input::written_case(question.source);
+  if (!text)
+    throw QuestionError("set", "a value that cannot be written into the file in its place",
+                        "other values; give them as --set");
+  return {.document = {{"yaml", *text}}};
+}
+
 void put_lines(std::vector<std::string>& messages, std::string_view text,
                std::string_view before = "") {
   while (!text.empty()) {
@@ -136,7 +173,9 @@ void put_lines(std::vector<std::string>& messages, std::string_view text,
 }
 
 Answer answer_to(const Question& question) {
-  const CommandRow& row = row_of(question.command);
+  if (question.name == kReport) return report_answer(question);
+  if (question.name == kWrite) return written_answer(question);
+  const CommandRow& row = row_named(question.name);
   input::CaseInput in = input::read_case_input(question.source, row.command);
   if (!question.load_cases.empty()) choose(question.load_cases, row.command, in.values);
   const Delivery delivery = row.run(question.source, in);

@@ -28,6 +28,17 @@ namespace prs {
 ///      "figures": [..],   // what `--figures` adds to it; empty where they are not asked for
 ///      "messages": [..]}  // what the program says on standard error, line by line
 ///
+/// Two further commands serve pages. `write`: the document is {"yaml": ..}, the case with its
+/// overrides in it. `report` asks, under a key of that name, for sections of the report, see
+/// `LiveQuestion`:
+///
+///     {"own": 1,                                  // so many pairs of `set` are the report's
+///      "quick": true,                             // only what follows while a value moves
+///      "sections": ["loads", ..],                 // all without
+///      "thread": {"load_case": 0, "thread": 3}}   // one thread, as the section `thread`
+///
+/// Its document is {"sections": {"loads": "<figure>.."}}.
+///
 /// Throws nothing but std::bad_alloc, where there is no memory left for an answer.
 std::string answer(std::string_view question);
 

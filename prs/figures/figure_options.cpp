@@ -15,6 +15,8 @@ FigureOptions figure_options(const std::string& text) {
         options.load_cases = value.get<std::vector<std::size_t>>();
       } else if (key == "load_case") {
         options.load_case = value.get<std::size_t>();
+      } else if (key == "thread") {
+        options.thread = value.get<std::size_t>();
       } else if (key == "panel") {
         options.panel = value.get<std::size_t>();
       } else if (key == "one_panel") {

@@ -59,7 +59,8 @@ Figures yang(const MeasuresResult& result) {
   std::size_t threads = 0;
   for (std::size_t k = 0; k < result.load_measures.size(); ++k) {
     const LoadCaseResult& load_case = result.analysis.load_cases[k];
-    if (!load_case.threads || !result.load_measures[k]) continue;
+    // Yang's roller stands for all of them.
+    if (!load_case.threads || load_case.full || !result.load_measures[k]) continue;
     const std::vector<double>& rate = result.load_measures[k]->yang_load_rate;
     if (rate.empty() || figure.panels.size() == kMostYangPanels) continue;
     threads = std::max(threads, rate.size());

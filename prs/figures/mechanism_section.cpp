@@ -162,6 +162,19 @@ void add_body(Figure& figure, Panel& panel, Part part, std::vector<Polyline> par
 
 Polyline circle(double y, double z, double r) { return ellipse(y, z, r, r, 0.0); }
 
+/// Seen along the axis.
+void add_ring(Figure& figure, Panel& panel, Part part, double outer, double inner) {
+  if (!(inner > 0.0)) return add_body(figure, panel, part, {circle(0, 0, outer)});
+  // Round the outside, back along a seam, round the inside.
+  Polyline ring = circle(0, 0, outer), inside = circle(0, 0, inner);
+  ring.insert(ring.end(), inside.rbegin(), inside.rend());
+  Style pale = area_of(colour_of(part));
+  pale.pale = true;
+  panel.series.push_back({figure.add(std::string(title(part)), pale), {ring}});
+  panel.series.push_back({figure.add(line_of(colour_of(part), Dash::solid, Weight::thin)),
+                          {circle(0, 0, outer), circle(0, 0, inner)}});
+}
+
 std::string shown_title(const char* what, const LoadCaseResult* shown) {
   return shown ? fmt::format("{}, {}", what, shown_name(shown->load_case.name)) : what;
 }
@@ -240,15 +253,9 @@ Figures mechanism_end(const Case& c, const Result& result, const FigureOptions& 
   Panel& panel = figure.panels.emplace_back();
   const double outer =
       c.structure ? 0.5 * c.structure->nut.outer_diameter * kMm : 1.15 * radius(threads.nut);
-  // A ring: round the outside, back along a seam, round the inside.
-  Polyline ring = circle(0, 0, outer), inside = circle(0, 0, radius(threads.nut));
-  ring.insert(ring.end(), inside.rbegin(), inside.rend());
-  Style pale = area_of(colour_of(Part::nut));
-  pale.pale = true;
-  panel.series.push_back({figure.add("nut", pale), {ring}});
-  panel.series.push_back({figure.add(line_of(colour_of(Part::nut), Dash::solid, Weight::thin)),
-                          {circle(0, 0, outer), circle(0, 0, radius(threads.nut))}});
-  add_body(figure, panel, Part::screw, {circle(0, 0, radius(threads.screw))});
+  add_ring(figure, panel, Part::nut, outer, radius(threads.nut));
+  add_ring(figure, panel, Part::screw, radius(threads.screw),
+           c.structure ? 0.5 * c.structure->screw.bore * kMm : 0.0);
 
   std::vector<Polyline> circles;
   std::vector<double> shares;

@@ -37,8 +37,10 @@ Range about(Range inner, Range all, double spans) {
 Range history_range(const OptimizationResult& result, std::size_t response) {
   Range inner, all;
   inner.include(result.initial.responses[response]);
-  for (const EvaluatedDesign& design : result.search.designs)
+  for (std::size_t k = 0; k < result.design_count(); ++k) {
+    const EvaluatedDesign& design = result.design(k);
     (design.is_feasible() ? inner : all).include(design.responses[response]);
+  }
   return about(inner, all, 1.0);
 }
 
@@ -69,16 +71,16 @@ bool is_inside(const Axis& axis, double value) { return value >= axis.from && va
 enum HistoryStyle : std::size_t { kInfeasible, kFeasible, kBest, kInitial, kChosen };
 
 Panel history_panel(const OptimizationResult& result, const Objective& objective) {
-  const std::vector<EvaluatedDesign>& designs = result.search.designs;
+  const std::size_t designs = result.design_count();
   Panel panel;
   panel.y = axis_of(result, objective.response, history_range(result, objective.response));
   Series infeasible{kInfeasible, {{}}}, feasible{kFeasible, {{}}}, best{kBest, {{}}};
   std::optional<double> so_far;
-  const std::size_t step = designs.size() / kMostPoints + 1;
-  for (std::size_t k = 0; k < designs.size(); ++k) {
-    const double value = designs[k].responses[objective.response];
+  const std::size_t step = designs / kMostPoints + 1;
+  for (std::size_t k = 0; k < designs; ++k) {
+    const double value = result.design(k).responses[objective.response];
     const auto at = static_cast<double>(k + 1);
-    const bool counts = designs[k].is_feasible();
+    const bool counts = result.design(k).is_feasible();
     if (counts && (!so_far || (objective.maximize ? value > *so_far : value < *so_far))) {
       if (so_far) best.parts[0].push_back({at, *so_far});
       so_far = value;
@@ -87,14 +89,15 @@ Panel history_panel(const OptimizationResult& result, const Objective& objective
     if (k % step == 0 && std::isfinite(value) && is_inside(*panel.y, value))
       (counts ? feasible : infeasible).parts[0].push_back({at, value});
   }
-  if (so_far) best.parts[0].push_back({static_cast<double>(designs.size()), *so_far});
+  if (so_far) best.parts[0].push_back({static_cast<double>(designs), *so_far});
   panel.series = {std::move(infeasible), std::move(feasible), std::move(best)};
   const double initial = result.initial.responses[objective.response];
   if (std::isfinite(initial)) panel.series.push_back({kInitial, {{{0.0, initial}}}});
   if (const auto shown = result.compromise ? result.compromise : result.nearest) {
     const std::size_t k = *shown;
     panel.series.push_back(
-        {kChosen, {{{static_cast<double>(k + 1), designs[k].responses[objective.response]}}}});
+        {kChosen,
+         {{{static_cast<double>(k + 1), result.design(k).responses[objective.response]}}}});
   }
   return panel;
 }
@@ -156,13 +159,15 @@ std::optional<Panel> enlarged_front(const OptimizationResult& result, Panel pane
 
 }  // namespace
 
-/// Each objective over the designs in their order, feasible and infeasible, the best so far and the
-/// chosen one (as Yao et al. 2023, fig. 12).
+/// Each objective over the designs in their order, those of a check after those of the search,
+/// feasible and infeasible, the best so far and the chosen one (as Yao et al. 2023, fig. 12).
 Figures optimization_history(const OptimizationResult& result) {
   const Optimization& optimization = result.optimization;
+  const std::string then =
+      result.check ? fmt::format(", then of {},", name(result.check->algorithm)) : "";
   Figure figure{"history",
-                fmt::format("Designs of {} in their order", name(optimization.algorithm))};
-  figure.x = {"Design", "", 0.0, static_cast<double>(result.search.designs.size())};
+                fmt::format("Designs of {}{} in their order", name(optimization.algorithm), then)};
+  figure.x = {"Design", "", 0.0, static_cast<double>(result.design_count())};
   figure.add("infeasible", kInfeasibleStyle);
   figure.add("feasible", kFeasibleStyle);
   figure.add("best so far", line_of(Colour::blue));

@@ -32,6 +32,9 @@ Figures roller_power(const Result& result, const FigureOptions& options);
 Figures roller_friction(const Result& result, const FigureOptions& options);
 Figures mechanism_section(const Case& c, const Result& result, const FigureOptions& options);
 Figures mechanism_end(const Case& c, const Result& result, const FigureOptions& options);
+Figures thread_pressure(const Result& result, const FigureOptions& options);
+Figures thread_stress(const Case& c, const Result& result, const FigureOptions& options);
+Figures thread_friction(const Case& c, const Result& result, const FigureOptions& options);
 Figures thread_power(const Result& result, const FigureOptions& options);
 Figures friction(const Result& result, const FigureOptions& options);
 Figures power_by_source(const Result& result, const FigureOptions& options);
@@ -64,6 +67,8 @@ constexpr const char* kAllRollers = "a load case of `model: {mechanism: full}` t
 constexpr const char* kSlip = "a load case whose slip converged";
 constexpr const char* kSlipOfRollers =
     "a load case of `model: {mechanism: full}` whose slip converged";
+constexpr const char* kEllipses =
+    "a load case that converged, and contacts that come from the threads";
 constexpr const char* kLives = "a load history or spectrum under which loads converge";
 
 Figures in_kilonewtons(Figures figures) {
@@ -144,7 +149,9 @@ Pictures drawings(const Case& c, const Result& r) {
     return [&c, &r, make](const FigureOptions& options) { return make(c, r, options); };
   };
   return {{"section", kMechanism, draw(mechanism_section), false},
-          {"end_view", kMechanism, draw(mechanism_end), false}};
+          {"end_view", kMechanism, draw(mechanism_end), false},
+          {"thread_pressure", kEllipses, of(r, thread_pressure), false},
+          {"thread_stress", kEllipses, draw(thread_stress), false}};
 }
 
 Pictures slip_pictures(const Case& c, const Result& r) {
@@ -157,21 +164,24 @@ Pictures slip_pictures(const Case& c, const Result& r) {
     });
   };
   const bool mixed = c.friction && c.friction->model == Friction::Model::mixed;
-  return with({{"power_by_source", kSlip, of(r, power_by_source)},
-               {"thread_power", kSlip, of(r, thread_power)},
-               {"friction", kSlip, of(r, friction)},
-               {"roller_power", kSlipOfRollers, of(r, roller_power)},
-               {"roller_friction", kSlipOfRollers, of(r, roller_friction)},
-               {"stribeck", kSlip,
-                of_slip(r,
-                        [&c, &r](std::size_t k) {
-                          return stribeck_figure(r.load_cases[k], stribeck_curve(c, r, k));
-                        }),
-                mixed},
-               {"slip_patches", kSlip, of_fields(slip_patch_figure)},
-               {"slip_residue", kSlip, of_fields(slip_residue_figure)},
-               {"heat_cycle", "a `duty` in `heat` that comes to repeat itself", of(r, heat_cycle)}},
-              solve_pictures(r));
+  return with(
+      {{"power_by_source", kSlip, of(r, power_by_source)},
+       {"thread_power", kSlip, of(r, thread_power)},
+       {"friction", kSlip, of(r, friction)},
+       {"roller_power", kSlipOfRollers, of(r, roller_power)},
+       {"roller_friction", kSlipOfRollers, of(r, roller_friction)},
+       {"stribeck", kSlip,
+        of_slip(r,
+                [&c, &r](std::size_t k) {
+                  return stribeck_figure(r.load_cases[k], stribeck_curve(c, r, k));
+                }),
+        mixed},
+       {"slip_patches", kSlip, of_fields(slip_patch_figure)},
+       {"slip_residue", kSlip, of_fields(slip_residue_figure)},
+       {"thread_friction", kSlip,
+        [&c, &r](const FigureOptions& options) { return thread_friction(c, r, options); }, false},
+       {"heat_cycle", "a `duty` in `heat` that comes to repeat itself", of(r, heat_cycle)}},
+      solve_pictures(r));
 }
 
 Pictures measures_pictures(const MeasuresResult& r) {

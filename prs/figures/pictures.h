@@ -29,8 +29,9 @@ struct FigureOptions {
   std::optional<std::string> response = {};  ///< A path; absent: one figure for each.
   std::optional<std::string> x = {};         ///< Paths of factors.
   std::optional<std::string> y = {};
-  std::optional<std::size_t> panel = {};  ///< Only this one.
-  bool one_panel = false;                 ///< All in one panel, as far as that is possible.
+  std::optional<std::size_t> thread = {};  ///< Of all rollers, from 0; absent: the most loaded.
+  std::optional<std::size_t> panel = {};   ///< Only this one.
+  bool one_panel = false;                  ///< All in one panel, as far as that is possible.
 };
 
 /// There is no such picture, or the result has no data for it.

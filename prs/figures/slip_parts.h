@@ -12,6 +12,9 @@
 namespace prs {
 
 Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictures);
+/// That of one thread of all rollers, from 0.
+Figure thread_friction_figure(const LoadCaseResult& result, const PerInterface<PatchField>& fields,
+                              std::size_t thread);
 /// Friction, power, efficiency and film over the speed (Stribeck's curve).
 Figure stribeck_figure(const LoadCaseResult& result, const StribeckCurve& curve);
 Figure slip_residue_figure(const LoadCaseResult& result, const SlipPictures& pictures);

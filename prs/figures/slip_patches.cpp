@@ -76,18 +76,21 @@ Series arrows(const PatchField& field) {
   return line;
 }
 
-/// Thread and normal load, where the case has loads.
-std::string thread_title(const LoadCaseResult& result, Interface i) {
+/// Thread and normal load, where the case has loads: of the most loaded thread unless another is
+/// meant.
+std::string thread_title(const LoadCaseResult& result, Interface i,
+                         std::optional<std::size_t> thread) {
   if (!result.threads) return interface_title(i);
   const std::vector<double>& loads = (*result.threads)[i].normal_load;
-  const auto thread = index_of_largest(loads);
+  if (!thread) thread = index_of_largest(loads);
   if (!thread) return interface_title(i);
   return fmt::format("{}, thread {}: {:.4g} N", interface_title(i), *thread + 1, loads[*thread]);
 }
 
-Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interface i) {
+Panel patch_panel(const LoadCaseResult& result, const PatchField& field, Interface i,
+                  std::optional<std::size_t> thread) {
   Panel panel;
-  panel.title = thread_title(result, i);
+  panel.title = thread_title(result, i, thread);
   panel.map = friction_map(field);
   panel.series = {{kOutline,
                    {ellipse(0.0, 0.0, field.semi_major * per_si::millimetre,
@@ -111,15 +114,10 @@ ColourScale friction_scale(const PerInterface<PatchField>& fields) {
   return {"Friction coefficient", "", is_even ? least : 0.0, largest > 0.0 ? largest : 1.0};
 }
 
-}  // namespace
-
-/// Friction coefficient and sliding velocity over the patch of the most loaded thread at both
-/// interfaces, in the frame of the ellipse's axes (Sandu 2018, figs. 2.8, 2.9). The longest arrow
-/// of each patch is as long as two of them lie apart.
-Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictures) {
-  const PerInterface<PatchField>& fields = pictures.most_loaded_thread;
-  Figure figure{"slip_patches", "Friction and sliding at the contacts, load case " +
-                                    shown_name(result.load_case.name)};
+Figure patch_figure(std::string name, const LoadCaseResult& result,
+                    const PerInterface<PatchField>& fields, std::optional<std::size_t> thread) {
+  Figure figure{std::move(name), "Friction and sliding at the contacts, load case " +
+                                     shown_name(result.load_case.name)};
   figure.columns = std::size(kInterfaces);
   figure.aspect = 0.9;
   figure.to_scale = true;
@@ -128,12 +126,27 @@ Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictu
   figure.add("contact ellipse", line_of(Colour::reference));
   double half = 0.0;
   for (const Interface i : kInterfaces) {
-    figure.panels.push_back(patch_panel(result, fields[i], i));
+    figure.panels.push_back(patch_panel(result, fields[i], i, thread));
     half = std::max(half, 1.2 * fields[i].semi_major * per_si::millimetre);
   }
   figure.x = {"along the major axis", "mm", -half, half};
   figure.y = {"along the minor axis", "mm", -half, half};
   return figure;
+}
+
+}  // namespace
+
+/// Friction coefficient and sliding velocity over the patch of the most loaded thread at both
+/// interfaces, in the frame of the ellipse's axes (Sandu 2018, figs. 2.8, 2.9). The longest arrow
+/// of each patch is as long as two of them lie apart.
+Figure slip_patch_figure(const LoadCaseResult& result, const SlipPictures& pictures) {
+  return patch_figure("slip_patches", result, pictures.most_loaded_thread, std::nullopt);
+}
+
+/// The same of one thread of one load case.
+Figure thread_friction_figure(const LoadCaseResult& result, const PerInterface<PatchField>& fields,
+                              std::size_t thread) {
+  return patch_figure("thread_friction", result, fields, thread);
 }
 
 }  // namespace prs

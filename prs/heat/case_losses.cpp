@@ -42,8 +42,10 @@ std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
   if (load_.share == LoadCase::Share::equal) return of(models_.equal_shares(load_, oils));
   const Result loads =
       analyze(at_temperatures(conditions_, load_, temperature), contacts_, kManyDesigns);
-  if (loads.load_cases.front().threads) return of(models_.of(loads.load_cases.front(), oils));
-  failure_ = "the loads of the threads do not converge";
+  const LoadCaseResult& found = loads.load_cases.front();
+  if (found.threads) return of(models_.of(found, oils));
+  failure_ =
+      found.warnings.empty() ? "the loads of the threads do not converge" : found.warnings.front();
   return std::nullopt;
 }
 

@@ -11,6 +11,7 @@
 
 #include "prs/input/csv_reader.h"
 #include "prs/input/did_you_mean.h"
+#include "prs/input/document.h"
 #include "prs/input/fail_at.h"
 #include "prs/input/field.h"
 #include "prs/input/units.h"
@@ -192,6 +193,24 @@ std::filesystem::path path_of(const HistorySource& history, const Source& source
   return source.folder.empty() ? shown_path(history, source) : source.folder / history.file;
 }
 
+/// Whether the file lies, links followed, below the folder of the case.
+bool stands_with_case(const std::filesystem::path& file, const Source& source) {
+  namespace fs = std::filesystem;
+  fs::path folder = source.folder.empty() ? fs::path(source.name).parent_path() : source.folder;
+  if (folder.empty()) folder = ".";
+  std::error_code error;
+  const fs::path from = fs::weakly_canonical(folder, error);
+  if (error) return false;
+  const fs::path to = fs::weakly_canonical(file, error);
+  return !error && std::ranges::mismatch(from, to).in1 == from.end();
+}
+
+/// By `--set`, which is the user's word; a case may come from anywhere.
+bool names_file_by_override(const Source& source) {
+  ErrorList errors(source);
+  return locate(read_document(source, errors), "life.history.file").argument >= 0;
+}
+
 }  // namespace
 
 std::string force_history_text(const HistorySource& history, const Source& source) {
@@ -205,6 +224,10 @@ std::string force_history_text(const HistorySource& history, const Source& sourc
     return found->second;
   }
   const std::filesystem::path path = path_of(history, source);
+  if (!stands_with_case(path, source) && !names_file_by_override(source))
+    refuse(
+        "expected a file in the folder of the case or below it; move it there, or allow it by "
+        "`--set life.history.file=PATH`");
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     refuse(fmt::format(

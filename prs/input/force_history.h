@@ -19,7 +19,9 @@ namespace prs::input {
 LoadHistory parse_force_history(std::string_view text, const std::string& name,
                                 const HistorySource& history, const Source& source);
 
-/// The file that the history names, relative to the input file: at most 1 GiB. Throws InputError.
+/// The file that the history names, relative to the input file: at most 1 GiB. It must lie in the
+/// folder of the input or below it, links followed, unless an override names it: inputs come from
+/// others too. Throws InputError.
 std::string force_history_text(const HistorySource& history, const Source& source);
 
 /// The history of that file.

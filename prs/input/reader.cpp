@@ -240,8 +240,17 @@ std::string join(std::string_view path, std::string_view key) {
   return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
 }
 
+/// Whether a share was written as a fraction, which is out of bounds in per cent too: a unit does
+/// not fix it.
+bool is_wrong_fraction(const std::string& text, const Quantity& q) {
+  const std::optional<double> bare =
+      &q.dimension == &unit::share ? parse_number(text) : std::nullopt;
+  return bare && *bare <= 1.0 && !q.bounds.contain(*bare);
+}
+
 void read(const Written& w, double& value, const Quantity& q) {
-  if (w.node.kind != Node::Kind::scalar) return w.refuse(wanted(value, q));
+  if (w.node.kind != Node::Kind::scalar || is_wrong_fraction(w.node.text, q))
+    return w.refuse(wanted(value, q));
   const ParsedQuantity parsed = parse_quantity(w.node.text, q.dimension);
   if (!parsed.value || !q.bounds.contain(*parsed.value))
     return w.refuse(wanted(value, q), parsed.hint);

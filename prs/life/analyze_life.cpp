@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "prs/life/contact_loads.h"
@@ -24,8 +26,8 @@ constexpr double kLeastLoad = 1e-5;
 /// has no smooth curve.
 constexpr std::size_t kFewForces = 40;
 
-/// Of curves over more forces than that.
-constexpr double kCurveTolerance = 1e-5;
+/// Of curves over more forces than that, with preload and of all rollers.
+constexpr double kCurveTolerance = 1e-5, kOrbitTolerance = 1e-4;
 
 void find_capacity(const LifeModel& p, LifeResult& r) {
   const double angle = contact_angle({p.laws.screw.normal_angle, p.laws.nut.normal_angle});
@@ -183,6 +185,23 @@ PerDirection<Sense> senses_of(const LifeModel& p, const LifeResult& r) {
   return senses;
 }
 
+/// The part of the damage that the forces between two have, or that the cube of the larger force
+/// has where that is more: the range of a cycle counts however far the screw turns.
+std::function<double(double, double)> damage_between(const Sense& s) {
+  std::map<double, double> up_to;  // Damage by force, summed.
+  for (std::size_t k = 0; k < s.forces.size(); ++k)
+    up_to[s.forces[k]] += std::pow(s.forces[k], 3) * s.turns[k];
+  double sum = 0.0;
+  for (auto& [force, damage] : up_to) sum = damage += sum;
+  return [up_to = std::move(up_to), largest = s.largest, sum](double from, double to) {
+    const auto below = [&](auto place) {
+      return place == up_to.begin() ? 0.0 : std::prev(place)->second;
+    };
+    const double part = below(up_to.upper_bound(to)) - below(up_to.lower_bound(from));
+    return std::max(std::pow(to / largest, 3), sum > 0.0 ? part / sum : 0.0);
+  };
+}
+
 /// The curve of a sense, by few equilibria.
 ShareCurve curve_of_sense(const LifeModel& p, Sense& s) {
   const ShareCurve::Solve solve = [&](double force) -> std::optional<std::vector<double>> {
@@ -197,7 +216,8 @@ ShareCurve curve_of_sense(const LifeModel& p, Sense& s) {
   std::ranges::sort(forces);
   forces.erase(std::unique(forces.begin(), forces.end()), forces.end());
   if (forces.size() <= kFewForces) return ShareCurve(solve, std::move(forces));
-  return ShareCurve(solve, p.preloaded() ? 0.0 : least, s.largest, kCurveTolerance);
+  if (p.preloaded()) return ShareCurve(solve, 0.0, s.largest, {kCurveTolerance, {}});
+  return ShareCurve(solve, least, s.largest, {kOrbitTolerance, damage_between(s)});
 }
 
 double largest_of(const std::vector<double>& loads) {

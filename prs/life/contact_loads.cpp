@@ -96,14 +96,13 @@ ContactSolver full_solver(const LifeModel& model, Direction d) {
   return [&model, d, load, turn, solver](double force) {
     LoadCase at = load;
     at.axial_force = force;
-    const std::optional<Orbit> orbit =
-        full_orbit(at, model.c, model.contacts, model.laws, *solver, turn);
-    if (!orbit) return std::optional<ContactLoads>();
+    const Orbit orbit = full_orbit(at, model.c, model.contacts, model.laws, *solver, turn);
+    if (!orbit.converged()) return std::optional<ContactLoads>();
     const RatedContacts rated = model.rated();
     ContactLoads loads;
     loads.rated.assign(rated.count(), 0.0);
     for (const Interface i : kInterfaces) {
-      const OrbitLoads& turned = orbit->loads[i];
+      const OrbitLoads& turned = orbit.loads[i];
       loads.carrier_angle[i] = turned.carrier_angle;
       const double axial = std::cos(model.laws[i].normal_angle);
       const double per_mean = axial / (force * model.equal_share());
@@ -171,17 +170,10 @@ std::string why_not_held(const LifeModel& model, Direction d, double force) {
   if (!model.full()) return {};
   LoadCase load = load_case_of(model, d);
   load.axial_force = force;
-  const double start = load.spatial.carrier_angle;
-  const int positions =
-      load.spatial.orbit.value_or(SpatialLoad::Orbit{}).steps * model.contacts.mechanism.rollers;
   FullSolver solver;
-  for (int m = 0; m < positions; ++m) {
-    load.spatial.carrier_angle = start + 2.0 * std::numbers::pi * m / positions;
-    const FullDistribution found =
-        full_distribution(load, model.c, model.contacts, model.laws, solver, Detail::numbers);
-    if (!found.solve.converged()) return found.reason;
-  }
-  return {};
+  const Orbit orbit = full_orbit(load, model.c, model.contacts, model.laws, solver,
+                                 load.spatial.orbit.value_or(SpatialLoad::Orbit{}));
+  return orbit.converged() ? std::string() : text(*orbit.failure);
 }
 
 PerDirection<ContactSolver> contact_solvers(const LifeModel& model,

@@ -17,7 +17,9 @@ constexpr double kChecks[] = {-0.96, -0.55, 0.19, 0.75};
 std::array<double, kNodes> chebyshev_points() {
   std::array<double, kNodes> points{};
   for (std::size_t j = 0; j < kNodes; ++j)
-    points[j] = -std::cos(std::numbers::pi * static_cast<double>(j) / (kNodes - 1));
+    points[j] = 2 * j + 1 == kNodes
+                    ? 0.0
+                    : -std::cos(std::numbers::pi * static_cast<double>(j) / (kNodes - 1));
   return points;
 }
 
@@ -64,8 +66,8 @@ double interpolation_error(std::span<const std::vector<double>> nodes, double t,
 
 }  // namespace
 
-ShareCurve::ShareCurve(const Solve& solve, double least, double greatest, double tolerance)
-    : tolerance_(tolerance) {
+ShareCurve::ShareCurve(const Solve& solve, double least, double greatest, Accuracy accuracy)
+    : accuracy_(std::move(accuracy)) {
   const Panel all{std::cbrt(least), std::cbrt(greatest)};
   if (least < greatest) {
     refine(solve, all, 0);
@@ -73,6 +75,7 @@ ShareCurve::ShareCurve(const Solve& solve, double least, double greatest, double
     panels_.push_back(all);
     nodes_.assign(kNodes, *shares);
   }
+  shared_.clear();
 }
 
 ShareCurve::ShareCurve(const Solve& solve, std::vector<double> forces) {
@@ -95,25 +98,36 @@ std::optional<std::vector<double>> ShareCurve::solve_at(const Solve& solve, doub
 }
 
 void ShareCurve::refine(const Solve& solve, Panel panel, int depth) {
+  const double middle = 0.5 * (panel.from + panel.to);
   const auto at = [&](double t) {
-    return 0.5 * (panel.from + panel.to) + 0.5 * t * (panel.to - panel.from);
+    return t == -1.0  ? panel.from
+           : t == 1.0 ? panel.to
+                      : middle + 0.5 * t * (panel.to - panel.from);
   };
   std::vector<std::vector<double>> nodes;
   for (const double t : chebyshev_points()) {
-    std::optional<std::vector<double>> shares = solve_at(solve, at(t));
+    const double x = at(t);
+    const auto known = shared_.find(x);
+    std::optional<std::vector<double>> shares =
+        known != shared_.end() ? std::optional(known->second) : solve_at(solve, x);
     if (!shares) return;
+    if (x == panel.from || x == middle || x == panel.to) shared_.emplace(x, *shares);
     nodes.push_back(std::move(*shares));
   }
+  const double weight = accuracy_.weight
+                            ? std::max(accuracy_.weight(cube(panel.from), cube(panel.to)),
+                                       accuracy_.tolerance / kWorstError)
+                            : 1.0;
   double error = 0.0;
   for (const double t : kChecks) {
     const std::optional<std::vector<double>> shares = solve_at(solve, at(t));
     if (!shares) return;
-    error = std::max(error, interpolation_error(nodes, t, *shares));
-    if (error > tolerance_) break;
+    error = std::max(error, weight * interpolation_error(nodes, t, *shares));
+    if (error > accuracy_.tolerance) break;
   }
-  if (error > tolerance_ && depth < kMostHalvings) {
-    refine(solve, {panel.from, at(0.0)}, depth + 1);
-    if (!failed_at_) refine(solve, {at(0.0), panel.to}, depth + 1);
+  if (error > accuracy_.tolerance && depth < kMostHalvings) {
+    refine(solve, {panel.from, middle}, depth + 1);
+    if (!failed_at_) refine(solve, {middle, panel.to}, depth + 1);
     return;
   }
   error_ = std::max(error_, error);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,9 +27,19 @@ class ShareCurve {
   /// where the solve fails.
   using Solve = std::function<std::optional<std::vector<double>>(double force)>;
 
+  struct Accuracy {
+    double tolerance = kTolerance;
+    /// What the shares between two forces [N] weigh: their error times this is held to the
+    /// tolerance, and to `kWorstError` at least. 1 where it is not given.
+    std::function<double(double from, double to)> weight = {};
+  };
+  static constexpr double kWorstError = 1e-2;
+
   /// Solves on [`least`, `greatest`] [N], 0 <= least <= greatest. Loads below count with the shares
   /// at `least`.
-  ShareCurve(const Solve& solve, double least, double greatest, double tolerance = kTolerance);
+  ShareCurve(const Solve& solve, double least, double greatest, Accuracy accuracy);
+  ShareCurve(const Solve& solve, double least, double greatest)
+      : ShareCurve(solve, least, greatest, Accuracy{}) {}
 
   /// Solves at these forces alone [N], of which there must be one; a load between them counts with
   /// the shares at the next smaller one.
@@ -37,7 +48,7 @@ class ShareCurve {
   /// Where no equilibrium was found; the curve must then not be used.
   std::optional<double> failed_at() const { return failed_at_; }
   int solves() const { return solves_; }
-  /// Largest error found of l and l^3 over their largest value, on the final panels.
+  /// Largest error found of l and l^3 over their largest value, weighted, on the final panels.
   double error() const { return error_; }
 
   std::size_t node_count() const { return nodes_.size(); }
@@ -60,9 +71,10 @@ class ShareCurve {
   void refine(const Solve& solve, Panel panel, int depth);
   std::optional<std::vector<double>> solve_at(const Solve& solve, double x);
 
+  Accuracy accuracy_;
+  std::map<double, std::vector<double>> shared_;  ///< At ends and middles of panels, by F^(1/3).
   std::vector<Panel> panels_;
   std::vector<std::vector<double>> nodes_;  ///< kNodes a panel.
-  double tolerance_ = kTolerance;
   std::optional<double> failed_at_;
   int solves_ = 0;
   double error_ = 0.0;

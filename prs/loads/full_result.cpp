@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "prs/loads/load_case_result.h"
@@ -47,6 +48,13 @@ RollerShares roller_shares(const InterfaceLoads& loads, const FullModel& f, doub
   return s;
 }
 
+std::string why_left_out(const FullLoads& full, bool influence) {
+  if (!influence || full.idle_rollers.empty()) return full.screw_end.left_out;
+  return fmt::format(
+      "roller {} carries nothing, which `bodies: influence` does not take out of the stiffness",
+      full.idle_rollers.front());
+}
+
 /// Bearings that push against each other with more than this many times the axial force leave
 /// balances of less than nine digits.
 constexpr double kForcedBearing = 1e3;
@@ -62,11 +70,33 @@ std::optional<std::string> forced_bearings(const std::vector<SupportForce>& bear
       largest * 1e-3, largest / axial_force);
 }
 
+std::optional<std::string> lifted_shoulder(const Structure::Nut& nut, const SupportForce& seat) {
+  const double held = lifting_moment(nut, seat);
+  const double moment = std::hypot(seat.moment.y, seat.moment.z);
+  if (moment <= held) return std::nullopt;
+  return fmt::format(
+      "structure.nut.shoulder: the moment of {:.3g} N m lifts one side of a shoulder that only "
+      "pushes, from {:.3g} N m on; the model holds it there, as bolts do",
+      moment, held);
+}
+
 /// Rollers without anything of their own.
 bool alike(const Deviations& d) {
   return d.roller_diameters.empty() && d.roller_position.near.empty() &&
          d.roller_position.far.empty() && d.missing_rollers.empty() &&
          d.pitch_error.roller.lists.empty();
+}
+
+/// Whether nothing but the rollers has an azimuth, so that all turns with the carrier.
+bool is_round(const Conditions& c, const SpatialLoad& load) {
+  const auto none = [](const Lateral& l) { return l.y == 0.0 && l.z == 0.0; };
+  const Deviations& d = c.deviations;
+  return none(load.side_force.value) && none(load.moment.value) && none(load.eccentricity) &&
+         none(load.nut_tilt) && none(load.nut_offset) && none(d.thread_eccentricity.screw) &&
+         none(d.thread_eccentricity.nut) && d.index_error.screw.empty() &&
+         d.index_error.nut.empty() && c.model.contact_phase == ModelOptions::ContactPhase::equal &&
+         std::ranges::all_of(c.structure->screw.bearings,
+                             [&](const Bearing& b) { return none(b.offset) && none(b.angle); });
 }
 
 /// A load case on all rollers, its models solved one after the other.
@@ -80,6 +110,7 @@ class AllRollers {
   }
 
   bool influence() const { return bodies_.has_value(); }
+  bool shoulder_lifts() const { return bodies_ && bodies_->face; }
   FullModel model(double carrier_angle) const {
     LoadCase at = load_case_;
     at.spatial.carrier_angle = carrier_angle;
@@ -89,10 +120,11 @@ class AllRollers {
   FullDistribution solved(const FullModel& model, Detail detail) const {
     return bodies_ ? solve(model, *bodies_, detail) : solver_.solve(model, detail);
   }
-  std::optional<Orbit> turned(const SpatialLoad::Orbit& wanted) const {
+  Orbit turned(const SpatialLoad::Orbit& wanted) const {
     return orbit([this](double carrier_angle) { return model(carrier_angle); },
                  [this](const FullModel& model) { return solved(model, Detail::numbers); }, wanted,
-                 load_case_.spatial.carrier_angle, alike(c_.deviations));
+                 load_case_.spatial.carrier_angle,
+                 {alike(c_.deviations), is_round(c_, load_case_.spatial)});
   }
 
  private:
@@ -113,10 +145,15 @@ FullDistribution full_distribution(const LoadCase& load_case, const Conditions& 
   return all.solved(all.model(load_case.spatial.carrier_angle), detail);
 }
 
-std::optional<Orbit> full_orbit(const LoadCase& load_case, const Conditions& c,
-                                const Contacts& contacts, const PerInterface<ContactLaw>& laws,
-                                FullSolver& solver, const SpatialLoad::Orbit& wanted) {
+Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
+                 const PerInterface<ContactLaw>& laws, FullSolver& solver,
+                 const SpatialLoad::Orbit& wanted) {
   return AllRollers(load_case, c, contacts, laws, solver).turned(wanted);
+}
+
+std::string text(const Orbit::Failure& failure) {
+  return fmt::format("{} (carrier at {:.4g} deg)", failure.why,
+                     failure.carrier_angle * 180.0 / std::numbers::pi);
 }
 
 LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
@@ -163,15 +200,20 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     loads.rollers = roller_shares(loads, f, full.symmetric.largest_normal_load[i]);
   }
   if (load.orbit) {
-    full.orbit = all.turned(*load.orbit);
-    if (!full.orbit)
-      result.warnings.push_back(
-          "the orbit was left out: at some position of the carrier there is no equilibrium");
+    Orbit turned = all.turned(*load.orbit);
+    if (turned.converged())
+      full.orbit = std::move(turned);
+    else
+      result.warnings.push_back(fmt::format("the orbit is left out: {}", text(*turned.failure)));
   }
   if (detail == Detail::complete && full.screw_end.compliance.size() == 0)
-    result.warnings.push_back(
-        "the stiffness of the screw's end is left out: with the loaded threads alone a part can "
-        "move");
+    result.warnings.push_back(fmt::format("the stiffness of the screw's end is left out: {}",
+                                          why_left_out(full, all.influence())));
+  if (result.axial_displacement && *result.axial_displacement < 0.0)
+    result.warnings.push_back(fmt::format(
+        "the loaded section moves {:.3g} mm against the force, as side loads or displaced parts "
+        "have it, so that `axial_stiffness` is negative; take `tangent_stiffness`",
+        -*result.axial_displacement * 1e3));
   for (const Interface i : kInterfaces) {
     const double opening = d.largest_opening[i] / std::cos(laws[i].normal_angle);
     const contact::ContactPoint& point = contacts.interfaces[i].geometry.point;
@@ -183,6 +225,9 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
   }
   if (std::optional<std::string> warning = forced_bearings(d.bearings, f.axial_force))
     result.warnings.push_back(std::move(*warning));
+  if (all.shoulder_lifts())
+    if (std::optional<std::string> warning = lifted_shoulder(c.structure->nut, d.nut))
+      result.warnings.push_back(std::move(*warning));
   result.full = std::make_shared<const FullLoads>(std::move(full));
   return result;
 }

@@ -33,9 +33,12 @@ FullDistribution full_distribution(const LoadCase& load_case, const Conditions& 
                                    const Contacts& contacts, const PerInterface<ContactLaw>& laws,
                                    FullSolver& solver, Detail detail);
 
-/// A turn of the carrier under a load case; nothing where a position has no equilibrium.
-std::optional<Orbit> full_orbit(const LoadCase& load_case, const Conditions& c,
-                                const Contacts& contacts, const PerInterface<ContactLaw>& laws,
-                                FullSolver& solver, const SpatialLoad::Orbit& wanted);
+/// A turn of the carrier under a load case.
+Orbit full_orbit(const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
+                 const PerInterface<ContactLaw>& laws, FullSolver& solver,
+                 const SpatialLoad::Orbit& wanted);
+
+/// Why a position of the carrier has no equilibrium, and which.
+std::string text(const Orbit::Failure& failure);
 
 }  // namespace prs

@@ -10,31 +10,42 @@
 namespace prs {
 namespace {
 
-void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact) {
-  for (const double normal_load : loads.normal_load) {
-    const contact::HertzContact at = contact::at_load(contact.hertz, normal_load);
-    loads.semi_major.push_back(at.semi_major);
-    loads.semi_minor.push_back(at.semi_minor);
-    loads.peak_pressure.push_back(at.peak_pressure);
-    if (!contact.shear) continue;
-    loads.max_shear_stress.push_back(contact.shear->shear_over_pressure * at.peak_pressure);
-    loads.max_shear_depth.push_back(contact.shear->depth_over_semi_minor * at.semi_minor);
+void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact,
+                        simd::InstructionSet set) {
+  contact::set_ellipses(contact.hertz, loads.normal_load, loads.semi_major, loads.semi_minor,
+                        loads.peak_pressure, set);
+  if (!contact.shear) return;
+  for (const double pressure : loads.peak_pressure)
+    loads.max_shear_stress.push_back(contact.shear->shear_over_pressure * pressure);
+  for (const double semi_minor : loads.semi_minor)
+    loads.max_shear_depth.push_back(contact.shear->depth_over_semi_minor * semi_minor);
+}
+
+/// Numbers of an interface whose normal loads are set.
+void set_interface_loads(InterfaceLoads& loads, const LoadCase& load_case, const Contacts& contacts,
+                         Interface i, double normal_angle, simd::InstructionSet set) {
+  loads.normal_angle = normal_angle;
+  const double cosine = std::cos(normal_angle);
+  const double roller_force = std::abs(load_case.axial_force) / contacts.mechanism.rollers;
+  const std::size_t threads = loads.normal_load.size();
+  loads.axial_load.resize(threads);
+  loads.load_rate.resize(threads);
+  for (std::size_t k = 0; k < threads; ++k) {
+    loads.axial_load[k] = loads.normal_load[k] * cosine;
+    loads.load_rate[k] = loads.normal_load[k] * cosine / roller_force;
   }
+  for (auto* values : {&loads.semi_major, &loads.semi_minor, &loads.peak_pressure,
+                       &loads.max_shear_stress, &loads.max_shear_depth})
+    values->clear();
+  const InterfaceContact& contact = contacts.interfaces[i];
+  if (contact.has_hertz()) add_hertz_contacts(loads, contact, set);
 }
 
 InterfaceLoads interface_loads(const LoadCase& load_case, const Contacts& contacts, Interface i,
                                double normal_angle, std::vector<double> normal_load) {
   InterfaceLoads loads;
-  loads.normal_angle = normal_angle;
   loads.normal_load = std::move(normal_load);
-  const double cosine = std::cos(normal_angle);
-  const double roller_force = std::abs(load_case.axial_force) / contacts.mechanism.rollers;
-  for (const double n : loads.normal_load) {
-    loads.axial_load.push_back(n * cosine);
-    loads.load_rate.push_back(n * cosine / roller_force);
-  }
-  const InterfaceContact& contact = contacts.interfaces[i];
-  if (contact.has_hertz()) add_hertz_contacts(loads, contact);
+  set_interface_loads(loads, load_case, contacts, i, normal_angle, simd::InstructionSet::scalar);
   return loads;
 }
 
@@ -99,20 +110,31 @@ LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts
                              const PerInterface<ContactLaw>& laws, LoadDistribution d) {
   LoadCaseResult result;
   result.load_case = load_case;
-  result.solve = std::move(d.solve);
-  if (!result.solve->converged()) return result;
-  result.axial_displacement = d.axial_displacement;
-  result.axial_stiffness = load_case.axial_force / d.axial_displacement;
-  result.tangent_stiffness = d.tangent_stiffness;
-  PerInterface<InterfaceLoads> threads;
-  for (const Interface i : kInterfaces) {
-    threads[i] =
-        interface_loads(load_case, contacts, i, laws[i].normal_angle, std::move(d.normal_load[i]));
-    threads[i].hertz_constant = laws[i].hertz_constant;
-    threads[i].approach = std::move(d.approach[i]);
-  }
-  result.threads = std::move(threads);
+  set_solved_result(result, contacts, laws, d, simd::InstructionSet::scalar);
   return result;
+}
+
+void set_solved_result(LoadCaseResult& result, const Contacts& contacts,
+                       const PerInterface<ContactLaw>& laws, LoadDistribution& d,
+                       simd::InstructionSet set) {
+  if (!result.solve) result.solve.emplace();
+  std::swap(*result.solve, d.solve);
+  if (!result.solve->converged()) {
+    result.axial_displacement = result.axial_stiffness = result.tangent_stiffness = {};
+    result.threads.reset();
+    return;
+  }
+  result.axial_displacement = d.axial_displacement;
+  result.axial_stiffness = result.load_case.axial_force / d.axial_displacement;
+  result.tangent_stiffness = d.tangent_stiffness;
+  if (!result.threads) result.threads.emplace();
+  for (const Interface i : kInterfaces) {
+    InterfaceLoads& loads = (*result.threads)[i];
+    std::swap(loads.normal_load, d.normal_load[i]);
+    set_interface_loads(loads, result.load_case, contacts, i, laws[i].normal_angle, set);
+    loads.hertz_constant = laws[i].hertz_constant;
+    std::swap(loads.approach, d.approach[i]);
+  }
 }
 
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,

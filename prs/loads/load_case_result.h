@@ -6,6 +6,7 @@
 #include "prs/loads/result.h"
 #include "prs/sector/load_distribution.h"
 #include "prs/threads/contact_laws.h"
+#include "simd/instruction_set.h"
 
 namespace prs {
 
@@ -13,6 +14,12 @@ namespace prs {
 /// each thread, displacement and stiffness; the status alone where it did not converge.
 LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts,
                              const PerInterface<ContactLaw>& laws, LoadDistribution distribution);
+
+/// The same into the result of that load case, which keeps its memory and exchanges it with the
+/// distribution's.
+void set_solved_result(LoadCaseResult& result, const Contacts& contacts,
+                       const PerInterface<ContactLaw>& laws, LoadDistribution& distribution,
+                       simd::InstructionSet set);
 
 /// Threads with equal loads by assumption; approaches follow where the Hertz constants are known.
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,

@@ -16,6 +16,9 @@ struct MeasuresResult {
   std::vector<std::optional<LoadMeasures>> load_measures;
 };
 
+/// The measures of what is known of a case: contacts, and load cases that are solved.
+MeasuresResult measured(const Conditions& c, Result analysis, Detail detail);
+
 /// The chain of `analyze`, then the design measures of the mechanism and of each load case. Reads
 /// nothing, prints nothing. The case must have passed `check_case` and the requirements of
 /// `measures`. Throws CaseError where the geometry gives no contact.

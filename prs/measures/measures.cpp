@@ -373,13 +373,14 @@ Measures measures_of(const Conditions& c, const Contacts& contacts) {
 }
 
 LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
-                              const Measures& measures, const LoadCaseResult& result) {
+                              const Measures& measures, const LoadCaseResult& result,
+                              Detail detail) {
   LoadMeasures m;
   const LoadCase& load_case = result.load_case;
   const double force = std::abs(load_case.axial_force), lead = contacts.mechanism.lead;
   if (!(force > 0.0)) return m;
   find_load_stiffness(c, contacts, measures, force, m);
-  find_yang_distribution(c, contacts, load_case, m);
+  if (detail == Detail::complete) find_yang_distribution(c, contacts, load_case, m);
   find_pressures(c, contacts, force, m);
   find_most_loaded(c, contacts, measures, result, m);
   if (const auto rating = equal_shares_static_rating(c, measures)) {
@@ -396,7 +397,8 @@ LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
     if (speed && *speed > 0.0) m.life_hours = *m.life * 2.0 * std::numbers::pi / *speed / 3600.0;
   }
   if (measures.efficiency) m.drive_torque = drive_torque(force, lead, *measures.efficiency);
-  m.back_driving_efficiency = prs::back_driving_efficiency(c, contacts, result);
+  if (detail == Detail::complete)
+    m.back_driving_efficiency = prs::back_driving_efficiency(c, contacts, result);
   if (speed && *speed > 0.0) m.speed_safety = ratio(measures.critical_speed, speed);
   return m;
 }

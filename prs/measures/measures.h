@@ -62,7 +62,7 @@ struct LoadMeasures {
   // Stiffness of all threads of the mechanism side by side under equal shares, secant [N/m]
   PerInterface<std::optional<double>> hertz_stiffness;
   std::optional<double> thread_stiffness;  ///< Both Hertz contacts and teeth in series.
-  // Yang's load distribution, for comparison with that of the model
+  // Yang's load distribution, for comparison with that of the model; Detail::complete
   std::vector<double> yang_load_rate;  ///< Thread 1 first; empty where it is not defined.
   std::optional<double> yang_largest_load_rate;
   PerInterface<std::optional<double>> largest_load_rate;  ///< In the solved distribution.
@@ -82,7 +82,8 @@ struct LoadMeasures {
   std::optional<double> life_travel;  ///< [m]
   // Drive
   std::optional<double> drive_torque;  ///< By the estimate of efficiency [N m].
-  /// Travel into rotation, by slip; absent where self-locking, or without friction or speed.
+  /// Travel into rotation, by slip; absent where self-locking, or without friction or speed, and
+  /// without Detail::complete.
   std::optional<double> back_driving_efficiency;
   std::optional<double> speed_safety;  ///< Critical over operating speed, where the screw turns.
 };
@@ -100,6 +101,7 @@ std::vector<std::string> unusual_load_measures(const Conditions& c, const Measur
 
 /// Measures under the solved or equal loads of one load case.
 LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,
-                              const Measures& measures, const LoadCaseResult& result);
+                              const Measures& measures, const LoadCaseResult& result,
+                              Detail detail = Detail::complete);
 
 }  // namespace prs

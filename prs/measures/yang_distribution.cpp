@@ -31,7 +31,9 @@ double nut_compliance(const Structure::Nut& nut, double bore, double modulus, do
 double find_loads(double last_approach, double force, double coefficient,
                   std::span<const ThreadGap> gaps, std::span<double> loads) {
   const auto load = [&](double approach) {
-    return approach > 0.0 ? std::pow(approach / coefficient, 1.5) : 0.0;
+    if (!(approach > 0.0)) return 0.0;
+    const double ratio = approach / coefficient;
+    return ratio * std::sqrt(ratio);  // A power of 1.5 takes many times as long.
   };
   double approach = last_approach;
   double sum = loads.back() = load(approach);

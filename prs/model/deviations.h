@@ -70,6 +70,9 @@ ThreadOffsets thread_offsets(const Mechanism& mechanism, const Deviations& devia
 std::vector<double> gaps_between(const ThreadOffsets& body, const ThreadOffsets& roller,
                                  Interface i, double normal_angle, Direction direction);
 
+/// Whether anything sets a thread of one sector off its nominal place; else all gaps are 0.
+bool deviates(const Mechanism& mechanism, const Deviations& deviations);
+
 /// Initial gaps of the threads along their contact normals for one direction of the load, the
 /// closest thread of each interface touching [m]. With axial offsets a_k of the threads (measured
 /// pitch, pitch error, expansion), away from the loaded end, and radial offsets rho_k of their

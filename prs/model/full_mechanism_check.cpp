@@ -12,44 +12,45 @@
 namespace prs {
 namespace {
 
-/// Keys that a sector does not know, and whether the case has them.
+/// Keys that a sector does not know. Every design of a study comes by: no text is made of keys that
+/// do not stand.
 void refuse_in_sector(const Case& c, Problems& problems) {
+  const auto refuse = [&](bool stands, std::string_view block, std::string_view key) {
+    if (!stands) return;
+    problems.add(fmt::format("{}.{}", block, key),
+                 "stands with `mechanism: sector`, which has one roller and no side loads; "
+                 "expected no such key there; delete it, or write `model: {mechanism: full}`");
+  };
+  refuse(c.model.contact_phase != ModelOptions::ContactPhase::equal, "model", "contact_phase");
+  refuse(c.model.shear, "model", "shear");
   const Deviations& d = c.deviations;
-  std::vector<std::pair<std::string, bool>> keys = {
-      {"model.contact_phase", c.model.contact_phase != ModelOptions::ContactPhase::equal},
-      {"model.shear", c.model.shear},
-      {"deviations.roller_diameter", !d.roller_diameters.empty()},
-      {"deviations.roller_position",
-       !d.roller_position.near.empty() || !d.roller_position.far.empty()},
-      {"deviations.missing_rollers", !d.missing_rollers.empty()},
-      {"deviations.index_error", !d.index_error.screw.empty() || !d.index_error.nut.empty()},
-      {"deviations.thread_eccentricity", d.thread_eccentricity != PerInterface<Lateral>{}},
-      {"deviations.pitch_error.roller.list", !d.pitch_error.roller.lists.empty()}};
+  refuse(!d.roller_diameters.empty(), "deviations", "roller_diameter");
+  refuse(!d.roller_position.near.empty() || !d.roller_position.far.empty(), "deviations",
+         "roller_position");
+  refuse(!d.missing_rollers.empty(), "deviations", "missing_rollers");
+  refuse(!d.index_error.screw.empty() || !d.index_error.nut.empty(), "deviations", "index_error");
+  refuse(d.thread_eccentricity != PerInterface<Lateral>{}, "deviations", "thread_eccentricity");
+  refuse(!d.pitch_error.roller.lists.empty(), "deviations", "pitch_error.roller.list");
   if (c.structure) {
     const Structure& s = *c.structure;
-    keys.insert(keys.end(), {{"structure.screw.far_length", s.screw.far_length != 0.0},
-                             {"structure.screw.bearings", !s.screw.bearings.empty()},
-                             {"structure.roller.rings", s.roller.rings != Rings{}},
-                             {"structure.nut.housing", s.nut.housing != Housing{}}});
+    refuse(s.screw.far_length != 0.0, "structure", "screw.far_length");
+    refuse(!s.screw.bearings.empty(), "structure", "screw.bearings");
+    refuse(s.roller.rings != Rings{}, "structure", "roller.rings");
+    refuse(s.nut.housing != Housing{}, "structure", "nut.housing");
   }
-  if (c.life) keys.emplace_back("life.load_case", c.life->load_case.has_value());
+  if (c.life) refuse(c.life->load_case.has_value(), "life", "load_case");
   const SpatialLoad nothing;
   for (const LoadCase& load : c.load_cases) {
     const SpatialLoad& s = load.spatial;
-    const auto at = [&](const char* key) { return fmt::format("{}.{}", load.input_path, key); };
-    keys.insert(keys.end(), {{at("carrier_angle"), s.carrier_angle != 0.0},
-                             {at("eccentricity"), s.eccentricity != nothing.eccentricity},
-                             {at("side_force"), s.side_force != nothing.side_force},
-                             {at("moment"), s.moment != nothing.moment},
-                             {at("misalignment"),
-                              s.nut_tilt != nothing.nut_tilt || s.nut_offset != nothing.nut_offset},
-                             {at("orbit"), s.orbit.has_value()}});
+    if (s == nothing) continue;
+    refuse(s.carrier_angle != 0.0, load.input_path, "carrier_angle");
+    refuse(s.eccentricity != nothing.eccentricity, load.input_path, "eccentricity");
+    refuse(s.side_force != nothing.side_force, load.input_path, "side_force");
+    refuse(s.moment != nothing.moment, load.input_path, "moment");
+    refuse(s.nut_tilt != nothing.nut_tilt || s.nut_offset != nothing.nut_offset, load.input_path,
+           "misalignment");
+    refuse(s.orbit.has_value(), load.input_path, "orbit");
   }
-  for (auto& [path, stands] : keys)
-    if (stands)
-      problems.add(std::move(path),
-                   "stands with `mechanism: sector`, which has one roller and no side loads; "
-                   "expected no such key there; delete it, or write `model: {mechanism: full}`");
 }
 
 void check_list(std::string path, std::size_t size, int wanted, std::string_view of,
@@ -119,6 +120,15 @@ void check_missing_rollers(const Case& c, Problems& problems) {
     problems.add(
         "deviations.missing_rollers",
         fmt::format("got all {} rollers; expected one that is left; delete a number", rollers));
+  if (missing.empty()) return;
+  const auto refuse_equal = [&](LoadCase::Share share, std::string path) {
+    if (share == LoadCase::Share::equal)
+      problems.add(std::move(path),
+                   "got equal, which has all rollers carry alike, with "
+                   "`deviations.missing_rollers`; expected solved; write it, or delete the list");
+  };
+  for (const LoadCase& load : c.load_cases) refuse_equal(load.share, load.input_path + ".share");
+  if (c.life) refuse_equal(c.life->share, "life.share");
 }
 
 /// Rotations for which sin(x) = x holds within 0.13 %, as the model takes it [rad].
@@ -187,30 +197,15 @@ void check_places(const Case& c, Problems& problems) {
   }
 }
 
-/// What beams take and bodies of revolution by finite elements do not.
-void refuse_with_influence(const Case& c, Problems& problems) {
-  std::vector<std::pair<std::string, bool>> keys = {
-      {"model.contact_phase", c.model.contact_phase != ModelOptions::ContactPhase::equal},
-      {"model.shear", c.model.shear}};
-  if (c.structure)
-    keys.emplace_back("structure.screw.bearings", !c.structure->screw.bearings.empty());
-  for (const LoadCase& load : c.load_cases) {
-    keys.emplace_back(load.input_path + ".side_force.at", load.spatial.side_force.at.has_value());
-    keys.emplace_back(load.input_path + ".moment.at", load.spatial.moment.at.has_value());
-  }
-  for (auto& [path, stands] : keys)
-    if (stands)
-      problems.add(std::move(path),
-                   "stands with `bodies: influence`, whose ridges have no lead and whose screw is "
-                   "loaded at its end; expected no such key there; delete it, or take `bodies: "
-                   "refined`");
-}
-
 }  // namespace
 
 void check_full_mechanism(const Case& c, Problems& problems) {
   if (c.model.mechanism == ModelOptions::Mechanism::sector) return refuse_in_sector(c, problems);
-  if (c.model.bodies == ModelOptions::Bodies::influence) refuse_with_influence(c, problems);
+  if (c.model.bodies == ModelOptions::Bodies::influence &&
+      c.model.contact_phase != ModelOptions::ContactPhase::equal)
+    problems.add("model.contact_phase",
+                 "got helical with `bodies: influence`, bodies of revolution whose ridges have no "
+                 "lead; expected equal; delete it, or take `bodies: refined`");
   if (c.mechanism.rollers < 2)
     problems.add("mechanism.rollers", fmt::format("got {}; expected at least 2 with `mechanism: "
                                                   "full`",

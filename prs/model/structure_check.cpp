@@ -37,19 +37,23 @@ void check_flanges(const Structure::Nut& nut, const std::optional<double>& pitch
                                "two diameters",
                                mm(f.outer_diameter), mm(*pitch_diameter)));
   }
-  if (nut.flanges.size() < 2) return;
-  std::vector<std::size_t> order(nut.flanges.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return nut.flanges[i].from; });
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    const Structure::Flange& before = nut.flanges[order[k - 1]];
-    const Structure::Flange& f = nut.flanges[order[k]];
+  const auto check_neighbours = [&](std::size_t before_index, std::size_t index) {
+    const Structure::Flange& before = nut.flanges[before_index];
+    const Structure::Flange& f = nut.flanges[index];
     if (f.from < before.to - tolerance)
-      problems.add(fmt::format("structure.nut.flanges[{}]", order[k]),
+      problems.add(fmt::format("structure.nut.flanges[{}]", index),
                    fmt::format("got a flange from {} that overlaps the one from {} to {}; expected "
                                "flanges that touch at most; move one of them",
                                mm(f.from), mm(before.from), mm(before.to)));
+  };
+  if (std::ranges::is_sorted(nut.flanges, {}, &Structure::Flange::from)) {
+    for (std::size_t k = 1; k < nut.flanges.size(); ++k) check_neighbours(k - 1, k);
+    return;
   }
+  std::vector<std::size_t> order(nut.flanges.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return nut.flanges[i].from; });
+  for (std::size_t k = 1; k < order.size(); ++k) check_neighbours(order[k - 1], order[k]);
 }
 
 /// A length that is out of all proportion to the part it belongs to: most often a wrong unit.

@@ -101,8 +101,23 @@ std::vector<std::size_t> front_of(const Optimization& optimization,
   return front;
 }
 
-std::optional<std::size_t> compromise_of(const Optimization& optimization, const Search& search) {
-  const Points points = costs_of_front(optimization, search);
+std::vector<std::size_t> joint_front(const OptimizationResult& result) {
+  std::vector<std::size_t> candidates = result.search.front;
+  if (result.check)
+    for (const std::size_t k : result.check->front)
+      candidates.push_back(result.search.designs.size() + k);
+  Points points;
+  for (const std::size_t k : candidates)
+    points.push_back(costs(result.optimization, result.design(k)));
+  std::vector<std::size_t> front = non_dominated(points);
+  for (std::size_t& k : front) k = candidates[k];
+  return front;
+}
+
+std::optional<std::size_t> compromise_of(const OptimizationResult& result) {
+  const Optimization& optimization = result.optimization;
+  Points points;
+  for (const std::size_t k : result.front) points.push_back(costs(optimization, result.design(k)));
   Extent extent(optimization.objectives.size());
   for (const std::vector<double>& point : points) extent.include(point);
   std::optional<std::size_t> chosen;
@@ -111,7 +126,7 @@ std::optional<std::size_t> compromise_of(const Optimization& optimization, const
     const double value = merit(optimization.compromise, extent.scaled(points[k]));
     if (value >= least) continue;
     least = value;
-    chosen = search.front[k];
+    chosen = result.front[k];
   }
   return chosen;
 }

@@ -16,8 +16,12 @@ std::vector<std::size_t> non_dominated(const std::vector<std::vector<double>>& p
 std::vector<std::size_t> front_of(const Optimization& optimization,
                                   const std::vector<EvaluatedDesign>& designs);
 
-/// The front's design that `optimization.compromise` chooses; the first of equal ones.
-std::optional<std::size_t> compromise_of(const Optimization& optimization, const Search& search);
+/// The front of the designs of both searches, from their own fronts.
+std::vector<std::size_t> joint_front(const OptimizationResult& result);
+
+/// The design of `result.front` that the optimization's compromise chooses; the first of equal
+/// ones.
+std::optional<std::size_t> compromise_of(const OptimizationResult& result);
 
 FrontComparison compare_fronts(const Optimization& optimization, const EvaluatedDesign& initial,
                                const Search& search, const Search& check);

@@ -4,9 +4,22 @@
 
 namespace prs {
 
+std::size_t OptimizationResult::design_count() const {
+  return search.designs.size() + (check ? check->designs.size() : 0);
+}
+
+const Search& OptimizationResult::search_of(std::size_t index) const {
+  return index < search.designs.size() ? search : *check;
+}
+
+const EvaluatedDesign& OptimizationResult::design(std::size_t index) const {
+  const std::size_t own = search.designs.size();
+  return index < own ? search.designs[index] : check->designs[index - own];
+}
+
 const EvaluatedDesign* OptimizationResult::chosen() const {
-  if (compromise) return &search.designs[*compromise];
-  return nearest ? &search.designs[*nearest] : nullptr;
+  if (compromise) return &design(*compromise);
+  return nearest ? &design(*nearest) : nullptr;
 }
 
 double limit_of(const Constraint& constraint, const EvaluatedDesign& design,

@@ -48,10 +48,17 @@ struct OptimizationResult {
   Search search;
   std::optional<Search> check;
   std::optional<FrontComparison> comparison;
-  /// Index of the compromise in `search.designs`; absent where the front is empty.
-  std::optional<std::size_t> compromise;
+  /// Pareto front of the designs of both searches, as that of one. These indices and the next count
+  /// through the designs of the search, then those of the check.
+  std::vector<std::size_t> front = {};
+  std::optional<std::size_t> compromise = {};  ///< Absent where the front is empty.
   /// Where the front is empty: the design with an answer that comes nearest to the constraints.
-  std::optional<std::size_t> nearest;
+  std::optional<std::size_t> nearest = {};
+
+  std::size_t design_count() const;
+  const EvaluatedDesign& design(std::size_t index) const;
+  /// The search that tried a design.
+  const Search& search_of(std::size_t index) const;
 
   /// The compromise or, without one, the nearest design; null where none has an answer.
   const EvaluatedDesign* chosen() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "prs/components/search.h"
@@ -123,15 +124,20 @@ Search search(const Optimization& optimization, Algorithm algorithm, std::uint64
 }
 
 /// The design with an answer that violates least.
-std::optional<std::size_t> nearest(const std::vector<EvaluatedDesign>& designs) {
-  const auto least = std::ranges::min_element(designs, {}, &EvaluatedDesign::violation);
-  if (least == designs.end() || !std::isfinite(least->violation)) return std::nullopt;
-  return static_cast<std::size_t>(least - designs.begin());
+std::optional<std::size_t> nearest(const OptimizationResult& result) {
+  std::optional<std::size_t> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < result.design_count(); ++k)
+    if (result.design(k).violation < least) {
+      least = result.design(k).violation;
+      nearest = k;
+    }
+  return nearest;
 }
 
 OptimizationResult run(const Optimization& optimization, Answers& answers) {
   // The check has random numbers of its own.
-  OptimizationResult result{optimization, {}, {}, {}, {}, {}, {}};
+  OptimizationResult result{optimization, {}, {}, {}, {}};
   const std::vector<Draw> as_in_file(optimization.study.factors.size());
   result.initial = answers({as_in_file}).front();
   const Fitness fitness(optimization, result.initial);
@@ -142,8 +148,9 @@ OptimizationResult run(const Optimization& optimization, Answers& answers) {
                           fitness, answers);
     result.comparison = compare_fronts(optimization, result.initial, result.search, *result.check);
   }
-  result.compromise = compromise_of(optimization, result.search);
-  if (!result.compromise) result.nearest = nearest(result.search.designs);
+  result.front = joint_front(result);
+  result.compromise = compromise_of(result);
+  if (!result.compromise) result.nearest = nearest(result);
   return result;
 }
 

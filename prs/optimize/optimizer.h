@@ -19,7 +19,8 @@ struct OptimizeOptions {
   std::function<void(StudyProgress)> progress = {};  ///< Told after designs were evaluated.
 };
 
-/// Searches the front, and once more with the second algorithm. Every answer goes into the journal
+/// Searches the front, and once more with the second algorithm; the designs of both compete for the
+/// front that is delivered. Every answer goes into the journal
 /// at once. A search is a function of the optimization and the answers alone, so that one that was
 /// interrupted is run again from its start on the answers that the journal holds, which takes no
 /// time, and then goes on as if nothing had happened. Absent where it was interrupted. Throws what

@@ -9,14 +9,10 @@
 namespace prs {
 namespace {
 
-/// Designs that fill the lanes of the chain kernel.
-constexpr std::size_t kLanes = 8;
-
-/// Designs that a thread takes at once: each thread some, full lanes where the engine has them.
+/// Designs that a thread takes at once: as many as the other threads do, at most what the engine
+/// takes.
 std::size_t piece_of(const DesignEngine& engine, std::size_t designs, std::size_t threads) {
-  const std::size_t each = (designs + threads - 1) / threads;
-  if (engine.chunk() < kLanes) return 1;
-  return std::clamp((each + kLanes - 1) / kLanes * kLanes, kLanes, engine.chunk());
+  return std::clamp<std::size_t>((designs + threads - 1) / threads, 1, engine.chunk());
 }
 
 void append(RowBlock& all, RowBlock block) {

@@ -293,10 +293,12 @@ void put_optimize(Parts& d) {
   };
   const Json numbered{{"design", type("integer", "Its number in history.csv")}};
   Json chosen = numbered;
+  chosen["algorithm"] = type("string", "That found it");
   chosen["change_percent"] = map_of(number(), "Against the file's own design");
   chosen["constraints"] = list(constraint);
   chosen["set"] = list(type("string", "What `--set` takes for it"));
-  d.definitions["Chosen"] = with(chosen, {"design", "change_percent", "constraints", "set"});
+  d.definitions["Chosen"] =
+      with(chosen, {"design", "algorithm", "change_percent", "constraints", "set"});
   d.definitions["Search"] = object({{"algorithm", text()},
                                     {"designs", count()},
                                     {"feasible", count()},
@@ -325,6 +327,7 @@ void put_optimize(Parts& d) {
                {"command", "variables", "objectives", "algorithm", "population", "generations",
                 "seed", "compromise"}));
   d.put("initial", with({{"constraints", list(constraint)}}, {"constraints"}));
+  d.put("front", list(type("integer", "Its number in history.csv")));
   for (const char* key : {"compromise", "nearest", "search", "check", "comparison"})
     d.put(key,
           link(std::string_view(key) == "search" || std::string_view(key) == "check" ? "Search"

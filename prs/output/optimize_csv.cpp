@@ -47,10 +47,10 @@ std::string front_csv(const OptimizationResult& result, const CsvStyle& style) {
   CsvWriter csv(style);
   for (const char* key : {"design", "compromise"}) csv.text(key);
   design_header(csv, study);
-  for (const std::size_t k : result.search.front) {
+  for (const std::size_t k : result.front) {
     csv.integer(k + 1);
     csv.text(result.compromise == k ? "true" : "false");
-    design_fields(csv, study, result.search.designs[k]);
+    design_fields(csv, study, result.design(k));
   }
   return csv.take();
 }

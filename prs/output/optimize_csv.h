@@ -7,9 +7,9 @@
 
 namespace prs {
 
-/// The front, one row per design: where it stands in history.csv, whether it is the compromise, the
-/// variables and what is linked to them (`mechanism.flank_angle.screw_deg`), the responses under
-/// their paths.
+/// The front of both searches, one row per design: where it stands in history.csv, whether it is
+/// the compromise, the variables and what is linked to them (`mechanism.flank_angle.screw_deg`),
+/// the responses under their paths.
 std::string front_csv(const OptimizationResult& result, const CsvStyle& style = {});
 
 /// Every design in the order in which it was evaluated, the file's own first: its number, the

@@ -84,9 +84,10 @@ Json constraints_json(const OptimizationResult& result, const EvaluatedDesign& d
 /// With what a reader wants of it beside the file's own design.
 Json chosen_json(const OptimizationResult& result, std::size_t index) {
   const Optimization& optimization = result.optimization;
-  const EvaluatedDesign& design = result.search.designs[index];
+  const EvaluatedDesign& design = result.design(index);
   Json json;
   json["design"] = index + 1;
+  json["algorithm"] = name(result.search_of(index).algorithm);
   json.update(design_json(result, design));
   json["change_percent"] = Json::object();
   for (std::size_t k = 0; k < design.responses.size(); ++k)
@@ -165,6 +166,8 @@ Json optimize_json(const OptimizationResult& result, const DocumentInfo& info) {
   document["initial"]["constraints"] = constraints_json(result, result.initial);
   if (result.compromise) document["compromise"] = chosen_json(result, *result.compromise);
   if (result.nearest) document["nearest"] = chosen_json(result, *result.nearest);
+  document["front"] = Json::array();
+  for (const std::size_t k : result.front) document["front"].push_back(k + 1);
   document["search"] = search_json(result, result.search, 1);
   if (result.check)
     document["check"] = search_json(result, *result.check, 1 + result.search.designs.size());

@@ -117,6 +117,15 @@ std::string constraints(const OptimizationResult& result, const EvaluatedDesign&
                      all.size(), kept_before, violated);
 }
 
+/// A line that says so where the check found the design that is shown.
+std::string from_check(const OptimizationResult& result) {
+  const auto shown = result.compromise ? result.compromise : result.nearest;
+  if (!shown || *shown < result.search.designs.size()) return "";
+  return fmt::format("  the {} above is a design of {}\n",
+                     result.compromise ? "compromise" : "nearest design",
+                     name(result.check->algorithm));
+}
+
 std::string comparison(const OptimizationResult& result) {
   if (!result.check) return "";
   const SearchCounts counts = count(*result.check);
@@ -124,7 +133,7 @@ std::string comparison(const OptimizationResult& result) {
       fmt::format("\nCheck by {}: {} feasible, {} on the front", name(result.check->algorithm),
                   counts.feasible, result.check->front.size());
   const FrontComparison& c = *result.comparison;
-  if (c.best.empty()) return text + '\n';
+  if (c.best.empty()) return text + '\n' + from_check(result);
   text += fmt::format("; hypervolume {:.4f} against {:.4f}\n", c.check_hypervolume, c.hypervolume);
   for (std::size_t k = 0; k < c.best.size(); ++k) {
     const Objective& objective = result.optimization.objectives[k];
@@ -134,7 +143,7 @@ std::string comparison(const OptimizationResult& result) {
                     number(c.check_best[k]), number(c.best[k]), change(c.best[k], c.check_best[k])),
         "  ", kTableWidth);
   }
-  return text;
+  return text + from_check(result);
 }
 
 /// A reason without its numbers, which differ from design to design.

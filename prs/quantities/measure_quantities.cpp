@@ -250,7 +250,8 @@ constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
      "largest axial thread load over F/N_r", "Yang, in Jung 2017, (4.1), (8.20), corrected",
      "largest load rate after Yang", kDistributionGroup,
      "each roller tooth a ball that passes on what it takes; needs structure, position and thrust "
-     "section"},
+     "section",
+     Reach::complete},
     {"largest_load_rate_screw_percent", of_side<&LoadMeasures::largest_load_rate, Interface::screw>,
      kLoadRateFormula, "load distribution of `prs solve`", "largest load rate, roller-screw",
      kDistributionGroup, "that of the model"},
@@ -311,7 +312,8 @@ constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
      "shaft's power over that of the load that drives",
      "Sandu 2018, chapters 2 and 3, as `prs slip`", "efficiency, travel into rotation, by slip",
      kDriveGroup,
-     "needs what `prs slip` needs; at the speed of the case; absent where the screw locks itself"},
+     "needs what `prs slip` needs; at the speed of the case; absent where the screw locks itself",
+     Reach::complete},
     {"speed_safety", of<&LoadMeasures::speed_safety>, "critical speed over |speed|",
      "Euler-Bernoulli beam", "critical over operating speed", kDriveGroup,
      "standard mechanisms, whose screw turns; that of the critical speed"},
@@ -329,7 +331,8 @@ constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
      "Yang, in Jung 2017, (4.1), (8.20), corrected", "load rate of each thread after Yang",
      kDistributionGroup,
      "each roller tooth a ball that passes on what it takes: no bending, nothing along the roller; "
-     "screw and nut as bars; no deviations"},
+     "screw and nut as bars; no deviations",
+     Reach::complete},
 };
 
 }  // namespace

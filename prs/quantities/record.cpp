@@ -12,36 +12,46 @@ std::string words_of(std::string_view key) {
   return words;
 }
 
-RowOfWord split_row(std::string_view word) {
-  const std::size_t end = word.find("][");
-  std::size_t row = 0;
-  if (!word.starts_with('[') || end == std::string_view::npos) return {{}, word};
-  const auto [stop, error] = std::from_chars(word.data() + 1, word.data() + end, row);
-  if (error != std::errc{} || stop != word.data() + end) return {{}, word};
-  return {row, word.substr(end + 1)};
+std::optional<std::size_t> take_index(std::string_view& path) {
+  const std::size_t end = path.find(']');
+  if (!path.starts_with('[') || end == std::string_view::npos) return std::nullopt;
+  std::size_t index = 0;
+  const auto [stop, error] = std::from_chars(path.data() + 1, path.data() + end, index);
+  if (error != std::errc{} || stop != path.data() + end) return std::nullopt;
+  path.remove_prefix(end + 1);
+  return index;
 }
 
-std::function<std::optional<double>(std::span<const double>)> summary_named(std::string_view word,
-                                                                            double factor) {
+RowOfWord split_row(std::string_view word) {
+  std::string_view rest = word;
+  const std::optional<std::size_t> row = take_index(rest);
+  return row && rest.starts_with('[') ? RowOfWord{row, rest} : RowOfWord{{}, word};
+}
+
+SeriesReader summary_named(std::string_view word, double factor) {
   using Values = std::span<const double>;
-  const auto of_some = [](auto summary) {
-    return [summary](Values v) { return v.empty() ? std::nullopt : std::optional(summary(v)); };
+  // A document has null in place of a number that is not finite, and no summary of such a list.
+  const auto of_finite = [](auto summary) {
+    return [summary](Values v) {
+      const bool known =
+          !v.empty() && std::ranges::all_of(v, [](double x) { return std::isfinite(x); });
+      return known ? std::optional(summary(v)) : std::nullopt;
+    };
   };
-  if (word == ".max") return of_some([factor](Values v) { return std::ranges::max(v) * factor; });
-  if (word == ".min") return of_some([factor](Values v) { return std::ranges::min(v) * factor; });
+  if (word == ".max") return of_finite([factor](Values v) { return std::ranges::max(v) * factor; });
+  if (word == ".min") return of_finite([factor](Values v) { return std::ranges::min(v) * factor; });
   if (word == ".mean")
-    return of_some([factor](Values v) {
+    return of_finite([factor](Values v) {
       return std::accumulate(v.begin(), v.end(), 0.0,
                              [factor](double sum, double x) { return sum + x * factor; }) /
              static_cast<double>(v.size());
     });
-  if (!word.starts_with('[')) return {};
-  std::size_t index = 0;
-  const char* end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data() + 1, end, index);
-  if (error != std::errc{} || stop + 1 != end || *stop != ']') return {};
-  return [index, factor](Values v) {
-    return index < v.size() ? std::optional(v[index] * factor) : std::nullopt;
+  std::string_view rest = word;
+  const std::optional<std::size_t> index = take_index(rest);
+  if (!index || !rest.empty()) return {};
+  return [index = *index, factor](Values v) {
+    return index < v.size() && std::isfinite(v[index]) ? std::optional(v[index] * factor)
+                                                       : std::nullopt;
   };
 }
 

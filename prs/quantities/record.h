@@ -71,6 +71,8 @@ struct Getter {
   /// All that is neither; null where the case does not define it.
   Json (*json)(const Owner&, const ShownUnit&) = nullptr;
   const RecordInfo& (*record)() = nullptr;  ///< For kinds record and records.
+  /// Of what `json` gives: the number behind the key, `.max`, `[2].thread`, ..; none where there
+  /// cannot be one.
   std::optional<Reader<Owner>> (*reader)(std::string_view path, const ShownUnit&) = nullptr;
 };
 
@@ -112,10 +114,15 @@ struct RecordInfo {
 /// `Peak pressure` of `peak_pressure_MPa`, in small letters.
 std::string words_of(std::string_view key);
 
+/// Takes `[k]` from the head of a path.
+std::optional<std::size_t> take_index(std::string_view& path);
+
+/// What a word makes of the shown values of a series.
+using SeriesReader = std::function<std::optional<double>(std::span<const double>)>;
+
 /// What `[k]`, `.max`, `.min` or `.mean` behind the key of a series makes of shown values; none for
 /// other words.
-std::function<std::optional<double>(std::span<const double>)> summary_named(std::string_view word,
-                                                                            double factor);
+SeriesReader summary_named(std::string_view word, double factor);
 
 /// `[j][k]` as j and `[k]`; any other words as they are.
 struct RowOfWord {

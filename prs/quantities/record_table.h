@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <nlohmann/json.hpp>
@@ -119,6 +120,65 @@ constexpr Kind kind_of() {
     return Kind::record;
 }
 
+/// Reads a series that a word follows, see `summary_named`.
+template <class T>
+std::optional<Reader<T>> series_reader(std::string_view word, double factor) {
+  SeriesReader read = summary_named(word, factor);
+  if (!read) return std::nullopt;
+  return Reader<T>{[read = std::move(read)](const T& values) {
+    return read({values.data(), static_cast<std::size_t>(values.size())});
+  }};
+}
+
+/// Reads rows of numbers: `[j]` and a word for one of them, or a word for all.
+template <class T>
+std::optional<Reader<T>> matrix_reader(std::string_view path, double factor) {
+  const std::optional<std::size_t> row = take_index(path);
+  SeriesReader read = row || !path.starts_with('[') ? summary_named(path, factor) : nullptr;
+  if (!read) return std::nullopt;
+  return Reader<T>{[read = std::move(read), row](const T& rows) -> std::optional<double> {
+    if (row) return *row < rows.size() ? read(rows[*row]) : std::nullopt;
+    std::vector<double> all;
+    for (const auto& values : rows) all.insert(all.end(), values.begin(), values.end());
+    return read(all);
+  }};
+}
+
+/// The number at what follows the key of an item: `.screw.max`, `[2].thread`, or nothing.
+template <class T>
+std::optional<Reader<T>> item_reader(std::string_view path, const ShownUnit& unit) {
+  if constexpr (std::is_same_v<T, bool> || Text<T> || std::is_same_v<T, std::vector<std::string>>) {
+    return std::nullopt;
+  } else if constexpr (std::is_integral_v<T>) {
+    if (!path.empty()) return std::nullopt;
+    return Reader<T>{[](const T& value) { return std::optional(static_cast<double>(value)); }};
+  } else if constexpr (std::is_same_v<T, std::vector<int>>) {
+    SeriesReader read = summary_named(path, 1.0);
+    if (!read) return std::nullopt;
+    return Reader<T>{[read = std::move(read)](const T& values) {
+      return read(std::vector<double>(values.begin(), values.end()));
+    }};
+  } else if constexpr (Numbers<T>) {
+    return series_reader<T>(path, unit.factor);
+  } else if constexpr (is_vector<T>) {
+    using Inner = typename T::value_type;
+    if constexpr (Numbers<Inner>) {
+      return matrix_reader<T>(path, unit.factor);
+    } else {
+      const std::optional<std::size_t> index = take_index(path);
+      std::optional<Reader<Inner>> inner =
+          index ? item_reader<Inner>(path, unit) : std::optional<Reader<Inner>>();
+      if (!inner) return std::nullopt;
+      return Reader<T>{[index, read = std::move(inner->read)](const T& items) {
+                         return *index < items.size() ? read(items[*index]) : std::nullopt;
+                       },
+                       inner->delivery};
+    }
+  } else {
+    return path.starts_with('.') ? reader_of<T>(path.substr(1), unit) : std::nullopt;
+  }
+}
+
 /// What `get` gives of an owner of which `guard` is true.
 template <auto get, auto guard, class Owner>
 struct Access {
@@ -157,7 +217,7 @@ struct Access {
   }
 
   static std::optional<Reader<Owner>> reader(std::string_view path, const ShownUnit& unit) {
-    const std::optional<Reader<Item>> inner = reader_of<Item>(path, unit);
+    const std::optional<Reader<Item>> inner = item_reader<Item>(path, unit);
     if (!inner) return std::nullopt;
     return Reader<Owner>{[read = inner->read](const Owner& owner) {
                            return used(owner, std::optional<double>(), read);
@@ -177,9 +237,9 @@ struct Access {
       getter.series = series;
     } else {
       getter.json = json;
+      getter.reader = reader;
       if constexpr (kind == Kind::record) {
         getter.record = describe<Item>;
-        getter.reader = reader;
       } else if constexpr (kind == Kind::records) {
         getter.record = describe<typename Item::value_type>;
       }
@@ -232,7 +292,7 @@ std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& i
   for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
     const ShownUnit& unit = q.shown_in(inherited);
     if (q.key.empty()) {
-      if (auto reader = q.value.reader(path, unit)) return reader;
+      if (auto reader = q.value.reader("." + std::string(path), unit)) return reader;
       continue;
     }
     if (!path.starts_with(q.key)) continue;
@@ -255,8 +315,10 @@ std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& i
             },
             q.delivery};
     }
-    if (q.value.reader && rest.starts_with('.')) return q.value.reader(rest.substr(1), unit);
-    return std::nullopt;
+    std::optional<Reader<Owner>> reader;
+    if (q.value.reader) reader = q.value.reader(rest, unit);
+    if (reader) reader->delivery = std::max(reader->delivery, q.delivery);
+    return reader;
   }
   return std::nullopt;
 }

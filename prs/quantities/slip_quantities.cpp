@@ -113,7 +113,8 @@ constexpr auto threads =
 constexpr Quantity<SlipResult> kSlip[] = {
     {"converged", of<&SlipResult::converged>, "whether there is an answer"},
     {"status", of<&SlipResult::status>, "how the search for the slip ratio ended"},
-    {"evaluations", of<&SlipResult::evaluations>, "of the roller's moment balance"},
+    {"evaluations", of<&SlipResult::evaluations>, "of the roller's moment balance", "", "", "", "",
+     Reach::document},
     {"relative_residue", of<&SlipResult::relative_residue>,
      "moment on a roller over radius and normal load", "Sandu 2018, (3.38)", "", "", "",
      Reach::document},

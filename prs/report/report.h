@@ -1,31 +1,66 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "prs/input/source.h"
 
 namespace prs {
 
-struct ReportOptions {
-  std::string command;  ///< That makes the report, as it is told to the reader.
-  /// Where studies and optimizations of the case are looked for.
-  std::vector<std::filesystem::path> results = {};
+/// So much a page carries, in bytes.
+struct ReportRoom {
+  std::size_t files = 1'100'000;
+  std::size_t pictures = 600'000;  ///< Of stored studies.
+  std::size_t data = 300'000;      ///< Of one command.
 };
 
-/// All that a case asks for, on one page.
-struct Report {
-  std::string html;
-  /// The documents that the page was made of, by their commands, under `results`.
-  nlohmann::ordered_json data;
+struct ReportOptions {
+  std::string command = {};  ///< That makes the report, as it is told to the reader.
+  /// Where studies and optimizations of the case are looked for.
+  std::vector<std::filesystem::path> results = {};
+  ReportRoom room = {};
+};
+
+/// A section of the page.
+struct ReportSection {
+  std::string id;
+  std::string title;
+  std::string body;  ///< HTML; empty where there is nothing to show.
+};
+
+/// All that a case asks for, in the parts of a page.
+struct ReportParts {
+  std::string title;  ///< Text.
+  std::string head;   ///< HTML above the sections.
+  std::vector<ReportSection> sections;
+  std::string foot;
+  std::string controls;            ///< HTML of the sliders.
+  nlohmann::ordered_json threads;  ///< Which threads can be looked at; null where none can.
+  /// The documents that the page was made of, by their commands, under `results`; `shown` lacks
+  /// those that are too long for a page.
+  nlohmann::ordered_json data, shown;
   std::vector<std::string> notes;  ///< What could not be computed or was left out, a line each.
   bool converged = true;
 };
 
 /// Runs every command for which the case has all that it needs; of studies and optimizations, shows
 /// what `results` holds. Throws InputError where the case is wrong.
-Report make_report(const input::Source& source, const ReportOptions& options);
+ReportParts report_parts(const input::Source& source, const ReportOptions& options);
+
+/// A link by which the browser saves a text as a file.
+std::string download_link(std::string_view name, std::string_view type, std::string_view content);
+
+/// A picture in the page.
+std::string embedded_svg(std::string_view svg, std::string_view title);
+
+/// A thread of a load case; both count from 0, threads over all rollers.
+struct ThreadChoice {
+  std::size_t load_case = 0;
+  std::size_t thread = 0;
+};
 
 }  // namespace prs

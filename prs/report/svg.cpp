@@ -373,6 +373,16 @@ std::string label_svg(const Label& label, const Frame& f) {
   return std::isfinite(x + y) ? text(x, y + 5, look(kAnchors, label.anchor), label.text) : "";
 }
 
+/// Over a panel whose points are threads: where they stand, for scripts.
+std::string pick_svg(const Frame& f) {
+  if (!f.x.label.starts_with("Thread,")) return {};
+  return fmt::format(
+      "<rect class=\"pick\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" data-threads=\"{} "
+      "{}\"{}/>",
+      f.box.left, f.box.top, f.box.width(), f.box.height(), f.x.from, f.x.to,
+      f.y.label == "Roller" ? fmt::format(" data-rollers=\"{} {}\"", f.y.from, f.y.to) : "");
+}
+
 std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t index,
                       const std::string& id) {
   const Frame f = frame_of(figure, layout, index);
@@ -403,7 +413,7 @@ std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t in
                        boxed ? fmt::format("H{}V{}H{}Z", b.right, b.bottom, b.left)
                              : fmt::format("V{}H{}", b.bottom, b.right));
   for (const Label& label : panel.labels) all += label_svg(label, f);
-  return all;
+  return all + pick_svg(f);
 }
 
 std::string colour_bar_svg(const ColourScale& scale, const Layout& layout) {
@@ -520,7 +530,7 @@ std::string svg_style() {
   }
   return fmt::format(
       ":root{{{}}}\n@media screen and (prefers-color-scheme:dark){{:root{{{}}}}}\n"
-      "svg rect{{shape-rendering:crispEdges}}"
+      "svg rect{{shape-rendering:crispEdges}}svg .pick{{fill:transparent}}"
       "svg{{display:block;width:100%;height:auto;font-family:inherit;font-size:{}px}}\n"
       "svg text{{fill:var(--ink)}}svg .q{{fill:var(--quiet)}}svg .m{{text-anchor:middle}}"
       "svg .e{{text-anchor:end}}svg .b{{font-weight:600}}\n"

@@ -41,8 +41,9 @@ bool any(const std::vector<RecordColumn>& columns) {
   return std::ranges::any_of(columns, [](const RecordColumn& c) { return c.record != nullptr; });
 }
 
-void add_row(Rows& rows, const std::string& title, const QuantityInfo& q, std::string_view unit,
-             const std::vector<RecordColumn>& columns) {
+void add_row(Rows& rows, const std::string& title, const QuantityInfo& q,
+             std::string_view document_unit, const std::vector<RecordColumn>& columns) {
+  const ReportUnit unit = report_unit(q.key, document_unit);
   std::string cells;
   const bool is_range = q.key.find("range") != q.key.npos;
   bool found = false;
@@ -56,7 +57,7 @@ void add_row(Rows& rows, const std::string& title, const QuantityInfo& q, std::s
   rows.group = q.group;
   rows.text += fmt::format("<tr><th scope=\"row\"{}>{}</th>{}<td class=\"unit\">{}</td></tr>\n",
                            q.meaning.empty() ? "" : fmt::format(" title=\"{}\"", html(q.meaning)),
-                           html(capitalised(title)), cells, html(unit));
+                           html(capitalised(title)), cells, html(unit.text));
 }
 
 void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn>& columns,
@@ -133,10 +134,26 @@ std::string report_number(double value, std::string_view unit) {
   return shown;
 }
 
-std::string report_value(const Json& value, std::string_view unit, bool is_range) {
+std::string unit_in(std::string_view path) {
+  for (std::size_t dot = path.size(); dot != std::string_view::npos;
+       dot = dot > 0 ? path.rfind('.', dot - 1) : std::string_view::npos) {
+    std::string_view key = path.substr(dot < path.size() && path[dot] == '.' ? dot + 1 : dot);
+    key = key.substr(0, key.find_first_of(".["));
+    if (key.ends_with("_degC")) return "°C";
+    if (const ShownUnit& unit = unit_of(key); !unit.text.empty()) return std::string(unit.text);
+  }
+  return {};
+}
+
+ReportUnit report_unit(std::string_view key, std::string_view unit) {
+  if (unit.empty() && key.find("efficiency") != key.npos) return {"%", 100.0};
+  return {std::string(unit)};
+}
+
+std::string report_value(const Json& value, const ReportUnit& unit, bool is_range) {
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_number_integer()) return report_number(value.get<double>(), "");
-  if (value.is_number()) return report_number(value.get<double>(), unit);
+  if (value.is_number()) return report_number(value.get<double>() * unit.factor, unit.text);
   if (value.is_string()) {
     std::string words = value.get<std::string>();
     std::ranges::replace(words, '_', ' ');
@@ -158,7 +175,8 @@ std::string report_value(const Json& value, std::string_view unit, bool is_range
   }
   const auto [least, most] = range_of(value);
   if (!(least <= most)) return {};
-  const std::string low = report_number(least, unit), high = report_number(most, unit);
+  const std::string low = report_number(least * unit.factor, unit.text);
+  const std::string high = report_number(most * unit.factor, unit.text);
   return low == high ? low : low + " … " + high;
 }
 

@@ -9,12 +9,24 @@
 
 namespace prs {
 
+/// In what a quantity is shown, and shown = number of the document * factor.
+struct ReportUnit {
+  std::string text;
+  double factor = 1.0;
+};
+
+/// The unit that the path of a quantity ends in, `MPa` of `screw.peak_pressure_MPa.max`.
+std::string unit_in(std::string_view path);
+
+/// Of a quantity by its key or path, with the unit of documents: efficiencies are told in percent.
+ReportUnit report_unit(std::string_view key, std::string_view unit);
+
 /// A number as the report shows it: five digits, stiffness with one decimal, never a separator of
 /// thousands. `unit` as people write it.
 std::string report_number(double value, std::string_view unit);
 
 /// What a document says, as HTML: of long arrays their range; empty where it is no number or text.
-std::string report_value(const nlohmann::ordered_json& value, std::string_view unit,
+std::string report_value(const nlohmann::ordered_json& value, const ReportUnit& unit,
                          bool is_range = false);
 
 /// A column of a table of quantities.

@@ -29,11 +29,11 @@ DesignEngine engine_of(const input::OptimizeInput& in) {
 }
 
 std::string remark(const OptimizationResult& result, const std::string& file) {
-  const Optimization& o = result.optimization;
+  const std::size_t chosen = result.compromise.value_or(result.nearest.value_or(0));
   return fmt::format("{} of `prs optimize {}`, {} with seed {}: design {} of {}",
-                     result.compromise ? "Compromise" : "Nearest design", file, name(o.algorithm),
-                     o.seed, result.compromise.value_or(result.nearest.value_or(0)) + 1,
-                     result.search.designs.size());
+                     result.compromise ? "Compromise" : "Nearest design", file,
+                     name(result.search_of(chosen).algorithm), result.optimization.seed, chosen + 1,
+                     result.design_count());
 }
 
 }  // namespace

@@ -118,6 +118,11 @@ void set_contacts(SectorModel& s, const Given& g, const Deviations& deviations,
     s.sine[i] = std::sin(g.laws[i].normal_angle);
     s.compliance[i] = g.laws[i].compliance;
   }
+  if (!deviates(g.mechanism, deviations)) {
+    for (const Interface i : kInterfaces)
+      s.gaps[i].assign(static_cast<std::size_t>(g.mechanism.contacts_per_roller), 0.0);
+    return;
+  }
   s.gaps = initial_gaps(g.mechanism, deviations, g.materials,
                         {g.laws.screw.normal_angle, g.laws.nut.normal_angle}, direction);
 }
@@ -175,10 +180,22 @@ void add_concentration(SectorModel& s, const Given& g) {
 SectorModel sector_model(const Mechanism& m, const Structure& structure, const Materials& materials,
                          const ModelOptions& options, const PerInterface<ContactLaw>& laws,
                          Direction direction, double position, const Deviations& deviations) {
+  SectorModel s;
+  set_sector_model(s, m, structure, materials, options, laws, direction, position, deviations);
+  return s;
+}
+
+void set_sector_model(SectorModel& s, const Mechanism& m, const Structure& structure,
+                      const Materials& materials, const ModelOptions& options,
+                      const PerInterface<ContactLaw>& laws, Direction direction, double position,
+                      const Deviations& deviations) {
   const bool refined = options.bodies == ModelOptions::Bodies::refined;
   const Given g{m, structure, materials, laws, effects_of(options)};
   const RefinedEffects& effects = g.effects;
-  SectorModel s;
+  static_cast<SectorNumbers<double>&>(s) = {};
+  s.flanges.clear();
+  s.nut_shell.reset();
+  for (const Interface i : kInterfaces) s.body_compliance[i].clear();
   s.rollers = m.rollers;
   s.sense = sense(direction);
   s.pitch = axial_pitch(m);
@@ -186,7 +203,7 @@ SectorModel sector_model(const Mechanism& m, const Structure& structure, const M
   set_roller(s, g, options);
   set_nut(s, g, direction, position);
   set_contacts(s, g, deviations, direction);
-  if (!refined) return s;
+  if (!refined) return;
 
   const NutLine line = nut_line(s);
   if (effects.hoop || effects.flange) set_shell(s, g, line);
@@ -194,7 +211,6 @@ SectorModel sector_model(const Mechanism& m, const Structure& structure, const M
     for (const Interface i : kInterfaces) s.body_compliance[i].assign(s.gaps[i].size(), 0.0);
   if (effects.radial) add_radial(s, g, line);
   if (effects.concentration) add_concentration(s, g);
-  return s;
 }
 
 NutLine nut_line(const SectorModel& s) {

@@ -62,6 +62,12 @@ SectorModel sector_model(const Mechanism& mechanism, const Structure& structure,
                          const PerInterface<ContactLaw>& laws, Direction direction, double position,
                          const Deviations& deviations = {});
 
+/// The same into a model that keeps its memory.
+void set_sector_model(SectorModel& model, const Mechanism& mechanism, const Structure& structure,
+                      const Materials& materials, const ModelOptions& options,
+                      const PerInterface<ContactLaw>& laws, Direction direction, double position,
+                      const Deviations& deviations);
+
 /// Nodes at the ends, the flange faces, the thrust section and the contacts.
 NutLine nut_line(const SectorModel& model);
 /// The same with contacts at these places.

@@ -401,6 +401,23 @@ StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::siz
   return curve;
 }
 
+std::optional<PerInterface<PatchField>> thread_patches(const Conditions& c, const Result& result,
+                                                       std::size_t load_case, std::size_t thread) {
+  const LoadCaseResult& loaded = result.load_cases[load_case];
+  const SlipModels models(c, result.contacts, oils_of(c, loaded));
+  const SlipModel model = models.of(loaded);
+  SlipBalance balance;
+  balance_at(model, loaded.slip->slip_ratio, balance);
+  PerInterface<PatchField> fields;
+  for (const Interface i : kInterfaces) {
+    const std::optional<std::size_t> patch = model.threads[i].patch_of_thread[thread];
+    if (!patch) return std::nullopt;
+    fields[i] = patch_field(models.grid(), model.threads[i].patches[*patch],
+                            balance.interfaces[i].motion, c.model.patch_points);
+  }
+  return fields;
+}
+
 SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_t load_case) {
   const LoadCaseResult& loaded = result.load_cases[load_case];
   const SlipModels models(c, result.contacts, oils_of(c, loaded));

@@ -77,6 +77,11 @@ struct StribeckCurve {
 };
 StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::size_t load_case);
 
+/// Of one thread at both interfaces, at the slip of a load case that converged; absent where the
+/// thread is open at one of them.
+std::optional<PerInterface<PatchField>> thread_patches(const Conditions& c, const Result& result,
+                                                       std::size_t load_case, std::size_t thread);
+
 /// For one load case with a converged slip, on the loads that the result holds.
 SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_t load_case);
 

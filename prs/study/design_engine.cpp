@@ -8,6 +8,7 @@
 #include <mutex>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -29,7 +30,9 @@
 #include "prs/study/design_reader.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
+#include "prs/threads/contact_batch.h"
 #include "prs/threads/contact_laws.h"
+#include "prs/threads/threads.h"
 
 namespace prs {
 namespace {
@@ -37,14 +40,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Bodies = ModelOptions::Bodies;
 
-Result analyze_for(Command command, const Case& c, AnalysisOptions options) {
-  if (command == Command::contact) return analyze_contacts(c, options.detail);
-  return command == Command::slip ? analyze_heat(c, options) : analyze(c, options);
+Result analyze_for(Command command, const Conditions& c, Contacts contacts,
+                   AnalysisOptions options) {
+  if (command == Command::contact) return analyze_contacts(c, std::move(contacts), options.detail);
+  return command == Command::slip ? analyze_heat(c, std::move(contacts), options)
+                                  : analyze(c, std::move(contacts), options);
 }
 
-/// That of the first load case which did not converge.
-DesignStatus status_of(const std::vector<LoadCaseResult>& load_cases) {
-  for (const LoadCaseResult& load_case : load_cases) {
+/// That of a duty, or of the first load case, which did not converge.
+DesignStatus status_of(const Result& result) {
+  if (result.heat_cycle && !result.heat_cycle->converged())
+    return {std::string(name(result.heat_cycle->status)),
+            fmt::format("duty: {}", result.heat_cycle->reason)};
+  for (const LoadCaseResult& load_case : result.load_cases) {
     if (load_case.heat && !load_case.heat->converged())
       return {std::string(name(load_case.heat->status)),
               fmt::format("load case {}: {}", load_case.load_case.name, load_case.heat->reason)};
@@ -102,14 +110,19 @@ std::optional<std::vector<ResultNumber>> numbers_of(const std::vector<std::strin
   std::vector<ResultNumber> numbers;
   for (const std::string& path : responses) {
     std::optional<ResultNumber> number = result_number(path);
-    if (!number || number->needs_complete) return std::nullopt;
+    if (!number) return std::nullopt;
     numbers.push_back(std::move(*number));
   }
   return numbers;
 }
 
-std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers) {
+/// Load cases of `all` that the numbers need, ascending.
+std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers, std::size_t all) {
   std::vector<std::size_t> indices;
+  if (std::ranges::any_of(numbers, &ResultNumber::needs_duty)) {
+    indices.resize(all);
+    std::iota(indices.begin(), indices.end(), std::size_t{0});
+  }
   for (const ResultNumber& number : numbers)
     if (number.load_case) indices.push_back(*number.load_case);
   std::ranges::sort(indices);
@@ -117,46 +130,153 @@ std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers)
   return indices;
 }
 
-/// Designs whose sectors are solved together: many lanes, little memory.
+/// Designs whose contacts are found and whose sectors are solved together: many lanes, little
+/// memory.
 constexpr std::size_t kBatch = 64;
 
 /// Reads the case of the design that a row of a block answers.
-using ReadRow = std::function<const Case&(DesignReader& reader, std::size_t row)>;
+using ReadRow = std::function<Case&(DesignReader& reader, std::size_t row)>;
+
+/// A case with nothing but some of its load cases, and with its duty or not, as long as this lives.
+class OnlyLoadCases {
+ public:
+  OnlyLoadCases(Case& c, const std::vector<std::size_t>& indices, bool with_duty,
+                std::vector<LoadCase>& memory)
+      : case_(c), with_duty_(with_duty), others_(memory) {
+    const auto missing = [&](std::size_t k) { return k >= c.load_cases.size(); };
+    const auto known = std::ranges::find_if(indices, missing) - indices.begin();
+    others_.resize(static_cast<std::size_t>(known));
+    for (std::size_t i = 0; i < others_.size(); ++i) others_[i] = c.load_cases[indices[i]];
+    exchange();
+  }
+  ~OnlyLoadCases() { exchange(); }
+  OnlyLoadCases(const OnlyLoadCases&) = delete;
+  OnlyLoadCases& operator=(const OnlyLoadCases&) = delete;
+
+ private:
+  void exchange() {
+    std::swap(case_.load_cases, others_);
+    if (case_.heat && !with_duty_) std::swap(case_.heat->duty, duty_);
+  }
+
+  Case& case_;
+  bool with_duty_;
+  std::vector<LoadCase>& others_;
+  decltype(Heat::duty) duty_;
+};
+
+/// Contacts of designs, found together: entry k of `rows` is where the contacts of row k of a batch
+/// stand, none where they are not among them.
+struct BatchContacts {
+  struct Entry {
+    Mechanism mechanism;
+    contact::MechanismGeometry threads;
+  };
+  ContactBatch found;
+  std::vector<Entry> entries = {};
+  std::vector<std::optional<std::size_t>> rows = {};
+
+  void start(std::size_t row_count) {
+    found.clear();
+    rows.assign(row_count, std::nullopt);
+  }
+  /// Mechanisms that have yet to be designed are left out.
+  void add(std::size_t row, const Mechanism& mechanism, const std::optional<Materials>& materials) {
+    if (mechanism.geometry != Mechanism::Geometry::simulation) return;
+    const std::size_t k = found.size();
+    if (entries.size() <= k) entries.resize(k + 1);
+    entries[k].mechanism = mechanism;
+    entries[k].threads = threads_of(mechanism);
+    found.add(entries[k].threads, materials);
+    rows[row] = k;
+  }
+  /// False where `checked_contacts` finds them or says why there are none.
+  bool get(std::size_t row, ContactDetail detail, Contacts& contacts) const {
+    const std::optional<std::size_t> k = rows[row];
+    return k && found.get(*k, entries[*k].mechanism, entries[*k].threads, detail, contacts);
+  }
+};
 
 /// What is known of one design while its sectors wait to be solved together.
 struct Pending {
   std::size_t row = 0;
+  Conditions conditions;  ///< What a sector of bars is made of, or measures are taken of.
   Contacts contacts;
+  bool has_contacts = false;
   PerInterface<ContactLaw> laws;
   std::vector<LoadCaseResult> load_cases;  ///< Those that the responses need.
   bool complete = true;                    ///< Needs no other solver.
+
+  void set(std::size_t of_row, const Case& c, const std::vector<std::size_t>& indices,
+           bool is_measured) {
+    row = of_row;
+    complete = true;
+    if (is_measured) {
+      conditions = c;
+    } else {
+      conditions.structure = c.structure;
+      conditions.materials = c.materials;
+      conditions.deviations = c.deviations;
+      conditions.contact = c.contact;
+      conditions.model = c.model;
+    }
+    const auto missing = [&](std::size_t k) { return k >= c.load_cases.size(); };
+    const auto known = std::ranges::find_if(indices, missing) - indices.begin();
+    load_cases.resize(static_cast<std::size_t>(known));
+    for (std::size_t i = 0; i < load_cases.size(); ++i)
+      load_cases[i].load_case = c.load_cases[indices[i]];
+  }
 };
 
-/// A sector of bars that waits, and where its answer goes.
-struct PendingSector {
-  std::size_t design = 0;     ///< Index of the pending design.
-  std::size_t load_case = 0;  ///< Index among the design's load cases.
+/// Designs of a batch and their sectors; memory is kept from batch to batch.
+struct Batch {
+  /// A sector of bars that waits, and where its answer goes.
+  struct Sector {
+    std::size_t design = 0;     ///< Index of the pending design.
+    std::size_t load_case = 0;  ///< Index among the design's load cases.
+  };
+
+  BatchContacts contacts;
+  std::vector<Pending> designs = {};
+  std::vector<Sector> sectors = {};
+  std::vector<SectorModel> bars = {};
+  std::vector<double> forces = {};
+  std::vector<LoadDistribution> loads = {};
+  std::vector<LoadCase> load_cases = {};  ///< Memory of `OnlyLoadCases`.
 };
+
+/// Element k of memory that grows.
+template <class T>
+T& at(std::vector<T>& values, std::size_t k) {
+  if (values.size() <= k) values.resize(k + 1);
+  return values[k];
+}
 
 }  // namespace
 
 struct DesignEngine::Parts {
-  explicit Parts(const input::StudyInput& given) : input(given), study(given.study) {}
+  Parts(const input::StudyInput& given, simd::InstructionSet instructions)
+      : input(given), study(given.study), set(instructions) {}
 
   const input::StudyInput& input;
   Study study;
+  simd::InstructionSet set;
   std::optional<std::vector<ResultNumber>> numbers;
-  std::vector<std::size_t> load_cases;  ///< Load cases that the numbers need.
-  Bodies bodies = Bodies::bars;         ///< Bodies of the base case.
-  bool all_rollers = false;             ///< Whether it is a full mechanism.
-  std::optional<LoadHistory> history;   ///< History of the base case.
+  std::vector<std::size_t> load_cases;                 ///< Load cases that the numbers need.
+  bool needs_duty = false;                             ///< Whether one of the numbers is of a duty.
+  Detail detail = Detail::numbers;                     ///< What the numbers need of the results.
+  ContactDetail contact_detail = ContactDetail::laws;  ///< What they need of the contacts.
+  Bodies bodies = Bodies::bars;                        ///< Bodies of the base case.
+  bool all_rollers = false;                            ///< Whether it is a full mechanism.
+  std::optional<LoadHistory> history;                  ///< History of the base case.
   std::optional<HistorySource> history_source;
 
   /// What a thread needs for itself.
   struct Worker {
     DesignReader reader;
-    BarDesignSolver solver = BarDesignSolver();
+    BarDesignSolver solver;
     FullSolver full = FullSolver();
+    Batch batch;
   };
 
   /// A worker that no other thread has.
@@ -183,14 +303,22 @@ struct DesignEngine::Parts {
         return worker;
       }
     }
-    return Worker{DesignReader(input)};
+    return Worker{DesignReader(input), BarDesignSolver(set), FullSolver(),
+                  Batch{{ContactBatch(set)}}};
   }
   void give_back(Worker worker) {
     const std::lock_guard lock(mutex);
     idle.push_back(std::move(worker));
   }
 
-  bool in_batches() const { return numbers && study.command == Command::solve; }
+  bool measures() const { return study.command == Command::measures; }
+  bool in_batches() const {
+    return numbers && (study.command == Command::solve || (measures() && !load_cases.empty()));
+  }
+  /// Whether contacts of many designs are found together; those of Detail::complete are not.
+  bool shares_contacts() const {
+    return numbers && detail == Detail::numbers && study.command != Command::life;
+  }
 
   /// The history of a case; that of the base case is read once.
   std::optional<LoadHistory> history_of(const Case& c) const {
@@ -199,34 +327,36 @@ struct DesignEngine::Parts {
     return input::read_force_history(*c.life->history, input.source);
   }
 
-  DesignStatus life_by_document(const Case& c, Json& document) const {
+  /// Lives, of which `use` is told where there are any.
+  template <class Use>
+  DesignStatus with_lives(const Case& c, Use use) const {
     const LifeResult result = analyze_life(c, history_of(c));
     if (!result.converged()) return {"not_converged", *result.failure};
-    document = life_json(result, {});
+    use(result);
     return {};
   }
 
   /// The chain of the command on one case, the whole document.
   DesignStatus by_document(const Case& c, Json& document) const {
-    if (study.command == Command::life) return life_by_document(c, document);
-    if (study.command == Command::measures) {
+    if (study.command == Command::life)
+      return with_lives(c, [&](const LifeResult& lives) { document = life_json(lives, {}); });
+    if (measures()) {
       const MeasuresResult result = analyze_measures(c);
       document = measures_json(result, {});
-      return status_of(result.analysis.load_cases);
+      return status_of(result.analysis);
     }
-    const Result result = analyze_for(study.command, c, {});
+    const Result result = analyze_for(study.command, c, checked_contacts(c, Detail::complete), {});
     document = to_json(result, {});
-    if (result.heat_cycle && !result.heat_cycle->converged())
-      return {std::string(name(result.heat_cycle->status)),
-              fmt::format("duty: {}", result.heat_cycle->reason)};
-    return status_of(result.load_cases);
+    return status_of(result);
   }
 
   void read_base() {
     Json document;
+    std::size_t all_load_cases = 0;
     Borrowed worker(*this);
     const DesignStatus status = status_after([&] {
       const Case& c = worker->reader.read(0);
+      all_load_cases = c.load_cases.size();
       bodies = c.model.bodies;
       all_rollers = c.model.mechanism == ModelOptions::Mechanism::full;
       if (study.command == Command::life && c.life->history) {
@@ -237,36 +367,48 @@ struct DesignEngine::Parts {
     });
     if (!status.converged()) document = nullptr;
     study.responses = recorded(study, document);
+    numbers = numbers_of(study.responses);
+    if (!numbers) return;
+    load_cases = load_cases_of(*numbers, all_load_cases);
+    needs_duty = std::ranges::any_of(*numbers, &ResultNumber::needs_duty);
+    const auto of_mechanism = [](const ResultNumber& number) { return !number.load_case; };
+    if (measures() || std::ranges::any_of(*numbers, of_mechanism))
+      contact_detail = ContactDetail::numbers;
     // A full mechanism has its tangent stiffness only with Detail::complete.
-    const bool complete =
-        all_rollers && std::ranges::any_of(study.responses, [](const std::string& path) {
-          return path.find("tangent_stiffness") != std::string::npos;
-        });
-    if (!complete) numbers = numbers_of(study.responses);
-    if (numbers) load_cases = load_cases_of(*numbers);
+    const auto is_tangent = [](const std::string& path) {
+      return path.find("tangent_stiffness") != std::string::npos;
+    };
+    if (std::ranges::any_of(*numbers, &ResultNumber::needs_complete) ||
+        (all_rollers && std::ranges::any_of(study.responses, is_tangent)))
+      detail = Detail::complete;
   }
 
-  /// `measured`: what measures are read from, where the command has them.
-  void set_numbers(double* row, const Contacts& contacts,
-                   const std::vector<LoadCaseResult>& results,
-                   const MeasuresResult* measured = nullptr) const {
+  /// `known`: all that does not depend on the load case.
+  void set_numbers(double* row, const Answer& known,
+                   const std::vector<LoadCaseResult>& results = {},
+                   const std::vector<std::optional<LoadMeasures>>& load_measures = {}) const {
     for (std::size_t k = 0; k < numbers->size(); ++k) {
       const ResultNumber& number = (*numbers)[k];
-      Answer answer{contacts};
-      if (measured) answer.measures = &measured->measures;
+      Answer answer = known;
       if (number.load_case) {
         const auto at = std::ranges::find(load_cases, *number.load_case);
         const auto index = static_cast<std::size_t>(at - load_cases.begin());
         if (index >= results.size()) continue;
         answer.load_case = &results[index];
-        if (measured && measured->load_measures[index])
-          answer.load_measures = &*measured->load_measures[index];
+        if (index < load_measures.size() && load_measures[index])
+          answer.load_measures = &*load_measures[index];
       }
       row[k] = number.value(answer).value_or(kNoResponse);
     }
   }
 
-  DesignStatus answer(const Case& c, FullSolver& full, double* row) const {
+  void set_numbers(double* row, const MeasuresResult& result) const {
+    set_numbers(row, {.contacts = result.analysis.contacts, .measures = &result.measures},
+                result.analysis.load_cases, result.load_measures);
+  }
+
+  /// `found`: the contacts, where they are known.
+  DesignStatus answer(Case& c, Worker& worker, double* row, const Contacts* found = nullptr) const {
     if (!numbers) {
       Json document;
       const DesignStatus status = by_document(c, document);
@@ -275,43 +417,58 @@ struct DesignEngine::Parts {
           row[k] = response(document, study.responses[k]).value_or(kNoResponse);
       return status;
     }
-    Case needed = c;
-    needed.load_cases.clear();
-    if (needed.heat) needed.heat->duty.clear();
-    for (const std::size_t k : load_cases)
-      if (k < c.load_cases.size()) needed.load_cases.push_back(c.load_cases[k]);
+    if (study.command == Command::life)
+      return with_lives(c, [&](const LifeResult& lives) {
+        set_numbers(row, {.contacts = lives.contacts, .life = &lives});
+      });
+    const OnlyLoadCases needed(c, load_cases, needs_duty, worker.batch.load_cases);
     AnalysisOptions options = kManyDesigns;
-    options.full = &full;
-    if (study.command == Command::measures) {
-      const MeasuresResult result = analyze_measures(needed, options);
-      DesignStatus status = status_of(result.analysis.load_cases);
-      if (status.converged())
-        set_numbers(row, result.analysis.contacts, result.analysis.load_cases, &result);
+    options.detail = detail;
+    options.full = &worker.full;
+    Contacts contacts = found ? *found : checked_contacts(c, options.detail);
+    if (measures()) {
+      const MeasuresResult result = analyze_measures(c, std::move(contacts), options);
+      DesignStatus status = status_of(result.analysis);
+      if (status.converged()) set_numbers(row, result);
       return status;
     }
-    const Result result = analyze_for(study.command, needed, options);
-    DesignStatus status = status_of(result.load_cases);
-    if (status.converged()) set_numbers(row, result.contacts, result.load_cases);
+    const Result result = analyze_for(study.command, c, std::move(contacts), options);
+    DesignStatus status = status_of(result);
+    const HeatCycle* cycle = result.heat_cycle ? &*result.heat_cycle : nullptr;
+    if (status.converged())
+      set_numbers(row, {.contacts = result.contacts, .cycle = cycle}, result.load_cases);
     return status;
   }
 
-  /// Adds the sectors of one design of a batch, whose contacts are found.
-  DesignStatus prepare(const Conditions& c, Pending& design, std::size_t index,
-                       std::vector<PendingSector>& sectors, std::vector<SectorModel>& bars,
-                       std::vector<double>& forces) const {
+  /// Adds the sectors of design k of a batch, whose contacts are found.
+  DesignStatus prepare(Batch& batch, std::size_t k) const {
+    Pending& design = batch.designs[k];
+    const Conditions& c = design.conditions;
     design.laws = contact_laws(c, design.contacts);
-    for (const std::size_t k : load_cases) {
-      if (k >= c.load_cases.size()) break;
-      const LoadCase& load = c.load_cases[k];
+    const auto on_sector_of = [&](const LoadCase& load) {
+      return [&design, &load](const Batch::Sector& sector) {
+        const LoadCase& other = design.load_cases[sector.load_case].load_case;
+        return other.direction == load.direction && other.position == load.position;
+      };
+    };
+    const auto first = static_cast<std::ptrdiff_t>(batch.sectors.size());
+    for (std::size_t i = 0; i < design.load_cases.size(); ++i) {
+      LoadCaseResult& result = design.load_cases[i];
+      const LoadCase& load = result.load_case;
       if (load.share == LoadCase::Share::equal) {
-        design.load_cases.push_back(equal_share_result(load, design.contacts, design.laws));
+        result = equal_share_result(load, design.contacts, design.laws);
         continue;
       }
-      bars.push_back(sector_model(design.contacts.mechanism, *c.structure, *c.materials, c.model,
-                                  design.laws, *load.direction, *load.position, c.deviations));
-      forces.push_back(load.axial_force);
-      sectors.push_back({index, design.load_cases.size()});
-      design.load_cases.emplace_back().load_case = load;
+      SectorModel& bars = at(batch.bars, batch.sectors.size());
+      const auto known =
+          std::find_if(batch.sectors.begin() + first, batch.sectors.end(), on_sector_of(load));
+      if (known != batch.sectors.end())
+        bars = batch.bars[static_cast<std::size_t>(known - batch.sectors.begin())];
+      else
+        set_sector_model(bars, design.contacts.mechanism, *c.structure, *c.materials, c.model,
+                         design.laws, *load.direction, *load.position, c.deviations);
+      batch.forces.push_back(load.axial_force);
+      batch.sectors.push_back({k, i});
     }
     return {};
   }
@@ -336,59 +493,114 @@ struct DesignEngine::Parts {
   /// Rows [from, to) of a block.
   void evaluate_batch(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker,
                       RowBlock& block) {
-    std::vector<Pending> designs;
-    std::vector<PendingSector> sectors;
-    std::vector<SectorModel> bars;
-    std::vector<double> forces;
-    designs.reserve(to - from);
+    Batch& batch = worker.batch;
+    const std::size_t designs = read_batch(read, from, to, worker, block);
+    batch.contacts.found.find();
+    batch.sectors.clear();
+    batch.forces.clear();
+    for (std::size_t k = 0; k < designs; ++k) {
+      Pending& design = batch.designs[k];
+      design.complete = design.has_contacts ||
+                        batch.contacts.get(design.row - from, contact_detail, design.contacts);
+      if (!design.complete) continue;
+      const std::size_t waiting = batch.sectors.size();
+      design.complete = status_after([&] { return prepare(batch, k); }).converged();
+      if (design.complete) continue;
+      batch.sectors.resize(waiting);
+      batch.forces.resize(waiting);
+    }
+    const std::size_t sectors = batch.sectors.size();
+    if (batch.loads.size() < sectors) batch.loads.resize(sectors);
+    worker.solver.solve({batch.bars.data(), sectors}, batch.forces, {batch.loads.data(), sectors});
+    for (std::size_t k = 0; k < sectors; ++k) {
+      Pending& design = batch.designs[batch.sectors[k].design];
+      design.complete = design.complete && FallbackSolver::complete(batch.loads[k]);
+      set_solved_result(design.load_cases[batch.sectors[k].load_case], design.contacts, design.laws,
+                        batch.loads[k], set);
+    }
+    for (std::size_t k = 0; k < designs; ++k) {
+      Pending& design = batch.designs[k];
+      if (!design.complete)
+        answer_alone(read, design.row, worker, block);
+      else if (measures())
+        measure(design, row_of(block, design.row));
+      else
+        set_numbers(row_of(block, design.row), {.contacts = design.contacts}, design.load_cases);
+    }
+  }
+
+  /// Of a design whose load cases are solved.
+  void measure(Pending& design, double* row) const {
+    Result solved;
+    std::swap(solved.contacts, design.contacts);
+    std::swap(solved.load_cases, design.load_cases);
+    MeasuresResult result = measured(design.conditions, std::move(solved), detail);
+    set_numbers(row, result);
+    std::swap(result.analysis.contacts, design.contacts);
+    std::swap(result.analysis.load_cases, design.load_cases);
+  }
+
+  /// What has no place in a batch, or no answer: by the scalar chain, which says why.
+  void answer_alone(const ReadRow& read, std::size_t row, Worker& worker, RowBlock& block) {
+    DesignStatus status =
+        status_after([&] { return answer(read(worker.reader, row), worker, row_of(block, row)); });
+    if (!status.converged()) block.failures.push_back({row, std::move(status)});
+  }
+
+  /// Designs that wait for contacts and loads; the others are answered.
+  std::size_t read_batch(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker,
+                         RowBlock& block) {
+    Batch& batch = worker.batch;
+    batch.contacts.start(to - from);
+    std::size_t designs = 0;
     for (std::size_t row = from; row < to; ++row) {
-      const std::size_t waiting = sectors.size();
-      Pending design{.row = row, .contacts = {}, .laws = {}, .load_cases = {}};
-      bool done = false;
       DesignStatus status = status_after([&]() -> DesignStatus {
-        const Case& c = read(worker.reader, row);
-        if (c.model.bodies == Bodies::bars &&
-            c.model.mechanism == ModelOptions::Mechanism::sector) {
-          design.contacts = checked_contacts(c, Detail::numbers);
-          return prepare(c, design, designs.size(), sectors, bars, forces);
-        }
-        done = true;
-        return answer(c, worker.full, row_of(block, row));
+        Case& c = read(worker.reader, row);
+        if (c.model.bodies != Bodies::bars || c.model.mechanism == ModelOptions::Mechanism::full)
+          return answer(c, worker, row_of(block, row));
+        Pending& design = at(batch.designs, designs);
+        design.set(row, c, load_cases, measures());
+        design.has_contacts =
+            !shares_contacts() || c.mechanism.geometry == Mechanism::Geometry::design;
+        if (design.has_contacts)
+          design.contacts = checked_contacts(c, detail);
+        else
+          batch.contacts.add(row - from, c.mechanism, c.materials);
+        ++designs;
+        return {};
       });
-      if (status.converged() && !done) {
-        designs.push_back(std::move(design));
-      } else {
-        sectors.resize(waiting);
-        bars.resize(waiting);
-        forces.resize(waiting);
-        if (!status.converged()) block.failures.push_back({row, std::move(status)});
-      }
+      if (!status.converged()) block.failures.push_back({row, std::move(status)});
     }
-    std::vector<LoadDistribution> loads(bars.size());
-    worker.solver.solve(bars, forces, loads);
-    for (std::size_t k = 0; k < sectors.size(); ++k) {
-      Pending& design = designs[sectors[k].design];
-      design.complete = design.complete && FallbackSolver::complete(loads[k]);
-      LoadCaseResult& result = design.load_cases[sectors[k].load_case];
-      result = solved_result(result.load_case, design.contacts, design.laws, std::move(loads[k]));
-    }
-    for (const Pending& design : designs) {
-      if (design.complete) {
-        set_numbers(row_of(block, design.row), design.contacts, design.load_cases);
-        continue;
-      }
-      DesignStatus status = status_after([&] {
-        return answer(read(worker.reader, design.row), worker.full, row_of(block, design.row));
-      });
-      if (!status.converged()) block.failures.push_back({design.row, std::move(status)});
-    }
+    return designs;
   }
 
   void evaluate_one_by_one(const ReadRow& read, RowBlock& block) {
     Borrowed worker(*this);
-    for (std::size_t row = 0; row < block.rows; ++row) {
-      DesignStatus status = status_after(
-          [&] { return answer(read(worker->reader, row), worker->full, row_of(block, row)); });
+    for (std::size_t row = 0; row < block.rows; row += kBatch)
+      evaluate_one_by_one(read, row, std::min(row + kBatch, block.rows), *worker.get(), block);
+  }
+
+  /// Rows [from, to) of a block, whose contacts are found together.
+  void evaluate_one_by_one(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker,
+                           RowBlock& block) {
+    BatchContacts& contacts = worker.batch.contacts;
+    contacts.start(to - from);
+    if (shares_contacts()) {
+      for (std::size_t row = from; row < to; ++row)
+        status_after([&]() -> DesignStatus {
+          const Case& c = read(worker.reader, row);
+          contacts.add(row - from, c.mechanism, c.materials);
+          return {};
+        });
+      contacts.found.find();
+    }
+    Contacts found;
+    for (std::size_t row = from; row < to; ++row) {
+      const bool known = contacts.get(row - from, contact_detail, found);
+      DesignStatus status = status_after([&] {
+        return answer(read(worker.reader, row), worker, row_of(block, row),
+                      known ? &found : nullptr);
+      });
       if (!status.converged()) block.failures.push_back({row, std::move(status)});
     }
   }
@@ -401,8 +613,8 @@ struct DesignEngine::Parts {
   std::vector<Worker> idle;
 };
 
-DesignEngine::DesignEngine(const input::StudyInput& input)
-    : parts_(std::make_unique<Parts>(input)) {
+DesignEngine::DesignEngine(const input::StudyInput& input, simd::InstructionSet set)
+    : parts_(std::make_unique<Parts>(input, set)) {
   parts_->read_base();
 }
 
@@ -411,22 +623,20 @@ DesignEngine::~DesignEngine() = default;
 const Study& DesignEngine::study() const { return parts_->study; }
 
 RowBlock DesignEngine::evaluate(std::size_t first, std::size_t count) const {
-  return parts_->evaluate(first, count,
-                          [first](DesignReader& reader, std::size_t row) -> const Case& {
-                            return reader.read(first + row);
-                          });
+  return parts_->evaluate(first, count, [first](DesignReader& reader, std::size_t row) -> Case& {
+    return reader.read(first + row);
+  });
 }
 
 RowBlock DesignEngine::evaluate(const std::vector<std::vector<Draw>>& designs) const {
-  return parts_->evaluate(0, designs.size(),
-                          [&](DesignReader& reader, std::size_t row) -> const Case& {
-                            return reader.read(designs[row]);
-                          });
+  return parts_->evaluate(0, designs.size(), [&](DesignReader& reader, std::size_t row) -> Case& {
+    return reader.read(designs[row]);
+  });
 }
 
 std::size_t DesignEngine::chunk() const {
-  if (parts_->bodies == Bodies::influence) return 1;
-  if (!parts_->numbers) return 8;
+  if (parts_->bodies == Bodies::influence || parts_->needs_duty) return 1;
+  if (!parts_->numbers || parts_->study.command == Command::life) return 8;
   if (parts_->study.command == Command::slip || parts_->all_rollers) return 32;
   return parts_->bodies == Bodies::bars ? 512 : 64;
 }

@@ -9,6 +9,7 @@
 #include "prs/input/study_reader.h"
 #include "prs/model/study.h"
 #include "prs/study/row_block.h"
+#include "simd/instruction_set.h"
 
 namespace prs {
 
@@ -26,8 +27,10 @@ class UnknownResponse : public std::runtime_error {
 /// Evaluates the designs of one study.
 class DesignEngine {
  public:
-  /// Runs the base case. Throws UnknownResponse. The input must outlive the engine.
-  explicit DesignEngine(const input::StudyInput& input);
+  /// Runs the base case. Throws UnknownResponse. The input must outlive the engine. With any
+  /// instruction set a design has the same verdict and, to 1e-11, the same answers.
+  explicit DesignEngine(const input::StudyInput& input,
+                        simd::InstructionSet set = simd::InstructionSet::best);
   ~DesignEngine();
 
   /// The study with the responses that it records.

@@ -70,6 +70,8 @@ struct DesignReader::Parts {
   std::map<Shape, std::unique_ptr<Frame>> frames = {};
   Shape shape = {};
   Frame* frame = nullptr;  ///< Frame of the last shape.
+  Shape wanted = {};       ///< Shape of the design that is read.
+  std::vector<Draw> drawn = {};
   Case read_in_full = {};
 
   /// The shape of a design; false where a number must be read.
@@ -119,7 +121,7 @@ std::unique_ptr<Frame> DesignReader::Parts::make_frame(const Shape& of,
 }
 
 Frame* DesignReader::Parts::frame_of(const std::vector<Draw>& draws) {
-  Shape of;
+  Shape& of = wanted;
   if (!find_shape(draws, of)) return nullptr;
   if (frame && of == shape) return frame;
   auto known = frames.find(of);
@@ -129,7 +131,7 @@ Frame* DesignReader::Parts::frame_of(const std::vector<Draw>& draws) {
     if (frames.size() >= kMostFrames) frames.clear();
     known = frames.emplace(of, std::move(made)).first;
   }
-  shape = std::move(of);
+  shape = of;
   frame = known->second.get();
   return frame;
 }
@@ -159,12 +161,15 @@ DesignReader::DesignReader(const input::StudyInput& input) : parts_(new Parts{.i
 DesignReader::~DesignReader() = default;
 DesignReader::DesignReader(DesignReader&&) noexcept = default;
 
-const Case& DesignReader::read(std::size_t k) { return read(draws(parts_->input.study, k)); }
+Case& DesignReader::read(std::size_t k) {
+  set_draws(parts_->input.study, k, parts_->drawn);
+  return read(parts_->drawn);
+}
 
-const Case& DesignReader::read(const std::vector<Draw>& draws) {
+Case& DesignReader::read(const std::vector<Draw>& draws) {
   Parts& p = *parts_;
   if (p.frame_of(draws) && p.set_numbers(draws)) {
-    const Case& values = p.frame->file.values;
+    Case& values = p.frame->file.values;
     const std::vector<Problem> problems = input::problems_of(values, p.input.study.command);
     if (problems.empty()) return values;
     if (problems.size() == 1) {

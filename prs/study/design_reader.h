@@ -20,11 +20,11 @@ class DesignReader {
   DesignReader(DesignReader&&) noexcept;
 
   /// The case of design k, valid until the next one is read: that of `read_design` with the
-  /// design's overrides. Throws InputError.
-  const Case& read(std::size_t k);
+  /// design's overrides. Who changes it must change it back. Throws InputError.
+  Case& read(std::size_t k);
 
   /// The case of a design that is given by its values, one draw per factor.
-  const Case& read(const std::vector<Draw>& draws);
+  Case& read(const std::vector<Draw>& draws);
 
  private:
   struct Parts;

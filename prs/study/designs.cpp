@@ -117,9 +117,15 @@ std::size_t design_count(const Study& study) {
 }
 
 std::vector<Draw> draws(const Study& study, std::size_t k) {
+  std::vector<Draw> draws;
+  set_draws(study, k, draws);
+  return draws;
+}
+
+void set_draws(const Study& study, std::size_t k, std::vector<Draw>& draws) {
   assert(k < design_count(study));
-  std::vector<Draw> draws(study.factors.size());
-  if (k == 0) return draws;
+  draws.assign(study.factors.size(), {});
+  if (k == 0) return;
   if (study.plan == Plan::one_at_a_time) {
     draw_one(study, k, draws);
   } else if (study.plan == Plan::grid) {
@@ -129,7 +135,6 @@ std::vector<Draw> draws(const Study& study, std::size_t k) {
     for (std::size_t i = 0; i < draws.size(); ++i)
       draws[i] = drawn(study.factors[i], share(study, i, sample));
   }
-  return draws;
 }
 
 Design design(const Study& study, std::size_t k) { return design(study, draws(study, k)); }

@@ -14,6 +14,8 @@ std::size_t design_count(const Study& study);
 /// Values of design k, one per factor; the base case is the first. A pure function of the study, so
 /// that designs can be run in any order, in parts and again.
 std::vector<Draw> draws(const Study& study, std::size_t k);
+/// The same into memory that is kept.
+void set_draws(const Study& study, std::size_t k, std::vector<Draw>& draws);
 
 /// The settings of design k, with the values as texts.
 Design design(const Study& study, std::size_t k);

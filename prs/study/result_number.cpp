@@ -1,9 +1,10 @@
 #include "prs/study/result_number.h"
 
-#include <charconv>
 #include <utility>
 
 #include "prs/quantities/contact_quantities.h"
+#include "prs/quantities/heat_quantities.h"
+#include "prs/quantities/life_quantities.h"
 #include "prs/quantities/measure_quantities.h"
 #include "prs/quantities/quantities.h"
 #include "prs/quantities/record_table.h"
@@ -17,7 +18,7 @@ std::optional<ResultNumber> number_of(std::string_view path, std::optional<std::
                                       const Owner* (*part)(const Answer&)) {
   std::optional<Reader<Owner>> reader = reader_of<Owner>(path);
   if (!reader || reader->delivery == Reach::document) return std::nullopt;
-  return ResultNumber{load_case, reader->delivery == Reach::complete,
+  return ResultNumber{load_case, reader->delivery == Reach::complete, false,
                       [part, read = std::move(reader->read)](const Answer& answer) {
                         const Owner* owner = part(answer);
                         return owner ? read(*owner) : std::nullopt;
@@ -33,13 +34,9 @@ bool take(std::string_view& path, std::string_view word) {
 
 /// Takes `load_cases[k].` from the head of a path; the first load case where it has none.
 std::optional<std::size_t> take_load_case(std::string_view& path) {
-  std::size_t index = 0;
-  if (!take(path, "load_cases[")) return index;
-  const char* end = path.data() + path.size();
-  const auto [stop, error] = std::from_chars(path.data(), end, index);
-  if (error != std::errc{}) return std::nullopt;
-  path.remove_prefix(static_cast<std::size_t>(stop - path.data()));
-  return take(path, "].") ? std::optional(index) : std::nullopt;
+  if (!take(path, "load_cases")) return 0;
+  const std::optional<std::size_t> index = take_index(path);
+  return take(path, ".") ? index : std::nullopt;
 }
 
 }  // namespace
@@ -55,6 +52,13 @@ std::optional<ResultNumber> result_number(std::string_view path) {
   if (take(rest, "threads."))
     return number_of<contact::MechanismGeometry>(
         rest, {}, [](const Answer& a) { return &a.contacts.threads; });
+  if (take(rest, "life."))
+    return number_of<LifeResult>(rest, {}, [](const Answer& a) { return a.life; });
+  if (take(rest, "heat_cycle.")) {
+    auto number = number_of<HeatCycle>(rest, {}, [](const Answer& a) { return a.cycle; });
+    if (number) number->needs_duty = true;
+    return number;
+  }
   const std::optional<std::size_t> load_case = take_load_case(rest);
   if (!load_case) return std::nullopt;
   if (take(rest, "measures."))

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "prs/life/analyze_life.h"
 #include "prs/loads/result.h"
 #include "prs/measures/measures.h"
 
@@ -16,6 +17,8 @@ struct Answer {
   const LoadCaseResult* load_case = nullptr;  ///< That of the response.
   const Measures* measures = nullptr;         ///< Where they are asked for.
   const LoadMeasures* load_measures = nullptr;
+  const LifeResult* life = nullptr;  ///< Of command life.
+  const HeatCycle* cycle = nullptr;  ///< Of a duty.
 };
 
 /// A response in the tables of quantities, read from the results without a document. Its value is
@@ -24,10 +27,12 @@ struct ResultNumber {
   /// Index of the load case that it belongs to; none: it is the mechanism's.
   std::optional<std::size_t> load_case;
   bool needs_complete = false;  ///< Detail::numbers does not have it.
+  bool needs_duty = false;      ///< It is read from the state that a duty comes to.
   std::function<std::optional<double>(const Answer&)> value;
 };
 
-/// The response at a path, see `response`; none where only the document has it.
+/// The response at a path, see `response`; none where only the document has it: numbers about the
+/// solution, as the iterations that it took.
 std::optional<ResultNumber> result_number(std::string_view path);
 
 }  // namespace prs

@@ -61,6 +61,15 @@ std::vector<double> gaps_between(const ThreadOffsets& body, const ThreadOffsets&
   return gaps;
 }
 
+bool deviates(const Mechanism& m, const Deviations& d) {
+  if (d.roller_diameter != 0.0 || d.crowning != 0.0 || d.end_relief || d.temperature) return true;
+  for (const Part part : kParts) {
+    const PitchError& e = d.pitch_error[part];
+    if (m.pitch[part] || e.linear != 0.0 || e.periodic || !e.list.empty()) return true;
+  }
+  return false;
+}
+
 PerInterface<std::vector<double>> initial_gaps(const Mechanism& mechanism,
                                                const Deviations& deviations,
                                                const Materials& materials,

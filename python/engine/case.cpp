@@ -1,5 +1,6 @@
 #include "python/engine/case.h"
 
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -7,10 +8,13 @@
 #include <filesystem>
 #include <utility>
 
+#include "prs/export/system_model.h"
+#include "prs/input/compute_from.h"
 #include "prs/input/reader.h"
 #include "prs/output/staged_file.h"
-#include "prs/report/report.h"
+#include "prs/page/page.h"
 #include "prs/run/commands.h"
+#include "prs/threads/threads.h"
 #include "python/engine/interpreter_guard.h"
 
 namespace nb = nanobind;
@@ -62,6 +66,46 @@ bool CaseSource::report(const std::string& file, const std::vector<std::string>&
   return report.converged;
 }
 
+std::string CaseSource::thread_profiles() const {
+  constexpr int kIntervals = 24;
+  const std::shared_ptr<const input::CaseInput> input = this->input(Command::check);
+  const Mechanism mechanism =
+      input::compute_from(*source_, [&] { return resolved(input->values.mechanism); });
+  const contact::MechanismGeometry threads = threads_of(mechanism);
+  const auto profile = [](const contact::Thread& thread) {
+    const contact::ThreadSurface surface(thread);
+    const contact::RadiusLimits limits = contact::usable_limits(surface);
+    nlohmann::ordered_json radius, height;
+    for (int k = 0; k <= kIntervals; ++k) {
+      const double r = limits.smallest + (limits.largest - limits.smallest) * k / kIntervals;
+      radius.push_back(r);
+      height.push_back(surface.profile(r).height);
+    }
+    return nlohmann::ordered_json{
+        {"lead", thread.lead}, {"pitch", thread.pitch}, {"radius", radius}, {"height", height}};
+  };
+  return nlohmann::ordered_json{{"centre_distance", threads.centre_distance},
+                                {"screw", profile(threads.screw)},
+                                {"roller", profile(threads.roller)},
+                                {"nut", profile(threads.nut)}}
+      .dump();
+}
+
+std::vector<std::string> CaseSource::export_model(const std::string& file,
+                                                  std::optional<double> force,
+                                                  std::optional<double> speed,
+                                                  std::optional<std::string> load_case) const {
+  const GilRelease released;
+  const std::filesystem::path path(file);
+  SystemModel model = system_model(*source_, {force, speed, std::move(load_case)});
+  model.text.name = model_name(file);
+  StagedFile staged(path);
+  staged.append(path.extension() == ".mo" ? modelica_package(model.curves, model.text)
+                                          : functional_mockup_unit(model.curves, model.text));
+  staged.publish();
+  return model.curves.warnings;
+}
+
 void bind_case(nb::module_& module) {
   nb::class_<input::Source>(module, "Source", "A case as it was written.")
       .def_static(
@@ -92,6 +136,12 @@ void bind_case(nb::module_& module) {
            "InputError with the text of `prs check` where something is wrong.")
       .def("report", &CaseSource::report, nb::arg("file"), nb::arg("results"),
            "Writes all that the case asks for as one page; whether all of it converged.")
+      .def("thread_profiles", &CaseSource::thread_profiles,
+           "Axial profiles of the threads as JSON, in metres: radii, and half the width of the "
+           "groove at each; of the nut those of the air in it.")
+      .def("export_model", &CaseSource::export_model, nb::arg("file"), nb::arg("force").none(),
+           nb::arg("speed").none(), nb::arg("load_case").none(),
+           "Writes a model of the screw by the file's ending, .fmu or .mo; its warnings.")
       .def_prop_ro("source", &CaseSource::source, nb::rv_policy::copy);
   for (const CommandRow& row : commands())
     if (row.run)

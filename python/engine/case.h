@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,15 @@ class CaseSource {
 
   /// Writes the page of `prs report`, with the studies that folders hold; whether all converged.
   bool report(const std::string& file, const std::vector<std::string>& results) const;
+
+  /// Axial profiles of the threads as JSON, SI: what solid models of the grooved bodies are made
+  /// of.
+  std::string thread_profiles() const;
+
+  /// Writes one of the forms of `prs export`, by the ending `.fmu` or `.mo`; its warnings.
+  std::vector<std::string> export_model(const std::string& file, std::optional<double> force,
+                                        std::optional<double> speed,
+                                        std::optional<std::string> load_case) const;
 
  private:
   std::shared_ptr<const input::CaseInput> input(Command command) const;

@@ -8,6 +8,7 @@
 from rollerscrew import records
 from rollerscrew._engine import InputError, schema
 from rollerscrew._engine import version as __version__
+from rollerscrew.cad import export_step
 from rollerscrew.case import Case
 from rollerscrew.designs import Designs
 from rollerscrew.record import Record, Result, Values
@@ -44,6 +45,7 @@ __all__ = [
     "StudyResult",
     "Values",
     "__version__",
+    "export_step",
     "records",
     "schema",
 ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import reprlib
 from collections.abc import Mapping, Sequence
@@ -101,41 +102,41 @@ class Case:
 
     def check(self) -> CheckResult:
         """What the case is ready for, what is unusual about it, every value with its default."""
-        return CheckResult(self._case.check())
+        return CheckResult(self._case.check())._of(self)
 
     def contact(self) -> ContactResult:
         """Contact points, curvatures, ellipses, Hertz constants, backlash."""
-        return ContactResult(self._case.contact())
+        return ContactResult(self._case.contact())._of(self)
 
     def solve(self) -> SolveResult:
         """Load distribution, pressures, displacement and stiffness of every load case.
 
         A load case that does not converge is a result with its status.
         """
-        return SolveResult(self._case.solve())
+        return SolveResult(self._case.solve())._of(self)
 
     def compare(self) -> CompareResult:
         """The models of the bodies side by side: stiffness, shares and pressures of each.
 
         `influence` is among them where the case asks for it, or where its matrices are kept.
         """
-        return CompareResult(self._case.compare())
+        return CompareResult(self._case.compare())._of(self)
 
     def slip(self) -> SlipResult:
         """Slip, friction, dissipated power, efficiency, torques of every load case."""
-        return SlipResult(self._case.slip())
+        return SlipResult(self._case.slip())._of(self)
 
     def preload(self) -> PreloadResult:
         """Curve through zero, lost motion and opening loads of a preloaded nut."""
-        return PreloadResult(self._case.preload())
+        return PreloadResult(self._case.preload())._of(self)
 
     def life(self) -> LifeResult:
         """Life under the load history or spectrum of the case, static safety."""
-        return LifeResult(self._case.life())
+        return LifeResult(self._case.life())._of(self)
 
     def measures(self) -> MeasuresResult:
         """Capacity, weight, stiffness terms, inertia and the other design measures."""
-        return MeasuresResult(self._case.measures())
+        return MeasuresResult(self._case.measures())._of(self)
 
     def report(
         self,
@@ -150,6 +151,48 @@ class Case:
         """
         folders = [results] if isinstance(results, str | os.PathLike) else results
         return self._case.report(_file_name(file), [_file_name(folder) for folder in folders])
+
+    def export_fmu(
+        self,
+        file: str | os.PathLike[str],
+        *,
+        force: float | None = None,
+        speed: float | None = None,
+        load_case: str | None = None,
+    ) -> list[str]:
+        """Writes a co-simulation unit of FMI 2.0, as `prs export --fmu` does; its warnings.
+
+        `force` [N] and `speed` [rad/s] are the largest of the curves, else those of the case. The
+        conditions are those of `load_case`, else of the first.
+        """
+        return self._export(file, ".fmu", force, speed, load_case)
+
+    def export_modelica(
+        self,
+        file: str | os.PathLike[str],
+        *,
+        force: float | None = None,
+        speed: float | None = None,
+        load_case: str | None = None,
+    ) -> list[str]:
+        """Writes a Modelica package of the same curves; its warnings."""
+        return self._export(file, ".mo", force, speed, load_case)
+
+    def _export(
+        self,
+        file: str | os.PathLike[str],
+        ending: str,
+        force: float | None,
+        speed: float | None,
+        load_case: str | None,
+    ) -> list[str]:
+        name = _file_name(file)
+        if not name.endswith(ending):
+            raise ValueError(f"file: got {name!r}; expected a name that ends in {ending}")
+        for what, value in (("force", force), ("speed", speed)):
+            if value is not None and not (math.isfinite(value) and value > 0.0):
+                raise ValueError(f"{what}: got {value!r}; expected a finite number > 0")
+        return self._case.export_model(name, force, speed, load_case)
 
     def study(
         self,
@@ -169,8 +212,8 @@ class Case:
         """
         study, rows = study_rows(self._case.source, executor, threads, progress)
         if rows is None:
-            return DerivativesResult(study.derivatives())
-        return StudyResult(rows.document(), None, study, rows)
+            return DerivativesResult(study.derivatives())._of(self)
+        return StudyResult(rows.document(), None, study, rows)._of(self)
 
     def optimize(
         self, *, threads: int | None = None, progress: Progress = None
@@ -181,9 +224,9 @@ class Case:
             source, thread_count(threads), progress_callback(progress)
         )
         if chosen is None:
-            return OptimizationResult(document)
+            return OptimizationResult(document)._of(self)
         best = _source(f"{source.name} (optimized)", chosen, [], source.folder)
-        return OptimizationResult(document, Case._from_source(best))
+        return OptimizationResult(document, Case._from_source(best))._of(self)
 
     def evaluate(
         self,

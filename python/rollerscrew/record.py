@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
+import os
 import reprlib
 import typing
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
@@ -14,6 +15,8 @@ from rollerscrew.values import checked_text
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+    from rollerscrew.case import Case
 
 
 class Record:
@@ -141,8 +144,9 @@ def _record_types(owner: type) -> dict[str, type[Record]]:
 class Result(Record):
     """What a command answers: its document as attributes, as text, as data frames, as pictures."""
 
-    __slots__ = ("_document",)
+    __slots__ = ("_case", "_document")
     _document: _engine.Document
+    _case: Any  # Case | None
 
     #: The block that a document of this kind has.
     _block: ClassVar[str] = "prs_version"
@@ -159,6 +163,12 @@ class Result(Record):
 
     def __init__(self, document: _engine.Document) -> None:
         object.__setattr__(self, "_document", document)
+        object.__setattr__(self, "_case", None)
+
+    def _of(self, case: Case) -> Self:
+        """The result with the case that gave it."""
+        object.__setattr__(self, "_case", case)
+        return self
 
     if not TYPE_CHECKING:
 
@@ -193,6 +203,21 @@ class Result(Record):
     def to_json(self) -> str:
         """The document as the command line prints it with `--json`, byte for byte."""
         return self._document.text()
+
+    def report(
+        self,
+        file: str | os.PathLike[str],
+        *,
+        results: str | os.PathLike[str] | Sequence[str | os.PathLike[str]] = (),
+    ) -> bool:
+        """Writes one HTML page of all that the case of the result asks for: `Case.report`.
+
+        That of a result which was read from JSON is its `resolved_input`.
+        """
+        from rollerscrew.case import Case
+
+        case = self._case or Case(self.resolved_input.to_dict(), name=self.case_file)
+        return case.report(file, results=results)
 
     def figures(self) -> list[dict[str, Any]]:
         """Descriptions of the pictures of the result, for `rollerscrew.plots.draw`.

@@ -603,6 +603,7 @@ class OptimizationResult(Result):
     initial: Values
     compromise: Values
     nearest: Values
+    front: list[int]
     search: Values
     check: Values
     comparison: Values
@@ -624,10 +625,19 @@ class OptimizationResult(Result):
         return best
 
     def front_frame(self) -> pd.DataFrame:
-        """Variables and responses of the designs of the front: columns of `front.csv`."""
+        """Variables and responses of the designs of the front: columns of `front.csv`.
+
+        The front is that of both searches, where there is a check.
+        """
+        tried = {
+            design["design"]: design
+            for search in ("search", "check")
+            if search in self
+            for design in self[search]["front"]
+        }
         units = {variable["path"]: variable.get("unit", "") for variable in self.optimize.variables}
         rows = []
-        for design in self.search["front"]:
+        for design in map(tried.__getitem__, self["front"]):
             row = {"design": design["design"]}
             for path, variable in design["variables"].items():
                 name = _with_unit(path, units.get(path, ""))

@@ -13,7 +13,7 @@ import pytest
 import rollerscrew as rs
 from conftest import lesson
 
-VOID = {"meta", "img"}
+VOID = {"meta", "img", "input"}
 
 
 class Page(HTMLParser):
@@ -22,6 +22,7 @@ class Page(HTMLParser):
     def __init__(self, text: str) -> None:
         super().__init__()
         self.open: list[str] = []
+        self.names: list[str] = []  # Of the open ones: their id, else what they are.
         self.links: list[str] = []
         self.policy = ""
         self.contents: dict[str, str] = {}
@@ -37,13 +38,15 @@ class Page(HTMLParser):
         assert not any(key.startswith("on") or key == "style" for key in values)
         if tag not in VOID:
             self.open.append(tag)
+            self.names.append(values.get("id") or tag)
 
     def handle_endtag(self, tag: str) -> None:
         assert self.open.pop() == tag
+        self.names.pop()
 
     def handle_data(self, data: str) -> None:
-        if self.open:
-            self.contents[self.open[-1]] = self.contents.get(self.open[-1], "") + data
+        if self.names:
+            self.contents[self.names[-1]] = self.contents.get(self.names[-1], "") + data
 
 
 @pytest.fixture
@@ -64,7 +67,7 @@ def test_asks_for_nothing(page: Page) -> None:
 
 
 def test_holds_what_the_case_answers(own_case: rs.Case, page: Page) -> None:
-    data = json.loads(page.contents["script"])
+    data = json.loads(page.contents["data"])
     solved = own_case.solve().load_cases[0]
     reported = data["results"]["solve"]["load_cases"][0]
     assert reported["axial_stiffness_N_per_um"] == solved.axial_stiffness_N_per_um

@@ -33,12 +33,12 @@ double integral(const auto& f, double from, double to) {
 
 /// What the film does at a given eccentricity: its pressure and shear stress integrated over the
 /// journal's surface, the pressure field itself being the only formula.
-struct Film {
+struct JournalFilm {
   double along = 0.0, across = 0.0;  ///< Load along the line of centres and across it.
   double torque = 0.0;
 };
 
-Film integrated_film(const JournalBearing& b, double eps) {
+JournalFilm integrated_film(const JournalBearing& b, double eps) {
   const double radius = 0.5 * b.diameter, c = b.radial_clearance, u = surface_speed(b);
   const auto gap = [&](double theta) { return c * (1.0 + eps * std::cos(theta)); };
   // Integral over the length of (L^2/4 - z^2), and the rest of the pressure.
@@ -54,7 +54,7 @@ Film integrated_film(const JournalBearing& b, double eps) {
            (std::cos(theta) / std::pow(x, 3) +
             3.0 * eps * std::pow(std::sin(theta), 2) / std::pow(x, 4));
   };
-  Film film;
+  JournalFilm film;
   film.along = -radius * integral([&](double t) { return pressure(t) * std::cos(t); }, 0.0, pi);
   film.across = radius * integral([&](double t) { return pressure(t) * std::sin(t); }, 0.0, pi);
   film.torque =
@@ -67,7 +67,7 @@ Film integrated_film(const JournalBearing& b, double eps) {
 TEST(ShortBearing, IsTheIntegralOfItsPressureField) {
   for (const JournalBearing& b : {kHead, JournalBearing{0.02, 0.02, 1e-4}})
     for (const double eps : {1e-3, 0.1, 0.3, 0.5, 0.7, 0.9, 0.97, 0.99}) {
-      const Film film = integrated_film(b, eps);
+      const JournalFilm film = integrated_film(b, eps);
       const double load = std::hypot(film.along, film.across);
       EXPECT_NEAR(film.across / film.along, pi * std::sqrt(1 - eps * eps) / (4 * eps),
                   1e-10 * film.across / film.along);

@@ -6,9 +6,9 @@
 #include <tuple>
 
 #include "prs/sector/chain/bar_station.h"
-#include "prs/sector/chain/dispatch.h"
 #include "prs/sector/chain/sector_kernel.h"
 #include "prs/sector/chain/sector_solve.h"
+#include "simd/dispatch.h"
 
 namespace prs {
 namespace {
@@ -77,7 +77,8 @@ void BarDesignSolver::solve(std::span<const SectorModel> sectors,
     loads_.resize(designs_.size(), threads);
     double* const memory = workspace_.reserve(kStationNumbers<BarStation<double>> * threads *
                                               static_cast<std::size_t>(batch_size(set_)));
-    run_kernel(set_, SectorKernel{}, designs_, options, loads_, memory);
+    simd::run_kernel(set_, SectorKernel{}, set_ == InstructionSet::scalar, designs_, options,
+                     loads_, memory);
     for (std::size_t k = first; k < end; ++k)
       loads_.copy(k - first, options.residual_tolerance, results[order_[k]]);
   }

@@ -2,10 +2,10 @@
 
 #include "prs/sector/chain/bar_station.h"
 #include "prs/sector/chain/condense.h"
-#include "prs/sector/chain/dispatch.h"
 #include "prs/sector/chain/sector_kernel.h"
 #include "prs/sector/chain/sector_solve.h"
 #include "prs/sector/chain/shell_station.h"
+#include "simd/dispatch.h"
 
 namespace prs {
 namespace {
@@ -40,8 +40,8 @@ ChainSolver::ChainSolver(const SectorModel& model) : sector_(condense(model)) {
 }
 
 void ChainSolver::solve(double axial_force, LoadDistribution& result) {
-  run_kernel(instructions_for(sector_.kind), SectorKernel{}, sector_, axial_force, options, loads_,
-             workspace_.reserve(0));
+  simd::run_kernel(instructions_for(sector_.kind), SectorKernel{}, false, sector_, axial_force,
+                   options, loads_, workspace_.reserve(0));
   loads_.copy(0, options.residual_tolerance, result);
 }
 

@@ -75,6 +75,11 @@ class NutWalk {
     const int last = static_cast<int>(line_.outer_radius.size());
     bool at_contact = reach(0);
     for (int node = 0; node < last; ++node) {
+      if (at_contact && passed < contacts && line_.contacts[passed] == node + 1) {
+        c.segments.push_back(segment_of(node));
+        ++passed;
+        continue;
+      }
       if (at_contact) {
         piece = element(node);
       } else {
@@ -99,6 +104,21 @@ class NutWalk {
   }
 
  private:
+  /// What lies between two contacts that are neighbours; equal ones in a row are condensed once.
+  const NutSegment& segment_of(int node) {
+    if (known_node_ < 0 || !alike(known_node_, node)) {
+      known_ = segment(element(node));
+      known_node_ = node;
+    }
+    return known_;
+  }
+
+  bool alike(int a, int b) const {
+    const auto i = static_cast<std::size_t>(a), k = static_cast<std::size_t>(b);
+    if (model_.nut_shell) return model_.nut_shell->segments[i] == model_.nut_shell->segments[k];
+    return line_.axial_rigidity[i] == line_.axial_rigidity[k] && line_.length(i) == line_.length(k);
+  }
+
   /// What lies between a node and the next, over (u, v, r theta) of both.
   Matrix6 element(int node) const {
     const auto i = static_cast<std::size_t>(node);
@@ -138,6 +158,8 @@ class NutWalk {
 
   const SectorModel& model_;
   NutLine line_;
+  int known_node_ = -1;
+  NutSegment known_;
 };
 
 void set_bars(const SectorModel& s, ChainSector& c) {

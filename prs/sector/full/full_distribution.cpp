@@ -1,5 +1,7 @@
 #include "prs/sector/full/full_distribution.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -16,6 +18,10 @@ using fe::Dof;
 
 /// Approach of a spring beyond this many centre distances: nothing holds the load.
 constexpr double kRunaway = 100.0;
+
+/// Shares of the axial force that are left over: a load is held below the first of them, up to
+/// rounding, and surely is not beyond the second.
+constexpr double kSurelyHeld = 1e-9, kSurelyNotHeld = 1e-6;
 
 /// Tangents count at least this share of that of equal shares.
 constexpr double kLeastTangent = 1e-7;
@@ -133,7 +139,7 @@ class Solution {
         force = needed(c.node, c.dof);
         for (const fe::Term& t : c.form) needed(t.node, t.dof) += t.coefficient * force;
       }
-      add(d.rings[guide.ring], roller, force);
+      add(d.rings[guide.ring], roller, force, guide.x - outer_face(guide.ring));
     }
     if (!f_.sector.bends()) read_straight_rollers(d);
   }
@@ -150,15 +156,22 @@ class Solution {
         moment += needed(node, Dof::v) * (s_.rollers[r].x[k] - near) + needed(node, Dof::theta);
       }
       const double at_far = moment / (far - near);
-      add(d.rings[0], f_.present[r], force - at_far);
-      add(d.rings[1], f_.present[r], at_far);
+      add(d.rings[0], f_.present[r], force - at_far, near - outer_face(0));
+      add(d.rings[1], f_.present[r], at_far, far - outer_face(1));
     }
   }
 
-  static void add(RingForce& ring, const FullModel::Roller& roller, double force) {
+  double outer_face(std::size_t ring) const {
+    return ring == 0 ? f_.roller_ends.first : f_.roller_ends.last;
+  }
+  /// `arm`: of the force along x.
+  static void add(RingForce& ring, const FullModel::Roller& roller, double force, double arm) {
+    const double y = force * std::cos(roller.azimuth), z = force * std::sin(roller.azimuth);
     ring.rollers[static_cast<std::size_t>(roller.number)] += force;
-    ring.force.y += force * std::cos(roller.azimuth);
-    ring.force.z += force * std::sin(roller.azimuth);
+    ring.force.y += y;
+    ring.force.z += z;
+    ring.moment.y -= arm * z;
+    ring.moment.z += arm * y;
   }
 
   /// What a held node needs beyond the loads on it; nothing of a freedom that is not held.
@@ -231,7 +244,10 @@ void condense(const FullModel& f, const FullStructure& s, const fe::Equations& e
     loads.push_back(equations.load_vector({unit}));
   }
   std::vector<Eigen::VectorXd> rates;
-  if (!solver.solve_linear(linear.tangent, loads, rates)) return;
+  if (!solver.solve_linear(linear.tangent, loads, rates)) {
+    d.screw_end.left_out = "the tangent is singular to rounding";
+    return;
+  }
   const auto count = static_cast<Eigen::Index>(loads.size());
   d.screw_end.compliance.resize(count, count);
   for (Eigen::Index i = 0; i < count; ++i)
@@ -243,13 +259,22 @@ void condense(const FullModel& f, const FullStructure& s, const fe::Equations& e
   d.tangent_stiffness = 1.0 / d.screw_end.compliance(0, 0);
 }
 
+std::string why_left_out(const FreeMotions& free) {
+  return fmt::format("with the loaded threads alone a motion of {} meets no resistance",
+                     free.parts.front());
+}
+
 /// Idle rollers are left out; nothing where the loaded threads alone leave a motion free.
 void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
                     fe::NewtonSolver& solver, FullDistribution& d) {
   if (d.idle_rollers.empty()) {
     const Linearised linear = linearised(f, d, f.present);
-    if (linear.all_closed() || free_motions(f, s, linear.closed).count == 0)
+    const FreeMotions free =
+        linear.all_closed() ? FreeMotions{} : free_motions(f, s, linear.closed);
+    if (free.count == 0)
       condense(f, s, equations, solver, linear, d);
+    else
+      d.screw_end.left_out = why_left_out(free);
     return;
   }
   FullModel loaded = f;
@@ -258,13 +283,25 @@ void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equati
   });
   const FullStructure without = full_structure(loaded);
   const Linearised linear = linearised(f, d, loaded.present);
-  if (free_motions(loaded, without, linear.closed).count > 0) return;
+  if (const FreeMotions free = free_motions(loaded, without, linear.closed); free.count > 0) {
+    d.screw_end.left_out = why_left_out(free);
+    return;
+  }
   const fe::Equations fewer(without.model);
   fe::NewtonSolver of_fewer(fewer, 0.0);
   condense(loaded, without, fewer, of_fewer, linear, d);
 }
 
 }  // namespace
+
+std::optional<FullDistribution> mechanism(const FullModel& f, const FullStructure& s) {
+  const FreeMotions free = free_motions(f, s);
+  if (free.count == 0) return std::nullopt;
+  FullDistribution d;
+  d.solve.status = fe::NewtonStatus::mechanism;
+  d.reason = why_free(free);
+  return d;
+}
 
 struct FullSolver::Parts {
   explicit Parts(const fe::Model& model) : equations(model), newton(equations, 0.0) {}
@@ -282,12 +319,8 @@ FullDistribution solve(const FullModel& f, Detail detail) { return FullSolver().
 
 FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   const FullStructure s = full_structure(f);
+  if (std::optional<FullDistribution> d = mechanism(f, s)) return *d;
   FullDistribution d;
-  if (const FreeMotions free = free_motions(f, s); free.count > 0) {
-    d.solve.status = fe::NewtonStatus::mechanism;
-    d.reason = why_free(free);
-    return d;
-  }
   if (parts_ && parts_->equations.take(s.model))
     parts_->newton.equations_changed();
   else
@@ -299,7 +332,16 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   const Eigen::VectorXd load = equations.load_vector(s.loads);
   if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q))
     q = fe::State(Eigen::VectorXd::Zero(equations.size()));  // The solver has more digits.
-  d.solve = solver.solve(load, newton_options(f), q);
+  fe::NewtonOptions options = newton_options(f);
+  d.solve = solver.solve(load, options, q, [&] { return load_left(f, s) <= kSurelyNotHeld; });
+  if (d.solve.status == fe::NewtonStatus::no_equilibrium && load_left(f, s) < kSurelyHeld) {
+    // What holds is so soft that it moves far.
+    options.largest_approach = std::numeric_limits<double>::infinity();
+    const fe::NewtonSummary near = std::move(d.solve);
+    d.solve = solver.solve(load, options, q);
+    d.solve.history.insert(d.solve.history.begin(), near.history.begin(), near.history.end());
+    if (!d.solve.converged()) d.solve.status = fe::NewtonStatus::no_equilibrium;
+  }
   d.solve.history.insert(d.solve.history.begin(), {d.solve.energy, 1.0, 1.0, 0.0});
   if (d.solve.status == fe::NewtonStatus::no_equilibrium) d.reason = why_not_held(f, s);
   if (!d.solve.converged()) return d;

@@ -21,6 +21,7 @@ struct ScrewEnd {
   std::vector<int> freedoms;                 ///< Those that no bearing holds there.
   /// Their displacements per load and the inverse, at the load; empty where a motion is free.
   Eigen::MatrixXd compliance, stiffness;
+  std::string left_out;  ///< Why they are.
 };
 
 /// Force and moment of a support on the part that it holds.
@@ -32,6 +33,7 @@ struct SupportForce {
 
 struct RingForce {
   Lateral force;                ///< Of the ring on the rollers [N].
+  Lateral moment;               ///< The same about y and z at its outer face, by beams [N m].
   std::vector<double> rollers;  ///< On each roller, outwards; missing ones 0 [N].
 };
 
@@ -58,6 +60,10 @@ struct FullDistribution {
   std::array<RingForce, 2> rings;  ///< Near and far.
   std::vector<SupportForce> bearings;
 };
+
+struct FullStructure;
+/// The outcome where motions are free; nothing where none is.
+std::optional<FullDistribution> mechanism(const FullModel& model, const FullStructure& structure);
 
 /// Equilibrium by Newton's method from the state of linear contacts with the secant stiffness of
 /// equal shares. Two outcomes are none of the solver's: `mechanism`, a motion that nothing resists,

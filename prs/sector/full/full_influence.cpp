@@ -5,9 +5,11 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "prs/model/case_error.h"
+#include "prs/sector/full/contacts_around.h"
 #include "prs/sector/full/full_structure.h"
 #include "prs/sector/full/rigid_motions.h"
 
@@ -21,9 +23,8 @@ using Eigen::VectorXd;
 constexpr int kMostFaceRounds = 10;
 /// Shares of the mean below which a roller carries nothing.
 constexpr double kIdle = 1e-6;
-constexpr int kScrewMotions = 5;
 
-/// Sections of screw or nut that carry the rings, from `origin` on, within the body.
+/// The middles of rings that a body carries, within the body.
 std::vector<double> ring_sections(const FullModel& f, Rings::Carrier body,
                                   const std::vector<BodyPiece>& pieces, double origin) {
   std::vector<double> sections;
@@ -33,233 +34,394 @@ std::vector<double> ring_sections(const FullModel& f, Rings::Carrier body,
   return sections;
 }
 
-/// The contact problem, contacts roller by roller, those at the screw first.
+/// A displacement across the axis or a slope of a station of the screw. Slopes, like all rotations
+/// here, are times r_R and moments over r_R.
+struct Held {
+  Index freedom = 0;  ///< Of the stations': two for each, the displacement first.
+  double stiffness = kRigid;
+  Lateral rest;
+};
+
+/// Components in the frame that turns with the first roller.
+Lateral turned(const Lateral& l, double angle) {
+  return {along(l, angle), l.z * std::cos(angle) - l.y * std::sin(angle)};
+}
+double component(const Lateral& l, bool sine) { return sine ? l.z : l.y; }
+
+/// The contact problem, built of what one roller sees: vectors over its contacts, those at the
+/// screw first, of which waves of order 1 take cos(theta_j) or sin(theta_j) times sqrt(N/2).
 class Assembly {
  public:
   Assembly(const FullModel& f, const FullBodies& bodies)
-      : f_(f),
-        threads_(f.threads()),
-        contacts_(2 * threads_ * static_cast<Index>(f.present.size())) {
-    const auto motions = kScrewMotions + static_cast<Index>(f.present.size());
-    problem.rigid = MatrixXd::Zero(contacts_, motions);
-    problem.hertz_constant.resize(contacts_);
-    problem.gap.resize(contacts_);
-    lines_ = MatrixXd::Zero(contacts_, 4);
-    nut_ = MatrixXd::Zero(contacts_, kScrewMotions);
-    for (std::size_t r = 0; r < f.present.size(); ++r) add_roller(r);
-    add_bodies(bodies);
-    add_supports();
-    load_ = VectorXd::Zero(motions);
-    const double force = f.sense() * f.axial_force, arm = f.sector.roller_radius;
-    const SpatialLoad& l = f.load;
-    load_.head(kScrewMotions) << force, l.side_force.value.y, l.side_force.value.z,
-        (l.moment.value.z - force * l.eccentricity.y) / arm,
-        (-l.moment.value.y - force * l.eccentricity.z) / arm;
+      : f_(f), threads_(f.threads()), arm_(f.sector.roller_radius) {
+    const Index contacts = 2 * threads_;
+    screw_ = nut_ = MatrixXd::Zero(contacts, 3);
+    lines_.resize(contacts, 2);
+    roller_.resize(contacts);
+    problem.hertz_constant.resize(contacts);
+    add_contacts();
+    find_stations(bodies);
+    carry_rings();
+    add_modes(bodies);
+    add_waves();
+    add_gaps();
   }
 
-  ContactProblem problem;
-  const VectorXd& load() const { return load_; }
-  Index index(std::size_t roller, Interface i, int thread) const {
-    return (2 * static_cast<Index>(roller) + (i == Interface::nut ? 1 : 0)) * threads_ + thread;
+  ContactsAround problem;
+
+  ContactsAroundOptions options() const {
+    ContactsAroundOptions o;
+    const double contact =
+        f_.axial_force / (static_cast<double>(f_.present.size()) * f_.threads() *
+                          std::max(f_.sector.cosine.screw, f_.sector.cosine.nut));
+    o.force = f_.axial_force;
+    o.length = std::pow(contact / problem.hertz_constant.mean(), 2.0 / 3.0);
+    o.stiffness = contact / o.length;
+    return o;
   }
   /// Change of the nut's flexibility that is alike for all pairs of rollers.
   void add_to_nut(const MatrixXd& change) {
-    for (std::size_t a = 0; a < f_.present.size(); ++a)
-      for (std::size_t b = 0; b < f_.present.size(); ++b) block(a, b, Interface::nut) += change;
+    problem.modes[0].flexibility.bottomRightCorner(threads_, threads_) += f_.rollers * change;
   }
-  /// Forces of the contacts on the seat of the nut, conjugate to its motions about the thrust
-  /// section, and of the guides' lines on the rollers: near y, z, far y, z.
-  VectorXd on_nut(const VectorXd& loads) const { return -nut_.transpose() * loads; }
-  VectorXd of_guides(const VectorXd& loads, std::size_t roller) const {
-    const Index first = index(roller, Interface::screw, 0);
-    return lines_.middleRows(first, 2 * threads_).transpose() * loads.segment(first, 2 * threads_);
+  VectorXd mean_nut_load(const MatrixXd& loads) const {
+    return loads.bottomRows(threads_).rowwise().sum() / f_.rollers;
+  }
+  int freedoms() const {
+    const auto rollers = static_cast<Index>(f_.present.size());
+    const auto held = static_cast<Index>(held_.size());
+    return static_cast<int>((2 * threads_ + 1) * rollers + 5 + 2 * held);
+  }
+
+  void read(const ContactsAroundSolution& s, FullDistribution& d) const {
+    read_rollers(s, d);
+    SupportForce nut{f_.thrust, Eigen::Vector3d::Zero(), {}};
+    Lateral turning;
+    for (const FullModel::Roller& r : f_.present) {
+      const Eigen::Vector3d push = nut_.transpose() * s.normal_load.col(r.number);
+      nut.force +=
+          Eigen::Vector3d(push[0], push[1] * std::cos(r.azimuth), push[1] * std::sin(r.azimuth));
+      turning.y += push[2] * std::cos(r.azimuth);
+      turning.z += push[2] * std::sin(r.azimuth);
+    }
+    nut.moment = {-turning.z * arm_, turning.y * arm_};
+    d.nut = nut;
+    const double u = s.motion[0][0];
+    const Lateral across = across_of(s, 0), slope = across_of(s, 1);
+    d.screw_end.displacement << u, across.y, across.z, -slope.z / arm_, slope.y / arm_;
+    d.axial_displacement = f_.sense() * u;
+    read_bearings(s, d);
+  }
+
+  /// In the order of the freedoms of the screw's end.
+  void add_compliance(const ContactsAroundSolution& s, FullDistribution& d) const {
+    const std::vector<WaveMotion> motions{{0, 0}, {1, 0}, {2, 0}, {1, 1}, {2, 1}};
+    const MatrixXd turning = compliance(problem, s, options(), motions);
+    const double c = std::cos(f_.load.carrier_angle), n = std::sin(f_.load.carrier_angle);
+    Eigen::Matrix<double, 5, 5> turn = Eigen::Matrix<double, 5, 5>::Zero();
+    turn(0, 0) = 1.0;
+    turn.block<2, 2>(1, 1) << c, -n, n, c;
+    turn.block<2, 2>(3, 3) << -n / arm_, -c / arm_, c / arm_, -n / arm_;
+    const MatrixXd all = turn * turning * turn.transpose();
+    const bool across = is_held_at_end(&Bearing::lateral), tilt = is_held_at_end(&Bearing::tilt);
+    for (int k = 0; k < 5; ++k)
+      if (k == 0 || !(k < 3 ? across : tilt)) d.screw_end.freedoms.push_back(k);
+    d.screw_end.compliance = all(d.screw_end.freedoms, d.screw_end.freedoms);
+    d.screw_end.stiffness = d.screw_end.compliance.inverse();
+    d.tangent_stiffness = 1.0 / d.screw_end.compliance(0, 0);
   }
 
  private:
-  Eigen::Block<MatrixXd> block(std::size_t a, std::size_t b, Interface i) {
-    return problem.flexibility.block(index(a, i, 0), index(b, i, 0), threads_, threads_);
+  Index row(Interface i, int thread) const {
+    return (i == Interface::screw ? 0 : threads_) + thread;
   }
+  Eigen::Index rings_on_screw() const { return f_.carrier == Rings::Carrier::screw ? 2 : 0; }
 
-  void add_roller(std::size_t r) {
-    const FullModel::Roller& roller = f_.present[r];
-    const double y = std::cos(roller.azimuth), z = std::sin(roller.azimuth);
-    const double arm = f_.sector.roller_radius;
+  void add_contacts() {
     const auto [near, far] = guide_places(f_);
+    const std::vector<double>& contact_x = f_.present.front().contact_x;
     for (const Interface i : kInterfaces)
       for (int k = 0; k < f_.threads(); ++k) {
-        const Index row = index(r, i, k);
         const bool screw = i == Interface::screw;
-        const double sign = screw ? 1.0 : -1.0, x = roller.contact_x[static_cast<std::size_t>(k)];
+        const double sign = screw ? 1.0 : -1.0, x = contact_x[static_cast<std::size_t>(k)];
         const double along = f_.sense() * f_.sector.cosine[i], across = f_.sector.sine[i];
-        const double radius = f_.centre_distance - sign * arm;
-        // A rigid motion about the section at `origin`, rotations in 1/r_R.
-        const auto body = [&](double origin) {
-          const double tilt = (-along * radius + across * (x - origin)) / arm;
-          return Eigen::Matrix<double, 1, 5>(sign * along, sign * across * y, sign * across * z,
-                                             sign * tilt * y, sign * tilt * z);
-        };
-        if (screw)
-          problem.rigid.row(row).head<5>() = body(f_.loaded_section);
-        else
-          nut_.row(row) = body(f_.thrust);
-        problem.rigid(row, kScrewMotions + static_cast<Index>(r)) = -sign * along;
+        const double radius = f_.centre_distance - sign * arm_;
+        const double origin = screw ? f_.loaded_section : f_.thrust;
+        (screw ? screw_ : nut_).row(row(i, k)) << sign * along, sign * across,
+            sign * (-along * radius + across * (x - origin)) / arm_;
+        roller_[row(i, k)] = -sign * along;
         // v of a line through both guides, and theta.
-        const double at_far = (x - near) / (far - near), turn = -along * arm / (far - near);
-        const double by_near = -sign * across * (1.0 - at_far) - turn;
-        const double by_far = -sign * across * at_far + turn;
-        lines_.row(row) << by_near * y, by_near * z, by_far * y, by_far * z;
-        problem.hertz_constant[row] = f_.sector.hertz_constant[i];
-        problem.gap[row] = roller.gaps[i][static_cast<std::size_t>(k)] -
-                           by_near * roller.ring_offset[0] - by_far * roller.ring_offset[1];
+        const double at_far = (x - near) / (far - near), turn = -along * arm_ / (far - near);
+        lines_.row(row(i, k)) << -sign * across * (1.0 - at_far) - turn,
+            -sign * across * at_far + turn;
+        problem.hertz_constant[row(i, k)] = f_.sector.hertz_constant[i];
       }
   }
 
-  void add_bodies(const FullBodies& bodies) {
-    problem.flexibility = MatrixXd::Zero(contacts_, contacts_);
-    for (int d = 0; d <= f_.rollers / 2; ++d) {
-      const MatrixXd screw = bodies.screw.between(d, f_.rollers);
-      const MatrixXd nut = bodies.nut.between(d, f_.rollers);
-      for (std::size_t a = 0; a < f_.present.size(); ++a)
-        for (std::size_t b = 0; b < f_.present.size(); ++b) {
-          const int apart = std::abs(f_.present[a].number - f_.present[b].number);
-          if (std::min(apart, f_.rollers - apart) != d) continue;
-          block(a, b, Interface::screw) = screw;
-          block(a, b, Interface::nut) = nut;
-        }
+  /// Approaches by loads on the stations of the screw, and what they do to the stations.
+  void find_stations(const FullBodies& bodies) {
+    stations_ = screw_stations(f_);
+    const auto freedoms = 2 * static_cast<Index>(stations_.size());
+    VectorXd units = VectorXd::Ones(freedoms);
+    units(Eigen::seq(1, freedoms - 1, 2)).setConstant(arm_);
+    by_stations_ = MatrixXd::Zero(2 * threads_, freedoms);
+    if (freedoms > 0) {
+      by_stations_.topRows(threads_) = -bodies.screw.coupling * units.asDiagonal();
+      between_stations_ = units.asDiagonal() * bodies.screw.sections * units.asDiagonal();
     }
-    for (std::size_t r = 0; r < f_.present.size(); ++r) {
-      const Index first = index(r, Interface::screw, 0);
-      problem.flexibility.block(first, first, 2 * threads_, 2 * threads_) += bodies.roller;
+    rigid_stations_ = MatrixXd::Zero(freedoms, 2);
+    for (Index k = 0; k < freedoms; k += 2)
+      rigid_stations_.middleRows(k, 2) << 1.0, stations_[static_cast<std::size_t>(k / 2)] / arm_,
+          0.0, 1.0;
+    Index freedom = 2 * rings_on_screw();
+    for (const Bearing& b : f_.bearings) {
+      if (b.lateral > 0.0) held_.push_back({freedom, b.lateral, b.offset});
+      if (b.tilt > 0.0)
+        held_.push_back(
+            {freedom + 1, b.tilt / (arm_ * arm_), {arm_ * b.angle.z, -arm_ * b.angle.y}});
+      freedom += 2;
     }
-    for (std::size_t r = 0; r < f_.present.size(); ++r)
-      for (const Interface i : kInterfaces)
-        block(r, r, i).diagonal().array() += f_.sector.compliance[i];
-    if (f_.carrier == Rings::Carrier::screw) carry_rings(bodies.screw, Interface::screw);
-    if (f_.carrier == Rings::Carrier::nut) carry_rings(bodies.nut, Interface::nut);
-  }
-
-  /// The rings' forces bend the body that carries them, whose sections move the rings.
-  void carry_rings(const FlexibilityAround& body, Interface i) {
-    // Displacement of the sections (near y, z, far y, z) by the contacts of the body.
-    MatrixXd by_contacts = MatrixXd::Zero(4, contacts_), by_rings = MatrixXd::Zero(4, 4);
-    for (std::size_t r = 0; r < f_.present.size(); ++r) {
-      const double azimuth = f_.present[r].azimuth;
-      for (Index ring = 0; ring < 2; ++ring) {
-        const auto at = Eigen::seqN(index(r, i, 0), threads_);
-        by_contacts(2 * ring, at) = std::cos(azimuth) * body.coupling.col(ring).transpose();
-        by_contacts(2 * ring + 1, at) = std::sin(azimuth) * body.coupling.col(ring).transpose();
-      }
-    }
-    for (Index a = 0; a < 2; ++a)
-      for (Index b = 0; b < 2; ++b)
-        by_rings(2 * a, 2 * b) = by_rings(2 * a + 1, 2 * b + 1) = body.sections(a, b);
-    // The rings push the body by -lines' N.
-    const MatrixXd mixed = lines_ * by_contacts;
-    problem.flexibility -= mixed + mixed.transpose();
-    problem.flexibility += lines_ * by_rings * lines_.transpose();
-    // They move with its rigid motions too.
-    const bool screw = i == Interface::screw;
-    const std::array<double, 2> places = guide_places(f_);
-    for (Index ring = 0; ring < 2; ++ring) {
-      const double arm =
-          (places[static_cast<std::size_t>(ring)] - (screw ? f_.loaded_section : f_.thrust)) /
-          f_.sector.roller_radius;
-      const auto line = lines_.middleCols<2>(2 * ring);
-      if (screw) {
-        problem.rigid.middleCols<2>(1) += line;
-        problem.rigid.middleCols<2>(3) += arm * line;
-      } else {
-        nut_.middleCols<2>(1) += line;
-        nut_.middleCols<2>(3) += arm * line;
-      }
-    }
-  }
-
-  void add_supports() {
-    const double arm = f_.sector.roller_radius;
-    const auto spring = [&](Index motion, double stiffness) {
-      if (stiffness < kRigid)
-        problem.flexibility += nut_.col(motion) * nut_.col(motion).transpose() / stiffness;
+    loads_ = {MatrixXd::Zero(freedoms, 1), MatrixXd::Zero(freedoms, 1)};
+    const SpatialLoad& l = f_.load;
+    const auto add = [&](Index at, const Lateral& load) {
+      const Lateral t = turned(load, l.carrier_angle);
+      loads_[0](at) += t.y;
+      loads_[1](at) += t.z;
     };
-    spring(0, f_.housing.axial);
-    for (const Index motion : {1, 2}) spring(motion, f_.housing.lateral);
-    for (const Index motion : {3, 4}) spring(motion, f_.housing.tilt / (arm * arm));
-    if (f_.floating_rings()) problem.flexibility += lines_ * lines_.transpose() / f_.ring_stiffness;
-    Eigen::Matrix<double, 5, 1> seat;
-    seat << 0.0, f_.load.nut_offset.y, f_.load.nut_offset.z, arm * rigid_slope(f_).y,
-        arm * rigid_slope(f_).z;
-    problem.gap -= nut_ * seat;
+    if (l.side_force.at) {
+      add(freedom, l.side_force.value);
+      freedom += 2;
+    }
+    if (l.moment.at) add(freedom + 1, {l.moment.value.z / arm_, -l.moment.value.y / arm_});
+    bodies_of_rings_ = f_.carrier == Rings::Carrier::screw ? &bodies.screw
+                       : f_.carrier == Rings::Carrier::nut ? &bodies.nut
+                                                           : nullptr;
+  }
+
+  /// The rings' forces bend the body that carries them, whose sections move the rings and with them
+  /// the lines: more approaches by its motions and by loads on it.
+  void carry_rings() {
+    if (!bodies_of_rings_) return;
+    const bool screw = f_.carrier == Rings::Carrier::screw;
+    const std::array<double, 2> places = guide_places(f_);
+    const double origin = screw ? f_.loaded_section : f_.thrust;
+    for (Index ring = 0; ring < 2; ++ring) {
+      MatrixXd& body = screw ? screw_ : nut_;
+      body.col(1) += lines_.col(ring);
+      body.col(2) += (places[static_cast<std::size_t>(ring)] - origin) / arm_ * lines_.col(ring);
+      if (screw) by_stations_ += lines_.col(ring) * between_stations_.row(2 * ring);
+    }
+  }
+
+  void add_modes(const FullBodies& bodies) {
+    const auto body = [&](std::size_t m) {
+      MatrixXd c = bodies.roller;
+      c.topLeftCorner(threads_, threads_) += bodies.screw.modes[m];
+      c.bottomRightCorner(threads_, threads_) += bodies.nut.modes[m];
+      c.diagonal().head(threads_).array() += f_.sector.compliance.screw;
+      c.diagonal().tail(threads_).array() += f_.sector.compliance.nut;
+      return c;
+    };
+    ContactsAround::Mode axial{body(0), MatrixXd(2 * threads_, 2), MatrixXd::Zero(2, 2), 0};
+    axial.flexibility += f_.rollers / f_.housing.axial * nut_.col(0) * nut_.col(0).transpose();
+    axial.rigid << std::sqrt(f_.rollers) * screw_.col(0), roller_;
+    problem.modes.push_back(std::move(axial));
+    problem.modes.push_back(bending(body(1)));
+    for (std::size_t m = 2; m < bodies.screw.modes.size(); ++m)
+      problem.modes.push_back({body(m), roller_, MatrixXd::Zero(1, 1), 0});
+  }
+
+  /// Motions: across the axis, slope, each roller along its axis; then reactions of bearings.
+  ContactsAround::Mode bending(MatrixXd flexibility) const {
+    const double count = amplitude() * amplitude();
+    const auto add = [&](const MatrixXd& by, double c) {
+      flexibility += c * count * by * by.transpose();
+    };
+    add(nut_.col(1), 1.0 / f_.housing.lateral);
+    add(nut_.col(2), arm_ * arm_ / f_.housing.tilt);
+    if (f_.floating_rings()) add(lines_, 1.0 / f_.ring_stiffness);
+    if (bodies_of_rings_) {
+      const std::array<Index, 2> displacements{0, 2};
+      MatrixXd coupling = MatrixXd::Zero(2 * threads_, 2);
+      (f_.carrier == Rings::Carrier::screw ? coupling.topRows(threads_)
+                                           : coupling.bottomRows(threads_)) =
+          bodies_of_rings_->coupling(Eigen::all, displacements);
+      const MatrixXd mixed = lines_ * coupling.transpose();
+      flexibility += count * (lines_ * bodies_of_rings_->sections(displacements, displacements) *
+                                  lines_.transpose() -
+                              mixed - mixed.transpose());
+    }
+    const auto held = static_cast<Index>(held_.size());
+    ContactsAround::Mode mode{std::move(flexibility), MatrixXd(2 * threads_, 3 + held),
+                              MatrixXd::Zero(3 + held, 3 + held), held};
+    mode.rigid.leftCols(3) << amplitude() * screw_.rightCols(2), roller_;
+    for (Index a = 0; a < held; ++a) {
+      const Held& at = held_[static_cast<std::size_t>(a)];
+      mode.rigid.col(3 + a) = amplitude() * by_stations_.col(at.freedom);
+      mode.support.block(3 + a, 0, 1, 2) = -rigid_stations_.row(at.freedom);
+      mode.support.block(0, 3 + a, 2, 1) = -rigid_stations_.row(at.freedom).transpose();
+      for (Index b = 0; b < held; ++b)
+        mode.support(3 + a, 3 + b) =
+            -between_stations_(at.freedom, held_[static_cast<std::size_t>(b)].freedom);
+      mode.support(3 + a, 3 + a) -= 1.0 / at.stiffness;
+    }
+    return mode;
+  }
+
+  /// Of cos(theta_j) over all rollers.
+  double amplitude() const { return std::sqrt(f_.rollers == 2 ? 2.0 : 0.5 * f_.rollers); }
+
+  void add_waves() {
+    const int n = f_.rollers;
+    const auto wave = [&](std::size_t mode, auto value) {
+      ContactsAround::Wave w{mode, VectorXd(n), VectorXd::Zero(problem.modes[mode].rigid.cols())};
+      for (int j = 0; j < n; ++j) w.shape[j] = value(j);
+      if (const double size = w.shape.norm(); size > 0.0) w.shape /= size;
+      problem.waves.push_back(std::move(w));
+    };
+    const auto angle = [n](std::size_t m, int j) {
+      return 2.0 * std::numbers::pi * static_cast<double>(m) * j / n;
+    };
+    wave(0, [](int) { return 1.0; });
+    for (std::size_t m = 1; 2 * m <= static_cast<std::size_t>(n); ++m) {
+      wave(m, [&](int j) { return std::cos(angle(m, j)); });
+      if (2 * m < static_cast<std::size_t>(n))
+        wave(m, [&](int j) { return std::sin(angle(m, j)); });
+    }
+    if (n == 2) {  // No contact resists motions across both rollers, bearings alone do.
+      ContactsAround::Mode alone = problem.modes[1];
+      alone.flexibility.setZero();
+      alone.rigid.setZero();
+      alone.support(2, 2) = 1.0;
+      problem.modes.push_back(std::move(alone));
+      wave(2, [](int) { return 0.0; });
+    }
+    problem.waves[0].load[0] = f_.sense() * f_.axial_force;
+    for (const bool sine : {false, true}) add_loads(problem.waves[sine ? 2 : 1].load, sine);
+  }
+
+  void add_loads(VectorXd& load, bool sine) const {
+    const double force = f_.sense() * f_.axial_force;
+    const SpatialLoad& l = f_.load;
+    const Lateral side = l.side_force.at ? Lateral{} : l.side_force.value;
+    const Lateral moment = l.moment.at ? Lateral{} : l.moment.value;
+    const Lateral turning{(moment.z - force * l.eccentricity.y) / arm_,
+                          (-moment.y - force * l.eccentricity.z) / arm_};
+    const MatrixXd& on_stations = loads_[sine];
+    load.head(2) << component(turned(side, l.carrier_angle), sine),
+        component(turned(turning, l.carrier_angle), sine);
+    load.head(2) += rigid_stations_.transpose() * on_stations;
+    for (std::size_t a = 0; a < held_.size(); ++a) {
+      load[3 + static_cast<Index>(a)] = -component(turned(held_[a].rest, l.carrier_angle), sine);
+      if (on_stations.size() > 0)
+        load[3 + static_cast<Index>(a)] +=
+            between_stations_.row(held_[a].freedom).dot(on_stations.col(0));
+    }
+  }
+
+  void add_gaps() {
+    problem.gap = MatrixXd::Zero(2 * threads_, f_.rollers);
+    problem.present.assign(static_cast<std::size_t>(f_.rollers), false);
+    const MatrixXd by_loads[] = {by_stations_ * loads_[0], by_stations_ * loads_[1]};
+    for (const FullModel::Roller& r : f_.present) {
+      problem.present[static_cast<std::size_t>(r.number)] = true;
+      auto gap = problem.gap.col(r.number);
+      for (const Interface i : kInterfaces)
+        for (int k = 0; k < f_.threads(); ++k)
+          gap[row(i, k)] = r.gaps[i][static_cast<std::size_t>(k)];
+      gap -= lines_ * Eigen::Vector2d(r.ring_offset[0], r.ring_offset[1]);
+      gap -= along(f_.load.nut_offset, r.azimuth) * nut_.col(1) +
+             arm_ * along(rigid_slope(f_), r.azimuth) * nut_.col(2);
+      const double theta = r.azimuth - f_.load.carrier_angle;
+      gap -= std::cos(theta) * by_loads[0] + std::sin(theta) * by_loads[1];
+    }
+  }
+
+  /// A motion or reaction of the waves of order 1, across the axis.
+  Lateral across_of(const ContactsAroundSolution& s, Index motion) const {
+    return turned({s.motion[1][motion], s.motion[2][motion]}, -f_.load.carrier_angle);
+  }
+  bool is_held_at_end(double Bearing::*stiffness) const {
+    return std::ranges::any_of(f_.bearings, [&](const Bearing& b) {
+      return b.*stiffness == kRigid &&
+             std::abs(b.position - f_.loaded_section) <= kSamePlace * f_.sector.nut_length;
+    });
+  }
+
+  void read_rollers(const ContactsAroundSolution& s, FullDistribution& d) const {
+    const auto threads = static_cast<std::size_t>(f_.threads());
+    const double share = f_.axial_force / static_cast<double>(f_.present.size());
+    for (RingForce& ring : d.rings) ring.rollers.assign(static_cast<std::size_t>(f_.rollers), 0.0);
+    for (const Interface i : kInterfaces)
+      d.normal_load[i] = d.approach[i] =
+          RollerThreads(static_cast<std::size_t>(f_.rollers), std::vector<double>(threads, 0.0));
+    for (const FullModel::Roller& r : f_.present) {
+      const auto number = static_cast<std::size_t>(r.number);
+      double carried = 0.0;
+      for (const Interface i : kInterfaces)
+        for (std::size_t k = 0; k < threads; ++k) {
+          const Index at = row(i, static_cast<int>(k));
+          const double load = s.normal_load(at, r.number), y = s.y(at, r.number);
+          d.normal_load[i][number][k] = load;
+          d.approach[i][number][k] = std::max(y, 0.0);
+          d.largest_opening[i] = std::max(d.largest_opening[i], -y);
+          if (i == Interface::screw) carried += load * f_.sector.cosine[i];
+        }
+      if (carried <= kIdle * share) d.idle_rollers.push_back(r.number);
+      const Eigen::Vector2d guides = lines_.transpose() * s.normal_load.col(r.number);
+      for (std::size_t ring = 0; ring < 2; ++ring) {
+        const double force = guides[static_cast<Index>(ring)];
+        d.rings[ring].rollers[number] = force;
+        d.rings[ring].force.y += force * std::cos(r.azimuth);
+        d.rings[ring].force.z += force * std::sin(r.azimuth);
+      }
+    }
+  }
+
+  void read_bearings(const ContactsAroundSolution& s, FullDistribution& d) const {
+    const Index first = 2 * rings_on_screw();
+    for (const Bearing& b : f_.bearings) d.bearings.push_back({b.position, {0.0, 0.0, 0.0}, {}});
+    for (std::size_t a = 0; a < held_.size(); ++a) {
+      SupportForce& bearing = d.bearings[static_cast<std::size_t>(held_[a].freedom - first) / 2];
+      const Lateral force = across_of(s, 3 + static_cast<Index>(a));
+      if (held_[a].freedom % 2 == 0)
+        bearing.force << 0.0, force.y, force.z;
+      else
+        bearing.moment = {-force.z * arm_, force.y * arm_};
+    }
   }
 
   const FullModel& f_;
-  Index threads_, contacts_;
-  MatrixXd lines_;  ///< Approaches by the rings' displacements (near y, z, far y, z).
-  MatrixXd nut_;    ///< Approaches by rigid motions of the nut.
-  VectorXd load_;
+  Index threads_;
+  double arm_;
+  MatrixXd screw_, nut_;  ///< Approaches by motions: along, across, slope.
+  VectorXd roller_;       ///< By that of the roller along its axis.
+  MatrixXd lines_;        ///< By displacements of the near and the far ring outwards.
+  std::vector<double> stations_;
+  MatrixXd by_stations_;       ///< Approaches by loads on the screw's stations.
+  MatrixXd between_stations_;  ///< What these do to the stations.
+  MatrixXd rigid_stations_;    ///< What motions of the loaded section across and slope do there.
+  std::array<MatrixXd, 2> loads_;  ///< On the stations, for the waves cos and sin.
+  std::vector<Held> held_;
+  const FlexibilityAround* bodies_of_rings_ = nullptr;
 };
-
-/// Mean over the rollers of the loads at each thread of the nut.
-VectorXd mean_nut_load(const FullModel& f, const Assembly& a, const VectorXd& loads) {
-  VectorXd mean = VectorXd::Zero(f.threads());
-  for (std::size_t r = 0; r < f.present.size(); ++r)
-    mean += loads.segment(a.index(r, Interface::nut, 0), f.threads());
-  return mean / f.rollers;
-}
-
-void read(const FullModel& f, const Assembly& a, const ContactSolution& s, FullDistribution& d) {
-  const auto threads = static_cast<std::size_t>(f.threads());
-  const double share = f.axial_force / static_cast<double>(f.present.size());
-  for (RingForce& ring : d.rings) ring.rollers.assign(static_cast<std::size_t>(f.rollers), 0.0);
-  for (const Interface i : kInterfaces)
-    d.normal_load[i] = d.approach[i] =
-        RollerThreads(static_cast<std::size_t>(f.rollers), std::vector<double>(threads, 0.0));
-  for (std::size_t r = 0; r < f.present.size(); ++r) {
-    const FullModel::Roller& roller = f.present[r];
-    const auto number = static_cast<std::size_t>(roller.number);
-    double carried = 0.0;
-    for (const Interface i : kInterfaces)
-      for (std::size_t k = 0; k < threads; ++k) {
-        const Index row = a.index(r, i, static_cast<int>(k));
-        d.normal_load[i][number][k] = s.normal_load[row];
-        d.approach[i][number][k] = s.approach[row];
-        d.largest_opening[i] = std::max(d.largest_opening[i], s.openings[row]);
-        if (i == Interface::screw) carried += s.normal_load[row] * f.sector.cosine[i];
-      }
-    if (carried <= kIdle * share) d.idle_rollers.push_back(roller.number);
-    const VectorXd guides = a.of_guides(s.normal_load, r);
-    for (std::size_t ring = 0; ring < 2; ++ring) {
-      const auto at = static_cast<Index>(2 * ring);
-      const double y = guides[at], z = guides[at + 1];
-      d.rings[ring].rollers[number] = y * std::cos(roller.azimuth) + z * std::sin(roller.azimuth);
-      d.rings[ring].force.y += y;
-      d.rings[ring].force.z += z;
-    }
-  }
-  const double arm = f.sector.roller_radius;
-  const VectorXd nut = -a.on_nut(s.normal_load);
-  d.nut = {f.thrust, nut.head<3>(), {-nut[4] * arm, nut[3] * arm}};
-  const VectorXd& u = s.motion;
-  d.screw_end.displacement << u[0], u[1], u[2], -u[4] / arm, u[3] / arm;
-  d.axial_displacement = f.sense() * u[0];
-}
-
-void add_compliance(const FullModel& f, const ContactSolution& s, FullDistribution& d) {
-  const double arm = f.sector.roller_radius;
-  Eigen::Matrix<double, 5, 5> turn = Eigen::Matrix<double, 5, 5>::Zero();
-  turn(0, 0) = turn(1, 1) = turn(2, 2) = 1.0;
-  turn(3, 4) = -1.0 / arm;
-  turn(4, 3) = 1.0 / arm;
-  d.screw_end.freedoms = {0, 1, 2, 3, 4};
-  d.screw_end.compliance = turn * s.compliance.topLeftCorner<5, 5>() * turn.transpose();
-  d.screw_end.stiffness = d.screw_end.compliance.inverse();
-  d.tangent_stiffness = 1.0 / d.screw_end.compliance(0, 0);
-}
 
 }  // namespace
 
 std::array<double, 2> guide_places(const FullModel& f) {
   const double in = f.sector.inner_guide > 0.0 ? 0.5 * f.sector.end_length : 0.0;
   return {f.roller_ends.first + in, f.roller_ends.last - in};
+}
+
+std::vector<double> screw_stations(const FullModel& f) {
+  std::vector<double> x = ring_sections(f, Rings::Carrier::screw, f.screw, f.loaded_section);
+  for (const Bearing& b : f.bearings) x.push_back(b.position - f.loaded_section);
+  for (const auto& at : {f.load.side_force.at, f.load.moment.at})
+    if (at) x.push_back(*at - f.loaded_section);
+  return x;
+}
+
+std::vector<double> nut_stations(const FullModel& f) {
+  return ring_sections(f, Rings::Carrier::nut, f.nut, 0.0);
 }
 
 FullBodies full_bodies(const Conditions& c, const Contacts& contacts,
@@ -271,11 +433,8 @@ FullBodies full_bodies(const Conditions& c, const Contacts& contacts,
   try {
     const BodyFlexibilities alike =
         body_flexibilities(geometry, direction, f.sector.position, options, cache);
-    return {screw_around(geometry, direction,
-                         ring_sections(f, Rings::Carrier::screw, f.screw, f.loaded_section),
-                         options, cache),
-            nut_around(geometry, direction, f.sector.position,
-                       ring_sections(f, Rings::Carrier::nut, f.nut, 0.0), options, cache),
+    return {screw_around(geometry, direction, screw_stations(f), options, cache),
+            nut_around(geometry, direction, f.sector.position, nut_stations(f), options, cache),
             alike.roller.matrix, alike.nut.face};
   } catch (const std::invalid_argument& reason) {
     throw CaseError("model.bodies",
@@ -285,25 +444,22 @@ FullBodies full_bodies(const Conditions& c, const Contacts& contacts,
   }
 }
 
+double lifting_moment(const Structure::Nut& nut, const SupportForce& seat) {
+  const auto [before, behind] = nut_diameters_at(nut, seat.position);
+  const Structure::Shoulder ring = nut.shoulder.value_or(
+      Structure::Shoulder{std::min(before, behind), std::max(before, behind)});
+  const double inner = 0.5 * ring.inner_diameter, outer = 0.5 * ring.outer_diameter;
+  return std::abs(seat.force[0]) * (outer * outer + inner * inner) / (4.0 * outer);
+}
+
 FullDistribution solve(const FullModel& f, const FullBodies& bodies, Detail detail) {
   const FullStructure structure = full_structure(f);
+  if (std::optional<FullDistribution> d = mechanism(f, structure)) return *d;
   FullDistribution d;
-  if (const FreeMotions free = free_motions(f, structure); free.count > 0) {
-    d.solve.status = fe::NewtonStatus::mechanism;
-    d.reason = why_free(free);
-    return d;
-  }
   Assembly a(f, bodies);
-  d.freedoms = static_cast<int>(a.problem.gap.size() + a.load().size());
-  const double contact = f.axial_force / (static_cast<double>(f.present.size()) * f.threads());
-  VectorXd stiffness(a.problem.gap.size());
-  for (Index k = 0; k < stiffness.size(); ++k)
-    stiffness[k] = std::cbrt(std::pow(a.problem.hertz_constant[k], 2) * contact /
-                             std::max(f.sector.cosine.screw, f.sector.cosine.nut));
-  ContactSolveOptions options;
-  options.least_tangent = 1e-7 * stiffness.minCoeff();
-  options.compliance = detail == Detail::complete;
-  ContactSolution s = prs::solve(a.problem, a.load(), stiffness, options);
+  d.freedoms = a.freedoms();
+  const ContactsAroundOptions options = a.options();
+  ContactsAroundSolution s = prs::solve(a.problem, options);
   std::vector<ContactIteration> history = s.history;
   if (bodies.face && s.converged()) {
     const ThrustFace& face = *bodies.face;
@@ -312,12 +468,12 @@ FullDistribution solve(const FullModel& f, const FullBodies& bodies, Detail deta
         face.touching_under(VectorXd::Ones(f.threads()), all).value_or(all);
     bool settled = false;
     for (int round = 0; round < kMostFaceRounds && s.converged(); ++round) {
-      const auto now = face.touching_under(mean_nut_load(f, a, s.normal_load), touching);
+      const auto now = face.touching_under(a.mean_nut_load(s.normal_load), touching);
       settled = now == touching;
       if (settled || !now) break;
       a.add_to_nut(face.flexibility(*now) - face.flexibility(touching));
       touching = *now;
-      s = prs::solve(a.problem, a.load(), stiffness, options);
+      s = prs::solve(a.problem, options, &s);
       history.insert(history.end(), s.history.begin(), s.history.end());
     }
     if (s.converged() && !settled) s.status = ContactSolveStatus::iteration_limit;
@@ -330,8 +486,8 @@ FullDistribution solve(const FullModel& f, const FullBodies& bodies, Detail deta
     }
     return d;
   }
-  read(f, a, s, d);
-  if (detail == Detail::complete && d.idle_rollers.empty()) add_compliance(f, s, d);
+  a.read(s, d);
+  if (detail == Detail::complete && d.idle_rollers.empty()) a.add_compliance(s, d);
   return d;
 }
 

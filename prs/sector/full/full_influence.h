@@ -12,7 +12,7 @@ namespace prs {
 /// The bodies of the full mechanism by their flexibilities, for one direction of the load and one
 /// position; each roller's is the same.
 struct FullBodies {
-  FlexibilityAround screw, nut;
+  FlexibilityAround screw, nut;    ///< With the sections of `screw_stations` and `nut_stations`.
   Eigen::MatrixXd roller;          ///< Contacts at the screw, then those at the nut.
   std::optional<ThrustFace> face;  ///< For a nut that can lift off its shoulder, in mode 0.
 };
@@ -20,10 +20,20 @@ struct FullBodies {
 /// Where a ring guides the rollers: the middles of their ends, or the outer nodes [m].
 std::array<double, 2> guide_places(const FullModel& model);
 
+/// Places on the screw whose displacements matter, from the loaded section on [m]: rings that it
+/// carries, bearings, a side force and a moment `at` a place of their own.
+std::vector<double> screw_stations(const FullModel& model);
+/// Rings on the nut, x [m].
+std::vector<double> nut_stations(const FullModel& model);
+
 /// From finite elements. Throws CaseError where a body cannot be meshed.
 FullBodies full_bodies(const Conditions& c, const Contacts& contacts,
                        const PerInterface<ContactLaw>& laws, const FullModel& model,
                        MatrixCache& cache = shared_matrix_cache());
+
+/// Moment on the seat of a nut from which on its shoulder, a ring from r_i to r_o under linear
+/// pressure, is free of it on one side: F (r_o^2 + r_i^2)/(4 r_o) [N m].
+double lifting_moment(const Structure::Nut& nut, const SupportForce& seat);
 
 /// Contacts of all rollers on elastic bodies,
 ///
@@ -32,8 +42,9 @@ FullBodies full_bodies(const Conditions& c, const Contacts& contacts,
 /// U the motions of the screw's loaded section and of each roller along its axis. C holds the
 /// flexibilities of screw and nut between all rollers, each roller's own, and what housing springs
 /// and rings give: a ring moves a roller as a rigid line through both rings, its forces on the body
-/// that carries it are those of the line's equilibrium. w_0 is a displaced seat of the nut and
-/// rollers out of place.
+/// that carries it are those of the line's equilibrium. w_0 is a displaced seat of the nut, rollers
+/// out of place, and how loads behind the loaded section bend the screw. Reactions of bearings are
+/// unknowns next to U.
 FullDistribution solve(const FullModel& model, const FullBodies& bodies,
                        Detail detail = Detail::complete);
 

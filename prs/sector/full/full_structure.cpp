@@ -224,7 +224,7 @@ class Builder {
         form.push_back({s_.rings[ring], Dof::u, e.y});
         form.push_back({s_.rings[ring], Dof::v, e.z});
       }
-      FullStructure::Guide guide{s_.rollers.size(), ring};
+      FullStructure::Guide guide{s_.rollers.size(), ring, x[places[p]]};
       if (stiffness == kHeld) {
         guide.constraint = static_cast<int>(s_.model.constraints.size());
         s_.model.constraints.push_back({node, Dof::v, std::move(form), offset});

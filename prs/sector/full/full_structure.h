@@ -37,6 +37,7 @@ struct FullStructure {
   struct Guide {
     std::size_t roller = 0;  ///< Of FullModel::present.
     std::size_t ring = 0;    ///< 0 near, 1 far.
+    double x = 0.0;          ///< Where it acts [m].
     int constraint = -1;
     int link = -1;
   };

@@ -71,23 +71,31 @@ class Collector {
 
 }  // namespace
 
-std::optional<Orbit> orbit(const std::function<FullModel(double)>& model,
-                           const std::function<FullDistribution(const FullModel&)>& solver,
-                           const SpatialLoad::Orbit& wanted, double carrier_angle, bool alike) {
+Orbit orbit(const std::function<FullModel(double)>& model,
+            const std::function<FullDistribution(const FullModel&)>& solver,
+            const SpatialLoad::Orbit& wanted, double carrier_angle, OrbitSymmetry symmetry) {
   const FullModel first = model(carrier_angle);
   const int positions = wanted.steps * first.rollers;
   const auto angle = [&](int m) { return carrier_angle + 2.0 * std::numbers::pi * m / positions; };
-  const int different = alike ? wanted.steps : positions;
+  const int different = symmetry.alike ? wanted.steps : positions;
+  const auto solved_at = [&](int m) {
+    return static_cast<std::size_t>(symmetry.round ? 0 : m % different);
+  };
   std::vector<FullDistribution> solved;
   std::vector<double> displacement;
   for (int m = 0; m < different; ++m) {
-    solved.push_back(solver(model(angle(m))));
-    if (!solved.back().solve.converged()) return std::nullopt;
-    displacement.push_back(solved.back().axial_displacement);
+    if (solved_at(m) == solved.size()) solved.push_back(solver(model(angle(m))));
+    if (const FullDistribution& d = solved.back(); !d.solve.converged()) {
+      Orbit failed;
+      failed.failure = {angle(m),
+                        d.reason.empty() ? std::string(fe::name(d.solve.status)) : d.reason};
+      return failed;
+    }
+    displacement.push_back(solved[solved_at(m)].axial_displacement);
   }
   Collector collector(first, wanted);
   for (int m = 0; m < positions; ++m)
-    collector.add(solved[static_cast<std::size_t>(m % different)], m / different, angle(m));
+    collector.add(solved[solved_at(m)], symmetry.round ? 0 : m / different, angle(m));
   return std::move(collector).finished(std::move(displacement));
 }
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "prs/sector/full/full_distribution.h"
@@ -21,6 +22,14 @@ struct OrbitLoads {
 };
 
 struct Orbit {
+  /// The first position without equilibrium; nothing else is then known.
+  struct Failure {
+    double carrier_angle = 0.0;  ///< [rad]
+    std::string why;             ///< What the solver says, in words.
+  };
+  std::optional<Failure> failure;
+  bool converged() const { return !failure; }
+
   int steps = 0;      ///< Positions for each spacing of the rollers.
   int positions = 0;  ///< Of the whole turn.
   double exponent = 0.0;
@@ -30,11 +39,16 @@ struct Orbit {
   double axial_error = 0.0;                ///< Peak to peak [m].
 };
 
-/// The carrier at carrier_angle + 2 pi m/(steps N), m < steps N. Where all rollers are alike, one
-/// spacing is solved and the rest is a permutation. `model` makes the mechanism at a carrier angle.
-/// Nothing where a position has no equilibrium.
-std::optional<Orbit> orbit(const std::function<FullModel(double)>& model,
-                           const std::function<FullDistribution(const FullModel&)>& solver,
-                           const SpatialLoad::Orbit& wanted, double carrier_angle, bool alike);
+/// Which positions of the carrier have loads of their own.
+struct OrbitSymmetry {
+  bool alike = false;  ///< All rollers are: one spacing is solved, the rest is a permutation.
+  bool round = false;  ///< Nothing but the rollers has an azimuth: one position is solved.
+};
+
+/// The carrier at carrier_angle + 2 pi m/(steps N), m < steps N. `model` makes the mechanism at a
+/// carrier angle.
+Orbit orbit(const std::function<FullModel(double)>& model,
+            const std::function<FullDistribution(const FullModel&)>& solver,
+            const SpatialLoad::Orbit& wanted, double carrier_angle, OrbitSymmetry symmetry);
 
 }  // namespace prs

@@ -24,90 +24,10 @@ Loads loads_at(const ContactProblem& p, const Eigen::VectorXd& y) {
 /// Unknowns and what the conditions lack there.
 struct Trial {
   Eigen::VectorXd y;
-  Eigen::VectorXd motion;
+  Eigen::Vector2d motion;
   Loads loads;
   Eigen::VectorXd residual;  ///< Relative: compatibility, then equilibrium.
 };
-
-/// Derivative of the relative residual, with contacts of the given slopes.
-void fill(Eigen::MatrixXd& jacobian, const ContactProblem& p, const Eigen::VectorXd& slope,
-          double length, double force) {
-  const Index n = p.gap.size(), motions = p.rigid.cols();
-  jacobian.topLeftCorner(n, n) = p.flexibility * slope.asDiagonal();
-  jacobian.topLeftCorner(n, n).diagonal().array() += 1.0;
-  jacobian.topLeftCorner(n, n) /= length;
-  jacobian.topRightCorner(n, motions) = -p.rigid / length;
-  jacobian.bottomLeftCorner(motions, n) = p.rigid.transpose() * slope.asDiagonal() / force;
-  jacobian.bottomRightCorner(motions, motions).setZero();
-}
-
-/// Newton's method from a state; `load` on the motions.
-ContactSolution solve_from(Trial at, const ContactProblem& p, const Eigen::VectorXd& load,
-                           const ContactSolveOptions& options) {
-  const Index n = p.gap.size(), motions = load.size();
-  const double force = load.cwiseAbs().maxCoeff(), length = at.y.cwiseMax(0.0).mean();
-  const auto evaluate = [&](Trial& t) {
-    t.loads = loads_at(p, t.y);
-    t.residual.resize(n + motions);
-    t.residual.head(n) =
-        (t.y + p.gap - p.rigid * t.motion + p.flexibility * t.loads.value) / length;
-    t.residual.tail(motions) = (p.rigid.transpose() * t.loads.value - load) / force;
-  };
-  evaluate(at);
-
-  ContactSolution s;
-  Eigen::MatrixXd jacobian(n + motions, n + motions);
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu(n + motions);
-  const auto factorize = [&] {
-    const Eigen::VectorXd slope = at.loads.slope.cwiseMax(options.least_tangent);
-    fill(jacobian, p, slope, length, force);
-    lu.compute(jacobian);
-  };
-  for (;;) {
-    s.residual = at.residual.cwiseAbs().maxCoeff();
-    if (s.residual <= options.tolerance) {
-      s.status = ContactSolveStatus::converged;
-      break;
-    }
-    if (s.iterations() == options.max_iterations) break;
-    factorize();
-    const Eigen::VectorXd step = lu.solve(at.residual);
-    s.history.push_back({});
-    if (!step.allFinite()) {
-      s.status = ContactSolveStatus::singular;
-      break;
-    }
-    const double before = at.residual.squaredNorm();
-    Trial trial;
-    double share = 1.0;
-    int halvings = 0;
-    for (; halvings <= options.max_halvings; ++halvings, share *= 0.5) {
-      trial.y = at.y - share * step.head(n);
-      trial.motion = at.motion - share * step.tail(motions);
-      evaluate(trial);
-      if (trial.residual.squaredNorm() <= (1.0 - 1e-4 * share) * before) break;
-    }
-    if (halvings > options.max_halvings) {
-      s.status = ContactSolveStatus::line_search_failed;
-      break;
-    }
-    at = std::move(trial);
-    s.history.back() = {at.residual.cwiseAbs().maxCoeff(), share};
-  }
-  s.normal_load = at.loads.value;
-  s.approach = at.y.cwiseMax(0.0);
-  s.openings = (-at.y).cwiseMax(0.0);
-  s.motion = at.motion;
-  s.screw_motion = at.motion[0];
-  if (s.converged() && options.compliance) {
-    factorize();
-    Eigen::MatrixXd rate = Eigen::MatrixXd::Zero(n + motions, motions);
-    rate.bottomRows(motions).diagonal().setConstant(1.0 / force);  // units, relative
-    s.compliance = lu.solve(rate).bottomRows(motions);
-    s.tangent_stiffness = 1.0 / s.compliance(0, 0);
-  }
-  return s;
-}
 
 }  // namespace
 
@@ -142,34 +62,85 @@ Eigen::MatrixXd joined_flexibility(const Flexibility& screw, const Flexibility& 
 }
 
 ContactSolution solve(const ContactProblem& p, double force, const ContactSolveOptions& options) {
-  // Rigid bodies, equal shares: the largest gap closed as well.
   const Index n = p.gap.size();
+  const Eigen::Vector2d load(force, 0.0);
+
+  // Rigid bodies, equal shares: the largest gap closed as well.
   const auto half = static_cast<double>(p.contacts());
   Trial at;
   at.y.resize(n);
-  at.motion.resize(2);
   for (Index i = 0; i < n; ++i) {
     const double cosine = std::abs(p.rigid(i, 1));
     at.y[i] = std::pow(force / (half * cosine * p.hertz_constant[i]), 2.0 / 3.0);
   }
+  const double length = at.y.mean();
   const Index first_nut = n / 2;
   at.motion[1] = (at.y[first_nut] + p.gap.tail(n / 2).maxCoeff()) / p.rigid(first_nut, 1);
   at.motion[0] = at.motion[1] + (at.y[0] + p.gap.head(n / 2).maxCoeff()) / p.rigid(0, 0);
-  ContactSolution s = solve_from(std::move(at), p, Eigen::Vector2d(force, 0.0), options);
-  s.roller_motion = s.motion[1];
-  return s;
-}
 
-ContactSolution solve(const ContactProblem& p, const Eigen::VectorXd& load,
-                      const Eigen::VectorXd& stiffness, const ContactSolveOptions& options) {
-  const Index n = p.gap.size(), motions = load.size();
-  const double length = 1e-6, force = load.cwiseAbs().maxCoeff();
-  Eigen::MatrixXd jacobian(n + motions, n + motions);
-  fill(jacobian, p, stiffness, length, force);
-  Eigen::VectorXd right(n + motions);
-  right << -p.gap / length, load / force;
-  const Eigen::VectorXd linear = jacobian.partialPivLu().solve(right);
-  return solve_from({linear.head(n), linear.tail(motions), {}, {}}, p, load, options);
+  const auto evaluate = [&](Trial& t) {
+    t.loads = loads_at(p, t.y);
+    t.residual.resize(n + 2);
+    t.residual.head(n) =
+        (t.y + p.gap - p.rigid * t.motion + p.flexibility * t.loads.value) / length;
+    t.residual.tail<2>() = (p.rigid.transpose() * t.loads.value - load) / force;
+  };
+  evaluate(at);
+
+  ContactSolution s;
+  Eigen::MatrixXd jacobian(n + 2, n + 2);
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu(n + 2);
+  const auto factorize = [&] {
+    jacobian.topLeftCorner(n, n) = p.flexibility * at.loads.slope.asDiagonal();
+    jacobian.topLeftCorner(n, n).diagonal().array() += 1.0;
+    jacobian.topLeftCorner(n, n) /= length;
+    jacobian.topRightCorner(n, 2) = -p.rigid / length;
+    jacobian.bottomLeftCorner(2, n) = p.rigid.transpose() * at.loads.slope.asDiagonal() / force;
+    jacobian.bottomRightCorner<2, 2>().setZero();
+    lu.compute(jacobian);
+  };
+  for (;;) {
+    s.residual = at.residual.cwiseAbs().maxCoeff();
+    if (s.residual <= options.tolerance) {
+      s.status = ContactSolveStatus::converged;
+      break;
+    }
+    if (s.iterations() == options.max_iterations) break;
+    factorize();
+    const Eigen::VectorXd step = lu.solve(at.residual);
+    s.history.push_back({});
+    if (!step.allFinite()) {
+      s.status = ContactSolveStatus::singular;
+      break;
+    }
+    const double before = at.residual.squaredNorm();
+    Trial trial;
+    double share = 1.0;
+    int halvings = 0;
+    for (; halvings <= options.max_halvings; ++halvings, share *= 0.5) {
+      trial.y = at.y - share * step.head(n);
+      trial.motion = at.motion - share * step.tail<2>();
+      evaluate(trial);
+      if (trial.residual.squaredNorm() <= (1.0 - 1e-4 * share) * before) break;
+    }
+    if (halvings > options.max_halvings) {
+      s.status = ContactSolveStatus::line_search_failed;
+      break;
+    }
+    at = std::move(trial);
+    s.history.back() = {at.residual.cwiseAbs().maxCoeff(), share};
+  }
+  s.normal_load = at.loads.value;
+  s.approach = at.y.cwiseMax(0.0);
+  s.screw_motion = at.motion[0];
+  s.roller_motion = at.motion[1];
+  if (s.converged()) {
+    factorize();
+    Eigen::VectorXd rate = Eigen::VectorXd::Zero(n + 2);
+    rate[n] = 1.0 / force;  // a unit of force, in relative equilibrium
+    s.tangent_stiffness = 1.0 / lu.solve(rate)[n];
+  }
+  return s;
 }
 
 }  // namespace prs

@@ -15,11 +15,10 @@ namespace prs {
 /// that they cause:
 ///
 ///     w = R U - C N,   N = k_0 <w - g>^1.5,   R' N = (F, 0).
-///
-/// More rollers and motions likewise, with another right-hand side. SI units.
+/// SI units.
 struct ContactProblem {
   Eigen::MatrixXd flexibility;     ///< C [m/N], symmetric.
-  Eigen::MatrixXd rigid;           ///< R, first of the screw, then of each roller [-].
+  Eigen::MatrixXd rigid;           ///< R, first of the screw, then of the roller [-].
   Eigen::VectorXd hertz_constant;  ///< k_0 [N/m^1.5]
   Eigen::VectorXd gap;             ///< g, initial gap along the normal [m].
 
@@ -40,9 +39,6 @@ struct ContactSolveOptions {
   /// Largest error of a compatibility condition over the mean Hertz approach, and of an equilibrium
   /// condition over the load.
   double tolerance = 1e-12;
-  /// Least slope dN/dy in the matrix of a step, never in the residual [N/m].
-  double least_tangent = 0.0;
-  bool compliance = true;  ///< Work out the tangent at the solution.
   int max_iterations = 50;
   int max_halvings = 40;
 };
@@ -55,23 +51,23 @@ struct ContactIteration {
   double step_length = 0.0;  ///< 1 is the full Newton step.
 };
 
-/// Says why the solver stopped; born failed.
-struct ContactSolution {
+/// Says why a solver stopped; born failed.
+struct ContactSummary {
   ContactSolveStatus status = ContactSolveStatus::iteration_limit;
   std::vector<ContactIteration> history;
-  double residual = 0.0;         ///< Largest, relative as in the options.
-  Eigen::VectorXd normal_load;   ///< N, screw then nut [N].
-  Eigen::VectorXd approach;      ///< delta = <w - g> [m]
-  Eigen::VectorXd openings;      ///< <g - w> of those that are open [m].
-  double screw_motion = 0.0;     ///< U of the screw's loaded section [m].
-  double roller_motion = 0.0;    ///< U of the roller [m].
-  Eigen::VectorXd motion;        ///< U
-  double tangent_stiffness = 0;  ///< dF/dU of the first motion at the load [N/m].
-  Eigen::MatrixXd compliance;    ///< dU/dF of all motions at the load.
+  double residual = 0.0;  ///< Largest, relative as in the options.
 
   bool converged() const { return status == ContactSolveStatus::converged; }
   /// Linear solves.
   int iterations() const { return static_cast<int>(history.size()); }
+};
+
+struct ContactSolution : ContactSummary {
+  Eigen::VectorXd normal_load;   ///< N, screw then nut [N].
+  Eigen::VectorXd approach;      ///< delta = <w - g> [m]
+  double screw_motion = 0.0;     ///< U of the screw's loaded section [m].
+  double roller_motion = 0.0;    ///< U of the roller [m].
+  double tangent_stiffness = 0;  ///< dF/dU of the screw at the load [N/m].
 };
 
 /// Newton on the approaches y = w - g and U, from rigid bodies that share the load equally:
@@ -84,9 +80,5 @@ struct ContactSolution {
 /// meaning. `force` is the axial force on the sector [N], > 0. A few 10 us for 40 contacts.
 ContactSolution solve(const ContactProblem& problem, double force,
                       const ContactSolveOptions& options = {});
-
-/// The same with R' N = `load`, from linear contacts of the given stiffness [N/m].
-ContactSolution solve(const ContactProblem& problem, const Eigen::VectorXd& load,
-                      const Eigen::VectorXd& stiffness, const ContactSolveOptions& options);
 
 }  // namespace prs

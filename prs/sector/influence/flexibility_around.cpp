@@ -6,6 +6,7 @@
 
 #include "prs/sector/influence/body_solver.h"
 #include "prs/sector/influence/loaded_bodies.h"
+#include "prs/sector/section_properties.h"
 
 namespace prs {
 namespace {
@@ -16,14 +17,20 @@ using fe::Component;
 /// Harmonics of a nut that reach beyond its rollers.
 constexpr int kWholeNut = 6;
 
-/// All that the matrices of unlike loads depend on.
+/// All that the harmonics from 2 on depend on.
 struct UnlikeLoads {
   HeldNut body;  ///< Or a screw, held where it starts.
   Teeth teeth;
-  std::vector<double> sections;
   int whole = 1;  ///< Highest harmonic on the whole body.
 };
-PRS_MEMBERS(UnlikeLoads, body, teeth, sections, whole)
+PRS_MEMBERS(UnlikeLoads, body, teeth, whole)
+
+/// All that harmonic 1 depends on.
+struct ClampedBody {
+  HeldNut body;
+  std::vector<double> sections;
+};
+PRS_MEMBERS(ClampedBody, body, sections)
 
 /// Sums of harmonics by the mode that sees them.
 class Modes {
@@ -69,33 +76,55 @@ double left_out(const HertzPatch& patch, const Material& material, double radius
   return sum;
 }
 
+/// A moment of 1 N m on a section, in harmonic 1, which turns its slope; also the weights of its
+/// mean slope, by axial displacements -r y'.
+Eigen::VectorXd turning_moment(const GroovedBody& body,
+                               const std::vector<fe::MeridianEdge>& section) {
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(fe::kComponents * body.mesh.size());
+  for (const fe::MeridianEdge& e : section)
+    fe::add_edge_load(
+        body.mesh, e, 1, [](double r, double) { return Eigen::Vector3d(0.0, 0.0, -r); }, load);
+  double turned = 0.0;
+  for (const int node : nodes_of(section))
+    turned -= load[fe::row_of(node, Component::axial)] *
+              body.mesh.nodes[static_cast<std::size_t>(node)].x();
+  return load / turned;
+}
+
+/// Harmonic 1 of a clamped body: threads by threads, threads by sections, sections by sections.
+MatrixCache::Matrices bent_around(const ClampedBody& given) {
+  const LoadedBody& loaded = given.body.body;
+  const GroovedBody body = loaded.meshed();
+  const auto threads = static_cast<Index>(loaded.flanks.size());
+  const auto ends = 2 * static_cast<Index>(given.sections.size());
+  std::vector<fe::HarmonicSupport> clamped;
+  for (const int node : held_nodes(body, given.body))
+    for (const Component c : {Component::radial, Component::circumferential, Component::axial})
+      clamped.push_back({node, c});
+  Eigen::MatrixXd loads(fe::kComponents * body.mesh.size(), threads + ends);
+  loads.leftCols(threads) = patch_loads(body, 1);
+  for (std::size_t k = 0; k < given.sections.size(); ++k) {
+    const auto column = threads + 2 * static_cast<Index>(k);
+    const std::vector<fe::MeridianEdge>& section = body.section(given.sections[k]);
+    loads.col(column) = transverse_force(body, section);
+    loads.col(column + 1) = turning_moment(body, section);
+  }
+  fe::HarmonicBody solver(body.mesh, isotropic(loaded.material), 1, clamped);
+  const Eigen::MatrixXd g = flexibility_of(solver, 1, loads);
+  return {g.topLeftCorner(threads, threads), g.topRightCorner(threads, ends),
+          g.bottomRightCorner(ends, ends)};
+}
+
 MatrixCache::Matrices unlike_modes(const UnlikeLoads& given) {
   const Teeth& t = given.teeth;
   const HertzPatch& patch = t.types.front().patch;
   const int last =
       static_cast<int>(t.options.largest_wave * t.groove.pitch_radius / patch.along_circumference);
-  const GroovedBody body = given.body.body.meshed();
-  const fe::Isotropic material = isotropic(t.material);
-  const auto threads = static_cast<Index>(t.contacts);
   Modes modes(t.first, t.contacts);
-
-  std::vector<fe::HarmonicSupport> clamped;
-  for (const int node : held_nodes(body, given.body))
-    for (const Component c : {Component::radial, Component::circumferential, Component::axial})
-      clamped.push_back({node, c});
-  Eigen::MatrixXd loads(fe::kComponents * body.mesh.size(),
-                        threads + static_cast<Index>(given.sections.size()));
-  loads.leftCols(threads) = patch_loads(body, 1);
-  for (std::size_t k = 0; k < given.sections.size(); ++k)
-    loads.col(threads + static_cast<Index>(k)) =
-        transverse_force(body, body.section(given.sections[k]));
-  fe::HarmonicBody bent(body.mesh, material, 1, clamped);
-  const Eigen::MatrixXd first = flexibility_of(bent, 1, loads);
-  modes.add(1, first.topLeftCorner(threads, threads));
-
   const int whole = std::min(given.whole, last);
   if (whole >= 2) {
-    fe::HarmonicBody oval(body.mesh, material, 2);
+    const GroovedBody body = given.body.body.meshed();
+    fe::HarmonicBody oval(body.mesh, isotropic(t.material), 2);
     for (int n = 2; n <= whole; ++n)
       if (modes.of(n) != 0) modes.add(n, flexibility_of(oval, n, patch_loads(body, n)));
   }
@@ -111,21 +140,51 @@ MatrixCache::Matrices unlike_modes(const UnlikeLoads& given) {
         left_out(patch, t.material, t.groove.pitch_radius, m, t.first, last) - own;
     matrices.push_back(std::move(modes.sum(m)));
   }
-  matrices.push_back(first.topRightCorner(threads, first.cols() - threads));
-  matrices.push_back(first.bottomRightCorner(first.cols() - threads, first.cols() - threads));
   return matrices;
 }
 
-FlexibilityAround around(UnlikeLoads given, const Flexibility& alike, MatrixCache& cache) {
-  GroovedShape& shape = given.body.body.shape;
-  shape.sections.insert(shape.sections.end(), given.sections.begin(), given.sections.end());
-  const auto kept = cached(cache, "unlike loads", given, unlike_modes);
+FlexibilityAround around(const UnlikeLoads& given, const std::vector<double>& sections,
+                         const Flexibility& alike, MatrixCache& cache) {
+  ClampedBody clamped{given.body, sections};
+  std::vector<double>& columns = clamped.body.body.shape.sections;
+  columns.insert(columns.end(), sections.begin(), sections.end());
+  const auto first = cached(cache, "clamped body", clamped, bent_around);
+  const auto kept = cached(cache, "uneven loads", given, unlike_modes);
   FlexibilityAround f;
   f.modes.push_back(alike.matrix);
-  f.modes.insert(f.modes.end(), kept->begin(), kept->end() - 2);
-  f.coupling = *(kept->end() - 2);
-  f.sections = kept->back();
+  f.modes.insert(f.modes.end(), kept->begin(), kept->end());
+  if (f.modes.size() > 1)
+    f.modes[1] += Modes(given.teeth.first, given.teeth.contacts).weight(1) * (*first)[0];
+  f.coupling = (*first)[1];
+  f.sections = (*first)[2];
   return f;
+}
+
+/// Displacement across the axis and slope at the distance `at` from the clamped end of a beam by a
+/// unit force and a unit moment at the distance `from`.
+Eigen::Matrix2d cantilever(const RollerSection<double>& beam, double at, double from) {
+  const double s = std::min(at, from);
+  Eigen::Matrix2d f;
+  f << at * from * s - 0.5 * (at + from) * s * s + s * s * s / 3.0, at * s - 0.5 * s * s,
+      from * s - 0.5 * s * s, s;
+  f /= beam.bending;
+  f(0, 0) += s / beam.shear;
+  return f;
+}
+
+/// Moves loads on the last section of a body to where they act, so far behind it on a beam.
+void lengthen(FlexibilityAround& f, const RollerSection<double>& beam,
+              const std::vector<double>& behind) {
+  const auto sections = static_cast<Index>(behind.size());
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Identity(2 * sections, 2 * sections);
+  for (Index k = 0; k < sections; ++k)
+    moved(2 * k + 1, 2 * k) = behind[static_cast<std::size_t>(k)];
+  f.coupling *= moved;
+  f.sections = moved.transpose() * f.sections * moved;
+  for (Index i = 0; i < sections; ++i)
+    for (Index j = 0; j < sections; ++j)
+      f.sections.block<2, 2>(2 * i, 2 * j) += cantilever(beam, behind[static_cast<std::size_t>(i)],
+                                                         behind[static_cast<std::size_t>(j)]);
 }
 
 }  // namespace
@@ -144,20 +203,27 @@ FlexibilityAround screw_around(const BodyGeometry& b, Direction direction,
                                const std::vector<double>& sections,
                                const FlexibilityOptions& options, MatrixCache& cache) {
   const LoadedBody body = loaded_screw(b, direction, options);
-  std::vector<double> within;
-  for (const double section : sections)
+  std::vector<double> within, behind;
+  for (const double section : sections) {
     within.push_back(std::clamp(section, body.shape.start, body.shape.end));
-  return around(
-      {{body, body.shape.start, false}, teeth_of(b, Part::screw, direction, options), within, 1},
-      screw_flexibility(b, direction, options, cache), cache);
+    behind.push_back(std::max(section - body.shape.end, 0.0));
+  }
+  FlexibilityAround f =
+      around({{body, body.shape.start, false}, teeth_of(b, Part::screw, direction, options), 1},
+             within, screw_flexibility(b, direction, options, cache), cache);
+  lengthen(f,
+           ring_rigidity(body.material, 2.0 * b.grooves.screw.pitch_radius, b.structure.screw.bore,
+                         true),
+           behind);
+  return f;
 }
 
 FlexibilityAround nut_around(const BodyGeometry& b, Direction direction, double position,
                              const std::vector<double>& sections, const FlexibilityOptions& options,
                              MatrixCache& cache) {
   return around({held_nut(b, direction, position, options),
-                 teeth_of(b, Part::nut, direction, options), sections, kWholeNut},
-                nut_flexibility(b, direction, position, options, cache), cache);
+                 teeth_of(b, Part::nut, direction, options), kWholeNut},
+                sections, nut_flexibility(b, direction, position, options, cache), cache);
 }
 
 }  // namespace prs

@@ -18,9 +18,10 @@ struct FlexibilityAround {
   /// m = 0 .. N/2, each a matrix over the threads; m = 0 is `Flexibility::matrix`. Without the
   /// half-space part of a contact's own patch.
   std::vector<Eigen::MatrixXd> modes;
-  /// Harmonic 1 at the threads by a unit force across the axis, spread over each of given sections.
+  /// Harmonic 1 at the threads by unit loads on given sections, two columns for each: a force
+  /// across the axis, spread over it, and a moment that turns its slope.
   Eigen::MatrixXd coupling;
-  /// Mean displacements of the sections across the axis by these forces.
+  /// Mean displacement across the axis and slope of each section by these loads.
   Eigen::MatrixXd sections;
 
   /// G between rollers that stand `spacings` apart, of N.
@@ -29,7 +30,7 @@ struct FlexibilityAround {
 
 /// Screw: n = 1 on the whole body, its loaded section clamped; higher harmonics on a block of equal
 /// ridges up to n a_t/r = `largest_wave`, then those of the half-space. `sections` are axial places
-/// from the loaded section [m], its ends where they lie beyond.
+/// from the loaded section [m]. Behind the body a beam of its pitch diameter goes on to them.
 FlexibilityAround screw_around(const BodyGeometry& body, Direction direction,
                                const std::vector<double>& sections,
                                const FlexibilityOptions& options,

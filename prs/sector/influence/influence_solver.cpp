@@ -79,7 +79,7 @@ LoadDistribution InfluenceSolver::solve(double axial_force) const {
   return d;
 }
 
-fe::NewtonSummary newton_summary(const ContactSolution& s,
+fe::NewtonSummary newton_summary(const ContactSummary& s,
                                  const std::vector<ContactIteration>& history) {
   fe::NewtonSummary summary;
   summary.status = newton_status(s.status);

@@ -26,7 +26,7 @@ class InfluenceSolver {
 };
 
 /// How a solve, or several in a row, ended.
-fe::NewtonSummary newton_summary(const ContactSolution& solution,
+fe::NewtonSummary newton_summary(const ContactSummary& summary,
                                  const std::vector<ContactIteration>& history);
 
 /// What the bodies of a case are worked out from.

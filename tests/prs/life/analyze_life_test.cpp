@@ -1,5 +1,6 @@
 #include "prs/life/analyze_life.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -616,6 +617,52 @@ TEST(FullLife, RatesEachPartByTheLoadsThatItMeets) {
   }
   ASSERT_TRUE(r.weakest);
   EXPECT_EQ(r.weakest->life, shortest);
+}
+
+/// Few loads are solved one by one, many are interpolated: damages of two halves add up.
+TEST(FullLife, OfManyLoadsIsThatOfTheirHalves) {
+  constexpr int kMany = 60;
+  const auto life_of = [](int first, int last) {
+    std::string loads;
+    for (int k = first; k < last; ++k)
+      loads += fmt::format("{}{{force: {} N, direction: tension, share: {}}}",
+                           loads.empty() ? "" : ", ", 200 + 150 * k, 1.0 / (last - first));
+    return analyze_life(life_case(
+        "{position: 29.1666667 mm, spectrum: [" + loads + "]}",
+        {"model={mechanism: full}", "mechanism.rollers=5", "mechanism.contacts_per_roller=4",
+         "deviations={roller_diameter: [20 um, 0 um, 0 um, -1 um, 0 um]}",
+         "load_cases=[{name: aside, axial_force: 9 kN, direction: tension, position: "
+         "29.1666667 mm, side_force: {y: 2 N, z: 0 N}, orbit: {steps: 2}}]"}));
+  };
+  const LifeResult all = life_of(0, kMany), low = life_of(0, kMany / 2),
+                   high = life_of(kMany / 2, kMany);
+  ASSERT_TRUE(all.converged() && low.converged() && high.converged());
+  EXPECT_EQ(low.flanks.tension->interpolation_error, 0.0);
+  EXPECT_GT(all.flanks.tension->interpolation_error, 0.0);
+  const auto mean = [](double a, double b) { return std::cbrt(0.5 * (a * a * a + b * b * b)); };
+  for (const Interface i : kInterfaces) {
+    const RollerLives &a = *all.flanks.tension->threads[i].rollers,
+                      &b = *low.flanks.tension->threads[i].rollers,
+                      &c = *high.flanks.tension->threads[i].rollers;
+    const double largest = std::ranges::max(a.equivalent_load);
+    for (std::size_t k = 0; k < a.equivalent_load.size(); ++k)
+      EXPECT_NEAR(a.equivalent_load[k], mean(b.equivalent_load[k], c.equivalent_load[k]),
+                  2e-4 * largest);
+  }
+}
+
+TEST(FullLife, SaysWhichLoadIsNotHeldAndWhere) {
+  const LifeResult r = analyze_life(life_case(
+      "{position: 29.1666667 mm, spectrum: [{force: 9 kN, direction: tension, share: 0.5}, "
+      "{force: 500 N, direction: tension, share: 0.5}]}",
+      {"model={mechanism: full}",
+       "load_cases=[{name: aside, axial_force: 9 kN, direction: "
+       "tension, position: 29.1666667 mm, side_force: {y: 400 N, z: 0 "
+       "N}}]"}));
+  ASSERT_FALSE(r.converged());
+  EXPECT_THAT(*r.failure, testing::HasSubstr("under 500 N in tension"));
+  EXPECT_THAT(*r.failure, testing::HasSubstr("no equilibrium: flanks that only push"));
+  EXPECT_THAT(*r.failure, testing::HasSubstr("(carrier at 0 deg)"));
 }
 
 TEST(FullLife, SaysWhyNothingHoldsTheLoad) {

@@ -156,5 +156,42 @@ TEST(ForceHistory, StandsBesideTheInput) {
   }
 }
 
+TEST(ForceHistory, LiesInTheFolderOfTheInputUnlessAnOverrideNamesIt) {
+  const test::TemporaryDirectory elsewhere, directory;
+  const std::string text = "t,load,n\n0,1,2\n1,2,2\n";
+  std::filesystem::create_directory(directory.path() / "data");
+  std::ofstream(directory.path() / "data" / "flight.csv") << text;
+  const std::filesystem::path outside = elsewhere.path() / "flight.csv";
+  std::ofstream(outside) << text;
+  std::filesystem::create_symlink(outside, directory.path() / "link.csv");
+  const auto read = [&](const std::string& file, std::vector<std::string> overrides) {
+    Source source = kSource;
+    source.name = directory.path() / "case.yaml";
+    source.overrides = std::move(overrides);
+    HistorySource h = wanted();
+    h.file = file;
+    return read_force_history(h, source).force;
+  };
+  for (const std::string& inside :
+       {std::string("data/flight.csv"), std::string("./data/../data/flight.csv"),
+        (directory.path() / "data" / "flight.csv").string()})
+    EXPECT_THAT(read(inside, {}), ElementsAre(1e3, 2e3)) << inside;
+
+  const std::string relative = std::filesystem::relative(outside, directory.path()).string();
+  for (const std::string& file : {outside.string(), relative, std::string("link.csv"),
+                                  (elsewhere.path() / "missing.csv").string()}) {
+    try {
+      read(file, {});
+      ADD_FAILURE() << file;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), AllOf(HasSubstr("case.yaml:3:11: error: life.history.file: got "),
+                                      HasSubstr("expected a file in the folder of the case"),
+                                      HasSubstr("--set life.history.file=")));
+    }
+  }
+  for (const std::string& file : {outside.string(), relative, std::string("link.csv")})
+    EXPECT_THAT(read(file, {"life.history.file=" + file}), ElementsAre(1e3, 2e3)) << file;
+}
+
 }  // namespace
 }  // namespace prs::input

@@ -115,18 +115,32 @@ Search three_designs() {
 }
 
 TEST(CompromiseOf, ChoosesByEachRule) {
-  Optimization optimization = test::two_objectives({});
-  const Search search = three_designs();
+  OptimizationResult result{test::two_objectives({}), {}, three_designs(), {}, {}};
+  result.front = result.search.front;
   const auto chosen = [&](Compromise compromise) {
-    optimization.compromise = std::move(compromise);
-    return compromise_of(optimization, search);
+    result.optimization.compromise = std::move(compromise);
+    return compromise_of(result);
   };
   EXPECT_EQ(chosen({Compromise::By::ideal, {}, 0}), 1);
   EXPECT_EQ(chosen({Compromise::By::knee, {}, 0}), 1);
   EXPECT_EQ(chosen({Compromise::By::weights, {1.0, 0.1}, 0}), 0);
   EXPECT_EQ(chosen({Compromise::By::weights, {0.1, 1.0}, 0}), 2);
   EXPECT_EQ(chosen({Compromise::By::best, {}, 1}), 2);
-  EXPECT_FALSE(compromise_of(optimization, Search{}));
+  result.front.clear();
+  EXPECT_FALSE(compromise_of(result));
+}
+
+TEST(JointFront, HasWhatNeitherSearchDominates) {
+  OptimizationResult result{test::two_objectives({}), {}, three_designs(), {}, {}};
+  EXPECT_EQ(joint_front(result), (std::vector<std::size_t>{0, 1, 2}));
+  // The second design beats one of the search, the third is one of them, the fourth is no front's.
+  result.check =
+      Search{Algorithm::moead,
+             {with({99.0, 99.0}), with({11.0, 5.7}), with({20.0, 5.0}), with({1.0, 1.0})},
+             {1, 2}};
+  EXPECT_EQ(joint_front(result), (std::vector<std::size_t>{0, 5, 2}));
+  EXPECT_EQ(result.design(5).responses, (std::vector{11.0, 5.7}));
+  EXPECT_EQ(result.search_of(5).algorithm, Algorithm::moead);
 }
 
 TEST(CompareFronts, MeasuresBothInOneBox) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/processes.h"
+#include "tests/prs/input/abevi.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 #include "yao_file.h"
@@ -68,6 +69,35 @@ TEST_F(OptimizeCommand, FindsYaosOptimum) {
     EXPECT_NEAR(best["difference_percent"].get<double>(), 0.0, 1.0) << best;
 }
 
+/// A force off the axis undoes a moment: at (y, z) = (-M_z, M_y)/F the screw carries as if aligned.
+TEST_F(OptimizeCommand, AForceOffTheAxisUndoesAMoment) {
+  const std::string lesson =
+      test::content_of(fs::path(PRS_SOURCE_DIR) / "configs/25_side_load.yaml");
+  std::string text = lesson.substr(0, lesson.find("load_cases:"));
+  text.replace(text.find("rollers: 11"), 11, "rollers: 5");
+  text.replace(text.find("contacts_per_roller: 20"), 23, "contacts_per_roller: 4");
+  std::ofstream(file)
+      << text
+      << "load_cases:\n"
+         "  - {name: bent, axial_force: 9 kN, direction: tension, position: 29.1666667 mm,\n"
+         "     moment: {y: 6 N m, z: 9 N m}}\n"
+         "optimize:\n"
+         "  command: solve\n"
+         "  variables:\n"
+         "    - {path: 'load_cases[0].eccentricity.y', from: -2 mm, to: 2 mm}\n"
+         "    - {path: 'load_cases[0].eccentricity.z', from: -2 mm, to: 2 mm}\n"
+         "  objectives:\n"
+         "    - {minimize: screw.overload_factor}\n"
+         "  algorithm: sade\n  population: 12\n  generations: 60\n";
+  const Outcome run = prs(optimize("--json"));
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json result = json::parse(run.out);
+  EXPECT_GT(result["initial"]["responses"]["screw.overload_factor"].get<double>(), 1.5)
+      << result["initial"];
+  const json& best = result["compromise"];
+  EXPECT_NEAR(best["responses"]["screw.overload_factor"].get<double>(), 1.0, 1e-3) << best;
+}
+
 TEST_F(OptimizeCommand, DesignsAreWhatContactSaysOfThem) {
   write(kPressures + "  population: 8\n  generations: 3");
   const fs::path output = temporary.path() / "o";
@@ -104,6 +134,23 @@ TEST_F(OptimizeCommand, FilesDependOnTheSeedNotOnThreads) {
   const fs::path other = temporary.path() / "other";
   ASSERT_EQ(prs(into(other, "--set optimize.seed=2")).status, 0);
   EXPECT_NE(files.at("history.csv"), files_in(other).at("history.csv"));
+}
+
+/// Measures under two load cases, by algorithms that hand over a generation at a time.
+TEST_F(OptimizeCommand, ThreadsDoNotMatterWhereLoadCasesAreSolved) {
+  std::ofstream(file) << input::kAbevi
+                      << "optimize:\n  command: measures\n  variables:\n"
+                         "    - {path: deviations.crowning, from: 0 um, to: 20 um}\n"
+                         "    - {path: mechanism.flank_angle, from: 40 deg, to: 60 deg}\n"
+                         "  objectives: [{minimize: measures.largest_load_rate_percent}]\n"
+                         "  constraints: [{response: "
+                         "'load_cases[1].measures.largest_load_rate_percent', at_most: {initial: "
+                         "1.1}}]\n  algorithm: sade\n  check: cmaes\n  population: 21\n  "
+                         "generations: 6\n";
+  const fs::path one = temporary.path() / "1", two = temporary.path() / "2";
+  ASSERT_EQ(prs(into(one, "--threads 1")).status, 0);
+  ASSERT_EQ(prs(into(two, "--threads 2")).status, 0);
+  EXPECT_TRUE(files_in(one) == files_in(two));
 }
 
 TEST_F(OptimizeCommand, EndsTheSameHoweverOftenItIsStopped) {

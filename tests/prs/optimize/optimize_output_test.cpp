@@ -60,7 +60,7 @@ TEST(OptimizeCsv, HasARowForEachDesign) {
   EXPECT_GT(refused, 0);
 
   const std::vector<std::string> front = lines(front_csv(result));
-  ASSERT_THAT(front, SizeIs(1 + result.search.front.size()));
+  ASSERT_THAT(front, SizeIs(1 + result.front.size()));
   EXPECT_EQ(front[0], "design,compromise,x_mm,y,f,g,c,d");
   EXPECT_EQ(
       std::ranges::count_if(
@@ -72,11 +72,18 @@ TEST(OptimizeJson, CompromiseIsOneOfTheFront) {
   const OptimizationResult result = problem().run();
   const auto document = optimize_json(result, {});
   const auto& chosen = document["compromise"];
-  const auto& front = document["search"]["front"];
-  const auto found = std::ranges::find_if(
-      front, [&](const auto& design) { return design["design"] == chosen["design"]; });
-  ASSERT_NE(found, front.end());
-  EXPECT_EQ((*found)["responses"], chosen["responses"]);
+  EXPECT_THAT(document["front"], testing::Contains(chosen["design"]));
+  for (const auto& number : document["front"]) {
+    const bool of_search = number <= result.search.designs.size();
+    const auto& search = document[of_search ? "search" : "check"];
+    const auto& front = search["front"];
+    const auto found =
+        std::ranges::find_if(front, [&](const auto& design) { return design["design"] == number; });
+    ASSERT_NE(found, front.end());
+    if (number != chosen["design"]) continue;
+    EXPECT_EQ((*found)["responses"], chosen["responses"]);
+    EXPECT_EQ(search["algorithm"], chosen["algorithm"]);
+  }
   EXPECT_THAT(chosen["constraints"], SizeIs(2));
   EXPECT_THAT(chosen["set"], SizeIs(2));
   EXPECT_EQ(document["comparison"]["best"].size(), 2);
@@ -90,14 +97,17 @@ TEST(OptimizeFigures, HistoryAndFrontShowEveryDesignOnce) {
   EXPECT_EQ(figures[1].name, "front");
   ASSERT_THAT(figures[0].panels, SizeIs(2));
   const std::vector<Series>& lines = figures[0].panels[0].series;
-  const auto feasible = static_cast<std::size_t>(
-      std::ranges::count_if(result.search.designs, &EvaluatedDesign::is_feasible));
-  EXPECT_THAT(lines[1].parts.at(0), SizeIs(feasible));
+  const auto feasible_of = [](const Search& search) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(search.designs, &EvaluatedDesign::is_feasible));
+  };
+  const std::size_t feasible = feasible_of(result.search);
+  EXPECT_THAT(lines[1].parts.at(0), SizeIs(feasible + feasible_of(*result.check)));
   // The best so far falls from the first to the best feasible design.
   const Polyline& best = lines[2].parts.at(0);
   EXPECT_TRUE(std::ranges::is_sorted(best, std::ranges::greater{}, [](auto& p) { return p[1]; }));
-  EXPECT_EQ(best.back()[1], result.search.designs[result.search.front[0]].responses[0]);
-  EXPECT_EQ(best.back()[0], 200.0);
+  EXPECT_EQ(best.back()[1], result.design(result.front[0]).responses[0]);
+  EXPECT_EQ(best.back()[0], 400.0);
   const std::vector<Series>& front = figures[1].panels.at(0).series;
   EXPECT_THAT(front[0].parts.at(0), SizeIs(feasible));
   EXPECT_THAT(front[1].parts.at(0), SizeIs(result.check->front.size()));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "known_problems.h"
 #include "prs/components/search.h"
@@ -127,6 +128,60 @@ std::vector<std::vector<double>> answers(const OptimizationResult& result) {
     if (search)
       for (const EvaluatedDesign& design : search->designs) all.push_back(design.responses);
   return all;
+}
+
+/// Searches whose next points do not depend on the answers within a generation.
+TEST(Optimizer, AsksForAGenerationAtOnce) {
+  for (const Algorithm algorithm : {Algorithm::sade, Algorithm::cmaes, Algorithm::pso}) {
+    test::Problem problem = test::zdt1(3);
+    problem.optimization.study.responses = {"f"};
+    problem.optimization.objectives = {{0, false}};
+    problem.optimization.algorithm = algorithm;
+    problem.optimization.population = 12;
+    problem.optimization.generations = 20;
+    problem.answer = [](const std::vector<double>& x) { return std::vector{x[0] + x[1] * x[2]}; };
+    Journal journal = Journal::temporary(problem.header());
+    const EvaluateDesigns one_by_one = problem.evaluate();
+    std::vector<std::size_t> sizes;
+    const EvaluateDesigns counted = [&](const std::vector<std::vector<Draw>>& designs) {
+      sizes.push_back(designs.size());
+      return one_by_one(designs);
+    };
+    ASSERT_TRUE(optimize(problem.optimization, counted, journal, {}));
+    ASSERT_EQ(sizes.size(), 21) << name(algorithm);
+    EXPECT_EQ(sizes[0], 1);
+    EXPECT_EQ(std::ranges::count(sizes, 12U), 20) << name(algorithm);
+  }
+}
+
+/// Both searches start from other designs and end at other ones; the better one counts.
+TEST(Optimizer, DeliversTheBetterOfBothSearches) {
+  test::Problem problem = test::zdt1(4);
+  problem.optimization.study.responses = {"f"};
+  problem.optimization.objectives = {{0, false}};
+  problem.optimization.population = 8;
+  problem.optimization.generations = 12;
+  problem.answer = [](const std::vector<double>& x) {
+    double sum = 0.0;
+    for (const double xi : x) sum += (xi - 0.3) * (xi - 0.3) + 0.1 * std::cos(20.0 * xi);
+    return std::vector{sum};
+  };
+  std::size_t of_check = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    problem.optimization.seed = seed;
+    problem.optimization.algorithm = Algorithm::sade;
+    problem.optimization.check = Algorithm::cmaes;
+    const OptimizationResult result = problem.run();
+    ASSERT_TRUE(result.compromise);
+    const double best = result.search.designs[result.search.front.at(0)].responses[0];
+    const double other = result.check->designs[result.check->front.at(0)].responses[0];
+    EXPECT_EQ(result.chosen()->responses[0], std::min(best, other));
+    EXPECT_EQ(&result.search_of(*result.compromise),
+              best <= other ? &result.search : &*result.check);
+    of_check += other < best;
+  }
+  EXPECT_GT(of_check, 0);
+  EXPECT_LT(of_check, 8);
 }
 
 TEST(Optimizer, SeedDecides) {

@@ -6,13 +6,24 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
+#include <utility>
 
+#include "prs/heat/analyze_heat.h"
+#include "prs/input/force_history.h"
 #include "prs/input/reader.h"
+#include "prs/life/analyze_life.h"
 #include "prs/loads/analyze.h"
+#include "prs/measures/analyze_measures.h"
 #include "prs/quantities/json.h"
+#include "prs/quantities/life_json.h"
+#include "prs/quantities/measures_json.h"
 #include "prs/slip/slip.h"
+#include "prs/study/designs.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
 #include "tests/prs/input/abevi.h"
@@ -35,6 +46,93 @@ std::optional<std::string> reason(const RowBlock& block, std::size_t row) {
   for (const RowBlock::Failure& failure : block.failures)
     if (failure.row == row) return failure.status.name + ": " + failure.status.reason;
   return std::nullopt;
+}
+
+/// What a command says of a case, as documents and as responses read it.
+struct Said {
+  nlohmann::ordered_json document;
+  std::function<std::optional<double>(const ResultNumber&)> read;
+};
+
+Said said_by(Command command, const Case& c, const input::Source& source) {
+  if (command == Command::life) {
+    std::optional<LoadHistory> history;
+    if (c.life->history) history = input::read_force_history(*c.life->history, source);
+    const auto lives = std::make_shared<LifeResult>(analyze_life(c, history));
+    return {life_json(*lives, {}), [lives](const ResultNumber& number) {
+              return number.value({.contacts = lives->contacts, .life = &*lives});
+            }};
+  }
+  const auto result = std::make_shared<MeasuresResult>();
+  if (command == Command::measures)
+    *result = analyze_measures(c);
+  else
+    result->analysis = command == Command::contact ? analyze_contacts(c)
+                       : command == Command::slip  ? analyze_heat(c)
+                                                   : analyze(c);
+  const bool measures = command == Command::measures;
+  return {measures ? measures_json(*result, {}) : to_json(result->analysis, {}),
+          [result, measures](const ResultNumber& number) {
+            const Result& analysis = result->analysis;
+            Answer answer{.contacts = analysis.contacts};
+            if (measures) answer.measures = &result->measures;
+            if (analysis.heat_cycle) answer.cycle = &*analysis.heat_cycle;
+            if (number.load_case) {
+              const std::size_t k = *number.load_case;
+              if (k >= analysis.load_cases.size()) return std::optional<double>();
+              answer.load_case = &analysis.load_cases[k];
+              if (measures && result->load_measures[k])
+                answer.load_measures = &*result->load_measures[k];
+            }
+            return number.value(answer);
+          }};
+}
+
+/// Every number of what a lesson says to a command, those of further load cases, and summaries.
+TEST(ResultNumber, SaysWhatTheDocumentSaysToEveryCommand) {
+  const std::pair<const char*, Command> lessons[] = {
+      {"07_contact_geometry", Command::contact}, {"03_load_sweep", Command::solve},
+      {"14_flight_spectrum", Command::life},     {"18_design_measures", Command::measures},
+      {"23_crowning", Command::measures},        {"26_unequal_rollers", Command::solve},
+      {"28_driving_load", Command::slip},        {"30_duty_cycle", Command::slip}};
+  // About the solution, not the design.
+  const std::set<std::string> left{"iterations", "relative_residual", "slip.evaluations",
+                                   "slip.relative_residue", "heat.evaluations"};
+  std::size_t compared = 0;
+  for (const auto& [lesson, command] : lessons) {
+    const input::Source source =
+        input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson + ".yaml", {});
+    const Said said = said_by(command, input::read_case_input(source, command).values, source);
+    std::vector<std::string> paths = response_paths(said.document);
+    for (std::size_t k = 0, count = paths.size(); k < count; ++k) {
+      const std::string path = paths[k];
+      if (!path.ends_with(".max")) continue;
+      const std::string series = path.substr(0, path.size() - 4);
+      for (const char* word : {".min", ".mean", "[0]", "[2]", "[0][1]", "[99]"})
+        paths.push_back(series + word);
+    }
+    for (std::size_t k = 0, count = paths.size(); k < count; ++k)
+      for (const char* load_case : {"load_cases[0].", "load_cases[1].", "load_cases[77]."})
+        paths.push_back(load_case + paths[k]);
+    for (const char* more : {"life.cycles.matrix.count[1][2]", "life.cycles.matrix.count.max",
+                             "life.capacity.dynamic_capacity_range_N[1]", "contact.screw.normal[2]",
+                             "heat_cycle.temperature_degC.nut.mean"})
+      paths.emplace_back(more);
+    for (const std::string& path : paths) {
+      const std::size_t end = path.starts_with("load_cases[") ? path.find('.') + 1 : 0;
+      const std::optional<ResultNumber> number = result_number(path);
+      if (left.contains(path.substr(end))) {
+        EXPECT_FALSE(number) << path;
+        continue;
+      }
+      const std::optional<double> documented = response(said.document, path);
+      EXPECT_TRUE(number || !documented) << lesson << ": " << path;
+      if (!number) continue;
+      EXPECT_EQ(said.read(*number), documented) << lesson << ": " << path;
+      compared += documented.has_value();
+    }
+  }
+  EXPECT_GT(compared, 3000U);
 }
 
 TEST(ResultNumber, SaysWhatTheDocumentSays) {
@@ -68,7 +166,7 @@ TEST(ResultNumber, LeavesToTheDocumentWhatNoTableKnows) {
        {"name", "", ".", "screw", "screw.peak_pressure_MPa", "screw.peak_pressure_MPa.most",
         "screw.peak_pressure_MPa[x]", "screw.peak_pressure_MPa[1].max", "load_cases",
         "load_cases[0]", "load_cases[0]axial_displacement_um", "contact.screw", "contact.roller.x",
-        "slip.share_percent", "contact.screw.normal[2]"})
+        "slip.share_percent", "contact.screw.normal", "iterations"})
     EXPECT_FALSE(result_number(path)) << path;
 }
 
@@ -126,12 +224,79 @@ TEST(DesignEngine, DocumentAndTablesGiveTheSame) {
                ", responses: [axial_displacement_um, nut.peak_pressure_MPa.max]}");
   const input::StudyInput by_document =
       study_of("{command: solve, plan: one_at_a_time, " + factors +
-               ", responses: [axial_displacement_um, nut.peak_pressure_MPa.max, "
-               "screw.max_shear_depth_mm.max]}");
+               ", responses: [axial_displacement_um, nut.peak_pressure_MPa.max, iterations]}");
   const RowBlock a = all(DesignEngine(by_tables)), b = all(DesignEngine(by_document));
   for (std::size_t row = 0; row < a.rows; ++row)
     for (std::size_t k = 0; k < 2; ++k)
       EXPECT_NEAR(a.responses[2 * row + k] / b.responses[3 * row + k], 1.0, 1e-10);
+}
+
+/// Of other load cases than the first, of what lies below the surface, and of lives.
+TEST(DesignEngine, GivesWhatTheCommandGivesWhateverTheResponse) {
+  const std::string
+      measures = "measures: {friction_coefficient: 0.01}\n",
+      life =
+          "life: {position: 30 mm, spectrum: [{force: 20 kN, direction: tension, share: "
+          "0.3}, {force: 9 kN, direction: compression, share: 0.7}]}\n";
+  struct Asked {
+    Command command;
+    std::string name, case_text;
+    std::vector<std::string> responses;
+  };
+  const Asked asked[] = {
+      {Command::solve,
+       "solve",
+       "",
+       {"screw.max_shear_stress_MPa.max", "load_cases[7].nut.max_shear_depth_mm[3]",
+        "contact.nut.max_shear_over_peak_pressure", "load_cases[2].axial_displacement_um"}},
+      {Command::measures,
+       "measures",
+       measures,
+       {"measures.largest_load_rate_percent", "load_cases[1].measures.largest_load_rate_percent",
+        "load_cases[9].measures.thread_static_safety", "measures.dynamic_capacity_N",
+        "load_cases[40].screw.peak_pressure_MPa.max"}},
+      {Command::measures,
+       "measures",
+       measures,
+       {"load_cases[3].measures.yang_largest_load_rate_percent",
+        "load_cases[3].measures.yang_load_rate_percent[19]",
+        "load_cases[3].measures.l10_revolutions", "screw.max_shear_stress_MPa.mean"}},
+      {Command::life,
+       "life",
+       life,
+       {"life.system.l10_revolutions", "life.tension.screw.l10_revolutions[3]",
+        "life.weakest_thread.thread", "life.capacity.dynamic_capacity_range_N[0]",
+        "life.compression.static_safety"}}};
+  for (const Asked& a : asked) {
+    std::string responses;
+    for (const std::string& path : a.responses) responses += ", '" + path + "'";
+    const input::StudyInput in =
+        study_of("{command: " + a.name +
+                     ", plan: one_at_a_time, factors: [{path: mechanism.flank_angle, values: [42 "
+                     "deg, 48 deg]}, {path: mechanism.rollers, values: [60]}, {path: "
+                     "deviations.crowning, values: [4 um]}], "
+                     "responses: [" +
+                     responses.substr(2) + "]}",
+                 input::kAbevi + "deviations: {crowning: 0 um}\n" + a.case_text);
+    const DesignEngine engine(in);
+    const RowBlock block = all(engine);
+    std::size_t answered = 0;
+    for (std::size_t row = 0; row < block.rows; ++row) {
+      if (reason(block, row)) continue;
+      ++answered;
+      const input::Source source{"case.yaml", in.source.text,
+                                 overrides(engine.study(), draws(engine.study(), row))};
+      const Said said =
+          said_by(a.command, input::read_case_input(source, a.command).values, source);
+      for (std::size_t k = 0; k < a.responses.size(); ++k) {
+        const std::optional<double> expected = response(said.document, a.responses[k]);
+        ASSERT_TRUE(expected) << a.responses[k];
+        EXPECT_NEAR(block.responses[row * a.responses.size() + k] / *expected, 1.0, 1e-10)
+            << a.responses[k] << " of row " << row;
+      }
+    }
+    EXPECT_EQ(answered, block.rows - 1) << a.name;  // All but the sixty rollers.
+  }
 }
 
 TEST(DesignEngine, CutsDoNotMatter) {

@@ -19,6 +19,7 @@
 
 #include "prs/study/study_folder.h"
 #include "study_file.h"
+#include "support/count.h"
 #include "support/folder_watch.h"
 #include "support/processes.h"
 #include "tests/support/parsed_csv.h"
@@ -187,7 +188,8 @@ TEST_F(StudyCommand, ShardsWithoutSenseAreStatus2) {
 }
 
 TEST_F(StudyCommand, InterruptedItContinues) {
-  test::write_study_file(file, 40'000);
+  const int designs = test::samples(40'000, 40'000);
+  test::write_study_file(file, static_cast<std::size_t>(designs));
   test::Process process({test::program(), "study", file.string(), "--output", folder.string()});
   ASSERT_TRUE(test::wait_for_size(journal_path(folder, {}), 30'000));
   process.signal(SIGSTOP);
@@ -214,7 +216,7 @@ TEST_F(StudyCommand, InterruptedItContinues) {
                         &total, &found, &computed),
             3)
       << resumed.err;
-  EXPECT_GE(total, 40'000);  // And the base case.
+  EXPECT_GE(total, designs);  // And the base case.
   EXPECT_GT(found, 0);
   EXPECT_EQ(found + computed, total);
   const Outcome whole = prs(loud + alone.string() + "'");

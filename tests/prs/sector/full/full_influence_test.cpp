@@ -37,10 +37,11 @@ struct FullScrew {
   }
 };
 
-/// Flexibilities of the beams of a model with all rollers and rings on the housing.
+/// Flexibilities of the beams of a model with all rollers and rings on the housing; stations of the
+/// screw are nodes, without what holds them.
 class BeamBodies {
  public:
-  explicit BeamBodies(const FullModel& f) : f_(f), s_(full_structure(f)) {
+  explicit BeamBodies(FullModel f) : f_(std::move(f)), s_(full_structure(alone(f_))) {
     fe::Model model = s_.model;
     const SpatialNode& end = s_.screw[static_cast<std::size_t>(s_.loaded)];
     for (const int node : {end.y_plane, end.z_plane})
@@ -58,6 +59,16 @@ class BeamBodies {
         dense(i, j) = dense(j, i) = k.value[static_cast<std::size_t>(e)];
       }
     compliance_ = dense.llt();
+    const std::vector<double> stations = screw_stations(f_);
+    stations_ = MatrixXd::Zero(k.size(), 2 * static_cast<Index>(stations.size()));
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      const SpatialNode& node = *std::ranges::min_element(s_.screw, {}, [&](const SpatialNode& n) {
+        return std::abs(n.x - f_.loaded_section - stations[i]);
+      });
+      for (const fe::Dof dof : {fe::Dof::v, fe::Dof::theta})
+        if (const int e = equations.number(node.y_plane, dof); e >= 0 && e < equations.size())
+          stations_(e, 2 * static_cast<Index>(i) + (dof == fe::Dof::v ? 0 : 1)) = 1.0;
+    }
     screw_ = rows_of(equations, s_.screw);
     nut_ = rows_of(equations, s_.nut);
     springs_ = MatrixXd::Zero(k.size(), static_cast<Index>(equations.springs().size()));
@@ -71,6 +82,10 @@ class BeamBodies {
   FullBodies bodies() const {
     FullBodies b;
     b.screw = around(screw_, Interface::screw);
+    // Contacts push against their approach.
+    const MatrixXd by_stations = compliance_.solve(stations_);
+    b.screw.coupling = -springs_.leftCols(f_.threads()).transpose() * by_stations;
+    b.screw.sections = stations_.transpose() * by_stations;
     b.nut = around(nut_, Interface::nut);
     const Index threads = f_.threads();
     const MatrixXd of_roller =
@@ -80,6 +95,12 @@ class BeamBodies {
   }
 
  private:
+  /// Without bearings, the first roller on the y axis.
+  static FullModel alone(FullModel f) {
+    for (Bearing& b : f.bearings) b.lateral = b.tilt = 0.0;
+    for (FullModel::Roller& r : f.present) r.azimuth -= f.load.carrier_angle;
+    return f;
+  }
   static Eigen::VectorXd rows_of(const fe::Equations& equations,
                                  const std::vector<SpatialNode>& nodes) {
     Eigen::VectorXd rows = Eigen::VectorXd::Zero(equations.size());
@@ -110,11 +131,12 @@ class BeamBodies {
     return f;
   }
 
-  const FullModel& f_;
+  FullModel f_;
   FullStructure s_;
   Eigen::LLT<MatrixXd> compliance_;
   Eigen::VectorXd screw_, nut_;
-  MatrixXd springs_;  ///< Approaches, one column for each contact.
+  MatrixXd springs_;   ///< Approaches, one column for each contact.
+  MatrixXd stations_;  ///< Displacement and slope of each station of the screw.
 };
 
 double largest_of(const RollerThreads& loads) {
@@ -140,6 +162,22 @@ void expect_same(const FullDistribution& a, const FullDistribution& b, double sh
   for (std::size_t ring = 0; ring < 2; ++ring)
     for (std::size_t j = 0; j < a.rings[ring].rollers.size(); ++j)
       EXPECT_NEAR(a.rings[ring].rollers[j], b.rings[ring].rollers[j], 1e-6 * 45e3);
+  ASSERT_EQ(a.bearings.size(), b.bearings.size());
+  for (std::size_t k = 0; k < a.bearings.size(); ++k) {
+    EXPECT_EQ(a.bearings[k].position, b.bearings[k].position);
+    EXPECT_LT((a.bearings[k].force - b.bearings[k].force).norm(), 10.0 * share * 45e3);
+    EXPECT_NEAR(a.bearings[k].moment.y, b.bearings[k].moment.y, share * 450.0);
+    EXPECT_NEAR(a.bearings[k].moment.z, b.bearings[k].moment.z, share * 450.0);
+  }
+}
+
+void expect_same_stiffness(const FullDistribution& a, const FullDistribution& b) {
+  ASSERT_EQ(a.screw_end.freedoms, b.screw_end.freedoms);
+  const Eigen::VectorXd size = b.screw_end.compliance.diagonal().cwiseSqrt();
+  for (Index i = 0; i < size.size(); ++i)
+    for (Index j = 0; j < size.size(); ++j)
+      EXPECT_NEAR(a.screw_end.compliance(i, j), b.screw_end.compliance(i, j),
+                  1e-9 * size[i] * size[j]);
 }
 
 /// Rings on the housing at the outer nodes guide rollers as lines, so that nothing is neglected.
@@ -154,11 +192,7 @@ TEST(FullInfluence, BeamsFlexibilitiesGiveTheBeamModel) {
     const FullDistribution bars = solve(f), dense = solve(f, beams);
     expect_same(dense, bars, 1e-10);
     ASSERT_EQ(dense.screw_end.compliance.rows(), 5);
-    const Eigen::VectorXd size = bars.screw_end.compliance.diagonal().cwiseSqrt();
-    for (Index i = 0; i < 5; ++i)
-      for (Index j = 0; j < 5; ++j)
-        EXPECT_NEAR(dense.screw_end.compliance(i, j), bars.screw_end.compliance(i, j),
-                    1e-9 * size[i] * size[j]);
+    expect_same_stiffness(dense, bars);
   };
   agrees("equal rollers");
   screw.load.spatial.side_force.value = {1e3, -500.0};
@@ -181,6 +215,43 @@ TEST(FullInfluence, BeamsFlexibilitiesGiveTheBeamModel) {
   agrees("floating rings");
 }
 
+/// Bearings and places of loads, also with few rollers, of which two lie on one line.
+TEST(FullInfluence, BearingsAndPlacesOfLoadsAreThoseOfTheBeamModel) {
+  FullScrew screw(test::abevi());
+  screw.parts.structure.roller.guidance.kind = Guidance::Kind::outer_node;
+  screw.parts.structure.screw.far_length = 60e-3;
+  screw.parts.structure.screw.free_length = 40e-3;
+  const auto agrees = [&](const char* what) {
+    SCOPED_TRACE(what);
+    FullScrew all = screw;
+    all.parts.deviations = {};
+    const FullModel f = screw.model();
+    const FullDistribution bars = solve(f), dense = solve(f, BeamBodies(all.model()).bodies());
+    expect_same(dense, bars, 1e-10);
+    expect_same_stiffness(dense, bars);
+  };
+  const double first = screw.parts.position,
+               last = first + 19.0 * axial_pitch(screw.parts.mechanism);
+  SpatialLoad& load = screw.load.spatial;
+  load.side_force = {{800.0, -300.0}, first - 12e-3};
+  load.moment = {{20.0, 10.0}, last + 40e-3};
+  agrees("loads at places of their own");
+  screw.parts.structure.screw.bearings = {{first - 25e-3, 2e8, 0.0, {2e-5, -1e-5}, {}},
+                                          {last + 30e-3, kRigid, 3e4, {}, {1e-4, 2e-4}}};
+  agrees("elastic and rigid bearings, displaced and tilted");
+  load.carrier_angle = 0.3;
+  load.nut_tilt = {2e-4, 1e-4};
+  load.nut_offset = {1e-5, 0.0};
+  agrees("a displaced seat, the carrier turned");
+  screw.parts.structure.screw.bearings[0] = {first - 40e-3, kRigid, kRigid, {}, {}};
+  agrees("the loaded section held");
+  screw.parts.mechanism.rollers = 2;
+  agrees("two rollers");
+  screw.parts.mechanism.rollers = 4;
+  screw.parts.deviations.missing_rollers = {2};
+  agrees("three of four rollers");
+}
+
 TEST(FullInfluence, ALoadThatNothingHoldsHasNoEquilibrium) {
   FullScrew screw(test::abevi());
   const FullBodies beams = BeamBodies(screw.model()).bodies();
@@ -190,6 +261,23 @@ TEST(FullInfluence, ALoadThatNothingHoldsHasNoEquilibrium) {
   screw.load.spatial.side_force.value = {};
   screw.parts.deviations.missing_rollers = {2, 3, 4, 5, 6, 8, 9, 10, 11};
   EXPECT_EQ(solve(screw.model(), beams).solve.status, fe::NewtonStatus::mechanism);
+}
+
+/// Where the pressure of a thin ring, of a disc and of the face of a flange is zero at the edge.
+TEST(FullInfluence, AShoulderLiftsOffWhereItsPressureEnds) {
+  Structure::Nut nut;
+  nut.length = 90e-3;
+  nut.outer_diameter = 46e-3;
+  nut.flanges = {{0.0, 10e-3, 62e-3}};
+  const SupportForce seat{10e-3, {-1000.0, 300.0, 0.0}, {}};
+  nut.shoulder = Structure::Shoulder{60e-3, 60e-3};
+  EXPECT_NEAR(lifting_moment(nut, seat), 1000.0 * 30e-3 / 2.0, 1e-9);
+  nut.shoulder = Structure::Shoulder{0.0, 60e-3};
+  EXPECT_NEAR(lifting_moment(nut, seat), 1000.0 * 30e-3 / 4.0, 1e-9);
+  nut.shoulder.reset();
+  const double area = ring_area(62e-3, 46e-3);
+  const double second = std::numbers::pi / 64.0 * (std::pow(62e-3, 4) - std::pow(46e-3, 4));
+  EXPECT_NEAR(1000.0 / area, lifting_moment(nut, seat) * 31e-3 / second, 1e-6 * 1000.0 / area);
 }
 
 /// Coarse finite elements of a short screw.
@@ -276,12 +364,41 @@ TEST(FlexibilityAround, TheScrewBendsAsABeam) {
   EXPECT_LT(f.sections(0, 0), end * end * end / (3.0 * core.bending) + 2.0 * end / core.shear);
   const Index last = f.coupling.rows() - 1;
   const double x = c.structure.screw.free_length + static_cast<double>(last) * g.pitch();
+  // A moment's displacement is a force's slope; a unit force moves the threads x (2 l - x)/2.
+  EXPECT_NEAR(f.sections(0, 1), f.sections(1, 0), 1e-9 * f.sections(0, 1));
+  EXPECT_GT(f.sections(0, 1), end * end / (2.0 * pitch.bending));
+  EXPECT_LT(f.sections(0, 1), end * end / (2.0 * core.bending));
+  EXPECT_GT(f.sections(1, 1), end / pitch.bending);
+  EXPECT_LT(f.sections(1, 1), end / core.bending);
   const double v = x * x * (3.0 * end - x) / 6.0, slope = x * (2.0 * end - x) / 2.0;
   const double cosine = std::cos(c.laws.screw.normal_angle), sense = -1.0;
   const double sine = std::sin(c.laws.screw.normal_angle);
   const double normal = -(sine * v - sense * cosine * groove.pitch_radius * slope);
   EXPECT_LT(f.coupling(last, 0), normal / pitch.bending);
   EXPECT_GT(f.coupling(last, 0), 1.15 * normal / core.bending);
+}
+
+/// Behind the body the screw is a beam: a force there is a force and a moment at the body's end.
+TEST(FlexibilityAround, TheScrewGoesOnBehindItsThread) {
+  CoarseBodies bodies;
+  const test::SectorCase& c = bodies.screw.parts;
+  const double end =
+      c.structure.screw.free_length + 5.0 * bodies.geometry.pitch() + 3.0 * bodies.geometry.pitch();
+  const double length = 50e-3;
+  const FlexibilityAround f = screw_around(bodies.geometry, c.direction, {end, end + length},
+                                           test::coarse_bodies(), bodies.cache);
+  const RollerSection<double> beam = ring_rigidity(
+      c.materials.screw, *c.mechanism.pitch_diameter.screw, c.structure.screw.bore, true);
+  EXPECT_LT((f.coupling.col(2) - f.coupling.col(0) - length * f.coupling.col(1)).norm(),
+            1e-12 * f.coupling.col(2).norm());
+  const Eigen::Matrix2d at_end = f.sections.topLeftCorner(2, 2),
+                        behind = f.sections.bottomRightCorner(2, 2);
+  EXPECT_NEAR(behind(1, 1), at_end(1, 1) + length / beam.bending, 1e-12 * behind(1, 1));
+  EXPECT_NEAR(behind(0, 0),
+              at_end(0, 0) + 2.0 * length * at_end(0, 1) + length * length * at_end(1, 1) +
+                  length * length * length / (3.0 * beam.bending) + length / beam.shear,
+              1e-12 * behind(0, 0));
+  EXPECT_NEAR(f.sections(0, 2), at_end(0, 0) + length * at_end(0, 1), 1e-12 * behind(0, 0));
 }
 
 }  // namespace

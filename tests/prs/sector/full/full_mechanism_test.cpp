@@ -9,18 +9,22 @@
 
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
+#include "prs/loads/full_result.h"
 #include "prs/quantities/json.h"
 #include "prs/sector/full/orbit.h"
 #include "prs/sector/full/rigid_motions.h"
 #include "prs/sector/load_distribution.h"
 #include "prs/threads/contact_laws.h"
 #include "support/count.h"
+#include "support/full_mechanism.h"
 #include "support/sectors.h"
 
 namespace prs {
 namespace {
 
 using nlohmann::json;
+using test::largest;
+using test::largest_difference;
 using testing::HasSubstr;
 
 /// Solved cases of an independent program, 12 digits.
@@ -92,20 +96,6 @@ FullModel model_of(const Case& c) { return model_of(c, c.load_cases[0]); }
 
 Case symmetric_case() { return case_of(reference().at("cases").at(0)); }
 
-double largest(const RollerThreads& loads) {
-  double value = 0.0;
-  for (const auto& roller : loads) value = std::max(value, *std::ranges::max_element(roller));
-  return value;
-}
-
-double largest_difference(const RollerThreads& a, const RollerThreads& b) {
-  double value = 0.0;
-  for (std::size_t j = 0; j < a.size(); ++j)
-    for (std::size_t k = 0; k < a[j].size(); ++k)
-      value = std::max(value, std::abs(a[j][k] - b[j][k]));
-  return value;
-}
-
 TEST(FullMechanism, IsTheSectorWhereAllRollersAreAlike) {
   Case c = symmetric_case();
   c.deviations.crowning = 3e-6;
@@ -119,20 +109,7 @@ TEST(FullMechanism, IsTheSectorWhereAllRollersAreAlike) {
           c.structure->roller.guidance.kind = kind;
           c.structure->roller.rings = {carrier, stiffness};
           c.load_cases[0].direction = direction;
-          const FullModel f = model_of(c);
-          const FullDistribution full = solve(f);
-          ASSERT_TRUE(full.solve.converged());
-          SectorModel sector = f.sector;
-          sector.gaps = f.present[0].gaps;
-          const LoadDistribution one = SectorSolver(build_sector(sector)).solve(f.axial_force);
-          EXPECT_NEAR(full.axial_displacement, one.axial_displacement,
-                      1e-10 * one.axial_displacement);
-          EXPECT_NEAR(*full.tangent_stiffness, *one.tangent_stiffness,
-                      1e-10 * *one.tangent_stiffness);
-          for (const Interface i : kInterfaces)
-            EXPECT_LT(
-                largest_difference(full.normal_load[i], RollerThreads(11, one.normal_load[i])),
-                1e-10 * largest(full.normal_load[i]));
+          test::expect_the_sector(model_of(c));
         }
 }
 
@@ -197,7 +174,7 @@ Case random_case(std::mt19937_64& random) {
 
 /// Forces and moments about the nut's near end on the whole mechanism, over the largest of the
 /// forces: two bearings that stand close together can push against each other with any force.
-double imbalance(const FullModel& f, const FullDistribution& d, Guidance::Kind guidance) {
+double imbalance(const FullModel& f, const FullDistribution& d) {
   const SpatialLoad& load = f.load;
   double fx = f.sense() * f.axial_force + d.nut.force[0];
   Eigen::Vector2d force{load.side_force.value.y + d.nut.force[1],
@@ -219,10 +196,9 @@ double imbalance(const FullModel& f, const FullDistribution& d, Guidance::Kind g
     for (std::size_t r = 0; r < d.rings.size(); ++r) {
       const Lateral& ring = d.rings[r].force;
       force += Eigen::Vector2d(ring.y, ring.z);
-      moment += arm(r == 0 ? f.roller_ends.first : f.roller_ends.last, ring.y, ring.z);
+      moment += arm(r == 0 ? f.roller_ends.first : f.roller_ends.last, ring.y, ring.z) +
+                Eigen::Vector2d(d.rings[r].moment.z, -d.rings[r].moment.y);
     }
-    // Other guides share the moment of a ring between their two nodes.
-    if (guidance != Guidance::Kind::outer_node) moment.setZero();
   }
   double largest = f.axial_force;
   for (const SupportForce& b : d.bearings) largest = std::max(largest, b.force.norm());
@@ -243,7 +219,7 @@ TEST(FullMechanism, RandomCasesConvergeOrHaveNoEquilibrium) {
     const FullStructure s = full_structure(f);
     if (d.solve.converged()) {
       ++converged;
-      EXPECT_LT(imbalance(f, d, c.structure->roller.guidance.kind), 1e-9);
+      EXPECT_LT(imbalance(f, d), 1e-9);
       EXPECT_LT(load_left(f, s), 1e-9);
     } else if (d.solve.status == fe::NewtonStatus::mechanism) {
       EXPECT_GT(free_motions(f, s).count, 0);
@@ -346,8 +322,8 @@ TEST(FullMechanism, AnOrbitOfUnlikeRollersIsSolvedThroughout) {
   const SpatialLoad::Orbit wanted{2, 3.0};
   FullSolver solver;
   const auto loads = [&](const FullModel& f) { return solver.solve(f, Detail::numbers); };
-  const Orbit permuted = *orbit(at, loads, wanted, 0.3, true);
-  const Orbit solved = *orbit(at, loads, wanted, 0.3, false);
+  const Orbit permuted = orbit(at, loads, wanted, 0.3, {.alike = true});
+  const Orbit solved = orbit(at, loads, wanted, 0.3, {});
   EXPECT_EQ(permuted.axial_displacement.size(), 2);
   EXPECT_EQ(solved.axial_displacement.size(), 22);
   for (const Interface i : kInterfaces) {
@@ -356,6 +332,118 @@ TEST(FullMechanism, AnOrbitOfUnlikeRollersIsSolvedThroughout) {
     EXPECT_NEAR(permuted.loads[i].largest, solved.loads[i].largest, 1e-9 * solved.loads[i].largest);
     EXPECT_EQ(permuted.loads[i].roller, solved.loads[i].roller);
   }
+}
+
+Case with_a_thick_roller(double by) {
+  Case c = symmetric_case();
+  c.deviations.roller_diameters.assign(11, 0.0);
+  c.deviations.roller_diameters[2] = by;
+  return c;
+}
+
+TEST(FullMechanism, UnderAnAxialForceATurnIsOnePosition) {
+  const Case c = with_a_thick_roller(20e-6);
+  const auto at = [&](double angle) {
+    LoadCase load = c.load_cases[0];
+    load.spatial.carrier_angle = angle;
+    return model_of(c, load);
+  };
+  FullSolver solver;
+  int solves = 0;
+  const auto loads = [&](const FullModel& f) {
+    ++solves;
+    return solver.solve(f, Detail::numbers);
+  };
+  const Orbit one = orbit(at, loads, {2, 3.0}, 0.3, {.round = true});
+  EXPECT_EQ(solves, 1);
+  const Orbit all = orbit(at, loads, {2, 3.0}, 0.3, {});
+  EXPECT_EQ(solves, 23);
+  EXPECT_EQ(one.axial_displacement.size(), all.axial_displacement.size());
+  for (const Interface i : kInterfaces) {
+    EXPECT_LT(largest_difference(one.loads[i].equivalent, all.loads[i].equivalent),
+              1e-9 * all.loads[i].largest);
+    EXPECT_EQ(one.loads[i].roller, all.loads[i].roller);
+    EXPECT_EQ(one.loads[i].carrier_angle, all.loads[i].carrier_angle);
+  }
+}
+
+/// What only seems to turn with the carrier, by the same with a force too small to count.
+TEST(FullMechanism, ATurnIsOnePositionWhereNothingElseHasAnAzimuth) {
+  Case c = with_a_thick_roller(5e-6);
+  c.mechanism.rollers = 5;
+  c.mechanism.contacts_per_roller = 4;
+  c.deviations.roller_diameters.resize(5);
+  const auto turned = [](const Case& of, double force) {
+    Case with = of;
+    with.load_cases[0].spatial.side_force.value.y = force;
+    with.load_cases[0].spatial.orbit = SpatialLoad::Orbit{2, 3.0};
+    return analyze(with).load_cases[0].full->orbit->loads;
+  };
+  std::vector<Case> cases(7, c);
+  SpatialLoad* loads[7];
+  for (std::size_t k = 0; k < 7; ++k) loads[k] = &cases[k].load_cases[0].spatial;
+  loads[1]->eccentricity.y = 0.3e-3;
+  loads[2]->moment.value.z = 10.0;
+  loads[3]->nut_tilt.y = 1e-4;
+  cases[4].deviations.index_error.screw = {2e-6, 0.0, -2e-6};
+  cases[5].deviations.thread_eccentricity.nut.z = 3e-6;
+  cases[6].model.contact_phase = ModelOptions::ContactPhase::helical;
+  for (const Case& one : cases) {
+    const PerInterface<OrbitLoads> exact = turned(one, 0.0), slow = turned(one, 1e-5);
+    for (const Interface i : kInterfaces)
+      EXPECT_LT(largest_difference(exact[i].equivalent, slow[i].equivalent),
+                1e-7 * exact[i].largest);
+  }
+}
+
+/// By bisection on the force, a thread stands where it just closes.
+TEST(FullMechanism, ThreadsThatJustCloseNeedNoWiderNumbers) {
+  Case c = with_a_thick_roller(20e-6);
+  const auto closed = [&](double force) {
+    c.load_cases[0].axial_force = force;
+    const FullDistribution d = solve(model_of(c));
+    EXPECT_TRUE(d.solve.converged());
+    EXPECT_FALSE(d.solve.wide);
+    EXPECT_LT(d.solve.iterations(), 30);
+    int count = 0;
+    for (const auto& roller : d.normal_load.screw)
+      count += static_cast<int>(std::ranges::count_if(roller, [](double n) { return n > 0.0; }));
+    return count;
+  };
+  double below = 1e3, above = 3e3;
+  const int open = closed(below);
+  EXPECT_GT(closed(above), open);
+  while (above - below > 1e-15 * above) {
+    const double middle = 0.5 * (below + above);
+    if (middle == below || middle == above) break;
+    (closed(middle) > open ? above : below) = middle;
+  }
+}
+
+/// A side force next to the limit wedges the screw out against the axial force.
+TEST(FullMechanism, AMotionAgainstTheForceIsToldOf) {
+  const auto told = testing::Contains(HasSubstr("`axial_stiffness` is negative"));
+  Case c = symmetric_case();
+  SpatialLoad& load = c.load_cases[0].spatial;
+  load.side_force.value.y = c.load_cases[0].axial_force / 45.0;
+  EXPECT_THAT(analyze(c).load_cases[0].warnings, testing::Not(told));
+  load.side_force.value.y = 0.4 * c.load_cases[0].axial_force;
+  const LoadCaseResult wedged = analyze(c).load_cases[0];
+  ASSERT_TRUE(wedged.converged());
+  EXPECT_LT(*wedged.axial_displacement, 0.0);
+  EXPECT_THAT(wedged.warnings, told);
+}
+
+TEST(FullMechanism, SaysWhatLeavesTheStiffnessOut) {
+  Case c = symmetric_case();
+  c.mechanism.rollers = 4;
+  c.deviations.roller_diameters = {30e-6, 0.0, 30e-6, 0.0};
+  c.load_cases[0].axial_force = 100.0;
+  const LoadCaseResult r = analyze(c).load_cases[0];
+  ASSERT_TRUE(r.converged());
+  EXPECT_EQ(r.full->idle_rollers, (std::vector{2, 4}));
+  EXPECT_EQ(r.full->screw_end.stiffness.size(), 0);
+  EXPECT_THAT(r.warnings, testing::Contains(HasSubstr("a motion of screw meets no resistance")));
 }
 
 TEST(FullMechanism, OneSolverForManyModelsGivesTheSameBits) {

@@ -7,8 +7,8 @@
 #include "prs/loads/analyze.h"
 #include "prs/sector/full/full_distribution.h"
 #include "prs/sector/full/full_structure.h"
-#include "prs/sector/load_distribution.h"
 #include "prs/threads/contact_laws.h"
+#include "support/full_mechanism.h"
 #include "support/sectors.h"
 
 namespace prs {
@@ -35,19 +35,14 @@ struct RefinedScrew {
 };
 
 double largest_load(const FullDistribution& d, Interface i) {
-  double largest = 0.0;
-  for (const std::vector<double>& roller : d.normal_load[i])
-    largest = std::max(largest, *std::ranges::max_element(roller));
-  return largest;
+  return test::largest(d.normal_load[i]);
 }
 
 double largest_change(const FullDistribution& a, const FullDistribution& b) {
   double change = 0.0;
   for (const Interface i : kInterfaces)
-    for (std::size_t j = 0; j < a.normal_load[i].size(); ++j)
-      for (std::size_t k = 0; k < a.normal_load[i][j].size(); ++k)
-        change = std::max(
-            change, std::abs(a.normal_load[i][j][k] - b.normal_load[i][j][k]) / largest_load(a, i));
+    change = std::max(
+        change, test::largest_difference(a.normal_load[i], b.normal_load[i]) / largest_load(a, i));
   return change;
 }
 
@@ -85,20 +80,7 @@ TEST(FullRefined, IsTheSectorsRefinedModelWhereAllRollersAreAlike) {
         screw.parts.options.roller_contacts = contacts;
         screw.parts.options.refined = switched;
         screw.load.direction = direction;
-        const FullModel f = screw.model();
-        const FullDistribution full = solve(f);
-        ASSERT_TRUE(full.solve.converged());
-        SectorModel sector = f.sector;
-        sector.gaps = f.present[0].gaps;
-        const LoadDistribution one = SectorSolver(build_sector(sector)).solve(f.axial_force);
-        EXPECT_NEAR(full.axial_displacement, one.axial_displacement,
-                    1e-10 * one.axial_displacement);
-        EXPECT_NEAR(*full.tangent_stiffness, *one.tangent_stiffness,
-                    1e-10 * *one.tangent_stiffness);
-        FullDistribution equal;
-        for (const Interface i : kInterfaces)
-          equal.normal_load[i] = RollerThreads(11, one.normal_load[i]);
-        EXPECT_LT(largest_change(full, equal), 1e-10);
+        test::expect_the_sector(screw.model());
       }
 }
 

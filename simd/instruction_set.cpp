@@ -1,15 +1,15 @@
-#include "prs/sector/chain/instruction_set.h"
+#include "simd/instruction_set.h"
 
 #include <type_traits>
 
 #include "simd/architectures.h"
 
-namespace prs {
+namespace simd {
 namespace {
 
 template <class Arch>
 bool processor_has() {
-  return xsimd::dispatch<xsimd::arch_list<Arch, simd::Baseline>>(
+  return xsimd::dispatch<xsimd::arch_list<Arch, Baseline>>(
       [](auto best) { return std::is_same_v<decltype(best), Arch>; })();
 }
 
@@ -19,9 +19,9 @@ bool available(InstructionSet set) {
   switch (set) {
 #if defined(__x86_64__)
     case InstructionSet::avx2:
-      return processor_has<simd::Avx2>();
+      return processor_has<Avx2>();
     case InstructionSet::avx512:
-      return processor_has<simd::Avx512>();
+      return processor_has<Avx512>();
 #else
     case InstructionSet::avx2:
     case InstructionSet::avx512:
@@ -34,7 +34,7 @@ bool available(InstructionSet set) {
 
 int batch_size(InstructionSet set) {
   if (set == InstructionSet::scalar) return 1;
-  int size = static_cast<int>(sizeof(xsimd::batch<double, simd::Baseline>) / sizeof(double));
+  int size = static_cast<int>(sizeof(xsimd::batch<double, Baseline>) / sizeof(double));
 #if defined(__x86_64__)
   const bool best = set == InstructionSet::best || set == InstructionSet::avx512;
   if ((best || set == InstructionSet::avx2) && available(InstructionSet::avx2)) size = 4;
@@ -43,4 +43,4 @@ int batch_size(InstructionSet set) {
   return size;
 }
 
-}  // namespace prs
+}  // namespace simd

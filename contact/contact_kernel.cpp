@@ -1,0 +1,43 @@
+#include "contact/contact_kernel.h"
+
+#include <cstring>
+
+#include "simd/transposed.h"
+
+namespace contact {
+
+template <class Arch>
+void ContactKernel::operator()(Arch, std::span<const MechanismNumbers<double>> mechanisms,
+                               std::span<MechanismContactNumbers<double>> contacts) const {
+  using Real = xsimd::batch<double, Arch>;
+  for (std::size_t first = 0; first < mechanisms.size(); first += simd::kLanes<Real>) {
+    const auto m = simd::side_by_side<MechanismNumbers<Real>>(mechanisms.data() + first,
+                                                              mechanisms.size() - first);
+    simd::deliver(contact_numbers(m), contacts.data() + first, mechanisms.size() - first);
+  }
+}
+
+template <class Arch>
+void EllipseKernel::operator()(Arch, double semi_major_per_cbrt_load,
+                               double semi_minor_per_cbrt_load, std::span<const double> normal_load,
+                               double* semi_major, double* semi_minor,
+                               double* peak_pressure) const {
+  using Real = xsimd::batch<double, Arch>;
+  for (std::size_t first = 0; first < normal_load.size(); first += simd::kLanes<Real>) {
+    const std::size_t size = normal_load.size() - first;
+    const EllipseNumbers<Real> e =
+        ellipse_numbers(Real(semi_major_per_cbrt_load), Real(semi_minor_per_cbrt_load),
+                        simd::side_by_side<Real>(normal_load.data() + first, size));
+    simd::deliver(e.semi_major, semi_major + first, size);
+    simd::deliver(e.semi_minor, semi_minor + first, size);
+    simd::deliver(e.peak_pressure, peak_pressure + first, size);
+  }
+}
+
+template void EllipseKernel::operator()(PRS_SIMD_ARCHITECTURE, double, double,
+                                        std::span<const double>, double*, double*, double*) const;
+template void ContactKernel::operator()(PRS_SIMD_ARCHITECTURE,
+                                        std::span<const MechanismNumbers<double>>,
+                                        std::span<MechanismContactNumbers<double>>) const;
+
+}  // namespace contact

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <span>
+
+#include "contact/contact_formulas.h"
+#include "contact/hertz_formulas.h"
+#include "contact/thread_surface.h"
+#include "simd/instruction_set.h"
+
+namespace contact {
+
+struct MechanismGeometry;
+
+/// A mechanism as numbers: its threads, the distance of their axes and the contact moduli E* [Pa],
+/// 0 where there are none.
+template <class Real>
+struct MechanismNumbers {
+  ThreadNumbers<Real> screw, roller, nut;
+  Real centre_distance;
+  Real modulus_at_screw, modulus_at_nut;
+};
+
+/// Both contacts of a mechanism (I1J2), from its threads to Hertz's constants.
+template <class Real>
+struct MechanismContactNumbers {
+  Real sound{};  ///< 1 where all three threads can be, else 0: then the rest has no meaning.
+  InterfaceNumbers<Real> screw, nut;
+  HertzNumbers<Real> hertz_at_screw, hertz_at_nut;
+};
+
+template <class Real>
+MechanismContactNumbers<Real> contact_numbers(const MechanismNumbers<Real>& m) {
+  const auto sound = [](const ThreadNumbers<Real>& thread, const Flank<Real>& flank) {
+    const Real status = status_of(thread, flank);
+    return (status == as_number<Real>(ThreadStatus::ok) ||
+            status == as_number<Real>(ThreadStatus::beyond_sharp_limit)) &&
+           flank.smallest_radius < flank.largest_radius;
+  };
+  const Flank<Real> screw = flank_of(m.screw, false), roller = flank_of(m.roller, false),
+                    nut = flank_of(m.nut, true);
+  // I1J2: the top face of the roller touches the screw, the bottom face the nut.
+  const FlankPair<Real> at_screw{screw, roller, m.centre_distance, -1.0},
+      at_nut{nut, roller, m.centre_distance, 1.0};
+  MechanismContactNumbers<Real> c;
+  c.sound = select(sound(m.screw, screw) && sound(m.roller, roller) && sound(m.nut, nut), Real(1.0),
+                   Real(0.0));
+  c.screw = interface_numbers(at_screw, point_numbers(at_screw));
+  c.nut = interface_numbers(at_nut, point_numbers(at_nut));
+  c.hertz_at_screw = hertz_numbers(c.screw.relative, m.modulus_at_screw);
+  c.hertz_at_nut = hertz_numbers(c.nut.relative, m.modulus_at_nut);
+  return c;
+}
+
+MechanismNumbers<double> numbers_of(const MechanismGeometry& mechanism);
+
+/// Contacts of many mechanisms, as many side by side as a batch has numbers. Those of one mechanism
+/// do not depend on the others.
+void find_contacts(std::span<const MechanismNumbers<double>> mechanisms,
+                   std::span<MechanismContactNumbers<double>> contacts,
+                   simd::InstructionSet set = simd::InstructionSet::best);
+
+}  // namespace contact

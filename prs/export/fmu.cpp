@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdint>
+
+#include "prs/export/embedded.h"
+#include "prs/export/system_model.h"
+#include "prs/export/zip.h"
+#include "prs/report/svg.h"
+#include "prs/sha256.h"
+#include "prs/version.h"
+
+namespace prs {
+namespace {
+
+/// Numbers as little-endian bytes.
+std::string bytes_of(const std::vector<double>& numbers) {
+  std::string bytes;
+  for (const double number : numbers) {
+    const auto bits = std::bit_cast<std::uint64_t>(number);
+    for (int k = 0; k < 64; k += 8) bytes += static_cast<char>((bits >> k) & 0xff);
+  }
+  return bytes;
+}
+
+/// In the order of the value references in unit.c.
+constexpr const char* kVariables = R"(
+    <ScalarVariable name="deflection" valueReference="0" causality="input" variability="continuous" description="Loaded section of the screw against the section that holds the nut, without the travel of the thread; &gt; 0 in tension"><Real unit="m" displayUnit="um" start="0"/></ScalarVariable>
+    <ScalarVariable name="speed" valueReference="1" causality="input" variability="continuous" description="Screw against nut"><Real unit="rad/s" displayUnit="rpm" start="0"/></ScalarVariable>
+    <ScalarVariable name="force" valueReference="2" causality="output" variability="continuous" initial="calculated" description="Axial force on the screw; &gt; 0 in tension"><Real unit="N"/></ScalarVariable>
+    <ScalarVariable name="stiffness" valueReference="3" causality="output" variability="continuous" initial="calculated" description="Change of the force with the deflection"><Real unit="N/m" displayUnit="N/um"/></ScalarVariable>
+    <ScalarVariable name="torque" valueReference="4" causality="output" variability="continuous" initial="calculated" description="Of the drive on the screw; &gt; 0 where it drives a positive force at a positive speed, right-handed"><Real unit="N.m"/></ScalarVariable>)";
+
+constexpr const char* kStructure = R"(
+    <Unknown index="3" dependencies="1" dependenciesKind="dependent"/>
+    <Unknown index="4" dependencies="1" dependenciesKind="dependent"/>
+    <Unknown index="5" dependencies="1 2" dependenciesKind="dependent dependent"/>)";
+
+std::string description_xml(const SystemCurves& curves, const ModelText& text,
+                            const std::string& guid) {
+  return fmt::format(
+      R"(<?xml version="1.0" encoding="UTF-8"?>
+<fmiModelDescription fmiVersion="2.0" modelName="{name}" guid="{guid}" description="Planetary roller screw of {file}" version="{sha}" generationTool="prs {version}" variableNamingConvention="flat" numberOfEventIndicators="0">
+  <CoSimulation modelIdentifier="{name}" canHandleVariableCommunicationStepSize="true" canGetAndSetFMUstate="true" canSerializeFMUstate="true">
+    <SourceFiles><File name="unit.c"/><File name="curves.c"/></SourceFiles>
+  </CoSimulation>
+  <UnitDefinitions>
+    <Unit name="m"><BaseUnit m="1"/><DisplayUnit name="um" factor="1e6"/></Unit>
+    <Unit name="rad/s"><BaseUnit s="-1" rad="1"/><DisplayUnit name="rpm" factor="9.549296585513721"/></Unit>
+    <Unit name="N"><BaseUnit kg="1" m="1" s="-2"/></Unit>
+    <Unit name="N/m"><BaseUnit kg="1" s="-2"/><DisplayUnit name="N/um" factor="1e-6"/></Unit>
+    <Unit name="N.m"><BaseUnit kg="1" m="2" s="-2"/></Unit>
+  </UnitDefinitions>
+  <LogCategories>
+    <Category name="logStatusWarning" description="An input lies beyond what was computed; {range}"/>
+    <Category name="logStatusError" description="What a call cannot do"/>
+  </LogCategories>
+  <DefaultExperiment startTime="0" stopTime="1" stepSize="0.001"/>
+  <ModelVariables>{variables}
+  </ModelVariables>
+  <ModelStructure>
+    <Outputs>{structure}
+    </Outputs>
+    <InitialUnknowns>{structure}
+    </InitialUnknowns>
+  </ModelStructure>
+</fmiModelDescription>
+)",
+      fmt::arg("name", text.name), fmt::arg("guid", guid), fmt::arg("file", html(text.case_file)),
+      fmt::arg("sha", text.case_sha256), fmt::arg("version", kVersion),
+      fmt::arg("range", html(curves_text(curves))), fmt::arg("variables", kVariables),
+      fmt::arg("structure", kStructure));
+}
+
+std::string documentation(const SystemCurves& curves, const ModelText& text) {
+  std::string page = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><meta "
+      "charset=\"utf-8\"><title>{0}</title>\n<h1>{0}</h1>\n"
+      "<p>Planetary roller screw of {1}, SHA-256 {2}, by prs {3}.</p>\n<p>{4}</p>\n",
+      text.name, html(text.case_file), text.case_sha256, kVersion, html(curves_text(curves)));
+  if (!curves.load_case.empty())
+    page +=
+        fmt::format("<p>Under the conditions of the load case {}.</p>\n", html(curves.load_case));
+  for (const std::string& warning : curves.warnings)
+    page += fmt::format("<p>{}</p>\n", html(warning));
+  return page +
+         "<p>Other platforms: compile the files of <code>sources</code> into one shared library, "
+         "for "
+         "several units in one program with "
+         "<code>-DFMI2_FUNCTION_PREFIX=NAME_</code>.</p>\n</html>\n";
+}
+
+/// Made of the content, in the form of a GUID.
+std::string guid_of(const std::string& content) {
+  const std::string hash = sha256(content);
+  return fmt::format("{{{}-{}-{}-{}-{}}}", hash.substr(0, 8), hash.substr(8, 4), hash.substr(12, 4),
+                     hash.substr(16, 4), hash.substr(20, 12));
+}
+
+}  // namespace
+
+std::string functional_mockup_unit(const SystemCurves& curves, const ModelText& text) {
+  const EmbeddedUnit unit = embedded_unit();
+  const std::string data = bytes_of(curves.data());
+  const std::string guid =
+      guid_of(description_xml(curves, text, "") + data + std::string(unit.library));
+  std::vector<OutputFile> files{{"modelDescription.xml", description_xml(curves, text, guid)}};
+  if (!unit.platform.empty())
+    files.push_back(
+        {fmt::format("binaries/{}/{}.so", unit.platform, text.name), std::string(unit.library)});
+  files.push_back({"documentation/index.html", documentation(curves, text)});
+  files.push_back({"documentation/licenses/license.txt", std::string(unit.licence)});
+  files.push_back({"resources/curves.bin", data});
+  files.push_back({"resources/guid.txt", guid});
+  files.push_back({"sources/curves.c", std::string(unit.curves_c)});
+  files.push_back({"sources/curves.h", std::string(unit.curves_h)});
+  files.push_back({"sources/fmi2.h", std::string(unit.fmi2_h)});
+  files.push_back({"sources/unit.c", std::string(unit.unit_c)});
+  return zip(files);
+}
+
+}  // namespace prs

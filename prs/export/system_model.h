@@ -1,0 +1,48 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "prs/export/system_curves.h"
+#include "prs/input/source.h"
+#include "prs/quantities/json.h"
+
+namespace prs {
+
+/// What an exported model says of itself.
+struct ModelText {
+  std::string name;         ///< An identifier of C and Modelica, see `model_name`.
+  std::string case_file;    ///< As it was given.
+  std::string case_sha256;  ///< Of its text.
+};
+
+/// The curves of a case file, and what is told with them.
+struct SystemModel {
+  SystemCurves curves;
+  ModelText text;
+  DocumentInfo info;
+};
+
+/// Reads the case and computes its curves, warnings on single values among theirs. Throws
+/// InputError where the case lacks something or is wrong.
+SystemModel system_model(const input::Source& source, const CurveOptions& options);
+
+/// An identifier made of the name of a case file: `12_preload.yaml` -> `screw_12_preload`.
+std::string model_name(const std::string& case_file);
+
+/// Where the curves end and how good they are, in sentences.
+std::string curves_text(const SystemCurves& curves);
+
+/// A co-simulation unit of FMI 2.0: a ZIP archive. The same curves and text give the same bytes.
+/// Inputs `deflection` [m] and `speed` [rad/s], outputs `force` [N], `stiffness` [N/m] and `torque`
+/// [N m].
+std::string functional_mockup_unit(const SystemCurves& curves, const ModelText& text);
+
+/// A Modelica package of the same curves: block `Curves` with the same inputs and outputs, and
+/// `Screw` between a rotational and a translational flange.
+std::string modelica_package(const SystemCurves& curves, const ModelText& text);
+
+/// The deflections, forces, stiffnesses and torques that the curves are made of.
+nlohmann::ordered_json curves_json(const SystemCurves& curves);
+
+}  // namespace prs

@@ -1,0 +1,366 @@
+// The live page: sliders and fields ask the engine, in workers of their own, for the sections of
+// the report with other values. All HTML comes from the engine, which escapes the texts of the case;
+// what this script shows of them it sets as text.
+
+const element = (id) => document.getElementById(id);
+const theCase = JSON.parse(element('case').textContent);
+
+// The engine -------------------------------------------------------------------------------------
+
+let workerUrl = null;
+
+/** One worker with the engine: questions in, answers out, in their order. */
+class Engine {
+  constructor() {
+    workerUrl ??= URL.createObjectURL(
+      new Blob([element('worker').textContent], { type: 'text/javascript' }),
+    );
+    this.waiting = [];
+    this.worker = new Worker(workerUrl);
+    this.worker.onmessage = (event) => this.waiting.shift()(event.data);
+    this.worker.onerror = (event) => {
+      event.preventDefault();
+      const answer = { status: 1, messages: [`The engine stopped: ${event.message}`] };
+      for (const take of this.waiting.splice(0)) take(JSON.stringify(answer));
+    };
+    this.worker.postMessage(element('engine').textContent);
+  }
+
+  ask(question) {
+    return new Promise((resolve) => {
+      this.waiting.push((text) => resolve(JSON.parse(text)));
+      this.worker.postMessage(JSON.stringify(question));
+    });
+  }
+}
+
+/** Asks one question at a time; of those that come meanwhile, the last. */
+class Latest {
+  constructor(take) {
+    this.engine = null;
+    this.take = take;
+    this.next = null;
+    this.busy = false;
+  }
+
+  async put(make) {
+    this.next = make;
+    if (this.busy) return;
+    this.busy = true;
+    this.engine ??= new Engine();
+    while (this.next) {
+      const question = this.next();
+      this.next = null;
+      this.take(await this.engine.ask(question), question);
+    }
+    this.busy = false;
+  }
+}
+
+// What is changed --------------------------------------------------------------------------------
+
+/** Values by their paths, as `--set` takes them. */
+const changes = new Map();
+
+const overrides = () => [...theCase.set, ...changes];
+
+/** A question about the case as it is now; of its report, what `report` asks for. */
+const question = (more) => ({ command: 'report', ...theCase, set: overrides(), ...more });
+const reportQuestion = (report) => question({ report: { own: theCase.set.length, ...report } });
+
+// Sections ---------------------------------------------------------------------------------------
+
+const quickSections = ['verdict', 'mechanism', 'loads', 'stiffness', 'pressures'];
+
+const isOnScreen = (id) => {
+  const box = element(id).getBoundingClientRect();
+  return box.bottom > -100 && box.top < innerHeight + 100;
+};
+
+/** Numbers that follow later stay as they are, in grey. */
+function keepStaleTiles(old, fresh) {
+  const place = fresh.querySelector('.tiles');
+  if (!place) return;
+  let before = null;
+  for (const tile of old.querySelectorAll('[data-tile]')) {
+    const now = fresh.querySelector(`[data-tile="${tile.dataset.tile}"]`);
+    if (now) {
+      before = now;
+      continue;
+    }
+    const stale = tile.cloneNode(true);
+    stale.classList.add('stale');
+    if (before) before.after(stale);
+    else place.prepend(stale);
+    before = stale;
+  }
+}
+
+function showSection(id, html, quick) {
+  const section = element(id);
+  const body = section.querySelector('.body');
+  const template = document.createElement('template');
+  template.innerHTML = html;
+  if (quick && id === 'verdict') keepStaleTiles(body, template.content);
+  const scrolled = [...body.querySelectorAll('.wide')].map((box) => box.scrollLeft);
+  const focused = [...body.querySelectorAll('.wide')].indexOf(document.activeElement);
+  body.replaceChildren(template.content);
+  const boxes = body.querySelectorAll('.wide');
+  scrolled.forEach((left, k) => {
+    if (left && boxes[k]) boxes[k].scrollLeft = left;
+  });
+  if (focused >= 0) boxes[focused]?.focus({ preventScroll: true });
+  const empty = html === '';
+  section.hidden = empty;
+  document.querySelector(`nav a[href="#${id}"]`).parentElement.hidden = empty;
+}
+
+const trouble = element('trouble');
+
+/** The first of several, without its place in the file: the reader moved a slider. */
+function told(messages) {
+  const first = (messages[0] ?? '').replace(/^.*?:\d+:\d+: error: /, '').replace(/ \(from --set .*\)$/, '');
+  return messages.length > 1 ? `${first}\n(and ${messages.length - 1} more)` : first;
+}
+
+function show(answer, asked) {
+  const wrong = answer.status === 1 || answer.status === 2;
+  trouble.textContent = wrong ? told(answer.messages) : '';
+  for (const control of controls) control.mark(wrong && answer.messages.join('\n'));
+  document.body.classList.toggle('is-wrong', wrong);
+  if (wrong) return;
+  for (const [id, html] of Object.entries(answer.document.sections)) showSection(id, html, asked.report.quick);
+}
+
+const quick = new Latest(show);
+const complete = new Latest((answer, asked) => {
+  // An older answer must not replace what follows the slider by now.
+  if (JSON.stringify(asked.set) !== JSON.stringify(overrides())) return;
+  show(answer, asked);
+  element('state').textContent =
+    answer.status === 0 ? (changes.size ? 'All numbers follow.' : '') : 'See the message below.';
+  if (answer.status === 3) element('state').textContent = 'A load case did not converge.';
+  document.dispatchEvent(new CustomEvent('prs-complete', { detail: answer.status }));
+});
+
+let completion = 0;
+
+/** Shows the changed case: at once what is on the screen, and all when the values rest. */
+function follow(resting) {
+  showChanges();
+  quick.put(() => reportQuestion({ quick: true, sections: quickSections.filter(isOnScreen) }));
+  clearTimeout(completion);
+  completion = setTimeout(showAll, resting ? 0 : 300);
+}
+
+function showAll() {
+  clearTimeout(completion);
+  complete.put(() => reportQuestion({ thread: chosenThread() }));
+}
+
+// What differs -----------------------------------------------------------------------------------
+
+function showChanges() {
+  const changed = element('changed');
+  changed.hidden = changes.size === 0;
+  changed.textContent = '';
+  if (changes.size === 0) return;
+  const told = controls.filter((c) => c.isChanged).map((c) => `${c.title} ${c.value} (${c.own})`);
+  const strong = document.createElement('strong');
+  strong.textContent = 'This page differs from the report: ';
+  const button = document.createElement('button');
+  button.type = 'button';
+  button.textContent = 'Reset';
+  button.addEventListener('click', reset);
+  changed.append(strong, `${told.join(', ')}. Grey: the report. `, button);
+}
+
+function reset() {
+  for (const control of controls) control.reset();
+  changes.clear();
+  follow(true);
+}
+
+// Sliders and fields -----------------------------------------------------------------------------
+
+/** A number as short as its place on a slider of this length needs. */
+function short(value, length) {
+  const digits = Math.max(0, 3 - Math.floor(Math.log10(length)));
+  return String(Number(value.toFixed(Math.min(12, digits))));
+}
+
+class Control {
+  constructor(place) {
+    this.paths = place.dataset.paths.split(' ');
+    this.own = place.dataset.value;
+    this.title = place.querySelector('label').textContent;
+    [this.text, this.slider] = place.querySelectorAll('input');
+    this.unit = this.slider.dataset.unit;
+    this.slider.addEventListener('input', () => {
+      const whole = this.slider.step === '1';
+      const length = this.slider.max - this.slider.min;
+      const number = whole ? this.slider.value : short(Number(this.slider.value), length);
+      this.text.value = this.unit ? `${number} ${this.unit}` : number;
+      this.set(this.text.value);
+      follow(false);
+    });
+    this.slider.addEventListener('change', showAll);
+    this.text.addEventListener('change', () => {
+      this.set(this.text.value.trim() || this.own);
+      this.moveSlider();
+      follow(true);
+    });
+  }
+
+  get value() {
+    return this.text.value;
+  }
+
+  get isChanged() {
+    return changes.has(this.paths[0]);
+  }
+
+  set(value) {
+    for (const path of this.paths)
+      if (value === this.own) changes.delete(path);
+      else changes.set(path, value);
+    this.text.value = value;
+  }
+
+  moveSlider() {
+    const [, number, unit] = this.value.match(/^\s*([-+\d.eE]+)\s*(.*?)\s*$/) ?? [];
+    if (number !== undefined && (unit === this.unit || unit === '')) this.slider.value = number;
+  }
+
+  reset() {
+    this.set(this.own);
+    this.moveSlider();
+  }
+
+  mark(messages) {
+    const wrong = Boolean(messages) && this.paths.some((path) => messages.includes(path));
+    this.text.toggleAttribute('aria-invalid', wrong);
+  }
+}
+
+const controls = [...document.querySelectorAll('.control')].map((place) => new Control(place));
+element('controls').addEventListener('submit', (event) => event.preventDefault());
+element('reset').addEventListener('click', reset);
+
+// Copies -----------------------------------------------------------------------------------------
+
+const quoted = (word) =>
+  /^[\w./:,+@%[\]=-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
+
+async function copy(title, text) {
+  element('copy-title').textContent = title;
+  element('copy-text').value = text;
+  element('copied').textContent = '';
+  element('copy').showModal();
+  element('copy-text').select();
+  try {
+    await navigator.clipboard.writeText(text);
+    element('copied').textContent = 'Copied.';
+  } catch {
+    element('copied').textContent = 'Copy it from here.';
+  }
+}
+
+element('copy-set').addEventListener('click', () => {
+  const sets = overrides().map(([path, value]) => ` --set ${quoted(`${path}=${value}`)}`);
+  copy('The same on the command line', `prs report ${quoted(theCase.file)}${sets.join('')}`);
+});
+
+element('copy-yaml').addEventListener('click', async () => {
+  const answer = await complete.engine.ask(question({ command: 'write' }));
+  copy('The case with these values', answer.document?.yaml ?? answer.messages.join('\n'));
+});
+
+// One thread -------------------------------------------------------------------------------------
+
+const threadCase = element('thread-case');
+const threadNumber = element('thread-number');
+const threadRoller = element('thread-roller');
+let threadsOfRoller = 1;
+let threadIsShown = false;
+
+function chosenThread() {
+  if (!threadIsShown) return undefined;
+  const roller = Math.max(1, Number(threadRoller.value) || 1);
+  const thread = Math.max(1, Number(threadNumber.value) || 1);
+  return {
+    load_case: Number(threadCase.value) || 0,
+    thread: (roller - 1) * threadsOfRoller + thread - 1,
+  };
+}
+
+function askThread() {
+  threadIsShown = true;
+  element('thread').hidden = false;
+  document.querySelector('nav a[href="#thread"]').parentElement.hidden = false;
+  complete.put(() => reportQuestion({ sections: ['thread'], thread: chosenThread() }));
+}
+
+function fillThreadForm() {
+  const choices = JSON.parse(element('threads').textContent);
+  if (!choices) return;
+  threadsOfRoller = choices.threads;
+  choices.cases.forEach((name, k) => threadCase.append(new Option(name, k)));
+  threadCase.value = choices.load_case;
+  threadNumber.max = threadsOfRoller;
+  threadRoller.max = choices.rollers;
+  element('roller-label').hidden = choices.rollers === 1;
+  threadNumber.value = (choices.thread % threadsOfRoller) + 1;
+  threadRoller.value = Math.floor(choices.thread / threadsOfRoller) + 1;
+  element('thread').hidden = false;
+  document.querySelector('nav a[href="#thread"]').parentElement.hidden = false;
+}
+
+element('thread-form').addEventListener('input', askThread);
+element('thread-form').addEventListener('submit', (event) => event.preventDefault());
+
+// Its pictures are made when it is first looked at.
+new IntersectionObserver((seen, observer) => {
+  if (!seen.some((entry) => entry.isIntersecting)) return;
+  observer.disconnect();
+  if (!threadIsShown && threadCase.length > 0) askThread();
+}).observe(element('thread-form'));
+
+// Pictures over threads have a field that says where which thread stands.
+document.querySelector('main').addEventListener('click', (event) => {
+  const field = event.target.closest('.pick');
+  if (!field) return;
+  const box = field.getBoundingClientRect();
+  const at = (share, ends) => {
+    const [from, to] = ends.split(' ').map(Number);
+    return Math.max(1, Math.round(from + share * (to - from)));
+  };
+  threadNumber.value = at((event.clientX - box.left) / box.width, field.dataset.threads);
+  if (field.dataset.rollers)
+    threadRoller.value = at((box.bottom - event.clientY) / box.height, field.dataset.rollers);
+  askThread();
+  element('thread').scrollIntoView();
+});
+
+// Start ------------------------------------------------------------------------------------------
+
+fillThreadForm();
+const panel = element('live');
+const wide = matchMedia('(min-width: 64rem)');
+const details = panel.querySelector('details');
+details.open = wide.matches;
+wide.addEventListener('change', () => (details.open = wide.matches));
+panel.hidden = false;
+
+/** The engine of this page, for its reader's console: `await prs.ask({command: 'solve'})`. */
+globalThis.prs = {
+  changes,
+  ask: (more) => (complete.engine ??= new Engine()).ask(question(more)),
+};
+
+// Ready before the first slider moves.
+const idle = globalThis.requestIdleCallback ?? ((run) => setTimeout(run, 200));
+idle(() => {
+  quick.engine ??= new Engine();
+  complete.engine ??= new Engine();
+});

@@ -1,0 +1,157 @@
+#include "prs/page/page.h"
+
+#include <fmt/format.h>
+#include <nettle/base64.h>
+
+#include <cstdint>
+
+#include "prs/input/force_history.h"
+#include "prs/input/reader.h"
+#include "prs/page/resources.h"
+#include "prs/report/svg.h"
+#include "prs/sha256.h"
+
+namespace prs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// With the engine, less is left for the rest below 2.5 MB.
+constexpr ReportRoom kRoomBesideEngine{500'000, 300'000, 200'000};
+
+std::string base64(std::string_view bytes) {
+  std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
+  base64_encode_raw(text.data(), bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+  return text;
+}
+
+/// As policies name a style or a script by its text.
+std::string policy_hash(std::string_view text) {
+  const std::string digest = sha256(text);
+  std::string bytes;
+  for (std::size_t k = 0; k < digest.size(); k += 2)
+    bytes += static_cast<char>(std::stoi(digest.substr(k, 2), nullptr, 16));
+  return "sha256-" + base64(bytes);
+}
+
+/// Data in a script element, where no `<` may stand.
+std::string data_block(const char* id, const Json& json) {
+  std::string text;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
+    if (c == '<')
+      text += "\\u003c";
+    else
+      text += c;
+  return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, text);
+}
+
+/// What the page asks its engine about.
+Json case_of(const input::Source& source) {
+  const input::CaseInput in = input::read_case_input(source, Command::check);
+  Json json{{"file", source.name}, {"yaml", source.text}, {"set", Json::array()}};
+  for (const std::string& text : source.overrides) {
+    const std::size_t equals = text.find('=');
+    json["set"].push_back({text.substr(0, equals), text.substr(equals + 1)});
+  }
+  json["histories"] = Json::object();
+  if (in.values.life && in.values.life->history)
+    json["histories"][in.values.life->history->file] =
+        input::force_history_text(*in.values.life->history, source);
+  return json;
+}
+
+/// The panel of the values. It is shown by the script alone.
+std::string panel_html(const ReportParts& parts) {
+  return fmt::format(R"(<aside id="live" aria-label="Other values" hidden>
+<details open><summary>Try other values</summary>
+<p id="state" role="status"></p>
+<p id="trouble" role="alert"></p>
+<form id="controls" autocomplete="off">
+{}</form>
+<p class="buttons"><button type="button" id="reset">Reset</button>
+<button type="button" id="copy-set">Copy as --set</button>
+<button type="button" id="copy-yaml">Copy as YAML</button></p>
+</details></aside>
+)",
+                     parts.controls);
+}
+
+constexpr std::string_view kCopyDialog = R"(<dialog id="copy" aria-labelledby="copy-title">
+<h2 id="copy-title"></h2><p id="copied" role="status"></p>
+<textarea id="copy-text" readonly rows="12" aria-labelledby="copy-title"></textarea>
+<form method="dialog"><button>Close</button></form></dialog>
+)";
+
+constexpr std::string_view kThreadForm =
+    R"(<p>Click a thread in a picture, or choose one here.</p>
+<form id="thread-form" autocomplete="off">
+<label>Load case <select id="thread-case"></select></label>
+<label id="roller-label">Roller <input id="thread-roller" type="number" min="1" value="1"></label>
+<label>Thread <input id="thread-number" type="number" min="1" value="1"></label></form>
+)";
+
+std::string section_html(const ReportSection& section, bool hidden, std::string_view before = {}) {
+  return fmt::format(
+      "<section id=\"{0}\" aria-labelledby=\"{0}-title\"{3}>\n<h2 id=\"{0}-title\">{1}</h2>\n{4}"
+      "<div class=\"body\">\n{2}</div></section>\n",
+      section.id, section.title, section.body, hidden ? " hidden" : "", before);
+}
+
+/// The whole file. `engine` is empty for a page without scripts.
+std::string page_html(const input::Source& source, const ReportParts& parts,
+                      std::string_view engine) {
+  const bool live = !engine.empty();
+  const std::string style = std::string(page_style()) + svg_style();
+  std::string links, body;
+  const auto add = [&](const ReportSection& section, bool hidden, std::string_view before = {}) {
+    links += fmt::format("<li{}><a href=\"#{}\">{}</a></li>", hidden ? " hidden" : "", section.id,
+                         section.title);
+    body += section_html(section, hidden, before);
+  };
+  for (const ReportSection& section : parts.sections) {
+    if (!section.body.empty() || live) add(section, section.body.empty());
+    if (live && section.id == "pressures") add({"thread", "One thread", ""}, true, kThreadForm);
+  }
+  const std::string scripts =
+      live ? fmt::format(
+                 "; script-src '{}' 'wasm-unsafe-eval'; worker-src blob:; connect-src "
+                 "'none'",
+                 policy_hash(page_script()))
+           : "";
+  std::string text = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src '{}'; "
+      "img-src data:{}; base-uri 'none'; form-action 'none'\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"referrer\" content=\"no-referrer\">\n"
+      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}<div class=\"page{}\">\n"
+      "<header>\n{}</header>\n<div class=\"side\"><nav aria-label=\"Contents\"><ol>{}</ol></nav>\n"
+      "{}</div>\n<main>\n{}</main>\n<footer>{}</footer>\n</div>\n",
+      policy_hash(style), scripts, html(parts.title), style,
+      live ? "<p id=\"changed\" hidden></p>\n" : "", live ? " is-live" : "", parts.head, links,
+      live ? panel_html(parts) : "", body, parts.foot);
+  text += data_block("data", parts.shown);
+  if (live) {
+    text += data_block("case", case_of(source));
+    text += data_block("threads", parts.threads);
+    text += fmt::format(
+        "{}<script type=\"text/plain\" id=\"worker\">{}{}</script>\n"
+        "<script type=\"text/plain\" id=\"engine\">{}</script>\n"
+        "<script type=\"module\">{}</script>\n",
+        kCopyDialog, engine_loader(), worker_script(), base64(engine), page_script());
+  }
+  return text + "</body>\n</html>\n";
+}
+
+}  // namespace
+
+Report make_report(const input::Source& source, const PageOptions& options) {
+  const std::string_view engine = options.live ? page_engine() : std::string_view();
+  ReportOptions asked{options.command, options.results};
+  if (!engine.empty()) asked.room = kRoomBesideEngine;
+  ReportParts parts = report_parts(source, asked);
+  return {page_html(source, parts, engine), std::move(parts.data), std::move(parts.notes),
+          parts.converged};
+}
+
+}  // namespace prs

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "prs/input/source.h"
+#include "prs/report/report.h"
+
+namespace prs {
+
+struct PageOptions {
+  std::string command = {};  ///< That makes the report, as it is told to the reader.
+  /// Where studies and optimizations of the case are looked for.
+  std::vector<std::filesystem::path> results = {};
+  /// With the engine, so that a reader with scripts may change values; without it the page is for
+  /// reading alone.
+  bool live = true;
+};
+
+/// All that a case asks for, on one page.
+struct Report {
+  std::string html;
+  /// The documents that the page was made of, by their commands, under `results`.
+  nlohmann::ordered_json data;
+  std::vector<std::string> notes;  ///< What could not be computed or was left out, a line each.
+  bool converged = true;
+};
+
+/// Runs every command for which the case has all that it needs; of studies and optimizations, shows
+/// what `results` holds. The page asks for nothing from anywhere, and its policy lets it ask for
+/// nothing. Throws InputError where the case is wrong.
+Report make_report(const input::Source& source, const PageOptions& options = {});
+
+/// The engine for the page, a WebAssembly module, gzipped; empty where this build has none.
+std::string_view page_engine();
+
+}  // namespace prs

@@ -1,0 +1,157 @@
+#include "prs/report/findings.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+
+#include "prs/figures/pictures.h"
+#include "prs/model/void_inputs.h"
+#include "prs/output/run_files.h"
+#include "prs/report/svg.h"
+
+namespace prs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void add_warning(std::vector<ReportWarning>& all, const std::string& text,
+                 const std::string& name) {
+  std::string pattern = text;
+  std::erase_if(pattern, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
+  auto found = std::ranges::find(all, pattern, &ReportWarning::pattern);
+  if (found == all.end()) found = all.insert(found, {pattern, text, {}});
+  if (!name.empty() && std::ranges::find(found->cases, name) == found->cases.end())
+    found->cases.push_back(name);
+}
+
+std::vector<ReportWarning> warnings_of(const Findings& all) {
+  std::vector<ReportWarning> warnings;
+  const auto take = [&](const Json& document) {
+    for (const Json& text : under(document, "warnings"))
+      add_warning(warnings, text.get<std::string>(), "");
+    for (const Json& load_case : under(document, "load_cases"))
+      for (const Json& text : under(load_case, "warnings"))
+        add_warning(warnings, text.get<std::string>(), load_case.value("name", ""));
+  };
+  take(all.check);
+  for (const CommandAnswer& answer : all.answers) take(answer.document);
+  return warnings;
+}
+
+/// SOURCE_DATE_EPOCH where it is set, so that the same case gives the same bytes.
+std::string date_of_report() {
+  std::time_t now = std::time(nullptr);
+  if (const char* fixed = std::getenv("SOURCE_DATE_EPOCH")) {
+    char* end = nullptr;
+    const long long seconds = std::strtoll(fixed, &end, 10);
+    if (end != fixed && *end == '\0') now = static_cast<std::time_t>(seconds);
+  }
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
+}
+
+/// Lines of a picture in grey, behind those of the same panel in another.
+void add_behind(Figure& figure, const Figure& before) {
+  if (figure.to_scale || figure.panels.size() != before.panels.size()) return;
+  const Style grey = line_of(Colour::muted, Dash::solid, Weight::strong);
+  const std::size_t line = figure.add(grey),
+                    points = figure.add(points_of(Colour::muted, Mark::circle));
+  for (std::size_t k = 0; k < figure.panels.size(); ++k) {
+    Panel& panel = figure.panels[k];
+    std::vector<Series> behind;
+    for (const Series& series : before.panels[k].series) {
+      const Style& style = before.styles[series.style];
+      if (style.shape != Shape::line || !series.values.empty()) continue;
+      behind.push_back({style.dash == Dash::none ? points : line, series.parts});
+    }
+    panel.series.insert(panel.series.begin(), behind.begin(), behind.end());
+  }
+  const auto widen = [](Axis& axis, const Axis& other) {
+    axis.from = std::min(axis.from, other.from);
+    axis.to = std::max(axis.to, other.to);
+  };
+  widen(figure.x, before.x);
+  widen(figure.y, before.y);
+}
+
+}  // namespace
+
+const CommandAnswer* Findings::answer(Command command) const {
+  const auto found = std::ranges::find(answers, command, &CommandAnswer::command);
+  return found == answers.end() ? nullptr : &*found;
+}
+
+const CommandAnswer* Findings::most_complete() const {
+  const CommandAnswer* solve = answer(Command::solve);
+  return solve ? solve : answer(Command::contact);
+}
+
+std::span<const Command> reported_commands() {
+  static constexpr Command kAll[] = {Command::contact, Command::solve,   Command::compare,
+                                     Command::slip,    Command::preload, Command::life,
+                                     Command::measures};
+  return kAll;
+}
+
+Findings findings_of(input::Source source, ReportOptions options,
+                     std::span<const Command> commands) {
+  const input::CaseInput in = input::read_case_input(source, Command::check);
+  const CommandRow& check = row_of(Command::check);
+  Findings all{std::move(source), std::move(options), date_of_report(), {}, {}, {}, {}, {}, {}};
+  for (const VoidInput& input : void_inputs(in.values)) all.void_paths.push_back(input.path);
+  all.check = check.run(all.source, in).document(document_info(all.source, Command::check));
+  for (const Command command : commands) {
+    if (!input::missing(in, command).empty()) continue;
+    try {
+      CommandAnswer answer{command, run(row_of(command), all.source), {}};
+      answer.document = answer.delivery.document(document_info(all.source, command));
+      answer.document.erase("resolved_input");
+      if (answer.delivery.pictures) answer.pictures = answer.delivery.pictures();
+      all.converged = all.converged && answer.delivery.converged;
+      all.answers.push_back(std::move(answer));
+    } catch (const input::InputError& error) {
+      all.notes.push_back(fmt::format("{} was not computed: {}", name(command), error.what()));
+    }
+  }
+  for (const Command command : {Command::study, Command::optimize})
+    for (const std::filesystem::path& folder : all.options.results) {
+      StoredRun study{command, files_of_run(folder, name(command), all.source)};
+      if (study.files.empty()) continue;
+      all.studies.push_back(std::move(study));
+      break;
+    }
+  all.warnings = warnings_of(all);
+  return all;
+}
+
+const Json& under(const Json& json, const std::string& key) {
+  static const Json none;
+  const auto found = json.find(key);
+  return found == json.end() ? none : *found;
+}
+
+std::string input_value(const Findings& all, std::string_view path) {
+  for (const Json& entry : all.check["input"])
+    if (entry["path"] == path) return entry["value"].get<std::string>();
+  return {};
+}
+
+std::string figure_html(Findings& all, Figure figure, bool narrow) {
+  int place = 0;
+  while (all.figures.contains({all.section, figure.name, place})) ++place;
+  const FigurePlace key{all.section, figure.name, place};
+  const Figure& kept = all.figures.emplace(key, figure).first->second;
+  if (all.before)
+    if (const auto found = all.before->figures.find(key); found != all.before->figures.end())
+      add_behind(figure, found->second);
+  return fmt::format(
+      "<figure data-figure=\"{}\"{}><figcaption>{}</figcaption><div class=\"wide\" "
+      "tabindex=\"0\">{}"
+      "</div></figure>\n",
+      html(figure.name), narrow ? " class=\"narrow\"" : "", html(kept.title),
+      svg(figure, fmt::format("{}-{}-{}", all.section, figure.name, place)));
+}
+
+}  // namespace prs

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "prs/input/source.h"
+#include "prs/model/command.h"
+#include "prs/report/report.h"
+#include "prs/run/commands.h"
+
+namespace prs {
+
+/// What a command found.
+struct CommandAnswer {
+  Command command;
+  Delivery delivery;
+  nlohmann::ordered_json document;
+  Pictures pictures = {};
+};
+
+/// Files of a study or an optimization that was run before.
+struct StoredRun {
+  Command command;
+  std::vector<OutputFile> files;
+};
+
+/// What the same kind of page meant about several load cases.
+struct ReportWarning {
+  std::string pattern;  ///< The text without its numbers.
+  std::string text;
+  std::vector<std::string> cases;
+};
+
+/// A drawn picture: the section, its name, and how many of that name stood before it there.
+using FigurePlace = std::tuple<std::string, std::string, int>;
+
+/// What a page is made of.
+struct Findings {
+  input::Source source;
+  ReportOptions options;
+  std::string date;
+  nlohmann::ordered_json check;
+  std::vector<CommandAnswer> answers;
+  std::vector<StoredRun> studies;
+  std::vector<ReportWarning> warnings;
+  std::vector<std::string> notes;
+  std::vector<std::string> void_paths;  ///< Inputs that overrides stand in for.
+  bool converged = true;
+
+  const Findings* before = nullptr;  ///< Shown behind these, in grey.
+  std::string section = {};          ///< The one that is being written.
+  std::map<FigurePlace, Figure> figures = {};
+
+  const CommandAnswer* answer(Command command) const;
+  /// The load cases, solved where the case has all for it.
+  const CommandAnswer* most_complete() const;
+};
+
+/// All commands that a page shows, in the order in which they run.
+std::span<const Command> reported_commands();
+
+/// Runs those of the commands for which the case has all that it needs; of studies and
+/// optimizations, takes what `results` of the options hold. Throws InputError where the case is
+/// wrong.
+Findings findings_of(input::Source source, ReportOptions options, std::span<const Command> commands);
+
+/// What stands under a key; null where there is nothing.
+const nlohmann::ordered_json& under(const nlohmann::ordered_json& json, const std::string& key);
+
+/// Value of an input as the file could have it; empty where there is none.
+std::string input_value(const Findings& all, std::string_view path);
+
+/// State, numbers of interest, and how many warnings.
+std::string verdict_html(const Findings& all);
+std::string warning_list(const Findings& all);
+
+/// Sliders and fields for the inputs that matter, by what the case states; empty where it has
+/// nothing that a page could move.
+std::string controls_html(const Findings& all);
+
+/// Loads, pressures, friction of one thread, with its pictures.
+std::string thread_html(Findings& all, const ThreadChoice& choice);
+
+/// The load cases whose threads can be looked at, and the most loaded thread; null where none can.
+nlohmann::ordered_json thread_choices(const Findings& all);
+
+/// The figure that the place of a picture shows, before it is written: with what stood there
+/// before behind it.
+std::string figure_html(Findings& all, Figure figure, bool narrow = false);
+
+}  // namespace prs

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "prs/report/findings.h"
+
+namespace prs {
+
+/// A section of the page and how it is written.
+struct SectionRow {
+  const char* id;
+  const char* title;
+  std::string (*make)(Findings&);
+  bool is_quick = false;  ///< Of `solve` or `contact` alone: follows while a value moves.
+};
+
+/// In the order of the page.
+std::span<const SectionRow> section_rows();
+
+ReportSection section_of(Findings& all, const SectionRow& row);
+
+/// Every document, by its command under `results`.
+nlohmann::ordered_json documents_of(const Findings& all);
+
+}  // namespace prs

@@ -1,0 +1,60 @@
+#include "prs/threads/contact_batch.h"
+
+namespace prs {
+namespace {
+
+contact::Elasticity elastic(const Material& m) { return {m.youngs_modulus, m.poisson_ratio}; }
+
+bool set_contact(InterfaceContact& c, const contact::InterfaceNumbers<double>& geometry,
+                 const contact::HertzNumbers<double>& hertz, double modulus) {
+  if (geometry.point.status != static_cast<double>(contact::ContactPointStatus::ok)) return false;
+  c.geometry = contact::interface_geometry_of(geometry);
+  c.contact_modulus = modulus;
+  c.shear.reset();
+  if (modulus == 0.0) {
+    c.hertz = {};
+    return true;
+  }
+  c.hertz = contact::hertz_constants_of(hertz);
+  return c.hertz.ok();
+}
+
+}  // namespace
+
+void ContactBatch::add(const contact::MechanismGeometry& threads,
+                       const std::optional<Materials>& materials) {
+  contact::MechanismNumbers<double>& m = mechanisms_.emplace_back(contact::numbers_of(threads));
+  if (!materials) return;
+  const contact::Elasticity roller = elastic(materials->roller);
+  m.modulus_at_screw = contact::contact_modulus(elastic(materials->screw), roller);
+  m.modulus_at_nut = contact::contact_modulus(elastic(materials->nut), roller);
+}
+
+void ContactBatch::find() {
+  found_.resize(mechanisms_.size());
+  contact::find_contacts(mechanisms_, found_, set_);
+}
+
+bool ContactBatch::get(std::size_t k, const Mechanism& mechanism,
+                       const contact::MechanismGeometry& threads, ContactDetail detail,
+                       Contacts& c) const {
+  const contact::MechanismContactNumbers<double>& found = found_[k];
+  const contact::MechanismNumbers<double>& m = mechanisms_[k];
+  if (found.sound == 0.0 ||
+      !set_contact(c.interfaces.screw, found.screw, found.hertz_at_screw, m.modulus_at_screw) ||
+      !set_contact(c.interfaces.nut, found.nut, found.hertz_at_nut, m.modulus_at_nut))
+    return false;
+  c.mechanism = mechanism;
+  c.threads = threads;
+  c.bad_threads = {};
+  c.warnings.clear();
+  for (const Interface i : kInterfaces) {
+    InterfaceContact& contact = c.interfaces[i];
+    contact.clearance.reset();
+    if (detail == ContactDetail::numbers)
+      contact.clearance = thread_clearance(c.threads, i, contact.geometry.point);
+  }
+  return true;
+}
+
+}  // namespace prs

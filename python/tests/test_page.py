@@ -1,0 +1,357 @@
+"""The page of `prs report` in a real browser, opened as a file."""
+
+from __future__ import annotations
+
+import base64
+import io
+import json
+import re
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from conftest import Run, lessons
+
+webdriver = pytest.importorskip("selenium.webdriver")
+pypdf = pytest.importorskip("pypdf")
+
+from selenium.webdriver.common.by import By  # noqa: E402
+from selenium.webdriver.common.keys import Keys  # noqa: E402
+from selenium.webdriver.remote.webelement import WebElement  # noqa: E402
+from selenium.webdriver.support.ui import WebDriverWait  # noqa: E402
+
+#: Those that run at once: many load cases, contacts from the geometry, a history, all rollers, films.
+QUICK = {1, 4, 14, 24, 29}
+
+#: Seconds until something that must come is missing.
+PATIENCE = 60
+
+
+def each_lesson() -> list[Any]:
+    return [
+        pytest.param(
+            file,
+            id=file.stem[:2],
+            marks=[] if int(file.stem[:2]) in QUICK else [pytest.mark.thorough],
+        )
+        for file in lessons()
+    ]
+
+
+class Browser:
+    """A window of a phone or a desk, with what it asked for and complained about."""
+
+    def __init__(self, scripts: bool = True) -> None:
+        options = webdriver.ChromeOptions()
+        for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage"):
+            options.add_argument(argument)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        if not scripts:
+            options.add_experimental_option(
+                "prefs", {"profile.managed_default_content_settings.javascript": 2}
+            )
+        self.driver = webdriver.Chrome(
+            options=options, service=webdriver.ChromeService(shutil.which("chromedriver"))
+        )
+        self.driver.set_script_timeout(PATIENCE)
+        self.resize(1400, 1000)
+
+    def resize(self, width: int, height: int) -> None:
+        self.driver.execute_cdp_cmd(
+            "Emulation.setDeviceMetricsOverride",
+            {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600},
+        )
+
+    def open(self, page: Path) -> None:
+        self.driver.get("about:blank")
+        for kind in ("browser", "performance"):
+            self.driver.get_log(kind)
+        self.driver.get(page.as_uri())
+
+    def complaints(self) -> list[str]:
+        return [entry["message"] for entry in self.driver.get_log("browser")]
+
+    def requests(self) -> list[str]:
+        """What the page loaded besides itself."""
+        messages = [
+            json.loads(entry["message"])["message"] for entry in self.driver.get_log("performance")
+        ]
+        return [
+            message["params"]["request"]["url"]
+            for message in messages
+            if message["method"] == "Network.requestWillBeSent"
+            and message["params"].get("type") != "Document"
+        ]
+
+    def find(self, selector: str) -> WebElement:
+        return self.driver.find_element(By.CSS_SELECTOR, selector)
+
+    def text(self, selector: str) -> str:
+        return self.find(selector).get_attribute("textContent") or ""
+
+    def ask(self, question: dict[str, Any]) -> dict[str, Any]:
+        """What the engine of the page answers about the case as the page has it."""
+        answer: dict[str, Any] = self.driver.execute_async_script(
+            "const [question, done] = arguments; prs.ask(question).then(done);", question
+        )
+        return answer
+
+    def changed(self, act: Callable[[], None]) -> None:
+        """Acts, and waits until all numbers follow."""
+        self.driver.execute_script(
+            "window.completed = false;"
+            "document.addEventListener('prs-complete', () => (window.completed = true));"
+        )
+        act()
+        self.wait("window.completed")
+
+    def wait(self, condition: str) -> None:
+        WebDriverWait(self.driver, PATIENCE).until(
+            lambda driver: driver.execute_script(f"return {condition}"), condition
+        )
+
+    def control(self, path: str) -> tuple[WebElement, WebElement]:
+        """Field and slider of an input."""
+        for place in self.driver.find_elements(By.CSS_SELECTOR, ".control"):
+            if path in (place.get_attribute("data-paths") or "").split():
+                field, slider = place.find_elements(By.CSS_SELECTOR, "input")
+                return field, slider
+        raise AssertionError(f"no control of {path}")
+
+    def write(self, path: str, value: str) -> None:
+        field, _ = self.control(path)
+        field.clear()
+        self.changed(lambda: field.send_keys(value, Keys.ENTER))
+
+    def tiles(self) -> dict[str, str]:
+        """Numbers of the verdict by their titles."""
+        return {
+            tile.find_element(By.CSS_SELECTOR, "dt").text: tile.find_element(
+                By.CSS_SELECTOR, ".value"
+            ).text
+            for tile in self.driver.find_elements(By.CSS_SELECTOR, ".tiles > div")
+        }
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    if not shutil.which("chromedriver"):
+        pytest.skip("no browser: install chromium-driver")
+    browser = Browser()
+    yield browser
+    browser.driver.quit()
+
+
+@pytest.fixture
+def page(program: Run, tmp_path: Path) -> Callable[..., Path]:
+    """Writes the page of a lesson, by its number, or of a file."""
+
+    def write(case: int | Path, *arguments: str, name: str = "report.html") -> Path:
+        if isinstance(case, int):
+            (case,) = (file for file in lessons() if file.stem.startswith(f"{case:02d}_"))
+        run = program("report", case, "--quiet", "--output", tmp_path / name, *arguments)
+        assert run.returncode in (0, 3), run.stderr
+        return tmp_path / name
+
+    return write
+
+
+def assert_close(live: Any, native: Any, path: str = "") -> None:
+    """To 1e-12 of each number; depths of flat maxima to 1e-7."""
+    if isinstance(native, dict):
+        assert live.keys() == native.keys(), path
+        for key in native:
+            assert_close(live[key], native[key], f"{path}.{key}")
+    elif isinstance(native, list):
+        assert len(live) == len(native), path
+        largest = max((abs(x) for x in native if isinstance(x, float)), default=0.0)
+        for k, (a, b) in enumerate(zip(live, native)):
+            if isinstance(b, float):
+                share = 1e-7 if "depth" in path else 1e-12
+                assert a == pytest.approx(b, rel=share, abs=share * largest), f"{path}[{k}]"
+            else:
+                assert_close(a, b, f"{path}[{k}]")
+    elif isinstance(native, float):
+        share = 1e-7 if "depth" in path else 1e-9 if "tangent" in path else 1e-12
+        assert live == pytest.approx(native, rel=share, abs=1e-300), path
+    else:
+        assert live == native, path
+
+
+@pytest.mark.parametrize("file", each_lesson())
+def test_opens_without_request_or_complaint(
+    file: Path, browser: Browser, page: Callable[..., Path]
+) -> None:
+    browser.open(page(file))
+    assert browser.ask({"command": "check"})["status"] == 0
+    assert browser.complaints() == []
+    assert [url for url in browser.requests() if not url.startswith(("blob:", "data:"))] == []
+
+
+@pytest.mark.parametrize("file", each_lesson())
+def test_says_what_the_program_says(
+    file: Path, browser: Browser, page: Callable[..., Path], program: Run
+) -> None:
+    browser.open(page(file))
+    command = "solve" if program("solve", file, "--quiet").returncode in (0, 3) else "contact"
+    native = json.loads(program(command, file, "--json").stdout)
+    live = browser.ask({"command": command})["document"]
+    for key in ("load_cases", "contact"):
+        if key in native:
+            assert_close(live[key], native[key], key)
+
+
+@pytest.mark.parametrize("file", each_lesson())
+def test_follows_as_set_does(file: Path, browser: Browser, page: Callable[..., Path]) -> None:
+    browser.open(page(file))
+    places = browser.driver.find_elements(By.CSS_SELECTOR, ".control")
+    assert places
+    field, slider = places[0].find_elements(By.CSS_SELECTOR, "input")
+    paths = (places[0].get_attribute("data-paths") or "").split()
+    unit = slider.get_attribute("data-unit")
+    value = f"{float(slider.get_attribute('value') or 0) * 0.75:g} {unit}".strip()
+    browser.write(paths[0], value)
+    assert browser.text("#trouble") == ""
+    live = browser.tiles()
+    sets = [word for path in paths for word in ("--set", f"{path}={value}")]
+    browser.open(page(file, "--static", *sets, name="set.html"))
+    assert live == browser.tiles()
+
+
+def test_keyboard_alone_moves_a_slider(browser: Browser, page: Callable[..., Path]) -> None:
+    browser.open(page(4))
+    field, slider = browser.control("structure.nut.outer_diameter")
+    browser.driver.execute_script("arguments[0].focus()", field)
+    field.send_keys(Keys.TAB)
+    assert browser.driver.switch_to.active_element == slider
+    before = browser.tiles()
+    browser.changed(lambda: slider.send_keys(Keys.ARROW_RIGHT))
+    assert field.get_attribute("value") != "46 mm"
+    assert browser.tiles()["Axial stiffness"] != before["Axial stiffness"]
+    assert "Diameter of the nut" in browser.text("#changed")
+    assert "report: " in browser.text("#verdict")
+    reset = browser.find("#reset")
+    browser.changed(lambda: reset.send_keys(Keys.ENTER))
+    assert browser.tiles() == before
+    assert not browser.find("#changed").is_displayed()
+    assert field.get_attribute("value") == "46 mm"
+
+
+def test_a_wrong_value_is_told_and_changes_nothing(
+    browser: Browser, page: Callable[..., Path]
+) -> None:
+    browser.open(page(4))
+    before = browser.tiles()
+    browser.write("structure.nut.length", "90 kg")
+    assert "structure.nut.length: got 90 kg" in browser.text("#trouble")
+    assert browser.control("structure.nut.length")[0].get_attribute("aria-invalid") is not None
+    assert browser.tiles() == before
+    browser.write("structure.nut.length", "100 mm")
+    assert browser.text("#trouble") == ""
+    assert browser.tiles() != before
+
+
+def test_copies_are_the_changed_case(
+    browser: Browser, page: Callable[..., Path], program: Run, tmp_path: Path
+) -> None:
+    browser.open(page(24))
+    browser.write("load_cases[0].misalignment.nut_tilt.z", "0.05 deg")
+    live = browser.tiles()
+    browser.find("#copy-yaml").click()
+    browser.wait("document.getElementById('copy').open")
+    yaml = browser.find("#copy-text").get_attribute("value") or ""
+    assert "# Lesson 24" in yaml
+    (tmp_path / "copied.yaml").write_text(yaml)
+    browser.find("#copy button").click()
+    browser.find("#copy-set").click()
+    command = browser.find("#copy-text").get_attribute("value") or ""
+    assert command.endswith("--set 'load_cases[0].misalignment.nut_tilt.z=0.05 deg'")
+    browser.open(page(tmp_path / "copied.yaml", "--static", name="copied.html"))
+    assert browser.tiles() == live
+
+
+def test_a_thread_is_looked_at(browser: Browser, page: Callable[..., Path]) -> None:
+    browser.open(page(29))
+    number = browser.find("#thread-number")
+    browser.driver.execute_script("arguments[0].scrollIntoView()", number)
+    browser.wait("document.querySelectorAll('#thread figure').length === 3")
+    first = browser.text("#thread .body")
+    number.send_keys(Keys.ARROW_UP)
+    WebDriverWait(browser.driver, PATIENCE).until(
+        lambda _: browser.text("#thread .body") != first, "another thread"
+    )
+    picture = browser.find("#loads .pick")
+    browser.driver.execute_script("arguments[0].scrollIntoView()", picture)
+    webdriver.ActionChains(browser.driver).move_to_element_with_offset(
+        picture, -picture.rect["width"] / 2 + 3, 0
+    ).click().perform()
+    assert number.get_attribute("value") == "1"
+
+
+def test_hostile_names_stay_text(
+    browser: Browser, page: Callable[..., Path], tmp_path: Path
+) -> None:
+    hostile = "</script><img src=x onerror=\"document.title='got'\">"
+    (file,) = (file for file in lessons() if file.stem.startswith("01_"))
+    text = file.read_text().replace("config1-tension", f"'{hostile.replace(chr(39), chr(39) * 2)}'")
+    case = tmp_path / "<b>case.yaml"
+    case.write_text(text)
+    browser.open(page(case))
+    browser.write("load_cases[0].axial_force", "40000 N")
+    assert browser.driver.find_elements(By.CSS_SELECTOR, "img, b") == []
+    assert "got" not in browser.driver.title
+    assert hostile in browser.text("#thread-case")
+    assert browser.complaints() == []
+
+
+def test_prints_every_section_on_a4(browser: Browser, page: Callable[..., Path]) -> None:
+    browser.open(page(14))
+    titles = [
+        heading.text
+        for heading in browser.driver.find_elements(By.CSS_SELECTOR, "main h2")
+        if heading.is_displayed()
+    ]
+    assert {"Verdict", "Load distribution", "Life", "Provenance"} <= set(titles)
+    printed = browser.driver.execute_cdp_cmd("Page.printToPDF", {"preferCSSPageSize": True})
+    pdf = pypdf.PdfReader(io.BytesIO(base64.b64decode(printed["data"])))
+    size = pdf.pages[0].mediabox
+    assert (round(size.width), round(size.height)) == (595, 842)
+    text = re.sub(r"\s+", " ", " ".join(p.extract_text() for p in pdf.pages))
+    for title in titles:
+        assert title in text
+    assert "Try other values" not in text
+
+
+@pytest.mark.parametrize("file", each_lesson())
+def test_fits_a_phone(file: Path, browser: Browser, page: Callable[..., Path]) -> None:
+    browser.resize(375, 700)
+    try:
+        browser.open(page(file))
+        browser.wait("!document.getElementById('live').hidden")
+        assert browser.driver.execute_script("return document.documentElement.scrollWidth") == 375
+        browser.find("#live summary").click()
+        assert browser.driver.execute_script("return document.documentElement.scrollWidth") == 375
+        assert browser.find("#live").rect["height"] < 400
+    finally:
+        browser.resize(1400, 1000)
+
+
+def test_reads_without_scripts(page: Callable[..., Path]) -> None:
+    if not shutil.which("chromedriver"):
+        pytest.skip("no browser: install chromium-driver")
+    reader = Browser(scripts=False)
+    try:
+        reader.open(page(4))
+        assert reader.tiles()["Axial stiffness"]
+        assert reader.find("#loads svg").is_displayed()
+        assert not reader.find("#live").is_displayed()
+    finally:
+        reader.driver.quit()
+
+
+def test_static_has_no_script(page: Callable[..., Path]) -> None:
+    text = page(4, "--static").read_text(encoding="utf-8")
+    assert re.findall(r"<script[^>]*>", text) == ['<script type="application/json" id="data">']
+    assert "script-src" not in text

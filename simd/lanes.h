@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+/// Arithmetic that reads alike for a number and for a batch of numbers: what xsimd has for batches,
+/// for single numbers. Formulas are templates over `Real`, which is either.
+namespace simd {
+
+/// Yes or no for each number of a batch.
+template <class Real>
+using Lanes = decltype(Real() < Real());
+
+/// Numbers side by side in a batch.
+template <class Real>
+inline constexpr std::size_t kLanes = sizeof(Real) / sizeof(double);
+
+[[gnu::always_inline]] inline double select(bool condition, double a, double b) {
+  return condition ? a : b;
+}
+[[gnu::always_inline]] inline bool any(bool condition) { return condition; }
+[[gnu::always_inline]] inline double sqrt(double x) { return __builtin_sqrt(x); }
+[[gnu::always_inline]] inline double abs(double x) { return __builtin_fabs(x); }
+[[gnu::always_inline]] inline double max(double a, double b) { return a > b ? a : b; }
+[[gnu::always_inline]] inline double min(double a, double b) { return a < b ? a : b; }
+[[gnu::always_inline]] inline double cbrt(double x) { return __builtin_cbrt(x); }
+[[gnu::always_inline]] inline double hypot(double x, double y) { return __builtin_hypot(x, y); }
+[[gnu::always_inline]] inline double atan2(double y, double x) { return __builtin_atan2(y, x); }
+[[gnu::always_inline]] inline double exp(double x) { return __builtin_exp(x); }
+[[gnu::always_inline]] inline double log(double x) { return __builtin_log(x); }
+[[gnu::always_inline]] inline double log10(double x) { return __builtin_log10(x); }
+[[gnu::always_inline]] inline double fma(double x, double y, double z) {
+  return __builtin_fma(x, y, z);
+}
+[[gnu::always_inline]] inline double copysign(double x, double sign) {
+  return __builtin_copysign(x, sign);
+}
+[[gnu::always_inline]] inline bool isnan(double x) { return __builtin_isnan(x); }
+[[gnu::always_inline]] inline std::pair<double, double> sincos(double x) {
+  return {__builtin_sin(x), __builtin_cos(x)};
+}
+
+}  // namespace simd

@@ -1,0 +1,211 @@
+#include "prs/export/system_curves.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "prs/input/reader.h"
+#include "prs/loads/analyze.h"
+#include "prs/preload/analyze_preload.h"
+#include "prs/slip/slip.h"
+
+namespace prs {
+namespace {
+
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Case lesson_case(const std::string& name, Command command,
+                 const std::vector<std::string>& overrides = {}) {
+  return input::read_case(PRS_SOURCE_DIR "/configs/" + name, overrides, command);
+}
+
+struct Evaluated {
+  double force = 0.0, stiffness = 0.0;
+  int beyond = 0;
+};
+
+Evaluated at(const SystemCurves& curves, double deflection) {
+  const PrsCurves view = curves.view();
+  Evaluated e;
+  e.force = prs_force(&view, deflection, &e.stiffness, &e.beyond);
+  return e;
+}
+
+/// Forces between the nodes, tension > 0.
+std::vector<double> forces_up_to(double largest) {
+  std::vector<double> forces;
+  for (const double share : {0.0007, 0.013, 0.07, 0.19, 0.41, 0.66, 0.93})
+    for (const double sign : {1.0, -1.0}) forces.push_back(sign * share * largest);
+  return forces;
+}
+
+TEST(SystemCurves, HaveTheForcesOfSolveBetweenTheirNodes) {
+  Case c = lesson_case("05_standard_screw.yaml", Command::solve);
+  const SystemCurves curves = system_curves(c, {.force = 50e3});
+  const LoadCase pattern = c.load_cases.front();
+  c.load_cases.clear();
+  for (const double force : forces_up_to(50e3)) {
+    c.load_cases.push_back(pattern);
+    c.load_cases.back().axial_force = std::abs(force);
+    c.load_cases.back().direction = force > 0.0 ? Direction::tension : Direction::compression;
+  }
+  const double stiffest = at(curves, 1.0).stiffness;
+  for (const LoadCaseResult& r : analyze(c).load_cases) {
+    const double sign = r.load_case.direction == Direction::tension ? 1.0 : -1.0;
+    const Evaluated e = at(curves, sign * *r.axial_displacement);
+    EXPECT_NEAR(e.force, sign * r.load_case.axial_force, kForceTolerance * 50e3);
+    EXPECT_NEAR(e.stiffness, *r.tangent_stiffness, kStiffnessTolerance * stiffest);
+  }
+}
+
+TEST(SystemCurves, ReproduceTheirNodes) {
+  const SystemCurves curves =
+      system_curves(lesson_case("05_standard_screw.yaml", Command::solve), {});
+  for (const Direction d : kDirections) {
+    const BranchTable& branch = curves.senses[d];
+    const double sign = d == Direction::tension ? 1.0 : -1.0;
+    for (std::size_t k = 1; k < branch.at.size(); ++k) {
+      const Evaluated e = at(curves, sign * branch.deflection(k));
+      EXPECT_NEAR(e.force, sign * branch.force[k], 1e-12 * branch.force.back());
+      EXPECT_NEAR(e.stiffness, branch.stiffness(k), 1e-12 * branch.stiffness(k));
+      EXPECT_EQ(e.beyond, 0);
+    }
+  }
+}
+
+/// One thread by itself is a Hertz contact: F ~ u^1.5 and dF/du = 1.5 F/u, down to the first touch.
+TEST(SystemCurves, StartAsHertzContactsDo) {
+  const SystemCurves curves =
+      system_curves(lesson_case("05_standard_screw.yaml", Command::solve), {});
+  EXPECT_EQ(at(curves, 0.0).force, 0.0);
+  EXPECT_EQ(at(curves, 0.0).stiffness, 0.0);
+  const double small = 1e-5 * curves.senses.tension.deflection(curves.senses.tension.at.size() - 1);
+  const Evaluated e = at(curves, small);
+  EXPECT_NEAR(e.stiffness, 1.5 * e.force / small, 0.01 * e.stiffness);
+  EXPECT_NEAR(at(curves, 4.0 * small).force, 8.0 * e.force, 0.01 * 8.0 * e.force);
+}
+
+TEST(SystemCurves, RiseEverywhereAndGoOnStraight) {
+  const SystemCurves curves = system_curves(lesson_case("12_preload.yaml", Command::preload), {});
+  const BranchTable& tension = curves.senses.tension;
+  const double end = tension.deflection(tension.at.size() - 1);
+  double last = at(curves, -1.2 * end).force;
+  for (double u = -1.199 * end; u < 1.2 * end; u += 1e-3 * end) {
+    const double force = at(curves, u).force;
+    EXPECT_GT(force, last);
+    last = force;
+  }
+  const Evaluated beyond = at(curves, end + 2e-6);
+  EXPECT_EQ(beyond.beyond, 1);
+  EXPECT_NEAR(beyond.force, tension.force.back() + 2e-6 * tension.slope.back(), 1e-6);
+}
+
+TEST(SystemCurves, OfAPreloadedNutAreThoseOfPreload) {
+  Case c = lesson_case("12_preload.yaml", Command::preload);
+  const SystemCurves curves = system_curves(c, {});
+  const double largest = curves.senses.tension.force.back();
+  c.preload->load = {-0.97 * largest, 0.97 * largest, 24};
+  const PreloadResult preloaded = analyze_preload(c);
+  for (const PreloadPoint& point : preloaded.curve.points) {
+    const Evaluated e = at(curves, point.axial_displacement);
+    EXPECT_NEAR(e.force, point.axial_force, kForceTolerance * largest);
+    EXPECT_NEAR(e.stiffness, *point.tangent_stiffness, 3.0 * kStiffnessTolerance * e.stiffness);
+  }
+  EXPECT_NEAR(at(curves, 0.0).stiffness, *preloaded.at_rest.tangent_stiffness,
+              1e-9 * *preloaded.at_rest.tangent_stiffness);
+}
+
+/// Both flanks of a nut with play touch after half of it each.
+TEST(SystemCurves, OfANutWithPlayAreZeroWithinIt) {
+  const Case c = lesson_case("12_preload.yaml", Command::preload,
+                             {"preload={arrangement: single_nut, backlash: 10 um, position: 10 mm, "
+                              "load: {from: -20 kN, to: 20 kN}}"});
+  const SystemCurves curves = system_curves(c, {});
+  const double tension = curves.senses.tension.origin,
+               compression = curves.senses.compression.origin;
+  EXPECT_NEAR(tension + compression, 10e-6, 1e-9);
+  EXPECT_EQ(at(curves, 0.9 * tension).force, 0.0);
+  EXPECT_EQ(at(curves, -0.9 * compression).force, 0.0);
+  EXPECT_GT(at(curves, tension + 1e-6).force, 0.0);
+  EXPECT_LT(at(curves, -compression - 1e-6).force, 0.0);
+}
+
+Case of_friction(const std::string& friction) {
+  return lesson_case("09_slip_and_dissipation.yaml", Command::slip, {"friction=" + friction});
+}
+
+TEST(SystemCurves, TorqueIsThatOfSlip) {
+  Case c = of_friction("{coulomb: 0.08}");
+  const SystemCurves curves = system_curves(c, {.force = 20e3});
+  const PrsCurves view = curves.view();
+  const double largest = std::abs(20e3 * curves.lead) / std::numbers::pi;
+  const LoadCase pattern = c.load_cases.front();
+  c.load_cases.clear();
+  std::vector<double> forces;
+  for (const double force : forces_up_to(20e3))
+    for (const double speed : {0.3, -17.0}) {
+      LoadCase load = pattern;
+      load.axial_force = std::abs(force);
+      load.direction = force > 0.0 ? Direction::tension : Direction::compression;
+      load.speed = speed;
+      if (std::abs(force) < 0.01 * 20e3) continue;  // Friction of smaller forces is not looked at.
+      c.load_cases.push_back(load);
+      forces.push_back(force);
+    }
+  const Result slip = analyze_slip(c);
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    int beyond = 0;
+    const double speed = *slip.load_cases[k].load_case.speed;
+    EXPECT_NEAR(prs_torque(&view, forces[k], speed, &beyond), slip.load_cases[k].slip->torque_screw,
+                3.0 * kTorqueTolerance * largest);
+  }
+}
+
+/// Friction takes power: torque x speed is more than force x travel, in both senses of both.
+TEST(SystemCurves, FrictionTakesPower) {
+  const SystemCurves curves = system_curves(of_friction("{coulomb: 0.08}"), {.force = 20e3});
+  const PrsCurves view = curves.view();
+  for (const double force : {-15e3, -200.0, 300.0, 19e3})
+    for (const double speed : {-20.0, -0.1, 0.1, 20.0}) {
+      int beyond = 0;
+      EXPECT_GT(prs_torque(&view, force, speed, &beyond) * speed,
+                force * curves.lead / (2.0 * std::numbers::pi) * speed);
+      EXPECT_EQ(beyond, 0);
+    }
+}
+
+TEST(SystemCurves, WithoutFrictionTheTorqueIsThatOfTheLead) {
+  const SystemCurves curves =
+      system_curves(lesson_case("05_standard_screw.yaml", Command::solve), {});
+  const PrsCurves view = curves.view();
+  int beyond = 0;
+  EXPECT_NEAR(prs_torque(&view, 1e3, 7.0, &beyond), 1e3 * curves.lead / (2.0 * std::numbers::pi),
+              1e-12);
+  EXPECT_THAT(curves.warnings, testing::Contains(HasSubstr("without friction")));
+}
+
+TEST(SystemCurves, ReadBackFromTheirData) {
+  const SystemCurves curves = system_curves(of_friction("{coulomb: 0.08}"), {.force = 20e3});
+  std::vector<double> data = curves.data();
+  PrsCurves read;
+  ASSERT_EQ(prs_read_curves(data.data(), data.size(), &read), 1);
+  const PrsCurves view = curves.view();
+  for (const double u : {-12e-6, 0.0, 3e-7, 15e-6}) {
+    Evaluated a, b;
+    EXPECT_EQ(prs_force(&read, u, &a.stiffness, &a.beyond),
+              prs_force(&view, u, &b.stiffness, &b.beyond));
+    EXPECT_EQ(prs_torque(&read, 1e9 * u, 3.0, &a.beyond),
+              prs_torque(&view, 1e9 * u, 3.0, &b.beyond));
+  }
+  EXPECT_EQ(prs_read_curves(data.data(), data.size() - 1, &read), 0);
+  for (std::size_t k = 0; k < data.size(); k += 7)
+    EXPECT_EQ(prs_read_curves(data.data(), k, &read), 0);
+  data[0] = 2.0;
+  EXPECT_EQ(prs_read_curves(data.data(), data.size(), &read), 0);
+}
+
+}  // namespace
+}  // namespace prs

@@ -1,0 +1,104 @@
+#include "prs/report/live.h"
+
+#include <gmock/gmock.h>
+
+#include <regex>
+
+#include "prs/page/page.h"
+
+namespace prs {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+input::Source live_lesson(const std::string& name, std::vector<std::string> overrides = {}) {
+  return input::load_source(PRS_SOURCE_DIR "/configs/" + name, std::move(overrides));
+}
+
+std::vector<std::string> names_of(const LiveAnswer& answer) {
+  std::vector<std::string> names;
+  for (const auto& item : answer.sections.items()) names.push_back(item.key());
+  return names;
+}
+
+TEST(LiveReport, OfTheSameCaseIsTheReport) {
+  const input::Source source = live_lesson("28_driving_load.yaml");
+  const LiveAnswer live = live_sections(source, {});
+  std::size_t compared = 0;
+  for (const ReportSection& section : report_parts(source, {}).sections)
+    if (live.sections.contains(section.id)) {
+      EXPECT_EQ(live.sections[section.id], section.body) << section.id;
+      compared += section.body.empty() ? 0 : 1;
+    }
+  EXPECT_GT(compared, 8u);
+}
+
+TEST(LiveReport, ShowsTheReportBehindOtherValues) {
+  const input::Source changed =
+      live_lesson("04_contacts_from_geometry.yaml", {"structure.nut.outer_diameter=60 mm"});
+  const std::string verdict = live_sections(changed, {}).sections["verdict"];
+  const std::string before =
+      live_sections(live_lesson("04_contacts_from_geometry.yaml"), {}).sections["verdict"];
+  std::smatch found;
+  static const std::regex value("<div class=\"value\">([^<]*) <small>");
+  ASSERT_TRUE(std::regex_search(before, found, value));
+  EXPECT_THAT(verdict, HasSubstr("report: " + found[1].str()));
+  EXPECT_THAT(before, Not(HasSubstr("report: ")));
+  const auto paths = [](const std::string& text) {
+    static const std::regex path("<path ");
+    return std::distance(std::sregex_iterator(text.begin(), text.end(), path), {});
+  };
+  EXPECT_GT(paths(live_sections(changed, {}).sections["loads"]),
+            paths(live_sections(changed, {.own = 1}).sections["loads"]));
+}
+
+TEST(LiveReport, IsQuickWithWhatFollowsASlider) {
+  const input::Source source = live_lesson("28_driving_load.yaml");
+  EXPECT_THAT(names_of(live_sections(source, {.quick = true})),
+              ElementsAre("verdict", "mechanism", "loads", "stiffness", "pressures"));
+  EXPECT_THAT(names_of(live_sections(source, {.quick = true, .sections = {"loads", "slip"}})),
+              ElementsAre("loads"));
+}
+
+TEST(LiveReport, ShowsOneThread) {
+  const input::Source source = live_lesson("28_driving_load.yaml");
+  const LiveAnswer answer =
+      live_sections(source, {.sections = {"thread"}, .thread = ThreadChoice{0, 2}});
+  ASSERT_THAT(names_of(answer), ElementsAre("thread"));
+  const std::string html = answer.sections["thread"];
+  for (const char* part : {"Peak pressure", "thread_pressure", "thread_stress", "thread_friction"})
+    EXPECT_THAT(html, HasSubstr(part));
+  const LiveAnswer none =
+      live_sections(source, {.sections = {"thread"}, .thread = ThreadChoice{0, 999}});
+  EXPECT_THAT(none.sections["thread"].get<std::string>(), HasSubstr("no such thread"));
+}
+
+TEST(LiveReport, MovesInputsThatMatter) {
+  const std::string controls = report_parts(live_lesson("24_misalignment.yaml"), {}).controls;
+  EXPECT_THAT(controls, HasSubstr("data-paths=\"load_cases[0].axial_force "
+                                  "load_cases[1].axial_force\" data-value=\"45000 N\""));
+  EXPECT_THAT(controls, HasSubstr("misalignment.nut_tilt.z"));
+  // The file overrides what the flank angle would change.
+  EXPECT_THAT(controls, Not(HasSubstr("mechanism.flank_angle")));
+  EXPECT_THAT(report_parts(live_lesson("04_contacts_from_geometry.yaml"), {}).controls,
+              HasSubstr("mechanism.flank_angle"));
+}
+
+TEST(LivePage, CarriesTheEngineUnlessStatic) {
+  const input::Source source = live_lesson("04_contacts_from_geometry.yaml");
+  const std::string still = make_report(source, {.live = false}).html;
+  EXPECT_THAT(still, Not(HasSubstr("script-src")));
+  const std::string live = make_report(source).html;
+  if (page_engine().empty()) {  // A build without the module.
+    EXPECT_EQ(live, still);
+    return;
+  }
+  EXPECT_THAT(live, HasSubstr("script-src 'sha256-"));
+  EXPECT_THAT(live, HasSubstr("connect-src 'none'"));
+  EXPECT_GT(live.size(), still.size() + page_engine().size());
+}
+
+}  // namespace
+}  // namespace prs
