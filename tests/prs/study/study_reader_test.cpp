@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "prs/study/designs.h"
 #include "tests/prs/input/abevi.h"
 
 namespace prs::input {
