@@ -202,7 +202,8 @@ bool stands_with_case(const std::filesystem::path& file, const Source& source) {
   const fs::path from = fs::weakly_canonical(folder, error);
   if (error) return false;
   const fs::path to = fs::weakly_canonical(file, error);
-  return !error && std::ranges::mismatch(from, to).in1 == from.end();
+  return !error &&
+         std::mismatch(from.begin(), from.end(), to.begin(), to.end()).first == from.end();
 }
 
 /// By `--set`, which is the user's word; a case may come from anywhere.

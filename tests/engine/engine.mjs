@@ -21,8 +21,12 @@ const histories = Object.fromEntries(readdirSync(`${root}/configs`)
                                          .map((name) => [name, textOf(name)]));
 
 /** A question on a lesson by the name that the program is given. */
-export const questionOn = (command, lesson, more = {}) =>
-    ({command, yaml: textOf(lesson), file: `configs/${lesson}`, histories, ...more});
+export function questionOn(command, lesson, more = {}) {
+  const yaml = textOf(lesson);
+  const named = Object.entries(histories).filter(([name]) => yaml.includes(`file: ${name}`));
+  const question = {command, yaml, file: `configs/${lesson}`, ...more};
+  return named.length === 0 ? question : {...question, histories: Object.fromEntries(named)};
+}
 
 /** The program without what earlier runs have kept of bodies. */
 export function run(...words) {

@@ -38,7 +38,13 @@ HertzPatch nominal_patch(const InterfaceContact& contact, const ContactLaw& law,
 BodyFlexibilities body_flexibilities(const BodyGeometry& geometry, Direction direction,
                                      double position, const FlexibilityOptions& options,
                                      MatrixCache& cache) {
-  auto roller = std::async([&] { return roller_flexibility(geometry, direction, options, cache); });
+#ifdef __EMSCRIPTEN__
+  constexpr auto when = std::launch::deferred;  // It has no threads.
+#else
+  constexpr auto when = std::launch::async | std::launch::deferred;
+#endif
+  auto roller =
+      std::async(when, [&] { return roller_flexibility(geometry, direction, options, cache); });
   Flexibility screw = screw_flexibility(geometry, direction, options, cache);
   Flexibility nut = nut_flexibility(geometry, direction, position, options, cache);
   return {std::move(screw), std::move(nut), roller.get()};
