@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// With the engine, less is left for the rest below 2.5 MB.
-constexpr ReportRoom kRoomBesideEngine{500'000, 300'000, 200'000};
+constexpr ReportRoom kRoomWithEngine{500'000, 300'000, 150'000};
 
 std::string base64(std::string_view bytes) {
   std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
@@ -148,7 +148,7 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
 Report make_report(const input::Source& source, const PageOptions& options) {
   const std::string_view engine = options.live ? page_engine() : std::string_view();
   ReportOptions asked{options.command, options.results};
-  if (!engine.empty()) asked.room = kRoomBesideEngine;
+  if (!engine.empty()) asked.room = kRoomWithEngine;
   ReportParts parts = report_parts(source, asked);
   return {page_html(source, parts, engine), std::move(parts.data), std::move(parts.notes),
           parts.converged};

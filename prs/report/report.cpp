@@ -435,17 +435,22 @@ std::string warnings_html(Findings& all) {
   return warning_list(all) + refused;
 }
 
-/// All documents, but those that are too long for the page.
-Json data_of(const Findings& all, std::size_t most) {
+/// Documents as long as there is room; all of them without a bound.
+Json data_of(const Findings& all, std::optional<std::size_t> room) {
   Json data{{"prs_version", kVersion}, {"date", all.date}};
   for (const char* key : {"schema_version", "case_file", "input_sha256", "resolved_input"})
     if (all.check.contains(key)) data[key] = all.check[key];
   data["overrides"] = all.source.overrides;
   data["results"] = Json::object();
-  for (const CommandAnswer& answer : all.answers)
-    if (most == 0 ||
-        answer.document.dump(-1, ' ', false, Json::error_handler_t::replace).size() <= most)
-      data["results"][std::string(name(answer.command))] = answer.document;
+  for (const CommandAnswer& answer : all.answers) {
+    if (room) {
+      const std::size_t size =
+          answer.document.dump(-1, ' ', false, Json::error_handler_t::replace).size();
+      if (size > *room) continue;
+      *room -= size;
+    }
+    data["results"][std::string(name(answer.command))] = answer.document;
+  }
   return data;
 }
 
@@ -478,7 +483,7 @@ ReportSection section_of(Findings& all, const SectionRow& row) {
   return {row.id, row.title, row.make(all)};
 }
 
-Json documents_of(const Findings& all) { return data_of(all, 0); }
+Json documents_of(const Findings& all) { return data_of(all, {}); }
 
 ReportParts report_parts(const input::Source& source, const ReportOptions& options) {
   Findings all = findings_of(source, options, reported_commands());

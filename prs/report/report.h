@@ -15,7 +15,7 @@ namespace prs {
 struct ReportRoom {
   std::size_t files = 1'100'000;
   std::size_t pictures = 600'000;  ///< Of stored studies.
-  std::size_t data = 300'000;      ///< Of one command.
+  std::size_t data = 600'000;      ///< Of all commands.
 };
 
 struct ReportOptions {

@@ -135,12 +135,23 @@ unsigned beyond(const Box& b, double x, double y) {
          (y < b.top - kMargin ? 4u : 0u) | (y > b.bottom + kMargin ? 8u : 0u);
 }
 
+/// Tenths of a unit as a path has them: short, without a space before a sign.
+std::string tenths(long n, bool first) {
+  std::string text = n < 0 ? "-" : first ? "" : " ";
+  const long size = std::abs(n);
+  if (size >= 10 || size == 0) text += std::to_string(size / 10);
+  if (size % 10 != 0) text += fmt::format(".{}", size % 10);
+  return text;
+}
+
 /// The way through the points, broken where one has no place. Points that only lead around outside
 /// of the panel are left out.
 std::string way(const Polyline& points, const Frame& f, bool closed) {
+  constexpr double kFar = 1e6;  // Of what leads out of the panel.
   std::string d;
   char next = 'M';
-  std::array<double, 2> last{}, at{};
+  std::array<double, 2> at{};
+  std::array<long, 2> last{};
   const auto placed = [&](std::size_t k) {
     return std::array{f.across(points[k][0]), f.up(points[k][1])};
   };
@@ -159,11 +170,13 @@ std::string way(const Polyline& points, const Frame& f, bool closed) {
       after = beyond(f.box, following[0], following[1]);
     }
     const bool idle = (std::exchange(before, here) & here & after) != 0;
-    const bool same = std::abs(at[0] - last[0]) < 0.05 && std::abs(at[1] - last[1]) < 0.05;
-    if (next == 'L' && (idle || same)) continue;
-    d += fmt::format("{}{:.1f} {:.1f}", next, at[0], at[1]);
-    next = 'L';
-    last = at;
+    const std::array<long, 2> tenth{std::lround(10 * std::clamp(at[0], -kFar, kFar)),
+                                    std::lround(10 * std::clamp(at[1], -kFar, kFar))};
+    if (next == 'l' && (idle || tenth == last)) continue;
+    if (next == 'M') last = {0, 0};
+    d += next + tenths(tenth[0] - last[0], true) + tenths(tenth[1] - last[1], false);
+    next = 'l';
+    last = tenth;
   }
   return closed && !d.empty() ? d + "Z" : d;
 }
