@@ -17,6 +17,7 @@ from rollerscrew import _engine
 from rollerscrew.designs import Designs, designs_of, study_inputs
 from rollerscrew.record import Record, Result, Values
 from rollerscrew.records import (
+    Array,
     Comparison,
     Contacts,
     HeatCycle,
@@ -603,7 +604,7 @@ class OptimizationResult(Result):
     initial: Values
     compromise: Values
     nearest: Values
-    front: list[int]
+    front: Array
     search: Values
     check: Values
     comparison: Values

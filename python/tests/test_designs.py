@@ -639,6 +639,12 @@ def test_exceptions_of_progress_cancel_what_waits() -> None:
     assert sum(cancelled) > 0.5 * len(cancelled)
 
 
+def long_optimization() -> rs.Case:
+    text = lesson(23).text
+    assert "generations: 300" in text
+    return rs.Case.from_text(text.replace("generations: 300", "generations: 10000"))
+
+
 #: Interrupts itself after a second of work, on all processors together, and says how much more work
 #: it did until it stopped, over what it had done before.
 INTERRUPT = """
@@ -669,7 +675,7 @@ else:
         (long_study, "case.study()"),
         (long_study, "case.study(threads=1)"),
         (long_study, "case.study(progress=lambda done, total: None)"),
-        (lambda: lesson(23), "case.optimize()"),
+        (long_optimization, "case.optimize()"),
     ],
 )
 def test_interrupts_stop_long_work(case: Callable[[], rs.Case], call: str) -> None:
