@@ -70,8 +70,9 @@ std::vector<std::string> outside(const std::set<std::string>& files,
 }
 
 TEST(SolveUnderStrace, TouchesInputOutputAndCacheAlone) {
+  ASSERT_EQ(std::system("command -v strace >/dev/null"), 0) << "scripts/setup.sh installs strace";
   if (std::system("strace -f -o /dev/null true >/dev/null 2>&1") != 0)
-    GTEST_SKIP() << "no strace that may trace";
+    GTEST_SKIP() << "this machine forbids tracing";
   const test::TemporaryDirectory temporary;
   const fs::path folder = fs::canonical(temporary.path());
   const fs::path input = folder / "input", output = folder / "output", cache = folder / "cache",
