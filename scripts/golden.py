@@ -64,7 +64,7 @@ def summary(values: list[Any]) -> Leaf:
     if isinstance(values[0], str):
         return ", ".join(sorted(set(values)))
     if isinstance(values[0], bool):
-        return sum(values)
+        return values.count(True)
     return [values[0], max(values, key=abs), sum(values) / len(values)]
 
 
@@ -138,7 +138,7 @@ def read(file: Path) -> dict[str, dict[str, Leaf]]:
 
 
 def agree(path: str, a: Leaf, b: Leaf, scale: float) -> bool:
-    if type(a) is str or type(b) is str or type(a) is bool or type(b) is bool:
+    if isinstance(a, str | bool) or isinstance(b, str | bool):
         return a == b
     one, other = (x if isinstance(x, list) else [x] for x in (a, b))
     tolerance = next(value for pattern, value in TOLERANCES if re.search(pattern, path))

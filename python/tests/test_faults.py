@@ -262,12 +262,17 @@ def as_link(path: Path) -> None:
     path.symlink_to(target)
 
 
+def as_read_only(path: Path) -> None:
+    path.write_text("old")
+    path.chmod(0o444)
+
+
 HOSTILE: dict[str, Callable[[Path], None]] = {
     "directory": as_directory,
     "fifo": lambda path: os.mkfifo(path),
     "link": as_link,
     "dangling link": lambda path: path.symlink_to("/nonexistent/place"),
-    "read-only": lambda path: (path.write_text("old"), path.chmod(0o444))[1],
+    "read-only": as_read_only,
 }
 
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -477,6 +478,38 @@ TEST(DesignEngineNumbers, SingleCasesSayTheSame) {
   std::printf("%d designs, %d refused; %.1e, through the program %.1e\n", compared, refused,
               worst.value, program.value);
   EXPECT_GT(compared, count);
+}
+
+/// Threads, shards and runs that go on take designs in other batches.
+TEST(DesignEngineNumbers, ADesignHasTheSameBitsInAnyBatch) {
+  RandomScrews random(2033);
+  std::size_t compared = 0;
+  for (int k = 0; k < test::samples(10, 200); ++k) {
+    const char* bodies[] = {"bars", "bars", "refined", "bars"};
+    Screw s = realistic(random, k, bodies[k % 4]);
+    if (k % 10 == 7) s = extreme(random);
+    std::string text = s.text("solve", 70, k, load_responses());
+    if (k % 4 == 3) {
+      s.designed = true;
+      s.more = "operation: {speed: 300 rpm}\nfriction: {coulomb: 0.08}\n";
+      text = s.text("slip", 20, k, {"slip.power_loss_W", "slip.efficiency", "slip.slip_ratio"});
+    }
+    const Evaluated whole(text);
+    const DesignEngine engine(whole.input);
+    const std::size_t responses = whole.input.study.responses.size();
+    for (const std::size_t batch : {1, 3, 13})
+      for (std::size_t last = whole.block.rows; last > 0;) {  // The last first.
+        const std::size_t first = last > batch ? last - batch : 0;
+        const RowBlock part = engine.evaluate(first, last - first);
+        ASSERT_EQ(std::memcmp(part.responses.data(), whole.of(first),
+                              (last - first) * responses * sizeof(double)),
+                  0)
+            << text << "designs " << first << " to " << last;
+        compared += last - first;
+        last = first;
+      }
+  }
+  std::printf("%zu designs\n", compared);
 }
 
 }  // namespace
