@@ -1,8 +1,10 @@
 #include "prs/cli/program.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -18,6 +20,7 @@
 #include "prs/cli/usage_error.h"
 #include "prs/input/source.h"
 #include "prs/output/run_files.h"
+#include "prs/output/unfinished.h"
 #include "prs/sector/influence/matrix_cache.h"
 #include "prs/study/journal.h"
 
@@ -30,6 +33,25 @@ int failed(std::string_view before, std::string_view what, int status) noexcept 
   say(what);
   say("\n");
   return status;
+}
+
+int out_of_memory() noexcept {
+  return failed("prs: error: ",
+                "out of memory; give the program more, or it less to do at once: a smaller case, "
+                "fewer --threads",
+                kFailed);
+}
+
+/// A document asks for memory also while it is taken apart, where no exception may leave.
+[[noreturn]] void end_without_memory() {
+  try {
+    if (std::current_exception()) throw;
+  } catch (const std::bad_alloc&) {
+    remove_unfinished();
+    ::_exit(out_of_memory());
+  } catch (...) {
+  }
+  std::abort();
 }
 
 /// Before hours are spent on what cannot be written.
@@ -109,6 +131,7 @@ int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
   if (!reserve_standard_streams()) return kFailed;
   let_writes_fail();
   end_on_interrupt();
+  std::set_terminate(end_without_memory);
   try {
     const int status = run(argc, argv);
     close_output();
@@ -125,10 +148,7 @@ int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
   } catch (const ReaderGone&) {
     return kFailed;
   } catch (const std::bad_alloc&) {
-    return failed("prs: error: ",
-                  "out of memory; give the program more, or it less to do at once: a smaller case, "
-                  "fewer --threads",
-                  kFailed);
+    return out_of_memory();
   } catch (const std::exception& error) {
     std::string text = error.what();
     if (text.starts_with("cannot write"))
