@@ -112,12 +112,7 @@ void set_nut(SectorModel& s, const Given& g, Direction direction, double positio
 
 void set_contacts(SectorModel& s, const Given& g, const Deviations& deviations,
                   Direction direction) {
-  for (const Interface i : kInterfaces) {
-    s.hertz_constant[i] = g.laws[i].hertz_constant;
-    s.cosine[i] = std::cos(g.laws[i].normal_angle);
-    s.sine[i] = std::sin(g.laws[i].normal_angle);
-    s.compliance[i] = g.laws[i].compliance;
-  }
+  set_laws(s, g.laws);
   if (!deviates(g.mechanism, deviations)) {
     for (const Interface i : kInterfaces)
       s.gaps[i].assign(static_cast<std::size_t>(g.mechanism.contacts_per_roller), 0.0);
@@ -211,6 +206,17 @@ void set_sector_model(SectorModel& s, const Mechanism& m, const Structure& struc
     for (const Interface i : kInterfaces) s.body_compliance[i].assign(s.gaps[i].size(), 0.0);
   if (effects.radial) add_radial(s, g, line);
   if (effects.concentration) add_concentration(s, g);
+}
+
+void set_laws(SectorModel& s, const PerInterface<ContactLaw>& laws) {
+  for (const Interface i : kInterfaces) {
+    const auto& [constant, psi, compliance] = laws[i];
+    const double cosine = std::cos(psi), sine = std::sin(psi);
+    s.hertz_constant[i] = constant;
+    s.cosine[i] = cosine;
+    s.sine[i] = sine;
+    s.compliance[i] = compliance;
+  }
 }
 
 NutLine nut_line(const SectorModel& s) {

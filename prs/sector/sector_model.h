@@ -68,6 +68,9 @@ void set_sector_model(SectorModel& model, const Mechanism& mechanism, const Stru
                       const PerInterface<ContactLaw>& laws, Direction direction, double position,
                       const Deviations& deviations);
 
+/// Replaces the laws of a sector of bars without initial gaps, which nothing else in it depends on.
+void set_laws(SectorModel& model, const PerInterface<ContactLaw>& laws);
+
 /// Nodes at the ends, the flange faces, the thrust section and the contacts.
 NutLine nut_line(const SectorModel& model);
 /// The same with contacts at these places.
