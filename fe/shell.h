@@ -2,23 +2,11 @@
 
 #include <Eigen/Core>
 
+#include "fe/shell_formulas.h"
+
 namespace fe {
 
-/// Rigidities of the wall of a shell of revolution about the x axis whose sections stay straight:
-/// u(x, r) = u(x) - theta(x) (r - r_0), v(x), with r_0 the radius that u belongs to. Per length the
-/// energy is half of
-///
-///     A u'^2 - 2 S u' theta' + B theta'^2 + H v^2 + 2 v (C u' - D theta') + V (v' - theta)^2.
-struct ShellRigidity {
-  double axial = 0.0;           ///< A [N]
-  double eccentric = 0.0;       ///< S [N m], 0 where r_0 is the wall's centre.
-  double bending = 0.0;         ///< B [N m^2]
-  double hoop = 0.0;            ///< H [N/m^2]
-  double axial_hoop = 0.0;      ///< C, Poisson's effect [N/m]
-  double bending_hoop = 0.0;    ///< D [N]
-  double shear = 0.0;           ///< V [N]
-  bool radially_rigid = false;  ///< v = 0 between the nodes; they must be held as well.
-};
+using ShellRigidity = ShellRigidityOf<double>;
 
 /// All rigidities times `share`, for a sector.
 ShellRigidity scaled(ShellRigidity r, double share);
@@ -37,6 +25,10 @@ ShellRigidity tube_rigidity(double inner, double outer, double reference, double
 /// (v_1 + v_2)/2, (theta_1 + theta_2)/2), in N/m, N and N m. Axial translation, the only rigid
 /// motion, does not appear.
 using ShellMatrix = Eigen::Matrix<double, 5, 5>;
+
+ShellMatrix to_matrix(const ShellBlocks<double>& blocks);
+/// Of a matrix of shells whose halves mirror each other.
+ShellBlocks<double> to_blocks(const ShellMatrix& matrix);
 
 /// Exact to about 1e-10: polynomials of degree 7 on pieces no longer than the shortest wave of the
 /// wall, their inner freedoms and the nodes between pieces eliminated. Positive definite for

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "prs/file_descriptor.h"
+#include "prs/output/unfinished.h"
 
 namespace prs::cli {
 namespace {
@@ -16,6 +17,7 @@ volatile std::sig_atomic_t asked_by = 0;  ///< The signal, or 0.
 
 void end(int signal) {
   constexpr std::string_view kText = "prs: interrupted\n";
+  remove_unfinished();
   write_all(STDERR_FILENO, kText);
   ::_exit(kStatusOfSignal + signal);
 }
@@ -36,6 +38,7 @@ struct Interruption::Before {
 Interruption::Interruption() : before_(std::make_unique<Before>()) {
   struct sigaction ask {};
   ask.sa_handler = ask_to_stop;
+  sigfillset(&ask.sa_mask);
   ::sigaction(SIGINT, &ask, &before_->interrupt);
   ::sigaction(SIGTERM, &ask, &before_->terminate);
 }
@@ -52,7 +55,8 @@ int Interruption::status() { return kStatusOfSignal + asked_by; }
 void end_on_interrupt() {
   struct sigaction action {};
   action.sa_handler = end;
-  ::sigaction(SIGINT, &action, nullptr);
+  sigfillset(&action.sa_mask);
+  for (const int signal : {SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
 }
 
 void let_writes_fail() {

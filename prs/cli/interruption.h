@@ -23,7 +23,8 @@ class Interruption {
 /// Thrown where a program that was asked to stop has left everything in order.
 struct Interrupted {};
 
-/// Ctrl-C ends the program with status 130, as a shell reports it.
+/// Ctrl-C and SIGTERM end the program with status 130 and 143, as a shell reports it, and leave
+/// nothing unfinished.
 void end_on_interrupt();
 
 /// A file at its size limit (SIGXFSZ) and a closed pipe (SIGPIPE) become write errors, like a full

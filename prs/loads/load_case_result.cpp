@@ -126,9 +126,13 @@ void set_solved_result(LoadCaseResult& result, const Contacts& contacts,
     result.threads.reset();
     return;
   }
-  result.axial_displacement = d.axial_displacement;
-  result.axial_stiffness = result.load_case.axial_force / d.axial_displacement;
   result.tangent_stiffness = d.tangent_stiffness;
+  if (d.tangent_stiffness || d.axial_displacement > 0.0) {
+    result.axial_displacement = d.axial_displacement;
+    result.axial_stiffness = result.load_case.axial_force / d.axial_displacement;
+  } else {
+    result.axial_displacement = result.axial_stiffness = {};
+  }
   if (!result.threads) result.threads.emplace();
   for (const Interface i : kInterfaces) {
     InterfaceLoads& loads = (*result.threads)[i];
@@ -179,6 +183,11 @@ void add_warnings(LoadCaseResult& result, const Contacts& contacts) {
     result.warnings.push_back(fmt::format("not converged: {}, relative residual {:.1e}",
                                           fe::name(result.solve->status),
                                           result.solve->relative_residual));
+  if (result.solve && result.converged() && !result.full && !result.tangent_stiffness)
+    result.warnings.push_back(
+        "model.refined.poisson: the screw is so much softer than its threads that this effect "
+        "exceeds all deflection, and stiffness is left out; check "
+        "`materials.screw.youngs_modulus` or take `poisson: false`");
   if (result.threads)
     for (std::string& text : thread_warnings(*result.threads, contacts))
       result.warnings.push_back(

@@ -73,8 +73,13 @@ GnuplotProcess::GnuplotProcess(const std::filesystem::path& directory, const std
   std::array<std::string, 3> words = {"gnuplot", "-d", script};  // -d: no start-up files.
   std::array<char*, 4> arguments = {words[0].data(), words[1].data(), words[2].data(), nullptr};
   const DeafToInterrupts deaf;
-  const int error =
-      posix_spawnp(&child_, words[0].c_str(), actions.get(), deaf.get(), arguments.data(), environ);
+  int error = 0;
+  {
+    const SignalsHeld held;
+    error = posix_spawnp(&child_, words[0].c_str(), actions.get(), deaf.get(), arguments.data(),
+                         environ);
+    if (error == 0) unfinished_ = UnfinishedProcess(child_);
+  }
   ::close(pipe[1]);
   messages_ = pipe[0];
   if (error == 0) return;
@@ -83,7 +88,9 @@ GnuplotProcess::GnuplotProcess(const std::filesystem::path& directory, const std
 }
 
 GnuplotProcess::GnuplotProcess(GnuplotProcess&& other) noexcept
-    : child_(std::exchange(other.child_, -1)), messages_(std::exchange(other.messages_, -1)) {}
+    : child_(std::exchange(other.child_, -1)),
+      messages_(std::exchange(other.messages_, -1)),
+      unfinished_(std::move(other.unfinished_)) {}
 
 GnuplotProcess::~GnuplotProcess() {
   if (messages_ != -1) ::close(messages_);
@@ -95,6 +102,7 @@ int GnuplotProcess::status() noexcept {
   const pid_t child = std::exchange(child_, -1);
   while (::waitpid(child, &status, 0) == -1 && errno == EINTR) {
   }
+  unfinished_ = UnfinishedProcess();
   return status;
 }
 

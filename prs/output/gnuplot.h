@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "prs/output/unfinished.h"
+
 namespace prs {
 
 /// A gnuplot process at work on one script. No shell is involved and no start-up file is read.
@@ -27,6 +29,7 @@ class GnuplotProcess {
 
   pid_t child_ = -1;   ///< -1 once it has been waited for.
   int messages_ = -1;  ///< Its standard error.
+  UnfinishedProcess unfinished_;
 };
 
 }  // namespace prs

@@ -14,6 +14,7 @@
 #include "prs/output/gnuplot.h"
 #include "prs/output/gnuplot_script.h"
 #include "prs/output/run_files.h"
+#include "prs/output/unfinished.h"
 
 namespace prs {
 namespace {
@@ -36,10 +37,11 @@ void write_scripts(const std::vector<Figure>& figures, const fs::path& directory
   write_files(directory, scripts);
 }
 
-/// A folder inside another that is gone with the object, and what is in it.
+/// A folder inside another for the images of figures; gone with the object, and what is in it.
 class StagingFolder {
  public:
-  explicit StagingFolder(const fs::path& parent) {
+  StagingFolder(const fs::path& parent, const std::vector<Figure>& figures) {
+    const SignalsHeld held;
     for (int attempt = 0; path_.empty(); ++attempt) {
       const fs::path path = parent / fmt::format("pictures.{}-{}.tmp", ::getpid(), attempt);
       if (::mkdir(path.c_str(), 0777) == 0)
@@ -48,6 +50,9 @@ class StagingFolder {
         throw std::system_error(errno, std::generic_category(),
                                 fmt::format("cannot write '{}'", path.string()));
     }
+    unfinished_.emplace_back(path_);
+    for (const Figure& figure : figures)
+      for (const char* type : kImageTypes) unfinished_.emplace_back(path_ / (figure.name + type));
   }
   StagingFolder(const StagingFolder&) = delete;
   StagingFolder& operator=(const StagingFolder&) = delete;
@@ -60,6 +65,7 @@ class StagingFolder {
 
  private:
   fs::path path_;
+  std::vector<UnfinishedPath> unfinished_;
 };
 
 /// Whether a picture ends as its format does; gnuplot does not say that a disk was full.
@@ -93,7 +99,7 @@ std::string publish_images(const Figure& figure, const fs::path& from, const fs:
 
 /// All figures at the same time, aside, so that nobody meets half a picture.
 std::vector<std::string> draw(const std::vector<Figure>& figures, const fs::path& directory) {
-  const StagingFolder staging(directory);
+  const StagingFolder staging(directory, figures);
   std::vector<GnuplotProcess> processes;
   for (const Figure& figure : figures)
     processes.emplace_back(staging.path(), "../" + script_name(figure));

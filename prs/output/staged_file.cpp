@@ -29,6 +29,7 @@ int reserve_on_disk(int file, std::uint64_t bytes) {
 }  // namespace
 
 StagedFile::StagedFile(std::filesystem::path target) : target_(std::move(target)) {
+  const SignalsHeld held;
   for (int attempt = 0; !file_.is_open(); ++attempt) {
     temporary_ = target_;
     temporary_ += fmt::format(".{}-{}.tmp", ::getpid(), attempt);
@@ -36,11 +37,13 @@ StagedFile::StagedFile(std::filesystem::path target) : target_(std::move(target)
         FileDescriptor(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (!file_.is_open() && errno != EEXIST) fail(errno);
   }
+  unfinished_ = UnfinishedPath(temporary_);
 }
 
 StagedFile::StagedFile(StagedFile&& other) noexcept
     : target_(std::move(other.target_)),
       temporary_(std::exchange(other.temporary_, {})),
+      unfinished_(std::move(other.unfinished_)),
       file_(std::move(other.file_)) {}
 
 StagedFile::~StagedFile() {

@@ -5,12 +5,14 @@
 #include <string_view>
 
 #include "prs/file_descriptor.h"
+#include "prs/output/unfinished.h"
 
 namespace prs {
 
-/// A file under a temporary name in the folder of its target; gone again unless it is published, so
-/// that no reader meets half a file and a full disk leaves the earlier one as it was. What cannot
-/// be written throws std::system_error that names the target.
+/// A file under a temporary name in the folder of its target; gone again unless it is published,
+/// also where a signal ends the program, so that no reader meets half a file and a full disk leaves
+/// the earlier one as it was. What cannot be written throws std::system_error that names the
+/// target.
 class StagedFile {
  public:
   explicit StagedFile(std::filesystem::path target);
@@ -41,6 +43,7 @@ class StagedFile {
 
   std::filesystem::path target_;
   std::filesystem::path temporary_;  ///< Empty once there is nothing to remove.
+  UnfinishedPath unfinished_;
   FileDescriptor file_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "prs/model/groove.h"
 #include "prs/sector/refined/local_compliance.h"
+#include "prs/sector/refined_formulas.h"
 #include "prs/sector/section_properties.h"
 
 namespace prs {
@@ -122,52 +123,69 @@ void set_contacts(SectorModel& s, const Given& g, const Deviations& deviations,
                         {g.laws.screw.normal_angle, g.laws.nut.normal_angle}, direction);
 }
 
-NutBore nut_bore(const Given& g, const NutLine& line) {
-  NutBore bore{{}, g.pitch_radius(Part::nut)};
+void set_nut_bore(NutBore& bore, const Given& g, const NutLine& line) {
+  bore.pitch = g.pitch_radius(Part::nut);
   const double depth = g.root_depth(Part::nut);
+  bore.root.clear();
   for (const double outer : line.outer_radius) bore.root.push_back(nut_root(g, depth, outer));
-  return bore;
 }
 
-void set_shell(SectorModel& s, const Given& g, const NutLine& line) {
-  const NutBore bore = nut_bore(g, line);
-  s.nut_shell = nut_shell(line, thrust_ring(line, g.structure.nut, bore), bore,
-                          {s.sense, g.laws.nut.normal_angle}, g.materials.nut, g.mechanism.rollers,
-                          g.effects);
-}
-
-double outer_radius_at(const NutLine& line, int node) {
-  const auto k = static_cast<std::size_t>(node);
-  const double before = line.outer_radius[std::max<std::size_t>(k, 1) - 1];
-  return std::min(before, line.outer_radius[std::min(k, line.outer_radius.size() - 1)]);
-}
-
-/// The screw's surface and the nut's wall under radial loads.
-void add_radial(SectorModel& s, const Given& g, const NutLine& line) {
-  const double screw = g.pitch_radius(Part::screw), bore = 0.5 * g.structure.screw.bore;
-  const double whole = cylinder_compliance(screw, bore, g.materials.screw, g.mechanism.rollers,
-                                           s.pitch, g.laws.screw.normal_angle);
-  const std::vector<double> shares =
-      band_shares(s.contacts(), s.pitch, screw, bore, g.materials.screw.poisson_ratio);
-  for (std::size_t k = 0; k < shares.size(); ++k) {
-    s.body_compliance.screw[k] += shares[k] * whole;
-    s.body_compliance.nut[k] +=
-        wall_compliance(g.pitch_radius(Part::nut), outer_radius_at(line, line.contacts[k]),
-                        g.materials.nut, g.mechanism.rollers, s.pitch, g.laws.nut.normal_angle);
+void set_bodies(SectorModel& s, const Given& g) {
+  RefinedBodies& b = s.bodies;
+  b.effects = g.effects;
+  for (const Part p : kParts) {
+    b.numbers.youngs_modulus[p] = g.materials[p].youngs_modulus;
+    b.numbers.poisson_ratio[p] = g.materials[p].poisson_ratio;
   }
+  b.numbers.screw_radius = g.pitch_radius(Part::screw);
+  b.numbers.screw_bore = 0.5 * g.structure.screw.bore;
+  b.numbers.nut_pitch_radius = g.pitch_radius(Part::nut);
+  set_nut_line(b.line, s);
+  set_nut_bore(b.bore, g, b.line);
+  set_alike_segments(b.line, b.bore, b.same);
+  b.has_ring = false;
+  if (!b.has_shell()) return;
+  const std::optional<ThrustRing> ring = thrust_ring(b.line, g.structure.nut, b.bore);
+  b.has_ring = ring.has_value();
+  b.numbers.ring_inner = ring ? ring->inner_radius : 0.0;
+  b.numbers.ring_outer = ring ? ring->outer_radius : 0.0;
 }
 
-/// Both bodies of an interface by the rows in which the contacts stand.
-void add_concentration(SectorModel& s, const Given& g) {
-  for (const Interface i : kInterfaces) {
-    const Part body = body_of(i);
-    const auto of = [&](Part p, const LineReach& reach) {
-      return concentration_compliance(reach, g.materials[p], s.pitch, g.laws[i].normal_angle);
-    };
-    const double both = of(body, rows_around(g.pitch_radius(body), g.mechanism.rollers)) +
-                        of(Part::roller, opposite_rows(g.pitch_radius(Part::roller)));
-    for (double& compliance : s.body_compliance[i]) compliance += both;
+/// Sets `line` for contacts at contact(0), .. contact(count - 1).
+template <class Contact>
+void set_line(NutLine& line, const SectorModel& s, int count, Contact contact) {
+  std::vector<double>& sections = line.sections;
+  sections.clear();
+  for (int k = 0; k < count; ++k) sections.push_back(contact(k));
+  if (!std::ranges::is_sorted(sections)) std::ranges::sort(sections);
+  const auto insert = [&](double x) { sections.insert(std::ranges::upper_bound(sections, x), x); };
+  for (const double x : {0.0, s.nut_length, s.thrust}) insert(x);
+  for (const SectorModel::Flange& flange : s.flanges) {
+    insert(flange.from);
+    insert(flange.to);
   }
+  const double same = kSamePlace * s.nut_length;
+  const auto end = std::unique(sections.begin(), sections.end(),
+                               [&](double a, double b) { return b - a < same; });
+  sections.erase(end, sections.end());
+
+  const auto node_at = [&](double x) {
+    const auto next = std::lower_bound(sections.begin(), sections.end(), x - same);
+    return static_cast<int>(next - sections.begin());
+  };
+  line.outer_radius.clear();
+  line.axial_rigidity.clear();
+  for (std::size_t i = 1; i < sections.size(); ++i) {
+    const double middle = 0.5 * (sections[i - 1] + sections[i]);
+    const auto flange = std::ranges::find_if(
+        s.flanges, [&](const auto& f) { return f.from < middle && middle < f.to; });
+    const bool plain = flange == s.flanges.end();
+    line.outer_radius.push_back(plain ? s.nut_radius : flange->outer_radius);
+    line.axial_rigidity.push_back(plain ? s.nut_rigidity : flange->axial_rigidity);
+  }
+  line.contacts.clear();
+  for (int k = 0; k < count; ++k) line.contacts.push_back(node_at(contact(k)));
+  line.thrust = node_at(s.thrust);
 }
 
 }  // namespace
@@ -177,6 +195,7 @@ SectorModel sector_model(const Mechanism& m, const Structure& structure, const M
                          Direction direction, double position, const Deviations& deviations) {
   SectorModel s;
   set_sector_model(s, m, structure, materials, options, laws, direction, position, deviations);
+  work_out(s);
   return s;
 }
 
@@ -184,9 +203,7 @@ void set_sector_model(SectorModel& s, const Mechanism& m, const Structure& struc
                       const Materials& materials, const ModelOptions& options,
                       const PerInterface<ContactLaw>& laws, Direction direction, double position,
                       const Deviations& deviations) {
-  const bool refined = options.bodies == ModelOptions::Bodies::refined;
   const Given g{m, structure, materials, laws, effects_of(options)};
-  const RefinedEffects& effects = g.effects;
   static_cast<SectorNumbers<double>&>(s) = {};
   s.flanges.clear();
   s.nut_shell.reset();
@@ -198,14 +215,32 @@ void set_sector_model(SectorModel& s, const Mechanism& m, const Structure& struc
   set_roller(s, g, options);
   set_nut(s, g, direction, position);
   set_contacts(s, g, deviations, direction);
-  if (!refined) return;
+  s.is_refined = options.bodies == ModelOptions::Bodies::refined;
+  if (s.is_refined) set_bodies(s, g);
+}
 
-  const NutLine line = nut_line(s);
-  if (effects.hoop || effects.flange) set_shell(s, g, line);
-  if (effects.radial || effects.concentration)
-    for (const Interface i : kInterfaces) s.body_compliance[i].assign(s.gaps[i].size(), 0.0);
-  if (effects.radial) add_radial(s, g, line);
-  if (effects.concentration) add_concentration(s, g);
+void work_out(SectorModel& s) {
+  if (!s.is_refined) return;
+  const RefinedBodies& b = s.bodies;
+  if (b.has_shell()) {
+    std::vector<fe::ShellBlocks<double>> shells(b.same.size());
+    const double arm = set_nut_shells(b.shape(),
+                                      nut_numbers(s, b.numbers, b.line.sections.data(),
+                                                  b.line.outer_radius.data(), b.bore.root.data()),
+                                      shells.data());
+    s.nut_shell = NutShell{{}, arm, b.effects.flange && !b.has_ring, !b.effects.hoop};
+    for (const int k : b.same)
+      s.nut_shell->segments.push_back(fe::to_matrix(shells[static_cast<std::size_t>(k)]));
+  }
+  if (!b.effects.radial && !b.effects.concentration) return;
+  for (const Interface i : kInterfaces) s.body_compliance[i].assign(s.gaps[i].size(), 0.0);
+  add_body_compliance(b.shape(), static_cast<const SectorNumbers<double>&>(s), b.numbers,
+                      b.line.outer_radius.data(), s.body_compliance.screw.data(),
+                      s.body_compliance.nut.data());
+}
+
+void set_nut_line(NutLine& line, const SectorModel& s) {
+  set_line(line, s, s.contacts(), [&](int k) { return s.position + k * s.pitch; });
 }
 
 void set_laws(SectorModel& s, const PerInterface<ContactLaw>& laws) {
@@ -220,40 +255,15 @@ void set_laws(SectorModel& s, const PerInterface<ContactLaw>& laws) {
 }
 
 NutLine nut_line(const SectorModel& s) {
-  std::vector<double> contacts;
-  for (int k = 0; k < s.contacts(); ++k) contacts.push_back(s.position + k * s.pitch);
-  return nut_line(s, contacts);
+  NutLine line;
+  set_nut_line(line, s);
+  return line;
 }
 
 NutLine nut_line(const SectorModel& s, const std::vector<double>& contact_x) {
   NutLine line;
-  std::vector<double>& sections = line.sections;
-  sections = {0.0, s.nut_length, s.thrust};
-  for (const SectorModel::Flange& flange : s.flanges) {
-    sections.push_back(flange.from);
-    sections.push_back(flange.to);
-  }
-  sections.insert(sections.end(), contact_x.begin(), contact_x.end());
-  std::sort(sections.begin(), sections.end());
-  const double same = kSamePlace * s.nut_length;
-  const auto end = std::unique(sections.begin(), sections.end(),
-                               [&](double a, double b) { return b - a < same; });
-  sections.erase(end, sections.end());
-
-  const auto node_at = [&](double x) {
-    const auto next = std::lower_bound(sections.begin(), sections.end(), x - same);
-    return static_cast<int>(next - sections.begin());
-  };
-  for (std::size_t i = 1; i < sections.size(); ++i) {
-    const double middle = 0.5 * (sections[i - 1] + sections[i]);
-    const auto flange = std::ranges::find_if(
-        s.flanges, [&](const auto& f) { return f.from < middle && middle < f.to; });
-    const bool plain = flange == s.flanges.end();
-    line.outer_radius.push_back(plain ? s.nut_radius : flange->outer_radius);
-    line.axial_rigidity.push_back(plain ? s.nut_rigidity : flange->axial_rigidity);
-  }
-  for (const double x : contact_x) line.contacts.push_back(node_at(x));
-  line.thrust = node_at(s.thrust);
+  set_line(line, s, static_cast<int>(contact_x.size()),
+           [&](int k) { return contact_x[static_cast<std::size_t>(k)]; });
   return line;
 }
 
@@ -261,7 +271,9 @@ BodyRadii body_radii(const Mechanism& m, const Structure& structure, const Mater
                      const ModelOptions& options, const PerInterface<ContactLaw>& laws,
                      const NutLine& line) {
   const Given g{m, structure, materials, laws, effects_of(options)};
-  return {0.5 * g.plain_screw_diameter(), 0.5 * g.root_diameter(Part::screw), nut_bore(g, line)};
+  BodyRadii radii{0.5 * g.plain_screw_diameter(), 0.5 * g.root_diameter(Part::screw), {}};
+  set_nut_bore(radii.nut, g, line);
+  return radii;
 }
 
 }  // namespace prs

@@ -10,6 +10,7 @@
 #include "prs/model/mechanism.h"
 #include "prs/model/model_options.h"
 #include "prs/model/structure.h"
+#include "prs/sector/refined/nut_formulas.h"
 #include "prs/sector/refined/nut_shell.h"
 #include "prs/sector/sector_numbers.h"
 #include "prs/threads/contact_law.h"
@@ -18,6 +19,19 @@ namespace prs {
 
 /// Stiffness of a support that does not give.
 inline constexpr double kHeld = std::numeric_limits<double>::infinity();
+
+/// Refined bodies as numbers, before any of them is worked out.
+struct RefinedBodies {
+  RefinedNumbers<double> numbers;
+  NutLine line;
+  NutBore bore;
+  std::vector<int> same;  ///< Of each segment of the line the first one that is like it.
+  bool has_ring = false;  ///< Whether the thrust section leans on a ring.
+  RefinedEffects effects;
+
+  bool has_shell() const { return effects.hoop || effects.flange; }
+  NutShape shape() const { return {line.contacts, line.thrust, same, has_ring, effects}; }
+};
 
 /// One roller with its share of screw and nut as numbers, all that a solver of bars or refined
 /// bodies reads.
@@ -31,6 +45,8 @@ struct SectorModel : SectorNumbers<double> {
   };
   double nut_radius = 0.0;  ///< Outer radius between the flanges [m].
   std::vector<Flange> flanges;
+  bool is_refined = false;
+  RefinedBodies bodies;               ///< Of a refined sector.
   std::optional<NutShell> nut_shell;  ///< In place of the nut's bars.
 
   PerInterface<std::vector<double>> gaps;  ///< Initial gap of each thread along the normal [m].
@@ -62,7 +78,7 @@ SectorModel sector_model(const Mechanism& mechanism, const Structure& structure,
                          const PerInterface<ContactLaw>& laws, Direction direction, double position,
                          const Deviations& deviations = {});
 
-/// The same into a model that keeps its memory.
+/// The same into a model that keeps its memory, refined bodies left to `work_out`.
 void set_sector_model(SectorModel& model, const Mechanism& mechanism, const Structure& structure,
                       const Materials& materials, const ModelOptions& options,
                       const PerInterface<ContactLaw>& laws, Direction direction, double position,
@@ -71,8 +87,13 @@ void set_sector_model(SectorModel& model, const Mechanism& mechanism, const Stru
 /// Replaces the laws of a sector of bars without initial gaps, which nothing else in it depends on.
 void set_laws(SectorModel& model, const PerInterface<ContactLaw>& laws);
 
+/// Shells and compliances of refined bodies.
+void work_out(SectorModel& model);
+
 /// Nodes at the ends, the flange faces, the thrust section and the contacts.
 NutLine nut_line(const SectorModel& model);
+/// The same into a line that keeps its memory.
+void set_nut_line(NutLine& line, const SectorModel& model);
 /// The same with contacts at these places.
 NutLine nut_line(const SectorModel& model, const std::vector<double>& contact_x);
 

@@ -47,6 +47,17 @@ struct SectorNumbers {
   Number offset_compliance{};
 };
 
+/// What refined bodies are made of, beyond a sector's numbers.
+template <class Number>
+struct RefinedNumbers {
+  PerPart<Number> youngs_modulus, poisson_ratio;
+  Number screw_radius{};      ///< Pitch radius of the screw [m].
+  Number screw_bore{};        ///< Radius of its bore [m].
+  Number nut_pitch_radius{};  ///< [m]
+  Number ring_inner{};  ///< Radii of the ring that the thrust section leans on; 0 without [m].
+  Number ring_outer{};
+};
+
 /// f(a.n, b.n, ..) for every number n of sectors side by side.
 template <class F, class... Sectors>
 [[gnu::always_inline]] inline void for_each_number(F f, Sectors&... s) {

@@ -26,6 +26,7 @@
 #include "prs/quantities/slip_quantities.h"
 #include "prs/sector/chain/bar_designs.h"
 #include "prs/sector/chain/fallback_solver.h"
+#include "prs/sector/chain/refined_designs.h"
 #include "prs/sector/full/full_distribution.h"
 #include "prs/study/bar_batch.h"
 #include "prs/study/design_reader.h"
@@ -201,7 +202,7 @@ struct BatchContacts {
 /// What is known of one design while its sectors wait to be solved together.
 struct Pending {
   std::size_t row = 0;
-  Conditions conditions;  ///< What a sector of bars is made of, or measures are taken of.
+  Conditions conditions;  ///< What a sector is made of, or measures are taken of.
   Contacts contacts;
   bool has_contacts = false;
   PerInterface<ContactLaw> laws;
@@ -231,7 +232,7 @@ struct Pending {
 
 /// Designs of a batch and their sectors; memory is kept from batch to batch.
 struct Batch {
-  /// A sector of bars that waits, and where its answer goes.
+  /// A sector that waits, and where its answer goes.
   struct Sector {
     std::size_t design = 0;     ///< Index of the pending design.
     std::size_t load_case = 0;  ///< Index among the design's load cases.
@@ -240,7 +241,7 @@ struct Batch {
   BatchContacts contacts;
   std::vector<Pending> designs = {};
   std::vector<Sector> sectors = {};
-  std::vector<SectorModel> bars = {};
+  std::vector<SectorModel> models = {};
   std::vector<double> forces = {};
   std::vector<LoadDistribution> loads = {};
   std::vector<LoadCase> load_cases = {};  ///< Memory of `OnlyLoadCases`.
@@ -277,10 +278,11 @@ struct DesignEngine::Parts {
   /// What a thread needs for itself.
   struct Worker {
     DesignReader reader;
-    BarDesignSolver solver;
+    BarDesignSolver bars;
+    RefinedDesignSolver refined;
     FullSolver full = FullSolver();
     Batch batch;
-    BarBatch bars;
+    BarBatch columns;
   };
 
   /// A worker that no other thread has.
@@ -307,8 +309,8 @@ struct DesignEngine::Parts {
         return worker;
       }
     }
-    return Worker{DesignReader(input), BarDesignSolver(set), FullSolver(),
-                  Batch{{ContactBatch(set)}}, BarBatch(set)};
+    return Worker{DesignReader(input), BarDesignSolver(set),       RefinedDesignSolver(set),
+                  FullSolver(),        Batch{{ContactBatch(set)}}, BarBatch(set)};
   }
   void give_back(Worker worker) {
     const std::lock_guard lock(mutex);
@@ -447,7 +449,8 @@ struct DesignEngine::Parts {
     return status;
   }
 
-  /// Adds the sectors of design k of a batch, whose contacts are found.
+  /// Adds the sectors of design k of a batch, whose contacts are found. Not converged where one of
+  /// them has no place among the columns.
   DesignStatus prepare(Batch& batch, std::size_t k) const {
     Pending& design = batch.designs[k];
     const Conditions& c = design.conditions;
@@ -466,14 +469,15 @@ struct DesignEngine::Parts {
         result = equal_share_result(load, design.contacts, design.laws);
         continue;
       }
-      SectorModel& bars = at(batch.bars, batch.sectors.size());
+      SectorModel& model = at(batch.models, batch.sectors.size());
       const auto known =
           std::find_if(batch.sectors.begin() + first, batch.sectors.end(), on_sector_of(load));
       if (known != batch.sectors.end())
-        bars = batch.bars[static_cast<std::size_t>(known - batch.sectors.begin())];
+        model = batch.models[static_cast<std::size_t>(known - batch.sectors.begin())];
       else
-        set_sector_model(bars, design.contacts.mechanism, *c.structure, *c.materials, c.model,
+        set_sector_model(model, design.contacts.mechanism, *c.structure, *c.materials, c.model,
                          design.laws, *load.direction, *load.position, c.deviations);
+      if (model.is_refined && !RefinedDesignSolver::takes(model)) return {"not in columns", ""};
       batch.forces.push_back(load.axial_force);
       batch.sectors.push_back({k, i});
     }
@@ -502,8 +506,8 @@ struct DesignEngine::Parts {
                       RowBlock& block) {
     Batch& batch = worker.batch;
     const std::size_t designs = read_batch(read, from, to, worker, block);
-    worker.bars.solve(
-        worker.solver, load_detail,
+    worker.columns.solve(
+        worker.bars, load_detail,
         [&](std::size_t row, const std::vector<LoadCaseResult>& results) {
           set_numbers(row_of(block, row), {.contacts = no_contacts}, results);
         },
@@ -525,7 +529,10 @@ struct DesignEngine::Parts {
     }
     const std::size_t sectors = batch.sectors.size();
     if (batch.loads.size() < sectors) batch.loads.resize(sectors);
-    worker.solver.solve({batch.bars.data(), sectors}, batch.forces, {batch.loads.data(), sectors});
+    const std::span<const SectorModel> models(batch.models.data(), sectors);
+    const std::span<LoadDistribution> loads(batch.loads.data(), sectors);
+    worker.bars.solve(models, batch.forces, loads);
+    worker.refined.solve(models, batch.forces, loads);
     for (std::size_t k = 0; k < sectors; ++k) {
       Pending& design = batch.designs[batch.sectors[k].design];
       design.complete = design.complete && FallbackSolver::complete(batch.loads[k]);
@@ -566,15 +573,16 @@ struct DesignEngine::Parts {
                          RowBlock& block) {
     Batch& batch = worker.batch;
     batch.contacts.start(to - from);
-    worker.bars.clear();
+    worker.columns.clear();
     std::size_t designs = 0;
     for (std::size_t row = from; row < to; ++row) {
       DesignStatus status = status_after([&]() -> DesignStatus {
         Case& c = read(worker.reader, row);
-        if (c.model.bodies != Bodies::bars || c.model.mechanism == ModelOptions::Mechanism::full)
+        if (c.model.bodies == Bodies::influence ||
+            c.model.mechanism == ModelOptions::Mechanism::full)
           return answer(c, worker, row_of(block, row));
         if (in_columns && BarBatch::takes(c, load_cases)) {
-          worker.bars.add(row, c, load_cases);
+          worker.columns.add(row, c, load_cases);
           return {};
         }
         Pending& design = at(batch.designs, designs);
@@ -658,7 +666,7 @@ std::size_t DesignEngine::chunk() const {
   if (parts_->bodies == Bodies::influence || parts_->needs_duty) return 1;
   if (!parts_->numbers || parts_->study.command == Command::life) return 8;
   if (parts_->study.command == Command::slip || parts_->all_rollers) return 32;
-  return parts_->bodies == Bodies::bars ? 512 : 64;
+  return 512;
 }
 
 }  // namespace prs

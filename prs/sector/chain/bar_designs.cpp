@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 #include <tuple>
 
 #include "prs/sector/chain/bar_station.h"
@@ -61,8 +60,9 @@ void BarDesignSolver::solve(std::span<const SectorModel> sectors,
     return std::pair(sectors[k].contacts(), sectors[k].has_compliance());
   };
   const auto place = [&](std::size_t k) { return std::pair(kind(k), k); };
-  order_.resize(sectors.size());
-  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  order_.clear();
+  for (std::size_t k = 0; k < sectors.size(); ++k)
+    if (!sectors[k].is_refined) order_.push_back(k);
   if (!std::ranges::is_sorted(order_, {}, place)) std::ranges::sort(order_, {}, place);
   for (std::size_t first = 0, end = 0; first < order_.size(); first = end) {
     const auto [contacts, with_compliance] = kind(order_[first]);

@@ -26,7 +26,7 @@ class BarDesignSolver {
   fe::NewtonOptions options{.residual_tolerance = 1e-13};
 
   /// Designs of any mixture of thread counts, each under its axial force on the whole mechanism
-  /// [N].
+  /// [N]; the results of refined ones stay.
   void solve(std::span<const SectorModel> sectors, std::span<const double> axial_forces,
              std::span<LoadDistribution> results);
 

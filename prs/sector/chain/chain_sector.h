@@ -9,14 +9,21 @@
 namespace prs {
 
 /// Freedoms of a nut node are u, v and r theta, r the radius that rotations are scaled by.
+template <class Real>
 struct NutSegment {
   /// Stiffness of what lies between two contacts, over the first and the second node: upper
   /// triangles row by row, and the full coupling [N/m].
-  double first[6] = {};
-  double coupling[9] = {};
-  double second[6] = {};
+  Real first[6] = {};
+  Real coupling[9] = {};
+  Real second[6] = {};
   /// The same over what deforms it: (q_2 - q_1, (q_1 + q_2)/2), upper triangle row by row.
-  double deformation[21] = {};
+  Real deformation[21] = {};
+};
+
+/// What else holds a contact's node.
+template <class Real>
+struct NutSupport {
+  Real stiffness[6] = {};  ///< Upper triangle row by row; infinite: held [N/m].
 };
 
 /// A sector as a chain of stations, everything between the contacts condensed. SI units.
@@ -39,11 +46,9 @@ struct ChainSector {
   std::vector<double> nut;     ///< Bars: to the next contact [N/m].
   std::vector<double> ground;  ///< Bars: to the thrust section; infinite: held [N/m].
 
-  std::vector<NutSegment> segments;  ///< Shell: to the next contact.
-  struct NutSupport {
-    double stiffness[6] = {};  ///< Upper triangle row by row; infinite: held [N/m].
-  };
-  std::vector<NutSupport> supports;  ///< Shell: what else holds a contact's node.
+  std::vector<NutSegment<double>> segments;  ///< Shell: what lies between contacts, each kind once.
+  std::vector<int> segment_of;               ///< Shell: to the next contact.
+  std::vector<NutSupport<double>> supports;  ///< Shell: of each contact.
 };
 
 }  // namespace prs

@@ -2,6 +2,7 @@
 
 #include "prs/sector/chain/bar_station.h"
 #include "prs/sector/chain/condense.h"
+#include "prs/sector/chain/instruction_set.h"
 #include "prs/sector/chain/sector_kernel.h"
 #include "prs/sector/chain/sector_solve.h"
 #include "prs/sector/chain/shell_station.h"

@@ -168,14 +168,9 @@ template <ChainSector::Kind kKind>
 void set_station(Batch<double, Shell<double, kKind>>& batch, const ChainSector& sector) {
   Shell<double, kKind>& s = batch.station;
   s.stations = sector.contacts;
-  s.screw = sector.numbers.screw_rigidity / sector.numbers.pitch;
-  for (const Interface i : kInterfaces) {
-    double* const part = s.part[static_cast<int>(i)];
-    part[0] = sector.numbers.sense * sector.numbers.cosine[i];
-    part[1] = sector.numbers.sine[i];
-    part[2] = sector.nut_rotation_part;
-  }
+  s.set_parts(sector.numbers, sector.nut_rotation_part);
   s.segments = sector.segments.data();
+  s.segment_of = sector.segment_of.data();
   s.supports = sector.supports.data();
 }
 

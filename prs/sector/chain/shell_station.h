@@ -9,7 +9,7 @@
 namespace prs {
 
 /// One tooth of a refined sector: screw u; nut u, v, r theta; roller u, v, r theta, at two nodes
-/// where the contacts of a tooth lie apart. All loads are on one sector, whose numbers are shared.
+/// where the contacts of a tooth lie apart.
 template <class Real, ChainSector::Kind kKind>
 struct ShellStation {
   static constexpr bool kApart = kKind != ChainSector::Kind::shell;
@@ -43,8 +43,20 @@ struct ShellStation {
   Real part[2][3];  ///< Coefficients of the approach of screw and nut.
   Real screw;
   RollerChain<Real> roller;
-  const NutSegment* segments;
-  const ChainSector::NutSupport* supports;
+  const NutSegment<Real>* segments;
+  const int* segment_of;  ///< Of the interval to the next station.
+  const NutSupport<Real>* supports;
+
+  /// What stations take from a sector's numbers.
+  void set_parts(const SectorNumbers<Real>& numbers, const Real& nut_rotation_part) {
+    screw = numbers.screw_rigidity / numbers.pitch;
+    for (const Interface i : kInterfaces) {
+      Real* const of = part[static_cast<int>(i)];
+      of[0] = numbers.sense * numbers.cosine[i];
+      of[1] = numbers.sine[i];
+      of[2] = nut_rotation_part;
+    }
+  }
 
   [[gnu::always_inline]] const Real& coefficient(int contact, int kind) const {
     return part[contact][kind];
@@ -53,7 +65,7 @@ struct ShellStation {
   template <int I>
   [[gnu::always_inline]] fe::Lanes<Real> held(int k, fe::Index<I>) const {
     constexpr int kDiagonal[3] = {0, 3, 5};
-    if constexpr (I >= N && I < U) return Real(supports[k].stiffness[kDiagonal[I - N]]) > 1e300;
+    if constexpr (I >= N && I < U) return supports[k].stiffness[kDiagonal[I - N]] > 1e300;
     if constexpr (I > U && I != kLast) return roller.bending_support > 1e300;
     return Real(0.0) > 1.0;
   }
@@ -81,11 +93,11 @@ struct ShellStation {
   [[gnu::always_inline]] void add_interval_start(int k, Add add) const {
     add(fe::Index<S>{}, fe::Index<S>{}, screw);
     add(fe::Index<S>{}, fe::Index<kFreedoms + S>{}, -screw);
-    add_triangle<N>(segments[k].first, add);
+    const NutSegment<Real>& segment = segments[segment_of[k]];
+    add_triangle<N>(segment.first, add);
     fe::unroll<3>([&](auto i) __attribute__((always_inline)) {
       fe::unroll<3>([&](auto j) __attribute__((always_inline)) {
-        add(fe::Index<N + i>{}, fe::Index<kFreedoms + N + j>{},
-            Real(segments[k].coupling[3 * i + j]));
+        add(fe::Index<N + i>{}, fe::Index<kFreedoms + N + j>{}, segment.coupling[3 * i + j]);
       });
     });
     roller.thread.template add_first<kLast>(add);
@@ -95,19 +107,19 @@ struct ShellStation {
   template <class Add>
   [[gnu::always_inline]] void add_interval_end(int k, Add add) const {
     add(fe::Index<S>{}, fe::Index<S>{}, screw);
-    add_triangle<N>(segments[k].second, add);
+    add_triangle<N>(segments[segment_of[k]].second, add);
     roller.thread.template add_second<U>(add);
   }
 
   using State = fe::ChainState<Real, kFreedoms>;
 
   [[gnu::always_inline]] void add_forces(int k, const State& here, Real* force) const {
-    const double* stiffness = supports[k].stiffness;
+    const Real* stiffness = supports[k].stiffness;
     for (int i = 0; i < 3; ++i)
       for (int j = i; j < 3; ++j, ++stiffness) {
-        if (*stiffness > 1e300) continue;
-        force[N + i] += *stiffness * (here.head[N + j] + here.tail[N + j]);
-        if (i != j) force[N + j] += *stiffness * (here.head[N + i] + here.tail[N + i]);
+        const Real finite = select(*stiffness > 1e300, Real(0.0), *stiffness);
+        force[N + i] += finite * (here.head[N + j] + here.tail[N + j]);
+        if (i != j) force[N + j] += finite * (here.head[N + i] + here.tail[N + i]);
       }
     if constexpr (kApart) roller.tooth.template add_forces<U, kLast>(here, here, force, force);
     if (k == 0) roller.ends[0].template add_forces<U + 1>(here, force);
@@ -128,7 +140,7 @@ struct ShellStation {
           0.5 * (here.head[N + i] + next.head[N + i]) + 0.5 * (here.tail[N + i] + next.tail[N + i]);
       f[i] = f[3 + i] = Real(0.0);
     }
-    const double* stiffness = segments[k].deformation;
+    const Real* stiffness = segments[segment_of[k]].deformation;
     for (int i = 0; i < 6; ++i)
       for (int j = i; j < 6; ++j, ++stiffness) {
         f[i] += *stiffness * deformation[j];
@@ -142,13 +154,13 @@ struct ShellStation {
 
  private:
   template <int First, class Add>
-  [[gnu::always_inline]] static void add_triangle(const double* stiffness, Add add) {
-    add(fe::Index<First>{}, fe::Index<First>{}, Real(stiffness[0]));
-    add(fe::Index<First>{}, fe::Index<First + 1>{}, Real(stiffness[1]));
-    add(fe::Index<First>{}, fe::Index<First + 2>{}, Real(stiffness[2]));
-    add(fe::Index<First + 1>{}, fe::Index<First + 1>{}, Real(stiffness[3]));
-    add(fe::Index<First + 1>{}, fe::Index<First + 2>{}, Real(stiffness[4]));
-    add(fe::Index<First + 2>{}, fe::Index<First + 2>{}, Real(stiffness[5]));
+  [[gnu::always_inline]] static void add_triangle(const Real* stiffness, Add add) {
+    add(fe::Index<First>{}, fe::Index<First>{}, stiffness[0]);
+    add(fe::Index<First>{}, fe::Index<First + 1>{}, stiffness[1]);
+    add(fe::Index<First>{}, fe::Index<First + 2>{}, stiffness[2]);
+    add(fe::Index<First + 1>{}, fe::Index<First + 1>{}, stiffness[3]);
+    add(fe::Index<First + 1>{}, fe::Index<First + 2>{}, stiffness[4]);
+    add(fe::Index<First + 2>{}, fe::Index<First + 2>{}, stiffness[5]);
   }
 };
 

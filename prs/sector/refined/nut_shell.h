@@ -42,6 +42,9 @@ struct NutBore {
 std::optional<ThrustRing> thrust_ring(const NutLine& line, const Structure::Nut& nut,
                                       const NutBore& bore);
 
+/// Of each segment of the line the first one that is like it.
+void set_alike_segments(const NutLine& line, const NutBore& bore, std::vector<int>& same);
+
 /// What pushes the nut: equal loads at all contacts.
 struct NutLoad {
   double sense = 1.0;         ///< s, of the axial force along x.

@@ -249,6 +249,29 @@ TEST(Analyze, WarnsOfPressuresBeyondTheStaticLimit) {
   EXPECT_NE(result.load_cases[3].warnings[0].find("4.04 GPa"), std::string::npos);
 }
 
+/// A body that is pushed gives way.
+TEST(Analyze, ScrewsTooSoftForTheEffectOfPoissonsRatioHaveNoStiffness) {
+  const auto pushed = [](const char* modulus, const char* poisson) {
+    return analyze(
+               lesson("01_config_1_to_3.yaml",
+                      {"model={bodies: refined, refined: {poisson: " + std::string(poisson) + "}}",
+                       "materials={screw: {youngs_modulus: " + std::string(modulus) +
+                           ", poisson_ratio: 0.4}, roller: {youngs_modulus: 209 GPa, "
+                           "poisson_ratio: 0.3}, nut: {youngs_modulus: 209 GPa, "
+                           "poisson_ratio: 0.3}}",
+                       "structure.screw.free_length=0 mm", "load_cases[5].axial_force=1 kN"}))
+        .load_cases[5];
+  };
+  const LoadCaseResult steel = pushed("209 GPa", "true"), soft = pushed("1 MPa", "true"),
+                       without = pushed("1 MPa", "false");
+  EXPECT_GT(*steel.axial_displacement, 0.0);
+  EXPECT_GT(*without.axial_displacement, 0.0);
+  EXPECT_THAT(steel.warnings, ::testing::IsEmpty());
+  ASSERT_TRUE(soft.converged());
+  EXPECT_FALSE(soft.axial_displacement || soft.axial_stiffness || soft.tangent_stiffness);
+  EXPECT_THAT(soft.warnings, ::testing::Contains(::testing::StartsWith("model.refined.poisson: ")));
+}
+
 /// 1e-5 mm of interference is more than rounding and reads as a number: with flanks of 45 deg in
 /// the normal plane the play falls by 2/cos(beta) times the centre distance, beta 4.33 deg.
 TEST(Contacts, ASmallInterferenceIsToldInItsOwnDigits) {

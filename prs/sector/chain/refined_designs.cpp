@@ -1,0 +1,88 @@
+#include "prs/sector/chain/refined_designs.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <compare>
+
+#include "prs/sector/chain/chain_solver.h"
+#include "prs/sector/chain/nut_condensation.h"
+#include "prs/sector/chain/refined_kernel.h"
+#include "simd/dispatch.h"
+
+namespace prs {
+namespace {
+
+/// Designs of one call of the kernel.
+constexpr std::size_t kMostAtOnce = 256;
+
+/// Order of what sectors side by side must have in common.
+std::strong_ordering compare_kinds(const SectorModel& one, const SectorModel& other) {
+  const RefinedBodies &a = one.bodies, &b = other.bodies;
+  const auto effects = [](const RefinedBodies& s) {
+    const RefinedEffects& e = s.effects;
+    return std::array{e.hoop, e.poisson, e.flange, e.radial, e.concentration, s.has_ring};
+  };
+  if (const auto order = a.line.thrust <=> b.line.thrust; order != 0) return order;
+  if (const auto order = a.line.contacts <=> b.line.contacts; order != 0) return order;
+  if (const auto order = a.same <=> b.same; order != 0) return order;
+  return effects(a) <=> effects(b);
+}
+
+}  // namespace
+
+void RefinedDesignSolver::solve(std::span<const SectorModel> sectors,
+                                std::span<const double> axial_forces,
+                                std::span<LoadDistribution> results) {
+  assert(axial_forces.size() == sectors.size() && results.size() == sectors.size());
+  order_.clear();
+  for (std::size_t k = 0; k < sectors.size(); ++k)
+    if (takes(sectors[k])) order_.push_back(k);
+  const auto before = [&](std::size_t a, std::size_t b) {
+    const auto order = compare_kinds(sectors[a], sectors[b]);
+    return order != 0 ? order < 0 : a < b;
+  };
+  if (!std::ranges::is_sorted(order_, before)) std::ranges::sort(order_, before);
+  for (std::size_t first = 0, end = 0; first < order_.size(); first = end) {
+    sectors_.clear();
+    forces_.clear();
+    for (; end < order_.size() && sectors_.size() < kMostAtOnce; ++end) {
+      const SectorModel& s = sectors[order_[end]];
+      if (end > first && compare_kinds(sectors[order_[first]], s) != 0) break;
+      sectors_.push_back({&s,
+                          &s.bodies.numbers,
+                          s.bodies.line.sections.data(),
+                          s.bodies.line.outer_radius.data(),
+                          s.bodies.bore.root.data(),
+                          {s.gaps.screw.data(), s.gaps.nut.data()}});
+      forces_.push_back(axial_forces[order_[end]]);
+    }
+    if (set_ == InstructionSet::scalar) {
+      for (std::size_t k = first; k < end; ++k) {
+        SectorModel sector = sectors[order_[k]];
+        work_out(sector);
+        ChainSolver solver(sector);
+        solver.options = options;
+        solver.solve(axial_forces[order_[k]], results[order_[k]]);
+      }
+      continue;
+    }
+    solve_side_by_side(sectors[order_[first]]);
+    for (std::size_t k = first; k < end; ++k)
+      loads_.copy(k - first, options.residual_tolerance, results[order_[k]]);
+  }
+}
+
+void RefinedDesignSolver::solve_side_by_side(const SectorModel& first) {
+  const NutShape shape = first.bodies.shape();
+  set_segments_of(shape, segment_of_);
+  loads_.resize(sectors_.size(), shape.contacts.size());
+  double* const memory =
+      workspace_.reserve((RefinedKernel::kNumbersOfContact * shape.contacts.size() +
+                          RefinedKernel::kNumbersOfNode * shape.nodes()) *
+                         static_cast<std::size_t>(batch_size(set_)));
+  simd::run_kernel(set_, RefinedKernel{}, RefinedDesigns{sectors_, forces_, shape, segment_of_},
+                   options, loads_, memory);
+}
+
+}  // namespace prs

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fe/newton_types.h"
+#include "prs/sector/chain/instruction_set.h"
+#include "prs/sector/chain/refined_columns.h"
+#include "prs/sector/chain/thread_loads.h"
+#include "prs/sector/chain/workspace.h"
+#include "prs/sector/load_distribution.h"
+#include "prs/sector/sector_model.h"
+
+namespace prs {
+
+/// Solves designs of `Bodies::refined` side by side, from the numbers of their bodies to the loads
+/// of their threads, as BarDesignSolver does those of bars. Sectors come from `set_sector_model`;
+/// nothing of them needs to be worked out. A design's result does not depend, bit for bit, on the
+/// other designs. Workspace is kept from call to call; one solver a thread.
+class RefinedDesignSolver {
+ public:
+  explicit RefinedDesignSolver(InstructionSet set = InstructionSet::best) : set_(set) {}
+
+  /// As of BarDesignSolver.
+  fe::NewtonOptions options{.residual_tolerance = 1e-13};
+
+  /// Whether a sector has a place here: one with a nut of shells whose roller's contacts stand
+  /// opposite each other.
+  static bool takes(const SectorModel& s) {
+    return s.is_refined && s.bodies.has_shell() && !s.contacts_apart();
+  }
+
+  /// Those of the designs that it takes; the results of others stay.
+  void solve(std::span<const SectorModel> sectors, std::span<const double> axial_forces,
+             std::span<LoadDistribution> results);
+
+ private:
+  /// Of `sectors_`, whose kind is that of `first`.
+  void solve_side_by_side(const SectorModel& first);
+
+  InstructionSet set_;
+  Workspace workspace_;
+  std::vector<std::size_t> order_;
+  std::vector<RefinedSector> sectors_;
+  std::vector<double> forces_;
+  std::vector<int> segment_of_;
+  ThreadLoads loads_;
+};
+
+}  // namespace prs

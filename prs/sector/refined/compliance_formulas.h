@@ -1,0 +1,89 @@
+#pragma once
+
+#include "simd/lanes.h"
+
+/// Formulas of local_compliance.h for a number or a batch of numbers.
+namespace prs {
+
+template <class Real>
+struct ElasticNumbers {
+  Real modulus{};  ///< E [Pa]
+  Real poisson{};  ///< nu
+};
+
+/// As `LineReach`.
+template <class Real>
+struct LineReachOf {
+  Real normal{};
+  Real tangential{};
+};
+
+template <class Real>
+LineReachOf<Real> reach_around(const Real& radius, const Real& rows) {
+  return {radius / rows, radius / rows};
+}
+
+template <class Real>
+LineReachOf<Real> reach_of_opposite(const Real& radius) {
+  constexpr double kE = 2.718281828459045;
+  return {2.0 / kE * radius, 2.0 / (kE * kE) * radius};
+}
+
+template <class Real>
+Real concentration(const LineReachOf<Real>& reach, const ElasticNumbers<Real>& m, const Real& pitch,
+                   const Real& sine, const Real& cosine) {
+  using simd::log;
+  constexpr double kPi = 3.141592653589793, kEulerGamma = 0.5772156649015329;
+  const Real shear_modulus = m.modulus / (2.0 * (1.0 + m.poisson));
+  const auto row = [&](const Real& length) { return log(0.5 * length / pitch) + kEulerGamma; };
+  return sine * sine * 2.0 * (1.0 - m.poisson * m.poisson) / (kPi * m.modulus * pitch) *
+             row(reach.normal) +
+         cosine * cosine / (kPi * shear_modulus * pitch) * row(reach.tangential);
+}
+
+/// (R^2 + r^2)/(R^2 - r^2) of Lame's solution.
+template <class Real>
+Real lame_ratio(const Real& outer, const Real& inner) {
+  return (outer * outer + inner * inner) / (outer * outer - inner * inner);
+}
+
+/// Radial pressure times its radius per normal load, projected back on the normal, over E [m/N].
+template <class Real>
+Real pressure_factor(const Real& modulus, const Real& rollers, const Real& pitch,
+                     const Real& sine) {
+  constexpr double kTwoPi = 6.283185307179586;
+  return rollers * sine * sine / (kTwoPi * pitch * modulus);
+}
+
+template <class Real>
+Real of_cylinder(const Real& radius, const Real& bore, const ElasticNumbers<Real>& m,
+                 const Real& rollers, const Real& pitch, const Real& sine) {
+  return pressure_factor(m.modulus, rollers, pitch, sine) * (lame_ratio(radius, bore) - m.poisson);
+}
+
+template <class Real>
+Real of_wall(const Real& inner, const Real& outer, const ElasticNumbers<Real>& m,
+             const Real& rollers, const Real& pitch, const Real& sine) {
+  using simd::log;
+  return pressure_factor(m.modulus, rollers, pitch, sine) *
+         (lame_ratio(outer, inner) + m.poisson - 1.0 / log(outer / inner));
+}
+
+/// b of `band_shares` [1/m].
+template <class Real>
+Real band_decay(const Real& radius, const Real& bore, const Real& nu) {
+  using simd::max, simd::sqrt;
+  const Real solid = sqrt(sqrt(24.0 * (1.0 + nu))) / radius;
+  const Real mean_radius = 0.5 * (radius + bore);
+  const Real tube = sqrt(sqrt(3.0 * (1.0 - nu * nu))) / sqrt(mean_radius * (radius - bore));
+  return max(solid, tube);
+}
+
+/// What an end of the band at the distance `x` takes away.
+template <class Real>
+Real taken_by_end(const Real& decay, const Real& x) {
+  using simd::exp, simd::sincos;
+  return 0.5 * exp(-decay * x) * sincos(Real(decay * x)).second;
+}
+
+}  // namespace prs

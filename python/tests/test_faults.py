@@ -1,0 +1,423 @@
+"""Faults at every place: limits, full disks, hostile folders, signals, killed ranks.
+
+Whatever happens, the program ends with a status of its own and says why. What stands in the folder
+is whole, nothing unfinished is left, and the same command goes on where it can. Signals come at
+chosen system calls (strace), not at chosen times. PRS_THOROUGH=1 runs the whole matrices.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import re
+import shutil
+import subprocess
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+CONFIGS = REPOSITORY / "configs"
+THOROUGH = "PRS_THOROUGH" in os.environ
+
+STUDY = """
+study:
+  command: solve
+  plan: sobol
+  samples: 300
+  seed: 3
+  factors:
+    - {path: mechanism.rollers, values: [7, 8, 9]}
+    - {path: materials.youngs_modulus, within: 5 %}
+  responses: [axial_displacement_um, nut.peak_pressure_MPa.max]
+"""
+OPTIMIZE = """
+optimize:
+  command: solve
+  seed: 1
+  population: 8
+  generations: 3
+  variables:
+    - {path: structure.nut.outer_diameter, from: 40 mm, to: 55 mm}
+    - {path: structure.roller.end_length, from: 3 mm, to: 8 mm}
+  objectives:
+    - {minimize: screw.load_rate_percent.max}
+    - {minimize: nut.peak_pressure_MPa.max}
+"""
+
+#: Every command that writes files, to OUT.
+WRITING = {
+    "check": "check 05_standard_screw.yaml --output OUT",
+    "contact": "contact 05_standard_screw.yaml --output OUT",
+    "solve": "solve 01_config_1_to_3.yaml --output OUT",
+    "slip": "slip 09_slip_and_dissipation.yaml --output OUT",
+    "preload": "preload 12_preload.yaml --output OUT",
+    "life": "life 14_flight_spectrum.yaml --output OUT",
+    "measures": "measures 18_design_measures.yaml --output OUT",
+    "full": "solve 24_misalignment.yaml --output OUT",
+    "derivatives": "study 17_derivatives.yaml --output OUT",
+    "study": "study study.yaml --threads 2 --output OUT",
+    "merge": "study merge shard --output OUT",
+    "optimize": "optimize optimize.yaml --threads 2 --output OUT",
+    "configurations": "configurations --screw-diameter 24mm --lead 8mm --starts 4 --output OUT",
+    "validate": f"validate {REPOSITORY}/validation/sandu_2018 --output OUT",
+    "report": "report 05_standard_screw.yaml --output OUT/report.html",
+    "fmu": "export 09_slip_and_dissipation.yaml --fmu --output OUT/screw.fmu",
+    "modelica": "export 09_slip_and_dissipation.yaml --modelica --output OUT/package.mo",
+    "new": "new standard OUT/case.yaml",
+}
+SOME = tuple(WRITING) if THOROUGH else ("solve", "study", "report")
+
+#: Of an interrupted program, as shells report it.
+INTERRUPTED = {"INT": 130, "TERM": 143}
+
+
+def program() -> str:
+    found = os.environ.get("PRS_EXECUTABLE") or shutil.which("prs")
+    assert found
+    return str(Path(found).resolve())
+
+
+Run = Callable[..., "subprocess.CompletedProcess[str]"]
+
+
+@dataclass
+class Bench:
+    """A folder with the input of every command, and what the commands write undisturbed."""
+
+    folder: Path
+    expected: dict[str, dict[str, bytes]] = field(default_factory=dict)
+    outputs: int = 0
+
+    def output(self) -> Path:
+        self.outputs += 1
+        folder = self.folder / f"out-{self.outputs}"
+        folder.mkdir()
+        return folder
+
+    def run(
+        self, name: str, out: Path, *before: str, **options: Any
+    ) -> subprocess.CompletedProcess[str]:
+        words = [word.replace("OUT", str(out)) for word in WRITING[name].split()]
+        environment = {**os.environ, "PRS_CACHE_DIR": "", **options.pop("env", {})}
+        return subprocess.run(
+            [*before, program(), *words, "--quiet"],
+            cwd=self.folder,
+            env=environment,
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=300,  # Who waits for ever fails.
+            **options,
+        )
+
+    def undisturbed(self, name: str) -> dict[str, bytes]:
+        if name not in self.expected:
+            out = self.output()
+            run = self.run(name, out)
+            assert run.returncode == 0, run.stderr
+            self.expected[name] = contents(out)
+        return self.expected[name]
+
+
+def without_time(content: bytes) -> bytes:
+    """A page without its time and without the name of its folder."""
+    if not content.startswith(b"<!DOCTYPE html>"):
+        return content
+    return re.sub(rb"out-\d+|\d\d(\d\d)?[-:]\d\d([-:]\d\d)?", b"", content)
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """Files by their paths; what is neither a file nor a folder does not count."""
+    return {
+        str(file.relative_to(folder)): without_time(file.read_bytes())
+        for file in sorted(folder.rglob("*"))
+        if file.is_file() and not file.is_symlink()
+    }
+
+
+#: It says what was written and when.
+FILE_LIST = ".prs-files.json"
+
+
+def told(run: subprocess.CompletedProcess[str]) -> bool:
+    """Whether standard error says in few lines what went wrong."""
+    lines = run.stderr.strip().splitlines()
+    return 1 <= len(lines) <= 24 and bool(re.search(r"prs: |error: ", run.stderr))
+
+
+def assert_in_order(
+    bench: Bench, name: str, out: Path, run: subprocess.CompletedProcess[str], *more: int
+) -> None:
+    assert run.returncode in {0, 1, *more}, (run.returncode, run.stderr)
+    assert run.returncode == 0 or told(run), run.stderr
+    assert [str(left) for left in out.rglob("*.tmp")] == []
+    expected = bench.undisturbed(name)
+    for path, content in contents(out).items():
+        # Archives have a time; the next run goes on with a journal and takes the lock again.
+        if path == FILE_LIST or path.endswith((".journal", ".lock", ".fmu")):
+            continue
+        assert content == expected[path], path
+
+
+@pytest.fixture(scope="module")
+def bench(tmp_path_factory: pytest.TempPathFactory) -> Bench:
+    folder = tmp_path_factory.mktemp("faults")
+    for file in CONFIGS.iterdir():
+        shutil.copy(file, folder)
+    base = (CONFIGS / "01_config_1_to_3.yaml").read_text()
+    (folder / "study.yaml").write_text(base + STUDY)
+    (folder / "optimize.yaml").write_text(base + OPTIMIZE)
+    shard = [program(), "study", "study.yaml", "--shard", "1/1", "--output", "shard", "--quiet"]
+    subprocess.run(shard, cwd=folder, check=True)
+    return Bench(folder)
+
+
+@pytest.mark.parametrize("name", SOME)
+def test_two_runs_write_the_same_bytes(bench: Bench, name: str) -> None:
+    out = bench.output()
+    run = bench.run(name, out)
+    assert run.returncode == 0, run.stderr
+    assert contents(out).keys() == bench.undisturbed(name).keys()
+    assert_in_order(bench, name, out, run)
+
+
+@cache
+def least_memory() -> int:
+    """Bytes of addresses with which the program starts."""
+    for mib in range(8, 4096, 8):
+        run = subprocess.run(
+            ["prlimit", f"--as={mib << 20}", program(), "--version"],
+            capture_output=True,
+            check=False,
+        )
+        if run.returncode == 0:
+            return mib << 20
+    raise AssertionError("does not start")
+
+
+LIMITS = {
+    "FSIZE": [0, 1, 700, 5000, 30_000, 200_000],
+    "NOFILE": [4, 5, 6, 8, 12, 20],
+    "AS": [0, 1 << 20, 4 << 20, 16 << 20, 64 << 20, 256 << 20],  # More than to start.
+}
+
+
+@pytest.mark.parametrize("limit", LIMITS)
+@pytest.mark.parametrize("name", SOME)
+def test_limits_are_told_and_leave_whole_files(bench: Bench, name: str, limit: str) -> None:
+    values = LIMITS[limit] if THOROUGH else LIMITS[limit][2::3]
+    for value in values:
+        out = bench.output()
+        number = value + (least_memory() if limit == "AS" else 0)
+        run = bench.run(name, out, "prlimit", f"--{limit.lower()}={number}")
+        if run.returncode == 127:  # The loader's: libraries of the program itself.
+            continue
+        assert_in_order(bench, name, out, run, 3)
+        if limit == "FSIZE" and run.returncode == 0:
+            assert max(map(len, contents(out).values())) <= value
+
+
+def mounting_is_allowed() -> bool:
+    run = subprocess.run(
+        ["unshare", "-m", "sh", "-c", "mount -t tmpfs none /mnt"], capture_output=True, check=False
+    )
+    return run.returncode == 0
+
+
+@pytest.mark.parametrize("name", SOME)
+def test_a_full_disk_is_told_and_leaves_whole_files(bench: Bench, name: str) -> None:
+    if not shutil.which("unshare") or not mounting_is_allowed():
+        pytest.skip("no file system of its own")
+    pages = [1, 8, 40, 120] if THOROUGH else [40]
+    for size in pages:
+        out, kept = bench.output(), bench.output()
+        words = [word.replace("OUT", str(out)) for word in WRITING[name].split()]
+        script = (
+            f"mount -t tmpfs -o size={4 * size}k none '{out}' || exit 99; "
+            f'"$@"; status=$?; cp -a "{out}/." "{kept}"; exit $status'
+        )
+        run = subprocess.run(
+            ["unshare", "-m", "sh", "-c", script, "sh", program(), *words, "--quiet"],
+            cwd=bench.folder,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert_in_order(bench, name, kept, run)
+
+
+def as_directory(path: Path) -> None:
+    path.mkdir()
+    (path / "mine").write_text("mine")
+
+
+def as_link(path: Path) -> None:
+    target = path.parent.parent / "outside.txt"
+    target.write_text("outside")
+    path.symlink_to(target)
+
+
+def as_read_only(path: Path) -> None:
+    path.write_text("old")
+    path.chmod(0o444)
+
+
+HOSTILE: dict[str, Callable[[Path], None]] = {
+    "directory": as_directory,
+    "fifo": lambda path: os.mkfifo(path),
+    "link": as_link,
+    "dangling link": lambda path: path.symlink_to("/nonexistent/place"),
+    "read-only": as_read_only,
+}
+
+
+@pytest.mark.parametrize("kind", HOSTILE)
+@pytest.mark.parametrize("name", SOME)
+def test_what_stands_in_place_of_a_file_is_replaced_or_told(
+    bench: Bench, name: str, kind: str
+) -> None:
+    for path in sorted(bench.undisturbed(name)):
+        if not THOROUGH and path.endswith((".gp", ".svg", ".png")):
+            continue
+        around = bench.output()
+        out = around / "out"
+        file = out / path
+        file.parent.mkdir(parents=True)
+        HOSTILE[kind](file)
+        run = bench.run(name, out)
+        assert run.returncode in (0, 1, 2), run.stderr
+        assert run.returncode == 0 or told(run), run.stderr
+        assert list(around.rglob("*.tmp")) == []
+        outside = around / "outside.txt"
+        assert not outside.exists() or outside.read_text() == "outside"
+        if kind == "directory":
+            assert run.returncode in (1, 2), path
+            assert (file / "mine").read_text() == "mine"
+        elif run.returncode == 0 and path != FILE_LIST:
+            assert file.is_file(), path
+
+
+@pytest.mark.parametrize("kind", ["file", "fifo", "dangling link", "plots is a file", "no access"])
+@pytest.mark.parametrize("name", SOME)
+def test_hostile_folders_are_told(bench: Bench, name: str, kind: str) -> None:
+    around = bench.output()
+    out = around / "out"
+    options: dict[str, Any] = {}
+    if kind == "file":
+        out.write_text("mine")
+    elif kind == "fifo":
+        os.mkfifo(out)
+    elif kind == "dangling link":
+        out.symlink_to("/nonexistent/place/below")
+    elif kind == "plots is a file":
+        out.mkdir()
+        (out / "plots").write_text("mine")
+    elif os.geteuid() == 0:  # Root may write everywhere.
+        out.mkdir(mode=0o700)
+        options = {"user": 65534, "group": 65534, "extra_groups": []}
+        probe = (
+            subprocess.run(
+                [program(), "--version"], check=False, capture_output=True, **options, cwd="/"
+            )
+            if os.access(program(), os.X_OK)
+            else None
+        )
+        if probe is None or probe.returncode != 0:
+            pytest.skip("nobody may run the program")
+    else:
+        out.mkdir(mode=0o500)
+    run = bench.run(name, out, **options)
+    draws = any(path.startswith("plots/") for path in bench.undisturbed(name))
+    if kind != "plots is a file" or draws:
+        assert run.returncode in (1, 2), run.stderr
+        assert told(run), run.stderr
+    assert list(around.rglob("*.tmp")) == []
+    if kind == "file":
+        assert out.read_text() == "mine"
+
+
+# Signals
+
+CALLS = "openat,read,write,rename,mkdir,unlink,rmdir,wait4,fsync,futex"
+
+
+def tracing() -> bool:
+    if not shutil.which("strace"):
+        return False
+    run = subprocess.run(["strace", "-o", "/dev/null", "true"], capture_output=True, check=False)
+    return run.returncode == 0
+
+
+def calls_of(bench: Bench, name: str) -> tuple[int, int]:
+    """The first call that a signal of its own answers to, and how many there are."""
+    log = bench.folder / "calls.txt"
+    trace = f"trace={CALLS},rt_sigaction"
+    run = bench.run(name, bench.output(), "strace", "-o", str(log), "-e", trace)
+    assert run.returncode == 0, run.stderr
+    count, first = 0, 0
+    for line in log.read_text().splitlines():
+        if line.startswith("rt_sigaction(SIGTERM, {sa_handler=0x"):
+            first = first or count + 1
+        elif re.match(CALLS.replace(",", "|"), line):
+            count += 1
+    assert first > 0
+    return first, count
+
+
+@pytest.mark.parametrize("signals", ["INT", "TERM", "INT twice"])
+@pytest.mark.parametrize("name", SOME)
+def test_signals_leave_nothing_unfinished(bench: Bench, name: str, signals: str) -> None:
+    if not tracing():
+        pytest.skip("no strace")
+    first, calls = calls_of(bench, name)
+    signal = signals.split()[0]
+    drawn = random.Random(f"{name} {signals}")
+    for _ in range(12 if THOROUGH else 2):
+        out = bench.output()
+        when = drawn.randint(first, calls)
+        step = f"+{drawn.randint(1, 30)}" if signals.endswith("twice") else ""
+        inject = f"inject={CALLS}:signal={signal}:when={when}{step}"
+        run = bench.run(
+            name, out, "strace", "-o", "/dev/null", "-e", f"trace={CALLS}", "-e", inject
+        )
+        assert_in_order(bench, name, out, run, INTERRUPTED[signal])
+        if name not in ("study", "optimize"):
+            continue
+        again = bench.run(name, out)  # Goes on, or begins again.
+        assert again.returncode == 0, again.stderr
+        assert_in_order(bench, name, out, again)
+        assert contents(out).keys() == bench.undisturbed(name).keys()
+
+
+# Ranks
+
+
+@pytest.mark.parametrize("call", ["write", "rename", "read"])
+@pytest.mark.parametrize("rank", [0, 1])
+def test_a_killed_rank_loses_nothing(bench: Bench, rank: int, call: str) -> None:
+    if not tracing() or not shutil.which("mpirun"):
+        pytest.skip("no strace or no mpirun")
+    if not THOROUGH and (rank, call) != (0, "rename"):
+        pytest.skip("one of them, unless thorough")
+    drawn = random.Random(f"{rank} {call}")
+    for _ in range(10 if THOROUGH else 1):
+        out = bench.output()
+        when = drawn.randint(1, 4 if call == "rename" else 60)
+        script = (
+            f"if [ $OMPI_COMM_WORLD_RANK = {rank} ]; then exec strace -f -o /dev/null "
+            f'-e trace={call} -e inject={call}:signal=KILL:when={when} "$@"; else exec "$@"; fi'
+        )
+        mpirun = ("mpirun", "--oversubscribe", "--allow-run-as-root", "-n")
+        bench.run("study", out, *mpirun, "3", "sh", "-c", script, "sh")
+        again = bench.run("study", out, *mpirun, "2")
+        assert again.returncode == 0, again.stderr
+        assert list(out.rglob("*.tmp")) == []
+        ours, alone = contents(out), bench.undisturbed("study")
+        assert {path: ours[path] for path in alone if path != FILE_LIST} == {
+            path: content for path, content in alone.items() if path != FILE_LIST
+        }
