@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "bench/function_kernel.h"
 #include "bench/multiply_add_kernel.h"
 #include "fe/chain.h"
 #include "prs/sector/chain/bar_designs.h"
@@ -176,6 +177,19 @@ BENCHMARK(StudyOfRandomDesigns)
     ->ThreadRange(1, 2)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
+
+/// A function of as many numbers as the first level of memory holds, at the widest width.
+void FunctionFloor(benchmark::State& state) {
+  constexpr std::size_t kNumbers = 1024;
+  std::vector<double> x(kNumbers);
+  for (std::size_t i = 0; i < kNumbers; ++i) x[i] = 0.1 + 1e-3 * static_cast<double>(i);
+  const auto function = static_cast<Function>(state.range(0));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        xsimd::dispatch<simd::Architectures>(FunctionKernel{})(function, x.data(), x.size()));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kNumbers));
+}
+BENCHMARK(FunctionFloor)->ArgName("function")->DenseRange(0, static_cast<int>(Function::asinh));
 
 template <class Arch>
 void multiply_adds(benchmark::State& state, int lanes) {

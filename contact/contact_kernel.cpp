@@ -1,5 +1,6 @@
 #include "contact/contact_kernel.h"
 
+#include <cmath>
 #include <cstring>
 
 #include "simd/transposed.h"
@@ -20,14 +21,19 @@ void ContactKernel::operator()(Arch, std::span<const MechanismNumbers<double>> m
 template <class Arch>
 void EllipseKernel::operator()(Arch, double semi_major_per_cbrt_load,
                                double semi_minor_per_cbrt_load, std::span<const double> normal_load,
-                               double* semi_major, double* semi_minor,
+                               const KnownApproach& known, double* semi_major, double* semi_minor,
                                double* peak_pressure) const {
   using Real = xsimd::batch<double, Arch>;
+  const double cbrt_constant = std::cbrt(known.hertz_constant);
   for (std::size_t first = 0; first < normal_load.size(); first += simd::kLanes<Real>) {
     const std::size_t size = normal_load.size() - first;
-    const EllipseNumbers<Real> e =
-        ellipse_numbers(Real(semi_major_per_cbrt_load), Real(semi_minor_per_cbrt_load),
-                        simd::side_by_side<Real>(normal_load.data() + first, size));
+    const auto load = simd::side_by_side<Real>(normal_load.data() + first, size);
+    const Real cbrt_load =
+        known.approach.empty()
+            ? cbrt(load)
+            : cbrt_constant * sqrt(simd::side_by_side<Real>(known.approach.data() + first, size));
+    const EllipseNumbers<Real> e = ellipse_numbers(Real(semi_major_per_cbrt_load),
+                                                   Real(semi_minor_per_cbrt_load), load, cbrt_load);
     simd::deliver(e.semi_major, semi_major + first, size);
     simd::deliver(e.semi_minor, semi_minor + first, size);
     simd::deliver(e.peak_pressure, peak_pressure + first, size);
@@ -35,7 +41,8 @@ void EllipseKernel::operator()(Arch, double semi_major_per_cbrt_load,
 }
 
 template void EllipseKernel::operator()(PRS_SIMD_ARCHITECTURE, double, double,
-                                        std::span<const double>, double*, double*, double*) const;
+                                        std::span<const double>, const KnownApproach&, double*,
+                                        double*, double*) const;
 template void ContactKernel::operator()(PRS_SIMD_ARCHITECTURE,
                                         std::span<const MechanismNumbers<double>>,
                                         std::span<MechanismContactNumbers<double>>) const;

@@ -23,7 +23,8 @@ void find_contacts(std::span<const MechanismNumbers<double>> mechanisms,
 
 void set_ellipses(const HertzConstants& constants, const std::vector<double>& normal_load,
                   std::vector<double>& semi_major, std::vector<double>& semi_minor,
-                  std::vector<double>& peak_pressure, simd::InstructionSet set) {
+                  std::vector<double>& peak_pressure, simd::InstructionSet set,
+                  const KnownApproach& known) {
   for (std::vector<double>* values : {&semi_major, &semi_minor, &peak_pressure})
     values->resize(normal_load.size());
   if (set == simd::InstructionSet::scalar) {
@@ -36,8 +37,14 @@ void set_ellipses(const HertzConstants& constants, const std::vector<double>& no
     return;
   }
   simd::run_kernel(set, EllipseKernel{}, constants.semi_major_per_cbrt_load,
-                   constants.semi_minor_per_cbrt_load, std::span<const double>(normal_load),
+                   constants.semi_minor_per_cbrt_load, std::span<const double>(normal_load), known,
                    semi_major.data(), semi_minor.data(), peak_pressure.data());
+}
+
+void set_ellipses(const HertzConstants& constants, const std::vector<double>& normal_load,
+                  std::vector<double>& semi_major, std::vector<double>& semi_minor,
+                  std::vector<double>& peak_pressure, simd::InstructionSet set) {
+  set_ellipses(constants, normal_load, semi_major, semi_minor, peak_pressure, set, {});
 }
 
 }  // namespace contact

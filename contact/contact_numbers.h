@@ -59,4 +59,17 @@ void find_contacts(std::span<const MechanismNumbers<double>> mechanisms,
                    std::span<MechanismContactNumbers<double>> contacts,
                    simd::InstructionSet set = simd::InstructionSet::best);
 
+/// Approaches delta of contacts whose loads are k_0 delta^1.5, so that N^(1/3) is
+/// k_0^(1/3) sqrt(delta), which takes no cube root a contact.
+struct KnownApproach {
+  std::span<const double> approach = {};  ///< [m]; empty: not known.
+  double hertz_constant = 0.0;            ///< k_0 [N/m^1.5]
+};
+
+/// `set_ellipses` of contacts with known approaches.
+void set_ellipses(const HertzConstants& constants, const std::vector<double>& normal_load,
+                  std::vector<double>& semi_major, std::vector<double>& semi_minor,
+                  std::vector<double>& peak_pressure, simd::InstructionSet set,
+                  const KnownApproach& known);
+
 }  // namespace contact

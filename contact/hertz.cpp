@@ -43,8 +43,9 @@ HertzContact at_load(const HertzConstants& constants, double normal_load) {
   HertzContact contact;
   if (normal_load <= 0.0) return contact;
   const double cbrt_approach = std::cbrt(normal_load / constants.hertz_constant);
-  const EllipseNumbers<double> ellipse = ellipse_numbers(
-      constants.semi_major_per_cbrt_load, constants.semi_minor_per_cbrt_load, normal_load);
+  const EllipseNumbers<double> ellipse =
+      ellipse_numbers(constants.semi_major_per_cbrt_load, constants.semi_minor_per_cbrt_load,
+                      normal_load, std::cbrt(normal_load));
   contact.normal_load = normal_load;
   contact.approach = cbrt_approach * cbrt_approach;
   contact.semi_major = ellipse.semi_major;

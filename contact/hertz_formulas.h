@@ -78,13 +78,12 @@ struct EllipseNumbers {
   Real semi_major{}, semi_minor{}, peak_pressure{};
 };
 
-/// Semi-axes and pressure under a load; zero where it is open.
+/// Semi-axes and pressure under a load, of which the cube root is known; zero where it is open.
 template <class Real>
 EllipseNumbers<Real> ellipse_numbers(const Real& semi_major_per_cbrt_load,
-                                     const Real& semi_minor_per_cbrt_load,
-                                     const Real& normal_load) {
+                                     const Real& semi_minor_per_cbrt_load, const Real& normal_load,
+                                     const Real& cbrt_load) {
   const auto loaded = normal_load > 0.0;
-  const Real cbrt_load = cbrt(normal_load);
   const Real a = semi_major_per_cbrt_load * cbrt_load, b = semi_minor_per_cbrt_load * cbrt_load;
   const auto where_loaded = [&](const Real& value) { return select(loaded, value, Real(0.0)); };
   return {where_loaded(a), where_loaded(b),

@@ -83,7 +83,15 @@ std::size_t sequence_length(std::string_view text) {
 }
 
 bool is_plain_lines(std::string_view text) noexcept {
-  return std::ranges::all_of(text, [](char c) { return (c >= 0x20 && c < 0x7F) || c == '\n'; });
+  const auto others = [](std::string_view part) {
+    int count = 0;  // To the end of the part: compilers count many characters at once.
+    for (const char c : part) count += (c < 0x20 && c != '\n') || c == 0x7F;
+    return count;
+  };
+  constexpr std::size_t kPart = 4096;
+  for (std::size_t k = 0; k < text.size(); k += kPart)
+    if (others(text.substr(k, kPart)) != 0) return false;
+  return true;
 }
 
 std::string printable(std::string_view text) { return rewritten(text, append_printable); }

@@ -40,7 +40,7 @@ int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOpti
   if (has_document) {
     nlohmann::ordered_json json = delivery.document(info);
     if (options.figures) json["figures"] = to_json(shown);
-    document = json_text(json);
+    document = delivery.text ? delivery.text(json) : json_text(json);
   }
   const bool written = !options.output || write(delivery, document, shown, options);
   if (options.json) {

@@ -35,8 +35,9 @@ bool reserve_standard_streams() {
 }
 
 void print(std::string_view text) {
-  if (const int error = write_all(STDOUT_FILENO, printable_lines(text)); error != 0)
-    fail_to_print(error);
+  const int error = is_plain_lines(text) ? write_all(STDOUT_FILENO, text)
+                                         : write_all(STDOUT_FILENO, printable_lines(text));
+  if (error != 0) fail_to_print(error);
 }
 
 void close_output() {

@@ -80,11 +80,13 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
   if (!absent.empty()) note(options, "prs: " + absent);
   result.summary = analysis.summary();
   result.warnings = study_warnings(in, result, engine);
-  const Delivery delivery{.file = "study.json",
-                          .document = [&](const DocumentInfo& i) { return study_json(result, i); },
-                          .table = [&] { return study_table(result); },
-                          .pictures = [&] { return study_pictures(result); },
-                          .converged = result.failed == 0};
+  const Delivery delivery{
+      .file = "study.json",
+      .document = [&](const DocumentInfo& i) { return study_outline(result, i); },
+      .table = [&] { return study_table(result); },
+      .pictures = [&] { return study_pictures(result); },
+      .converged = result.failed == 0,
+      .text = [&](const nlohmann::ordered_json& outline) { return study_text(outline, result); }};
   return deliver(delivery, info, options);
 }
 

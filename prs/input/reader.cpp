@@ -575,21 +575,27 @@ std::vector<LoadCase> expand(const std::vector<LoadCaseItem>& items) {
       cases.push_back(std::move(c));
     }
   }
-  update_numbers(cases, items);
+  for (std::size_t i = 0; i < items.size(); ++i) update_numbers(cases, items, i);
   return cases;
 }
 
-void update_numbers(std::vector<LoadCase>& cases, const std::vector<LoadCaseItem>& items) {
-  auto c = cases.begin();
-  for (const LoadCaseItem& item : items) {
-    const Range& force = item.axial_force;
-    const int last = points(item) - 1;
-    for (int k = 0; k <= last; ++k, ++c) {
-      c->axial_force = k == last ? force.to : force.from + (force.to - force.from) * k / last;
-      c->position = item.position;
-      c->speed = item.speed;
-      c->spatial = item.spatial;
-    }
+std::size_t first_case(const std::vector<LoadCaseItem>& items, std::size_t item) {
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < item; ++i) first += static_cast<std::size_t>(points(items[i]));
+  return first;
+}
+
+void update_numbers(std::vector<LoadCase>& cases, const std::vector<LoadCaseItem>& items,
+                    std::size_t item) {
+  const LoadCaseItem& from = items[item];
+  const Range& force = from.axial_force;
+  const int last = points(from) - 1;
+  LoadCase* c = cases.data() + first_case(items, item);
+  for (int k = 0; k <= last; ++k, ++c) {
+    c->axial_force = k == last ? force.to : force.from + (force.to - force.from) * k / last;
+    c->position = from.position;
+    c->speed = from.speed;
+    c->spatial = from.spatial;
   }
 }
 

@@ -33,9 +33,13 @@ CaseFile read_case_file(const Node& root, ErrorList& errors);
 /// One load case for each point of each range.
 std::vector<LoadCase> expand(const std::vector<LoadCaseItem>& items);
 
-/// Sets force, position and speed of cases that were expanded from these items before numbers of
-/// the items changed.
-void update_numbers(std::vector<LoadCase>& cases, const std::vector<LoadCaseItem>& items);
+/// Where the cases of an item begin among the expanded ones.
+std::size_t first_case(const std::vector<LoadCaseItem>& items, std::size_t item);
+
+/// Sets force, position and speed of the cases that were expanded from an item before its numbers
+/// changed.
+void update_numbers(std::vector<LoadCase>& cases, const std::vector<LoadCaseItem>& items,
+                    std::size_t item);
 
 /// The problems that `check_case` finds in a case or, without any, what the command needs and
 /// lacks.

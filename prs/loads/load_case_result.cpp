@@ -5,15 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/contact_numbers.h"
 #include "prs/loads/analyze.h"
 
 namespace prs {
 namespace {
 
 void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact,
-                        simd::InstructionSet set) {
+                        simd::InstructionSet set, const contact::KnownApproach& known) {
   contact::set_ellipses(contact.hertz, loads.normal_load, loads.semi_major, loads.semi_minor,
-                        loads.peak_pressure, set);
+                        loads.peak_pressure, set, known);
   if (!contact.shear) return;
   for (const double pressure : loads.peak_pressure)
     loads.max_shear_stress.push_back(contact.shear->shear_over_pressure * pressure);
@@ -23,22 +24,23 @@ void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact,
 
 /// Numbers of an interface whose normal loads are set.
 void set_interface_loads(InterfaceLoads& loads, const LoadCase& load_case, const Contacts& contacts,
-                         Interface i, double normal_angle, simd::InstructionSet set) {
+                         Interface i, double normal_angle, simd::InstructionSet set,
+                         const LoadDetail& detail = {}, const contact::KnownApproach& known = {}) {
   loads.normal_angle = normal_angle;
   const double cosine = std::cos(normal_angle);
   const double roller_force = std::abs(load_case.axial_force) / contacts.mechanism.rollers;
   const std::size_t threads = loads.normal_load.size();
-  loads.axial_load.resize(threads);
-  loads.load_rate.resize(threads);
-  for (std::size_t k = 0; k < threads; ++k) {
+  loads.axial_load.resize(detail.axial_load ? threads : 0);
+  for (std::size_t k = 0; k < loads.axial_load.size(); ++k)
     loads.axial_load[k] = loads.normal_load[k] * cosine;
+  loads.load_rate.resize(detail.load_rate ? threads : 0);
+  for (std::size_t k = 0; k < loads.load_rate.size(); ++k)
     loads.load_rate[k] = loads.normal_load[k] * cosine / roller_force;
-  }
   for (auto* values : {&loads.semi_major, &loads.semi_minor, &loads.peak_pressure,
                        &loads.max_shear_stress, &loads.max_shear_depth})
     values->clear();
   const InterfaceContact& contact = contacts.interfaces[i];
-  if (contact.has_hertz()) add_hertz_contacts(loads, contact, set);
+  if (detail.ellipses && contact.has_hertz()) add_hertz_contacts(loads, contact, set, known);
 }
 
 InterfaceLoads interface_loads(const LoadCase& load_case, const Contacts& contacts, Interface i,
@@ -116,7 +118,7 @@ LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts
 
 void set_solved_result(LoadCaseResult& result, const Contacts& contacts,
                        const PerInterface<ContactLaw>& laws, LoadDistribution& d,
-                       simd::InstructionSet set) {
+                       simd::InstructionSet set, const LoadDetail& detail) {
   if (!result.solve) result.solve.emplace();
   std::swap(*result.solve, d.solve);
   if (!result.solve->converged()) {
@@ -135,9 +137,10 @@ void set_solved_result(LoadCaseResult& result, const Contacts& contacts,
   for (const Interface i : kInterfaces) {
     InterfaceLoads& loads = (*result.threads)[i];
     std::swap(loads.normal_load, d.normal_load[i]);
-    set_interface_loads(loads, result.load_case, contacts, i, laws[i].normal_angle, set);
-    loads.hertz_constant = laws[i].hertz_constant;
     std::swap(loads.approach, d.approach[i]);
+    set_interface_loads(loads, result.load_case, contacts, i, laws[i].normal_angle, set, detail,
+                        {loads.approach, laws[i].hertz_constant});
+    loads.hertz_constant = laws[i].hertz_constant;
   }
 }
 

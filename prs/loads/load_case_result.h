@@ -15,11 +15,18 @@ namespace prs {
 LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts,
                              const PerInterface<ContactLaw>& laws, LoadDistribution distribution);
 
+/// Which numbers of the threads are wanted besides loads and approaches.
+struct LoadDetail {
+  bool axial_load = true;
+  bool load_rate = true;
+  bool ellipses = true;  ///< Semi-axes, pressures and what follows from them.
+};
+
 /// The same into the result of that load case, which keeps its memory and exchanges it with the
-/// distribution's.
+/// distribution's. What is not wanted is left empty.
 void set_solved_result(LoadCaseResult& result, const Contacts& contacts,
                        const PerInterface<ContactLaw>& laws, LoadDistribution& distribution,
-                       simd::InstructionSet set);
+                       simd::InstructionSet set, const LoadDetail& detail = {});
 
 /// Threads with equal loads by assumption; approaches follow where the Hertz constants are known.
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,

@@ -1,5 +1,6 @@
 #include "prs/output/csv_writer.h"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <system_error>
 
 #include "prs/model/units.h"
+#include "prs/output/short_number.h"
 
 namespace prs {
 namespace {
@@ -59,20 +61,27 @@ void CsvWriter::text(std::string_view value) {
   csv_ += '"';
 }
 
+void CsvWriter::word(std::string_view value) {
+  separate();
+  csv_ += value;
+}
+
 void CsvWriter::number(std::optional<double> si, double factor) {
   separate();
   if (!si || !std::isfinite(*si)) return;
-  std::array<char, 32> text;  // A double has 24 at most.
+  std::array<char, kShortNumberSize> text;
   const double value = *si * factor;
   const char* end = style_.digits >= CsvStyle::kAllDigits
-                        ? fmt::format_to(text.data(), "{}", value)
-                        : fmt::format_to(text.data(), "{:.{}g}", value, style_.digits);
+                        ? fmt::format_to(text.data(), FMT_COMPILE("{}"), value)
+                        : write_short(text.data(), value, style_.digits);
   append_number({text.data(), static_cast<std::size_t>(end - text.data())});
 }
 
 void CsvWriter::integer(std::optional<std::size_t> value) {
   separate();
-  if (value) csv_ += fmt::format_int(*value).c_str();
+  if (!value) return;
+  const fmt::format_int digits(*value);
+  csv_.append(digits.data(), digits.size());
 }
 
 void CsvWriter::end_row() {
@@ -87,6 +96,7 @@ void CsvWriter::separate() {
 
 void CsvWriter::append_number(std::string_view text) {
   csv_ += text;
+  if (style_.decimal_mark() == '.') return;
   std::ranges::replace(csv_.end() - static_cast<std::ptrdiff_t>(text.size()), csv_.end(), '.',
                        style_.decimal_mark());
 }

@@ -21,11 +21,14 @@ class CsvWriter {
   explicit CsvWriter(const CsvStyle& style, Part part = Part::whole);
 
   void text(std::string_view value);
+  /// A text that needs no quotes: a word of the program, or none.
+  void word(std::string_view value);
   /// SI * factor; empty where absent or not finite.
   void number(std::optional<double> si, double factor = 1.0);
   void integer(std::optional<std::size_t> value);
   void end_row();
 
+  void reserve(std::size_t characters) { csv_.reserve(characters); }
   std::string take() { return std::move(csv_); }
 
  private:

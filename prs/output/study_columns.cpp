@@ -78,8 +78,9 @@ std::vector<double> factor_values(const Study& study, const std::vector<FactorCo
   const std::vector<DrawnInput> inputs = drawn_inputs(study);
   std::vector<double> values;
   values.reserve(count * columns.size());
+  std::vector<Draw> drawn;
   for (std::size_t k = first; k < first + count; ++k) {
-    const std::vector<Draw> drawn = draws(study, k);
+    set_draws(study, k, drawn);
     for (std::size_t f = 0; f < columns.size(); ++f)
       values.push_back(value_of(*inputs[f].input, columns[f], drawn[inputs[f].factor]));
   }

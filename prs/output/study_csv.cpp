@@ -6,6 +6,8 @@
 namespace prs {
 namespace {
 
+constexpr std::size_t kUsualField = 13;  ///< Characters of a number and its separator.
+
 /// Fields of a design that differs from the base case in one value.
 void setting_fields(CsvWriter& csv, const Study& study, const Design& design) {
   const Setting* setting = design.settings.empty() ? nullptr : &design.settings.front();
@@ -42,8 +44,9 @@ std::string StudyCsv::header() const {
 }
 
 std::string StudyCsv::rows(const RowBlock& block, const std::vector<double>& factors) const {
-  const DesignStatus converged;
   CsvWriter csv(style_, CsvWriter::Part::rows);
+  const std::size_t width = study_.responses.size();
+  csv.reserve(block.rows * (kUsualField * (columns_.size() + width) + kUsualField));
   auto failure = block.failures.begin();
   for (std::size_t row = 0; row < block.rows; ++row) {
     csv.integer(block.first + row);
@@ -53,10 +56,13 @@ std::string StudyCsv::rows(const RowBlock& block, const std::vector<double>& fac
       for (std::size_t f = 0; f < columns_.size(); ++f)
         factor_field(csv, columns_[f], factors[row * columns_.size() + f]);
     const bool failed = failure != block.failures.end() && failure->row == row;
-    const DesignStatus& status = failed ? (failure++)->status : converged;
-    csv.text(status.name);
-    csv.text(status.reason);
-    const std::size_t width = study_.responses.size();
+    if (failed) {
+      csv.text(failure->status.name);
+      csv.text((failure++)->status.reason);
+    } else {
+      csv.word("converged");
+      csv.word("");
+    }
     for (std::size_t k = 0; k < width; ++k) csv.number(block.responses[row * width + k]);
     csv.end_row();
   }

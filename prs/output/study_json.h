@@ -15,5 +15,11 @@ std::string_view name(Plan plan);
 /// under `envelope` the envelope of a study that has one, and under `designs` what each of those
 /// kept gave, with `designs_shown` where that is not all of them.
 nlohmann::ordered_json study_json(const StudyResult& result, const DocumentInfo& info);
+/// The same with an empty list of designs.
+nlohmann::ordered_json study_outline(const StudyResult& result, const DocumentInfo& info);
+
+/// An outline as text, with the designs of the result in its empty list: what `json_text` gives of
+/// `study_json`, without a JSON value for each number of each design.
+std::string study_text(const nlohmann::ordered_json& outline, const StudyResult& result);
 
 }  // namespace prs

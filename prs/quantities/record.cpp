@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <numeric>
 
 namespace prs {
@@ -28,18 +29,46 @@ RowOfWord split_row(std::string_view word) {
   return row && rest.starts_with('[') ? RowOfWord{row, rest} : RowOfWord{{}, word};
 }
 
+namespace {
+
+/// The largest of f(x), four maxima side by side.
+template <class F>
+double largest(std::span<const double> v, F f) {
+  double of[4] = {f(v[0]), f(v[0]), f(v[0]), f(v[0])};
+  std::size_t k = 0;
+  for (; k + 4 <= v.size(); k += 4)
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double x = f(v[k + j]);
+      of[j] = x > of[j] ? x : of[j];
+    }
+  for (; k < v.size(); ++k) of[0] = std::max(of[0], f(v[k]));
+  return std::max(std::max(of[0], of[1]), std::max(of[2], of[3]));
+}
+
+/// Whether all are finite: what is not leaves a sum of zeros that is not 0.
+bool all_finite(std::span<const double> v) {
+  double zero[4] = {};
+  std::size_t k = 0;
+  for (; k + 4 <= v.size(); k += 4)
+    for (std::size_t j = 0; j < 4; ++j) zero[j] += 0.0 * v[k + j];
+  for (; k < v.size(); ++k) zero[0] += 0.0 * v[k];
+  return (zero[0] + zero[1]) + (zero[2] + zero[3]) == 0.0;
+}
+
+}  // namespace
+
 SeriesReader summary_named(std::string_view word, double factor) {
   using Values = std::span<const double>;
   // A document has null in place of a number that is not finite, and no summary of such a list.
   const auto of_finite = [](auto summary) {
     return [summary](Values v) {
-      const bool known =
-          !v.empty() && std::ranges::all_of(v, [](double x) { return std::isfinite(x); });
-      return known ? std::optional(summary(v)) : std::nullopt;
+      return !v.empty() && all_finite(v) ? std::optional(summary(v)) : std::nullopt;
     };
   };
-  if (word == ".max") return of_finite([factor](Values v) { return std::ranges::max(v) * factor; });
-  if (word == ".min") return of_finite([factor](Values v) { return std::ranges::min(v) * factor; });
+  if (word == ".max")
+    return of_finite([factor](Values v) { return largest(v, std::identity()) * factor; });
+  if (word == ".min")
+    return of_finite([factor](Values v) { return -largest(v, std::negate()) * factor; });
   if (word == ".mean")
     return of_finite([factor](Values v) {
       return std::accumulate(v.begin(), v.end(), 0.0,

@@ -24,6 +24,8 @@ struct Delivery {
   std::vector<std::string> without_figure = {};  ///< Why some are missing, a line each.
   bool converged = true;
   std::function<std::string()> full_table = {};  ///< With `--all`, where there is more.
+  /// The document as text; empty: `json_text`.
+  std::function<std::string(const nlohmann::ordered_json&)> text = {};
 };
 
 }  // namespace prs

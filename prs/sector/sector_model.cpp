@@ -113,12 +113,7 @@ void set_nut(SectorModel& s, const Given& g, Direction direction, double positio
 
 void set_contacts(SectorModel& s, const Given& g, const Deviations& deviations,
                   Direction direction) {
-  for (const Interface i : kInterfaces) {
-    s.hertz_constant[i] = g.laws[i].hertz_constant;
-    s.cosine[i] = std::cos(g.laws[i].normal_angle);
-    s.sine[i] = std::sin(g.laws[i].normal_angle);
-    s.compliance[i] = g.laws[i].compliance;
-  }
+  set_laws(s, g.laws);
   if (!deviates(g.mechanism, deviations)) {
     for (const Interface i : kInterfaces)
       s.gaps[i].assign(static_cast<std::size_t>(g.mechanism.contacts_per_roller), 0.0);
@@ -246,6 +241,17 @@ void work_out(SectorModel& s) {
 
 void set_nut_line(NutLine& line, const SectorModel& s) {
   set_line(line, s, s.contacts(), [&](int k) { return s.position + k * s.pitch; });
+}
+
+void set_laws(SectorModel& s, const PerInterface<ContactLaw>& laws) {
+  for (const Interface i : kInterfaces) {
+    const auto& [constant, psi, compliance] = laws[i];
+    const double cosine = std::cos(psi), sine = std::sin(psi);
+    s.hertz_constant[i] = constant;
+    s.cosine[i] = cosine;
+    s.sine[i] = sine;
+    s.compliance[i] = compliance;
+  }
 }
 
 NutLine nut_line(const SectorModel& s) {

@@ -84,6 +84,9 @@ void set_sector_model(SectorModel& model, const Mechanism& mechanism, const Stru
                       const PerInterface<ContactLaw>& laws, Direction direction, double position,
                       const Deviations& deviations);
 
+/// Replaces the laws of a sector of bars without initial gaps, which nothing else in it depends on.
+void set_laws(SectorModel& model, const PerInterface<ContactLaw>& laws);
+
 /// Shells and compliances of refined bodies.
 void work_out(SectorModel& model);
 

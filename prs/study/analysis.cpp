@@ -159,7 +159,7 @@ struct StudyAnalysis::Parts {
   }
 
   void add_to_surface(std::span<const double> row, std::size_t design) {
-    const std::vector<Draw> drawn = draws(study, design);
+    set_draws(study, design, drawn);
     for (std::size_t i = 0; i < factors.size(); ++i) {
       const std::size_t k = factors[i].factor;
       x[i] = factors[i](value_of(study.factors[k], drawn[k]));
@@ -185,7 +185,8 @@ struct StudyAnalysis::Parts {
   KeptRows kept;
   std::string reason;  ///< Why there is no response surface.
   LinearRegression regression;
-  std::vector<double> x;                    ///< Normalised factors of one design.
+  std::vector<Draw> drawn;                  ///< Of one design,
+  std::vector<double> x;                    ///< its normalised factors.
   std::vector<VarianceIndices> indices;     ///< One per response, for plan sobol_indices.
   std::vector<std::vector<double>> sample;  ///< A response of the designs of one sample.
   std::optional<GridMapCollector> maps;     ///< For a study with an envelope.

@@ -28,6 +28,7 @@
 #include "prs/sector/chain/fallback_solver.h"
 #include "prs/sector/chain/refined_designs.h"
 #include "prs/sector/full/full_distribution.h"
+#include "prs/study/bar_batch.h"
 #include "prs/study/design_reader.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
@@ -263,9 +264,11 @@ struct DesignEngine::Parts {
   Study study;
   simd::InstructionSet set;
   std::optional<std::vector<ResultNumber>> numbers;
-  std::vector<std::size_t> load_cases;                 ///< Load cases that the numbers need.
-  bool needs_duty = false;                             ///< Whether one of the numbers is of a duty.
-  Detail detail = Detail::numbers;                     ///< What the numbers need of the results.
+  std::vector<std::size_t> load_cases;  ///< Load cases that the numbers need.
+  bool needs_duty = false;              ///< Whether one of the numbers is of a duty.
+  bool in_columns = false;              ///< Whether designs that BarBatch takes go through it.
+  LoadDetail load_detail;               ///< What the numbers need of solved load cases.
+  Detail detail = Detail::numbers;      ///< What the numbers need of the results.
   ContactDetail contact_detail = ContactDetail::laws;  ///< What they need of the contacts.
   Bodies bodies = Bodies::bars;                        ///< Bodies of the base case.
   bool all_rollers = false;                            ///< Whether it is a full mechanism.
@@ -279,6 +282,7 @@ struct DesignEngine::Parts {
     RefinedDesignSolver refined;
     FullSolver full = FullSolver();
     Batch batch;
+    BarBatch columns;
   };
 
   /// A worker that no other thread has.
@@ -305,8 +309,8 @@ struct DesignEngine::Parts {
         return worker;
       }
     }
-    return Worker{DesignReader(input), BarDesignSolver(set), RefinedDesignSolver(set), FullSolver(),
-                  Batch{{ContactBatch(set)}}};
+    return Worker{DesignReader(input), BarDesignSolver(set),       RefinedDesignSolver(set),
+                  FullSolver(),        Batch{{ContactBatch(set)}}, BarBatch(set)};
   }
   void give_back(Worker worker) {
     const std::lock_guard lock(mutex);
@@ -383,6 +387,9 @@ struct DesignEngine::Parts {
     if (std::ranges::any_of(*numbers, &ResultNumber::needs_complete) ||
         (all_rollers && std::ranges::any_of(study.responses, is_tangent)))
       detail = Detail::complete;
+    in_columns = study.command == Command::solve && detail == Detail::numbers &&
+                 contact_detail == ContactDetail::laws;
+    load_detail = prs::load_detail(*numbers);
   }
 
   /// `known`: all that does not depend on the load case.
@@ -499,6 +506,13 @@ struct DesignEngine::Parts {
                       RowBlock& block) {
     Batch& batch = worker.batch;
     const std::size_t designs = read_batch(read, from, to, worker, block);
+    worker.columns.solve(
+        worker.bars, load_detail,
+        [&](std::size_t row, const std::vector<LoadCaseResult>& results) {
+          set_numbers(row_of(block, row), {.contacts = no_contacts}, results);
+        },
+        [&](std::size_t row) { answer_alone(read, row, worker, block); });
+    if (designs == 0) return;
     batch.contacts.found.find();
     batch.sectors.clear();
     batch.forces.clear();
@@ -559,12 +573,18 @@ struct DesignEngine::Parts {
                          RowBlock& block) {
     Batch& batch = worker.batch;
     batch.contacts.start(to - from);
+    worker.columns.clear();
     std::size_t designs = 0;
     for (std::size_t row = from; row < to; ++row) {
       DesignStatus status = status_after([&]() -> DesignStatus {
         Case& c = read(worker.reader, row);
-        if (c.model.bodies == Bodies::influence || c.model.mechanism == ModelOptions::Mechanism::full)
+        if (c.model.bodies == Bodies::influence ||
+            c.model.mechanism == ModelOptions::Mechanism::full)
           return answer(c, worker, row_of(block, row));
+        if (in_columns && BarBatch::takes(c, load_cases)) {
+          worker.columns.add(row, c, load_cases);
+          return {};
+        }
         Pending& design = at(batch.designs, designs);
         design.set(row, c, load_cases, measures());
         design.has_contacts =
@@ -616,6 +636,7 @@ struct DesignEngine::Parts {
     return block.responses.data() + row * study.responses.size();
   }
 
+  const Contacts no_contacts = {};  ///< Where no number is of the contacts.
   std::mutex mutex;
   std::vector<Worker> idle;
 };

@@ -1,10 +1,15 @@
 #include "prs/study/design_reader.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -59,8 +64,57 @@ struct Frame {
 
   input::CaseFile file;
   std::vector<Bound> bound;
-  bool varies_loads = false;
+  std::vector<std::size_t> varied_items;  ///< Items of `load_cases` with a number that is set.
+  /// What checks look at in place of all load cases: those that vary, and one for all that no check
+  /// tells apart.
+  struct Checked {
+    struct Varied {
+      std::size_t place;  ///< Here,
+      std::size_t index;  ///< among all.
+    };
+    std::vector<LoadCase> load_cases;
+    std::vector<Varied> varied;
+  };
+  std::optional<Checked> checked;  ///< None: all are looked at.
 };
+
+/// Whether checks find the same in both; names must differ from all others.
+bool is_checked_alike(const LoadCase& a, const LoadCase& b) {
+  const auto sign = [](const LoadCase& load) {
+    return (load.axial_force > 0.0) - (load.axial_force < 0.0);
+  };
+  return a.direction == b.direction && a.position == b.position && a.share == b.share &&
+         a.speed == b.speed && a.spatial == b.spatial && sign(a) == sign(b);
+}
+
+std::optional<Frame::Checked> checked_cases(const std::vector<LoadCase>& all,
+                                            const std::vector<bool>& varies) {
+  std::unordered_set<std::string_view> names;
+  for (const LoadCase& load : all)
+    if (!names.insert(load.name).second) return std::nullopt;
+  Frame::Checked checked;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (!varies[k] && std::ranges::none_of(checked.load_cases, [&](const LoadCase& other) {
+          return is_checked_alike(other, all[k]);
+        }))
+      checked.load_cases.push_back(all[k]);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!varies[k]) continue;
+    checked.varied.push_back({checked.load_cases.size(), k});
+    checked.load_cases.push_back(all[k]);
+  }
+  return checked;
+}
+
+/// 2 of `load_cases[2].axial_force`.
+std::optional<std::size_t> load_case_item(std::string_view path) {
+  constexpr std::string_view kBlock = "load_cases[";
+  std::size_t item = 0;
+  if (!path.starts_with(kBlock)) return std::nullopt;
+  const auto [stop, error] =
+      std::from_chars(path.data() + kBlock.size(), path.data() + path.size(), item);
+  return error == std::errc{} ? std::optional(item) : std::nullopt;
+}
 
 }  // namespace
 
@@ -79,6 +133,7 @@ struct DesignReader::Parts {
   Frame* frame_of(const std::vector<Draw>& draws);
   std::unique_ptr<Frame> make_frame(const Shape& of, const std::vector<Draw>& draws) const;
   bool set_numbers(const std::vector<Draw>& draws);
+  std::vector<Problem> problems();
 };
 
 bool DesignReader::Parts::find_shape(const std::vector<Draw>& draws, Shape& found) const {
@@ -107,7 +162,9 @@ std::unique_ptr<Frame> DesignReader::Parts::make_frame(const Shape& of,
   } catch (const input::InputError&) {
     return nullptr;
   }
-  made->file.values.load_cases = input::expand(made->file.load_cases);
+  const std::vector<input::LoadCaseItem>& items = made->file.load_cases;
+  std::vector<LoadCase>& load_cases = made->file.values.load_cases;
+  load_cases = input::expand(items);
   for (std::size_t i = 0; i < of.size(); ++i) {
     if (of[i] != kNumber) continue;
     const std::string& path = values[i].path;
@@ -115,8 +172,15 @@ std::unique_ptr<Frame> DesignReader::Parts::make_frame(const Shape& of,
     if (slot.kind != input::Slot::Kind::number && slot.kind != input::Slot::Kind::whole)
       return nullptr;
     made->bound.push_back({i, std::move(slot)});
-    made->varies_loads = made->varies_loads || path.starts_with("load_cases");
+    if (const std::optional<std::size_t> item = load_case_item(path))
+      made->varied_items.push_back(*item);
   }
+  std::vector<bool> varies(load_cases.size());
+  for (const std::size_t item : made->varied_items)
+    std::fill(varies.begin() + static_cast<std::ptrdiff_t>(input::first_case(items, item)),
+              varies.begin() + static_cast<std::ptrdiff_t>(input::first_case(items, item + 1)),
+              true);
+  made->checked = checked_cases(load_cases, varies);
   return made;
 }
 
@@ -147,9 +211,22 @@ bool DesignReader::Parts::set_numbers(const std::vector<Draw>& draws) {
     if (!value) return false;
     set(slot, *value);
   }
-  if (frame->varies_loads)
-    input::update_numbers(frame->file.values.load_cases, frame->file.load_cases);
+  for (const std::size_t item : frame->varied_items)
+    input::update_numbers(frame->file.values.load_cases, frame->file.load_cases, item);
   return true;
+}
+
+/// Of the last shape's frame.
+std::vector<Problem> DesignReader::Parts::problems() {
+  Case& c = frame->file.values;
+  const auto of_case = [&] { return input::problems_of(c, input.study.command); };
+  if (!frame->checked) return of_case();
+  auto& [load_cases, varied] = *frame->checked;
+  for (const auto& [place, index] : varied) load_cases[place] = c.load_cases[index];
+  std::swap(c.load_cases, load_cases);
+  const bool sound = of_case().empty();
+  std::swap(c.load_cases, load_cases);
+  return sound ? std::vector<Problem>() : of_case();
 }
 
 DesignReader::DesignReader(const input::StudyInput& input) : parts_(new Parts{.input = input}) {
@@ -170,7 +247,7 @@ Case& DesignReader::read(const std::vector<Draw>& draws) {
   Parts& p = *parts_;
   if (p.frame_of(draws) && p.set_numbers(draws)) {
     Case& values = p.frame->file.values;
-    const std::vector<Problem> problems = input::problems_of(values, p.input.study.command);
+    const std::vector<Problem> problems = p.problems();
     if (problems.empty()) return values;
     if (problems.size() == 1) {
       input::ErrorList errors(p.input.source);

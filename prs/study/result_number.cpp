@@ -1,5 +1,7 @@
 #include "prs/study/result_number.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "prs/quantities/contact_quantities.h"
@@ -39,7 +41,47 @@ std::optional<std::size_t> take_load_case(std::string_view& path) {
   return take(path, ".") ? index : std::nullopt;
 }
 
+/// A number of the threads of one interface, which most responses are, read without detours.
+std::optional<ResultNumber> number_of_threads(std::string_view path, Interface i,
+                                              std::size_t load_case) {
+  std::optional<Reader<InterfaceLoads>> reader = reader_of<InterfaceLoads>(path);
+  if (!reader || reader->delivery != Reach::numbers) return std::nullopt;
+  return ResultNumber{load_case, false, false,
+                      [i, read = std::move(reader->read)](const Answer& answer) {
+                        const LoadCaseResult* result = answer.load_case;
+                        const bool known = result && result->converged() && result->threads;
+                        return known ? read((*result->threads)[i]) : std::nullopt;
+                      }};
+}
+
 }  // namespace
+
+LoadDetail load_detail(std::span<const ResultNumber> numbers) {
+  // Numbers that are there no more without an array need it, and so may those that are not there in
+  // an example at all.
+  using Array = std::vector<double> InterfaceLoads::*;
+  LoadCaseResult whole;
+  whole.axial_displacement = whole.axial_stiffness = whole.tangent_stiffness = 1.0;
+  InterfaceLoads threads;
+  for (const Array array :
+       {&InterfaceLoads::axial_load, &InterfaceLoads::normal_load, &InterfaceLoads::load_rate,
+        &InterfaceLoads::approach, &InterfaceLoads::semi_major, &InterfaceLoads::semi_minor,
+        &InterfaceLoads::peak_pressure})
+    threads.*array = {1.0};
+  whole.threads = {threads, threads};
+  const Contacts contacts;
+  const auto need = [&](std::initializer_list<Array> arrays) {
+    LoadCaseResult part = whole;
+    for (const Interface i : kInterfaces)
+      for (const Array array : arrays) ((*part.threads)[i].*array).clear();
+    return std::ranges::any_of(numbers, [&](const ResultNumber& n) {
+      return !n.value({contacts, &part});
+    });
+  };
+  return {need({&InterfaceLoads::axial_load}), need({&InterfaceLoads::load_rate}),
+          need({&InterfaceLoads::semi_major, &InterfaceLoads::semi_minor,
+                &InterfaceLoads::peak_pressure})};
+}
 
 std::optional<ResultNumber> result_number(std::string_view path) {
   std::string_view rest = path;
@@ -64,6 +106,10 @@ std::optional<ResultNumber> result_number(std::string_view path) {
   if (take(rest, "measures."))
     return number_of<LoadMeasures>(rest, load_case,
                                    [](const Answer& a) { return a.load_measures; });
+  if (std::string_view key = rest; take(key, "screw."))
+    if (auto number = number_of_threads(key, Interface::screw, *load_case)) return number;
+  if (std::string_view key = rest; take(key, "nut."))
+    if (auto number = number_of_threads(key, Interface::nut, *load_case)) return number;
   return number_of<LoadCaseResult>(rest, load_case, [](const Answer& a) { return a.load_case; });
 }
 

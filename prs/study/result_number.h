@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "prs/life/analyze_life.h"
+#include "prs/loads/load_case_result.h"
 #include "prs/loads/result.h"
 #include "prs/measures/measures.h"
 
@@ -30,6 +32,9 @@ struct ResultNumber {
   bool needs_duty = false;      ///< It is read from the state that a duty comes to.
   std::function<std::optional<double>(const Answer&)> value;
 };
+
+/// What the numbers need of solved load cases.
+LoadDetail load_detail(std::span<const ResultNumber> numbers);
 
 /// The response at a path, see `response`; none where only the document has it: numbers about the
 /// solution, as the iterations that it took.

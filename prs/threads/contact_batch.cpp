@@ -35,6 +35,20 @@ void ContactBatch::find() {
   contact::find_contacts(mechanisms_, found_, set_);
 }
 
+bool ContactBatch::get_laws(std::size_t k, Contacts& c) const {
+  const contact::MechanismContactNumbers<double>& found = found_[k];
+  const auto set = [](InterfaceContact& to, const contact::PointNumbers<double>& point,
+                      const contact::HertzNumbers<double>& hertz) {
+    if (point.status != static_cast<double>(contact::ContactPointStatus::ok)) return false;
+    to.geometry.point.status = contact::ContactPointStatus::ok;
+    to.geometry.point.normal = {point.normal.x, point.normal.y, point.normal.z};
+    to.hertz = contact::hertz_constants_of(hertz);
+    return to.hertz.ok();
+  };
+  return found.sound != 0.0 && set(c.interfaces.screw, found.screw.point, found.hertz_at_screw) &&
+         set(c.interfaces.nut, found.nut.point, found.hertz_at_nut);
+}
+
 bool ContactBatch::get(std::size_t k, const Mechanism& mechanism,
                        const contact::MechanismGeometry& threads, ContactDetail detail,
                        Contacts& c) const {

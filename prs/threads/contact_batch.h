@@ -32,6 +32,9 @@ class ContactBatch {
   bool get(std::size_t k, const Mechanism& mechanism, const contact::MechanismGeometry& threads,
            ContactDetail detail, Contacts& contacts) const;
 
+  /// Sets Hertz's constants, statuses and normals alone, what a law is made of.
+  bool get_laws(std::size_t k, Contacts& contacts) const;
+
  private:
   simd::InstructionSet set_;
   std::vector<contact::MechanismNumbers<double>> mechanisms_;

@@ -33,6 +33,12 @@ void require_contacts(const Conditions& c, const Contacts& contacts) {
   require(contacts, lacks, "fix profiles, flank angles or diameters");
 }
 
+ContactLaw contact_law(const ContactOverrides& overrides, const InterfaceContact& contact,
+                       Interface i) {
+  return {overrides.hertz_constant[i].value_or(contact.hertz.hertz_constant),
+          overrides.normal_angle[i] ? *overrides.normal_angle[i] : contact.normal_angle()};
+}
+
 PerInterface<ContactLaw> contact_laws(const Conditions& c, const Contacts& contacts) {
   PerInterface<bool> lacks;
   for (const Interface i : kInterfaces)
@@ -42,12 +48,7 @@ PerInterface<ContactLaw> contact_laws(const Conditions& c, const Contacts& conta
           "fix profiles, flank angles or diameters, or give both "
           "contact.hertz_constant and contact.normal_angle of the interface");
   PerInterface<ContactLaw> laws;
-  for (const Interface i : kInterfaces) {
-    const InterfaceContact& contact = contacts.interfaces[i];
-    laws[i].hertz_constant = c.contact.hertz_constant[i].value_or(contact.hertz.hertz_constant);
-    laws[i].normal_angle =
-        c.contact.normal_angle[i] ? *c.contact.normal_angle[i] : contact.normal_angle();
-  }
+  for (const Interface i : kInterfaces) laws[i] = contact_law(c.contact, contacts.interfaces[i], i);
   if (c.structure &&
       c.model.tooth_compliance.kind == ModelOptions::ToothCompliance::Kind::yamamoto) {
     const PerInterface<double> teeth = yamamoto_compliance(

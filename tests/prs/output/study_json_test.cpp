@@ -118,5 +118,25 @@ TEST(StudyJson, SaysHowManyDesignsItShows) {
             kMostRowsShown + 5);
 }
 
+TEST(StudyJson, TextIsThatOfTheDocument) {
+  const auto expect_same = [](const StudyResult& result) {
+    EXPECT_EQ(study_text(study_outline(result, kStudyInfo), result),
+              json_text(study_json(result, kStudyInfo)));
+  };
+  expect_same(sample::counting());
+  expect_same(sample::sampled(Plan::latin_hypercube));
+  StudyResult odd = sample::counting();
+  odd.study.responses.front() = "a \"key\" \\ \u00b5";
+  ASSERT_GE(odd.rows.size(), 3U);
+  odd.rows[0].responses.front() = -1.5e-300;
+  odd.rows[1].responses.front() = std::nullopt;
+  odd.rows[1].status = {"refused", "got \"x\"\n\x1b[1m; \u202e \xff"};
+  odd.rows[2].responses.front() = 3.0;
+  odd.rows[2].design.settings.clear();
+  expect_same(odd);
+  odd.rows.clear();
+  expect_same(odd);
+}
+
 }  // namespace
 }  // namespace prs

@@ -186,6 +186,18 @@ TEST(DesignReader, RefusesAsTheTextIsRefused) {
   EXPECT_GT(refused, 50);
 }
 
+// Load cases that agree in all but name and force are checked once, those that vary each.
+TEST(DesignReader, LoadCasesAreRefusedWhetherTheyVaryOrNot) {
+  for (const char* lesson_name : {"03_load_sweep", "04_contacts_from_geometry"}) {
+    const StudyInput in = read_study_input(
+        lesson(lesson_name,
+               "study:\n  command: solve\n  plan: monte_carlo\n  samples: 200\n  factors:\n"
+               "    - {path: structure.nut.length, uniform: {from: 80 mm, to: 92 mm}}\n"
+               "    - {path: \"load_cases[0].position\", uniform: {from: 0 mm, to: 90 mm}}\n"));
+    EXPECT_GT(refused_of(in, 60), 5) << lesson_name;
+  }
+}
+
 /// The lesson on real parts with some factors.
 StudyInput real_parts(const std::string& plan, const std::string& factors) {
   return read_study_input(

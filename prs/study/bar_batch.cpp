@@ -1,0 +1,95 @@
+#include "prs/study/bar_batch.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "prs/sector/chain/fallback_solver.h"
+#include "prs/threads/contact_laws.h"
+#include "prs/threads/threads.h"
+
+namespace prs {
+
+bool BarBatch::takes(const Case& c, std::span<const std::size_t> load_cases) {
+  using Teeth = ModelOptions::ToothCompliance::Kind;
+  const bool plain = c.model.bodies == ModelOptions::Bodies::bars &&
+                     c.model.mechanism == ModelOptions::Mechanism::sector &&
+                     c.model.tooth_compliance.kind == Teeth::none &&
+                     c.mechanism.geometry == Mechanism::Geometry::simulation && c.structure &&
+                     c.materials && !deviates(c.mechanism, c.deviations);
+  return plain && std::ranges::all_of(load_cases, [&](std::size_t k) {
+           if (k >= c.load_cases.size()) return false;
+           const LoadCase& load = c.load_cases[k];
+           return load.share == LoadCase::Share::solved && load.direction && load.position;
+         });
+}
+
+void BarBatch::clear() {
+  contacts_.clear();
+  designs_.clear();
+  forces_.clear();
+  positions_.clear();
+}
+
+void BarBatch::add(std::size_t row, const Case& c, std::span<const std::size_t> load_cases) {
+  load_cases_ = load_cases.size();
+  const std::size_t first = forces_.size();
+  designs_.push_back({row, contacts_.size(), first, c.mechanism.rollers, c.contact, {}, true});
+  contacts_.add(threads_of(c.mechanism), c.materials);
+  if (sectors_.size() < first + load_cases_) sectors_.resize(first + load_cases_);
+  for (std::size_t i = 0; i < load_cases_; ++i) {
+    const LoadCase& load = c.load_cases[load_cases[i]];
+    const auto is_on_same_sector = [&](std::size_t k) {
+      const LoadCase& other = c.load_cases[k];
+      return other.direction == load.direction && other.position == load.position;
+    };
+    const std::span<const std::size_t> before = load_cases.first(i);
+    const auto same = std::ranges::find_if(before, is_on_same_sector);
+    if (same != before.end())
+      sectors_[first + i] = sectors_[first + static_cast<std::size_t>(same - before.begin())];
+    else
+      set_sector_model(sectors_[first + i], c.mechanism, *c.structure, *c.materials, c.model, {},
+                       *load.direction, *load.position, {});
+    forces_.push_back(load.axial_force);
+    positions_.push_back(*load.position);
+  }
+}
+
+/// Designs without contacts have no sectors any more.
+void BarBatch::set_laws() {
+  contacts_.find();
+  std::size_t next = 0;
+  for (Design& design : designs_) {
+    design.has_contacts = contacts_.get_laws(design.contacts, found_);
+    if (!design.has_contacts) continue;
+    for (const Interface i : kInterfaces)
+      design.laws[i] = contact_law(design.overrides, found_.interfaces[i], i);
+    for (std::size_t i = 0; i < load_cases_; ++i) {
+      const std::size_t from = design.first_sector + i, to = next + i;
+      if (from != to) std::swap(sectors_[from], sectors_[to]);
+      forces_[to] = forces_[from];
+      positions_[to] = positions_[from];
+      prs::set_laws(sectors_[to], design.laws);
+    }
+    design.first_sector = next;
+    next += load_cases_;
+  }
+  forces_.resize(next);
+  positions_.resize(next);
+}
+
+bool BarBatch::set_results(const Design& design, const LoadDetail& detail) {
+  if (!design.has_contacts) return false;
+  contacts_.get_laws(design.contacts, found_);
+  found_.mechanism.rollers = design.rollers;
+  results_.resize(load_cases_);
+  for (std::size_t i = 0; i < load_cases_; ++i) {
+    const std::size_t k = design.first_sector + i;
+    if (!FallbackSolver::complete(loads_[k])) return false;
+    results_[i].load_case.axial_force = forces_[k];
+    results_[i].load_case.position = positions_[k];
+    set_solved_result(results_[i], found_, design.laws, loads_[k], set_, detail);
+  }
+  return true;
+}
+
+}  // namespace prs

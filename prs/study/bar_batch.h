@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "prs/loads/load_case_result.h"
+#include "prs/model/case.h"
+#include "prs/sector/chain/bar_designs.h"
+#include "prs/threads/contact_batch.h"
+
+namespace prs {
+
+/// Designs of bars whose contacts are found and whose sectors are solved side by side, for answers
+/// that need no more of the contacts than their laws. What is kept of a design is its sectors:
+/// neither the case nor its contacts. Memory stays from batch to batch.
+class BarBatch {
+ public:
+  explicit BarBatch(simd::InstructionSet set) : contacts_(set), set_(set) {}
+
+  /// Whether the load cases of a case, by their indices, can be answered so.
+  static bool takes(const Case& c, std::span<const std::size_t> load_cases);
+
+  void clear();
+  void add(std::size_t row, const Case& c, std::span<const std::size_t> load_cases);
+
+  /// Calls `take(row, results)` of each design with the results of its load cases, and
+  /// `leave(row)` of those that have no contacts or no equilibrium here.
+  template <class Take, class Leave>
+  void solve(BarDesignSolver& solver, const LoadDetail& detail, Take take, Leave leave) {
+    set_laws();
+    if (loads_.size() < forces_.size()) loads_.resize(forces_.size());
+    solver.solve({sectors_.data(), forces_.size()}, forces_, {loads_.data(), forces_.size()});
+    for (const Design& design : designs_)
+      if (set_results(design, detail))
+        take(design.row, results_);
+      else
+        leave(design.row);
+  }
+
+ private:
+  struct Design {
+    std::size_t row = 0;
+    std::size_t contacts = 0;  ///< Index among those that are found.
+    std::size_t first_sector = 0;
+    int rollers = 0;
+    ContactOverrides overrides;
+    PerInterface<ContactLaw> laws;
+    bool has_contacts = true;
+  };
+
+  void set_laws();
+  bool set_results(const Design& design, const LoadDetail& detail);
+
+  ContactBatch contacts_;
+  simd::InstructionSet set_;
+  std::size_t load_cases_ = 0;  ///< Of a design.
+  std::vector<Design> designs_;
+  std::vector<SectorModel> sectors_;        ///< Of each design those of its load cases.
+  std::vector<double> forces_, positions_;  ///< Of each sector that is in use.
+  std::vector<LoadDistribution> loads_;
+  Contacts found_;                       ///< Of one design, as far as results need them.
+  std::vector<LoadCaseResult> results_;  ///< Of one design.
+};
+
+}  // namespace prs
