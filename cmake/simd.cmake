@@ -2,9 +2,10 @@
 # PRS_SIMD_ARCHITECTURE naming it, and adds the objects to TARGET. UNROLLED: the source consists of
 # unrolled arithmetic, which compilers instrument, or optimise a little, in minutes only: it is
 # compiled without sanitizers, and taken from PRS_COMPILED_FROM where that is given. `unroll_kernels`
-# makes the rest of its options those of a release.
+# makes the rest of its options those of a release. WIDE_FROM_THERE: wider batches than the baseline's
+# are taken from there too; tests run the baseline's.
 function(add_simd_kernel target source)
-  cmake_parse_arguments(PARSE_ARGV 2 kernel "UNROLLED" "" "")
+  cmake_parse_arguments(PARSE_ARGV 2 kernel "UNROLLED;WIDE_FROM_THERE" "" "")
   set(architectures Baseline)
   set(flags_Baseline "")
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
@@ -19,7 +20,11 @@ function(add_simd_kernel target source)
   endif()
   foreach(architecture IN LISTS architectures)
     set(library ${target}_${name}_${architecture})
-    if(kernel_UNROLLED AND PRS_COMPILED_FROM)
+    set(from_there ${kernel_UNROLLED})
+    if(kernel_WIDE_FROM_THERE AND NOT architecture STREQUAL "Baseline")
+      set(from_there TRUE)
+    endif()
+    if(from_there AND PRS_COMPILED_FROM)
       file(RELATIVE_PATH folder ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR})
       target_sources(${target} PRIVATE
         ${PRS_COMPILED_FROM}/${folder}/CMakeFiles/${library}.dir/${source}${CMAKE_CXX_OUTPUT_EXTENSION})

@@ -1,6 +1,7 @@
-# Compiles the sources of TARGET in batches: those of a folder together, at most ten at a time.
-# Sources that have COMPILE_OPTIONS of their own stay single.
+# Compiles the sources of TARGET in batches: those of a folder together (TOGETHER: of all folders), at
+# most ten at a time. Sources that have COMPILE_OPTIONS of their own stay single.
 function(batch_sources target)
+  cmake_parse_arguments(PARSE_ARGV 1 batch "TOGETHER" "" "")
   if(NOT PRS_UNITY_BUILD)
     return()
   endif()
@@ -8,7 +9,10 @@ function(batch_sources target)
   list(FILTER sources EXCLUDE REGEX "TARGET_OBJECTS")
   set(folders "")
   foreach(source IN LISTS sources)
-    cmake_path(GET source PARENT_PATH folder)
+    set(folder "")
+    if(NOT batch_TOGETHER)
+      cmake_path(GET source PARENT_PATH folder)
+    endif()
     string(MAKE_C_IDENTIFIER "${target}_${folder}" folder)
     list(APPEND folders ${folder})
     list(APPEND sources_${folder} ${source})

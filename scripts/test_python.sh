@@ -15,8 +15,8 @@ venv=$PWD/build/venv
 export PRS_EXECUTABLE=$PWD/build/release/prs/cli/prs PRS_CACHE_DIR= MPLBACKEND=Agg
 if [[ ${1:-} != --sanitized ]]; then
   "$venv/bin/mypy"
-  # A file's tests in one process, which keeps the answers that they share.
-  "$venv/bin/pytest" -q -n "$(nproc)" --dist loadfile "$@"
+  # Tests that share answers in one process, which keeps them (conftest.py).
+  "$venv/bin/pytest" -q -n "$(nproc)" --dist loadgroup "$@"
   exit
 fi
 

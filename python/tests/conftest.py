@@ -76,9 +76,17 @@ def answer(number_or_stem: int | str, command: str, kind: type[R] = rs.Result) -
 
 def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "thorough: takes long; runs where PRS_THOROUGH=1 is set")
+    config.addinivalue_line("markers", "xdist_group(name): run by one process (pytest-xdist)")
+
+
+#: Files that ask for the answers to every command of every lesson: one process computes them once.
+OF_ALL_ANSWERS = {"test_command_line", "test_record", "test_results"}
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        file = item.path.stem
+        item.add_marker(pytest.mark.xdist_group("answers" if file in OF_ALL_ANSWERS else file))
     if os.environ.get("PRS_THOROUGH") == "1":
         return
     for item in items:

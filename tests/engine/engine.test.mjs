@@ -44,9 +44,13 @@ function differences(ours, theirs, path = '', scale = 0) {
           : [`${path}.${key}: only ${key in ours ? 'here' : 'there'}`]);
 }
 
+// In the quick run every third question, of every lesson some.
+const thorough = process.env.PRS_THOROUGH !== undefined;
+let questions = 0;
+const leftOut = () => !thorough && questions++ % 3 !== 0;
 for (const lesson of lessons)
   for (const command of commandsFor(lesson))
-    test(`${command} of lesson ${lesson} is the program's`, async () => {
+    test(`${command} of lesson ${lesson} is the program's`, {skip: leftOut()}, async () => {
       // `compare` takes what is kept of bodies: as the program that has just started.
       const engine = command === 'compare' ? await loadEngine() : ask;
       const answer = JSON.parse(engine(JSON.stringify(questionOn(command, lesson))));
@@ -126,7 +130,7 @@ test('a case is known by its SHA-256, whatever its length', () => {
   }
 });
 
-test('a thousand answers leave no memory behind', () => {
+test('answers leave no memory behind', () => {
   const questions = [
     ...['contact', 'solve', 'slip', 'measures', 'life'].map(
         (command) => questionOn(command, '14_flight_spectrum.yaml', {figures: true})),
@@ -138,6 +142,6 @@ test('a thousand answers leave no memory behind', () => {
   askAll();
   askAll();
   const before = ask.used();
-  for (let k = 0; k < 100; ++k) askAll();
+  for (let k = 0; k < (thorough ? 100 : 10); ++k) askAll();
   assert.equal(ask.used(), before);
 });

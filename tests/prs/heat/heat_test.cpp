@@ -401,6 +401,7 @@ Case two_loads(Case c) {
 }
 
 TEST(HeatCycle, EnergyThatIsLostFlowsToTheSurroundings) {
+  SKIP_UNDER_SANITIZERS();
   for (const Case& base : {warm_reference(), warm_solved()}) {
     const Case c =
         with_duty(two_loads(base), {acting("pull", 60.0), rest(30.0), acting("return", 45.0)});

@@ -22,6 +22,7 @@
 #include "prs/text.h"
 #include "tests/prs/input/abevi.h"
 #include "tests/support/parsed_csv.h"
+#include "tests/support/sanitized.h"
 
 namespace prs {
 namespace {
@@ -510,6 +511,7 @@ TEST(PreloadedLife, OfOneThreadIsThatOfFourContacts) {
 
 /// Where many forces are interpolated, and where each is solved.
 TEST(PreloadedLife, OfAHistoryIsThatOfItsSamples) {
+  SKIP_UNDER_SANITIZERS();
   std::mt19937 random(5);
   std::normal_distribution<double> force(1e3, 8e3);
   std::vector<double> samples(60);

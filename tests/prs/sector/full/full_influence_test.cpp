@@ -9,6 +9,7 @@
 #include "prs/sector/full/full_structure.h"
 #include "prs/sector/section_properties.h"
 #include "support/coarse_bodies.h"
+#include "support/sanitized.h"
 #include "support/sectors.h"
 
 namespace prs {
@@ -326,6 +327,7 @@ TEST(FullInfluence, IsTheInfluenceModelWhereAllRollersAreAlike) {
 
 /// What a load does does not depend on how many rollers are counted between.
 TEST(FlexibilityAround, IsTheSameForTwiceAsManyRollers) {
+  SKIP_UNDER_SANITIZERS();
   CoarseBodies bodies;
   BodyGeometry& g = bodies.geometry;
   const test::SectorCase& c = bodies.screw.parts;

@@ -9,6 +9,7 @@
 #include "prs/sector/full/full_structure.h"
 #include "prs/threads/contact_laws.h"
 #include "support/full_mechanism.h"
+#include "support/sanitized.h"
 #include "support/sectors.h"
 
 namespace prs {
@@ -148,6 +149,7 @@ TEST(FullRefined, TurnsWithItsRollers) {
 
 /// Central differences, with the springs in series with the contacts.
 TEST(FullRefined, TheComplianceOfTheScrewsEndIsTheDerivative) {
+  SKIP_UNDER_SANITIZERS();
   RefinedScrew screw;
   screw.parts.deviations.missing_rollers = {1};
   screw.parts.options.contact_phase = ModelOptions::ContactPhase::helical;

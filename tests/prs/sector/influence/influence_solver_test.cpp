@@ -8,6 +8,7 @@
 
 #include "prs/model/case_error.h"
 #include "support/coarse_bodies.h"
+#include "support/sanitized.h"
 #include "support/sectors.h"
 
 namespace prs {
@@ -89,6 +90,7 @@ TEST(InfluenceSolver, TangentIsTheSlopeOfTheDisplacement) {
 }
 
 TEST(InfluenceSolver, MirroredScrewGivesMirroredLoads) {
+  SKIP_UNDER_SANITIZERS();
   SectorCase c = short_screw();
   const double psi = c.laws.screw.normal_angle;
   c.laws.nut.normal_angle = psi;
