@@ -44,18 +44,18 @@ struct ExportOptions {
 /// Arguments of all commands.
 struct Options : OutputOptions {
   std::string file;
-  std::vector<std::string> overrides;          ///< `path=value` each.
-  std::size_t threads = 0;                     ///< Threads of a study; 0: one per processor.
-  std::optional<Shard> shard;                  ///< `prs study --shard`: its part of the designs.
-  bool restart = false;                        ///< `prs study`: discards what was computed before.
-  std::vector<std::filesystem::path> folders;  ///< `prs study merge`: those of the shards.
-  std::optional<std::string> explain;          ///< What to explain in place of numbers.
-  std::filesystem::path pages;                 ///< `prs manual`: folder of its pages.
-  std::filesystem::path report;                ///< `prs report`: the page to write.
-  bool without_engine = false;                 ///< `prs report --static`.
-  std::vector<std::filesystem::path> results;  ///< `prs report`: folders of stored results.
-  std::string what;                            ///< `prs list`, `prs schema`: of what.
-  std::vector<std::string> words;              ///< `prs help`: the command to explain.
+  std::vector<std::string> overrides;           ///< `path=value` each.
+  std::size_t threads = 0;                      ///< Threads of a study; 0: one per processor.
+  std::optional<Shard> shard;                   ///< `prs study --shard`: its part of the designs.
+  bool restart = false;                         ///< `prs study`: discards what was computed before.
+  std::vector<std::filesystem::path> folders;   ///< `prs study merge`: those of the shards.
+  std::optional<std::string> explain;           ///< What to explain in place of numbers.
+  std::filesystem::path pages;                  ///< `prs manual`: folder of its pages.
+  std::optional<std::filesystem::path> report;  ///< `prs report`: the page to write.
+  bool without_engine = false;                  ///< `prs report --static`.
+  std::vector<std::filesystem::path> results;   ///< `prs report`: folders of stored results.
+  std::string what;                             ///< `prs list`, `prs schema`: of what.
+  std::vector<std::string> words;               ///< `prs help`: the command to explain.
   ConfigurationOptions configurations;
   NewOptions new_case;
   ExportOptions export_model;

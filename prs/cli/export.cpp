@@ -7,7 +7,7 @@
 #include "prs/cli/quantity_option.h"
 #include "prs/cli/usage_error.h"
 #include "prs/export/system_model.h"
-#include "prs/output/staged_file.h"
+#include "prs/output/files.h"
 #include "prs/quantities/json.h"
 #include "prs/sha256.h"
 #include "prs/text.h"
@@ -40,12 +40,52 @@ std::vector<const Form*> forms_of(const ExportOptions& options) {
   return forms;
 }
 
-/// `--output` with the ending of the form is its file, else a folder.
-std::filesystem::path path_of(const Form& form, const std::string& name,
-                              const std::optional<std::filesystem::path>& output) {
-  if (!output) return name + form.ending;
-  if (output->extension() == form.ending) return *output;
-  return *output / (name + form.ending);
+bool is_folder(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::is_directory(path, error);
+}
+
+/// `--output` with the ending of a form is its file, else a folder.
+bool is_file_of(const Form& form, const std::filesystem::path& output) {
+  return output.extension() == form.ending && !is_folder(output);
+}
+
+/// Before minutes are spent on what cannot be written.
+void require_place(const std::filesystem::path& output, const std::vector<const Form*>& forms) {
+  const auto fail = [&](std::string_view got, std::string_view expected) {
+    throw UsageError(fmt::format("--output: got {}{}; expected {}", input::shown(output.string()),
+                                 got, expected));
+  };
+  if (output.empty()) throw UsageError("--output: got nothing; expected a file or a folder");
+  for (const Form& form : kForms) {
+    if (!is_file_of(form, output)) continue;
+    if (forms.size() > 1) fail(", one file, for two forms", "a folder, for example `models`");
+    if (forms.size() == 1 && forms.front() != &form)
+      fail(fmt::format(" for {}", forms.front()->option),
+           fmt::format("a file that ends in {}, or a folder", forms.front()->ending));
+    return;
+  }
+  if (std::error_code error; std::filesystem::exists(output, error) && !is_folder(output))
+    fail(", which is a file", "another name, or a folder");
+}
+
+/// Where the files of the forms go, and under which names.
+struct Destination {
+  std::filesystem::path folder;
+  std::vector<OutputFile> files;
+
+  std::string path(const OutputFile& file) const { return (folder / file.name).string(); }
+};
+
+Destination destination_of(const std::vector<const Form*>& forms, const SystemModel& model,
+                           const std::optional<std::filesystem::path>& output) {
+  Destination place;
+  const bool is_file = output && forms.size() == 1 && is_file_of(*forms.front(), *output);
+  if (output) place.folder = is_file ? output->parent_path() : *output;
+  for (const Form* form : forms)
+    place.files.push_back({is_file ? output->filename().string() : model.text.name + form->ending,
+                           form->make(model.curves, model.text)});
+  return place;
 }
 
 double positive_option(std::string_view option, const std::string& text,
@@ -70,37 +110,26 @@ int export_model(const Options& options) {
   const std::optional<std::filesystem::path>& output = options.export_model.output;
   if (forms.empty() && !options.json)
     throw UsageError("the form is missing; expected --fmu, --modelica or both");
-  if (forms.size() > 1 && output)
-    for (const Form* form : forms)
-      if (output->extension() == form->ending)
-        throw UsageError(fmt::format(
-            "--output: got {}, one file, for two forms; expected a folder, for example `models`",
-            input::shown(output->string())));
+  if (output) require_place(*output, forms);
   const CurveOptions asked = curve_options(options.export_model);
   const SystemModel model = system_model(case_source(options), asked);
-  std::vector<std::pair<std::filesystem::path, std::string>> files;
-  for (const Form* form : forms)
-    files.emplace_back(path_of(*form, model.text.name, output),
-                       form->make(model.curves, model.text));
-  for (const auto& [path, content] : files) {
-    if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
-    StagedFile file(path);
-    file.append(content);
-    file.publish();
-  }
+  const Destination place = destination_of(forms, model, output);
+  if (!place.files.empty())
+    write_files(place.folder.empty() ? std::filesystem::path(".") : place.folder, place.files);
 
   for (const std::string& warning : model.curves.warnings) note(options, "warning: " + warning);
   if (options.json) {
     nlohmann::ordered_json document = document_head(model.info, model.curves.warnings);
     document["export"] = curves_json(model.curves);
-    for (const auto& [path, content] : files)
-      document["export"]["files"].push_back({{"path", path.string()}, {"sha256", sha256(content)}});
+    for (const OutputFile& file : place.files)
+      document["export"]["files"].push_back(
+          {{"path", place.path(file)}, {"sha256", sha256(file.content)}});
     print(json_text(document));
   } else if (!options.quiet) {
     std::string lines = wrapped(curves_text(model.curves), "", 100);
-    for (const auto& [path, content] : files)
-      lines += fmt::format("{}: {:.0f} kB\n", path.string(),
-                           static_cast<double>(content.size()) / 1000.0);
+    for (const OutputFile& file : place.files)
+      lines += fmt::format("{}: {:.0f} kB\n", place.path(file),
+                           static_cast<double>(file.content.size()) / 1000.0);
     print(lines);
   }
   return kDone;

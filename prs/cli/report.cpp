@@ -12,6 +12,7 @@
 
 #include "prs/cli/commands.h"
 #include "prs/cli/usage_error.h"
+#include "prs/output/run_files.h"
 #include "prs/output/staged_file.h"
 #include "prs/quantities/json.h"
 
@@ -34,15 +35,40 @@ std::string command_of(const Options& options) {
   for (const std::filesystem::path& folder : options.results)
     command += " --results " + quoted(folder.string());
   if (options.without_engine) command += " --static";
-  if (!options.report.empty()) command += " --output " + quoted(options.report.string());
+  if (options.report) command += " --output " + quoted(options.report->string());
   return command;
 }
 
-void require_file(const std::filesystem::path& file) {
-  if (std::error_code error; std::filesystem::is_directory(file, error))
-    throw UsageError(
-        fmt::format("--output: got {}, which is a folder; expected a file, for example {}",
-                    input::shown(file.string()), input::shown((file / "report.html").string())));
+void require_places(const Options& options) {
+  const auto is_folder = [](const std::filesystem::path& path) {
+    std::error_code error;
+    return std::filesystem::is_directory(path, error);
+  };
+  if (const auto& file = options.report) {
+    if (file->empty())
+      throw UsageError("--output: got nothing; expected a file, for example report.html");
+    if (is_folder(*file))
+      throw UsageError(fmt::format(
+          "--output: got {}, which is a folder; expected a file, for example {}",
+          input::shown(file->string()), input::shown((*file / "report.html").string())));
+  }
+  for (const std::filesystem::path& folder : options.results)
+    if (!is_folder(folder))
+      throw UsageError(
+          fmt::format("--results: got {}, which is no folder; expected one that `prs study FILE "
+                      "--output DIR` or `prs optimize` wrote",
+                      input::shown(folder.string())));
+}
+
+/// Folders that were named, and have nothing of this case.
+void note_empty_results(const Options& options, const input::Source& source) {
+  for (const std::filesystem::path& folder : options.results)
+    if (files_of_run(folder, "study", source).empty() &&
+        files_of_run(folder, "optimize", source).empty())
+      note(options,
+           fmt::format("prs: --results: {} has no study or optimization of this case as it "
+                       "is; `prs study FILE --output DIR` writes one",
+                       input::shown(folder.string())));
 }
 
 /// The page of a case, written where the options say.
@@ -50,13 +76,14 @@ Report write_page(const Options& options) {
   const input::Source source = case_source(options);
   PageOptions asked{command_of(options), options.results, !options.without_engine};
   if (asked.results.empty())
-    asked.results = {std::filesystem::absolute(options.report).parent_path()};
+    asked.results = {std::filesystem::absolute(options.report.value_or("page")).parent_path()};
   Report report = make_report(source, asked);
-  if (!options.report.empty()) {
-    StagedFile file(options.report);
+  if (options.report) {
+    StagedFile file(*options.report);
     file.append(report.html);
     file.publish();
   }
+  note_empty_results(options, source);
   for (const std::string& text : report.notes) note(options, "prs: " + text);
   return report;
 }
@@ -87,16 +114,16 @@ bool open_in_browser(const std::filesystem::path& file) {
 }  // namespace
 
 int report(const Options& options) {
-  if (options.report.empty() && !options.json)
+  if (!options.report && !options.json)
     throw UsageError("--output is missing; expected a file, for example --output report.html");
-  require_file(options.report);
+  require_places(options);
   const Report report = write_page(options);
   if (!options.without_engine && page_engine().empty())
     note(options, "prs: this program was built without the engine of pages: the page is static");
   if (options.json)
     print(json_text(report.data));
   else if (!options.quiet)
-    print(fmt::format("{}: {:.0f} kB\n", options.report.string(),
+    print(fmt::format("{}: {:.0f} kB\n", options.report->string(),
                       static_cast<double>(report.html.size()) / 1000.0));
   return exit_status(true, report.converged);
 }
@@ -106,12 +133,12 @@ int explore(const Options& options) {
     throw std::runtime_error(
         "this program was built without the engine of pages; `prs report` writes a page for "
         "reading");
-  require_file(options.report);
+  require_places(options);
   Options at = options;
-  if (at.report.empty()) at.report = temporary_page(options.file);
+  if (!at.report) at.report = temporary_page(options.file);
   const Report report = write_page(at);
-  if (!options.quiet) print(at.report.string() + "\n");
-  if (!open_in_browser(at.report))
+  if (!options.quiet) print(at.report->string() + "\n");
+  if (!open_in_browser(*at.report))
     note(options, "prs: xdg-open is missing; open the page in a browser yourself");
   return exit_status(true, report.converged);
 }

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 #include "prs/export/system_model.h"
 #include "prs/input/compute_from.h"
@@ -45,6 +47,29 @@ nlohmann::ordered_json torque_json(const SystemCurves& curves) {
   return {{"force_N", force}, {"speed_rad_per_s", speed}, {"torque_Nm", torque}};
 }
 
+/// Names that Modelica keeps for itself (Modelica Language Specification 3.4, section 2.3.3).
+bool is_word_of_modelica(std::string_view name) {
+  constexpr std::string_view kWords[] = {
+      "algorithm", "and",          "annotation",    "assert",
+      "block",     "break",        "class",         "connect",
+      "connector", "constant",     "constrainedby", "der",
+      "discrete",  "each",         "else",          "elseif",
+      "elsewhen",  "encapsulated", "end",           "enumeration",
+      "equation",  "expandable",   "extends",       "external",
+      "false",     "final",        "flow",          "for",
+      "function",  "if",           "import",        "impure",
+      "in",        "initial",      "inner",         "input",
+      "loop",      "model",        "not",           "operator",
+      "or",        "outer",        "output",        "package",
+      "parameter", "partial",      "protected",     "public",
+      "pure",      "record",       "redeclare",     "replaceable",
+      "return",    "stream",       "then",          "true",
+      "type",      "when",         "while",         "within",
+      "Boolean",   "Integer",      "Modelica",      "Real",
+      "String"};
+  return std::ranges::find(kWords, name) != std::end(kWords);
+}
+
 }  // namespace
 
 SystemModel system_model(const input::Source& source, const CurveOptions& options) {
@@ -66,7 +91,8 @@ std::string model_name(const std::string& case_file) {
     name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   // File names of 255 bytes must have room for the ending.
   name = name.substr(0, 100);
-  return !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0
+  return !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
+                 !is_word_of_modelica(name)
              ? name
              : "screw_" + name;
 }
@@ -87,15 +113,10 @@ std::string curves_text(const SystemCurves& curves) {
   const FrictionTable& table = curves.friction;
   if (table.root_force.empty())
     return text + "The torque is force x lead / (2 pi): the case has no friction.";
-  if (table.speed.size() > 1)
-    text += fmt::format("Torque with friction from {:.4g} to {:.4g} rad/s in both senses",
-                        table.speed.front(), table.speed.back());
-  else
-    text +=
-        fmt::format("Torque with friction, in a straight line between -{0:.4g} and {0:.4g} rad/s",
-                    table.speed.front());
-  return text + fmt::format(", between the nodes within {:.1g} of the largest torque.",
-                            curves.torque_error);
+  return text + fmt::format(
+                    "Torque with friction from {:.4g} to {:.4g} rad/s in both senses, between the "
+                    "nodes within {:.1g} of the largest torque.",
+                    table.speed.front(), table.speed.back(), curves.torque_error);
 }
 
 nlohmann::ordered_json curves_json(const SystemCurves& curves) {

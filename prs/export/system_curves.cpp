@@ -317,7 +317,7 @@ class FrictionTorque {
 struct FrictionGrid {
   double least_root = 0.0, largest_root = 0.0;
   double least_speed = 0.0, largest_speed = 0.0;
-  std::size_t forces = 8, speeds = 4;  ///< Intervals; no speeds where they do not matter.
+  std::size_t forces = 8, speeds = 4;  ///< Intervals; one of speeds where they do not matter.
 
   std::vector<double> roots() const {
     std::vector<double> roots;
@@ -330,7 +330,6 @@ struct FrictionGrid {
     return all;
   }
   std::vector<double> speed() const {
-    if (speeds == 0) return {largest_speed};
     std::vector<double> all;
     for (std::size_t k = 0; k <= speeds; ++k)
       all.push_back(largest_speed *
@@ -409,7 +408,7 @@ constexpr double kSpeedRange = 1e-3;  ///< Smallest speed of the table over the 
 FrictionTable friction_table(FrictionTorque& torque, double force, double speed,
                              bool depends_on_speed, double lead, double& error) {
   FrictionGrid grid{0.0, std::sqrt(force), kSpeedRange * speed, speed};
-  if (!depends_on_speed) grid.speeds = 0;
+  if (!depends_on_speed) grid.speeds = 1;
   grid.least_root = least_root(torque, grid);
   FrictionTable table = table_on(grid, torque);
   const double largest =
@@ -517,7 +516,7 @@ LoadCase pattern_of(const Case& c, const CurveOptions& options) {
         "load_cases",
         "got equal shares in each; expected one that the models solve for `export`; add "
         "a load case without `share: equal`");
-  throw CaseError("load_cases", fmt::format("there is none called {}; expected one of {}",
+  throw CaseError("load_cases", fmt::format("there is none called `{}`; expected one of {}",
                                             *options.load_case, names));
 }
 

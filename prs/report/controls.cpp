@@ -22,7 +22,7 @@ struct Control {
   const char* path;
   const char* title;
   Span kind = Span::factor;
-  double from = 0.5, to = 1.5;  ///< Over its value, or what is added to it.
+  double from = 0.5, to = 1.5;  ///< Over its value, or what is added to it; from 0: not below 0.
   bool of_force = false;        ///< That is a share of the axial force.
 };
 
@@ -152,7 +152,8 @@ double largest_force(const Findings& all) {
 std::pair<double, double> ends_of(const Findings& all, const Control& control, double value) {
   if (control.kind == Span::about) {
     const double scale = control.of_force ? largest_force(all) : 1.0;
-    return {rounded(value + control.from * scale), rounded(value + control.to * scale)};
+    const double least = control.from == 0.0 ? 0.0 : value + control.from * scale;
+    return {rounded(least), rounded(value + control.to * scale)};
   }
   double from = control.from * value, to = control.to * value;
   if (control.kind == Span::whole) {

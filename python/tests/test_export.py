@@ -176,7 +176,7 @@ def test_wrong_arguments(case: rs.Case, tmp_path: Path) -> None:
         case.export_fmu(tmp_path / "screw.zip")
     with pytest.raises(ValueError, match="force: got nan; expected a finite number > 0"):
         case.export_fmu(tmp_path / "screw.fmu", force=math.nan)
-    with pytest.raises(rs.InputError, match="there is none called sideways"):
+    with pytest.raises(rs.InputError, match="there is none called `sideways`"):
         case.export_modelica(tmp_path / "screw.mo", load_case="sideways")
     assert list(tmp_path.iterdir()) == []
 

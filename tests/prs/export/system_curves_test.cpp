@@ -137,8 +137,7 @@ Case of_friction(const std::string& friction) {
   return lesson_case("09_slip_and_dissipation.yaml", Command::slip, {"friction=" + friction});
 }
 
-TEST(SystemCurves, TorqueIsThatOfSlip) {
-  Case c = of_friction("{coulomb: 0.08}");
+void expect_torque_of_slip(Case c) {
   const SystemCurves curves = system_curves(c, {.force = 20e3});
   const PrsCurves view = curves.view();
   const double largest = std::abs(20e3 * curves.lead) / std::numbers::pi;
@@ -161,7 +160,16 @@ TEST(SystemCurves, TorqueIsThatOfSlip) {
     const double speed = *slip.load_cases[k].load_case.speed;
     EXPECT_NEAR(prs_torque(&view, forces[k], speed, &beyond), slip.load_cases[k].slip->torque_screw,
                 3.0 * kTorqueTolerance * largest);
+    EXPECT_EQ(beyond, 0);
   }
+}
+
+TEST(SystemCurves, TorqueIsThatOfSlip) { expect_torque_of_slip(of_friction("{coulomb: 0.08}")); }
+
+TEST(SystemCurves, TorqueThatDoesNotDependOnTheSpeedIsThatOfSlipAtEach) {
+  Case c = of_friction("{coulomb: 0.08}");
+  c.carrier = {};
+  expect_torque_of_slip(std::move(c));
 }
 
 /// Friction takes power: torque x speed is more than force x travel, in both senses of both.

@@ -45,6 +45,7 @@ TEST(SystemModel, NamesAreIdentifiers) {
   EXPECT_EQ(model_name("a/12_pre-load.v2.yaml"), "screw_12_pre_load_v2");
   EXPECT_EQ(model_name("Screw.yaml"), "Screw");
   EXPECT_EQ(model_name("<stdin>"), "screw__stdin_");
+  EXPECT_EQ(model_name("model.yaml"), "screw_model");  // A word of Modelica.
 }
 
 /// The numbers of a list in a Modelica package.
@@ -81,6 +82,16 @@ TEST(Export, WritesFilesOrIntoFolders) {
             test::content_of(folder.path() / "models/screw_05_standard_screw.mo"));
 }
 
+TEST(Export, AFileThatCannotBeWrittenIsNamed) {
+  const test::TemporaryDirectory folder;
+  std::filesystem::create_directory(folder.path() / "screw_05_standard_screw.mo");
+  const Outcome run = run_prs("export '" PRS_SOURCE_DIR
+                              "/configs/05_standard_screw.yaml' --fmu --modelica --output .",
+                              folder.path());
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.err, HasSubstr("cannot write './screw_05_standard_screw.mo'"));
+}
+
 TEST(Export, DocumentHasTheCurvesAndTheFiles) {
   const Outcome run = run_prs("export configs/05_standard_screw.yaml --json --force 30kN");
   ASSERT_EQ(run.status, 0) << run.err;
@@ -104,10 +115,13 @@ TEST(Export, WrongInputIsToldAndNothingIsWritten) {
            {screw, {"--fmu, --modelica"}},
            {screw + " --step", {"Python package", "rollerscrew[cad]", "rs.export_step"}},
            {screw + " --fmu --modelica --output x.fmu", {"one file, for two forms", "a folder"}},
+           {screw + " --fmu --output x.mo", {"x.mo for --fmu", "a file that ends in .fmu"}},
+           {screw + " --fmu --output ''", {"--output: got nothing", "a file or a folder"}},
+           {screw + " --modelica --output " + screw, {"which is a file", "another name"}},
            {screw + " --fmu --force 30", {"--force: got 30", "a force with its unit", "`30 N`"}},
            {screw + " --fmu --force '0 N'", {"--force: got 0 N", "more than 0 N"}},
            {screw + " --fmu --speed '-3 rpm'", {"--speed: got -3 rpm", "more than 0 rpm"}},
-           {screw + " --fmu --load-case push", {"none called push", "expected one of"}},
+           {screw + " --fmu --load-case push", {"none called `push`", "expected one of"}},
            {lessons + "28_driving_load.yaml --fmu", {"load_cases: got equal shares in each"}},
            {lessons + "08_design_by_backlash.yaml --fmu",
             {"load_cases: got equal shares in each"}}}) {

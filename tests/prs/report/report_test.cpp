@@ -185,6 +185,24 @@ TEST(ReportCommand, ShowsTheStudyOfTheSameCase) {
   EXPECT_THAT(page(" --set mechanism.rollers=8"), Not(HasSubstr("derivatives.csv\"")));
 }
 
+TEST(ReportCommand, FoldersOfResultsThatHaveNoneAreTold) {
+  const test::TemporaryDirectory folder;
+  std::filesystem::create_directory(folder.path() / "empty");
+  const auto run = [&](const std::string& command) {
+    return test::run_prs(command + " '" PRS_SOURCE_DIR "/configs/07_contact_geometry.yaml'" +
+                             " --output page.html --results empty",
+                         folder.path());
+  };
+  const test::Outcome none = run("report --static --results nowhere");
+  EXPECT_EQ(none.status, 2);
+  EXPECT_THAT(none.err, HasSubstr("--results: got nowhere, which is no folder; expected one that"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "page.html"));
+  const test::Outcome empty = run("report --static");
+  EXPECT_EQ(empty.status, 0);
+  EXPECT_THAT(empty.err, HasSubstr("--results: empty has no study or optimization of this case"));
+  EXPECT_EQ(test::run_prs("explore x.yaml --output ''", folder.path()).status, 2);
+}
+
 TEST(Svg, DrawsEachKindOfPart) {
   Figure figure{"all", "Lines & <marks>"};
   figure.x = {"Force", "kN"};
