@@ -367,20 +367,24 @@ def tracing() -> bool:
     return run.returncode == 0
 
 
-def calls_of(bench: Bench, name: str) -> tuple[int, int]:
-    """The first call that a signal of its own answers to, and how many there are."""
+def calls_of(bench: Bench, name: str) -> tuple[list[int], list[int]]:
+    """The calls from the first on that finds signals answered, and those on unfinished files."""
     log = bench.folder / "calls.txt"
     trace = f"trace={CALLS},rt_sigaction"
     run = bench.run(name, bench.output(), "strace", "-o", str(log), "-e", trace)
     assert run.returncode == 0, run.stderr
-    count, first = 0, 0
+    count, answered = 0, False
+    calls: list[int] = []
+    unfinished: list[int] = []
     for line in log.read_text().splitlines():
         if line.startswith("rt_sigaction(SIGTERM, {sa_handler=0x"):
-            first = first or count + 1
+            answered = True
         elif re.match(CALLS.replace(",", "|"), line):
             count += 1
-    assert first > 0
-    return first, count
+            calls += [count] if answered else []
+            unfinished += [count] if ".tmp" in line else []
+    assert calls
+    return calls, unfinished or calls
 
 
 @pytest.mark.parametrize("signals", ["INT", "TERM", "INT twice"])
@@ -388,13 +392,13 @@ def calls_of(bench: Bench, name: str) -> tuple[int, int]:
 def test_signals_leave_nothing_unfinished(bench: Bench, name: str, signals: str) -> None:
     if not tracing():
         pytest.skip("no strace")
-    first, calls = calls_of(bench, name)
+    calls, unfinished = calls_of(bench, name)
     signal = signals.split()[0]
     drawn = random.Random(f"{name} {signals}")
-    for _ in range(12 if THOROUGH else 2):
+    for k in range(12 if THOROUGH else 2):
         out = bench.output()
-        when = drawn.randint(first, calls)
-        step = f"+{drawn.randint(1, 30)}" if signals.endswith("twice") else ""
+        when = drawn.choice(calls if k % 3 == 2 else unfinished) + drawn.randint(0, 3)
+        step = f"+{drawn.randint(1, 10)}" if signals.endswith("twice") else ""
         inject = f"inject={CALLS}:signal={signal}:when={when}{step}"
         run = bench.run(
             name, out, "strace", "-o", "/dev/null", "-e", f"trace={CALLS}", "-e", inject
