@@ -22,10 +22,10 @@ namespace {
 
 constexpr std::size_t kThreads = 2;
 
-prs::input::StudyInput study_of(std::size_t samples) {
+prs::input::StudyInput study_of(std::size_t samples, const std::string& model = "") {
   return prs::input::read_study_input(
       {"bench.yaml",
-       prs::input::kAbevi +
+       prs::input::kAbevi + model +
            "study: {command: solve, plan: monte_carlo, samples: " + std::to_string(samples) +
            ", factors: [{path: mechanism.flank_angle, within: 3 %}, {path: "
            "mechanism.profile.roller.convex, within: 3 %}, {path: structure.nut.outer_diameter, "
@@ -37,9 +37,9 @@ prs::input::StudyInput study_of(std::size_t samples) {
        {}});
 }
 
-void FullChainComputed(benchmark::State& state) {
+void compute(benchmark::State& state, const std::string& model) {
   const auto designs = static_cast<std::size_t>(state.range(0));
-  const prs::input::StudyInput in = study_of(designs);
+  const prs::input::StudyInput in = study_of(designs, model);
   const prs::DesignEngine engine(in);
   const auto evaluate = [&](std::size_t first, std::size_t count) {
     return engine.evaluate(first, count);
@@ -57,7 +57,13 @@ void FullChainComputed(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(designs));
 }
+
+void FullChainComputed(benchmark::State& state) { compute(state, ""); }
 BENCHMARK(FullChainComputed)->Arg(200'000)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// Against `FullChainComputed`: what refined bodies cost more than bars.
+void RefinedChainComputed(benchmark::State& state) { compute(state, "model: {bodies: refined}\n"); }
+BENCHMARK(RefinedChainComputed)->Arg(200'000)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 void FullChainWithFiles(benchmark::State& state) {
   const auto designs = static_cast<std::size_t>(state.range(0));

@@ -1,10 +1,8 @@
 #include "contact/journal_bearing.h"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cassert>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 
 namespace contact {
@@ -13,22 +11,25 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// 4 c^2 W/(eta U L^3) over s = eps/sqrt(1 - eps^2), 0 <= s < infinity: in terms of s it is a sum
-/// of positive terms, exact for the lightest and the heaviest load.
-double load_number(double s) { return s * (1.0 + s * s) * std::hypot(4.0 * s, pi); }
-
-/// The inverse of `load_number`.
+/// The eccentricity as s = eps/sqrt(1 - eps^2), 0 <= s < infinity, of the load number
+///
+///     4 c^2 W/(eta U L^3) = s (1 + s^2) sqrt(16 s^2 + pi^2),
+///
+/// a sum of positive terms in s, exact for the lightest and the heaviest load.
 double eccentricity_parameter(double load) {
   if (load < 1e-8) return load / pi;  // To s^2 against 1.
-  // The load number exceeds both pi s and 4 s^4, so that each gives an upper bound of s. At the
-  // lower of the two bounds it is less than 2.9 times the load (most where they cross), and it
-  // grows at least in proportion to s: a third of the bound is a lower bound.
-  const double greatest = std::min(load / pi, std::sqrt(std::sqrt(load / 4.0)));
-  std::uintmax_t iterations = 100;
-  const auto [below, above] = boost::math::tools::toms748_solve(
-      [load](double s) { return load_number(s) / load - 1.0; }, greatest / 3.0, 1.001 * greatest,
-      boost::math::tools::eps_tolerance<double>(), iterations);
-  return 0.5 * (below + above);
+  // The load number exceeds both pi s and 4 s^4, so that each gives an upper bound of s. It is
+  // convex: Newton's method comes down from there until rounding ends it.
+  double s = std::min(load / pi, std::sqrt(std::sqrt(load / 4.0)));
+  for (int iteration = 0; iteration < 100; ++iteration) {
+    const double square = s * s, under_root = 16.0 * square + pi * pi;
+    const double number = s * (1.0 + square) * std::sqrt(under_root);
+    const double growth = 1.0 / s + 2.0 * s / (1.0 + square) + 16.0 * s / under_root;
+    const double next = s - (1.0 - load / number) / growth;
+    if (!(next < s)) break;
+    s = next;
+  }
+  return s;
 }
 
 }  // namespace

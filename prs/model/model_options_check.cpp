@@ -44,18 +44,19 @@ void check_nut_walls(const Structure::Nut& nut, double pitch_diameter, double de
   const double inner = pitch_diameter + (meshed ? 2.0 * dedendum : 0.0);
   const double pitches = meshed ? kLeastMeshedWall : kLeastWall;
   const double least = inner + 2.0 * pitches * pitch;
-  const auto check = [&](std::string path, double outer, std::string_view what) {
+  // Paths are made where they are told alone: studies check each design.
+  const auto check = [&](auto path, double outer, std::string_view what) {
     if (outer < least)
-      problems.add(std::move(path),
+      problems.add(path(),
                    fmt::format("got {}; expected at least {} for `bodies: {}`, {} pitches of wall "
                                "outside the {} of the thread; widen the {}",
                                mm(outer), mm(least), meshed ? "influence" : "refined", pitches,
                                meshed ? "roots" : "pitch line", what));
   };
-  check("structure.nut.outer_diameter", nut.outer_diameter, "nut");
+  check([] { return "structure.nut.outer_diameter"; }, nut.outer_diameter, "nut");
   for (std::size_t i = 0; i < nut.flanges.size(); ++i)
-    check(fmt::format("structure.nut.flanges[{}].outer_diameter", i), nut.flanges[i].outer_diameter,
-          "flange");
+    check([&] { return fmt::format("structure.nut.flanges[{}].outer_diameter", i); },
+          nut.flanges[i].outer_diameter, "flange");
 }
 
 /// Teeth and walls as `refined` and `influence` need them.
@@ -70,13 +71,12 @@ void check_threaded_walls(const Case& c, std::string_view bodies, Problems& prob
     // Flanks that meet end the thread.
     const double sharp = sharp_height(pitch, flank);
     const double least = meshed ? 0.03 * pitch : 0.0;
-    const std::string path = fmt::format("mechanism.thread.{}", name(part));
     if (m.thread[part]) {
       const std::pair<const char*, double> heights[] = {{"addendum", m.thread[part]->addendum},
                                                         {"dedendum", m.thread[part]->dedendum}};
       for (const auto& [key, height] : heights)
         if (height < least || height >= 0.98 * sharp)
-          problems.add(fmt::format("{}.{}", path, key),
+          problems.add(fmt::format("mechanism.thread.{}.{}", name(part), key),
                        fmt::format("got {}; expected {} to {} for `bodies: {}`, where the flanks "
                                    "have not met; change it",
                                    mm(height), mm(least), mm(0.98 * sharp), bodies));

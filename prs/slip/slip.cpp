@@ -56,8 +56,9 @@ InterfaceSlip interface_slip(const Conditions& c, const SlipModel& model,
   InterfaceSlip slip;
   slip.threads_per_roller = threads.threads_per_roller;
   const auto add = [&](std::vector<double>& values, auto value_of_patch) {
-    std::vector<double> of_patch;
-    for (std::size_t k = 0; k < threads.patches.size(); ++k) of_patch.push_back(value_of_patch(k));
+    std::vector<double> of_patch(threads.patches.size());
+    for (std::size_t k = 0; k < of_patch.size(); ++k) of_patch[k] = value_of_patch(k);
+    values.reserve(threads.patch_of_thread.size());
     for (const std::optional<std::size_t>& k : threads.patch_of_thread)
       values.push_back(k ? of_patch[*k] : 0.0);
   };

@@ -38,6 +38,13 @@ double roller_mass(const Conditions& c, const Mechanism& m) {
   return *density * volume;
 }
 
+/// The grid of a thread's last design is kept: all designs of a study have it, as a rule.
+std::shared_ptr<const contact::PatchGrid> grid_of(int points) {
+  thread_local std::pair<int, std::shared_ptr<const contact::PatchGrid>> last;
+  if (last.first != points) last = {points, std::make_shared<const contact::PatchGrid>(points)};
+  return last.second;
+}
+
 }  // namespace
 
 Oils oils_in_operation(const Conditions& c) {
@@ -66,7 +73,10 @@ SlipModels::SlipModels(const Conditions& c, const Contacts& contacts)
     : SlipModels(c, contacts, oils_in_operation(c)) {}
 
 SlipModels::SlipModels(const Conditions& c, const Contacts& contacts, Oils oils)
-    : conditions_(c), contacts_(contacts), grid_(c.model.patch_points), oils_(std::move(oils)) {}
+    : conditions_(c),
+      contacts_(contacts),
+      grid_(grid_of(c.model.patch_points)),
+      oils_(std::move(oils)) {}
 
 SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
   if (loaded.load_case.share == LoadCase::Share::equal) return equal_shares(loaded.load_case, oils);
@@ -137,14 +147,14 @@ void SlipModels::add_patch(SlipModel& model, Interface i, double axial_load) con
   const contact::FilmContact& film = threads.films.back();
   switch (friction.model) {
     case Friction::Model::coulomb:
-      threads.patches.emplace_back(grid_, ellipse, friction.coefficient);
+      threads.patches.emplace_back(*grid_, ellipse, friction.coefficient);
       break;
     case Friction::Model::jacod:
-      threads.patches.emplace_back(grid_, ellipse, *model.oils.threads[i], film);
+      threads.patches.emplace_back(*grid_, ellipse, *model.oils.threads[i], film);
       break;
     case Friction::Model::mixed:
       threads.patches.emplace_back(
-          grid_, ellipse, *model.oils.threads[i], film,
+          *grid_, ellipse, *model.oils.threads[i], film,
           contact::TouchingFlanks{friction.mixed.boundary, friction.mixed.exponent,
                                   *composite_roughness(conditions_, i)});
   }

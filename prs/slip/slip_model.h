@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "contact/lubricant.h"
@@ -43,7 +44,7 @@ class SlipModels {
   SlipModel equal_shares(const LoadCase& load_case, const Oils& oils) const;
 
   const Conditions& conditions() const { return conditions_; }
-  const contact::PatchGrid& grid() const { return grid_; }
+  const contact::PatchGrid& grid() const { return *grid_; }
 
  private:
   SlipModel unloaded(const LoadCase& load_case, const Oils& oils) const;
@@ -51,7 +52,7 @@ class SlipModels {
 
   Conditions conditions_;
   const Contacts& contacts_;
-  contact::PatchGrid grid_;
+  std::shared_ptr<const contact::PatchGrid> grid_;
   Oils oils_;
 };
 

@@ -61,12 +61,24 @@ Real of_cylinder(const Real& radius, const Real& bore, const ElasticNumbers<Real
   return pressure_factor(m.modulus, rollers, pitch, sine) * (lame_ratio(radius, bore) - m.poisson);
 }
 
+/// artanh(x)/x - 1 for 0 < x < 1, exact also where x is small: ln(R/r) is 2 x times one more, with
+/// x = (R - r)/(R + r).
+template <class Real>
+Real artanh_excess(const Real& x) {
+  using simd::log, simd::select;
+  const Real square = x * x;
+  Real series(0.0);
+  for (int power = 17; power >= 3; power -= 2) series = square * (series + 1.0 / power);
+  return select(x < 0.1, series, log((1.0 + x) / (1.0 - x)) / (2.0 * x) - 1.0);
+}
+
+/// Of a thin wall both (R^2 + r^2)/(R^2 - r^2) and 1/ln(R/r) are large, but not their difference.
 template <class Real>
 Real of_wall(const Real& inner, const Real& outer, const ElasticNumbers<Real>& m,
              const Real& rollers, const Real& pitch, const Real& sine) {
-  using simd::log;
+  const Real x = (outer - inner) / (outer + inner), excess = artanh_excess(x);
   return pressure_factor(m.modulus, rollers, pitch, sine) *
-         (lame_ratio(outer, inner) + m.poisson - 1.0 / log(outer / inner));
+         (0.5 * (x + excess / (x * (1.0 + excess))) + m.poisson);
 }
 
 /// b of `band_shares` [1/m].
