@@ -86,7 +86,10 @@ bool is_plain_lines(std::string_view text) noexcept {
   return std::ranges::all_of(text, [](char c) { return (c >= 0x20 && c < 0x7F) || c == '\n'; });
 }
 
-std::string printable(std::string_view text) { return rewritten(text, append_printable); }
+std::string printable(std::string_view text) {
+  if (is_plain_lines(text) && text.find('\n') == text.npos) return std::string(text);
+  return rewritten(text, append_printable);
+}
 
 std::string printable_lines(std::string_view text) {
   if (is_plain_lines(text)) return std::string(text);

@@ -84,6 +84,7 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
                           .document = [&](const DocumentInfo& i) { return study_json(result, i); },
                           .table = [&] { return study_table(result); },
                           .pictures = [&] { return study_pictures(result); },
+                          .keeps_figures = true,
                           .converged = result.failed == 0};
   return deliver(delivery, info, options);
 }
@@ -102,7 +103,8 @@ int derivatives(const input::StudyInput& in, const Options& options) {
           [&](const CsvStyle& style) {
             return std::vector<OutputFile>{{"derivatives.csv", derivatives_csv(result, style)}};
           },
-      .pictures = [&] { return derivatives_pictures(result); }};
+      .pictures = [&] { return derivatives_pictures(result); },
+      .keeps_figures = true};
   return deliver(delivery, document_info(in.source, Command::study), options);
 }
 
