@@ -94,7 +94,10 @@ bool is_plain_lines(std::string_view text) noexcept {
   return true;
 }
 
-std::string printable(std::string_view text) { return rewritten(text, append_printable); }
+std::string printable(std::string_view text) {
+  if (is_plain_lines(text) && text.find('\n') == text.npos) return std::string(text);
+  return rewritten(text, append_printable);
+}
 
 std::string printable_lines(std::string_view text) {
   if (is_plain_lines(text)) return std::string(text);

@@ -20,6 +20,9 @@ bool write(const Delivery& delivery, const std::string& document, const Figures&
   const Interruption after_the_files;  // What is written is listed, whatever ends the run.
   std::vector<OutputFile> files{{delivery.file, document}};
   if (delivery.files) std::ranges::move(delivery.files(options.csv), std::back_inserter(files));
+  if (delivery.keeps_figures && !shown.empty())
+    files.push_back({delivery.file.substr(0, delivery.file.find('.')) + std::string(kFiguresEnding),
+                     figures_text(shown)});
   write_files(*options.output, files);
   Undrawn undrawn = draw_figures(shown, *options.output);
   if (Interruption::asked()) throw Interrupted();

@@ -30,7 +30,7 @@ namespace {
 /// Removes what a process left that died while it wrote the files.
 void remove_unfinished(const std::filesystem::path& folder) {
   const std::regex unfinished(
-      R"((front\.csv|history\.csv|optimize\.json|best\.yaml)\.\d+-\d+\.tmp)");
+      R"((front\.csv|history\.csv|optimize(_figures)?\.json|best\.yaml)\.\d+-\d+\.tmp)");
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (std::regex_match(entry.path().filename().string(), unfinished))
       std::filesystem::remove(entry.path());
@@ -49,6 +49,7 @@ Delivery delivery_of(const OptimizationResult& result, const input::Source& sour
                 return files;
               },
           .pictures = [&] { return optimization_pictures(result); },
+          .keeps_figures = true,
           .converged = result.compromise.has_value()};
 }
 

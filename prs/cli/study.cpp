@@ -85,6 +85,7 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
       .document = [&](const DocumentInfo& i) { return study_outline(result, i); },
       .table = [&] { return study_table(result); },
       .pictures = [&] { return study_pictures(result); },
+      .keeps_figures = true,
       .converged = result.failed == 0,
       .text = [&](const nlohmann::ordered_json& outline) { return study_text(outline, result); }};
   return deliver(delivery, info, options);
@@ -104,7 +105,8 @@ int derivatives(const input::StudyInput& in, const Options& options) {
           [&](const CsvStyle& style) {
             return std::vector<OutputFile>{{"derivatives.csv", derivatives_csv(result, style)}};
           },
-      .pictures = [&] { return derivatives_pictures(result); }};
+      .pictures = [&] { return derivatives_pictures(result); },
+      .keeps_figures = true};
   return deliver(delivery, document_info(in.source, Command::study), options);
 }
 

@@ -52,6 +52,7 @@ struct Answer {
   Json document = nullptr;
   Json figures = Json::array();
   std::vector<std::string> messages = {};
+  std::string document_text = {};  ///< Of a document that is long and simple, in its place.
 };
 
 // The question
@@ -148,11 +149,34 @@ void choose(const std::vector<std::string>& names, Command command, Case& c) {
 
 // The answer
 
+/// HTML as a string of JSON: well-formed, as the report escapes all that it is given.
+void append_quoted(std::string& text, std::string_view html) {
+  text += '"';
+  for (;;) {
+    const auto special = std::ranges::find_if(
+        html, [](char c) { return c == '"' || c == '\\' || static_cast<unsigned char>(c) < 0x20; });
+    text.append(html.begin(), special);
+    if (special == html.end()) break;
+    if (*special == '"' || *special == '\\')
+      text.append("\\").append(1, *special);
+    else
+      text += fmt::format("\\u{:04x}", static_cast<int>(*special));
+    html.remove_prefix(static_cast<std::size_t>(special - html.begin()) + 1);
+  }
+  text += '"';
+}
+
 Answer report_answer(const Question& question) {
   LiveAnswer found = live_sections(question.source, question.report);
+  std::string text = "{\"sections\": {";
+  const char* separator = "";
+  for (const auto& [id, body] : found.sections.items()) {
+    text.append(std::exchange(separator, ",\n")).append("\"" + id + "\": ");
+    append_quoted(text, body.get_ref<const std::string&>());
+  }
   return {.status = found.converged ? kDone : kNotConverged,
-          .document = {{"sections", std::move(found.sections)}},
-          .messages = std::move(found.notes)};
+          .messages = std::move(found.notes),
+          .document_text = text + "}}"};
 }
 
 Answer written_answer(const Question& question) {
@@ -212,9 +236,11 @@ Answer answer_or_refusal(std::string_view question) {
 
 std::string answer(std::string_view question) {
   const Answer answer = answer_or_refusal(question);
-  return fmt::format("{{\"status\": {},\n\"document\": {},\n\"figures\": {},\n\"messages\": {}}}\n",
-                     static_cast<int>(answer.status), json_text(answer.document),
-                     json_text(answer.figures), json_text(answer.messages));
+  return fmt::format(
+      "{{\"status\": {},\n\"document\": {},\n\"figures\": {},\n\"messages\": {}}}\n",
+      static_cast<int>(answer.status),
+      answer.document_text.empty() ? json_text(answer.document) : answer.document_text + '\n',
+      json_text(answer.figures), json_text(answer.messages));
 }
 
 }  // namespace prs

@@ -1,8 +1,12 @@
 #include "prs/figures/figure_json.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string_view>
 
 #include "prs/quantities/schema_parts.h"
@@ -133,7 +137,174 @@ Json panel_json(const Panel& panel) {
   return json;
 }
 
+/// Rounds every number, so that files of large maps stay short.
+void shorten(Json& json) {
+  if (json.is_structured())
+    for (Json& entry : json) shorten(entry);
+  else if (json.is_number_float() && std::isfinite(json.get<double>()))
+    json = std::stod(fmt::format("{:.7g}", json.get<double>()));
+}
+
+// From JSON: what is absent keeps its default.
+
+double read_number(const Json& json) { return json.is_null() ? kFree : json.get<double>(); }
+
+template <class Value>
+void read_to(const Json& json, const char* key, Value& value) {
+  if (const auto found = json.find(key); found != json.end()) value = found->get<Value>();
+}
+void read_to(const Json& json, const char* key, double& value) {
+  if (const auto found = json.find(key); found != json.end()) value = read_number(*found);
+}
+template <class Names, class Value>
+void read_name(const Json& json, const char* key, const Names& names, Value& value) {
+  const auto found = json.find(key);
+  if (found == json.end()) return;
+  const auto name = std::ranges::find(names, found->get<std::string>());
+  if (name == names.end()) throw std::runtime_error(key);
+  value = static_cast<Value>(name - names.begin());
+}
+template <class Item>
+void read_all(const Json& json, const char* key, std::vector<Item>& items, auto item_of) {
+  if (const auto found = json.find(key); found != json.end())
+    for (const Json& entry : *found) items.push_back(item_of(entry));
+}
+
+Axis read_axis(const Json& json) {
+  Axis axis;
+  read_to(json, "label", axis.label);
+  read_to(json, "unit", axis.unit);
+  read_to(json, "from", axis.from);
+  read_to(json, "to", axis.to);
+  read_to(json, "logarithmic", axis.logarithmic);
+  read_to(json, "whole", axis.whole);
+  read_to(json, "hidden", axis.hidden);
+  read_all(json, "ticks", axis.ticks, [](const Json& entry) {
+    Tick tick{entry.at("at").get<double>()};
+    read_to(entry, "text", tick.text);
+    return tick;
+  });
+  return axis;
+}
+
+Style read_style(const Json& json) {
+  Style style;
+  read_name(json, "shape", kShapes, style.shape);
+  read_name(json, "colour", kColours, style.colour);
+  read_name(json, "dash", kDashes, style.dash);
+  read_name(json, "mark", kMarks, style.mark);
+  read_name(json, "weight", kWeights, style.weight);
+  read_to(json, "open", style.open);
+  read_to(json, "pale", style.pale);
+  return style;
+}
+
+ColourScale read_scale(const Json& json) {
+  ColourScale scale;
+  read_to(json, "label", scale.label);
+  read_to(json, "unit", scale.unit);
+  read_to(json, "from", scale.from);
+  read_to(json, "to", scale.to);
+  read_to(json, "levels", scale.levels);
+  read_to(json, "logarithmic", scale.logarithmic);
+  read_to(json, "whole", scale.whole);
+  return scale;
+}
+
+GridData read_grid(const Json& json) {
+  GridData grid{json.at("x"), json.at("y"), {}};
+  for (const Json& row : json.at("values"))
+    for (const Json& value : row) grid.values.push_back(read_number(value));
+  if (grid.values.size() != grid.x.size() * grid.y.size()) throw std::runtime_error("values");
+  return grid;
+}
+
+Series read_series(const Json& json) {
+  Series series{json.at("style")};
+  read_all(json, "parts", series.parts, [](const Json& part) {
+    Polyline points;
+    for (const Json& point : part)
+      points.push_back({read_number(point.at(0)), read_number(point.at(1))});
+    return points;
+  });
+  read_all(json, "values", series.values, read_number);
+  return series;
+}
+
+Label read_label(const Json& json) {
+  Label label{json.at("text"), json.at("x"), json.at("y")};
+  read_to(json, "in_panel", label.in_panel);
+  read_name(json, "anchor", kAnchors, label.anchor);
+  return label;
+}
+
+Panel read_panel(const Json& json) {
+  Panel panel;
+  read_to(json, "title", panel.title);
+  if (json.contains("x")) panel.x = read_axis(json["x"]);
+  if (json.contains("y")) panel.y = read_axis(json["y"]);
+  read_all(json, "series", panel.series, read_series);
+  read_all(json, "references", panel.references, [](const Json& entry) {
+    ReferenceLine line{entry.at("style"), entry.at("at")};
+    read_to(entry, "vertical", line.vertical);
+    return line;
+  });
+  read_all(json, "labels", panel.labels, read_label);
+  if (const auto map = json.find("map"); map != json.end()) {
+    panel.map.grid = read_grid(*map);
+    read_to(*map, "cells", panel.map.cells);
+  }
+  if (const auto surface = json.find("surface"); surface != json.end()) {
+    panel.surface = {read_grid(*surface), read_axis(surface->at("z")), {}};
+    read_all(*surface, "points", panel.surface->points, [](const Json& p) {
+      return SurfacePoint{p.at("name"), read_number(p.at("x")), read_number(p.at("y")),
+                          read_number(p.at("z"))};
+    });
+  }
+  return panel;
+}
+
+Figure read_figure(const Json& json) {
+  Figure figure{json.at("name"), json.at("title"), read_axis(json.at("x")), read_axis(json.at("y")),
+                json.at("columns")};
+  read_to(json, "aspect", figure.aspect);
+  read_to(json, "overview", figure.overview);
+  read_to(json, "to_scale", figure.to_scale);
+  if (json.contains("colours")) figure.colours = read_scale(json["colours"]);
+  read_all(json, "styles", figure.styles, read_style);
+  read_all(json, "legend", figure.legend, [](const Json& entry) {
+    return LegendEntry{entry.at("title"), entry.at("style")};
+  });
+  read_all(json, "panels", figure.panels, read_panel);
+  const auto is_style = [&](std::size_t k) { return k < figure.styles.size(); };
+  for (const Panel& panel : figure.panels)
+    if (!std::ranges::all_of(panel.series, is_style, &Series::style) ||
+        !std::ranges::all_of(panel.references, is_style, &ReferenceLine::style))
+      throw std::runtime_error("style");
+  if (!std::ranges::all_of(figure.legend, is_style, &LegendEntry::style) || figure.columns < 1)
+    throw std::runtime_error("legend");
+  return figure;
+}
+
 }  // namespace
+
+std::string figures_text(const Figures& figures) {
+  Json json = to_json(figures);
+  shorten(json);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+Figures figures_of(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_array()) return {};
+  try {
+    Figures figures;
+    for (const Json& entry : json) figures.push_back(read_figure(entry));
+    return figures;
+  } catch (const std::exception&) {
+    return {};  // Changed by other hands, or of another version.
+  }
+}
 
 Json to_json(const Figure& figure) {
   Json json{{"name", figure.name}, {"title", figure.title}, {"columns", figure.columns}};

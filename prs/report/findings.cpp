@@ -52,6 +52,24 @@ std::string date_of_report() {
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
 }
 
+Findings nothing_of(input::Source source, const input::CaseInput& in) {
+  Findings all;
+  all.source = std::move(source);
+  all.date = date_of_report();
+  all.is_full = in.values.model.mechanism == ModelOptions::Mechanism::full;
+  return all;
+}
+
+void add_answer(Findings& all, Command command, Delivery delivery) {
+  CommandAnswer answer{command, std::move(delivery), {}};
+  DocumentInfo info = document_info(all.source, command);
+  info.resolved_input = {};  // That of the check is the page's.
+  answer.document = answer.delivery.document(info);
+  if (answer.delivery.pictures) answer.pictures = answer.delivery.pictures();
+  all.converged = all.converged && answer.delivery.converged;
+  all.answers.push_back(std::move(answer));
+}
+
 /// Lines of a picture in grey, behind those of the same panel in another.
 void add_behind(Figure& figure, const Figure& before) {
   if (figure.to_scale || figure.panels.size() != before.panels.size()) return;
@@ -98,19 +116,16 @@ std::span<const Command> reported_commands() {
 Findings findings_of(input::Source source, ReportOptions options,
                      std::span<const Command> commands) {
   const input::CaseInput in = input::read_case_input(source, Command::check);
-  const CommandRow& check = row_of(Command::check);
-  Findings all{std::move(source), std::move(options), date_of_report(), {}, {}, {}, {}, {}, {}};
+  Findings all = nothing_of(std::move(source), in);
+  all.options = std::move(options);
   for (const VoidInput& input : void_inputs(in.values)) all.void_paths.push_back(input.path);
-  all.check = check.run(all.source, in).document(document_info(all.source, Command::check));
+  all.check = row_of(Command::check)
+                  .run(all.source, in)
+                  .document(document_info(all.source, Command::check));
   for (const Command command : commands) {
     if (!input::missing(in, command).empty()) continue;
     try {
-      CommandAnswer answer{command, run(row_of(command), all.source), {}};
-      answer.document = answer.delivery.document(document_info(all.source, command));
-      answer.document.erase("resolved_input");
-      if (answer.delivery.pictures) answer.pictures = answer.delivery.pictures();
-      all.converged = all.converged && answer.delivery.converged;
-      all.answers.push_back(std::move(answer));
+      add_answer(all, command, row_of(command).run(all.source, in));
     } catch (const input::InputError& error) {
       all.notes.push_back(fmt::format("{} was not computed: {}", name(command), error.what()));
     }
@@ -122,6 +137,20 @@ Findings findings_of(input::Source source, ReportOptions options,
       all.studies.push_back(std::move(study));
       break;
     }
+  all.warnings = warnings_of(all);
+  return all;
+}
+
+Findings quick_findings_of(input::Source source, FullSolver& full) {
+  input::CaseInput in = input::read_case_input(source, Command::check);
+  in.study.reset();  // Whether its designs are sound is said when the values rest.
+  in.optimize.reset();
+  Findings all = nothing_of(std::move(source), in);
+  all.check["warnings"] = row_of(Command::check).run(all.source, in).warnings;
+  if (input::missing(in, Command::solve).empty())
+    add_answer(all, Command::solve, run_solve(all.source, in, {.full = &full}));
+  else
+    add_answer(all, Command::contact, row_of(Command::contact).run(all.source, in));
   all.warnings = warnings_of(all);
   return all;
 }
@@ -139,10 +168,9 @@ std::string input_value(const Findings& all, std::string_view path) {
 }
 
 std::string figure_html(Findings& all, Figure figure, bool narrow) {
-  int place = 0;
-  while (all.figures.contains({all.section, figure.name, place})) ++place;
+  const int place = all.places[figure.name]++;
   const FigurePlace key{all.section, figure.name, place};
-  const Figure& kept = all.figures.emplace(key, figure).first->second;
+  if (all.keeps_figures) all.figures.emplace(key, figure);
   if (all.before)
     if (const auto found = all.before->figures.find(key); found != all.before->figures.end())
       add_behind(figure, found->second);
@@ -150,7 +178,7 @@ std::string figure_html(Findings& all, Figure figure, bool narrow) {
       "<figure data-figure=\"{}\"{}><figcaption>{}</figcaption><div class=\"wide\" "
       "tabindex=\"0\">{}"
       "</div></figure>\n",
-      html(figure.name), narrow ? " class=\"narrow\"" : "", html(kept.title),
+      html(figure.name), narrow ? " class=\"narrow\"" : "", html(figure.title),
       svg(figure, fmt::format("{}-{}-{}", all.section, figure.name, place)));
 }
 

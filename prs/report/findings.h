@@ -15,6 +15,8 @@
 
 namespace prs {
 
+class FullSolver;
+
 /// What a command found.
 struct CommandAnswer {
   Command command;
@@ -51,9 +53,12 @@ struct Findings {
   std::vector<std::string> notes;
   std::vector<std::string> void_paths;  ///< Inputs that overrides stand in for.
   bool converged = true;
+  bool is_full = false;  ///< All rollers, not one for all.
 
-  const Findings* before = nullptr;  ///< Shown behind these, in grey.
-  std::string section = {};          ///< The one that is being written.
+  const Findings* before = nullptr;        ///< Shown behind these, in grey.
+  std::string section = {};                ///< The one that is being written.
+  std::map<std::string, int> places = {};  ///< How many of a name stand in it so far.
+  bool keeps_figures = false;              ///< For those that are drawn behind others.
   std::map<FigurePlace, Figure> figures = {};
 
   const CommandAnswer* answer(Command command) const;
@@ -69,6 +74,11 @@ std::span<const Command> reported_commands();
 /// wrong.
 Findings findings_of(input::Source source, ReportOptions options,
                      std::span<const Command> commands);
+
+/// What sections need that follow a moving value: the loads where the case has all for `solve`,
+/// else the contacts, and of the check its warnings. `full` solves one full mechanism after the
+/// other.
+Findings quick_findings_of(input::Source source, FullSolver& full);
 
 /// What stands under a key; null where there is nothing.
 const nlohmann::ordered_json& under(const nlohmann::ordered_json& json, const std::string& key);

@@ -27,8 +27,4 @@ std::string download_link(std::string_view name, std::string_view type, std::str
                      data_url(type, content));
 }
 
-std::string embedded_svg(std::string_view svg, std::string_view title) {
-  return fmt::format("<img alt=\"{}\" src=\"{}\">", html(title), data_url("image/svg+xml", svg));
-}
-
 }  // namespace prs

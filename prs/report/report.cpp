@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "prs/figures/figure_json.h"
 #include "prs/figures/pictures.h"
 #include "prs/quantities/case_groups.h"
 #include "prs/quantities/results_schema.h"
@@ -118,11 +119,6 @@ bool is_of_rollers(std::string_view name) {
 
 // Sections
 
-bool is_full(const Findings& all) {
-  const Json& input = all.check["resolved_input"];
-  return input.contains("model") && input["model"].value("mechanism", "") == "full";
-}
-
 std::string head_html(const Findings& all, const std::string& title) {
   const Json& diameters = all.check["contact"]["pitch_diameter_mm"];
   const auto diameter = [&](const char* part) {
@@ -147,8 +143,8 @@ std::string mechanism_html(Findings& all) {
     return figure_html(all, figure(answer->pictures, name, {}), narrow);
   };
   std::string text = draw("section", false);
-  return is_full(all) ? text + each_case_html(all, *answer, "end_view", true)
-                      : text + draw("end_view", true);
+  return all.is_full ? text + each_case_html(all, *answer, "end_view", true)
+                     : text + draw("end_view", true);
 }
 
 /// Stiffness and pressure of each model, a row per load case.
@@ -212,7 +208,7 @@ std::string loads_html(Findings& all) {
     return !is_of_stiffness(name) && !is_of_pressure(name) && !is_of_solution(name) &&
            !is_of_rollers(name);
   });
-  if (is_full(all)) {
+  if (all.is_full) {
     text += each_case_html(all, *solve, "roller_loads", false);
     text += each_case_html(all, *solve, "roller_shares", true);
   }
@@ -323,18 +319,19 @@ std::string studies_html(Findings& all) {
         fmt::format("<h3>{}</h3>\n", study.command == Command::study ? "Study" : "Optimization");
     std::size_t left_out = 0;
     for (const OutputFile& file : study.files) {
-      if (file.name.ends_with(".json") && study.command == Command::optimize)
+      if (file.name == "optimize.json")
         if (const Json document = Json::parse(file.content, nullptr, false); document.is_object())
           text += optimization_html(document);
-      if (!file.name.ends_with(".svg")) continue;
-      if (file.content.size() > room) {
-        ++left_out;
-        continue;
+      if (!file.name.ends_with(kFiguresEnding)) continue;
+      for (const Figure& figure : figures_of(file.content)) {
+        const std::string drawn = figure_html(all, figure);
+        if (drawn.size() > room) {
+          ++left_out;
+          continue;
+        }
+        room -= drawn.size();
+        text += drawn;
       }
-      room -= file.content.size();
-      const std::string title = file.name.substr(file.name.rfind('/') + 1);
-      text += fmt::format("<figure><div class=\"wide\" tabindex=\"0\">{}</div></figure>\n",
-                          embedded_svg(file.content, title.substr(0, title.rfind('.'))));
     }
     if (left_out > 0)
       text += fmt::format(
@@ -480,6 +477,7 @@ std::span<const SectionRow> section_rows() {
 
 ReportSection section_of(Findings& all, const SectionRow& row) {
   all.section = row.id;
+  all.places.clear();
   return {row.id, row.title, row.make(all)};
 }
 

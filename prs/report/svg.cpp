@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "prs/output/figure_layout.h"
@@ -19,8 +21,32 @@ constexpr double kMarkRadius = 5.0, kOverlap = 0.4;  // Pixels; the second hides
 constexpr double kLooseEnds = 0.04;                  // Room at the ends of a free axis.
 constexpr std::string_view kDashes[] = {"", "", "7 5", "2 4", "9 4 2 4"};
 
-/// A colour between those of the scale, at a share of its length.
-std::string scale_colour(const ColourScale& scale, double value) {
+/// As `{:.1f}` has it, which pictures are full of; numbers beyond a picture need not be exact.
+std::string tenth_of(double value) {
+  char digits[24];
+  const long tenths = std::lround(10.0 * std::clamp(value, -1e7, 1e7));
+  char* end = digits;
+  if (tenths < 0) *end++ = '-';
+  end = std::to_chars(end, std::end(digits), std::abs(tenths) / 10).ptr;
+  *end++ = '.';
+  *end++ = static_cast<char>('0' + std::abs(tenths) % 10);
+  return {digits, end};
+}
+
+/// Red, green and blue of the scale's colours.
+using Rgb = std::array<int, 3>;
+std::vector<Rgb> channels_of_scale() {
+  std::vector<Rgb> all;
+  for (const std::string_view colour : kScaleColours) {
+    Rgb& rgb = all.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k)
+      std::from_chars(&colour[1 + 2 * k], &colour[3 + 2 * k], rgb[k], 16);
+  }
+  return all;
+}
+
+/// A colour between those of the scale, at a share of its length, of as many as there are steps.
+std::string scale_colour(const ColourScale& scale, double value, double steps = 0.0) {
   if (!std::isfinite(value)) return "none";
   const auto place = [&](double v) { return scale.logarithmic ? std::log(v) : v; };
   double share = (place(value) - place(scale.from)) / (place(scale.to) - place(scale.from));
@@ -30,16 +56,16 @@ std::string scale_colour(const ColourScale& scale, double value) {
     const auto band = std::ranges::upper_bound(levels, value) - levels.begin() - 1;
     share = std::clamp(static_cast<double>(band), 0.0, bands - 1.0) / (bands - 1.0);
   }
+  if (steps > 0.0) share = std::round(share * steps) / steps;
   constexpr auto kLast = static_cast<double>(std::size(kScaleColours) - 1);
   const double at = std::clamp(share, 0.0, 1.0) * kLast;
   const auto k = static_cast<std::size_t>(std::min(std::floor(at), kLast - 1.0));
+  static const std::vector<Rgb> channels = channels_of_scale();
   std::string colour = "#";
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    const auto part = [&](std::size_t c) {
-      return std::stoi(std::string(kScaleColours[c].substr(1 + 2 * channel, 2)), nullptr, 16);
-    };
-    colour += fmt::format("{:02x}", static_cast<int>(std::lround(std::lerp(
-                                        part(k), part(k + 1), at - static_cast<double>(k)))));
+    const auto level = static_cast<unsigned>(std::lround(
+        std::lerp(channels[k][channel], channels[k + 1][channel], at - static_cast<double>(k))));
+    for (const unsigned digit : {level / 16, level % 16}) colour += "0123456789abcdef"[digit];
   }
   return colour;
 }
@@ -102,8 +128,8 @@ Frame frame_of(const Figure& figure, const Layout& layout, std::size_t index) {
 
 std::string text(double x, double y, std::string_view classes, std::string_view content,
                  std::string_view more = "") {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"{}\"{}>{}</text>", x, y, classes,
-                     more, html(content));
+  std::string all = "<text x=\"" + tenth_of(x) + "\" y=\"" + tenth_of(y) + "\" class=\"";
+  return all.append(classes).append("\"").append(more).append(">") + html(content) + "</text>";
 }
 
 /// Lines of text, the last one at y.
@@ -116,7 +142,9 @@ std::string texts(double x, double y, std::string_view classes,
 }
 
 std::string segment(double x1, double y1, double x2, double y2, std::string_view attributes) {
-  return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" {}/>", x1, y1, x2, y2, attributes);
+  std::string all = "<path d=\"M" + tenth_of(x1) + " " + tenth_of(y1) + "L" + tenth_of(x2) + " " +
+                    tenth_of(y2) + "\" ";
+  return all.append(attributes).append("/>");
 }
 
 std::string stroke(const Style& style) {
@@ -136,12 +164,20 @@ unsigned beyond(const Box& b, double x, double y) {
 }
 
 /// Tenths of a unit as a path has them: short, without a space before a sign.
-std::string tenths(long n, bool first) {
-  std::string text = n < 0 ? "-" : first ? "" : " ";
+void append_tenths(std::string& d, long n, bool first) {
+  char digits[24];
+  char* end = digits;
+  if (n < 0)
+    *end++ = '-';
+  else if (!first)
+    *end++ = ' ';
   const long size = std::abs(n);
-  if (size >= 10 || size == 0) text += std::to_string(size / 10);
-  if (size % 10 != 0) text += fmt::format(".{}", size % 10);
-  return text;
+  if (size >= 10 || size == 0) end = std::to_chars(end, std::end(digits), size / 10).ptr;
+  if (size % 10 != 0) {
+    *end++ = '.';
+    *end++ = static_cast<char>('0' + size % 10);
+  }
+  d.append(digits, end);
 }
 
 /// The way through the points, broken where one has no place. Points that only lead around outside
@@ -174,7 +210,9 @@ std::string way(const Polyline& points, const Frame& f, bool closed) {
                                     std::lround(10 * std::clamp(at[1], -kFar, kFar))};
     if (next == 'l' && (idle || tenth == last)) continue;
     if (next == 'M') last = {0, 0};
-    d += next + tenths(tenth[0] - last[0], true) + tenths(tenth[1] - last[1], false);
+    d += next;
+    append_tenths(d, tenth[0] - last[0], true);
+    append_tenths(d, tenth[1] - last[1], false);
     next = 'l';
     last = tenth;
   }
@@ -185,8 +223,8 @@ std::string mark(Mark shape, double x, double y, double r) {
   const auto polygon = [&](int corners, double start, double step, double radius) {
     std::string d;
     for (int k = 0; k < corners; ++k)
-      d += fmt::format("{}{:.1f} {:.1f}", k ? 'L' : 'M', x + radius * std::sin(start + k * step),
-                       y - radius * std::cos(start + k * step));
+      d += (k ? "L" : "M") + tenth_of(x + radius * std::sin(start + k * step)) + " " +
+           tenth_of(y - radius * std::cos(start + k * step));
     return d + "Z";
   };
   constexpr double kTurn = 6.283185307179586;
@@ -209,11 +247,11 @@ std::string mark(Mark shape, double x, double y, double r) {
       return cross(0.8 * r, 0.8 * r);
     case Mark::star:
       return cross(r, 0.0) + cross(0.7 * r, 0.7 * r);
-    default:
-      return fmt::format(
-          "M{0:.1f} {1:.1f}a{2:.1f} {2:.1f} 0 1 0 {3:.1f} 0a{2:.1f} {2:.1f} 0 1 0 "
-          "-{3:.1f} 0Z",
-          x - r, y, r, 2 * r);
+    default: {
+      const std::string radius = tenth_of(r) + " " + tenth_of(r) + " 0 1 0 ", d = tenth_of(2 * r);
+      return "M" + tenth_of(x - r) + " " + tenth_of(y) + "a" + radius + d + " 0a" + radius + "-" +
+             d + " 0Z";
+    }
   }
 }
 
@@ -297,18 +335,63 @@ std::pair<double, double> cell(const std::vector<double>& nodes, std::size_t k,
   return {std::clamp<double>(before, least, most), std::clamp<double>(behind, least, most)};
 }
 
-std::string map_svg(const GridData& grid, const ColourScale& scale, const Frame& f) {
-  std::string all;
-  for (std::size_t i = 0; i < grid.x.size(); ++i)
-    for (std::size_t j = 0; j < grid.y.size(); ++j) {
-      const std::string colour = scale_colour(scale, grid.at(i, j));
-      if (colour == "none") continue;
-      const auto [left, right] = cell(grid.x, i, f.across);
-      const auto [top, bottom] = cell(grid.y, j, f.up);
-      all += fmt::format(
-          "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>", left,
-          top, right - left + kOverlap, bottom - top + kOverlap, colour);
+/// Neighbouring nodes of a grid that are drawn as one, and from where to where.
+struct Band {
+  std::size_t node;
+  long from, to;  ///< Tenths of a pixel.
+};
+
+/// Bands at least so wide that they can be seen.
+std::vector<Band> bands_of(const std::vector<double>& nodes, const Ruler& ruler) {
+  constexpr double kLeast = 3.0;  // Pixels.
+  std::vector<Band> bands;
+  for (std::size_t first = 0; first < nodes.size();) {
+    auto [from, to] = cell(nodes, first, ruler);
+    std::size_t last = first;
+    while (to - from < kLeast && last + 1 < nodes.size()) {
+      const auto [next_from, next_to] = cell(nodes, ++last, ruler);
+      from = std::min(from, next_from);
+      to = std::max(to, next_to);
     }
+    bands.push_back(
+        {(first + last) / 2, std::lround(10 * from), std::lround(10 * (to + kOverlap))});
+    first = last + 1;
+  }
+  return bands;
+}
+
+/// A path of rectangles for each colour, runs of one colour as one rectangle. Maps of many nodes
+/// are drawn no finer than a screen shows, in 64 colours.
+std::string map_svg(const GridData& grid, const ColourScale& scale, const Frame& f) {
+  constexpr std::size_t kMany = 4000;
+  const std::vector<Band> columns = bands_of(grid.x, f.across), rows = bands_of(grid.y, f.up);
+  const double steps = columns.size() * rows.size() > kMany ? 64.0 : 0.0;
+  std::map<std::string, std::string> paths;
+  for (const Band& column : columns)
+    for (std::size_t j = 0; j < rows.size();) {
+      const std::string colour = scale_colour(scale, grid.at(column.node, rows[j].node), steps);
+      long top = rows[j].from, bottom = rows[j].to;
+      while (++j < rows.size() &&
+             scale_colour(scale, grid.at(column.node, rows[j].node), steps) == colour) {
+        top = std::min(top, rows[j].from);
+        bottom = std::max(bottom, rows[j].to);
+      }
+      if (colour == "none") continue;
+      std::string& d = paths[colour];
+      d += 'M';
+      append_tenths(d, column.from, true);
+      append_tenths(d, top, false);
+      d += 'h';
+      append_tenths(d, column.to - column.from, true);
+      d += 'v';
+      append_tenths(d, bottom - top, true);
+      d += 'h';
+      append_tenths(d, column.from - column.to, true);
+      d += 'z';
+    }
+  std::string all;
+  for (const auto& [colour, d] : paths)
+    all += "<path class=\"c\" fill=\"" + colour + "\" d=\"" + d + "\"/>";
   return all;
 }
 
@@ -440,9 +523,9 @@ std::string colour_bar_svg(const ColourScale& scale, const Layout& layout) {
     const double value = scale.logarithmic ? scale.from * std::pow(scale.to / scale.from, share)
                                            : std::lerp(scale.from, scale.to, share);
     const double width = static_cast<double>(b.width()) / kSteps;
-    all += fmt::format("<rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>",
-                       b.left + k * width, b.top, width + (k + 1 < kSteps ? kOverlap : 0.0),
-                       b.height(), scale_colour(scale, value));
+    all += "<rect x=\"" + tenth_of(b.left + k * width) + "\" y=\"" + std::to_string(b.top) +
+           "\" width=\"" + tenth_of(width + (k + 1 < kSteps ? kOverlap : 0.0)) + "\" height=\"" +
+           std::to_string(b.height()) + "\" fill=\"" + scale_colour(scale, value) + "\"/>";
   }
   const double step = axis.logarithmic ? 0.0 : tick_step(axis, b.width(), true);
   for (const double at : ticks_of(axis, b.width(), true)) {
@@ -492,6 +575,8 @@ std::string legend_svg(const Figure& figure, const Layout& layout) {
 }  // namespace
 
 std::string html(std::string_view content) {
+  if (is_plain_lines(content) && content.find_first_of("<>&\"'\n") == content.npos)
+    return std::string(content);
   std::string escaped;
   for (const char c : printable(content)) switch (c) {
       case '<':
@@ -543,7 +628,7 @@ std::string svg_style() {
   }
   return fmt::format(
       ":root{{{}}}\n@media screen and (prefers-color-scheme:dark){{:root{{{}}}}}\n"
-      "svg rect{{shape-rendering:crispEdges}}svg .pick{{fill:transparent}}"
+      "svg rect,.c{{shape-rendering:crispEdges}}svg .pick{{fill:transparent}}"
       "svg{{display:block;width:100%;height:auto;font-family:inherit;font-size:{}px}}\n"
       "svg text{{fill:var(--ink)}}svg .q{{fill:var(--quiet)}}svg .m{{text-anchor:middle}}"
       "svg .e{{text-anchor:end}}svg .b{{font-weight:600}}\n"

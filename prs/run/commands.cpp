@@ -82,26 +82,31 @@ void put_first(const std::vector<std::string>& values, std::vector<std::string>&
 }
 
 /// What `run` finds wrong with the case is reported where it stands.
+template <class R, class Run>
+Delivery delivered(const input::Source& source, const input::CaseInput& in, const Run& run,
+                   const Forms<R>& forms) {
+  R computed = input::compute_from(source, [&] { return run(source, in); });
+  put_first(in.warnings, warnings_of(computed));
+  std::vector<std::string> warnings = warnings_of(computed);
+  const auto result = std::make_shared<const R>(std::move(computed));
+  Delivery d{forms.file, [=](const DocumentInfo& info) { return forms.document(*result, info); },
+             [=] { return forms.table(*result); }, forms.notes(*result), std::move(warnings)};
+  if (forms.full_table) d.full_table = [=] { return forms.full_table(*result); };
+  if (forms.files) d.files = [=](const CsvStyle& style) { return forms.files(*result, style); };
+  if (forms.pictures)
+    d.pictures = [=, c = std::make_shared<const Case>(in.values)] {
+      return forms.pictures(*result, *c);
+    };
+  if (forms.without_figure) d.without_figure = forms.without_figure(*result);
+  if (forms.converged) d.converged = forms.converged(*result);
+  return d;
+}
+
 template <class R>
 CommandRow row(Command command, std::string_view help,
                R (*run)(const input::Source&, const input::CaseInput&), const Forms<R>& forms) {
   return {command, help, [=](const input::Source& source, const input::CaseInput& in) {
-            R computed = input::compute_from(source, [&] { return run(source, in); });
-            put_first(in.warnings, warnings_of(computed));
-            const auto result = std::make_shared<const R>(std::move(computed));
-            Delivery d{forms.file,
-                       [=](const DocumentInfo& info) { return forms.document(*result, info); },
-                       [=] { return forms.table(*result); }, forms.notes(*result)};
-            if (forms.full_table) d.full_table = [=] { return forms.full_table(*result); };
-            if (forms.files)
-              d.files = [=](const CsvStyle& style) { return forms.files(*result, style); };
-            if (forms.pictures)
-              d.pictures = [=, c = std::make_shared<const Case>(in.values)] {
-                return forms.pictures(*result, *c);
-              };
-            if (forms.without_figure) d.without_figure = forms.without_figure(*result);
-            if (forms.converged) d.converged = forms.converged(*result);
-            return d;
+            return delivered(source, in, run, forms);
           }};
 }
 
@@ -158,12 +163,14 @@ void warn_of_heat(const Case& c, std::vector<std::string>& warnings) {
         "takes the block `heat`");
 }
 
-Result run_solve(const input::Source&, const input::CaseInput& in) {
-  Result result = analyze(in.values);
+Result solved(const input::CaseInput& in, AnalysisOptions options) {
+  Result result = analyze(in.values, options);
   warn_of_heat(in.values, result.warnings);
   warn_of_preload(in.values, result.warnings);
   return result;
 }
+
+Result run_solve(const input::Source&, const input::CaseInput& in) { return solved(in, {}); }
 
 ModelComparison run_compare(const input::Source&, const input::CaseInput& in) {
   ModelComparison result = compare_models(in.values);
@@ -283,6 +290,17 @@ Pictures with_drawings(Pictures pictures, const Case& c, const Result& result) {
   return pictures;
 }
 
+Forms<Result> forms_of_solve() {
+  return {.file = "result.json",
+          .document = to_json,
+          .table = solve_text,
+          .notes = summary,
+          .files = solve_files,
+          .pictures = [](const Result& r,
+                         const Case& c) { return with_drawings(solve_pictures(r), c, r); },
+          .converged = all_converged};
+}
+
 const std::vector<CommandRow>& table() {
   static const std::vector<CommandRow> rows = {
       row<CheckResult>(
@@ -309,15 +327,7 @@ const std::vector<CommandRow>& table() {
                           const Case& c) { return with_drawings(contact_pictures(r), c, r); },
            .without_figure = contacts_without_figure}),
       row<Result>(Command::solve, "Load distribution, pressures, displacement and stiffness",
-                  run_solve,
-                  {.file = "result.json",
-                   .document = to_json,
-                   .table = solve_text,
-                   .notes = summary,
-                   .files = solve_files,
-                   .pictures = [](const Result& r,
-                                  const Case& c) { return with_drawings(solve_pictures(r), c, r); },
-                   .converged = all_converged}),
+                  run_solve, forms_of_solve()),
       row<ModelComparison>(
           Command::compare, "The models of the bodies side by side", run_compare,
           {.file = "comparison.json",
@@ -393,6 +403,14 @@ std::span<const CommandRow> commands() { return table(); }
 
 const CommandRow& row_of(Command command) {
   return *std::ranges::find(table(), command, &CommandRow::command);
+}
+
+Delivery run_solve(const input::Source& source, const input::CaseInput& in,
+                   AnalysisOptions options) {
+  const auto run = [&](const input::Source&, const input::CaseInput& of) {
+    return solved(of, options);
+  };
+  return delivered(source, in, run, forms_of_solve());
 }
 
 Delivery run(const CommandRow& row, const input::Source& source) {

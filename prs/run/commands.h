@@ -6,6 +6,7 @@
 
 #include "prs/input/reader.h"
 #include "prs/input/source.h"
+#include "prs/loads/analysis_options.h"
 #include "prs/model/command.h"
 #include "prs/run/delivery.h"
 
@@ -25,6 +26,10 @@ struct CommandRow {
 std::span<const CommandRow> commands();
 
 const CommandRow& row_of(Command command);
+
+/// `solve` by other means than those of its row, on a case that has all for it.
+Delivery run_solve(const input::Source& source, const input::CaseInput& in,
+                   AnalysisOptions options);
 
 /// Reads a case for a command and runs it. Throws InputError, also where the case lacks something.
 Delivery run(const CommandRow& row, const input::Source& source);

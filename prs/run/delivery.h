@@ -17,10 +17,12 @@ namespace prs {
 struct Delivery {
   std::string file;  ///< Name of the document in the output folder: `slip.json`.
   std::function<nlohmann::ordered_json(const DocumentInfo&)> document;
-  std::function<std::string()> table;   ///< On a terminal.
-  std::vector<std::string> notes = {};  ///< To whom the document is printed.
+  std::function<std::string()> table;      ///< On a terminal.
+  std::vector<std::string> notes = {};     ///< To whom the document is printed.
+  std::vector<std::string> warnings = {};  ///< On the whole input, as the document has them.
   std::function<std::vector<OutputFile>(const CsvStyle&)> files = {};  ///< Beside the document.
-  std::function<Pictures()> pictures = {};       ///< They may refer to what the other forms hold.
+  std::function<Pictures()> pictures = {};  ///< They may refer to what the other forms hold.
+  bool keeps_figures = false;  ///< As data in a file too, for reports that are made later.
   std::vector<std::string> without_figure = {};  ///< Why some are missing, a line each.
   bool converged = true;
   std::function<std::string()> full_table = {};  ///< With `--all`, where there is more.

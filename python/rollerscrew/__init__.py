@@ -9,7 +9,7 @@ from rollerscrew import records
 from rollerscrew._engine import InputError, schema
 from rollerscrew._engine import version as __version__
 from rollerscrew.cad import export_step
-from rollerscrew.case import Case
+from rollerscrew.case import Case, explore
 from rollerscrew.designs import Designs
 from rollerscrew.record import Record, Result, Values
 from rollerscrew.results import (
@@ -45,6 +45,7 @@ __all__ = [
     "StudyResult",
     "Values",
     "__version__",
+    "explore",
     "export_step",
     "records",
     "schema",

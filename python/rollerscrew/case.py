@@ -5,8 +5,11 @@ from __future__ import annotations
 import math
 import os
 import reprlib
+import tempfile
+import webbrowser
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
+from pathlib import Path
 from typing import Any, Self
 
 from rollerscrew import _engine
@@ -151,6 +154,21 @@ class Case:
         """
         folders = [results] if isinstance(results, str | os.PathLike) else results
         return self._case.report(_file_name(file), [_file_name(folder) for folder in folders])
+
+    def explore(
+        self,
+        file: str | os.PathLike[str] | None = None,
+        *,
+        results: str | os.PathLike[str] | Sequence[str | os.PathLike[str]] = (),
+    ) -> Path:
+        """Writes the page of `report` and opens it in the browser, where its sliders move values.
+
+        Without `file` into a new folder for temporary files. Returns where the page is.
+        """
+        page = Path(tempfile.mkdtemp(prefix="prs-")) / "case.html" if file is None else Path(file)
+        self.report(page, results=results)
+        webbrowser.open(page.resolve().as_uri())
+        return page
 
     def export_fmu(
         self,
@@ -304,3 +322,8 @@ def _overrides(values: Mapping[str, Any]) -> list[str]:
             "{'mechanism.rollers': 9}"
         )
     return [f"{checked_text('path', path)}={override_text(item)}" for path, item in values.items()]
+
+
+def explore(case: Case, file: str | os.PathLike[str] | None = None) -> Path:
+    """Writes the live page of a case and opens it in the browser: `Case.explore`."""
+    return case.explore(file)

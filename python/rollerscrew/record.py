@@ -14,6 +14,8 @@ from rollerscrew import _engine
 from rollerscrew.values import checked_text
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from matplotlib.axes import Axes
 
     from rollerscrew.case import Case
@@ -214,10 +216,21 @@ class Result(Record):
 
         That of a result which was read from JSON is its `resolved_input`.
         """
+        return self._own_case().report(file, results=results)
+
+    def explore(
+        self,
+        file: str | os.PathLike[str] | None = None,
+        *,
+        results: str | os.PathLike[str] | Sequence[str | os.PathLike[str]] = (),
+    ) -> Path:
+        """Writes that page and opens it in the browser: `Case.explore`."""
+        return self._own_case().explore(file, results=results)
+
+    def _own_case(self) -> Case:
         from rollerscrew.case import Case
 
-        case = self._case or Case(self.resolved_input.to_dict(), name=self.case_file)
-        return case.report(file, results=results)
+        return self._case or Case(self.resolved_input.to_dict(), name=self.case_file)
 
     def figures(self) -> list[dict[str, Any]]:
         """Descriptions of the pictures of the result, for `rollerscrew.plots.draw`.

@@ -292,7 +292,7 @@ def test_a_thread_is_looked_at(browser: Browser, page: Callable[..., Path]) -> N
     webdriver.ActionChains(browser.driver).move_to_element_with_offset(
         picture, -picture.rect["width"] / 2 + 3, 0
     ).click().perform()
-    assert number.get_attribute("value") == "1"
+    browser.wait("document.getElementById('thread-number').value === '1'")
 
 
 def test_hostile_names_stay_text(

@@ -77,3 +77,17 @@ def test_holds_what_the_case_answers(own_case: rs.Case, page: Page) -> None:
 def test_what_cannot_be_written_is_an_error(own_case: rs.Case, tmp_path: Path) -> None:
     with pytest.raises(RuntimeError, match=re.escape("cannot write")):
         own_case.report(tmp_path / "no folder" / "report.html")
+
+
+def test_explores_in_the_browser(
+    own_case: rs.Case, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    own = own_case.solve().explore(tmp_path / "own.html")
+    pages = [own, rs.explore(own_case)]
+    assert pages[0] == tmp_path / "own.html"
+    assert pages[1].parent.parent == tmp_path
+    assert opened == [page.as_uri() for page in pages]
+    assert own.read_text().startswith("<!DOCTYPE html>")

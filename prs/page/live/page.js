@@ -21,15 +21,15 @@ class Engine {
     this.worker.onerror = (event) => {
       event.preventDefault();
       const answer = { status: 1, messages: [`The engine stopped: ${event.message}`] };
-      for (const take of this.waiting.splice(0)) take(JSON.stringify(answer));
+      for (const take of this.waiting.splice(0)) take(answer);
     };
     this.worker.postMessage(element('engine').textContent);
   }
 
   ask(question) {
     return new Promise((resolve) => {
-      this.waiting.push((text) => resolve(JSON.parse(text)));
-      this.worker.postMessage(JSON.stringify(question));
+      this.waiting.push(resolve);
+      this.worker.postMessage(question);
     });
   }
 }
@@ -96,7 +96,13 @@ function keepStaleTiles(old, fresh) {
   }
 }
 
+/** Of the sections as they stand: what is the same again is not drawn again. */
+const shown = new Map();
+
 function showSection(id, html, quick) {
+  const told = `${id === 'verdict' && quick}${html}`;
+  if (shown.get(id) === told) return;
+  shown.set(id, told);
   const section = element(id);
   const body = section.querySelector('.body');
   const template = document.createElement('template');
@@ -361,6 +367,9 @@ globalThis.prs = {
 // Ready before the first slider moves.
 const idle = globalThis.requestIdleCallback ?? ((run) => setTimeout(run, 200));
 idle(() => {
-  quick.engine ??= new Engine();
+  if (!quick.engine) {
+    quick.engine = new Engine();
+    quick.engine.ask(reportQuestion({ quick: true }));
+  }
   complete.engine ??= new Engine();
 });

@@ -1,5 +1,5 @@
 // The engine in a worker. The first message is the module, gzipped, in base64; each further one a
-// question, whose answer is posted. `loadEngine` stands in prs/engine/engine.js.
+// question, whose answer is posted, both as objects. `loadEngine` stands in prs/engine/engine.js.
 
 async function start(text) {
   const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
@@ -16,9 +16,9 @@ onmessage = async ({ data }) => {
     return;
   }
   try {
-    postMessage((await engine)(data));
+    postMessage(JSON.parse((await engine)(JSON.stringify(data))));
   } catch (error) {
     const message = `The engine does not run in this browser: ${error.message}`;
-    postMessage(JSON.stringify({ status: 1, document: null, figures: [], messages: [message] }));
+    postMessage({ status: 1, document: null, figures: [], messages: [message] });
   }
 };

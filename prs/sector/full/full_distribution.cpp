@@ -308,9 +308,31 @@ struct FullSolver::Parts {
 
   fe::Equations equations;
   fe::NewtonSolver newton;
+  std::vector<fe::State> last = {};  ///< Solved before, the latest at the end.
+
+  /// The solved state that leaves least of the load, null where there is none.
+  const fe::State* nearest(const Eigen::VectorXd& load) const {
+    const fe::State* best = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd residual(equations.size());
+    for (const fe::State& state : last) {
+      equations.energy_and_residual(state, load, residual);
+      const double left = residual.cwiseAbs().maxCoeff();
+      if (left < least) {
+        least = left;
+        best = &state;
+      }
+    }
+    return best;
+  }
+  void keep(const fe::State& state) {
+    constexpr std::size_t kMost = 8;
+    if (last.size() == kMost) last.erase(last.begin());
+    last.push_back(state);
+  }
 };
 
-FullSolver::FullSolver() = default;
+FullSolver::FullSolver(FullStart start) : start_(start) {}
 FullSolver::~FullSolver() = default;
 FullSolver::FullSolver(FullSolver&&) noexcept = default;
 FullSolver& FullSolver::operator=(FullSolver&&) noexcept = default;
@@ -330,7 +352,9 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   d.freedoms = equations.size();
   fe::State q;
   const Eigen::VectorXd load = equations.load_vector(s.loads);
-  if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q))
+  if (const fe::State* near = parts_->nearest(load))
+    q = *near;
+  else if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q))
     q = fe::State(Eigen::VectorXd::Zero(equations.size()));  // The solver has more digits.
   fe::NewtonOptions options = newton_options(f);
   d.solve = solver.solve(load, options, q, [&] { return load_left(f, s) <= kSurelyNotHeld; });
@@ -345,6 +369,7 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   d.solve.history.insert(d.solve.history.begin(), {d.solve.energy, 1.0, 1.0, 0.0});
   if (d.solve.status == fe::NewtonStatus::no_equilibrium) d.reason = why_not_held(f, s);
   if (!d.solve.converged()) return d;
+  if (start_ == FullStart::neighbour) parts_->keep(q);
   Solution(f, s, equations, q).read(d);
   if (detail == Detail::complete) add_compliance(f, s, equations, solver, d);
   return d;

@@ -71,11 +71,18 @@ std::optional<FullDistribution> mechanism(const FullModel& model, const FullStru
 /// screw's end belongs to Detail::complete.
 FullDistribution solve(const FullModel& model, Detail detail = Detail::complete);
 
+/// Where the iteration of one model after the other begins.
+enum class FullStart {
+  linear,    ///< As if each were the first: no answer depends on those before.
+  neighbour  ///< The nearest of the last states: fewer iterations to the same loads, within the
+             ///< tolerance of Newton's method.
+};
+
 /// `solve` for one model after the other: those that differ in numbers only share the numbering,
-/// the pattern and its symbolic factorization. No answer depends on those before.
+/// the pattern and its symbolic factorization.
 class FullSolver {
  public:
-  FullSolver();
+  explicit FullSolver(FullStart start = FullStart::linear);
   ~FullSolver();
   FullSolver(FullSolver&&) noexcept;
   FullSolver& operator=(FullSolver&&) noexcept;
@@ -84,6 +91,7 @@ class FullSolver {
 
  private:
   struct Parts;
+  FullStart start_;
   std::unique_ptr<Parts> parts_;
 };
 

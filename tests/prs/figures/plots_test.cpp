@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <array>
-
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "prs/figures/figure_json.h"
 #include "prs/output/files.h"
@@ -156,6 +157,32 @@ TEST(Figures, DescriptionsStateUnitsAndLeaveOutDefaults) {
   for (const auto& [key, value] : json.items()) EXPECT_TRUE(schema["properties"].contains(key));
   for (const auto& [key, value] : json["panels"][0].items())
     EXPECT_TRUE(schema["$defs"]["panel"]["properties"].contains(key)) << key;
+}
+
+TEST(Figures, AreReadBackFromTheirFile) {
+  Figure figure{"all", "All", {"Force", "kN", 0.0, kFree}, {"Share", "", kFree, kFree, true}, 2};
+  figure.colours = ColourScale{"z", "um", 1.0, 3.0, {1.0, 2.0, 3.0}, true, true};
+  figure.x.ticks = {{1.0, "one"}, {2.0}};
+  figure.to_scale = true;
+  Panel& panel = figure.panels.emplace_back();
+  panel.series.push_back({figure.add("arrows", arrows_of(Colour::bad)),
+                          {{{0.1, 1.0 / 3.0}, {kFree, 2.0}}, {{1e-30, -2.5}}},
+                          {1.0, kFree}});
+  panel.references.push_back({figure.add(line_of(Colour::reference, Dash::dotted)), 2.0, true});
+  panel.labels.push_back({"here", 0.5, 0.25, true, Label::Anchor::right});
+  panel.y = Axis{"own"};
+  panel.map = {{{0, 1}, {0, 1, 2}, {1, 2, 3, 4, 5, kFree}}, true};
+  figure.panels.emplace_back().surface = Surface{panel.map.grid, {"z"}, {{"top", 1, 2, 3}}};
+  const std::string text = figures_text({figure});
+  const Figures again = figures_of(text);
+  ASSERT_EQ(again.size(), 1u);
+  EXPECT_EQ(figures_text(again), text);
+  EXPECT_EQ(to_json(again)[0]["panels"][0]["labels"], to_json(figure)["panels"][0]["labels"]);
+  EXPECT_TRUE(std::isnan(again[0].panels[0].map.grid.at(1, 2)));
+  EXPECT_EQ(again[0].panels[0].series[0].parts[0][0][1], 0.3333333);
+  for (const std::string wrong : {"", "{}", "[{}]", "[1]"}) EXPECT_TRUE(figures_of(wrong).empty());
+  EXPECT_TRUE(
+      figures_of(std::regex_replace(text, std::regex("\"style\":1"), "\"style\":9")).empty());
 }
 
 TEST(Figures, MoreConfigurationsThanStylesAreLimited) {

@@ -6,6 +6,7 @@
 #include <regex>
 #include <set>
 
+#include "prs/output/figure_layout.h"
 #include "prs/page/page.h"
 #include "prs/report/svg.h"
 #include "prs/report/tables.h"
@@ -16,6 +17,7 @@
 namespace prs {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -181,7 +183,8 @@ TEST(ReportCommand, ShowsTheStudyOfTheSameCase) {
               0);
     return test::content_of(folder.path() / "page.html");
   };
-  EXPECT_THAT(page(""), HasSubstr("download=\"derivatives.csv\""));
+  EXPECT_THAT(page(""), AllOf(HasSubstr("download=\"derivatives.csv\""),
+                              HasSubstr("data-figure=\"derivatives_01_"), Not(HasSubstr("<img"))));
   EXPECT_THAT(page(" --set mechanism.rollers=8"), Not(HasSubstr("derivatives.csv\"")));
 }
 
@@ -201,6 +204,27 @@ TEST(ReportCommand, FoldersOfResultsThatHaveNoneAreTold) {
   EXPECT_EQ(empty.status, 0);
   EXPECT_THAT(empty.err, HasSubstr("--results: empty has no study or optimization of this case"));
   EXPECT_EQ(test::run_prs("explore x.yaml --output ''", folder.path()).status, 2);
+}
+
+TEST(Svg, DrawsLargeMapsNoFinerThanAScreen) {
+  const auto map_of = [](std::size_t nodes) {
+    Figure figure{"map", "Map", {"x"}, {"y"}};
+    figure.colours = ColourScale{"z", "", 0.0, 2.0};
+    GridData& grid = figure.panels.emplace_back().map.grid;
+    for (std::size_t k = 0; k < nodes; ++k) {
+      grid.x.push_back(static_cast<double>(k) / static_cast<double>(nodes - 1));
+      grid.y.push_back(grid.x.back());
+    }
+    for (const double x : grid.x)
+      for (const double y : grid.y) grid.values.push_back(x + y);
+    return svg(figure, "m");
+  };
+  const std::string coarse = map_of(3), fine = map_of(1200);
+  EXPECT_LT(fine.size(), 400'000u);
+  for (const char* end :
+       {kScaleColours[0].data(), kScaleColours[std::size(kScaleColours) - 1].data()})
+    for (const std::string& drawn : {coarse, fine})
+      EXPECT_THAT(drawn, HasSubstr(std::string("class=\"c\" fill=\"") + end));
 }
 
 TEST(Svg, DrawsEachKindOfPart) {

@@ -367,6 +367,26 @@ TEST(FullMechanism, UnderAnAxialForceATurnIsOnePosition) {
   }
 }
 
+TEST(FullMechanism, ANeighbourToStartFromSavesIterationsAndChangesNothing) {
+  const Case c = with_a_thick_roller(20e-6);
+  FullSolver near(FullStart::neighbour), far;
+  std::size_t iterations_near = 0, iterations_far = 0;
+  LoadCase load = c.load_cases[0];
+  for (int k = 0; k < 8; ++k) {
+    load.axial_force = c.load_cases[0].axial_force * (1.0 - 0.02 * k);
+    load.spatial.nut_tilt.z = 1e-5 * k;
+    const FullModel f = model_of(c, load);
+    const FullDistribution a = near.solve(f), b = far.solve(f);
+    ASSERT_TRUE(a.solve.converged() && b.solve.converged());
+    iterations_near += a.solve.history.size();
+    iterations_far += b.solve.history.size();
+    EXPECT_NEAR(a.axial_displacement, b.axial_displacement, 1e-10 * b.axial_displacement);
+    for (const Interface i : kInterfaces)
+      EXPECT_LT(largest_difference(a.normal_load[i], b.normal_load[i]), 1e-9 * load.axial_force);
+  }
+  EXPECT_LT(iterations_near, iterations_far);
+}
+
 /// What only seems to turn with the carrier, by the same with a force too small to count.
 TEST(FullMechanism, ATurnIsOnePositionWhereNothingElseHasAnAzimuth) {
   Case c = with_a_thick_roller(5e-6);
