@@ -158,6 +158,8 @@ def response_page(schema: dict) -> str:
     text = (
         "# Responses\n\nThe numbers of results that studies and optimizations record, by their "
         "paths. Of a series of threads `.max`, `.min`, `.mean` or `[k]`, from 0, is one number. "
+        "A thread that is open, and each of a missing roller, has load and pressure 0 and counts: "
+        "`.min` is 0 then, and `.mean` is that of all. "
         "`load_cases[1].` before a path means the second load case; without it, the first.\n\n"
     )
     for place in schema["documents"]:

@@ -242,7 +242,7 @@ void add_validate(CLI::App& command, Options&) {
   add_validate_options(command, unused);
 }
 
-/// A command of a case beside its row of `prs::commands()`.
+/// A command of a case next to its row of `prs::commands()`.
 struct CaseRow {
   Command command;
   const char* group;

@@ -172,7 +172,7 @@ std::string content_of_file(const fs::path& file) {
   return input::load_source(file.string(), {}).text;
 }
 
-/// The lesson, and beside it the files that it reads.
+/// The lesson, and next to it the files that it reads.
 void copy_lesson(const Lesson& lesson, const fs::path& file) {
   const std::vector<std::string> names = companions(lesson);
   refuse_existing(file);

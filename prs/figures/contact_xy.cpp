@@ -73,7 +73,7 @@ void add_circle_styles(Figure& figure) {
 
 std::size_t style_of(Part part) { return static_cast<std::size_t>(part); }
 
-/// Names the contact point beside its mark, on the roller and above the lines.
+/// Names the contact point next to its mark, on the roller and above the lines.
 Label mark_label(const Contacts& contacts, Interface i, double distance) {
   const auto [x, y] = contact_mm(contacts, i);
   const double up = distance * per_si::millimetre;

@@ -381,7 +381,7 @@ Json figure_schema() {
   Json schema = object(
       {{"name", text},
        {"title", text},
-       {"columns", type("integer", "panels beside each other, filled row by row")},
+       {"columns", type("integer", "panels side by side, filled row by row")},
        {"aspect", type("number", "height of a panel over its width")},
        {"overview", type("number",
                          "the first panel fills the first column, so many times as wide "

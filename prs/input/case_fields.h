@@ -767,7 +767,7 @@ template <class Io>
 void fields(Io& io, Lubricant& l) {
   const Quantity stress{unit::pressure, positive};
   io.field("name", l.name, Listed{"prs list lubricants"}, optional,
-           "Stands for the values of a known lubricant; keys beside it replace single ones");
+           "Stands for the values of a known lubricant; keys next to it replace single ones");
   io.field("temperature", l.temperature, Quantity{unit::temperature, positive}, optional,
            "In operation");
 

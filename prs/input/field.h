@@ -84,10 +84,13 @@ struct Quantity {
   Bounds bounds = unbounded;
 };
 
-/// `rigid`, `free` where that is allowed, or a stiffness > 0.
+/// `rigid`, `free` where that is allowed, or a stiffness. One below `least` holds nothing: a
+/// newton moves it by a kilometre, and displacements of microns drown in it.
 struct Held {
   const Dimension& dimension;
   bool may_be_free = false;
+
+  static constexpr Bounds least{.least = 1e-3};  ///< [N/m], [N m/rad]
 };
 
 /// `0.3`, without dimension

@@ -65,8 +65,8 @@ Wanted wanted(T&, const Quantity& q) {
 }
 template <class T>
 Wanted wanted(T&, const Held& h) {
-  return {fmt::format("rigid{} or {} > 0 with its unit", h.may_be_free ? ", free" : "",
-                      h.dimension.name),
+  return {fmt::format("rigid{} or {}{} with its unit", h.may_be_free ? ", free" : "",
+                      h.dimension.name, text_of_bounds(h.least, Quantity{h.dimension, h.least})),
           std::string(h.dimension.example)};
 }
 template <class T>
@@ -264,7 +264,8 @@ void read(const Written& w, double& value, const Held& held) {
     return;
   }
   const ParsedQuantity parsed = parse_quantity(w.node.text, held.dimension);
-  if (!parsed.value || !(*parsed.value > 0.0)) return w.refuse(wanted(value, held), parsed.hint);
+  if (!parsed.value || !held.least.contain(*parsed.value))
+    return w.refuse(wanted(value, held), parsed.hint);
   value = *parsed.value;
 }
 
@@ -397,12 +398,32 @@ void read(const Written& w, T& value, const Each<Kind>& kind) {
   read_map(w, value, kind);
 }
 
+/// Of a map that names two alternatives, or one next to the key that chooses.
+bool refuse_second_choice(const Written& w, const ChoiceNames& names, const Wanted& choice,
+                          std::string_view key) {
+  const Node* first = nullptr;
+  for (const Node& child : w.node.children) {
+    const auto is = [&](std::string_view name) { return name == child.key; };
+    if (!is(key) && std::ranges::none_of(names.words, is) && std::ranges::none_of(names.keys, is))
+      continue;
+    if (first) {
+      w.errors.add(child.key_place, join(w.path, child.key),
+                   fmt::format("stands next to `{}`; expected one of {}; delete one of the two",
+                               first->key, choice.what));
+      return true;
+    }
+    first = &child;
+  }
+  return false;
+}
+
 template <class T>
 void read(const Written& w, T& value, const ChoiceUnder& kind) {
   const bool bare = w.node.kind == Node::Kind::map && w.node.children.size() == 1 &&
                     w.node.children[0].key != kind.key;
   if (bare) return read(w, value, Choice{});
-  read_map(w, value, kind);
+  if (!refuse_second_choice(w, names_of(value), wanted(value, Choice{}), kind.key))
+    read_map(w, value, kind);
 }
 
 template <class T, class Kind>

@@ -42,7 +42,7 @@ Json schema_of(T& value, const Held& held) {
   Json words = Json::array({"rigid"});
   if (held.may_be_free) words.push_back("free");
   return {{"oneOf", Json::array({Json{{"enum", words}},
-                                 schema_of(value, Quantity{held.dimension, positive})})}};
+                                 schema_of(value, Quantity{held.dimension, held.least})})}};
 }
 
 template <class T>

@@ -70,7 +70,7 @@ class SlotFinder : public Visitor {
     if (path_.ends()) add(value, &q.dimension, q.bounds);
   }
   void find(double& value, const Held& held) const {
-    if (path_.ends()) add(value, &held.dimension, positive);
+    if (path_.ends()) add(value, &held.dimension, held.least);
   }
   void find(double& value, const Number& n) const {
     if (path_.ends()) add(value, nullptr, n.bounds);

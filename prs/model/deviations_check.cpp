@@ -16,8 +16,10 @@ void check_pitch_error(const PitchError& e, Part part, const Mechanism& m, Probl
   const auto contacts = static_cast<std::size_t>(m.contacts_per_roller);
   if (!e.list.empty() && e.list.size() != contacts)
     problems.add(path() + ".list",
-                 fmt::format("got {} values; expected {}, one per contact of a roller",
-                             e.list.size(), contacts));
+                 fmt::format("got {} value{}; expected {}, one per contact of a roller; {}",
+                             e.list.size(), e.list.size() == 1 ? "" : "s", contacts,
+                             e.list.size() < contacts ? "add the others, 0 where nothing deviates"
+                                                      : "delete the others"));
   double largest = std::max(std::abs(e.linear), e.periodic ? std::abs(e.periodic->amplitude) : 0.0);
   for (const double value : e.list) largest = std::max(largest, std::abs(value));
   if (largest > kMostDeviation * axial_pitch(m))
@@ -31,9 +33,10 @@ void check_pitch_error(const PitchError& e, Part part, const Mechanism& m, Probl
 void check_offset(const char* path, double offset, const Mechanism& m, Problems& problems) {
   const double most = kMostDeviation * axial_pitch(m);
   if (std::abs(offset) > most)
-    problems.add(path, fmt::format("got {}; expected at most {}, a quarter of the pitch; check "
-                                   "the unit",
-                                   mm(offset), mm(most)));
+    problems.add(path,
+                 fmt::format("got {}; expected at most {} either way, a quarter of the pitch; "
+                             "check the unit",
+                             mm(offset), mm(most)));
 }
 
 void check_deviations(const Case& c, Problems& problems) {

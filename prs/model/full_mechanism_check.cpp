@@ -56,11 +56,11 @@ void refuse_in_sector(const Case& c, Problems& problems) {
 void check_list(std::string path, std::size_t size, int wanted, std::string_view of,
                 Problems& problems) {
   if (size != 0 && size != static_cast<std::size_t>(wanted))
-    problems.add(std::move(path),
-                 fmt::format("got {} values; expected {}, one for each {}; {}", size, wanted, of,
-                             size < static_cast<std::size_t>(wanted)
-                                 ? "add the others, 0 where nothing deviates"
-                                 : "delete the others"));
+    problems.add(std::move(path), fmt::format("got {} value{}; expected {}, one for each {}; {}",
+                                              size, size == 1 ? "" : "s", wanted, of,
+                                              size < static_cast<std::size_t>(wanted)
+                                                  ? "add the others, 0 where nothing deviates"
+                                                  : "delete the others"));
 }
 
 void check_lists(const Case& c, Problems& problems) {
@@ -129,6 +129,41 @@ void check_missing_rollers(const Case& c, Problems& problems) {
   };
   for (const LoadCase& load : c.load_cases) refuse_equal(load.share, load.input_path + ".share");
   if (c.life) refuse_equal(c.life->share, "life.share");
+}
+
+/// Loads and places that only an equilibrium can follow.
+void check_equal_shares(const Case& c, Problems& problems) {
+  const SpatialLoad none;
+  for (const LoadCase& load : c.load_cases) {
+    if (load.share != LoadCase::Share::equal || load.spatial == none) continue;
+    const SpatialLoad& s = load.spatial;
+    const auto refuse = [&](bool stands, std::string_view key) {
+      if (stands)
+        problems.add(fmt::format("{}.{}", load.input_path, key),
+                     "stands with `share: equal`, which has all rollers carry alike; expected no "
+                     "such key there; delete it, or delete `share`");
+    };
+    refuse(s.side_force.value != Lateral{}, "side_force");
+    refuse(s.moment.value != Lateral{}, "moment");
+    refuse(s.eccentricity != Lateral{}, "eccentricity");
+    refuse(s.nut_tilt != Lateral{} || s.nut_offset != Lateral{}, "misalignment");
+    refuse(s.orbit.has_value(), "orbit");
+  }
+}
+
+/// Two that hold the same section rigidly: which of both takes the load, nothing says.
+void check_bearings(const std::vector<Bearing>& bearings, double same_place, Problems& problems) {
+  for (std::size_t k = 0; k < bearings.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i) {
+      const Bearing &a = bearings[i], &b = bearings[k];
+      const bool both_hold =
+          (a.lateral == kRigid && b.lateral == kRigid) || (a.tilt == kRigid && b.tilt == kRigid);
+      if (both_hold && std::abs(a.position - b.position) <= same_place)
+        problems.add(fmt::format("structure.screw.bearings[{}].position", k),
+                     fmt::format("got {}, where bearings[{}] is rigid too; expected one rigid "
+                                 "bearing at a place; move it, or delete one of the two",
+                                 mm(b.position), i));
+    }
 }
 
 /// Rotations for which sin(x) = x holds within 0.13 %, as the model takes it [rad].
@@ -207,11 +242,14 @@ void check_full_mechanism(const Case& c, Problems& problems) {
                  "got helical with `bodies: influence`, bodies of revolution whose ridges have no "
                  "lead; expected equal; delete it, or take `bodies: refined`");
   if (c.mechanism.rollers < 2)
-    problems.add("mechanism.rollers", fmt::format("got {}; expected at least 2 with `mechanism: "
-                                                  "full`",
-                                                  c.mechanism.rollers));
+    problems.add(
+        "mechanism.rollers",
+        fmt::format("got {}; expected at least 2 with `mechanism: full`; add rollers, or write "
+                    "`mechanism: sector`",
+                    c.mechanism.rollers));
   check_lists(c, problems);
   check_missing_rollers(c, problems);
+  check_equal_shares(c, problems);
   check_small_motions(c, problems);
   if (!c.structure) return;
   const Rings& rings = c.structure->roller.rings;
@@ -221,6 +259,7 @@ void check_full_mechanism(const Case& c, Problems& problems) {
                  "got rings that move with a part and rollers that stay straight; expected `rings: "
                  "housing` with `model.roller: rigid_bending`");
   check_places(c, problems);
+  check_bearings(c.structure->screw.bearings, kSamePlace * c.structure->nut.length, problems);
 }
 
 }  // namespace prs

@@ -65,6 +65,12 @@ void check_preloaded_life(const Case& c, Problems& problems) {
 /// The load case whose side loads act together with the forces of `life`.
 void check_load_case_of_life(const Case& c, Problems& problems) {
   if (!c.life->load_case || c.model.mechanism == ModelOptions::Mechanism::sector) return;
+  if (c.life->share == LoadCase::Share::equal) {
+    problems.add("life.load_case",
+                 "stands with `share: equal`, which has all rollers carry alike; expected no such "
+                 "key there; delete it, or delete `share`");
+    return;
+  }
   std::string names;
   for (const LoadCase& load : c.load_cases) {
     if (load.share == LoadCase::Share::equal) continue;

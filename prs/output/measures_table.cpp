@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kTitleWidth = 62;
 constexpr std::size_t kCellWidth = 16;
-constexpr std::size_t kMostCases = 3;  ///< That fit beside each other.
+constexpr std::size_t kMostCases = 3;  ///< That fit side by side.
 
 /// Five digits, of large numbers all before the point.
 std::string five_digits(std::optional<double> shown) {
@@ -52,7 +52,7 @@ std::vector<std::string_view> groups_of() {
   return groups;
 }
 
-/// Numbers and words group by group, `owners` beside each other; what none of them has is left out.
+/// Numbers and words group by group, `owners` side by side; what none of them has is left out.
 template <class Owner>
 std::string group_rows(std::span<const std::optional<Owner>> owners) {
   std::string text;

@@ -81,7 +81,7 @@ Json constraints_json(const OptimizationResult& result, const EvaluatedDesign& d
   return list;
 }
 
-/// With what a reader wants of it beside the file's own design.
+/// With what a reader wants of it next to the file's own design.
 Json chosen_json(const OptimizationResult& result, std::size_t index) {
   const Optimization& optimization = result.optimization;
   const EvaluatedDesign& design = result.design(index);

@@ -157,7 +157,7 @@ bool lock(const FileDescriptor& folder) {
   return false;
 }
 
-/// Whether a command's results stay beside those of another case.
+/// Whether a command's results stay next to those of another case.
 bool takes_long(std::string_view command) { return command == "study" || command == "optimize"; }
 
 /// Path of a file below a folder; empty where it stands elsewhere.

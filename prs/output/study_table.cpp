@@ -59,7 +59,7 @@ struct Columns {
   std::size_t value_width = 0;
 };
 
-/// The responses that fit beside the values.
+/// The responses that fit next to the values.
 Columns columns_of(const StudyResult& result) {
   Columns columns;
   columns.value_width = width(kBaseMark);

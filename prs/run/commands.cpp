@@ -136,7 +136,7 @@ CheckResult run_check(const input::Source& source, const input::CaseInput& in) {
   Result& geometry = result.geometry;
   geometry.contacts = find_contacts(c.mechanism, c.materials);
   geometry.warnings = geometry_warnings(c, geometry.contacts, c.load_cases);
-  // What odd values bring about is not told besides.
+  // What odd values bring about is not told again.
   if (in.warnings.empty()) warn_of_largest_load(c, geometry);
   if (std::optional<std::string> note = unknown_film_ratio(c))
     geometry.warnings.push_back(std::move(*note));

@@ -255,7 +255,7 @@ class Evaluator {
     const std::optional<MapPlace> place = place_of(point, read.reason);
     if (!place) return read;
     if (std::isnan(value(*place))) {
-      read.reason = "a design there or beside it has no envelope";
+      read.reason = "a design there or next to it has no envelope";
       return read;
     }
     read.place = *place;

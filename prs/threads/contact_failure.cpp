@@ -33,7 +33,7 @@ std::string without_hertz(contact::HertzStatus status) {
     case contact::HertzStatus::no_point_contact:
       return "the smaller relative curvature is zero, which gives a line contact";
     case contact::HertzStatus::conforming_surface:
-      return "the smaller relative curvature is negative: the surfaces overlap beside the point";
+      return "the smaller relative curvature is negative: the surfaces overlap next to the point";
     default:
       return fmt::format("the contact cannot be computed ({})", contact::name(status));
   }

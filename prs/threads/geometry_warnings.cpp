@@ -106,6 +106,20 @@ void warn_of_speeds(const Conditions& c, const Mechanism& m, std::span<const Loa
   }
 }
 
+void warn_of_free_bearings(const Structure& s, std::vector<std::string>& warnings) {
+  const auto warn = [&](std::size_t k, const char* key, const char* free) {
+    warnings.push_back(fmt::format(
+        "structure.screw.bearings[{}].{}: has no effect with `{}: free`; write `{}: rigid` or a "
+        "stiffness",
+        k, key, free, free));
+  };
+  for (std::size_t k = 0; k < s.screw.bearings.size(); ++k) {
+    const Bearing& b = s.screw.bearings[k];
+    if (b.lateral == 0.0 && b.offset != Lateral{}) warn(k, "offset", "lateral");
+    if (b.tilt == 0.0 && b.angle != Lateral{}) warn(k, "angle", "tilt");
+  }
+}
+
 /// A face of the nut that looks the way that the load pushes the nut can only be pulled.
 void warn_of_pulled_faces(const Conditions& c, std::span<const LoadCase> loads,
                           std::vector<std::string>& warnings) {
@@ -131,6 +145,7 @@ std::vector<std::string> geometry_warnings(const Conditions& c, const Contacts& 
   std::vector<std::string> warnings = contacts.warnings;
   warn_of_pitch_cylinders(contacts.threads, warnings);
   warn_of_proportions(c, contacts.mechanism, warnings);
+  if (c.structure) warn_of_free_bearings(*c.structure, warnings);
   warn_of_pulled_faces(c, loads, warnings);
   warn_of_speeds(c, contacts.mechanism, loads, warnings);
   return warnings;

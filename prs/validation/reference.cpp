@@ -98,7 +98,7 @@ PrintedValue read_value(const Node& node, ErrorList& errors) {
   if (const Node* corrected = input::find(node, "corrected")) {
     value.corrected = printed_number(node, "corrected", errors);
     if (value.differs.empty())
-      errors.add(corrected->key_place, "corrected", "expected `differs` beside it: say why");
+      errors.add(corrected->key_place, "corrected", "expected `differs` next to it: say why");
   }
   return value;
 }

@@ -261,7 +261,7 @@ class _Column:
     @classmethod
     def _of_values(cls, path: str, values: list[Any], unit: str) -> _Column:
         if unit:
-            raise TypeError(f"{path}: expected numbers beside the unit {unit!r}")
+            raise TypeError(f"{path}: expected numbers next to the unit {unit!r}")
         values = [plain(value) for value in values]
         texts = [override_text(value) for value in values]
         place = {text: k for k, text in enumerate(dict.fromkeys(texts))}

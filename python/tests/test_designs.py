@@ -291,7 +291,7 @@ WRONG_INPUTS: dict[str, tuple[Any, type[Exception], str]] = {
     "no unit": ({FORCE: [10.5, 20.5]}, rs.InputError, "write the unit"),
     "another dimension": ({FORCE: ([10.5, 20.5], "mm")}, rs.InputError, "unit of a length"),
     "no such unit": ({FORCE: ([10.5, 20.5], "bananas")}, rs.InputError, "not a known unit"),
-    "texts with unit": ({FORCE: (["10", "20"], "kN")}, TypeError, "numbers beside the unit 'kN'"),
+    "texts with unit": ({FORCE: (["10", "20"], "kN")}, TypeError, "numbers next to the unit 'kN'"),
     "path": ({"mechanism.rolers": [9]}, rs.InputError, "did you mean `rollers`"),
     "empty path": ({"": [9]}, rs.InputError, "path"),
     "path that is no text": ({5: [9]}, TypeError, "path: got 5; expected a text"),

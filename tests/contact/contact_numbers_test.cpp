@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "contact/hertz.h"
@@ -126,8 +125,6 @@ TEST(ContactNumbers, EveryInstructionSetFindsTheContactsOfOneMechanism) {
     }
     EXPECT_GT(sound, mechanisms.size() / 2);
     EXPECT_GT(contacts, sound / 2);
-    std::printf("%s: geometry %.1e, curvature %.1e, hertz %.1e\n",
-                std::string(simd::name(set)).c_str(), worst.geometry, worst.curvature, worst.hertz);
     EXPECT_LT(worst.geometry, 1e-13) << simd::name(set);
     EXPECT_LT(worst.curvature, 1e-13) << simd::name(set);
     EXPECT_LT(worst.hertz, 1e-13) << simd::name(set);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <set>
 #include <string>
@@ -205,8 +204,7 @@ TEST(DesignColumns, GiveTheRowsOfTheScalarChain) {
     }
     if (HasFailure()) return;
   }
-  std::printf("%zu rows, %zu refused, largest relative difference %.1e\n", converged, refused,
-              worst);
+  RecordProperty("largest_relative_difference", fmt::format("{:.1e}", worst));
   if (!test::sanitized()) {
     EXPECT_EQ(kinds.size(), 16U);
   }

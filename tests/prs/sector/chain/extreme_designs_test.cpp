@@ -1,8 +1,8 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <random>
 #include <string>
 
@@ -75,8 +75,9 @@ TEST(ExtremeDesigns, StudiesAgreeWithSolves) {
     expect_agreement(SectorSolver(sector).solve(force), study(c, sector, force),
                      "design " + std::to_string(k), worst);
   }
-  std::printf("worst differences: load %.1e, displacement %.1e, tangent %.1e\n", worst.load,
-              worst.displacement, worst.tangent);
+  RecordProperty("worst_differences",
+                 fmt::format("load {:.1e}, displacement {:.1e}, tangent {:.1e}", worst.load,
+                             worst.displacement, worst.tangent));
 }
 
 TEST(ExtremeDesigns, SoftRingsConverge) {

@@ -504,6 +504,18 @@ TEST(FullMechanism, BearingsThatPushAgainstEachOtherAreToldOf) {
               testing::Not(testing::Contains(HasSubstr("push against each other"))));
 }
 
+TEST(FullMechanism, WhatAFreeBearingDoesNotHoldIsToldOf) {
+  Case c = symmetric_case();
+  const double first = *c.load_cases[0].position - c.structure->screw.free_length;
+  c.structure->screw.bearings = {{first, kRigid, 0.0, {1e-6, 0.0}, {0.0, 1e-3}}};
+  EXPECT_THAT(analyze(c).warnings,
+              testing::Contains(HasSubstr("bearings[0].angle: has no effect with `tilt: free`")));
+  c.structure->screw.bearings = {{first, 0.0, kRigid, {1e-6, 0.0}, {0.0, 1e-3}}};
+  const std::vector<std::string> warnings = analyze(c).warnings;
+  EXPECT_THAT(warnings, testing::Contains(HasSubstr("bearings[0].offset: has no effect")));
+  EXPECT_THAT(warnings, testing::Not(testing::Contains(HasSubstr("bearings[0].angle"))));
+}
+
 TEST(FullMechanism, MoreAxialForceHoldsASideForce) {
   Case c = symmetric_case();
   c.load_cases[0].spatial.side_force.value = {60e3, 0.0};
