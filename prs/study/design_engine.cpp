@@ -563,7 +563,8 @@ struct DesignEngine::Parts {
     for (std::size_t row = from; row < to; ++row) {
       DesignStatus status = status_after([&]() -> DesignStatus {
         Case& c = read(worker.reader, row);
-        if (c.model.bodies == Bodies::influence || c.model.mechanism == ModelOptions::Mechanism::full)
+        if (c.model.bodies == Bodies::influence ||
+            c.model.mechanism == ModelOptions::Mechanism::full)
           return answer(c, worker, row_of(block, row));
         Pending& design = at(batch.designs, designs);
         design.set(row, c, load_cases, measures());
