@@ -60,15 +60,20 @@ void append_bytes(std::string& bytes, const std::optional<T>& value) {
 }
 
 /// compute(given), kept under the bytes of what it is given; being a plain function it sees nothing
-/// else. The number in the key grows when the same numbers give other matrices.
+/// else. `fits` says which matrices it can be. The number in the key grows when the same numbers
+/// give other matrices.
 template <class Given>
-std::shared_ptr<const MatrixCache::Matrices> cached(
-    MatrixCache& cache, std::string_view what, const Given& given,
-    MatrixCache::Matrices (*compute)(const Given&)) {
+std::shared_ptr<const MatrixCache::Matrices> cached(MatrixCache& cache, std::string_view what,
+                                                    const Given& given,
+                                                    MatrixCache::Matrices (*compute)(const Given&),
+                                                    bool (*fits)(const Given&,
+                                                                 const MatrixCache::Matrices&)) {
   std::string key = "flexibility 3 ";
   key += what;
   append_bytes(key, given);
-  return cache.get(key, [&] { return compute(given); });
+  return cache.get(
+      key, [&] { return compute(given); },
+      [&](const MatrixCache::Matrices& matrices) { return fits(given, matrices); });
 }
 
 }  // namespace prs

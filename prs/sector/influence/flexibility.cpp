@@ -122,6 +122,12 @@ void add_teeth(Flexibility& f, const Teeth& teeth, bool centred, MatrixCache& ca
   f.half_space = of_teeth.half_space[0];
 }
 
+/// One number for each two flanks.
+bool is_square(const LoadedBody& b, const MatrixCache::Matrices& m) {
+  const auto flanks = static_cast<Index>(b.flanks.size());
+  return have_sizes(m, {{flanks, flanks}});
+}
+
 /// Held where it starts.
 MatrixCache::Matrices held_at_start(const LoadedBody& b) {
   const GroovedBody body = b.meshed();
@@ -220,7 +226,8 @@ Flexibility screw_flexibility(const BodyGeometry& b, Direction direction,
                               const FlexibilityOptions& options, MatrixCache& cache) {
   Flexibility f;
   f.matrix = b.rollers *
-             cached(cache, "screw", loaded_screw(b, direction, options), held_at_start)->front();
+             cached(cache, "screw", loaded_screw(b, direction, options), held_at_start, is_square)
+                 ->front();
   add_teeth(f, teeth_of(b, Part::screw, direction, options), false, cache);
   return f;
 }
@@ -250,6 +257,13 @@ MatrixCache::Matrices on_shoulder(const HeldNut& nut) {
   const bool on_face = !body.free_face(nut.thrust).empty();
   const ThrustFace t = thrust_face(body, nut.body.material, held_nodes(body, nut));
   return {t.nodes, t.coupling, t.loads, t.resultants, Eigen::MatrixXd::Constant(1, 1, on_face)};
+}
+
+bool is_on_shoulder(const HeldNut& nut, const MatrixCache::Matrices& m) {
+  const auto flanks = static_cast<Index>(nut.body.flanks.size());
+  const Index nodes = m.empty() ? 0 : m.front().rows();
+  return nodes > 0 &&
+         have_sizes(m, {{nodes, nodes}, {nodes, flanks}, {flanks, flanks}, {flanks, 1}, {1, 1}});
 }
 
 }  // namespace
@@ -283,7 +297,7 @@ HeldNut held_nut(const BodyGeometry& b, Direction direction, double position,
 Flexibility nut_flexibility(const BodyGeometry& b, Direction direction, double position,
                             const FlexibilityOptions& options, MatrixCache& cache) {
   const HeldNut held = held_nut(b, direction, position, options);
-  const auto whole = cached(cache, "nut", held, on_shoulder);
+  const auto whole = cached(cache, "nut", held, on_shoulder, is_on_shoulder);
   const ThrustFace face{(*whole)[0], (*whole)[1], (*whole)[2], (*whole)[3]};
   const bool unilateral = options.unilateral_thrust && (*whole)[4](0) != 0.0;
   const ThrustFace::Touching touching =
@@ -331,6 +345,10 @@ struct GuidedRoller {
 };
 PRS_MEMBERS(GuidedRoller, body, guidance, centred)
 
+bool is_square_of(const GuidedRoller& roller, const MatrixCache::Matrices& m) {
+  return is_square(roller.body, m);
+}
+
 MatrixCache::Matrices bent(const GuidedRoller& roller) {
   const GroovedBody body = roller.body.meshed();
   std::vector<fe::HarmonicSupport> supports;
@@ -365,8 +383,9 @@ Flexibility roller_flexibility(const BodyGeometry& b, Direction direction,
 
   Flexibility f;
   f.matrix =
-      cached(cache, "stretched roller", body, stretched)->front() +
-      cached(cache, "bent roller", GuidedRoller{body, roller.guidance, centred}, bent)->front();
+      cached(cache, "stretched roller", body, stretched, is_square)->front() +
+      cached(cache, "bent roller", GuidedRoller{body, roller.guidance, centred}, bent, is_square_of)
+          ->front();
   const Teeth teeth{g,
                     0.0,
                     body.material,

@@ -115,6 +115,12 @@ MatrixCache::Matrices bent_around(const ClampedBody& given) {
           g.bottomRightCorner(ends, ends)};
 }
 
+bool is_bent_around(const ClampedBody& given, const MatrixCache::Matrices& m) {
+  const auto threads = static_cast<Index>(given.body.body.flanks.size());
+  const auto ends = 2 * static_cast<Index>(given.sections.size());
+  return have_sizes(m, {{threads, threads}, {threads, ends}, {ends, ends}});
+}
+
 MatrixCache::Matrices unlike_modes(const UnlikeLoads& given) {
   const Teeth& t = given.teeth;
   const HertzPatch& patch = t.types.front().patch;
@@ -143,13 +149,22 @@ MatrixCache::Matrices unlike_modes(const UnlikeLoads& given) {
   return matrices;
 }
 
+/// One for each mode but that of equal loads.
+bool are_modes(const UnlikeLoads& given, const MatrixCache::Matrices& m) {
+  const Index threads = given.teeth.contacts;
+  return m.size() == static_cast<std::size_t>(given.teeth.first / 2) &&
+         std::ranges::all_of(m, [&](const Eigen::MatrixXd& mode) {
+           return mode.rows() == threads && mode.cols() == threads;
+         });
+}
+
 FlexibilityAround around(const UnlikeLoads& given, const std::vector<double>& sections,
                          const Flexibility& alike, MatrixCache& cache) {
   ClampedBody clamped{given.body, sections};
   std::vector<double>& columns = clamped.body.body.shape.sections;
   columns.insert(columns.end(), sections.begin(), sections.end());
-  const auto first = cached(cache, "clamped body", clamped, bent_around);
-  const auto kept = cached(cache, "uneven loads", given, unlike_modes);
+  const auto first = cached(cache, "clamped body", clamped, bent_around, is_bent_around);
+  const auto kept = cached(cache, "uneven loads", given, unlike_modes, are_modes);
   FlexibilityAround f;
   f.modes.push_back(alike.matrix);
   f.modes.insert(f.modes.end(), kept->begin(), kept->end());

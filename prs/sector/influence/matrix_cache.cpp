@@ -1,5 +1,6 @@
 #include "prs/sector/influence/matrix_cache.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 
@@ -45,6 +46,7 @@ std::optional<MatrixCache::Matrices> decoded(std::string_view bytes, const std::
     if (!rest.good()) return std::nullopt;
     Eigen::MatrixXd& m = matrices.emplace_back(rows, columns);
     if (!raw.empty()) std::memcpy(m.data(), raw.data(), raw.size());
+    if (!m.allFinite()) return std::nullopt;
   }
   return rest.good() ? std::optional(std::move(matrices)) : std::nullopt;
 }
@@ -88,7 +90,8 @@ void MatrixCache::keep_in(fs::path directory) {
 }
 
 std::shared_ptr<const MatrixCache::Matrices> MatrixCache::get(
-    const std::string& key, const std::function<Matrices()>& compute) {
+    const std::string& key, const std::function<Matrices()>& compute,
+    const std::function<bool(const Matrices&)>& fits) {
   std::optional<CacheFolder> folder;
   {
     const std::lock_guard lock(mutex_);
@@ -100,9 +103,10 @@ std::shared_ptr<const MatrixCache::Matrices> MatrixCache::get(
   if (folder)
     if (const std::optional<std::string> bytes = folder->read(digest))
       matrices = decoded(*bytes, key);
+  if (matrices && fits && !fits(*matrices)) matrices.reset();
   const bool found = matrices.has_value();
   if (!found) {
-    if (!computes_) throw NotKept();
+    if (!computes_) throw NotKept(key);
     const Computation computation(*this);
     matrices = compute();
     if (folder) folder->write(digest, encoded(key, *matrices));
@@ -128,6 +132,13 @@ int MatrixCache::computed() const {
 std::string MatrixCache::refusal() const {
   const std::lock_guard lock(mutex_);
   return folder_ && !kept_.empty() ? folder_->refusal() : std::string();
+}
+
+bool have_sizes(const MatrixCache::Matrices& matrices,
+                std::initializer_list<std::pair<Eigen::Index, Eigen::Index>> sizes) {
+  return std::ranges::equal(matrices, sizes, [](const Eigen::MatrixXd& m, const auto& size) {
+    return m.rows() == size.first && m.cols() == size.second;
+  });
 }
 
 std::filesystem::path cache_directory() {

@@ -3,12 +3,14 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "prs/sector/influence/cache_folder.h"
@@ -18,7 +20,12 @@ namespace prs {
 /// Matrices that a cache was asked for, which does not make them.
 class NotKept : public std::runtime_error {
  public:
-  NotKept() : std::runtime_error("matrices of `influence` that are not kept") {}
+  explicit NotKept(std::string key)
+      : std::runtime_error("matrices of `influence` that are not kept"), key_(std::move(key)) {}
+  const std::string& key() const { return key_; }
+
+ private:
+  std::string key_;
 };
 
 /// Matrices that are dear to compute, kept under the text of all that they depend on: in memory
@@ -43,9 +50,11 @@ class MatrixCache {
   using Progress = std::function<void(bool working, int computed)>;
   void report_to(Progress progress);
 
-  /// What is kept under `key`, else the result of `compute`, which is kept from then on.
+  /// What is kept under `key`, else the result of `compute`, which is kept from then on. What a
+  /// file holds counts only if it `fits`: whatever its key says, anybody may have made it.
   std::shared_ptr<const Matrices> get(const std::string& key,
-                                      const std::function<Matrices()>& compute);
+                                      const std::function<Matrices()>& compute,
+                                      const std::function<bool(const Matrices&)>& fits = {});
 
   /// Matrices computed so far, found neither in memory nor in a file.
   int computed() const;
@@ -69,6 +78,10 @@ class MatrixCache {
   std::vector<std::string> oldest_first_;
   int computed_ = 0;
 };
+
+/// Whether there are so many matrices, each of these rows and columns.
+bool have_sizes(const MatrixCache::Matrices& matrices,
+                std::initializer_list<std::pair<Eigen::Index, Eigen::Index>> sizes);
 
 /// Where bodies are kept between runs: PRS_CACHE_DIR (empty: nowhere), else the user's cache.
 std::filesystem::path cache_directory();

@@ -18,6 +18,16 @@ MatrixCache::Matrices packed(const TeethFlexibility& t) {
   return m;
 }
 
+/// As `unpacked` reads them.
+bool are_packed(const Teeth& t, const MatrixCache::Matrices& m) {
+  const auto count = static_cast<Index>(t.types.size());
+  const auto is_kernel = [&](const Eigen::MatrixXd& k) {
+    return k.rows() == count && k.cols() == count;
+  };
+  return m.size() % 2 == 1 && m.size() >= 3 && have_sizes({m[0], m[1]}, {{count, 1}, {count, 1}}) &&
+         std::all_of(m.begin() + 2, m.end(), is_kernel);
+}
+
 TeethFlexibility unpacked(const MatrixCache::Matrices& m) {
   TeethFlexibility t;
   t.half_space = m[0];
@@ -66,7 +76,7 @@ MatrixCache::Matrices compute(const Teeth& t) {
 }  // namespace
 
 TeethFlexibility teeth_flexibility(const Teeth& t, MatrixCache& cache) {
-  return unpacked(*cached(cache, "teeth", t, compute));
+  return unpacked(*cached(cache, "teeth", t, compute, are_packed));
 }
 
 void add_teeth(const TeethFlexibility& f, const Teeth& t, bool centred, Eigen::MatrixXd& matrix) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "prs/sector/influence/cache_key.h"
@@ -105,6 +106,39 @@ TEST(MatrixCache, DamagedFilesCountAsAbsent) {
   EXPECT_EQ(with(whole), 0);
 }
 
+TEST(MatrixCache, FilesWithOtherMatricesThanTheKeyCanHaveCountAsAbsent) {
+  const test::TemporaryDirectory directory;
+  MatrixCache(directory.path()).get("key", sample);
+  MatrixCache cache(directory.path());
+  const Matrices other{Eigen::MatrixXd::Ones(2, 2)};
+  const auto found = cache.get(
+      "key", [&] { return other; },
+      [](const Matrices& m) {
+        return have_sizes(m, {{2, 2}});
+      });
+  EXPECT_EQ(*found, other);
+  EXPECT_EQ(cache.computed(), 1);
+}
+
+TEST(MatrixCache, FilesWithNumbersThatAreNotFiniteCountAsAbsent) {
+  for (const double odd : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    const test::TemporaryDirectory directory;
+    Matrices odd_ones = sample();
+    odd_ones[0](2, 1) = odd;
+    MatrixCache(directory.path()).get("key", [&] { return odd_ones; });
+    MatrixCache cache(directory.path());
+    cache.get("key", sample);
+    EXPECT_EQ(cache.computed(), 1) << odd;
+  }
+}
+
+TEST(MatrixCache, SizesAreThoseOfEveryMatrix) {
+  EXPECT_TRUE(have_sizes(sample(), {{3, 2}, {0, 4}, {1, 1}}));
+  EXPECT_FALSE(have_sizes(sample(), {{3, 2}, {0, 4}}));
+  EXPECT_FALSE(have_sizes(sample(), {{3, 2}, {0, 4}, {1, 1}, {1, 1}}));
+  EXPECT_FALSE(have_sizes(sample(), {{2, 3}, {0, 4}, {1, 1}}));
+}
+
 TEST(MatrixCache, DirectoryThatCannotBeWrittenIsNoError) {
   MatrixCache cache("/proc/no such place");
   EXPECT_EQ(cache.get("key", sample)->size(), 3u);
@@ -113,6 +147,7 @@ TEST(MatrixCache, DirectoryThatCannotBeWrittenIsNoError) {
 MatrixCache::Matrices size_of(const GroovedShape& shape) {
   return {Eigen::MatrixXd::Constant(1, 1, shape.end - shape.start)};
 }
+bool is_size(const GroovedShape&, const Matrices& m) { return have_sizes(m, {{1, 1}}); }
 
 TEST(CachedMatrices, EveryNumberOfWhatTheyAreMadeFromCounts) {
   MatrixCache cache;
@@ -120,7 +155,7 @@ TEST(CachedMatrices, EveryNumberOfWhatTheyAreMadeFromCounts) {
   int made = 0;
   const auto is_another = [&](auto change) {
     change();
-    for (int i = 0; i < 2; ++i) cached(cache, "body", shape, size_of);
+    for (int i = 0; i < 2; ++i) cached(cache, "body", shape, size_of, is_size);
     EXPECT_EQ(cache.computed(), ++made);
   };
   is_another([] {});
@@ -133,7 +168,7 @@ TEST(CachedMatrices, EveryNumberOfWhatTheyAreMadeFromCounts) {
   is_another([&] { shape.collars[0].radius = 1.0; });
   is_another([&] { shape.sections = {1.0}; });
   is_another([&] { std::swap(shape.sections, shape.radii); });
-  cached(cache, "another body", shape, size_of);
+  cached(cache, "another body", shape, size_of, is_size);
   EXPECT_EQ(cache.computed(), made + 1);
 }
 
