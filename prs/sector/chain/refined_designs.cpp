@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <compare>
+#include <tuple>
 
 #include "prs/sector/chain/chain_solver.h"
 #include "prs/sector/chain/nut_condensation.h"
@@ -16,17 +16,14 @@ namespace {
 /// Designs of one call of the kernel.
 constexpr std::size_t kMostAtOnce = 256;
 
-/// Order of what sectors side by side must have in common.
-std::strong_ordering compare_kinds(const SectorModel& one, const SectorModel& other) {
-  const RefinedBodies &a = one.bodies, &b = other.bodies;
-  const auto effects = [](const RefinedBodies& s) {
-    const RefinedEffects& e = s.effects;
-    return std::array{e.hoop, e.poisson, e.flange, e.radial, e.concentration, s.has_ring};
-  };
-  if (const auto order = a.line.thrust <=> b.line.thrust; order != 0) return order;
-  if (const auto order = a.line.contacts <=> b.line.contacts; order != 0) return order;
-  if (const auto order = a.same <=> b.same; order != 0) return order;
-  return effects(a) <=> effects(b);
+/// What sectors side by side must have in common, in an order.
+auto kind(const SectorModel& sector) {
+  const RefinedBodies& bodies = sector.bodies;
+  const RefinedEffects& e = bodies.effects;
+  return std::tuple<decltype(bodies.line.thrust), const decltype(bodies.line.contacts)&,
+                    const decltype(bodies.same)&, std::array<bool, 6>>(
+      bodies.line.thrust, bodies.line.contacts, bodies.same,
+      {e.hoop, e.poisson, e.flange, e.radial, e.concentration, bodies.has_ring});
 }
 
 }  // namespace
@@ -39,8 +36,8 @@ void RefinedDesignSolver::solve(std::span<const SectorModel> sectors,
   for (std::size_t k = 0; k < sectors.size(); ++k)
     if (takes(sectors[k])) order_.push_back(k);
   const auto before = [&](std::size_t a, std::size_t b) {
-    const auto order = compare_kinds(sectors[a], sectors[b]);
-    return order != 0 ? order < 0 : a < b;
+    const auto one = kind(sectors[a]), other = kind(sectors[b]);
+    return one != other ? one < other : a < b;
   };
   if (!std::ranges::is_sorted(order_, before)) std::ranges::sort(order_, before);
   for (std::size_t first = 0, end = 0; first < order_.size(); first = end) {
@@ -48,7 +45,7 @@ void RefinedDesignSolver::solve(std::span<const SectorModel> sectors,
     forces_.clear();
     for (; end < order_.size() && sectors_.size() < kMostAtOnce; ++end) {
       const SectorModel& s = sectors[order_[end]];
-      if (end > first && compare_kinds(sectors[order_[first]], s) != 0) break;
+      if (end > first && kind(sectors[order_[first]]) != kind(s)) break;
       sectors_.push_back({&s,
                           &s.bodies.numbers,
                           s.bodies.line.sections.data(),

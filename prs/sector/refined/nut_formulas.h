@@ -13,7 +13,7 @@ namespace prs {
 
 /// What nuts side by side have in common.
 struct NutShape {
-  std::span<const int> contacts;  ///< Nodes of the contacts, thread 1 first.
+  std::span<const int> contacts;  ///< Nodes of the contacts, ascending.
   int thrust = 0;                 ///< Node of the thrust section.
   /// Of each segment the first one that is like it.
   std::span<const int> same;

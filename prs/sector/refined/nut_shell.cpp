@@ -53,8 +53,9 @@ void set_alike_segments(const NutLine& line, const NutBore& bore, std::vector<in
 NutShell nut_shell(const NutLine& line, const std::optional<ThrustRing>& ring, const NutBore& bore,
                    const NutLoad& load, const Material& material, int rollers,
                    const RefinedEffects& effects) {
-  std::vector<int> same;
+  std::vector<int> same, contacts = line.contacts;
   set_alike_segments(line, bore, same);
+  std::ranges::sort(contacts);
   const ThrustRing edges = ring.value_or(ThrustRing{});
   const NutNumbers<double> numbers{line.sections.data(),
                                    line.outer_radius.data(),
@@ -69,7 +70,7 @@ NutShell nut_shell(const NutLine& line, const std::optional<ThrustRing>& ring, c
                                    std::cos(load.normal_angle),
                                    std::sin(load.normal_angle)};
   std::vector<fe::ShellBlocks<double>> shells(same.size());
-  const double arm = set_nut_shells({line.contacts, line.thrust, same, ring.has_value(), effects},
+  const double arm = set_nut_shells({contacts, line.thrust, same, ring.has_value(), effects},
                                     numbers, shells.data());
   NutShell nut{{}, arm, effects.flange && !ring, !effects.hoop};
   for (const int k : same)

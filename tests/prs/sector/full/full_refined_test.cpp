@@ -78,6 +78,7 @@ TEST(FullRefined, IsTheSectorsRefinedModelWhereAllRollersAreAlike) {
        {ModelOptions::RollerContacts::opposite, ModelOptions::RollerContacts::half_pitch_apart})
     for (const Direction direction : {Direction::tension, Direction::compression})
       for (const RefinedEffects& switched : effects) {
+        SCOPED_TRACE(&switched - effects.data());
         screw.parts.options.roller_contacts = contacts;
         screw.parts.options.refined = switched;
         screw.load.direction = direction;
