@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -50,10 +51,10 @@ class Process {
 
   void signal(int number) const { ::kill(id_, number); }
 
-  /// Exit status; below 0 the signal that killed it.
-  int wait() {
+  /// Exit status; below 0 the signal that killed it. `use`: what it took.
+  int wait(rusage* use = nullptr) {
     int status = 0;
-    ::waitpid(id_, &status, 0);
+    ::wait4(id_, &status, 0, use);
     id_ = -1;
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   }

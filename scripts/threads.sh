@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Builds what runs side by side (EngineThreads) under clang's thread sanitizer, and runs it.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+cmake --preset release >/dev/null
+cmake --build --preset release --target prs >/dev/null
+cmake --preset threads >/dev/null
+cmake --build --preset threads
+TSAN_OPTIONS="suppressions=$PWD/tests/support/thread_sanitizer.supp second_deadlock_stack=1" \
+  build/threads/tests/prs_thread_tests "$@"

@@ -1,0 +1,319 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "modules/module.h"
+#include "prs/engine/engine.h"
+#include "prs/figures/figure_json.h"
+#include "prs/figures/pictures.h"
+#include "prs/input/optimize_reader.h"
+#include "prs/input/resolved_input.h"
+#include "prs/input/study_reader.h"
+#include "prs/output/derivatives_files.h"
+#include "prs/output/optimize_csv.h"
+#include "prs/output/optimize_json.h"
+#include "prs/output/optimize_table.h"
+#include "prs/output/study_json.h"
+#include "prs/output/study_table.h"
+#include "prs/run/commands.h"
+#include "prs/run/optimization.h"
+#include "prs/run/study.h"
+#include "prs/study/designs.h"
+#include "prs/study/response.h"
+#include "tests/fuzz/bounds.h"
+#include "tests/fuzz/documents.h"
+#include "tests/fuzz/targets.h"
+
+namespace prs::fuzz {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostStudied = 24;  ///< Designs of a study or an optimization.
+
+bool agree(double a, double b, double tolerance) {
+  return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+// What must hold in a document
+
+/// The sum of all numbers of an array, whose arrays are rollers; none is negative.
+double sum_of_loads(const Json& loads, const std::string& what) {
+  double sum = 0.0;
+  for (const Json& load : loads) {
+    if (load.is_number()) expect(load.get<double>() >= 0.0, what + ": a load is negative");
+    sum += load.is_array() ? sum_of_loads(load, what) : load.get<double>();
+  }
+  return sum;
+}
+
+/// What all threads of an interface carry is the axial force; of one sector, that of one roller.
+void expect_balance(const Json& load_case) {
+  const double force = std::abs(load_case.at("axial_force_N").get<double>());
+  double sums[2] = {};
+  for (const int side : {0, 1}) {
+    const char* interface = side == 0 ? "screw" : "nut";
+    if (!load_case.contains(interface)) return;
+    const Json& threads = load_case.at(interface);
+    if (!threads.contains("axial_load_N")) return;
+    sums[side] = sum_of_loads(threads["axial_load_N"], interface);
+    if (threads.contains("normal_load_N")) sum_of_loads(threads["normal_load_N"], interface);
+  }
+  // Rollers beside each other share the force evenly: their number is what is left.
+  const double rollers = sums[0] > 0.0 ? force / sums[0] : 1.0;
+  expect(agree(sums[0], sums[1], 1e-6),
+         fmt::format("screw carries {} N, nut {} N", sums[0], sums[1]));
+  expect(std::abs(rollers - std::round(rollers)) < 1e-5 * rollers,
+         fmt::format("threads carry {} N of {} N", sums[0], force));
+}
+
+void expect_power_balance(const Json& slip) {
+  if (!slip.value("converged", false) || !slip.contains("power_loss_input_output_W")) return;
+  const double lost = slip.at("power_loss_W").get<double>();
+  const double less = slip.at("power_loss_input_output_W").get<double>();
+  const double speed = std::abs(slip.value("speed_rpm", 0.0)) * 0.10472;
+  const double turned = std::abs(slip.value("torque_screw_Nm", 0.0)) * speed;
+  expect(lost >= 0.0, fmt::format("{} W are lost", lost));
+  expect(std::abs(lost - less) <= 1e-5 * (std::abs(lost) + turned) + 1e-12,
+         fmt::format("{} W are lost, {} W go in and do not come out", lost, less));
+}
+
+void expect_consistent(const Json& load_case, bool& converged) {
+  if (load_case.contains("status")) {
+    const bool good = load_case.at("converged").get<bool>();
+    expect(good == (load_case.at("status") == "converged"), "`converged` is not `status`");
+    converged = converged && good;
+    if (good) expect_balance(load_case);
+    if (!good)
+      expect(!load_case.contains("axial_stiffness_N_per_um"),
+             "a stiffness of what did not converge");
+  }
+  if (load_case.contains("slip")) {
+    const Json& slip = load_case.at("slip");
+    if (slip.contains("status"))
+      expect(slip.at("converged").get<bool>() == (slip.at("status") == "converged"),
+             "slip: `converged` is not `status`");
+    expect_power_balance(slip);
+  }
+}
+
+// A run, in all its forms
+
+void expect_told(const input::InputError& error) {
+  const std::string_view what = error.what();
+  expect(what.find(": error: ") != std::string_view::npos, fmt::format("message: {}", what));
+  expect(what.starts_with("case.yaml:") || what.find(".csv") != std::string_view::npos ||
+             what.find("--set") != std::string_view::npos,
+         fmt::format("message without a place: {}", what));
+  expect(what.size() < 40'000, "a very long message");
+}
+
+void expect_forms(const Delivery& delivery, bool drawn) {
+  expect(!delivery.table().empty(), "an empty table");
+  if (delivery.full_table) delivery.full_table();
+  if (delivery.files)
+    for (const OutputFile& file : delivery.files({}))
+      expect(!file.content.empty(), file.name + " is empty");
+  if (drawn && delivery.pictures) expect_drawable(delivery.pictures());
+}
+
+/// The base case of a study is the case: every number of its document that a response can name.
+void expect_study_agrees(const input::Source& source, const Json& document, Command command) {
+  std::vector<std::string> paths = response_paths(document);
+  std::erase_if(paths, [](const std::string& path) {
+    return path.find("resid") != std::string::npos ||
+           path.find("iterations") != std::string::npos ||
+           path.find("evaluations") != std::string::npos ||
+           path.find_first_of("\",'") != std::string::npos;
+  });
+  if (paths.empty()) return;
+  input::Source asked = source;
+  asked.overrides.push_back(fmt::format(
+      "study={{command: {}, factors: [{{path: mechanism.rollers, values: [7]}}], responses: {}}}",
+      name(command), Json(paths).dump(-1, ' ', false, Json::error_handler_t::replace)));
+  const input::StudyInput in = input::read_study_input(asked);
+  const DesignEngine engine = study_engine(in);
+  const RowBlock base = engine.evaluate(0, 1);
+  const bool fails = !base.failures.empty();
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const std::optional<double> said = response(document, paths[k]);
+    const double studied = base.responses[k];
+    if (fails && !std::isfinite(studied)) continue;
+    expect(said.has_value() == std::isfinite(studied) && (!said || agree(*said, studied, 1e-6)),
+           fmt::format("{} is {} in a study", paths[k], studied));
+  }
+}
+
+/// What a document states as its input is that input again.
+void expect_stable_echo(const Json& resolved) {
+  const input::Source again = input::source_of_text("case.yaml", resolved.dump(), {});
+  Json second;
+  try {
+    second = input::resolved_input(again);
+  } catch (const input::InputError& error) {
+    throw Finding(fmt::format("the echo is refused: {}", error.what()));
+  }
+  expect(second == resolved, "the echo of the echo is another one");
+}
+
+void run_command(const CommandRow& row, const input::Source& source) {
+  const input::CaseInput in = input::read_case_input(source, row.command);
+  const Delivery delivery = row.run(source, in);
+  const Json document = delivery.document(document_info(source, row.command));
+  expect_finite(document, "");
+  expect_stable_echo(document.at("resolved_input"));
+  bool converged = true;
+  if (document.contains("load_cases") && row.command != Command::compare)
+    for (const Json& load_case : document.at("load_cases")) expect_consistent(load_case, converged);
+  expect(converged || !delivery.converged, "status 0, and a load case did not converge");
+  expect_forms(delivery, source.text.size() % 8 == 0);  // Pictures take longest.
+  const bool studied = row.command == Command::solve || row.command == Command::slip ||
+                       row.command == Command::measures || row.command == Command::contact;
+  if (studied && delivery.converged && !in.study && !in.optimize && !in.values.heat)
+    expect_study_agrees(source, document, row.command);
+}
+
+// Many designs
+
+bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+/// A design by itself is what it is among others.
+void expect_pure(const DesignEngine& engine, const RowBlock& all) {
+  const std::size_t width = engine.study().responses.size();
+  for (const std::size_t k : {std::size_t{0}, all.rows / 2, all.rows - 1}) {
+    const RowBlock one = engine.evaluate(k, 1);
+    const bool fails = std::ranges::any_of(all.failures, [&](const RowBlock::Failure& failure) {
+      return failure.row == k && one.failures.size() == 1 &&
+             failure.status.name == one.failures[0].status.name;
+    });
+    const bool failed =
+        std::ranges::any_of(all.failures, [&](const auto& failure) { return failure.row == k; });
+    expect(failed == !one.failures.empty() && failed == fails,
+           "a verdict by itself is another one");
+    for (std::size_t r = 0; r < width; ++r)
+      expect(
+          same(one.responses[r], all.responses[k * width + r]),
+          fmt::format("{} of design {} by itself is another one", engine.study().responses[r], k));
+  }
+}
+
+void expect_known_status(const RowBlock& block) {
+  for (const RowBlock::Failure& failure : block.failures)
+    expect(failure.status.name != "failed",
+           fmt::format("design {} failed: {}", failure.row, failure.status.reason));
+}
+
+void run_study_document(const input::Source& source) {
+  const input::StudyInput in = input::read_study_input(source);
+  if (in.study.plan == Plan::derivatives) {
+    if (in.study.factors.size() > 6) return;
+    const CaseDerivatives result = run_derivatives(in);
+    expect_finite(derivatives_json(result, document_info(source, Command::study)), "");
+    derivatives_table(result);
+    derivatives_csv(result, {});
+    expect_drawable(derivatives_pictures(result));
+    return;
+  }
+  if (design_count(in.study) > kMostStudied) return;
+  const DesignEngine engine = study_engine(in);
+  const Study& study = engine.study();
+  const RowBlock rows = engine.evaluate(0, design_count(study));
+  expect_known_status(rows);
+  expect_pure(engine, rows);
+  StudyResult result{study, {}, 0, 0, 0, {}};
+  StudyAnalysis analysis(study);
+  add(result, rows);
+  analysis.add(rows);
+  result.summary = analysis.summary();
+  result.warnings = study_warnings(in, result, [&]() -> const DesignEngine& { return engine; });
+  expect_stored_study(result, document_info(source, Command::study));
+}
+
+void run_optimize_document(const input::Source& source) {
+  const input::OptimizeInput in = input::read_optimize_input(source);
+  if (design_count(in.optimization) > kMostStudied) return;
+  const std::optional<OptimizationResult> result = run_optimization(
+      in, 1, [](const JournalHeader& header) { return Journal::temporary(header); }, {});
+  expect(result.has_value(), "an optimization was interrupted");
+  const Json document = optimize_json(*result, document_info(source, Command::optimize));
+  expect_finite(document, "");
+  optimize_table(*result);
+  front_csv(*result, {});
+  history_csv(*result, {});
+  expect_drawable(optimization_pictures(*result));
+  if (const std::optional<std::string> best = chosen_case(*result, source))
+    input::read_case_input(input::source_of_text("case.yaml", *best, {}), Command::check);
+}
+
+void run_on_engine(const char* command, const input::Source& source) {
+  const Json question{{"command", command},
+                      {"yaml", source.text},
+                      {"file", "case.yaml"},
+                      {"set", Json::array({Json::array({"model.patch_points", "9"})})},
+                      {"histories", *source.files}};
+  const std::string text = question.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const Json answer = Json::parse(prs::answer(text));
+  const int status = answer.at("status").get<int>();
+  expect(status == 0 || status == 2 || status == 3, fmt::format("status {}", answer.dump()));
+  expect((status == 2) == answer.at("document").is_null(), "a document and an error");
+  expect(status == 0 || !answer.at("messages").empty() || status == 3,
+         "an error without a message");
+}
+
+}  // namespace
+
+void expect_finite(const Json& value, const std::string& at) {
+  expect(!value.is_null(), at + " is null");
+  if (value.is_number_float())
+    expect(std::isfinite(value.get<double>()), fmt::format("{} is {}", at, value.get<double>()));
+  if (!value.is_structured()) return;
+  for (const auto& [key, child] : value.items())
+    if (key != "resolved_input") expect_finite(child, at + '/' + key);
+}
+
+void expect_stored_study(const StudyResult& result, const DocumentInfo& info) {
+  expect_finite(study_json(result, info), "");
+  expect(!study_table(result).empty(), "an empty table");
+  expect_drawable(study_pictures(result));
+}
+
+void expect_drawable(const Pictures& pictures) {
+  const auto expect_bounded = [](const auto& self, const Json& value,
+                                 const std::string& at) -> void {
+    if (value.is_number_float())
+      expect(!std::isinf(value.get<double>()), "figures" + at + " is infinite");
+    if (!value.is_structured()) return;
+    for (const auto& [key, child] : value.items()) self(self, child, at + '/' + key);
+  };
+  expect_bounded(expect_bounded, to_json(figures(pictures)), "");
+}
+
+const char* const kFlight =
+    "time_s,force_kN,position_mm\n0,1,0\n1,12.5,3\n2,-7,5\n3,19.7,-2\n4,2,0\n";
+
+void documents(std::string_view input) {
+  const std::size_t end = std::min(input.find('\n'), input.size());
+  const std::string_view line = input.substr(0, end);
+  input::Source source = input::source_of_text("case.yaml", std::string(input), {});
+  source.files.emplace().emplace("flight.csv", kFlight);
+  if (input.size() > 20'000 || asks_for_much(source)) return;
+  const std::string_view command = line.starts_with("# ") ? line.substr(2) : "solve";
+  try {
+    if (command == "study") return run_study_document(source);
+    if (command == "optimize") return run_optimize_document(source);
+    for (const char* page : {"report", "write"})
+      if (command == page) return run_on_engine(page, source);
+    for (const CommandRow& row : commands())
+      if (row.run && name(row.command) == command) return run_command(row, source);
+  } catch (const input::InputError& error) {
+    expect_told(error);
+  } catch (const modules::Missing&) {  // An algorithm whose library is not there.
+  }
+}
+
+}  // namespace prs::fuzz

@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "prs/run/commands.h"
+#include "tests/fuzz/documents.h"
+#include "tests/fuzz/targets.h"
+
+namespace prs::fuzz {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFlownCase = R"(
+mechanism:
+  type: inverted
+  lead: 5 mm
+  starts: {screw: 3, roller: 1}
+  flank_angle: 45 deg
+  pitch_diameter: {screw: 21 mm, roller: 7 mm, nut: 35 mm}
+  centre_distance: 14 mm
+  profile: {screw: straight, roller: {convex: 4.949747468 mm}, nut: straight}
+  rollers: 11
+  contacts_per_roller: 4
+structure:
+  screw: {bore: 6 mm, free_length: 10 mm}
+  roller: {end_length: 5 mm, end_diameter: 5 mm}
+  nut: {length: 40 mm, outer_diameter: 46 mm, thrust: {tension: 0 mm, compression: 40 mm}}
+materials: {youngs_modulus: 209 GPa, poisson_ratio: 0.3}
+life:
+  position: 10 mm
+  history:
+    file: flight.csv
+    force: {column: force_kN, unit: kN}
+    time: {column: time_s, unit: s}
+    position: {column: position_mm, unit: mm}
+)";
+
+/// The document of the case under a history; nothing where that is refused.
+std::optional<Json> life_under(const std::string& history) {
+  input::Source source = input::source_of_text("case.yaml", kFlownCase, {});
+  source.files.emplace().emplace("flight.csv", history);
+  try {
+    const Delivery delivery = run(row_of(Command::life), source);
+    delivery.table();
+    delivery.files({});
+    return delivery.document(document_info(source, Command::life));
+  } catch (const input::InputError& error) {
+    expect(std::string_view(error.what()).find(": error: ") != std::string_view::npos,
+           error.what());
+    return std::nullopt;
+  }
+}
+
+void expect_same(const Json& a, const Json& b, const char* what) {
+  const Json::json_pointer at(what);
+  expect(a.contains(at) == b.contains(at) &&
+             (!a.contains(at) || std::abs(a[at].get<double>() - b[at].get<double>()) <=
+                                     1e-6 * std::abs(a[at].get<double>())),
+         fmt::format("{} moves with a sample that says nothing new", what));
+}
+
+}  // namespace
+
+void force_history(std::string_view input) {
+  if (input.size() > 4'000) return;
+  std::string history(input);
+  const std::optional<Json> life = life_under(history);
+  if (!life) return;
+  expect_finite(*life, "life");
+  const Json& loads = life->at("life").at("loads");
+  const double samples = loads.at("samples").get<double>();
+  expect(loads.value("mean_load_N", 0.0) <= loads.value("largest_force_N", 0.0) * (1.0 + 1e-12),
+         "a mean above the largest force");
+  if (life->at("life").contains("cycles"))
+    expect(life->at("life").at("cycles").value("count", 0.0) <= 0.5 * samples,
+           "more cycles than two samples give");
+
+  // The last sample once more: no time passes, nothing moves.
+  while (history.ends_with('\n') || history.ends_with('\r')) history.pop_back();
+  const std::string last = history.substr(history.find_last_of("\r\n") + 1);
+  if (history.find('"') != std::string::npos) return;
+  const std::optional<Json> longer = life_under(history + '\n' + last + '\n');
+  expect(longer.has_value(), "refused with a sample once more");
+  for (const char* what : {"/life/system/l10_revolutions", "/life/cycles/count",
+                           "/life/loads/mean_load_N", "/life/static_safety"})
+    expect_same(*life, *longer, what);
+}
+
+}  // namespace prs::fuzz

@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+#include "support/sanitized.h"
+#include "support/temporary_directory.h"
+#include "tests/fuzz/files.h"
+#include "tests/fuzz/targets.h"
+
+namespace prs::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kCorpus = PRS_SOURCE_DIR "/tests/fuzz/corpus";
+
+std::vector<fs::path> corpus_of(const Target& target) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(kCorpus / target.name))
+    files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+class FuzzCorpus : public testing::TestWithParam<Target> {};
+
+TEST_P(FuzzCorpus, HoldsNoFinding) {
+  const std::vector<fs::path> files = corpus_of(GetParam());
+  EXPECT_FALSE(files.empty());
+  for (const fs::path& file : files)
+    EXPECT_NO_THROW(GetParam().run(test::content_of(file))) << file;
+}
+
+/// Mutations of the corpus, as a fuzzer makes them, without its coverage.
+TEST_P(FuzzCorpus, SurvivesMutations) {
+  if (!GetParam().mutate) GTEST_SKIP() << "bytes are mutated by libFuzzer";
+  if (GetParam().run == documents) SKIP_UNDER_SANITIZERS();
+  std::uint32_t seed = 0;
+  for (const fs::path& file : corpus_of(GetParam())) {
+    const std::string input = GetParam().mutate(test::content_of(file), 8'000, ++seed);
+    EXPECT_NO_THROW(GetParam().run(input)) << file << " with seed " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpus, testing::ValuesIn(kTargets),
+                         [](const auto& target) { return std::string(target.param.name); });
+
+TEST(FuzzedCache, WholeMatricesSolveSectorAndFullMechanism) {
+  const fs::path file = kCorpus / "matrix_cache" / "whole";
+  if (std::getenv("PRS_WRITE_CORPUS")) write_bytes(file, whole_matrices());
+  EXPECT_EQ(solved_with(test::content_of(file)), 2u)
+      << "the solve asks for other matrices now; write them anew with PRS_WRITE_CORPUS=1";
+}
+
+}  // namespace
+}  // namespace prs::fuzz

@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <future>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "prs/engine/engine.h"
+#include "prs/input/optimize_reader.h"
+#include "prs/input/reader.h"
+#include "prs/input/study_reader.h"
+#include "prs/run/optimization.h"
+#include "prs/run/study.h"
+#include "prs/sector/influence/influence_solver.h"
+#include "prs/study/designs.h"
+#include "prs/study/schedule.h"
+#include "prs/study/study_run.h"
+#include "prs/threads/contact_laws.h"
+#include "tests/prs/input/abevi.h"
+#include "tests/support/temporary_directory.h"
+
+// What runs side by side, in one process: `scripts/threads.sh` runs these under the thread
+// sanitizer.
+namespace prs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The same work on two threads at once.
+template <class Work>
+void expect_same_on_two_threads(const Work& work) {
+  auto other = std::async(std::launch::async, work);
+  const auto here = work();
+  EXPECT_EQ(other.get(), here);
+  EXPECT_EQ(work(), here);
+}
+
+TEST(EngineThreads, TwoThatAskAtOnceGetTheAnswerOfOne) {
+  for (const auto& [command, lesson] :
+       std::vector<std::pair<const char*, const char*>>{{"check", "11_real_parts"},
+                                                        {"solve", "05_standard_screw"},
+                                                        {"slip", "09_slip_and_dissipation"},
+                                                        {"slip", "30_duty_cycle"},
+                                                        {"solve", "26_unequal_rollers"},
+                                                        {"preload", "12_preload"},
+                                                        {"measures", "18_design_measures"},
+                                                        {"report", "05_standard_screw"}}) {
+    const std::string yaml =
+        test::content_of(PRS_SOURCE_DIR "/configs/" + std::string(lesson) + ".yaml");
+    const std::string question = Json{{"command", command}, {"yaml", yaml}}.dump();
+    expect_same_on_two_threads([&] { return answer(question); });
+  }
+}
+
+/// The numbers of all designs, to the last bit.
+std::vector<std::uint64_t> bits_of(const StoredRows& rows) {
+  std::vector<std::uint64_t> bits;
+  for (std::size_t k = 0; k < rows.block_count(); ++k)
+    for (const double number : rows.block(k).responses)
+      bits.push_back(std::bit_cast<std::uint64_t>(number));
+  return bits;
+}
+
+std::vector<std::uint64_t> studied(const input::StudyInput& in, std::size_t threads) {
+  const DesignEngine engine = study_engine(in);
+  const RunDesigns run = [&](const NextRange& next, const TakeRecord& take) {
+    run_schedule(threads, 2, next, evaluate_with(engine), take);
+  };
+  return bits_of(
+      run_study({"key", in.source, engine.study().responses, design_count(engine.study()), Shard{}},
+                nullptr, run, {}));
+}
+
+TEST(EngineThreads, StudiesOnTwoThreadsAreThoseOnOne) {
+  for (const char* overrides : {"study.command=solve", "study.command=slip",
+                                "model={bodies: refined}", "model={mechanism: full}"}) {
+    const std::string text = test::content_of(PRS_SOURCE_DIR "/configs/10_parametric_study.yaml");
+    const input::StudyInput in = input::read_study_input(
+        input::source_of_text("case.yaml", text,
+                              {"study.command=solve", "mechanism.contacts_per_roller=4", overrides,
+                               "study.factors=[{path: mechanism.rollers, values: [5, 6, 7, 8, 9]}, "
+                               "{path: mechanism.lead, "
+                               "values: [4 mm, 5 mm, 6 mm, 7 mm]}, {path: "
+                               "\"load_cases[0].axial_force\", values: {from: 5 "
+                               "kN, to: 60 kN, steps: 6}}]"}));
+    EXPECT_EQ(studied(in, 2), studied(in, 1)) << overrides;
+  }
+}
+
+TEST(EngineThreads, OptimizationsOnTwoThreadsAreThoseOnOne) {
+  const std::string text = test::content_of(PRS_SOURCE_DIR "/configs/22_yao_optimum.yaml");
+  const input::OptimizeInput in = input::read_optimize_input(input::source_of_text(
+      "case.yaml", text, {"optimize.generations=3", "optimize.population=12"}));
+  const auto found = [&](std::size_t threads) {
+    const auto result = run_optimization(
+        in, threads, [](const JournalHeader& header) { return Journal::temporary(header); }, {});
+    std::vector<std::uint64_t> bits;
+    for (const EvaluatedDesign& design : result->search.designs)
+      for (const double number : design.responses)
+        bits.push_back(std::bit_cast<std::uint64_t>(number));
+    return bits;
+  };
+  EXPECT_EQ(found(2), found(1));
+}
+
+TEST(EngineThreads, TwoThatShareACacheOfMatricesComputeTheSame) {
+  const Case c = input::read_case_text(
+      input::kAbevi, "case.yaml", {"mechanism.contacts_per_roller=2", "model={bodies: influence}"},
+      Command::solve);
+  const Contacts contacts = find_contacts(c.mechanism, c.materials);
+  const PerInterface<ContactLaw> laws = contact_laws(c, contacts);
+  MatrixCache cache;
+  expect_same_on_two_threads([&] {
+    return influence_solver(c, contacts, laws, Direction::tension, *c.load_cases[0].position, cache)
+        .solve(1000.0)
+        .normal_load.screw;
+  });
+}
+
+}  // namespace
+}  // namespace prs
