@@ -9,7 +9,7 @@
 /// batches alone, `One` of as many numbers in the same order.
 namespace simd {
 
-/// The first `size` structures of `values`, one per lane; lanes beyond `size` hold the last of them.
+/// The first `size` structures of `values`, one per lane; lanes beyond `size` hold the last one.
 template <class Of, class One, std::size_t kLanes = sizeof(Of) / sizeof(One)>
 [[gnu::always_inline]] inline Of side_by_side(const One* values, std::size_t size) {
   constexpr std::size_t kNumbers = sizeof(One) / sizeof(double);
