@@ -39,7 +39,7 @@ FileDescriptor locked(const fs::path& folder, const fs::path& path, int kind) {
 /// Removes the study's files under temporary names, which processes left that died writing them,
 /// and folders of pictures that gnuplot was at.
 void remove_unfinished(const fs::path& folder) {
-  const std::regex unfinished(R"((study\..*|.*\.gp|pictures)\.\d+-\d+\.tmp)");
+  const std::regex unfinished(R"((study(_figures)?\..*|.*\.gp|pictures)\.\d+-\d+\.tmp)");
   for (const fs::path& directory : {folder, folder / "plots"}) {
     std::error_code absent;
     for (const fs::directory_entry& entry : fs::directory_iterator(directory, absent))
