@@ -8,22 +8,14 @@
 #include "prs/run/commands.h"
 #include "tests/fuzz/documents.h"
 #include "tests/fuzz/targets.h"
+#include "tests/prs/input/abevi.h"
 
 namespace prs::fuzz {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFlownCase = R"(
-mechanism:
-  type: inverted
-  lead: 5 mm
-  starts: {screw: 3, roller: 1}
-  flank_angle: 45 deg
-  pitch_diameter: {screw: 21 mm, roller: 7 mm, nut: 35 mm}
-  centre_distance: 14 mm
-  profile: {screw: straight, roller: {convex: 4.949747468 mm}, nut: straight}
-  rollers: 11
+const std::string kFlownCase = input::kAbeviThreads + R"(  rollers: 11
   contacts_per_roller: 4
 structure:
   screw: {bore: 6 mm, free_length: 10 mm}

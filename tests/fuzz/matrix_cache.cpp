@@ -18,22 +18,14 @@
 #include "tests/fuzz/files.h"
 #include "tests/fuzz/mutators.h"
 #include "tests/fuzz/targets.h"
+#include "tests/prs/input/abevi.h"
 
 namespace prs::fuzz {
 namespace {
 
 constexpr double kForce = 2000.0;  // [N]
 
-constexpr const char* kMeshedCase = R"(
-mechanism:
-  type: inverted
-  lead: 5 mm
-  starts: {screw: 3, roller: 1}
-  flank_angle: 45 deg
-  pitch_diameter: {screw: 21 mm, roller: 7 mm, nut: 35 mm}
-  centre_distance: 14 mm
-  profile: {screw: straight, roller: {convex: 4.949747468 mm}, nut: straight}
-  rollers: 4
+const std::string kMeshedCase = input::kAbeviThreads + R"(  rollers: 4
   contacts_per_roller: 2
 structure:
   screw: {free_length: 10 mm}

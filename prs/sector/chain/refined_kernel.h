@@ -11,8 +11,8 @@
 
 namespace prs {
 
-/// Solves refined sectors, one a lane. The workspace holds `kNumbersOfContact` for each contact,
-/// `kNumbersOfNode` for each node of the nut's line, and number of a batch.
+/// Solves refined sectors, each in a lane of its own. The workspace holds `kNumbersOfContact` for
+/// each contact, `kNumbersOfNode` for each node of the nut's line, and number of a batch.
 struct RefinedKernel {
   using Station = ShellStation<double, ChainSector::Kind::shell>;
   /// Record, segment, support, compliance and gap at screw and nut.

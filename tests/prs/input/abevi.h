@@ -4,8 +4,8 @@
 
 namespace prs::input {
 
-/// The screw of Abevi 2015 in CONFIG 1 as a person would write it.
-inline const std::string kAbevi = R"(mechanism:
+/// The threads of Abevi 2015's screw, of a case whose mechanism goes on with the rollers.
+inline const std::string kAbeviThreads = R"(mechanism:
   type: inverted
   lead: 5 mm
   starts: {screw: 3, roller: 1}
@@ -13,7 +13,10 @@ inline const std::string kAbevi = R"(mechanism:
   pitch_diameter: {screw: 21 mm, roller: 7 mm, nut: 35 mm}
   centre_distance: 14 mm
   profile: {screw: straight, roller: {convex: 4.949747468 mm}, nut: straight}
-  rollers: 11
+)";
+
+/// The screw of Abevi 2015 in CONFIG 1 as a person would write it.
+inline const std::string kAbevi = kAbeviThreads + R"(  rollers: 11
   contacts_per_roller: 20
 structure:
   screw: {bore: 6 mm, free_length: 10 mm}

@@ -303,7 +303,7 @@ TEST(DesignEngineNumbers, ExtremeScrewsConvergeOrSayWhyNot) {
               without_stiffness);
 }
 
-/// Each thread of each roller, a force beside the axis in its plane of symmetry.
+/// Each thread of each roller, a force off the axis in its plane of symmetry.
 TEST(DesignEngineNumbers, RealisticFullMechanismsAllConvergeAndObeyMechanics) {
   RandomScrews random(2029);
   Verdicts verdicts;
