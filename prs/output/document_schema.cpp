@@ -1,5 +1,6 @@
 #include "prs/output/document_schema.h"
 
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -7,14 +8,14 @@
 
 #include "prs/figures/figure_json.h"
 #include "prs/input/schema.h"
+#include "prs/model/command.h"
 #include "prs/quantities/comparison_quantities.h"
 #include "prs/quantities/contact_quantities.h"
 #include "prs/quantities/heat_quantities.h"
-#include "prs/quantities/life_quantities.h"
 #include "prs/quantities/measure_quantities.h"
-#include "prs/quantities/preload_quantities.h"
 #include "prs/quantities/quantities.h"
 #include "prs/quantities/record_table.h"
+#include "prs/quantities/results_schema.h"
 #include "prs/quantities/schema_parts.h"
 
 namespace prs {
@@ -74,14 +75,17 @@ struct Parts {
   Json properties, definitions = Json::object();
   std::vector<std::string> required;
 
-  void put(const char* key, Json value) {
+  void put(const std::string& key, Json value) {
     properties[key] = std::move(value);
-    required.emplace_back(key);
+    required.push_back(key);
+  }
+  void put_record(const std::string& key, const RecordInfo& record) {
+    define(definitions, record);
+    put(key, link(record.name));
   }
   template <class Owner>
-  void put_record(const char* key) {
-    define(definitions, describe<Owner>());
-    put(key, link(describe<Owner>().name));
+  void put_record(const std::string& key) {
+    put_record(key, describe<Owner>());
   }
   void leave_open(std::string_view key) { std::erase(required, key); }
 };
@@ -388,6 +392,7 @@ struct Document {
   void (*put)(Parts&);
 };
 
+/// Of commands whose document is more, or other, than their record under their name.
 constexpr Document kDocuments[] = {
     {"check", put_check},
     {"contact", put_load_cases},
@@ -403,16 +408,6 @@ constexpr Document kDocuments[] = {
        put_contacts(d);
        d.put_record<ModelComparison>("comparison");
      }},
-    {"preload",
-     [](Parts& d) {
-       put_contacts(d);
-       d.put_record<PreloadResult>("preload");
-     }},
-    {"life",
-     [](Parts& d) {
-       put_contacts(d);
-       d.put_record<LifeResult>("life");
-     }},
     {"measures",
      [](Parts& d) {
        put_load_cases(d);
@@ -423,6 +418,13 @@ constexpr Document kDocuments[] = {
     {"optimize", put_optimize},
     {"configurations", put_configurations},
 };
+
+Parts own_record(std::string_view command) {
+  Parts d;
+  put_contacts(d);
+  d.put_record(std::string(command), *record_at(command));
+  return d;
+}
 
 /// What every document begins with, and the pictures of `--figures`.
 Json whole(Parts d, std::string_view command) {
@@ -451,9 +453,8 @@ Json whole(Parts d, std::string_view command) {
 
 std::span<const std::string_view> documented_commands() {
   static const std::vector<std::string_view> commands = [] {
-    std::vector<std::string_view> names;
-    for (const documents::Document& document : documents::kDocuments)
-      if (names.empty() || names.back() != document.command) names.push_back(document.command);
+    std::vector<std::string_view> names(std::begin(kCommandNames), std::end(kCommandNames));
+    names.push_back("configurations");
     return names;
   }();
   return commands;
@@ -464,13 +465,17 @@ nlohmann::ordered_json document_schema(std::string_view command) {
   Json schema{{"$schema", schema_parts::kDialect},
               {"title", std::string("What `prs ").append(command).append(" --json` prints")}};
   Json definitions = Json::object(), forms = Json::array();
-  for (const documents::Document& document : documents::kDocuments) {
-    if (document.command != command) continue;
-    documents::Parts parts;
-    document.put(parts);
+  const auto add_form = [&](documents::Parts parts) {
     definitions.update(parts.definitions);
     forms.push_back(whole(std::move(parts), command));
-  }
+  };
+  for (const documents::Document& document : documents::kDocuments)
+    if (document.command == command) {
+      documents::Parts parts;
+      document.put(parts);
+      add_form(std::move(parts));
+    }
+  if (forms.empty()) add_form(documents::own_record(command));
   if (forms.size() == 1)
     schema.update(forms[0]);
   else
