@@ -2,7 +2,7 @@
 # Builds the fuzz targets and runs each for so many seconds (600 by default): scripts/fuzz.sh
 # [SECONDS [TARGET..]]. Findings lie minimised in build/fuzz/findings, what the targets reached in
 # build/fuzz/coverage.txt; at the end stands a table. New inputs that reach more are kept in
-# build/fuzz/corpus; `scripts/fuzz.sh merge` adds those that matter to tests/fuzz/corpus.
+# build/fuzz/corpus; `scripts/fuzz.sh merge` adds those that reach other lines to tests/fuzz/corpus.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
@@ -10,24 +10,26 @@ targets=(documents force_history journals matrix_cache overrides)
 root=$PWD
 out=$root/build/fuzz
 kept=$root/tests/fuzz/corpus
-limits=(-timeout=20 -rss_limit_mb=2048 -max_len=8000)
-export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1
+# Draws without the entropy of all features: that takes longer than most inputs.
+limits=(-timeout=60 -rss_limit_mb=2048 -max_len=16000 -entropic=0 -print_funcs=0)
+export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1:malloc_context_size=6
 export UBSAN_OPTIONS=print_stacktrace=1
 export LLVM_PROFILE_FILE=/dev/null
-# What the targets write belongs to them.
+# What the targets write belongs to them; in memory, since journals are synced to the disk.
+[[ -w /dev/shm ]] && export TMPDIR=/dev/shm
 TMPDIR=$(mktemp -d) || exit 1
 export TMPDIR
 trap 'rm -rf "$TMPDIR"' EXIT
 
 program() { echo "$out/tests/fuzz/fuzz_$1"; }
 
-if [[ ${1:-} == merge ]]; then  # The smallest inputs that reach all that is reached.
+if [[ ${1:-} == merge ]]; then
   for target in "${targets[@]}"; do
-    mkdir -p "$TMPDIR/$target"
-    "$(program "$target")" -merge=1 "${limits[@]}" "$TMPDIR/$target" "$kept/$target" \
+    mkdir -p "$out/corpus/$target"
+    "$(program "$target")" -merge=1 -use_counters=0 "${limits[@]}" "$kept/$target" \
       "$out/corpus/$target" 2>&1 | tail -n 1
-    ls -lS "$TMPDIR/$target" | head -n 5
   done
+  du -sh --apparent-size "$kept"
   exit
 fi
 
@@ -36,24 +38,40 @@ seconds=${1:-600}
 cmake --preset release >/dev/null && cmake --build --preset release --target prs >/dev/null &&
   cmake --preset fuzz >/dev/null && cmake --build --preset fuzz || exit 1
 
+# Fuzzes a target until its time is over, also after a finding. Without `-fork=1`, which starts a
+# program and reads corpora for every few inputs.
+fuzz() {
+  local target=$1 log=$2 end=$((SECONDS + seconds)) status=1
+  : >"$log"
+  while ((status != 0 && SECONDS < end)); do
+    { time "$(program "$target")" "${limits[@]}" -max_total_time=$((end - SECONDS)) \
+      -print_final_stats=1 -artifact_prefix="$out/findings/$target/" \
+      "$out/corpus/$target" "$kept/$target" >"$TMPDIR/log" 2>&1; status=$?; } 2>>"$log"
+    cat "$TMPDIR/log" >>"$log"
+    if ((status == 72)); then exit 130; fi  # Interrupted.
+    grep -q INITED "$TMPDIR/log" || { echo "$target: the corpora hold a finding" >&2; return; }
+  done
+}
+
+TIMEFORMAT='cpu %U %S'
 table=()
 for target in "${targets[@]}"; do
   mkdir -p "$out/corpus/$target" "$out/findings/$target"
   log=$out/$target.log
-  # Goes on after a finding, in another process.
-  "$(program "$target")" "${limits[@]}" -fork=1 -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 \
-    -max_total_time="$seconds" -artifact_prefix="$out/findings/$target/" \
-    "$out/corpus/$target" "$kept/$target" >"$log" 2>&1
+  fuzz "$target" "$log"
   for found in "$out/findings/$target"/crash-*; do
     [[ -e $found && $found != *.min && ! -e $found.min ]] || continue
     "$(program "$target")" "${limits[@]}" -minimize_crash=1 -max_total_time=60 \
       -exact_artifact_path="$found.min" "$found" >/dev/null 2>&1
   done
   findings=$(find "$out/findings/$target" -type f ! -name '*.min' | wc -l)
-  # Of the last line: #EXECUTIONS: cov: EDGES ft: ..
-  last=$(grep -E '^#[0-9]+: cov: ' "$log" | tail -n 1)
-  table+=("$(printf '%-14s %8s %12s %9s' "$target" "$(sed -E 's/.*cov: ([0-9]+).*/\1/' <<<"$last")" \
-    "$(sed -E 's/^#([0-9]+):.*/\1/' <<<"$last")" "$findings")")
+  table+=("$(awk -v target="$target" -v findings="$findings" '
+    /^cpu / { cpu += $2 + $3 }
+    /^stat::number_of_executed_units/ { runs += $2 }
+    match($0, /cov: [0-9]+/) { after = substr($0, RSTART + 5, RLENGTH - 5) }
+    /INITED/ && !before { before = after }
+    END { printf "%-14s %7.0f %11d %7.1f %8d %8d %9d", target, cpu, runs,
+                 (cpu > 0 ? runs / cpu : 0), before, after, findings }' "$log")")
   LLVM_PROFILE_FILE=$out/$target.profraw "$(program "$target")" -runs=0 "${limits[@]}" \
     "$out/corpus/$target" "$kept/$target" >/dev/null 2>&1
 done
@@ -61,6 +79,6 @@ done
 llvm-profdata merge -sparse "$out"/*.profraw -o "$out/fuzz.profdata" &&
   llvm-cov report "$(program documents)" -instr-profile="$out/fuzz.profdata" \
     -ignore-filename-regex='/usr/|tests/' >"$out/coverage.txt"
-printf '%-14s %8s %12s %9s\n' target edges executions findings
+printf '%-14s %7s %11s %7s %17s %9s\n' target 'CPU s' executions per\ s 'edges from to' findings
 printf '%s\n' "${table[@]}"
 tail -n 1 "$out/coverage.txt"

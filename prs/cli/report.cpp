@@ -79,6 +79,9 @@ Report write_page(const Options& options) {
     asked.results = {std::filesystem::absolute(options.report.value_or("page")).parent_path()};
   Report report = make_report(source, asked);
   if (options.report) {
+    std::error_code told_by_the_file;
+    std::filesystem::create_directories(std::filesystem::absolute(*options.report).parent_path(),
+                                        told_by_the_file);
     StagedFile file(*options.report);
     file.append(report.html);
     file.publish();

@@ -89,7 +89,7 @@ Node document_of(const Source& source) {
 
 }  // namespace
 
-std::optional<std::string> written_case(const Source& source) {
+std::optional<std::string> written_case(const Source& source) try {
   Source written{source.name, source.text, {}, source.folder};
   for (const std::string& override : source.overrides) {
     const std::size_t equals = override.find('=');
@@ -104,13 +104,11 @@ std::optional<std::string> written_case(const Source& source) {
     if (end == std::string::npos) return std::nullopt;
     written.text.replace(node->place.offset, end - node->place.offset, value);
   }
-  try {
-    if (!is_same(document_of(written), document_of(source))) return std::nullopt;
-  } catch (const InputError&) {
-    document_of(source);  // Wrong as it was given: that is the error to tell.
-    return std::nullopt;
-  }
+  if (!is_same(document_of(written), document_of(source))) return std::nullopt;
   return written.text;
+} catch (const InputError&) {
+  document_of(source);  // Wrong as it was given: that is the error to tell.
+  return std::nullopt;
 }
 
 }  // namespace prs::input

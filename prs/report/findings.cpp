@@ -47,7 +47,9 @@ std::string date_of_report() {
   if (const char* fixed = std::getenv("SOURCE_DATE_EPOCH")) {
     char* end = nullptr;
     const long long seconds = std::strtoll(fixed, &end, 10);
-    if (end != fixed && *end == '\0') now = static_cast<std::time_t>(seconds);
+    constexpr long long kYear10000 = 253'402'300'800;
+    if (end != fixed && *end == '\0' && seconds >= 0 && seconds < kYear10000)
+      now = static_cast<std::time_t>(seconds);
   }
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
 }

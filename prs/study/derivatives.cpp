@@ -89,8 +89,11 @@ Model model_of(const Case& given, Command command, const std::vector<ResultNumbe
   model.contacts = checked_contacts(given, complete ? Detail::complete : Detail::numbers);
   const Conditions& c = given;
   model.load_cases = c.load_cases;
-  model.solvers.resize(c.load_cases.size());
-  model.solved.resize(c.load_cases.size());
+  if (command == Command::contact)  // It answers those of equal shares alone.
+    std::erase_if(model.load_cases,
+                  [](const LoadCase& load) { return load.share != LoadCase::Share::equal; });
+  model.solvers.resize(model.load_cases.size());
+  model.solved.resize(model.load_cases.size());
   if (command != Command::solve) return model;
   model.laws = contact_laws(c, model.contacts);
   for (const ResultNumber& number : numbers) {

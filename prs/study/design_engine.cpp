@@ -139,16 +139,29 @@ constexpr std::size_t kBatch = 64;
 /// Reads the case of the design that a row of a block answers.
 using ReadRow = std::function<Case&(DesignReader& reader, std::size_t row)>;
 
+/// Where load case k of a document stands in the case: `contact` answers those of equal shares
+/// alone.
+std::size_t place_of(std::size_t k, const std::vector<LoadCase>& all, Command command) {
+  if (command != Command::contact) return k;
+  for (std::size_t at = 0; at < all.size(); ++at)
+    if (all[at].share == LoadCase::Share::equal && k-- == 0) return at;
+  return all.size();
+}
+
 /// A case with nothing but some of its load cases, and with its duty or not, as long as this lives.
 class OnlyLoadCases {
  public:
-  OnlyLoadCases(Case& c, const std::vector<std::size_t>& indices, bool with_duty,
+  OnlyLoadCases(Case& c, const std::vector<std::size_t>& indices, Command command, bool with_duty,
                 std::vector<LoadCase>& memory)
       : case_(c), with_duty_(with_duty), others_(memory) {
-    const auto missing = [&](std::size_t k) { return k >= c.load_cases.size(); };
-    const auto known = std::ranges::find_if(indices, missing) - indices.begin();
-    others_.resize(static_cast<std::size_t>(known));
-    for (std::size_t i = 0; i < others_.size(); ++i) others_[i] = c.load_cases[indices[i]];
+    others_.resize(indices.size());
+    std::size_t known = 0;
+    for (const std::size_t k : indices) {
+      const std::size_t at = place_of(k, c.load_cases, command);
+      if (at >= c.load_cases.size()) break;
+      others_[known++] = c.load_cases[at];
+    }
+    others_.resize(known);
     exchange();
   }
   ~OnlyLoadCases() { exchange(); }
@@ -430,7 +443,7 @@ struct DesignEngine::Parts {
       return with_lives(c, [&](const LifeResult& lives) {
         set_numbers(row, {.contacts = lives.contacts, .life = &lives});
       });
-    const OnlyLoadCases needed(c, load_cases, needs_duty, worker.batch.load_cases);
+    const OnlyLoadCases needed(c, load_cases, study.command, needs_duty, worker.batch.load_cases);
     AnalysisOptions options = kManyDesigns;
     options.detail = detail;
     options.full = &worker.full;

@@ -126,7 +126,7 @@ void expect_forms(const Delivery& delivery, bool drawn) {
 void expect_study_agrees(const input::Source& source, const Json& document, Command command) {
   std::vector<std::string> paths = response_paths(document);
   std::erase_if(paths, [](const std::string& path) {
-    return path.find("resid") != std::string::npos ||
+    return path.starts_with("resolved_input") || path.find("resid") != std::string::npos ||
            path.find("iterations") != std::string::npos ||
            path.find("evaluations") != std::string::npos ||
            path.find_first_of("\",'") != std::string::npos;
@@ -136,7 +136,13 @@ void expect_study_agrees(const input::Source& source, const Json& document, Comm
   asked.overrides.push_back(fmt::format(
       "study={{command: {}, factors: [{{path: mechanism.rollers, values: [7]}}], responses: {}}}",
       name(command), Json(paths).dump(-1, ' ', false, Json::error_handler_t::replace)));
-  const input::StudyInput in = input::read_study_input(asked);
+  const input::StudyInput in = [&] {
+    try {
+      return input::read_study_input(asked);
+    } catch (const input::InputError& error) {
+      throw Finding(fmt::format("a study refuses what {} takes: {}", name(command), error.what()));
+    }
+  }();
   const DesignEngine engine = study_engine(in);
   const RowBlock base = engine.evaluate(0, 1);
   const bool fails = !base.failures.empty();
@@ -208,18 +214,19 @@ void expect_known_status(const RowBlock& block) {
            fmt::format("design {} failed: {}", failure.row, failure.status.reason));
 }
 
-void run_study_document(const input::Source& source) {
+/// Whether it was small enough.
+bool run_study_document(const input::Source& source) {
   const input::StudyInput in = input::read_study_input(source);
   if (in.study.plan == Plan::derivatives) {
-    if (in.study.factors.size() > 6) return;
+    if (in.study.factors.size() > 6) return false;
     const CaseDerivatives result = run_derivatives(in);
     expect_finite(derivatives_json(result, document_info(source, Command::study)), "");
     derivatives_table(result);
     derivatives_csv(result, {});
     expect_drawable(derivatives_pictures(result));
-    return;
+    return true;
   }
-  if (design_count(in.study) > kMostStudied) return;
+  if (design_count(in.study) > kMostStudied) return false;
   const DesignEngine engine = study_engine(in);
   const Study& study = engine.study();
   const RowBlock rows = engine.evaluate(0, design_count(study));
@@ -232,11 +239,12 @@ void run_study_document(const input::Source& source) {
   result.summary = analysis.summary();
   result.warnings = study_warnings(in, result, [&]() -> const DesignEngine& { return engine; });
   expect_stored_study(result, document_info(source, Command::study));
+  return true;
 }
 
-void run_optimize_document(const input::Source& source) {
+bool run_optimize_document(const input::Source& source) {
   const input::OptimizeInput in = input::read_optimize_input(source);
-  if (design_count(in.optimization) > kMostStudied) return;
+  if (design_count(in.optimization) > kMostStudied) return false;
   const std::optional<OptimizationResult> result = run_optimization(
       in, 1, [](const JournalHeader& header) { return Journal::temporary(header); }, {});
   expect(result.has_value(), "an optimization was interrupted");
@@ -248,9 +256,10 @@ void run_optimize_document(const input::Source& source) {
   expect_drawable(optimization_pictures(*result));
   if (const std::optional<std::string> best = chosen_case(*result, source))
     input::read_case_input(input::source_of_text("case.yaml", *best, {}), Command::check);
+  return true;
 }
 
-void run_on_engine(const char* command, const input::Source& source) {
+bool run_on_engine(const char* command, const input::Source& source) {
   const Json question{{"command", command},
                       {"yaml", source.text},
                       {"file", "case.yaml"},
@@ -263,6 +272,26 @@ void run_on_engine(const char* command, const input::Source& source) {
   expect((status == 2) == answer.at("document").is_null(), "a document and an error");
   expect(status == 0 || !answer.at("messages").empty() || status == 3,
          "an error without a message");
+  return status != 2;
+}
+
+/// Lives of threads are null exactly where their load is zero, else positive.
+void expect_lives_of(const Json& lives, const Json& loads, const std::string& at) {
+  expect(lives.size() == loads.size(), at + " is not of as many threads as the loads");
+  for (std::size_t k = 0; k < lives.size(); ++k)
+    if (lives[k].is_array())
+      expect_lives_of(lives[k], loads[k], fmt::format("{}/{}", at, k));
+    else
+      expect(loads[k].get<double>() == 0.0 ? lives[k].is_null() : lives[k].get<double>() > 0.0,
+             fmt::format("{}/{} is {} under {} N", at, k, lives[k].dump(), loads[k].dump()));
+}
+
+/// Those of a system stand alone.
+void expect_lives(const Json& lives, const Json& object, const std::string& at) {
+  if (lives.is_array())
+    expect_lives_of(lives, object.at("equivalent_load_N"), at);
+  else
+    expect_finite(lives, at);
 }
 
 }  // namespace
@@ -273,7 +302,10 @@ void expect_finite(const Json& value, const std::string& at) {
     expect(std::isfinite(value.get<double>()), fmt::format("{} is {}", at, value.get<double>()));
   if (!value.is_structured()) return;
   for (const auto& [key, child] : value.items())
-    if (key != "resolved_input") expect_finite(child, at + '/' + key);
+    if (key == "l10_revolutions" || key == "rated_revolutions")
+      expect_lives(child, value, at + '/' + key);
+    else if (key != "resolved_input")
+      expect_finite(child, at + '/' + key);
 }
 
 void expect_stored_study(const StudyResult& result, const DocumentInfo& info) {
@@ -296,12 +328,12 @@ void expect_drawable(const Pictures& pictures) {
 const char* const kFlight =
     "time_s,force_kN,position_mm\n0,1,0\n1,12.5,3\n2,-7,5\n3,19.7,-2\n4,2,0\n";
 
-void documents(std::string_view input) {
+bool documents(std::string_view input) {
   const std::size_t end = std::min(input.find('\n'), input.size());
   const std::string_view line = input.substr(0, end);
   input::Source source = input::source_of_text("case.yaml", std::string(input), {});
   source.files.emplace().emplace("flight.csv", kFlight);
-  if (input.size() > 20'000 || asks_for_much(source)) return;
+  if (input.size() > kLongest || asks_for_much(source)) return false;
   const std::string_view command = line.starts_with("# ") ? line.substr(2) : "solve";
   try {
     if (command == "study") return run_study_document(source);
@@ -309,11 +341,15 @@ void documents(std::string_view input) {
     for (const char* page : {"report", "write"})
       if (command == page) return run_on_engine(page, source);
     for (const CommandRow& row : commands())
-      if (row.run && name(row.command) == command) return run_command(row, source);
+      if (row.run && name(row.command) == command) {
+        run_command(row, source);
+        return true;
+      }
   } catch (const input::InputError& error) {
     expect_told(error);
   } catch (const modules::Missing&) {  // An algorithm whose library is not there.
   }
+  return false;
 }
 
 }  // namespace prs::fuzz

@@ -35,6 +35,7 @@ std::string type_of(const Json& schema) {
 /// Near the number, now and then far from it.
 double moved(double x, Random& random) {
   const double u = static_cast<double>(below(2001, random)) / 1000.0 - 1.0;  // -1 .. 1
+  if (random.gentle) return x * (1.0 + (one_in(2, random) ? 0.02 : 0.3) * u);
   switch (below(12, random)) {
     case 0:
       return 0.0;
@@ -66,7 +67,7 @@ std::string_view other_unit(std::string_view unit, Random& random) {
 std::string moved_quantity(const std::string& text, Random& random) {
   const auto split = input::split_unit(text);
   if (!split) return text;
-  const bool keep = !one_in(8, random);
+  const bool keep = random.gentle || !one_in(8, random);
   const std::string_view unit = keep ? split->unit : other_unit(split->unit, random);
   return fmt::format("{:.10g} {}", moved(split->number, random), unit.empty() ? "mm" : unit);
 }
@@ -141,14 +142,14 @@ void change_object(Json& value, const Json& schema, Random& random) {
   std::vector<std::string> present;
   for (const auto& [key, child] : value.items())
     if (properties.contains(key)) present.push_back(key);
-  if (present.empty() || one_in(8, random)) {
+  if (present.empty() || (!random.gentle && one_in(8, random))) {
     auto added = properties.begin();
     std::advance(added, static_cast<std::ptrdiff_t>(below(properties.size(), random)));
     value[added.key()] = random_value(added.value(), random);
     return;
   }
   const std::string& key = any_of(present, random);
-  if (one_in(12, random))
+  if (!random.gentle && one_in(12, random))
     value.erase(key);
   else
     change(value[key], properties.at(key), random);
@@ -170,10 +171,12 @@ bool is_of_type(const Json& value, const Json& schema) {
   if (schema.contains("enum"))
     return std::find(schema["enum"].begin(), schema["enum"].end(), value) != schema["enum"].end();
   const std::string type = type_of(schema);
-  if (type == "object")
+  if (type == "object") {
+    const auto properties = schema.find("properties");
     return value.is_object() && std::ranges::all_of(value.items(), [&](const auto& item) {
-             return schema.value("properties", Json::object()).contains(item.key());
+             return properties != schema.end() && properties->contains(item.key());
            });
+  }
   return type.empty() || (type == "array" && value.is_array()) ||
          (type == "string" && value.is_string()) || (type == "boolean" && value.is_boolean()) ||
          (type == "integer" && value.is_number_integer()) ||
@@ -252,7 +255,7 @@ Json random_value(const Json& schema, Random& random) {
 void change(Json& value, const Json& schema, Random& random) {
   const Json& one = taken_by(schema, value, random);
   const std::string type = type_of(one);
-  if (!is_of_type(value, one) || one_in(20, random))
+  if (!is_of_type(value, one) || (!random.gentle && one_in(20, random)))
     value = random_value(schema, random);
   else if (type == "object" && one.contains("properties") && !value.empty())
     change_object(value, one, random);
@@ -271,10 +274,11 @@ void change(Json& value, const Json& schema, Random& random) {
 }
 
 std::string mutated_document(std::string_view input, std::size_t most, std::uint32_t seed) {
-  Random random(seed + 1);
+  Random random(seed);
   std::string first = fmt::format("# {}", any_of(kCommands, random));
   const std::string_view line = input.substr(0, input.find('\n'));
   if (line.starts_with("# ") && !one_in(6, random)) first = line;
+  random.gentle = one_in(2, random);
   std::optional<Json> json = parsed(input);
   if (!json || !json->is_object()) json = random_value(case_schema(), random);
   for (std::size_t left = 1 + below(4, random); left > 0; --left)
@@ -284,12 +288,14 @@ std::string mutated_document(std::string_view input, std::size_t most, std::uint
 }
 
 std::string mutated_overrides(std::string_view input, std::size_t most, std::uint32_t seed) {
-  Random random(seed + 1);
+  Random random(seed);
+  random.gentle = one_in(2, random);
   std::vector<std::string> lines;
   while (!input.empty()) {
     lines.emplace_back(input.substr(0, input.find('\n')));
     input.remove_prefix(std::min(lines.back().size() + 1, input.size()));
   }
+  if (random.gentle) lines.resize(below(std::min<std::size_t>(lines.size(), 3) + 1, random));
   if (!lines.empty() && one_in(3, random))
     lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(below(lines.size(), random)));
   // Down the schema to some value.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
@@ -8,7 +9,12 @@
 /// is that of prs/input/case_fields.h.
 namespace prs::fuzz {
 
-using Random = std::minstd_rand;
+struct Random : std::minstd_rand {
+  /// Seeds that follow each other give draws that do not.
+  explicit Random(std::uint32_t seed) : std::minstd_rand(seed * 2654435761u + 1) {}
+
+  bool gentle = false;  ///< Moves values a little, so that most cases stay sound.
+};
 
 std::size_t below(std::size_t count, Random& random);
 

@@ -56,7 +56,7 @@ std::optional<Json> resolved(const input::Source& source) {
 
 }  // namespace
 
-void overrides(std::string_view input) {
+bool overrides(std::string_view input) {
   std::vector<std::string> arguments;
   while (!input.empty() && arguments.size() < 8) {
     arguments.emplace_back(input.substr(0, input.find('\n')));
@@ -64,7 +64,7 @@ void overrides(std::string_view input) {
   }
   const input::Source source = input::source_of_text("case.yaml", kWholeCase, std::move(arguments));
   const std::optional<Json> set = resolved(source);
-  if (!set) return;
+  if (!set) return false;
 
   // Written into the file they are the same case, and so is what the program states as its input.
   const std::optional<Json> again = resolved(input::source_of_text("case.yaml", set->dump(), {}));
@@ -74,13 +74,14 @@ void overrides(std::string_view input) {
     expect(written.has_value(), "the written case is refused:\n" + *text);
     expect(written == set, "the written case is another one:\n" + *text);
   }
-  if (asks_for_much(source)) return;
+  if (asks_for_much(source)) return true;
   try {
     const Delivery delivery = run(row_of(Command::check), source);
     expect_finite(delivery.document(document_info(source, Command::check)), "check");
     delivery.table();
   } catch (const input::InputError&) {  // What the values contradict.
   }
+  return true;
 }
 
 }  // namespace prs::fuzz

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <vector>
 
+#include "support/count.h"
 #include "support/sanitized.h"
 #include "support/temporary_directory.h"
 #include "tests/fuzz/files.h"
@@ -31,20 +32,31 @@ class FuzzCorpus : public testing::TestWithParam<Target> {};
 TEST_P(FuzzCorpus, HoldsNoFinding) {
   const std::vector<fs::path> files = corpus_of(GetParam());
   EXPECT_FALSE(files.empty());
+  std::size_t taken = 0;
   for (const fs::path& file : files)
-    EXPECT_NO_THROW(GetParam().run(test::content_of(file))) << file;
+    EXPECT_NO_THROW(taken += GetParam().run(test::content_of(file))) << file;
+  EXPECT_GE(4 * taken, files.size());
 }
 
 class FuzzMutations : public testing::TestWithParam<Target> {};
 
-/// Mutations of the corpus, as a fuzzer makes them, without its coverage.
+/// Mutations of the corpus, as a fuzzer makes them, without its coverage. Most differ from what
+/// they were made of, and not all are refused: else the mutator, or what follows it, is not tested.
 TEST_P(FuzzMutations, AreNoFinding) {
   if (GetParam().run == documents) SKIP_UNDER_SANITIZERS();
-  std::uint32_t seed = 0;
-  for (const fs::path& file : corpus_of(GetParam())) {
-    const std::string input = GetParam().mutate(test::content_of(file), 8'000, ++seed);
-    EXPECT_NO_THROW(GetParam().run(input)) << file << " with seed " << seed;
+  const auto runs = static_cast<std::size_t>(test::samples(40, 2000));
+  const std::vector<fs::path> files = corpus_of(GetParam());
+  std::size_t changed = 0, taken = 0;
+  for (std::uint32_t seed = 0; seed < runs; ++seed) {
+    const fs::path& file = files[seed % files.size()];
+    const std::string given = test::content_of(file);
+    const std::string input = GetParam().mutate(given, kLongest, seed);
+    changed += input != given;
+    EXPECT_NO_THROW(taken += GetParam().run(input)) << file << " with seed " << seed;
   }
+  EXPECT_GE(changed, runs * 3 / 4);
+  EXPECT_GT(taken, runs / 16);
+  RecordProperty("taken", static_cast<int>(taken));
 }
 
 /// Targets with mutators of their own; bytes of the others are libFuzzer's to mutate.

@@ -246,6 +246,13 @@ TEST_F(CommandLine, OutputWritesWhatOtherToolsOpen) {
   EXPECT_EQ(lines, 1 + 270);
 }
 
+TEST_F(CommandLine, APageMakesItsFolder) {
+  const fs::path page = folder / "deep" / "pages" / "page.html";
+  const Outcome run = prs("report configs/05_standard_screw.yaml --output '" + page.string() + "'");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(slurp(page).starts_with("<!DOCTYPE html>"));
+}
+
 TEST_F(CommandLine, NewWritesCasesThatSolveWithoutWarning) {
   for (const std::string& type : std::vector<std::string>{"inverted", "standard"}) {
     const std::string file = (folder / (type + ".yaml")).string();

@@ -41,6 +41,12 @@ TEST(WrittenCase, GivesUpWhereOtherValuesWouldFollow) {
   EXPECT_EQ(written_case(source_of_text("case.yaml", "a: &x 1\nb: *x\n", {"b=2"})), std::nullopt);
 }
 
+TEST(WrittenCase, GivesUpWhereAValueDoesNotStandBetweenBraces) {
+  for (const char* next : {"c=3", "a.b=2"})
+    EXPECT_EQ(written_case(source_of_text("case.yaml", "a: {b: 1}\nc: 2\n", {"a.b=x] y", next})),
+              std::nullopt);
+}
+
 TEST(WrittenCase, WithoutOverridesIsTheFile) {
   const Source source = lesson_with("01_config_1_to_3.yaml", {});
   EXPECT_EQ(written_case(source), source.text);

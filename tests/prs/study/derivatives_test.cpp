@@ -145,6 +145,14 @@ TEST(Derivatives, OfAContactNeedNoEquilibrium) {
   EXPECT_NEAR(d.factors[0].responses[1]->value, 0.0, 1e-12);
 }
 
+TEST(Derivatives, OfContactsAreOfTheLoadCaseThatContactAnswers) {
+  const std::string text = input::kAbevi + "  - {axial_force: 22 kN, share: equal}\n";
+  const CaseDerivatives d = derivatives_of("{path: 'load_cases[2].axial_force'}", text,
+                                           "'screw.axial_load_N[0]'", "contact");
+  ASSERT_TRUE(d.values.at(0));
+  EXPECT_NEAR(elasticity(d, 0, 0), 1.0, 1e-10);
+}
+
 TEST(Derivatives, SayWhereThereIsNone) {
   const CaseDerivatives d = derivatives_of("{path: structure.nut.thrust.tension}", input::kAbevi);
   // The thrust section lies on the face of a flange.

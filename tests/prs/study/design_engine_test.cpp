@@ -89,6 +89,28 @@ Said said_by(Command command, const Case& c, const input::Source& source) {
           }};
 }
 
+TEST(DesignEngine, OfContactsAnswersTheFirstLoadCaseThatContactAnswers) {
+  const std::string text = input::kAbeviThreads + R"(  rollers: 11
+  contacts_per_roller: 4
+materials: {youngs_modulus: 209 GPa, poisson_ratio: 0.3}
+load_cases:
+  - {axial_force: 20 kN, direction: tension, position: 10 mm}
+  - {axial_force: 22 kN, share: equal}
+  - {axial_force: 44 kN, share: equal}
+)";
+  const input::StudyInput in = study_of(
+      "{command: contact, factors: [{path: 'load_cases[1].axial_force', values: [33 kN]}], "
+      "responses: [axial_force_N, 'load_cases[1].axial_force_N', "
+      "'screw.axial_load_N[3]']}",
+      text);
+  const RowBlock rows = all(DesignEngine(in));
+  const double expected[] = {22e3, 44e3, 500.0, 33e3, 44e3, 750.0};  // As in the file, with 33 kN.
+  ASSERT_EQ(rows.responses.size(), std::size(expected));
+  EXPECT_TRUE(rows.failures.empty());
+  for (std::size_t k = 0; k < std::size(expected); ++k)
+    EXPECT_NEAR(rows.responses[k], expected[k], 1e-9 * expected[k]);
+}
+
 /// Every number of what a lesson says to a command, those of further load cases, and summaries.
 TEST(ResultNumber, SaysWhatTheDocumentSaysToEveryCommand) {
   const std::pair<const char*, Command> lessons[] = {
