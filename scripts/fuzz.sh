@@ -2,7 +2,7 @@
 # Builds the fuzz targets and runs each for so many seconds (600 by default): scripts/fuzz.sh
 # [SECONDS [TARGET..]]. Findings lie minimised in build/fuzz/findings, what the targets reached in
 # build/fuzz/coverage.txt; at the end stands a table. New inputs that reach more are kept in
-# build/fuzz/corpus; `scripts/fuzz.sh merge` adds those that reach other lines to tests/fuzz/corpus.
+# build/fuzz/corpus; `scripts/fuzz.sh merge` adds those that reach much more to tests/fuzz/corpus.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
@@ -23,11 +23,21 @@ trap 'rm -rf "$TMPDIR"' EXIT
 
 program() { echo "$out/tests/fuzz/fuzz_$1"; }
 
-if [[ ${1:-} == merge ]]; then
+if [[ ${1:-} == merge ]]; then  # What adds at least a five-hundredth of all edges to smaller inputs.
   for target in "${targets[@]}"; do
-    mkdir -p "$out/corpus/$target"
-    "$(program "$target")" -merge=1 -use_counters=0 "${limits[@]}" "$kept/$target" \
+    mkdir -p "$out/corpus/$target" "$TMPDIR/$target"
+    "$(program "$target")" -merge=1 -use_counters=0 "${limits[@]}" \
+      -merge_control_file="$TMPDIR/$target.txt" "$TMPDIR/$target" "$kept/$target" \
       "$out/corpus/$target" 2>&1 | tail -n 1
+    python3 - "$TMPDIR/$target.txt" "$kept/$target" <<'END'
+import pathlib, shutil, sys
+lines = open(sys.argv[1]).read().splitlines()
+files, kept = lines[2:2 + int(lines[0])], pathlib.Path(sys.argv[2])
+added = {files[int(w[1])]: len(w) - 2 for w in map(str.split, lines) if w[:1] == ["COV"]}
+for file, edges in added.items():
+    if 500 * edges >= sum(added.values()) and not kept.samefile(pathlib.Path(file).parent):
+        shutil.copy(file, kept)
+END
   done
   du -sh --apparent-size "$kept"
   exit

@@ -49,6 +49,9 @@ class Lister : public Visitor {
     entry.number = value;
     entry.dimension = &kind.dimension;
   }
+  static void put_number(EchoEntry& entry, double value, const Held& held) {
+    if (std::isfinite(value) && value > 0.0) put_number(entry, value, Quantity{held.dimension});
+  }
   static void put_number(EchoEntry& entry, const Range& range, const OneOrRange& kind) {
     const bool last = range.steps && std::abs(range.to) > std::abs(range.from);
     put_number(entry, last ? range.to : range.from, kind.quantity);

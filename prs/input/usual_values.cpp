@@ -32,6 +32,11 @@ constexpr UsualValue kUsual[] = {
     {"materials.poisson_ratio", "0.15", "0.44", "steel has 0.27 to 0.3"},
     {"materials.density", "900 kg/m^3", "16000 kg/m^3", "steel has 7700 kg/m^3 to 8000 kg/m^3"},
     {"materials.thermal_expansion", "2 um/m/K", "150 um/m/K", "steel has 10 um/m/K to 17 um/m/K"},
+    // From a nut on springs to a block of steel.
+    {"structure.nut.housing.axial", "100 N/mm", "1e6 kN/mm",
+     "housings have 10 kN/mm to 10000 kN/mm"},
+    {"structure.nut.housing.lateral", "1 N/mm", "1e6 kN/mm",
+     "housings have 10 kN/mm to 10000 kN/mm"},
     // The largest static capacities in catalogues are about 3 MN.
     {"load_cases.axial_force", "", "10 MN", "catalogues end at static capacities of 3 MN"},
     {"life.spectrum.force", "", "10 MN", "catalogues end at static capacities of 3 MN"},

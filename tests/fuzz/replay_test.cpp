@@ -35,28 +35,30 @@ TEST_P(FuzzCorpus, HoldsNoFinding) {
   std::size_t taken = 0;
   for (const fs::path& file : files)
     EXPECT_NO_THROW(taken += GetParam().run(test::content_of(file))) << file;
-  EXPECT_GE(4 * taken, files.size());
+  EXPECT_GE(10 * taken, files.size());
 }
 
 class FuzzMutations : public testing::TestWithParam<Target> {};
 
-/// Mutations of the corpus, as a fuzzer makes them, without its coverage. Most differ from what
-/// they were made of, and not all are refused: else the mutator, or what follows it, is not tested.
+/// Mutations of what is taken of the corpus, as a fuzzer makes them, without its coverage. Most
+/// differ from what they were made of, and not all are refused: else the mutator, or what follows
+/// it, is not tested.
 TEST_P(FuzzMutations, AreNoFinding) {
   if (GetParam().run == documents) SKIP_UNDER_SANITIZERS();
+  std::vector<std::string> inputs;
+  for (const fs::path& file : corpus_of(GetParam()))
+    if (GetParam().run(test::content_of(file))) inputs.push_back(test::content_of(file));
+  ASSERT_FALSE(inputs.empty());
   const auto runs = static_cast<std::size_t>(test::samples(40, 2000));
-  const std::vector<fs::path> files = corpus_of(GetParam());
   std::size_t changed = 0, taken = 0;
   for (std::uint32_t seed = 0; seed < runs; ++seed) {
-    const fs::path& file = files[seed % files.size()];
-    const std::string given = test::content_of(file);
+    const std::string& given = inputs[seed % inputs.size()];
     const std::string input = GetParam().mutate(given, kLongest, seed);
     changed += input != given;
-    EXPECT_NO_THROW(taken += GetParam().run(input)) << file << " with seed " << seed;
+    EXPECT_NO_THROW(taken += GetParam().run(input)) << "seed " << seed << " of\n" << given;
   }
-  EXPECT_GE(changed, runs * 3 / 4);
-  EXPECT_GT(taken, runs / 16);
-  RecordProperty("taken", static_cast<int>(taken));
+  EXPECT_GE(4 * changed, 3 * runs);
+  EXPECT_GE(8 * taken, runs);
 }
 
 /// Targets with mutators of their own; bytes of the others are libFuzzer's to mutate.

@@ -26,6 +26,16 @@ struct OddValue {
   std::string path, written, fitting;
 };
 
+TEST(UsualValues, ANutThatHangsOnNothingIsNamed) {
+  for (const char* way : {"axial", "lateral"}) {
+    const std::string path = std::string("structure.nut.housing.") + way;
+    EXPECT_THAT(
+        warnings_of("configs/24_misalignment.yaml", {path + "=1e-3 N/mm"}),
+        ElementsAre(AllOf(StartsWith(path + ": got 1e-3 N/mm; usual is "), HasSubstr("check"))));
+    EXPECT_THAT(warnings_of("configs/24_misalignment.yaml", {path + "=200 kN/mm"}), IsEmpty());
+  }
+}
+
 TEST(UsualValues, OddOnesAreNamedAsWrittenWithTheUnitThatFits) {
   const OddValue odd[] = {
       {"materials.youngs_modulus", "210 MPa", "`210 GPa`?"},
