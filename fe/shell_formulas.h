@@ -1,5 +1,7 @@
 #pragma once
 
+#include <numbers>
+
 #include "fe/lanes.h"
 
 /// The formulas of fe/shell.h for a number or a batch of numbers: one shell per lane.
@@ -21,6 +23,7 @@ struct ShellRigidityOf {
   Real shear{};                 ///< V [N]
   bool radially_rigid = false;  ///< v = 0 between the nodes; they must be held as well.
 };
+
 /// Stiffness of a uniform length over what deforms it. Its halves mirror each other, so that what
 /// is even there does not see what is odd.
 template <class Real>
@@ -45,7 +48,7 @@ ShellRigidityOf<Real> scaled_rigidity(ShellRigidityOf<Real> r, const Real& share
 template <class Real>
 Real tube_hoop(const Real& inner, const Real& outer, const Real& modulus, const Real& poisson) {
   using simd::log;
-  constexpr double kTwoPi = 6.283185307179586;
+  constexpr double kTwoPi = 2.0 * std::numbers::pi;
   return modulus / (1.0 - poisson * poisson) * kTwoPi * log(outer / inner);
 }
 
@@ -53,7 +56,7 @@ template <class Real>
 ShellRigidityOf<Real> tube_rigidity_of(const Real& inner, const Real& outer, const Real& reference,
                                        const Real& modulus, const Real& poisson,
                                        const Real& shear_modulus) {
-  constexpr double kTwoPi = 6.283185307179586;
+  constexpr double kTwoPi = 2.0 * std::numbers::pi;
   const Real plane = modulus / (1.0 - poisson * poisson);
   // Moments of the wall about its middle, then about the reference.
   const Real h = outer - inner, middle = 0.5 * (inner + outer), z = middle - reference;
@@ -188,8 +191,9 @@ ShellBlocks<Real> shell_blocks(const ShellRigidityOf<Real>& s, const Real& lengt
       sqrt(max(max(Real(s.shear / bending), sqrt(s.hoop / bending)), Real(s.hoop / s.shear)));
   Real piece = length, halvings(0.0);
   int most = 0;
-  for (auto longer = piece * wave_number > 1.0;
-       any(longer) && most<30; longer = piece * wave_number> 1.0, ++most) {
+  for (; most != 30; ++most) {
+    const auto longer = piece * wave_number > 1.0;
+    if (!any(longer)) break;
     piece = select(longer, 0.5 * piece, piece);
     halvings = select(longer, halvings + 1.0, halvings);
   }

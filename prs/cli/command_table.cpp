@@ -211,7 +211,8 @@ void add_export_options(CLI::App& command, Options& options) {
       ->type_name("SPEED");
   command
       .add_option("--load-case", o.load_case,
-                  "Whose position, misalignment and temperatures hold; default: the first")
+                  "Whose position, misalignment and temperatures hold, with `preload` for the "
+                  "torque alone; default: the first")
       ->type_name("NAME");
   command
       .add_option("-o,--output", o.output,

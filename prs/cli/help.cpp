@@ -21,7 +21,8 @@ constexpr std::pair<const char*, const char*> kExitStatuses[] = {
     {"1", "failed, or a result could not be written"},
     {"2", "the input or the command line is wrong"},
     {"3", "a load case did not converge"},
-    {"130", "interrupted by Ctrl-C"}};
+    {"130", "interrupted by Ctrl-C"},
+    {"143", "ended by SIGTERM"}};
 
 struct Entry {
   std::string term, text;

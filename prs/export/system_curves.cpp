@@ -212,7 +212,10 @@ class LoadsOfCase {
     Conditions c = conditions_;
     c.load_cases = {at(d, force)};
     Result result = analyze(c, contacts_);
-    add_new(std::move(result.load_cases.front().warnings), result.warnings);
+    std::vector<std::string>& of_load = result.load_cases.front().warnings;
+    for (std::string& text : of_load)
+      text += fmt::format(", at {:.4g} kN in {}", 1e-3 * force, name(d));
+    add_new(std::move(of_load), result.warnings);
     return result.warnings;
   }
 
@@ -471,19 +474,33 @@ double largest_speed(const Case& c) {
   return speed;
 }
 
+/// What the torque of a preloaded screw holds.
+std::string torque_of_preloaded(const LoadCase& pattern) {
+  std::string conditions;
+  if (!pattern.name.empty())
+    conditions = fmt::format(
+        ", at the position and temperatures of load case `{}`, which the force does not have",
+        pattern.name);
+  return fmt::format(
+      "preload: the torque is that of the external load alone{}; what friction takes of the "
+      "preload is not in it",
+      conditions);
+}
+
 void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, double force,
                   const CurveOptions& options, SystemCurves& curves) {
   if (!pattern.speed && !c.operation && options.speed) pattern.speed = options.speed;
   if (std::string text = lacking_friction(c, pattern); !text.empty()) {
     curves.warnings.push_back(std::move(text));
+    if (c.preload && options.load_case)
+      curves.warnings.push_back(fmt::format(
+          "preload: the force is that of `prs preload`; without friction the load case `{}` "
+          "changes nothing",
+          pattern.name));
     return;
   }
   require_rolling(c, contacts);
-  if (c.preload)
-    curves.warnings.push_back(
-        "preload: the torque is that of the external load alone; what friction takes of the "
-        "preload "
-        "is not in it");
+  if (c.preload) curves.warnings.push_back(torque_of_preloaded(pattern));
   const Running parts = running(c, contacts, pattern);
   FrictionTorque torque(parts.conditions, contacts, pattern, parts.oils);
   curves.friction =

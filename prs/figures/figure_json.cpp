@@ -142,7 +142,7 @@ void shorten(Json& json) {
   if (json.is_structured())
     for (Json& entry : json) shorten(entry);
   else if (json.is_number_float() && std::isfinite(json.get<double>()))
-    json = std::stod(fmt::format("{:.7g}", json.get<double>()));
+    json = Json::parse(fmt::format("{:.7g}", json.get<double>())).get<double>();
 }
 
 // From JSON: what is absent keeps its default.

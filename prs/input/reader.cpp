@@ -512,6 +512,7 @@ class MapReader : public Visitor {
     for (const Node& child : map_.node.children) {
       if (std::ranges::find(known_, child.key) != known_.end()) continue;
       std::string fix = blank_hint(child.key);
+      if (fix.empty()) fix = range_hint(child.key);
       if (fix.empty()) fix = did_you_mean(child.key, known_);
       map_.errors.add(child.key_place, join(map_.path, child.key),
                       fmt::format("unknown key; expected one of {}; {}", fmt::join(known_, ", "),
@@ -520,6 +521,13 @@ class MapReader : public Visitor {
   }
 
  private:
+  /// How to fix `{path: mechanism.lead, from: 4 mm, to: 6 mm, steps: 3}`.
+  std::string range_hint(std::string_view key) const {
+    const bool is_of_range = key == "from" || key == "to" || key == "steps";
+    const bool has_values = std::ranges::find(known_, "values") != known_.end();
+    return is_of_range && has_values ? "write `values: {from: .., to: .., steps: ..}`" : "";
+  }
+
   /// How to fix `lead:5 mm`, which is a key to YAML.
   std::string blank_hint(std::string_view key) const {
     const std::size_t colon = std::min(key.find(':'), key.size());

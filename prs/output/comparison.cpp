@@ -7,6 +7,7 @@
 
 #include "prs/output/case_table.h"
 #include "prs/output/quantity_csv.h"
+#include "prs/output/table_units.h"
 #include "prs/output/warnings.h"
 #include "prs/quantities/case_groups.h"
 #include "prs/quantities/comparison_quantities.h"
@@ -56,8 +57,9 @@ std::string comparison_table(const ModelComparison& c) {
   };
   std::string text = comparison_row({cell(""), "", "stiffness", "over", "displ.", "screw max.",
                                      "nut max.", "pressure", "over"}) +
-                     comparison_row({cell("load case"), "model", "N/µm", "best", "µm", "thread: %",
-                                     "thread: %", "max. GPa", "best"});
+                     comparison_row({cell("load case"), "model", with_table_unit("N/µm"), "best",
+                                     with_table_unit("µm"), "thread: %", "thread: %",
+                                     with_table_unit("max. GPa"), "best"});
   for (std::size_t k = 0; k < shown; ++k)
     for (std::size_t m = 0; m < c.models.size(); ++m)
       text += model_row(cell(m == 0 ? case_name_cell(c.best().load_cases[k]) : ""), {&c, k, m});

@@ -71,7 +71,9 @@ std::string row(std::size_t number, const Configuration& c) {
 }
 
 std::string heading(const ConfigurationQuery& q) {
-  const auto length = [](double si) { return input::format_quantity(si, input::unit::length); };
+  const auto length = [](double si) {
+    return fmt::format("{:.6g} {}", shown(si, "mm"), table_unit("mm").text);
+  };
   return fmt::format(
       "Screw {}, lead {}, flanks {}, no backlash, crests of neighbours {} apart or more\n\n",
       length(q.screw_diameter), length(q.lead),

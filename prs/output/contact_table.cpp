@@ -56,11 +56,11 @@ std::string table_row(std::string_view label, const std::vector<std::string>& ce
 std::string mechanism_line(const Contacts& contacts) {
   const Mechanism& m = contacts.mechanism;
   return fmt::format(
-      "{} roller screw, {}-handed, lead {:.6g} {}, {} rollers ({} fit)\n"
+      "{} roller screw, {}-handed, lead {:.6g} {}, {} roller{} ({} fit)\n"
       "centre distance {}\n",
       m.type == Mechanism::Type::standard ? "Standard" : "Inverted",
       m.lead < 0.0 ? "left" : "right", shown(std::abs(m.lead), "mm"), table_unit("mm").text,
-      m.rollers, contact::largest_roller_count(contacts.threads),
+      m.rollers, m.rollers == 1 ? "" : "s", contact::largest_roller_count(contacts.threads),
       fixed_with_unit(contacts.threads.centre_distance, "mm", 4));
 }
 

@@ -9,6 +9,7 @@
 
 #include "prs/output/case_table.h"
 #include "prs/output/csv_writer.h"
+#include "prs/output/table_units.h"
 #include "prs/output/warnings.h"
 #include "prs/quantities/json_values.h"
 #include "prs/quantities/response_title.h"
@@ -115,10 +116,11 @@ std::string derivatives_csv(const CaseDerivatives& result, const CsvStyle& style
 std::string derivatives_table(const CaseDerivatives& result) {
   std::string text;
   for (std::size_t k = 0; k < result.values.size(); ++k) {
-    const ResponseTitle title = response_title(result.study.responses[k]);
-    text += fmt::format("{}{}: {}{}\n", k > 0 ? "\n" : "", title.name,
-                        result.values[k] ? fmt::format("{:.6g}", *result.values[k]) : "absent",
-                        title.unit.empty() ? "" : " " + title.unit);
+    const auto& [title, shown] = table_response(result.study.responses[k]);
+    text +=
+        fmt::format("{}{}: {}{}\n", k > 0 ? "\n" : "", title.name,
+                    result.values[k] ? fmt::format("{:.6g}", shown * *result.values[k]) : "absent",
+                    title.unit.empty() ? "" : " " + title.unit);
     text += fmt::format("  {:<{}}  {:>16}  {:>16}  {}\n", "factor", kFactorWidth, "% per 1 %",
                         "derivative", "per");
     for (const std::size_t f : ranked(result, k)) {
@@ -128,7 +130,7 @@ std::string derivatives_table(const CaseDerivatives& result) {
           "  {}  {}  {:>16.7g}  {}\n", padded(label_of(factor), kFactorWidth, true),
           padded(d.elasticity ? fmt::format("{:.5f}", *d.elasticity) : std::string(kAbsent), 16,
                  false),
-          d.value, factor.unit.empty() ? "1" : printable(factor.unit));
+          shown * d.value, factor.unit.empty() ? "1" : printable(factor.unit));
     }
   }
   for (std::size_t f = 0; f < result.factors.size(); ++f)

@@ -10,6 +10,7 @@
 
 #include "prs/output/case_table.h"
 #include "prs/output/optimize_designs.h"
+#include "prs/output/table_units.h"
 #include "prs/study/study_text.h"
 #include "prs/text.h"
 
@@ -56,9 +57,10 @@ std::vector<Row> response_rows(const OptimizationResult& result, const Evaluated
     const auto objective = std::ranges::find(optimization.objectives, k, &Objective::response);
     const bool wanted = objective != optimization.objectives.end();
     const char* aim = !wanted ? "" : objective->maximize ? "max. " : "min. ";
+    const TableResponse response = table_response(optimization.study.responses[k]);
     const double from = result.initial.responses[k], to = chosen.responses[k];
-    rows.push_back({fmt::format("{}{}", aim, response_text(optimization.study.responses[k])),
-                    number(from), number(to), change(from, to)});
+    rows.push_back({fmt::format("{}{}", aim, response.text()), number(response.factor * from),
+                    number(response.factor * to), change(from, to)});
   }
   return rows;
 }
@@ -108,10 +110,15 @@ std::string constraints(const OptimizationResult& result, const EvaluatedDesign&
       ++kept;
       continue;
     }
-    violated += wrapped(fmt::format("violated: {}: {} against {}", printable(constraint.name),
-                                    number(chosen.responses[constraint.response]),
-                                    number(limit_of(constraint, chosen, result.initial))),
-                        "  ", kTableWidth);
+    const TableResponse response =
+        table_response(result.optimization.study.responses[constraint.response]);
+    const std::string& unit = response.title.unit;
+    violated +=
+        wrapped(fmt::format("violated: {}: {} against {}{}{}", printable(constraint.name),
+                            number(response.factor * chosen.responses[constraint.response]),
+                            number(response.factor * limit_of(constraint, chosen, result.initial)),
+                            unit.empty() ? "" : " ", unit),
+                "  ", kTableWidth);
   }
   return fmt::format("\n{} of {} constraints are kept, {} by the design in the file\n{}", kept,
                      all.size(), kept_before, violated);
@@ -137,10 +144,12 @@ std::string comparison(const OptimizationResult& result) {
   text += fmt::format("; hypervolume {:.4f} against {:.4f}\n", c.check_hypervolume, c.hypervolume);
   for (std::size_t k = 0; k < c.best.size(); ++k) {
     const Objective& objective = result.optimization.objectives[k];
+    const TableResponse response =
+        table_response(result.optimization.study.responses[objective.response]);
     text += wrapped(
-        fmt::format("best {}: {} against {} ({})",
-                    response_text(result.optimization.study.responses[objective.response]),
-                    number(c.check_best[k]), number(c.best[k]), change(c.best[k], c.check_best[k])),
+        fmt::format("best {}: {} against {} ({})", response.text(),
+                    number(response.factor * c.check_best[k]), number(response.factor * c.best[k]),
+                    change(c.best[k], c.check_best[k])),
         "  ", kTableWidth);
   }
   return text + from_check(result);

@@ -10,8 +10,8 @@
 
 #include "prs/output/case_table.h"
 #include "prs/output/study_json.h"
+#include "prs/output/table_units.h"
 #include "prs/output/warnings.h"
-#include "prs/quantities/response_title.h"
 #include "prs/study/designs.h"
 #include "prs/study/study_text.h"
 #include "prs/text.h"
@@ -48,13 +48,13 @@ Heading broken(const std::string& text) {
   return best;
 }
 
-Heading heading(const std::string& path) {
-  const ResponseTitle title = response_title(path);
+Heading heading(const ResponseTitle& title) {
   return broken(title.unit.empty() ? title.name : fmt::format("{} {}", title.name, title.unit));
 }
 
 struct Columns {
   std::vector<Heading> headings;
+  std::vector<double> factors;  ///< From the unit of documents to that of the heading.
   std::vector<std::size_t> widths;
   std::size_t value_width = 0;
 };
@@ -71,25 +71,28 @@ Columns columns_of(const StudyResult& result) {
   columns.value_width = std::min(columns.value_width, kMaxValueWidth);
   std::size_t used = columns.value_width;
   for (const std::string& path : result.study.responses) {
-    const Heading h = heading(path);
+    const TableResponse response = table_response(path);
+    const Heading h = heading(response.title);
     const std::size_t w = std::max({kMinCell, width(h.upper), width(h.lower)});
     if (used + kGap.size() + w > kTableWidth) break;
     used += kGap.size() + w;
     columns.headings.push_back(h);
+    columns.factors.push_back(response.factor);
     columns.widths.push_back(w);
   }
   return columns;
 }
 
-std::string number(const std::optional<double>& value) {
-  return value ? fmt::format("{:.5g}", *value) : std::string(kAbsent);
+std::string number(const std::optional<double>& value, double factor) {
+  return value ? fmt::format("{:.5g}", factor * *value) : std::string(kAbsent);
 }
 
 std::string row_line(const Columns& columns, const std::string& value, const StudyRow& row) {
   std::string line = padded(shortened(value, columns.value_width), columns.value_width, true);
   if (!row.status.converged()) return fmt::format("{}{}{}\n", line, kGap, row.status.name);
   for (std::size_t c = 0; c < columns.widths.size(); ++c)
-    line.append(kGap).append(padded(number(row.responses[c]), columns.widths[c], false));
+    line.append(kGap).append(
+        padded(number(row.responses[c], columns.factors[c]), columns.widths[c], false));
   return line + '\n';
 }
 
@@ -224,7 +227,7 @@ std::string more_factors(std::size_t count) {
 
 std::string contributions(const Study& study, std::size_t response, const LinearFit& fit) {
   std::string text = fmt::format("\n{}: contributions to a linear response surface, R² = {:.4f}\n",
-                                 response_text(study.responses[response]), fit.r_squared);
+                                 table_response(study.responses[response]).text(), fit.r_squared);
   if (fit.r_squared < kLowRSquared)
     text += "  little of it is linear: rank by the shares of variance (plan: sobol_indices)\n";
   std::size_t k = 0;
@@ -247,7 +250,7 @@ std::string estimate_text(const Estimate& estimate) {
 std::string variance_shares(const Study& study, std::size_t response,
                             const ResponseIndices& indices) {
   std::string text = fmt::format("\n{}: shares of the variance, {} samples",
-                                 response_text(study.responses[response]), indices.samples);
+                                 table_response(study.responses[response]).text(), indices.samples);
   if (indices.left_out > 0) text += fmt::format(", {} left out", indices.left_out);
   text += fmt::format("\n       {}    alone             with others\n", std::string(kMaxName, ' '));
   std::size_t k = 0;
@@ -288,13 +291,15 @@ std::string statistics(const StudyResult& result) {
   text += '\n';
   for (std::size_t k = 0; k < result.summary.statistics.size(); ++k) {
     const ResponseStatistics& s = result.summary.statistics[k];
-    text += padded(shortened(response_text(result.study.responses[k]), kMaxName), kMaxName, true);
+    const TableResponse response = table_response(result.study.responses[k]);
+    text += padded(shortened(response.text(), kMaxName), kMaxName, true);
     std::vector<std::optional<double>> values{result.base().responses[k]};
     if (s.count > 0)
       values.insert(values.end(),
                     {s.mean, s.standard_deviation, s.min, s.quantiles[1], s.quantiles[3], s.max});
     for (const std::optional<double>& value : values) {
-      const std::string cell = value ? fmt::format("{:.4g}", *value) : std::string(kAbsent);
+      const std::string cell =
+          value ? fmt::format("{:.4g}", response.factor * *value) : std::string(kAbsent);
       text += fmt::format(" {}", padded(cell, kStatistic, false));
     }
     text += '\n';
@@ -311,10 +316,11 @@ std::string extremes(const StudyResult& result) {
   for (std::size_t k = 0; k < std::min(result.study.responses.size(), kMostRankings); ++k) {
     const ResponseStatistics& s = result.summary.statistics[k];
     if (s.count == 0 || s.min == s.max) continue;
-    text += fmt::format("\n{}\n", response_text(result.study.responses[k]));
+    const TableResponse response = table_response(result.study.responses[k]);
+    text += fmt::format("\n{}\n", response.text());
     for (const auto& [word, value, at] :
          {std::tuple{"min", s.min, s.min_design}, {"max", s.max, s.max_design}})
-      text += wrapped(fmt::format("{} {}: {}", word, number(value),
+      text += wrapped(fmt::format("{} {}: {}", word, number(value, response.factor),
                                   labelled_settings(result.study, design(result.study, at))),
                       "  ", kTableWidth);
   }
@@ -339,10 +345,12 @@ std::string envelope_measures(const StudyResult& result) {
   std::string text = fmt::format("\nEnvelope, {} of the normalised measures\n",
                                  product ? "product of powers" : "weighted sum");
   text += envelope_row("", {product ? "exponent" : "factor", "divided by", "rms"});
-  for (const MeasureMap& measure : envelope.measures)
-    text += envelope_row(response_text(result.study.responses[measure.response]),
-                         {fmt::format("{:g}", measure.weight), short_number(measure.normalised_by),
-                          short_number(measure.rms)});
+  for (const MeasureMap& measure : envelope.measures) {
+    const TableResponse response = table_response(result.study.responses[measure.response]);
+    text += envelope_row(response.text(), {fmt::format("{:g}", measure.weight),
+                                           short_number(response.factor * measure.normalised_by),
+                                           short_number(response.factor * measure.rms)});
+  }
   text += envelope_row("envelope", {"", "", short_number(envelope.rms)});
   if (envelope.without > 0)
     text += fmt::format("{} of {} designs have no envelope\n", envelope.without,
@@ -381,9 +389,12 @@ std::string envelope_points(const StudyResult& result) {
       if (!level.number || level.text.starts_with('{')) return printable(level.text);
       return fmt::format("{:.5g}{}{}", *level.number, unit.empty() ? "" : " ", printable(unit));
     });
-  for (std::size_t k = 0; k < study.responses.size(); ++k)
-    text += row(response_text(study.responses[k]),
-                [&](const EnvelopePoint& p) { return short_number(p.responses[k]); });
+  for (std::size_t k = 0; k < study.responses.size(); ++k) {
+    const TableResponse response = table_response(study.responses[k]);
+    text += row(response.text(), [&](const EnvelopePoint& p) {
+      return short_number(response.factor * p.responses[k]);
+    });
+  }
   text += row("envelope", [](const EnvelopePoint& p) { return short_number(p.envelope); });
   if (shown < found.size())
     text += fmt::format("… {} more points in study.json\n", found.size() - shown);

@@ -98,4 +98,17 @@ std::string fixed_with_unit(std::optional<double> si, std::string_view unit, int
 
 double table_factor(const ShownUnit& unit) { return table_unit(unit).factor / unit.factor; }
 
+std::string TableResponse::text() const {
+  return title.unit.empty() ? title.name : fmt::format("{} ({})", title.name, title.unit);
+}
+
+TableResponse table_response(std::string_view path) {
+  TableResponse response{response_title(path)};
+  const ShownUnit& unit = documents_unit(response.title.unit);
+  if (unit.text.empty()) return response;
+  response.factor = table_factor(unit);
+  response.title.unit = table_unit(unit).text;
+  return response;
+}
+
 }  // namespace prs

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "prs/quantities/response_title.h"
 #include "prs/quantities/shown_unit.h"
 
 namespace prs {
@@ -43,5 +44,15 @@ std::string fixed_with_unit(std::optional<double> si, std::string_view unit, int
 
 /// What shows a number of documents in the unit of tables.
 double table_factor(const ShownUnit& unit);
+
+/// A response of a study as tables show it.
+struct TableResponse {
+  ResponseTitle title;  ///< With the unit of tables.
+  double factor = 1.0;  ///< What shows a number of documents in that unit.
+
+  std::string text() const;  ///< `max screw peak pressure (MPa)`
+};
+
+TableResponse table_response(std::string_view path);
 
 }  // namespace prs

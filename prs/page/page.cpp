@@ -16,8 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// With the engine, less is left for the rest below 2.5 MB.
-constexpr ReportRoom kRoomWithEngine{500'000, 300'000, 150'000};
+constexpr std::size_t kLargestLivePage = 2'500'000;  ///< Bytes.
+
+/// What the engine leaves for the rest, and what is tried where that is still too much.
+constexpr ReportRoom kRoomsWithEngine[] = {{500'000, 300'000, 150'000}, {200'000, 150'000, 50'000}};
 
 std::string base64(std::string_view bytes) {
   std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
@@ -149,10 +151,27 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
 Report make_report(const input::Source& source, const PageOptions& options) {
   const std::string_view engine = options.live ? page_engine() : std::string_view();
   ReportOptions asked{options.command, options.results};
-  if (!engine.empty()) asked.room = kRoomWithEngine;
+  const auto report = [](std::string page, ReportParts parts) {
+    return Report{std::move(page), std::move(parts.data), std::move(parts.notes), parts.converged};
+  };
+  std::size_t size = 0;
+  if (!engine.empty())
+    for (const ReportRoom& room : kRoomsWithEngine) {
+      asked.room = room;
+      ReportParts parts = report_parts(source, asked);
+      std::string page = page_html(source, parts, engine);
+      size = page.size();
+      if (size <= kLargestLivePage) return report(std::move(page), std::move(parts));
+    }
+  asked.room = {};
   ReportParts parts = report_parts(source, asked);
-  return {page_html(source, parts, engine), std::move(parts.data), std::move(parts.notes),
-          parts.converged};
+  if (size > 0)
+    parts.notes.push_back(
+        fmt::format("the page is static: with the engine, the file and its force history it would "
+                    "have {:.1f} MB; expected at most {:.1f} MB; shorten the file or the history",
+                    static_cast<double>(size) / 1e6, kLargestLivePage / 1e6));
+  std::string page = page_html(source, parts, {});
+  return report(std::move(page), std::move(parts));
 }
 
 }  // namespace prs

@@ -169,6 +169,13 @@ std::pair<double, double> ends_of(const Findings& all, const Control& control, d
   return std::minmax({rounded(from), rounded(to)});
 }
 
+/// As a field has room for it.
+std::string short_text(const std::string& value, const Written& written) {
+  constexpr std::size_t kRoom = 12;
+  if (value.size() <= kRoom) return value;
+  return fmt::format("{:.6g}{}{}", written.number, written.unit.empty() ? "" : " ", written.unit);
+}
+
 std::string slider_html(const Findings& all, const Slider& slider, int index) {
   const Control& control = *slider.control;
   const Written written = *number_and_unit(slider.value);
@@ -183,8 +190,9 @@ std::string slider_html(const Findings& all, const Slider& slider, int index) {
       "<input id=\"v{2}\" type=\"text\" value=\"{1}\" autocomplete=\"off\" spellcheck=\"false\">"
       "<input type=\"range\" aria-label=\"{3}, slider\" min=\"{4}\" max=\"{5}\" step=\"{6}\" "
       "value=\"{7}\" data-unit=\"{8}\"></div>\n",
-      html(fmt::format("{}", fmt::join(slider.paths, " "))), html(slider.value), index, html(title),
-      least, most, control.kind == Span::whole ? "1" : "any", written.number, html(written.unit));
+      html(fmt::format("{}", fmt::join(slider.paths, " "))),
+      html(short_text(slider.value, written)), index, html(title), least, most,
+      control.kind == Span::whole ? "1" : "any", written.number, html(written.unit));
 }
 
 std::string name_of_case(const Findings& all, const std::string& path) {

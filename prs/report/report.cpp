@@ -261,21 +261,32 @@ std::string contact_html(Findings& all) {
 }
 
 std::string inputs_html(const Findings& all) {
+  constexpr std::size_t kMostOfBlock = 1000;
   std::vector<std::vector<std::string>> rows;
   std::string block;
-  std::size_t defaults = 0;
+  std::size_t defaults = 0, of_block = 0;
+  const auto end_block = [&] {
+    if (of_block > kMostOfBlock)
+      rows.push_back({fmt::format("… and {} more", of_block - kMostOfBlock),
+                      "<code>prs check --all</code> shows them", ""});
+    of_block = 0;
+  };
   for (const Json& entry : all.check["input"]) {
     const std::string path = entry["path"];
     if (const std::string own = path.substr(0, path.find_first_of(".["));
-        std::exchange(block, own) != own)
+        std::exchange(block, own) != own) {
+      end_block();
       rows.push_back({html(own)});
+    }
     const bool is_default = entry.value("default", false);
     defaults += is_default ? 1 : 0;
+    if (++of_block > kMostOfBlock) continue;
     const std::string origin = entry.value("origin", "default");
     rows.push_back(
         {fmt::format("<code>{}</code>", html(path)), html(entry["value"].get<std::string>()),
          is_default ? fmt::format("<span class=\"default\">{}</span>", html(origin)) : "given"});
   }
+  end_block();
   std::string text = fmt::format(
       "<p>Every value of the case, {} of them defaults that the file does not state.</p>\n",
       defaults);
@@ -432,22 +443,23 @@ std::string warnings_html(Findings& all) {
   return warning_list(all) + refused;
 }
 
-/// Documents as long as there is room; all of them without a bound.
+/// The values of the case and documents as long as there is room; all of them without a bound.
 Json data_of(const Findings& all, std::optional<std::size_t> room) {
+  const auto takes = [&](const Json& json) {
+    if (!room) return true;
+    const std::size_t size = json.dump(-1, ' ', false, Json::error_handler_t::replace).size();
+    if (size > *room) return false;
+    *room -= size;
+    return true;
+  };
   Json data{{"prs_version", kVersion}, {"date", all.date}};
   for (const char* key : {"schema_version", "case_file", "input_sha256", "resolved_input"})
-    if (all.check.contains(key)) data[key] = all.check[key];
+    if (all.check.contains(key) && takes(all.check[key])) data[key] = all.check[key];
   data["overrides"] = all.source.overrides;
   data["results"] = Json::object();
-  for (const CommandAnswer& answer : all.answers) {
-    if (room) {
-      const std::size_t size =
-          answer.document.dump(-1, ' ', false, Json::error_handler_t::replace).size();
-      if (size > *room) continue;
-      *room -= size;
-    }
-    data["results"][std::string(name(answer.command))] = answer.document;
-  }
+  for (const CommandAnswer& answer : all.answers)
+    if (takes(answer.document))
+      data["results"][std::string(name(answer.command))] = answer.document;
   return data;
 }
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "prs/quantities/response_title.h"
-
 namespace prs {
 namespace {
 
@@ -11,11 +9,6 @@ constexpr std::size_t kLongNumber = 14;
 constexpr std::size_t kMaxTitle = 36;
 
 }  // namespace
-
-std::string response_text(const std::string& path) {
-  const ResponseTitle title = response_title(path);
-  return title.unit.empty() ? title.name : fmt::format("{} ({})", title.name, title.unit);
-}
 
 std::string level_text(const Level& level, const std::string& unit) {
   const std::string text = printable(level.text);

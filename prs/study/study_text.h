@@ -8,9 +8,6 @@
 
 namespace prs {
 
-/// `max screw peak pressure (MPa)` of the path of a response.
-std::string response_text(const std::string& path);
-
 /// A level as it is written, long numbers with six digits.
 std::string level_text(const Level& level, const std::string& unit);
 

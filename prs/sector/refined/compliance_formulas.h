@@ -1,5 +1,7 @@
 #pragma once
 
+#include <numbers>
+
 #include "simd/lanes.h"
 
 /// Formulas of local_compliance.h for a number or a batch of numbers.
@@ -25,7 +27,7 @@ LineReachOf<Real> reach_around(const Real& radius, const Real& rows) {
 
 template <class Real>
 LineReachOf<Real> reach_of_opposite(const Real& radius) {
-  constexpr double kE = 2.718281828459045;
+  constexpr double kE = std::numbers::e;
   return {2.0 / kE * radius, 2.0 / (kE * kE) * radius};
 }
 
@@ -33,7 +35,7 @@ template <class Real>
 Real concentration(const LineReachOf<Real>& reach, const ElasticNumbers<Real>& m, const Real& pitch,
                    const Real& sine, const Real& cosine) {
   using simd::log;
-  constexpr double kPi = 3.141592653589793, kEulerGamma = 0.5772156649015329;
+  constexpr double kPi = std::numbers::pi, kEulerGamma = std::numbers::egamma;
   const Real shear_modulus = m.modulus / (2.0 * (1.0 + m.poisson));
   const auto row = [&](const Real& length) { return log(0.5 * length / pitch) + kEulerGamma; };
   return sine * sine * 2.0 * (1.0 - m.poisson * m.poisson) / (kPi * m.modulus * pitch) *
@@ -51,7 +53,7 @@ Real lame_ratio(const Real& outer, const Real& inner) {
 template <class Real>
 Real pressure_factor(const Real& modulus, const Real& rollers, const Real& pitch,
                      const Real& sine) {
-  constexpr double kTwoPi = 6.283185307179586;
+  constexpr double kTwoPi = 2.0 * std::numbers::pi;
   return rollers * sine * sine / (kTwoPi * pitch * modulus);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <numbers>
 #include <span>
 
 #include "fe/shell_formulas.h"
@@ -41,7 +42,7 @@ template <class Real>
 Real centre_of_pressure_of(const Real& force, const Real& tilt, const Real& width,
                            const Real& plane_modulus) {
   using simd::abs, simd::select;
-  constexpr double kPi = 3.141592653589793;
+  constexpr double kPi = std::numbers::pi;
   const Real lean = kPi * plane_modulus * abs(tilt) * width / force;  // 4 where b = w
   const Real from_edge = select(lean > 4.0, width / lean, width * (0.5 - lean / 16.0));
   return select(tilt > 0.0, from_edge, width - from_edge);
@@ -150,7 +151,7 @@ ThrustTilt<Real> thrust_tilt(const NutShape& shape, const NutNumbers<Real>& n,
 template <class Real>
 Real thrust_radius(const NutShape& shape, const NutNumbers<Real>& n, const ThrustTilt<Real>& tilt) {
   using simd::select;
-  constexpr double kTwoPi = 6.283185307179586;
+  constexpr double kTwoPi = 2.0 * std::numbers::pi;
   const Real plane_modulus = n.modulus / (1.0 - n.poisson * n.poisson);
   const Real axial_force = n.cosine * static_cast<double>(shape.contacts.size());
   const Real width = n.ring_outer - n.ring_inner;

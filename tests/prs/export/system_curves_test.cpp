@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
@@ -16,6 +19,7 @@ namespace {
 using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 Case lesson_case(const std::string& name, Command command,
                  const std::vector<std::string>& overrides = {}) {
@@ -116,6 +120,25 @@ TEST(SystemCurves, OfAPreloadedNutAreThoseOfPreload) {
   }
   EXPECT_NEAR(at(curves, 0.0).stiffness, *preloaded.at_rest.tangent_stiffness,
               1e-9 * *preloaded.at_rest.tangent_stiffness);
+}
+
+TEST(SystemCurves, WarningsNameTheForceAndItsSense) {
+  const Case c = lesson_case("01_config_1_to_3.yaml", Command::solve);
+  const std::vector<std::string> warnings = system_curves(c, {.force = 60e3}).warnings;
+  for (const char* sense : {"tension", "compression"})
+    EXPECT_THAT(warnings,
+                testing::Contains(testing::AllOf(HasSubstr("exceeds 4.0 GPa"),
+                                                 HasSubstr(std::string("at 60 kN in ") + sense))));
+}
+
+TEST(SystemCurves, OfAPreloadedNutSayWhatALoadCaseChanges) {
+  const auto warnings = [](const std::string& load_cases, const std::optional<std::string>& asked) {
+    const Case c = lesson_case("12_preload.yaml", Command::preload, {"load_cases=" + load_cases});
+    return system_curves(c, {.load_case = asked}).warnings;
+  };
+  const std::string one = "[{name: far, axial_force: 8 kN, direction: tension, position: 20 mm}]";
+  EXPECT_THAT(warnings(one, "far"), testing::Contains(HasSubstr("load case `far`")));
+  EXPECT_THAT(warnings(one, std::nullopt), Not(testing::Contains(HasSubstr("changes nothing"))));
 }
 
 /// Both flanks of a nut with play touch after half of it each.

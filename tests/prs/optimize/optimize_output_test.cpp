@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 #include "prs/output/optimize_csv.h"
 #include "prs/output/optimize_json.h"
 #include "prs/output/optimize_table.h"
+#include "prs/output/table_units.h"
 #include "prs/text.h"
 #include "tests/support/text_lines.h"
 
@@ -122,6 +124,17 @@ TEST(OptimizeTable, FitsIts110Columns) {
   EXPECT_THAT(table, HasSubstr("2 of 2 constraints are kept"));
   EXPECT_THAT(table, HasSubstr("Check by nspso"));
   EXPECT_THAT(table, HasSubstr("without an answer, the first: x: got one that no mechanism has"));
+}
+
+TEST(OptimizeTable, ResponsesHaveTheUnitsOfTables) {
+  OptimizationResult result = problem().run();
+  result.optimization.study.responses[0] = "f_N";
+  const double least = result.design(*result.compromise).responses[0];
+  EXPECT_THAT(optimize_table(result), HasSubstr("min. f (N)"));
+  const TableUnits units(UnitSystem::us);
+  EXPECT_THAT(optimize_table(result), HasSubstr("min. f (lbf)"));
+  // 1 lbf = 4.448221615 N (NIST SP 811, appendix B.8).
+  EXPECT_THAT(optimize_table(result), HasSubstr(fmt::format(" {:.6g} ", least / 4.448221615)));
 }
 
 }  // namespace

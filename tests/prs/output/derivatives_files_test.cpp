@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/figures/pictures.h"
+#include "prs/output/table_units.h"
 
 namespace prs {
 namespace {
@@ -51,6 +52,14 @@ TEST(DerivativesFiles, CsvHasARowAResponseAndFactor) {
             "axial_stiffness_N_per_um,800,bore,bore,6,mm,-10,-0.075,1e-09,\n"
             "axial_stiffness_N_per_um,800,diameter,diameter,20,mm,80,2,1e-08,\n"
             "axial_stiffness_N_per_um,800,length,length,90,mm,,,,two sections meet\n");
+}
+
+TEST(DerivativesFiles, TableHasTheUnitsOfTables) {
+  const TableUnits units(UnitSystem::us);
+  const std::string table = derivatives_table(sample_derivatives());
+  // 1 lbf/in = 175.126835 N/m (NIST SP 811, appendix B.8, with the digits of its factors).
+  EXPECT_THAT(table, HasSubstr("axial stiffness: 4.56812e+06 lbf/in"));
+  EXPECT_THAT(table, HasSubstr(" 456811.8 "));  // Per mm of the diameter, as the file states it.
 }
 
 TEST(DerivativesFiles, TableHasTheStrongestFirst) {

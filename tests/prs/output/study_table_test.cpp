@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <iterator>
 #include <sstream>
+#include <vector>
 
+#include "prs/output/table_units.h"
 #include "prs/study/study_text.h"
 #include "prs/text.h"
 #include "tests/support/sample_study.h"
@@ -47,6 +51,26 @@ TEST(StudyTable, RankingComesFirst) {
   expect_narrow(table);
 }
 
+/// The numbers of a line that begins so.
+std::vector<double> numbers_of(const std::string& table, const std::string& label) {
+  const std::size_t line = table.rfind("\n" + label);
+  if (line == std::string::npos) return {};
+  const std::size_t start = line + 1 + label.size();
+  std::istringstream cells(table.substr(start, table.find('\n', start) - start));
+  return {std::istream_iterator<double>(cells), {}};
+}
+
+TEST(StudyTable, ResponsesHaveTheUnitsOfTables) {
+  const StudyResult study = sample::sampled(Plan::latin_hypercube);
+  const std::vector<double> si = numbers_of(study_table(study), "max screw peak pressure (MPa) ");
+  const TableUnits units(UnitSystem::us);
+  const std::vector<double> us = numbers_of(study_table(study), "max screw peak pressure (ksi) ");
+  ASSERT_THAT(si, testing::SizeIs(7));
+  ASSERT_THAT(us, testing::SizeIs(7));
+  for (std::size_t k = 0; k < si.size(); ++k)  // NIST SP 811, appendix B.8; four digits are shown.
+    EXPECT_NEAR(us[k] * 6.894757, si[k], 1e-3 * std::abs(si[k]));
+}
+
 TEST(StudyTable, SharesOfTheVarianceHaveTheirIntervals) {
   const std::string table = study_table(sample::sampled(Plan::sobol_indices, 512));
   EXPECT_THAT(table, AllOf(HasSubstr("max nut peak pressure (MPa): shares of the variance, 512"),
@@ -84,12 +108,12 @@ TEST(StudyTable, ProgressTellsRateAndTimeLeft) {
 }
 
 TEST(StudyText, TitlesAreForPeople) {
-  EXPECT_EQ(response_text("screw.peak_pressure_MPa.max"), "max screw peak pressure (MPa)");
-  EXPECT_EQ(response_text("slip.share_percent.carrier_nut"), "carrier nut share (%)");
-  EXPECT_EQ(response_text("axial_stiffness_N_per_um"), "axial stiffness (N/µm)");
-  EXPECT_EQ(response_text("slip.efficiency"), "efficiency");
-  EXPECT_EQ(response_text("screw.load_rate_percent[0]"), "screw load rate, thread 1 (%)");
-  EXPECT_EQ(response_text("contact.nut.body_curvatures_per_mm[1]"),
+  EXPECT_EQ(table_response("screw.peak_pressure_MPa.max").text(), "max screw peak pressure (MPa)");
+  EXPECT_EQ(table_response("slip.share_percent.carrier_nut").text(), "carrier nut share (%)");
+  EXPECT_EQ(table_response("axial_stiffness_N_per_um").text(), "axial stiffness (N/µm)");
+  EXPECT_EQ(table_response("slip.efficiency").text(), "efficiency");
+  EXPECT_EQ(table_response("screw.load_rate_percent[0]").text(), "screw load rate, thread 1 (%)");
+  EXPECT_EQ(table_response("contact.nut.body_curvatures_per_mm[1]").text(),
             "nut body curvatures[1] (1/mm)");
   EXPECT_EQ(level_text({"54.33333333333333 mm", 54.33333333333333}, "mm"), "54.3333 mm");
   EXPECT_EQ(level_text({"{convex: 6.25123456 mm}", 0.16}, "1/mm"), "{convex: 6.25123456 mm}");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "prs/output/comparison.h"
+#include "prs/output/table_units.h"
 #include "support/sample_result.h"
 #include "support/text_lines.h"
 
@@ -45,6 +47,18 @@ TEST(LoadCaseTable, ColumnsLineUpAndFit) {
   EXPECT_LE(widest_line(table), 110);
   const auto rows = lines(table);
   EXPECT_EQ(width(rows.at(3)), width(rows.at(4)));
+}
+
+TEST(ComparisonTable, HasTheUnitsOfTables) {
+  Result result;
+  result.load_cases = {solved_case("pull", 45e3, Direction::tension)};  // 800 N/µm
+  ModelComparison comparison;
+  comparison.models = {result};
+  const TableUnits units(UnitSystem::us);
+  const std::vector<std::string> table = lines(comparison_table(comparison));
+  for (const char* unit : {"lbf/in", "µin", "max. ksi"})
+    EXPECT_TRUE(contains(table.at(1), unit)) << table.at(1);
+  EXPECT_TRUE(contains(table.at(2), " 4568118 ")) << table.at(2);  // 175.126835 N/m each.
 }
 
 TEST(LoadCaseTable, ManyPointsOfARangeFold) {

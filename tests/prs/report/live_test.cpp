@@ -9,6 +9,7 @@
 namespace prs {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -86,6 +87,15 @@ TEST(LiveReport, MovesInputsThatMatter) {
               HasSubstr("mechanism.flank_angle"));
 }
 
+TEST(Controls, LongValuesAreShortened) {
+  input::Source source = live_lesson("04_contacts_from_geometry.yaml");
+  source.overrides.push_back("structure.nut.outer_diameter=2.1 in");  // 53.339999999999996 mm
+  source.overrides.push_back("load_cases[0].axial_force=1234.56789012 N");
+  const std::string controls = report_parts(source, {}).controls;
+  EXPECT_THAT(controls, HasSubstr("data-value=\"53.34 mm\""));
+  EXPECT_THAT(controls, HasSubstr("data-value=\"1234.57 N\""));
+}
+
 TEST(LivePage, CarriesTheEngineUnlessStatic) {
   const input::Source source = live_lesson("04_contacts_from_geometry.yaml");
   const std::string still = make_report(source, {.live = false}).html;
@@ -98,6 +108,26 @@ TEST(LivePage, CarriesTheEngineUnlessStatic) {
   EXPECT_THAT(live, HasSubstr("script-src 'sha256-"));
   EXPECT_THAT(live, HasSubstr("connect-src 'none'"));
   EXPECT_GT(live.size(), still.size() + page_engine().size());
+}
+
+TEST(Report, OfThousandsOfLoadsIsNoLargerThanOthers) {
+  input::Source source = live_lesson("04_contacts_from_geometry.yaml");
+  source.text += "\nlife:\n  position: 29 mm\n  spectrum:\n";
+  for (int k = 0; k < 8000; ++k)
+    source.text += "    - {force: 9 kN, direction: tension, share: 0.000125}\n";
+  const Report report = make_report(source, {.live = false});
+  EXPECT_LT(report.html.size(), 2'500'000u);
+  EXPECT_NE(report.html.find("<code>prs check --all</code> shows them"), std::string::npos);
+}
+
+TEST(LivePage, IsStaticWhereItsFileIsTooLarge) {
+  if (page_engine().empty()) return;
+  input::Source source = live_lesson("04_contacts_from_geometry.yaml");
+  source.text += "\n# " + std::string(900'000, 'x') + "\n";
+  const Report report = make_report(source);
+  EXPECT_LT(report.html.size(), 2'500'000u);
+  EXPECT_THAT(report.html, Not(HasSubstr("script-src")));
+  EXPECT_THAT(report.notes, Contains(HasSubstr("the page is static")));
 }
 
 }  // namespace

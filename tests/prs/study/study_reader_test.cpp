@@ -105,6 +105,14 @@ TEST(StudyReader, FactorCarriesItsCompanions) {
   EXPECT_FALSE(f.companions[1].continuous);
 }
 
+TEST(StudyReader, SaysWhereARangeBelongs) {
+  EXPECT_THAT(
+      error_of("path: mechanism.lead, from: 4 mm, to: 6 mm, steps: 3"),
+      HasSubstr("study.factors[0].from: unknown key; expected one of path, values, uniform, "
+                "log_uniform, normal, within, label, with; write `values: {from: .., to: "
+                ".., steps: ..}`"));
+}
+
 TEST(StudyReader, RefusesCompanionsThatCannotGoAlong) {
   const std::string lead = "path: mechanism.lead, values: [5 mm, 6 mm], with: ";
   EXPECT_THAT(error_of(lead + "[{path: mechanism.rollers, values: [9]}]"),

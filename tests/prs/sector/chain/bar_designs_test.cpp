@@ -6,7 +6,6 @@
 
 #include "prs/sector/chain/chain_solver.h"
 #include "prs/sector/chain/solves.h"
-#include "support/allocations.h"
 #include "support/count.h"
 
 namespace prs {
@@ -130,12 +129,7 @@ TEST(BarDesigns, IterationLimitIsAStatusOfEachDesign) {
 TEST(BarDesigns, RepeatedSolvesAllocateNothing) {
   Designs designs;
   for (int k = 0; k < 20; ++k) designs.add(test::abevi(), 2e3 * (k + 1), "");
-  std::vector<LoadDistribution> results(20);
-  BarDesignSolver solver;
-  solver.solve(designs.sectors, designs.forces, results);
-  const std::size_t before = test::allocations();
-  solver.solve(designs.sectors, designs.forces, results);
-  EXPECT_EQ(test::allocations(), before);
+  test::expect_repeated_solves_allocate_nothing<BarDesignSolver>(designs);
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "prs/sector/chain/chain_solver.h"
 #include "prs/sector/chain/fallback_solver.h"
 #include "prs/sector/chain/solves.h"
-#include "support/allocations.h"
 #include "support/count.h"
 
 namespace prs {
@@ -88,6 +87,7 @@ double difference(const LoadDistribution& a, const LoadDistribution& b) {
 /// 1e-10 in a thread's load; elsewhere 1e-11 is kept.
 TEST(RefinedDesigns, AgreeWithSolvesOneAfterTheOther) {
   const Refined designs = random_designs(test::count(300, 20'000));
+  ASSERT_GT(designs.forces.size(), 100u);
   std::vector<LoadDistribution> expected;
   for (std::size_t k = 0; k < designs.forces.size(); ++k)
     expected.push_back(FallbackSolver(designs.cases[k].model()).solve(designs.forces[k]));
@@ -118,6 +118,7 @@ TEST(RefinedDesigns, AgreeWithSparseSolverOnSpecialCases) {
   for (const test::NamedCase& c : test::special_cases())
     if (c.sector.structure.nut.thrust.tension != c.sector.structure.nut.thrust.compression)
       for (const double force : {1e-3, 45e3}) designs.add(c.sector, force);
+  ASSERT_GT(designs.forces.size(), 10u);
   std::vector<LoadDistribution> expected;
   for (std::size_t k = 0; k < designs.forces.size(); ++k)
     expected.push_back(test::sparse(designs.cases[k].build(), designs.forces[k]));
@@ -170,12 +171,7 @@ TEST(RefinedDesigns, OneThatFailsLeavesTheOthersAlone) {
 TEST(RefinedDesigns, RepeatedSolvesAllocateNothing) {
   Refined designs;
   for (int k = 0; k < 20; ++k) designs.add(test::abevi(), 2e3 * (k + 1));
-  std::vector<LoadDistribution> results(20);
-  RefinedDesignSolver solver;
-  solver.solve(designs.sectors, designs.forces, results);
-  const std::size_t before = test::allocations();
-  solver.solve(designs.sectors, designs.forces, results);
-  EXPECT_EQ(test::allocations(), before);
+  test::expect_repeated_solves_allocate_nothing<RefinedDesignSolver>(designs);
 }
 
 }  // namespace

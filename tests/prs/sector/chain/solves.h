@@ -10,6 +10,7 @@
 
 #include "prs/sector/chain/instruction_set.h"
 #include "prs/sector/load_distribution.h"
+#include "support/allocations.h"
 #include "support/sectors.h"
 
 namespace test {
@@ -167,6 +168,17 @@ inline SectorCase refined(SectorCase c, std::mt19937_64& random) {
   c.options.roller_contacts =
       mostly() && mostly() ? Contacts::opposite : Contacts::half_pitch_apart;
   return c;
+}
+
+/// Of a solver that has solved the same designs before.
+template <class Solver, class Designs>
+void expect_repeated_solves_allocate_nothing(const Designs& designs) {
+  std::vector<prs::LoadDistribution> results(designs.forces.size());
+  Solver solver;
+  solver.solve(designs.sectors, designs.forces, results);
+  const std::size_t before = allocations();
+  solver.solve(designs.sectors, designs.forces, results);
+  EXPECT_EQ(allocations(), before);
 }
 
 }  // namespace test
