@@ -52,7 +52,9 @@ Source read_source(std::istream& in, std::string name, std::vector<std::string> 
   }
   if (in.bad()) throw refusal(name, "a file that cannot be read", "check the disk");
   if (text.size() > kLargestFile)
-    throw refusal(name, "a file of more than 1 MiB", "check that it is the right file");
+    throw refusal(
+        name, "a file of more than 1 MiB",
+        "check that it is the right file; long force histories are CSV files (`life.history`)");
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // Byte order mark.
   return {std::move(name), std::move(text), std::move(overrides)};
 }
