@@ -1,5 +1,7 @@
 #include "bench/function_kernel.h"
 
+#include "simd/asinh.h"
+
 template <class Arch>
 double FunctionKernel::operator()(Arch, Function function, const double* x,
                                   std::size_t size) const {
@@ -26,7 +28,7 @@ double FunctionKernel::operator()(Arch, Function function, const double* x,
     case Function::log:
       return sum_of([](const Batch& v) { return log(v); });
     case Function::asinh:
-      return sum_of([](const Batch& v) { return asinh(v); });
+      return sum_of([](const Batch& v) { return simd::asinh_of_positive(v); });
   }
   return 0.0;
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "contact/lubricant.h"
 
 namespace contact {
@@ -75,9 +73,7 @@ Film nijenbanning_film(const Lubricant& lubricant, const FilmContact& contact,
 /// Share of the load on flanks that touch through a film of Lambda times their composite Rq,
 /// (1 + Lambda)^-exponent, with an exponent of 2 after Olver and Spikes (Proc. Instn Mech. Engrs J
 /// 212, 1998, 321): 1 without film, 0.25 where the film is as thick as the roughness.
-inline double boundary_share(double film_ratio, double exponent) {
-  return std::pow(1.0 + film_ratio, -exponent);
-}
+double boundary_share(double film_ratio, double exponent);
 
 /// Factor K [s/m] of the sliding speed in Jacod's friction coefficient (Sandu 2018, (2.27),
 /// (2.30)),

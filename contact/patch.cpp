@@ -1,5 +1,6 @@
 #include "contact/patch.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -8,10 +9,10 @@
 namespace contact {
 namespace {
 
-Eigen::ArrayXd filled_up(const std::vector<double>& values) {
+Eigen::ArrayXd filled_up(const std::vector<double>& values, double with) {
   const auto size = static_cast<Eigen::Index>(values.size());
   Eigen::ArrayXd array =
-      Eigen::ArrayXd::Zero((size + simd::kWidest - 1) / simd::kWidest * simd::kWidest);
+      Eigen::ArrayXd::Constant((size + simd::kWidest - 1) / simd::kWidest * simd::kWidest, with);
   array.head(size) = Eigen::Map<const Eigen::ArrayXd>(values.data(), size);
   return array;
 }
@@ -22,20 +23,32 @@ PatchGrid::PatchGrid(int points_along_axis) {
   assert(points_along_axis > 0);
   const double n = points_along_axis;
   std::vector<double> major, minor, dome, inverse_dome;
+  std::vector<int> squares;  // (n r)^2 of the points, whole numbers.
   for (int i = 0; i < points_along_axis; ++i)
     for (int j = 0; j < points_along_axis; ++j) {
-      const double x = (2 * i + 1 - n) / n, y = (2 * j + 1 - n) / n;
-      if (x * x + y * y >= 1.0) continue;
-      major.push_back(x);
-      minor.push_back(y);
-      dome.push_back(std::sqrt(1.0 - x * x - y * y));
-      inverse_dome.push_back(1.0 / dome.back());
+      const int x = 2 * i + 1 - points_along_axis, y = 2 * j + 1 - points_along_axis;
+      if (x * x + y * y >= points_along_axis * points_along_axis) continue;
+      major.push_back(x / n);
+      minor.push_back(y / n);
+      squares.push_back(x * x + y * y);
     }
+  std::vector<int> different = squares;
+  std::ranges::sort(different);
+  different.erase(std::unique(different.begin(), different.end()), different.end());
+  std::vector<double> domes;
+  for (const int square : different) domes.push_back(std::sqrt(n * n - square) / n);
+  for (const int square : squares) {
+    const auto k = std::lower_bound(different.begin(), different.end(), square) - different.begin();
+    dome_of_point_.push_back(static_cast<std::uint32_t>(k));
+    dome.push_back(domes[static_cast<std::size_t>(k)]);
+    inverse_dome.push_back(1.0 / dome.back());
+  }
   inside_ = static_cast<Eigen::Index>(major.size());
-  along_major_ = filled_up(major);
-  along_minor_ = filled_up(minor);
-  dome_ = filled_up(dome);
-  inverse_dome_ = filled_up(inverse_dome);
+  along_major_ = filled_up(major, major.front());
+  along_minor_ = filled_up(minor, minor.front());
+  dome_ = filled_up(dome, 0.0);
+  inverse_dome_ = filled_up(inverse_dome, 0.0);
+  domes_ = filled_up(domes, 0.0);
   cell_load_ = 6.0 / (std::numbers::pi * n * n);
 }
 
@@ -44,58 +57,55 @@ PatchPoints PatchGrid::points() const {
           static_cast<std::size_t>(dome_.size())};
 }
 
-Patch::Patch(const PatchGrid& grid, const HertzContact& ellipse, double coefficient)
-    : grid_(&grid), ellipse_(ellipse), coefficient_(coefficient) {}
-
-Patch::Patch(const PatchGrid& grid, const HertzContact& ellipse, const Lubricant& lubricant,
-             const FilmContact& film_contact)
-    : grid_(&grid), ellipse_(ellipse), lubricant_(lubricant), film_contact_(film_contact) {
-  const PatchPoints points = grid.points();
-  viscosity_ratio_ =
-      ellipse.peak_pressure *
-      Eigen::Map<const Eigen::ArrayXd>(points.dome, static_cast<Eigen::Index>(points.size));
-  xsimd::dispatch<simd::Architectures>(ViscosityKernel{})(
-      lubricant.viscosity, viscosity_ratio_.data(), points.size, viscosity_ratio_.data());
-  viscosity_ratio_.tail(viscosity_ratio_.size() - grid.inside()).setZero();  // no friction there
+void set_viscosity_ratios(const PatchGrid& grid, double viscosity, double peak_pressure,
+                          double* ratio) {
+  const auto size = static_cast<std::size_t>(grid.domes().size());
+  Eigen::Map<Eigen::ArrayXd>(ratio, grid.domes().size()) = peak_pressure * grid.domes();
+  xsimd::dispatch<simd::Architectures>(ViscosityKernel{})(viscosity, ratio, size, ratio);
 }
 
-Patch::Patch(const PatchGrid& grid, const HertzContact& ellipse, const Lubricant& lubricant,
-             const FilmContact& film_contact, const TouchingFlanks& touching)
-    : Patch(grid, ellipse, lubricant, film_contact) {
-  touching_ = touching;
+FrictionNumbers<double> coulomb_friction(double coefficient) {
+  return {.coefficient = coefficient};
 }
 
-PatchLaw Patch::law(const PatchMotion& motion) const {
-  PatchLaw law;
-  law.coefficient = coefficient_;
-  if (!lubricant_) return law;
-  const double speed = motion.rolling_speed;
-  law.viscosity_ratio = viscosity_ratio_.data();
-  law.scale = lubricant_->eyring_stress / ellipse_.peak_pressure;
-  law.factor = sliding_factor(*lubricant_, film_contact_,
-                              sandu_film(*lubricant_, film_contact_, speed), speed);
-  if (!touching_) return law;
-  const double film = nijenbanning_film(*lubricant_, film_contact_, speed).thickness;
-  const double share = boundary_share(film / touching_->roughness, touching_->exponent);
-  law.coefficient = share * touching_->friction;
-  law.scale *= 1.0 - share;
+FrictionNumbers<double> film_friction(const Lubricant& lubricant, const FilmContact& film) {
+  return {.has_film = 1.0,
+          .oil = {lubricant.viscosity, lubricant.pressure_viscosity, lubricant.eyring_stress},
+          .film = {film.normal_load, film.curvature, film.contact_modulus, film.curvature_ratio}};
+}
+
+FrictionNumbers<double> mixed_friction(const Lubricant& lubricant, const FilmContact& film,
+                                       const TouchingFlanks& touching) {
+  FrictionNumbers<double> law = film_friction(lubricant, film);
+  law.coefficient = touching.friction;
+  law.touches = 1.0;
+  law.exponent = touching.exponent;
+  law.roughness = touching.roughness;
   return law;
 }
 
-PatchFriction Patch::friction(const PatchMotion& motion) const {
-  const double a = ellipse_.semi_major, b = ellipse_.semi_minor;
-  const PatchSums sums = xsimd::dispatch<simd::Architectures>(PatchKernel{})(
-      grid_->points(),
-      SlidingField{motion.sliding_major, motion.sliding_minor, motion.spin * a, motion.spin * b},
-      law(motion));
-  const double weight = grid_->cell_load();
-  return {weight * sums.traction_major,
-          weight * sums.traction_minor,
-          weight * (a * sums.moment_major - b * sums.moment_minor),
-          weight * sums.power,
-          sums.friction / static_cast<double>(grid_->inside()),
-          sums.max_speed};
+Patch::Patch(const PatchGrid& grid, const HertzContact& ellipse, const FrictionNumbers<double>& law)
+    : grid_(&grid), ellipse_(ellipse), law_(law) {
+  if (law.has_film == 0.0) return;
+  Eigen::ArrayXd ratio(grid.domes().size());
+  set_viscosity_ratios(grid, law.oil.viscosity, ellipse.peak_pressure, ratio.data());
+  viscosity_ratio_ = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(grid.points().size));
+  Eigen::Index point = 0;  // No friction beyond those inside.
+  for (const std::uint32_t dome : grid.dome_of_point()) viscosity_ratio_[point++] = ratio[dome];
 }
+
+template <class Number>
+PatchFrictionOf<Number> Patch::friction(const PatchMotionOf<Number>& motion) const {
+  const double a = ellipse_.semi_major, b = ellipse_.semi_minor;
+  const auto sums = xsimd::dispatch<simd::Architectures>(PatchKernel{})(
+      grid_->points(), sliding_field(motion, a, b),
+      law_at(law_, ellipse_.peak_pressure, motion.rolling_speed),
+      law_.has_film > 0.0 ? viscosity_ratio_.data() : nullptr);
+  return patch_friction(sums, grid_->cell_load(), static_cast<double>(grid_->inside()), a, b);
+}
+template PatchFriction Patch::friction(const PatchMotion&) const;
+template PatchFrictionOf<simd::Dual<double>> Patch::friction(
+    const PatchMotionOf<simd::Dual<double>>&) const;
 
 Eigen::ArrayXd Patch::sliding_major(const PatchMotion& motion) const {
   return motion.sliding_major - motion.spin * ellipse_.semi_minor * grid_->along_minor();
@@ -105,21 +115,13 @@ Eigen::ArrayXd Patch::sliding_minor(const PatchMotion& motion) const {
   return motion.sliding_minor + motion.spin * ellipse_.semi_major * grid_->along_major();
 }
 
-Eigen::ArrayXd Patch::sliding_speed(const PatchMotion& motion) const {
-  return (sliding_major(motion).square() + sliding_minor(motion).square()).sqrt();
-}
-
-double Patch::sliding_under_pressure(const PatchMotion& motion) const {
-  return grid_->cell_load() * (grid_->dome() * sliding_speed(motion)).sum();
-}
-
 Eigen::ArrayXd Patch::friction_coefficient(const PatchMotion& motion) const {
-  const PatchLaw at = law(motion);
-  if (!lubricant_) return Eigen::ArrayXd::Constant(grid_->inside(), at.coefficient);
+  const PatchLawOf<double> at = law_at(law_, ellipse_.peak_pressure, motion.rolling_speed);
+  if (law_.has_film == 0.0) return Eigen::ArrayXd::Constant(grid_->inside(), at.coefficient);
+  const Eigen::ArrayXd speed =
+      (sliding_major(motion).square() + sliding_minor(motion).square()).sqrt();
   return at.coefficient +
-         at.scale *
-             (viscosity_ratio_.head(grid_->inside()) * (at.factor * sliding_speed(motion)))
-                 .asinh() /
+         at.scale * (viscosity_ratio_.head(grid_->inside()) * (at.factor * speed)).asinh() /
              grid_->dome();
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 #include "contact/film.h"
 #include "contact/hertz.h"
@@ -20,6 +22,9 @@ class PatchGrid {
   auto along_major() const { return along_major_.head(inside_); }  ///< t_1D/a
   auto along_minor() const { return along_minor_.head(inside_); }  ///< t_2D/b
   auto dome() const { return dome_.head(inside_); }  ///< sqrt(1 - (t_1D/a)^2 - (t_2D/b)^2), > 0
+  /// The different values of `dome`, filled up for batches, and which of them each point has.
+  const Eigen::ArrayXd& domes() const { return domes_; }
+  std::span<const std::uint32_t> dome_of_point() const { return dome_of_point_; }
   /// Load on a cell over the normal load and the dome: p_0 4 a b/(n^2 N) = 6/(pi n^2) (3.7).
   double cell_load() const { return cell_load_; }
   /// With the points that fill up the last batch.
@@ -28,27 +33,13 @@ class PatchGrid {
  private:
   Eigen::Index inside_ = 0;
   Eigen::ArrayXd along_major_, along_minor_, dome_, inverse_dome_;
+  Eigen::ArrayXd domes_;
+  std::vector<std::uint32_t> dome_of_point_;
   double cell_load_ = 0.0;
 };
 
-/// How one body slides on the other in the tangent plane of a contact (Sandu 2018, (2.22)).
-struct PatchMotion {
-  double sliding_major = 0.0;  ///< v_M . t_1 at the centre [m/s]
-  double sliding_minor = 0.0;  ///< v_M . t_2 [m/s]
-  double spin = 0.0;           ///< Relative angular velocity about the normal t_1 x t_2 [rad/s]
-  double rolling_speed = 0.0;  ///< |u_M|, sum of the surface velocities in the tangent plane [m/s]
-};
-
-/// Friction on a patch over its normal load N (equations of Sandu 2018). The friction acts on the
-/// body that the other slides over, along the sliding velocity.
-struct PatchFriction {
-  double traction_major = 0.0;     ///< T . t_1/N [-] (3.6)
-  double traction_minor = 0.0;     ///< T . t_2/N [-]
-  double spin_arm = 0.0;           ///< C/N, moment about the centre along t_1 x t_2 [m] (3.10)
-  double power_per_load = 0.0;     ///< Lost power over N [m/s] (3.51)
-  double mean_friction = 0.0;      ///< mu_a over the points inside (2.40)
-  double max_sliding_speed = 0.0;  ///< Over the points [m/s]
-};
+using PatchMotion = PatchMotionOf<double>;
+using PatchFriction = PatchFrictionOf<double>;
 
 /// Flanks that touch through a thin film.
 struct TouchingFlanks {
@@ -57,29 +48,34 @@ struct TouchingFlanks {
   double roughness = 0.0;  ///< Composite Rq [m], > 0
 };
 
+/// eta_bar of a lubricant at each of the different domes of a grid, under a peak pressure [Pa]:
+/// `ratio` has room for all `domes`.
+void set_viscosity_ratios(const PatchGrid& grid, double viscosity, double peak_pressure,
+                          double* ratio);
+
+FrictionNumbers<double> coulomb_friction(double coefficient);
+/// Jacod's law, point by point: Eyring fluid, Roelands viscosity at the Hertz pressure of the
+/// *static* load, Sandu's film of the whole contact.
+FrictionNumbers<double> film_friction(const Lubricant& lubricant, const FilmContact& film_contact);
+/// Mixed friction (Olver and Spikes 1998): mu_D = (1 - s) mu_film + s mu_touching at each point,
+/// mu_film Jacod's, s the `boundary_share` of the whole contact by Nijenbanning's central film.
+/// Jacod's for thick films, Coulomb's without film or entrainment.
+FrictionNumbers<double> mixed_friction(const Lubricant& lubricant, const FilmContact& film_contact,
+                                       const TouchingFlanks& touching);
+
 /// One contact ellipse with its law of friction: what is constant while the slip ratio is sought.
 class Patch {
  public:
-  /// Coulomb friction.
-  Patch(const PatchGrid& grid, const HertzContact& ellipse, double coefficient);
-  /// Jacod's law, point by point: Eyring fluid, Roelands viscosity at the Hertz pressure of the
-  /// *static* load in `ellipse`, Sandu's film of the whole contact.
-  Patch(const PatchGrid& grid, const HertzContact& ellipse, const Lubricant& lubricant,
-        const FilmContact& film_contact);
-  /// Mixed friction (Olver and Spikes 1998): mu_D = (1 - s) mu_film + s mu_touching at each point,
-  /// mu_film Jacod's, s the `boundary_share` of the whole contact by Nijenbanning's central film.
-  /// Jacod's for thick films, Coulomb's without film or entrainment.
-  Patch(const PatchGrid& grid, const HertzContact& ellipse, const Lubricant& lubricant,
-        const FilmContact& film_contact, const TouchingFlanks& touching);
+  Patch(const PatchGrid& grid, const HertzContact& ellipse, const FrictionNumbers<double>& law);
 
   const HertzContact& ellipse() const { return ellipse_; }
 
   /// Resultants of the friction (Sandu 2018, (3.8), (3.10), (3.51)). Points slower than
   /// kNoDirection are left out of tractions, moment and power, not of the mean coefficient. No
   /// allocation.
-  PatchFriction friction(const PatchMotion& motion) const;
-  /// Integral of pressure times sliding speed over the normal load [m/s], for wear.
-  double sliding_under_pressure(const PatchMotion& motion) const;
+  /// `Number`: a number, or one with its slope.
+  template <class Number = double>
+  PatchFrictionOf<Number> friction(const PatchMotionOf<Number>& motion) const;
 
   // At every point inside:
   Eigen::ArrayXd sliding_major(const PatchMotion& motion) const;         ///< v_D . t_1 [m/s]
@@ -87,15 +83,9 @@ class Patch {
   Eigen::ArrayXd friction_coefficient(const PatchMotion& motion) const;  ///< mu_D
 
  private:
-  PatchLaw law(const PatchMotion& motion) const;
-  Eigen::ArrayXd sliding_speed(const PatchMotion& motion) const;
-
   const PatchGrid* grid_;
   HertzContact ellipse_;
-  double coefficient_ = 0.0;
-  std::optional<Lubricant> lubricant_;
-  FilmContact film_contact_;
-  std::optional<TouchingFlanks> touching_;
+  FrictionNumbers<double> law_;
   Eigen::ArrayXd viscosity_ratio_;  ///< eta_bar at the points; empty with Coulomb.
 };
 

@@ -1,59 +1,83 @@
 #include "contact/patch_kernel.h"
 
 #include "contact/lubricant.h"
+#include "simd/asinh.h"
 #include "simd/sum.h"
 
 namespace contact {
 namespace {
 
-template <class Batch, class Friction>
-PatchSums sums(const PatchPoints& points, const SlidingField& sliding, Friction friction_at) {
-  Batch traction_1(0.0), traction_2(0.0), moment_1(0.0), moment_2(0.0), power(0.0), mean(0.0);
-  Batch fastest(0.0);
+/// The same number in each lane.
+template <class Batch>
+Batch spread(double x) {
+  return Batch(x);
+}
+template <class Batch>
+simd::Dual<Batch> spread(const simd::Dual<double>& x) {
+  return {Batch(x.value), Batch(x.slope)};
+}
+
+template <class Batch>
+double sum_of(const Batch& x) {
+  return simd::sum(x);
+}
+template <class Batch>
+simd::Dual<double> sum_of(const simd::Dual<Batch>& x) {
+  return {simd::sum(x.value), simd::sum(x.slope)};
+}
+
+template <class Batch, class Number, class Friction>
+PatchSumsOf<Number> sums(const PatchPoints& points, const SlidingFieldOf<Number>& sliding,
+                         Friction friction_at) {
+  using Wide = decltype(spread<Batch>(Number()));
+  const SlidingFieldOf<Wide> field{spread<Batch>(sliding.major), spread<Batch>(sliding.minor),
+                                   spread<Batch>(sliding.spin_major),
+                                   spread<Batch>(sliding.spin_minor)};
+  PatchSumsOf<Wide> wide;
   for (std::size_t i = 0; i < points.size; i += Batch::size) {
     const auto load = [i](const double* values) { return Batch::load_unaligned(values + i); };
-    const Batch x = load(points.along_major), y = load(points.along_minor);
-    const Batch v_1 = sliding.major - sliding.spin_minor * y;
-    const Batch v_2 = sliding.minor + sliding.spin_major * x;
-    const Batch speed = sqrt(v_1 * v_1 + v_2 * v_2);
-    const Batch friction = friction_at(load, speed);  // mu_D dome
-    const Batch directed = select(speed >= Batch(kNoDirection), friction, Batch(0.0));
-    const Batch along = select(speed >= Batch(kNoDirection), directed / speed, Batch(0.0));
-    const Batch friction_1 = along * v_1, friction_2 = along * v_2;
-    const Batch inverse_dome = load(points.inverse_dome);
-    traction_1 += friction_1;
-    traction_2 += friction_2;
-    moment_1 += x * friction_2;
-    moment_2 += y * friction_1;
-    power += directed * speed;
-    mean += friction * inverse_dome;
-    fastest = max(fastest, select(inverse_dome > Batch(0.0), speed, Batch(0.0)));
+    const PatchPoint<Batch> at{load(points.along_major), load(points.along_minor),
+                               load(points.dome), load(points.inverse_dome)};
+    add_point(
+        wide, field, at, [&](const Wide& speed) __attribute__((always_inline)) {
+          return friction_at(i, at.dome, speed);
+        });
   }
   double max_speed = 0.0;
   for (std::size_t k = 0; k < Batch::size; ++k)
-    max_speed = fastest.get(k) > max_speed ? fastest.get(k) : max_speed;
-  using simd::sum;
-  return {sum(traction_1), sum(traction_2), sum(moment_1), sum(moment_2),
-          sum(power),      sum(mean),       max_speed};
+    max_speed = wide.max_speed.get(k) > max_speed ? wide.max_speed.get(k) : max_speed;
+  return {sum_of(wide.traction_major), sum_of(wide.traction_minor),
+          sum_of(wide.moment_major),   sum_of(wide.moment_minor),
+          simd::sum(wide.power),       simd::sum(wide.friction),
+          simd::sum(wide.sliding),     max_speed};
 }
 
 }  // namespace
 
-template <class Arch>
-PatchSums PatchKernel::operator()(Arch, const PatchPoints& points, const SlidingField& sliding,
-                                  const PatchLaw& law) const {
+template <class Arch, class Number>
+PatchSumsOf<Number> PatchKernel::operator()(Arch, const PatchPoints& points,
+                                            const SlidingFieldOf<Number>& sliding,
+                                            const PatchLawOf<Number>& law,
+                                            const double* viscosity_ratio) const {
   using Batch = xsimd::batch<double, Arch>;
-  if (!law.viscosity_ratio)
-    return sums<Batch>(points, sliding, [&](auto load, const Batch&) {
-      return law.coefficient * load(points.dome);
-    });
-  const auto film = [&](auto load, const Batch& speed) {
-    return law.scale * asinh(law.factor * load(law.viscosity_ratio) * speed);
+  using Wide = decltype(spread<Batch>(Number()));
+  const Wide coefficient = spread<Batch>(law.coefficient), scale = spread<Batch>(law.scale),
+             factor = spread<Batch>(law.factor);
+  const auto coulomb = [&](std::size_t, const Batch& dome, const Wide&)
+      __attribute__((always_inline)) {
+    return coefficient * dome;
   };
-  if (law.coefficient == 0.0) return sums<Batch>(points, sliding, film);
-  return sums<Batch>(points, sliding, [&](auto load, const Batch& speed) {
-    return law.coefficient * load(points.dome) + film(load, speed);
-  });
+  if (!viscosity_ratio) return sums<Batch>(points, sliding, coulomb);
+  const auto film = [&](std::size_t i, const Batch&, const Wide& speed)
+      __attribute__((always_inline)) {
+    const Batch ratio = Batch::load_unaligned(viscosity_ratio + i);
+    return scale * simd::asinh_of_positive(Wide(factor * ratio * speed));
+  };
+  if (simd::value(law.coefficient) == 0.0) return sums<Batch>(points, sliding, film);
+  return sums<Batch>(
+      points, sliding,
+      [&](std::size_t i, const Batch& dome, const Wide& speed)
+          __attribute__((always_inline)) { return coefficient * dome + film(i, dome, speed); });
 }
 
 template <class Arch>
@@ -66,7 +90,11 @@ void ViscosityKernel::operator()(Arch, double viscosity, const double* pressure,
 }
 
 template PatchSums PatchKernel::operator()(PRS_SIMD_ARCHITECTURE, const PatchPoints&,
-                                           const SlidingField&, const PatchLaw&) const;
+                                           const SlidingField&, const PatchLawOf<double>&,
+                                           const double*) const;
+template PatchSumsOf<simd::Dual<double>> PatchKernel::operator()(
+    PRS_SIMD_ARCHITECTURE, const PatchPoints&, const SlidingFieldOf<simd::Dual<double>>&,
+    const PatchLawOf<simd::Dual<double>>&, const double*) const;
 template void ViscosityKernel::operator()(PRS_SIMD_ARCHITECTURE, double, const double*, std::size_t,
                                           double*) const;
 

@@ -292,7 +292,7 @@ class FrictionTorque {
     if (!is_new) return known->second;
     SlipModel& model = model_at(force);
     model.speed = speed;
-    const SlipResult slip = slip_result(models_, model);
+    const SlipResult slip = slip_result(model);
     if (slip.converged())
       known->second = slip.torque_screw - force * model.geometry.lead / (2.0 * std::numbers::pi);
     status_ = slip.status;

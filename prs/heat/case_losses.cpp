@@ -50,14 +50,7 @@ std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
 }
 
 std::optional<Losses> CaseLosses::of(const SlipModel& model) {
-  SlipEquilibrium found;
-  const std::optional<Operation>& operation = conditions_.operation;
-  if (!operation || !operation->slip_ratio)
-    found = find_slip_equilibrium(model);
-  else if (balance_at(model, *operation->slip_ratio, found.balance))
-    found.status = SlipStatus::converged;
-  else
-    found.status = SlipStatus::jammed;
+  const SlipEquilibrium found = find_slip_equilibrium(model);
   if (!found.ok()) {
     failure_ = fmt::format("slip ends as {}", name(found.status));
     return std::nullopt;

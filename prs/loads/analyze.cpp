@@ -1,6 +1,7 @@
 #include "prs/loads/analyze.h"
 
 #include <map>
+#include <utility>
 
 #include "prs/loads/distribution_solver.h"
 #include "prs/loads/full_result.h"
@@ -9,6 +10,7 @@
 #include "prs/model/check_case.h"
 #include "prs/threads/contact_laws.h"
 #include "prs/threads/geometry_warnings.h"
+#include "prs/threads/threads.h"
 
 namespace prs {
 namespace {
@@ -46,6 +48,15 @@ Result result_on(const Conditions& c, Contacts contacts, Detail detail) {
   return result;
 }
 
+/// What designed radii break.
+void check_designed(Case& c, Mechanism mechanism) {
+  mechanism.geometry = Mechanism::Geometry::simulation;
+  std::swap(c.mechanism, mechanism);
+  const std::vector<Problem> problems = check_case(c);
+  std::swap(c.mechanism, mechanism);
+  if (!problems.empty()) throw CaseError(problems.front().path, problems.front().message);
+}
+
 void add(Result& result, LoadCaseResult load_case, Detail detail) {
   if (detail == Detail::complete) add_warnings(load_case, result.contacts);
   result.load_cases.push_back(std::move(load_case));
@@ -57,12 +68,15 @@ Contacts checked_contacts(const Case& c, Detail detail) {
   Contacts contacts = find_contacts(c.mechanism, c.materials, detail);
   if (c.mechanism.geometry == Mechanism::Geometry::design) {
     Case designed = c;
-    designed.mechanism = contacts.mechanism;
-    designed.mechanism.geometry = Mechanism::Geometry::simulation;
-    for (const Problem& problem : check_case(designed))
-      throw CaseError(problem.path, problem.message);
+    check_designed(designed, contacts.mechanism);
   }
   return contacts;
+}
+
+Mechanism checked_mechanism(Case& c) {
+  Mechanism mechanism = resolved(c.mechanism);
+  if (c.mechanism.geometry == Mechanism::Geometry::design) check_designed(c, mechanism);
+  return mechanism;
 }
 
 Result analyze(const Conditions& c, Contacts contacts, AnalysisOptions options) {

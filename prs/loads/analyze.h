@@ -18,6 +18,10 @@ inline constexpr double kStaticPressureLimit = 4.0e9;
 /// CaseError where the mechanism does not fit.
 Contacts checked_contacts(const Case& c, Detail detail);
 
+/// The mechanism of those contacts, see `resolved`. The case is as it was afterwards; throws
+/// CaseError where the mechanism does not fit.
+Mechanism checked_mechanism(Case& c);
+
 /// The whole chain on contacts that are known: Hertz constants -> sector model -> Newton
 /// equilibrium of each load case -> loads and pressures per thread, stiffness. Reads nothing,
 /// prints nothing. The case must have passed `check_case` and the requirements of `solve`. A load

@@ -43,25 +43,10 @@ void set_interface_loads(InterfaceLoads& loads, const LoadCase& load_case, const
   if (detail.ellipses && contact.has_hertz()) add_hertz_contacts(loads, contact, set, known);
 }
 
-InterfaceLoads interface_loads(const LoadCase& load_case, const Contacts& contacts, Interface i,
-                               double normal_angle, std::vector<double> normal_load) {
-  InterfaceLoads loads;
-  loads.normal_load = std::move(normal_load);
-  set_interface_loads(loads, load_case, contacts, i, normal_angle, simd::InstructionSet::scalar);
-  return loads;
-}
-
-/// Threads that carry the same load by assumption.
-std::vector<double> equal_normal_loads(const LoadCase& load_case, const Mechanism& m, double psi) {
+/// Load of threads that carry the same one by assumption.
+double equal_normal_load(const LoadCase& load_case, const Mechanism& m, double psi) {
   const double contacts = static_cast<double>(m.rollers) * m.contacts_per_roller;
-  return std::vector<double>(static_cast<std::size_t>(m.contacts_per_roller),
-                             std::abs(load_case.axial_force) / contacts / std::cos(psi));
-}
-
-std::vector<double> hertz_approaches(const std::vector<double>& normal_load, double constant) {
-  std::vector<double> approach;
-  for (const double n : normal_load) approach.push_back(std::pow(n / constant, 2.0 / 3.0));
-  return approach;
+  return std::abs(load_case.axial_force) / contacts / std::cos(psi);
 }
 
 /// The most loaded thread's ellipse against the ends of the flanks.
@@ -149,16 +134,28 @@ LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& con
                                   const PerInterface<std::optional<double>>& hertz_constant) {
   LoadCaseResult result;
   result.load_case = load_case;
-  PerInterface<InterfaceLoads> threads;
-  for (const Interface i : kInterfaces) {
-    const std::vector<double> loads =
-        equal_normal_loads(load_case, contacts.mechanism, normal_angle[i]);
-    threads[i] = interface_loads(load_case, contacts, i, normal_angle[i], loads);
-    threads[i].hertz_constant = hertz_constant[i];
-    if (hertz_constant[i]) threads[i].approach = hertz_approaches(loads, *hertz_constant[i]);
-  }
-  result.threads = std::move(threads);
+  set_equal_share_result(result, contacts, normal_angle, hertz_constant,
+                         simd::InstructionSet::scalar);
   return result;
+}
+
+void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts,
+                            const PerInterface<double>& normal_angle,
+                            const PerInterface<std::optional<double>>& hertz_constant,
+                            simd::InstructionSet set, const LoadDetail& detail) {
+  if (!result.threads) result.threads.emplace();
+  const auto count = static_cast<std::size_t>(contacts.mechanism.contacts_per_roller);
+  for (const Interface i : kInterfaces) {
+    InterfaceLoads& loads = (*result.threads)[i];
+    const double load = equal_normal_load(result.load_case, contacts.mechanism, normal_angle[i]);
+    loads.normal_load.assign(count, load);
+    set_interface_loads(loads, result.load_case, contacts, i, normal_angle[i], set, detail);
+    loads.hertz_constant = hertz_constant[i];
+    if (hertz_constant[i])
+      loads.approach.assign(count, std::pow(load / *hertz_constant[i], 2.0 / 3.0));
+    else
+      loads.approach.clear();
+  }
 }
 
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,
@@ -168,6 +165,14 @@ LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& con
 }
 
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts) {
+  LoadCaseResult result;
+  result.load_case = load_case;
+  set_equal_share_result(result, contacts, simd::InstructionSet::scalar);
+  return result;
+}
+
+void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts,
+                            simd::InstructionSet set, const LoadDetail& detail) {
   PerInterface<double> normal_angle;
   PerInterface<std::optional<double>> hertz_constant;
   for (const Interface i : kInterfaces) {
@@ -175,7 +180,7 @@ LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& con
     normal_angle[i] = contact.normal_angle();
     if (contact.has_hertz()) hertz_constant[i] = contact.hertz.hertz_constant;
   }
-  return equal_share_result(load_case, contacts, normal_angle, hertz_constant);
+  set_equal_share_result(result, contacts, normal_angle, hertz_constant, set, detail);
 }
 
 void add_warnings(LoadCaseResult& result, const Contacts& contacts) {

@@ -33,12 +33,21 @@ LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& con
                                   const PerInterface<double>& normal_angle,
                                   const PerInterface<std::optional<double>>& hertz_constant);
 
+/// The same into the result of that load case, which keeps its memory. What is not wanted is left
+/// empty.
+void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts,
+                            const PerInterface<double>& normal_angle,
+                            const PerInterface<std::optional<double>>& hertz_constant,
+                            simd::InstructionSet set, const LoadDetail& detail = {});
+
 /// Equal loads with the laws of a load distribution.
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts,
                                   const PerInterface<ContactLaw>& laws);
 
 /// Result of equal shares with the laws that the geometry gives; the contacts must exist.
 LoadCaseResult equal_share_result(const LoadCase& load_case, const Contacts& contacts);
+void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts,
+                            simd::InstructionSet set, const LoadDetail& detail = {});
 
 /// Adds warnings: open threads, high pressures, ellipses beyond the flanks.
 void add_warnings(LoadCaseResult& result, const Contacts& contacts);

@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <utility>
+
+#include "prs/model/viscosity_points.h"
 
 namespace prs {
 
@@ -17,14 +21,20 @@ double kinematic(const ViscosityPoint& point, double density) {
 /// The density, which two dynamic viscosities may do without, only shifts the 0.7 mm^2/s of the
 /// line there: 10 % of it change the result by less than 0.5 % between 40 and 100 degC and 20 K
 /// above where the points lie at these two.
-double density_of(const Lubricant& l) { return l.density.value_or(contact::kTypicalOilDensity); }
+double density_of(const Lubricant& l) {
+  return l.density.value_or(l.name ? data_of(*l.name).density : contact::kTypicalOilDensity);
+}
 
 /// Dynamic viscosity [Pa s] at a temperature.
 double viscosity_at(const Lubricant& l, double temperature) {
   const double density = density_of(l);
   if (l.walther) return density * contact::kinematic_viscosity(*l.walther, temperature);
-  assert(l.viscosity_at.size() == 2);
-  const ViscosityPoint &first = l.viscosity_at[0], &second = l.viscosity_at[1];
+  std::array<ViscosityPoint, 2> points;
+  if (l.viscosity_at.empty() && l.name)
+    points = viscosities_of(*l.name);
+  else
+    std::copy_n(l.viscosity_at.begin(), 2, points.begin());
+  const auto& [first, second] = points;
   const contact::WaltherLine line = contact::walther_line(
       first.temperature, kinematic(first, density), second.temperature, kinematic(second, density));
   return density * contact::kinematic_viscosity(line, temperature);
@@ -42,23 +52,28 @@ contact::Lubricant with_viscosity(const Lubricant& l, double viscosity) {
 
 }  // namespace
 
+std::array<ViscosityPoint, 2> viscosities_of(LubricantName name) {
+  const NamedLubricant& oil = data_of(name);
+  return {{{313.15, {}, oil.viscosity_40}, {373.15, {}, oil.viscosity_100}}};
+}
+
 Lubricant with_data_of_name(Lubricant l) {
   if (!l.name) return l;
-  const NamedLubricant& oil = data_of(*l.name);
-  if (!l.density) l.density = oil.density;
-  if (!l.viscosity && !l.walther && l.viscosity_at.empty())
-    l.viscosity_at = {{313.15, {}, oil.viscosity_40}, {373.15, {}, oil.viscosity_100}};
+  l.density = density_of(l);
+  if (!l.viscosity && !l.walther && l.viscosity_at.empty()) {
+    const auto points = viscosities_of(*l.name);
+    l.viscosity_at.assign(points.begin(), points.end());
+  }
   return l;
 }
 
 contact::Lubricant at_temperature(const Lubricant& lubricant, double temperature) {
-  const Lubricant l = with_data_of_name(lubricant);
-  return with_viscosity(l, viscosity_at(l, temperature));
+  return with_viscosity(lubricant, viscosity_at(lubricant, temperature));
 }
 
 contact::Lubricant in_operation(const Lubricant& lubricant) {
   assert(lubricant.viscosity.has_value() != lubricant.temperature.has_value());
-  return lubricant.viscosity ? with_viscosity(with_data_of_name(lubricant), *lubricant.viscosity)
+  return lubricant.viscosity ? with_viscosity(lubricant, *lubricant.viscosity)
                              : at_temperature(lubricant, *lubricant.temperature);
 }
 

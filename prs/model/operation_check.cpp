@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include "contact/viscosity.h"
 #include "prs/model/quantity_text.h"
+#include "prs/model/viscosity_points.h"
 
 namespace prs {
 namespace {
@@ -16,12 +19,8 @@ constexpr std::string_view kLubricantExample = "{name: iso-vg-100, temperature: 
 
 /// The two points must give a line along which the oil gets thinner with temperature; empty where
 /// they do not.
-std::optional<contact::WaltherLine> line_through(const std::vector<ViscosityPoint>& points,
+std::optional<contact::WaltherLine> line_through(std::span<const ViscosityPoint> points,
                                                  double density, Problems& problems) {
-  struct Measured {
-    std::string path, text;
-    double temperature, viscosity;  ///< Kinematic.
-  };
   if (points.size() != 2) {
     problems.add("lubricant.viscosity_at",
                  fmt::format("got a list of {}; expected a list of 2, through which the line goes; "
@@ -29,42 +28,53 @@ std::optional<contact::WaltherLine> line_through(const std::vector<ViscosityPoin
                              points.size()));
     return std::nullopt;
   }
-  std::vector<Measured> measured;
+  struct Measured {
+    std::size_t index;
+    double viscosity;  ///< [m^2/s]
+  };
+  const auto text = [&](const Measured& m) {
+    const ViscosityPoint& p = points[m.index];
+    const std::string kinematic = mm2_per_s(m.viscosity);
+    return p.viscosity ? fmt::format("{:.7g} mPa s, {}", 1e3 * *p.viscosity, kinematic) : kinematic;
+  };
+  const auto path = [&](const Measured& m) {
+    return fmt::format("lubricant.viscosity_at[{}].{}", m.index,
+                       points[m.index].viscosity ? "viscosity" : "kinematic_viscosity");
+  };
+  const auto temperature = [&](const Measured& m) { return points[m.index].temperature; };
+  const auto measured = [&](std::size_t i) {
+    const ViscosityPoint& p = points[i];
+    return Measured{i, p.viscosity ? *p.viscosity / density : *p.kinematic_viscosity};
+  };
   bool sound = true;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const ViscosityPoint& p = points[i];
-    const double viscosity = p.viscosity ? *p.viscosity / density : *p.kinematic_viscosity;
-    std::string text = mm2_per_s(viscosity);
-    if (p.viscosity) text = fmt::format("{:.7g} mPa s, {}", 1e3 * *p.viscosity, text);
-    measured.push_back({fmt::format("lubricant.viscosity_at[{}].{}", i,
-                                    p.viscosity ? "viscosity" : "kinematic_viscosity"),
-                        text, p.temperature, viscosity});
-    if (viscosity > contact::kLeastKinematicViscosity) continue;
+    const Measured m = measured(i);
+    if (m.viscosity > contact::kLeastKinematicViscosity) continue;
     sound = false;
-    problems.add(measured.back().path,
+    problems.add(path(m),
                  fmt::format("got {}; expected more than {}, where the line of ASTM D341 ends; "
                              "check value and unit",
-                             text, mm2_per_s(contact::kLeastKinematicViscosity)));
+                             text(m), mm2_per_s(contact::kLeastKinematicViscosity)));
   }
   if (!sound) return std::nullopt;
-  Measured cold = measured[0], hot = measured[1];
-  if (cold.temperature == hot.temperature) {
+  Measured cold = measured(0), hot = measured(1);
+  if (temperature(cold) == temperature(hot)) {
     problems.add("lubricant.viscosity_at[1].temperature",
                  fmt::format("got {} a second time; expected two temperatures that differ, usually "
                              "40 degC and 100 degC; change one of them",
-                             celsius(hot.temperature)));
+                             celsius(temperature(hot))));
     return std::nullopt;
   }
-  if (cold.temperature > hot.temperature) std::swap(cold, hot);
+  if (temperature(cold) > temperature(hot)) std::swap(cold, hot);
   if (hot.viscosity >= cold.viscosity) {
-    problems.add(hot.path,
+    problems.add(path(hot),
                  fmt::format("got {} at {}; expected less than {}, the viscosity at {}: oil gets "
                              "thinner as it warms; check the two points",
-                             hot.text, celsius(hot.temperature), mm2_per_s(cold.viscosity),
-                             celsius(cold.temperature)));
+                             text(hot), celsius(temperature(hot)), mm2_per_s(cold.viscosity),
+                             celsius(temperature(cold))));
     return std::nullopt;
   }
-  return contact::walther_line(cold.temperature, cold.viscosity, hot.temperature, hot.viscosity);
+  return contact::walther_line(temperature(cold), cold.viscosity, temperature(hot), hot.viscosity);
 }
 
 /// Either sense: force and speed say whether screw or load drives.
@@ -79,10 +89,16 @@ void check_speed(const LoadCase& load, double speed, Problems& problems) {
 
 }  // namespace
 
-void check_lubricant(const Lubricant& lubricant, const std::optional<Heat>& heat,
-                     Problems& problems) {
-  const Lubricant l = with_data_of_name(lubricant);
-  const bool has_line = l.walther || !l.viscosity_at.empty();
+void check_lubricant(const Lubricant& l, const std::optional<Heat>& heat, Problems& problems) {
+  std::array<ViscosityPoint, 2> of_name;
+  std::span<const ViscosityPoint> points = l.viscosity_at;
+  if (l.name && points.empty() && !l.viscosity && !l.walther) {
+    of_name = viscosities_of(*l.name);
+    points = of_name;
+  }
+  const std::optional<double> density =
+      l.density || !l.name ? l.density : std::optional(data_of(*l.name).density);
+  const bool has_line = l.walther || !points.empty();
   if (heat && (l.viscosity || !has_line))
     return problems.add(
         l.viscosity ? "lubricant.viscosity" : "lubricant.viscosity_at",
@@ -105,17 +121,16 @@ void check_lubricant(const Lubricant& lubricant, const std::optional<Heat>& heat
                                     l.name ? data_of(*l.name).name : "the oil"));
   }
   if (l.viscosity) return;
-  const bool kinematic = l.walther || std::ranges::any_of(l.viscosity_at, [](const auto& p) {
+  const bool kinematic = l.walther || std::ranges::any_of(points, [](const auto& p) {
                            return p.kinematic_viscosity.has_value();
                          });
-  if (kinematic && !l.density)
+  if (kinematic && !density)
     return problems.add("lubricant.density",
                         "missing; expected the density of the oil, by which its kinematic "
                         "viscosity becomes dynamic; add `density: 870 kg/m^3`, for example");
   const std::optional<contact::WaltherLine> line =
-      l.walther
-          ? l.walther
-          : line_through(l.viscosity_at, l.density.value_or(contact::kTypicalOilDensity), problems);
+      l.walther ? l.walther
+                : line_through(points, density.value_or(contact::kTypicalOilDensity), problems);
   if (!line) return;
   const double temperature = heat ? heat->ambient : *l.temperature;
   const double viscosity = contact::kinematic_viscosity(*line, temperature);
@@ -129,7 +144,7 @@ void check_lubricant(const Lubricant& lubricant, const std::optional<Heat>& heat
                            mm2_per_s(contact::kLeastKinematicViscosity),
                            mm2_per_s(contact::kGreatestKinematicViscosity),
                            l.walther                        ? "`walther`"
-                           : lubricant.viscosity_at.empty() ? "the name"
+                           : l.viscosity_at.empty() ? "the name"
                                                             : "the two points"));
 }
 

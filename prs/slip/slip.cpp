@@ -48,72 +48,84 @@ void require_kinematics(const contact::MechanismGeometry& threads) {
                                 k.gear_ratio, k.gear_ratio_by_leads));
 }
 
-/// Results of each patch, handed out to the threads that it stands for.
-InterfaceSlip interface_slip(const Conditions& c, const SlipModel& model,
-                             const SlipBalance& balance, Interface i) {
+/// `value_of_patch` of each patch, handed out to the threads that it stands for.
+template <class Value>
+void set_values(std::vector<double>& values, const LoadedThreads& threads, Value value_of_patch) {
+  values.clear();
+  std::vector<double> of_patch;
+  double shared = 0.0;
+  if (threads.contacts.size() == 1) {
+    shared = value_of_patch(std::size_t{0});
+  } else {
+    of_patch.resize(threads.contacts.size());
+    for (std::size_t k = 0; k < of_patch.size(); ++k) of_patch[k] = value_of_patch(k);
+  }
+  for (const std::optional<std::size_t>& k : threads.patch_of_thread)
+    values.push_back(!k ? 0.0 : of_patch.empty() ? shared : of_patch[*k]);
+}
+
+void clear_values(InterfaceSlip& slip) {
+  for (auto* values :
+       {&slip.power, &slip.power_density, &slip.friction_coefficient, &slip.spin_torque,
+        &slip.sliding_speed, &slip.max_sliding_speed, &slip.film_thickness, &slip.central_film,
+        &slip.film_ratio, &slip.boundary_share, &slip.dynamic_normal_load, &slip.wear})
+    values->clear();
+}
+
+/// Values of an interface that are all empty so far.
+void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipBalance& balance,
+                        Interface i, const SlipDetail& detail) {
   const LoadedThreads& threads = model.threads[i];
   const InterfaceBalance& b = balance.interfaces[i];
-  InterfaceSlip slip;
   slip.threads_per_roller = threads.threads_per_roller;
   const auto add = [&](std::vector<double>& values, auto value_of_patch) {
-    std::vector<double> of_patch(threads.patches.size());
-    for (std::size_t k = 0; k < of_patch.size(); ++k) of_patch[k] = value_of_patch(k);
-    values.reserve(threads.patch_of_thread.size());
-    for (const std::optional<std::size_t>& k : threads.patch_of_thread)
-      values.push_back(k ? of_patch[*k] : 0.0);
+    set_values(values, threads, value_of_patch);
   };
   const auto power = [&](std::size_t k) { return b.normal_load[k] * b.friction[k].power_per_load; };
 
-  add(slip.power, power);
-  add(slip.power_density, [&](std::size_t k) {
-    const contact::HertzContact& e = threads.patches[k].ellipse();
-    return power(k) / (std::numbers::pi * e.semi_major * e.semi_minor);
-  });
-  add(slip.friction_coefficient, [&](std::size_t k) { return b.friction[k].mean_friction; });
-  add(slip.spin_torque, [&](std::size_t k) { return b.normal_load[k] * b.friction[k].spin_arm; });
-  add(slip.sliding_speed,
-      [&](std::size_t) { return std::hypot(b.motion.sliding_major, b.motion.sliding_minor); });
-  add(slip.max_sliding_speed, [&](std::size_t k) { return b.friction[k].max_sliding_speed; });
-  add(slip.dynamic_normal_load, [&](std::size_t k) { return b.normal_load[k]; });
-  if (c.wear) {
+  if (detail.threads) {
+    add(slip.power, power);
+    add(slip.power_density, [&](std::size_t k) {
+      const contact::HertzContact& e = threads.contacts[k].ellipse;
+      return power(k) / (std::numbers::pi * e.semi_major * e.semi_minor);
+    });
+    add(slip.friction_coefficient, [&](std::size_t k) { return b.friction[k].mean_friction; });
+    add(slip.spin_torque, [&](std::size_t k) { return b.normal_load[k] * b.friction[k].spin_arm; });
+    add(slip.sliding_speed,
+        [&](std::size_t) { return std::hypot(b.motion.sliding_major, b.motion.sliding_minor); });
+    add(slip.max_sliding_speed, [&](std::size_t k) { return b.friction[k].max_sliding_speed; });
+    add(slip.dynamic_normal_load, [&](std::size_t k) { return b.normal_load[k]; });
+  }
+  if (model.wear && detail.threads) {
     const double travel = std::abs(model.geometry.lead * model.speed) / (2.0 * std::numbers::pi);
     add(slip.wear, [&](std::size_t k) {
-      return c.wear->coefficient * b.normal_load[k] *
-             threads.patches[k].sliding_under_pressure(b.motion) / travel;
+      return model.wear->coefficient * b.normal_load[k] * b.friction[k].sliding_under_pressure /
+             travel;
     });
   }
-  if (!model.oils.threads[i]) return slip;
+  if (!model.oils.threads[i] || !detail.films) return;
   const contact::Lubricant& oil = *model.oils.threads[i];
   const double rolling = b.motion.rolling_speed;
+  add(slip.film_thickness, [&](std::size_t k) {
+    return contact::sandu_film(oil, threads.contacts[k].film, rolling).thickness;
+  });
   const auto central_film = [&](std::size_t k) {
-    return contact::nijenbanning_film(oil, threads.films[k], rolling).thickness;
+    return contact::nijenbanning_film(oil, threads.contacts[k].film, rolling).thickness;
   };
-  add(slip.film_thickness,
-      [&](std::size_t k) { return contact::sandu_film(oil, threads.films[k], rolling).thickness; });
   add(slip.central_film, central_film);
-  const std::optional<double> roughness = composite_roughness(c, i);
-  if (!roughness) return slip;
+  const std::optional<double>& roughness = model.roughness[i];
+  if (!roughness) return;
   const auto film_ratio = [&](std::size_t k) { return central_film(k) / *roughness; };
   add(slip.film_ratio, film_ratio);
   add(slip.boundary_share, [&](std::size_t k) {
-    return contact::boundary_share(film_ratio(k), c.friction->mixed.exponent);
+    return contact::boundary_share(film_ratio(k), model.friction.mixed.exponent);
   });
-  return slip;
 }
 
 void for_each_thread(const PerInterface<InterfaceSlip>& threads, auto visit) {
   for (const Interface i : kInterfaces)
     for (std::size_t k = 0; k < threads[i].power.size(); ++k)
       visit(ThreadOf{i, static_cast<int>(k)}, threads[i].power[k], threads[i].power_density[k]);
-}
-
-/// Equilibrium, or the balance at the imposed slip ratio.
-SlipEquilibrium solve(const SlipModel& model, const std::optional<double>& imposed) {
-  if (!imposed) return find_slip_equilibrium(model);
-  SlipEquilibrium at;
-  at.evaluations = 1;
-  at.status = balance_at(model, *imposed, at.balance) ? SlipStatus::imposed : SlipStatus::jammed;
-  return at;
 }
 
 EqualShareSlip summary_of(const SlipResult& equal) {
@@ -205,17 +217,15 @@ void warn(const SlipResult& slip, const Friction& friction, const LoadCase& load
   warn_of_lubrication(slip, friction, warnings);
 }
 
-void require_admissible(const SlipModel& model, const std::optional<Operation>& operation) {
-  if (!operation || !operation->slip_ratio) return;
+void require_admissible(const SlipModel& model) {
+  if (is_admissible(model)) return;
   const SlipRange range = slip_range(model.geometry);
-  const double least = std::min(range.pure_sliding, range.ideal);
-  const double greatest = std::max(range.pure_sliding, range.ideal);
-  if (*operation->slip_ratio < least || *operation->slip_ratio > greatest)
-    throw CaseError("operation.slip_ratio",
-                    fmt::format("got {:.7g}; expected {:.7g} to {:.7g}, from pure sliding to the "
-                                "ideal slip ratio of this geometry; leave it out to have it "
-                                "computed",
-                                *operation->slip_ratio, least, greatest));
+  throw CaseError("operation.slip_ratio",
+                  fmt::format("got {:.7g}; expected {:.7g} to {:.7g}, from pure sliding to the "
+                              "ideal slip ratio of this geometry; leave it out to have it "
+                              "computed",
+                              *model.imposed_slip_ratio, std::min(range.pure_sliding, range.ideal),
+                              std::max(range.pure_sliding, range.ideal)));
 }
 
 /// Loads as slip takes them: solved ones, and equal shares by the geometry.
@@ -281,17 +291,37 @@ std::optional<std::string> unknown_film_ratio(const Conditions& c) {
          "not known; add `roughness: 0.4 um`, for example: the Rq of the ground flanks";
 }
 
+bool rolls(const contact::MechanismGeometry& threads) {
+  const contact::KinematicConsistency k = contact::kinematic_consistency(threads);
+  return leads_agree(k, threads) && ratios_agree(k);
+}
+
+bool is_admissible(const SlipModel& model) {
+  if (!model.imposed_slip_ratio) return true;
+  const SlipRange range = slip_range(model.geometry);
+  return *model.imposed_slip_ratio >= std::min(range.pure_sliding, range.ideal) &&
+         *model.imposed_slip_ratio <= std::max(range.pure_sliding, range.ideal);
+}
+
 void require_rolling(const Conditions& c, const Contacts& contacts) {
   require_contacts(c, contacts);
   require_kinematics(contacts.threads);
 }
 
-SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
-  const Conditions& c = models.conditions();
-  const SlipRange range = slip_range(model.geometry);
-  const SlipEquilibrium found = solve(model, c.operation ? c.operation->slip_ratio : std::nullopt);
-  const SlipBalance& b = found.balance;
+SlipResult slip_result(const SlipModel& model) {
   SlipResult slip;
+  set_slip_result(slip, model, find_slip_equilibrium(model), {});
+  return slip;
+}
+
+void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilibrium& found,
+                     const SlipDetail& detail) {
+  const SlipRange range = slip_range(model.geometry);
+  const SlipBalance& b = found.balance;
+  PerInterface<InterfaceSlip> memory = std::move(slip.threads);
+  slip = {};
+  slip.threads = std::move(memory);
+  for (const Interface i : kInterfaces) clear_values(slip.threads[i]);
   slip.status = found.status;
   slip.evaluations = found.evaluations;
   slip.speed = model.speed;
@@ -299,12 +329,12 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   slip.ideal_slip_ratio = range.ideal;
   slip.estimates = slip_estimates(model.geometry);
   if (slip.status != SlipStatus::jammed) slip.relative_residue = relative_residue(model, b);
-  if (!slip.converged()) return slip;
+  if (!slip.converged()) return;
   slip.moments = b.moments;
 
   slip.slip_ratio = b.motion.slip_ratio;
   slip.optimality = optimality(range, slip.slip_ratio);
-  for (const Interface i : kInterfaces) slip.threads[i] = interface_slip(c, model, b, i);
+  for (const Interface i : kInterfaces) set_interface_slip(slip.threads[i], model, b, i, detail);
   slip.power = lost_power(model, b);
   const DriveTorques torques = drive_torques(model, b);
   const PowerFlow flow = power_flow(model, torques);
@@ -317,7 +347,7 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
     slip.self_locking = !slip.efficiency;
     slip.holding_torque = std::copysign(1.0, model.speed) * torques.screw;
   }
-  const bool jacod = c.friction->model == Friction::Model::jacod;
+  const bool jacod = model.friction.model == Friction::Model::jacod;
   if (jacod && slip.status == SlipStatus::converged && slip.driven_by == DrivenBy::screw)
     slip.efficiency_fit = sandu_efficiency_fit(*model.oils.carrier);
   if (model.oils.carrier) slip.viscosity = model.oils.carrier->viscosity;
@@ -327,7 +357,6 @@ SlipResult slip_result(const SlipModels& models, const SlipModel& model) {
   for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
     if (density > hottest) hottest = density, slip.hottest = thread;
   });
-  return slip;
 }
 
 Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions options,
@@ -341,10 +370,10 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
   for (LoadCaseResult& loaded : result.load_cases) {
     if (!loaded.threads) continue;
     const SlipModel model = models.of(loaded);
-    require_admissible(model, c.operation);
-    loaded.slip = slip_result(models, model);
+    require_admissible(model);
+    loaded.slip = slip_result(model);
     if (loaded.load_case.share == LoadCase::Share::solved && loaded.slip->converged()) {
-      const SlipResult equal = slip_result(models, models.equal_shares(loaded.load_case));
+      const SlipResult equal = slip_result(models.equal_shares(loaded.load_case));
       if (equal.converged()) loaded.slip->equal_shares = summary_of(equal);
     }
     if (options.detail != Detail::complete) continue;
@@ -362,13 +391,13 @@ std::optional<double> back_driving_efficiency(const Conditions& c, const Contact
   for (const Interface i : kInterfaces)
     if (!contacts.interfaces[i].geometry.ok() || !contacts.interfaces[i].has_hertz())
       return std::nullopt;
-  const contact::KinematicConsistency k = contact::kinematic_consistency(contacts.threads);
-  if (!leads_agree(k, contacts.threads) || !ratios_agree(k)) return std::nullopt;
+  if (!rolls(contacts.threads)) return std::nullopt;
   Oils oils = oils_in_operation(c);
   const bool oiled = c.friction->of_film() || c.carrier.bearing;
   if (oiled && !oils.carrier) return std::nullopt;  // only heat would tell its temperature
   const SlipModels models(c, contacts, std::move(oils));
   SlipModel model = models.of(loaded);
+  model.imposed_slip_ratio.reset();
   if (driven_by(model) == DrivenBy::screw) model.speed = -model.speed;
   const SlipEquilibrium found = find_slip_equilibrium(model);
   if (!found.ok()) return std::nullopt;
@@ -385,7 +414,7 @@ StribeckCurve stribeck_curve(const Conditions& c, const Result& result, std::siz
   for (int k = 0; k <= kDecades * kPerDecade; ++k) {
     // From a thousandth to ten times the speed.
     model.speed = speed * std::pow(10.0, static_cast<double>(k) / kPerDecade - 3.0);
-    const SlipResult slip = slip_result(models, model);
+    const SlipResult slip = slip_result(model);
     if (!slip.converged()) continue;
     curve.speed.push_back(std::abs(model.speed));
     curve.power.push_back(slip.power.total());
@@ -435,10 +464,12 @@ SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_
   balance_at(model, loaded.slip->slip_ratio, balance);
   for (const Interface i : kInterfaces) {
     const LoadedThreads& threads = model.threads[i];
-    const auto most = std::max_element(threads.axial_load.begin(), threads.axial_load.end());
-    pictures.most_loaded_thread[i] = patch_field(
-        models.grid(), threads.patches[static_cast<std::size_t>(most - threads.axial_load.begin())],
-        balance.interfaces[i].motion, c.model.patch_points);
+    const auto most =
+        std::ranges::max_element(threads.contacts, {}, &LoadedThreads::Contact::axial_load) -
+        threads.contacts.begin();
+    pictures.most_loaded_thread[i] =
+        patch_field(models.grid(), threads.patches[static_cast<std::size_t>(most)],
+                    balance.interfaces[i].motion, c.model.patch_points);
   }
   return pictures;
 }

@@ -24,8 +24,24 @@ inline Result analyze_slip(const Case& c, AnalysisOptions options = {}) {
 /// Throws CaseError where the geometry gives no contact or its gears break (2.14).
 void require_rolling(const Conditions& c, const Contacts& contacts);
 
+/// Whether its gears keep (2.14).
+bool rolls(const contact::MechanismGeometry& threads);
+
+/// Whether an imposed slip ratio lies in its range.
+bool is_admissible(const SlipModel& model);
+
 /// Slip of one load case, without the comparison with equal shares.
-SlipResult slip_result(const SlipModels& models, const SlipModel& model);
+SlipResult slip_result(const SlipModel& model);
+
+/// Which numbers of the threads are wanted.
+struct SlipDetail {
+  bool threads = true;  ///< All but films.
+  bool films = true;
+};
+
+/// The same for an equilibrium that is known, into memory that the result keeps.
+void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilibrium& found,
+                     const SlipDetail& detail);
 
 /// Efficiency of the same load at the same speed where the load drives; absent where the screw
 /// locks itself, or the case lacks what `slip` needs or a temperature of its oil.

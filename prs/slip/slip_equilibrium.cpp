@@ -1,185 +1,174 @@
 #include "prs/slip/slip_equilibrium.h"
 
-#include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
+
+#include "prs/slip/slip_search.h"
 
 namespace prs {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Tolerance of the slip ratio.
-constexpr double kSlipTolerance = 1e-14;
-constexpr int kMostEvaluations = 100;
-
-/// Sliding below this share of the rolling speed is the rounding of a contact without slip.
-constexpr double kNoSlip = 1e-12;
-
-/// Moments below this share of c |F_N|/N_R are rounding.
-constexpr double kNoMoment = 1e-15;
+using simd::Dual, simd::value;
 
 double sign(double x) { return std::copysign(1.0, x); }
 bool standard(const SlipModel& m) { return m.geometry.type == Mechanism::Type::standard; }
 
-/// Moment of a force about an axis along z through `axis_x` on the x axis.
-double moment_z(const Vector3d& point, double axis_x, const Vector3d& force) {
-  return (point.x() - axis_x) * force.y() - point.y() * force.x();
+Vector3d vector(const contact::Vector3<double>& v) { return {v.x, v.y, v.z}; }
+contact::Vector3<double> numbers(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+double moment_about_axis(const Vector3d& point, const Vector3d& force) {
+  return point.x() * force.y() - point.y() * force.x();
 }
 
-/// Operating pitch radius of the roller's gear [m].
-double roller_gear_radius(const SlipModel& m) {
-  const double gamma = m.geometry.gear_ratio;
-  return m.geometry.centre_distance * gamma / (standard(m) ? 1.0 - gamma : 1.0 + gamma);
-}
-
-contact::PatchMotion patch_motion(const LoadedThreads& threads, const ContactMotion& motion) {
-  const double u_n = motion.rolling.dot(threads.normal);
-  const bool slides = motion.sliding.norm() > kNoSlip * motion.rolling.norm();
-  const Vector3d sliding = slides ? motion.sliding : Vector3d::Zero();
-  return {sliding.dot(threads.major_axis), sliding.dot(threads.minor_axis),
-          motion.spin * threads.normal.z(),
-          std::sqrt(std::max(motion.rolling.squaredNorm() - u_n * u_n, 0.0))};
-}
-
-bool balance_interface(const SlipModel& model, const Kinematics& motion, Interface i,
-                       InterfaceBalance& b) {
-  const LoadedThreads& threads = model.threads[i];
-  b.motion = patch_motion(threads, contact_motion(model.geometry, motion, i));
-  b.friction.resize(threads.patches.size());
-  b.normal_load.resize(threads.patches.size());
-  b.force.setZero();
-  b.spin_torque = b.power = 0.0;
-  const double alike = threads.alike;
-  for (std::size_t k = 0; k < threads.patches.size(); ++k) {
-    const contact::PatchFriction& f = b.friction[k] = threads.patches[k].friction(b.motion);
-    // m = n - T/N (3.5)
-    const Vector3d m = threads.normal - f.traction_major * threads.major_axis -
-                       f.traction_minor * threads.minor_axis;
-    const double normal_load = threads.axial_load[k] / (m.z() * sign(threads.normal.z()));
-    if (!(normal_load >= 0.0 && std::isfinite(normal_load))) return false;
-    b.normal_load[k] = normal_load;
-    b.force -= alike * normal_load * m;
-    b.spin_torque += alike * normal_load * f.spin_arm * threads.normal.z();
-    b.power += alike * normal_load * f.power_per_load;
+/// Forces of the patches of an interface; `take(k, friction, forces)` of each. Not possible where
+/// one has no normal load.
+template <class Number, class Take>
+InterfaceForces<Number> interface_forces(const RollerNumbers<double>& roller,
+                                         const LoadedThreads& threads, Interface i,
+                                         const contact::PatchMotionOf<Number>& sliding,
+                                         bool& possible, Take take) {
+  InterfaceForces<Number> sum;
+  for (std::size_t k = 0; k < threads.patches.size() && possible; ++k) {
+    const contact::PatchFrictionOf<Number> friction = threads.patches[k].friction(sliding);
+    const PatchForces<Number> at =
+        patch_forces(roller.frames[i], friction, threads.contacts[k].axial_load, threads.alike);
+    possible = is_possible(at.normal_load);
+    sum.force.x += at.on_roller.force.x;
+    sum.force.y += at.on_roller.force.y;
+    sum.force.z += at.on_roller.force.z;
+    sum.spin_torque += at.on_roller.spin_torque;
+    take(k, friction, at);
   }
-  return true;
+  return sum;
 }
 
-/// Gears and carrier for a torque of the carrier on the roller, signed [N m].
-RollerForces forces_with(const SlipModel& model, const SlipBalance& b, double roller_torque) {
-  const Vector3d contacts = b.interfaces.screw.force + b.interfaces.nut.force;
-  const double c = model.geometry.centre_distance;
-  const double orbit_speed = b.motion.slip_ratio * model.speed;  // omega_p/n
-  RollerForces f;
-  f.contacts_x = contacts.x();
-  f.contacts_y = contacts.y();
-  f.centrifugal = model.roller_mass * c * orbit_speed * orbit_speed;
-  const double carrier_torque = sign(model.speed) * (model.nut_torque - model.screw_torque);
-  f.carrier_y = (model.rollers * roller_torque + carrier_torque) / (c * model.rollers);
-  f.gears_y = f.carrier_y - f.contacts_y;
-  f.gears_x =
-      (standard(model) ? -1.0 : 1.0) * std::abs(f.gears_y) * std::tan(model.gear_pressure_angle);
-  f.carrier_x = f.gears_x + f.contacts_x + f.centrifugal;
-  return f;
+bool balance_roller(const RollerNumbers<double>& roller, const SlipModel& model, double slip_ratio,
+                    SlipBalance& b) {
+  bool possible = true;
+  const RollerBalanceOf<double> found =
+      roller_balance(roller, slip_ratio, [&](Interface i, const contact::PatchMotion& sliding) {
+        InterfaceBalance& at = b.interfaces[i];
+        const LoadedThreads& threads = model.threads[i];
+        at.friction.resize(threads.patches.size());
+        at.normal_load.resize(threads.patches.size());
+        at.power = 0.0;
+        return interface_forces(roller, threads, i, sliding, possible,
+                                [&](std::size_t k, const contact::PatchFriction& friction,
+                                    const PatchForces<double>& forces) {
+                                  at.friction[k] = friction;
+                                  at.normal_load[k] = forces.normal_load;
+                                  at.power +=
+                                      threads.alike * forces.normal_load * friction.power_per_load;
+                                });
+      });
+  set_roller(b, found);
+  return possible;
 }
 
-/// The bearing's torque depends on its load and, a little, its load on the torque.
-void balance_carrier(const SlipModel& model, SlipBalance& b) {
-  double torque = model.roller_torque;
-  for (int i = 0; model.bearing && i < 30; ++i) {
-    const RollerForces f = forces_with(model, b, sign(model.speed) * torque);
-    b.bearing = contact::short_bearing(*model.bearing, model.oils.carrier->viscosity,
-                                       std::abs(b.motion.roller_to_carrier),
-                                       0.5 * std::hypot(f.carrier_x, f.carrier_y));
-    const double before = std::exchange(torque, 2.0 * b.bearing.torque);  // two heads
-    if (std::abs(torque - before) <= 1e-15 * torque) break;
-  }
-  b.carrier_roller_torque = sign(model.speed) * torque;
-  b.forces = forces_with(model, b, b.carrier_roller_torque);
+/// R_z with its slope along the slip ratio; none where a contact jams.
+std::optional<Dual<double>> residue_with_slope(const RollerNumbers<double>& roller,
+                                               const SlipModel& model, double slip_ratio) {
+  using Number = Dual<double>;
+  bool possible = true;
+  const RollerBalanceOf<Number> found =
+      roller_balance(roller, Number(slip_ratio, 1.0),
+                     [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
+                       return interface_forces(roller, model.threads[i], i, sliding, possible,
+                                               [](std::size_t, const auto&, const auto&) {});
+                     });
+  if (!possible) return std::nullopt;
+  return found.moments.residue() / residue_unit(model);
 }
 
 }  // namespace
 
-bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
-  b.motion = kinematics(model.geometry, model.speed, slip_ratio);
+RollerNumbers<double> numbers_of(const SlipModel& m) {
+  const auto plane = [](const Vector3d& p) { return contact::Vector2<double>{p.x(), p.y()}; };
+  const KinematicGeometry& g = m.geometry;
+  RollerNumbers<double> roller;
+  roller.geometry = {standard(m) ? 1.0 : 0.0,
+                     g.lead,
+                     g.gear_ratio,
+                     g.centre_distance,
+                     {plane(g.points.screw), plane(g.points.nut)}};
   for (const Interface i : kInterfaces)
-    if (!balance_interface(model, b.motion, i, b.interfaces[i])) return false;
-  balance_carrier(model, b);
-  b.moments = {};
-  for (const Interface i : kInterfaces) {
-    b.moments.contacts +=
-        moment_z(model.geometry.points[i], model.geometry.centre_distance, b.interfaces[i].force);
-    b.moments.spin += b.interfaces[i].spin_torque;
+    roller.frames[i] = {numbers(m.threads[i].normal), numbers(m.threads[i].major_axis),
+                        numbers(m.threads[i].minor_axis)};
+  roller.speed = m.speed;
+  roller.rollers = m.rollers;
+  roller.screw_torque = m.screw_torque;
+  roller.nut_torque = m.nut_torque;
+  roller.roller_torque = m.roller_torque;
+  if (m.bearing) {
+    roller.has_bearing = 1.0;
+    roller.bearing = {m.bearing->length, m.bearing->diameter, m.bearing->radial_clearance};
+    roller.bearing_viscosity = m.oils.carrier->viscosity;
   }
-  b.moments.carrier = b.carrier_roller_torque;
-  b.moments.gears = (standard(model) ? 1.0 : -1.0) * roller_gear_radius(model) * b.forces.gears_y;
-  return true;
+  roller.gear_tangent = std::tan(m.gear_pressure_angle);
+  roller.roller_mass = m.roller_mass;
+  return roller;
+}
+
+void set_roller(SlipBalance& b, const RollerBalanceOf<double>& roller) {
+  const KinematicsOf<double>& k = roller.motion;
+  b.motion = {k.slip_ratio,     k.screw_to_carrier, k.roller_to_carrier,
+              k.nut_to_carrier, k.screw_advance,    k.nut_advance};
+  for (const Interface i : kInterfaces) {
+    b.interfaces[i].motion = roller.sliding[i];
+    b.interfaces[i].force = vector(roller.interfaces[i].force);
+    b.interfaces[i].spin_torque = roller.interfaces[i].spin_torque;
+  }
+  const RollerForcesOf<double>& f = roller.forces;
+  b.forces = {f.contacts_x, f.contacts_y, f.gears_x,    f.gears_y,
+              f.carrier_x,  f.carrier_y,  f.centrifugal};
+  const RollerMomentsOf<double>& m = roller.moments;
+  b.moments = {m.contacts, m.spin, m.carrier, m.gears};
+  b.bearing = {roller.bearing.eccentricity_ratio, roller.bearing.torque};
+  b.carrier_roller_torque = roller.carrier_roller_torque;
+}
+
+bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& b) {
+  return balance_roller(numbers_of(model), model, slip_ratio, b);
+}
+
+double residue_unit(const SlipModel& m) {
+  return m.geometry.centre_distance * std::abs(m.axial_force) / m.rollers;
 }
 
 double relative_residue(const SlipModel& m, const SlipBalance& b) {
-  return b.moments.residue() * m.rollers / (m.geometry.centre_distance * std::abs(m.axial_force));
+  return b.moments.residue() / residue_unit(m);
 }
 
 SlipEquilibrium find_slip_equilibrium(const SlipModel& model) {
-  const SlipRange range = slip_range(model.geometry);
+  const RollerNumbers<double> roller = numbers_of(model);
+  SlipSearch search(slip_range(model.geometry), model.speed, model.imposed_slip_ratio);
   SlipEquilibrium found;
-  // The search parameter t is 0 at the ideal slip ratio and 1 at pure sliding. Where friction alone
-  // resists, the moment has the sense of the speed at t = 0 and the root lies at t > 0 (3.45); a
-  // carrier that is dragged along can push it to t < 0, at most to where the carrier turns with the
-  // driving part.
-  const auto slip_ratio = [&](double t) {
-    return range.ideal + t * (range.pure_sliding - range.ideal);
-  };
-  bool balanced = true;
-  double residue_there = 0.0;
-  const auto residue = [&](double t) {
-    ++found.evaluations;
-    balanced = balanced && balance_at(model, slip_ratio(t), found.balance);
-    residue_there = balanced ? sign(model.speed) * relative_residue(model, found.balance) : 0.0;
-    return residue_there;
-  };
-  const auto end_as = [&](SlipStatus status) {
-    found.status = balanced ? status : SlipStatus::jammed;
-    return found;
-  };
-
-  double near = 0.0, near_residue = residue(near);
-  if (std::abs(near_residue) <= kNoMoment) return end_as(SlipStatus::converged);
-  const double end = near_residue > 0.0 ? 1.0
-                                        : (1.0 - range.pure_sliding - range.ideal) /
-                                              (range.pure_sliding - range.ideal);
-  double far = std::copysign(2e-3, end), far_residue = residue(far);
-  while (balanced && far_residue * near_residue > 0.0 && far != end) {
-    near = far, near_residue = far_residue;
-    far = std::abs(10.0 * far) < std::abs(end) ? 10.0 * far : end, far_residue = residue(far);
+  while (!search.done()) {
+    if (search.wants_slope()) {
+      if (const auto residue = residue_with_slope(roller, model, search.slip_ratio()))
+        search.take(residue->value, residue->slope);
+      else
+        search.jam();
+    } else if (balance_roller(roller, model, search.slip_ratio(), found.balance)) {
+      search.take(relative_residue(model, found.balance), 0.0);
+    } else {
+      search.jam();
+    }
   }
-  if (!balanced || far_residue * near_residue > 0.0) return end_as(SlipStatus::no_equilibrium);
-
-  const double width = kSlipTolerance / std::abs(range.pure_sliding - range.ideal);
-  const double negligible = width * std::abs((far_residue - near_residue) / (far - near));
-  // The last residue belongs to one of the ends: where it is negligible, that end is the root.
-  const auto close_enough = [&](double a, double b) {
-    return b - a <= width || std::abs(residue_there) <= negligible;
-  };
-  boost::uintmax_t evaluations = kMostEvaluations;
-  const auto [a, b] =
-      near < far ? boost::math::tools::toms748_solve(residue, near, far, near_residue, far_residue,
-                                                     close_enough, evaluations)
-                 : boost::math::tools::toms748_solve(residue, far, near, far_residue, near_residue,
-                                                     close_enough, evaluations);
-  if (std::abs(residue_there) > negligible) residue(0.5 * (a + b));
-  return end_as(evaluations < kMostEvaluations ? SlipStatus::converged
-                                               : SlipStatus::iteration_limit);
+  found.status = search.status();
+  found.evaluations = search.evaluations();
+  return found;
 }
 
 DriveTorques drive_torques(const SlipModel& m, const SlipBalance& b) {
   // What acts on a roller, taken about the screw's axis, acts back on screw and nut.
   const auto about_axis = [&](Interface i) {
-    return moment_z(m.geometry.points[i], 0.0, b.interfaces[i].force) + b.interfaces[i].spin_torque;
+    return moment_about_axis(m.geometry.points[i], b.interfaces[i].force) +
+           b.interfaces[i].spin_torque;
   };
-  const double c = m.geometry.centre_distance, roller_gear = roller_gear_radius(m);
+  const double c = m.geometry.centre_distance;
+  const double roller_gear = roller_gear_radius(numbers_of(m).geometry);
   const double gear_arm = standard(m) ? c + roller_gear : c - roller_gear;
   const double gears = gear_arm * b.forces.gears_y;
   return {m.rollers * (about_axis(Interface::screw) + (standard(m) ? 0.0 : gears)) +

@@ -11,6 +11,7 @@
 #include "prs/loads/slip_result.h"
 #include "prs/model/operation.h"
 #include "prs/model/part.h"
+#include "prs/slip/slip_formulas.h"
 #include "prs/threads/kinematics.h"
 
 namespace prs {
@@ -21,10 +22,16 @@ struct LoadedThreads {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();      ///< n, outward from the roller
   Eigen::Vector3d major_axis = Eigen::Vector3d::Zero();  ///< t_1
   Eigen::Vector3d minor_axis = Eigen::Vector3d::Zero();  ///< t_2 = n x t_1
-  std::vector<contact::Patch> patches;
-  std::vector<contact::FilmContact> films;  ///< What a film knows of each patch.
-  std::vector<double> axial_load;           ///< F_i of each patch, > 0 [N]
-  double alike = 1.0;          ///< Threads of the mean roller that each patch stands for.
+  /// A patch under its static load.
+  struct Contact {
+    double axial_load = 0.0;  ///< F_i, > 0 [N]
+    contact::HertzContact ellipse;
+    contact::FilmContact film;
+    contact::FrictionNumbers<double> friction;
+  };
+  std::vector<Contact> contacts;
+  std::vector<contact::Patch> patches;  ///< Of these contacts.
+  double alike = 1.0;                   ///< Threads of the mean roller that each patch stands for.
   int threads_per_roller = 0;  ///< Of the patches of all rollers, roller after roller; 0: of one.
   /// Patch of each thread; absent where the thread is open.
   std::vector<std::optional<std::size_t>> patch_of_thread;
@@ -55,7 +62,15 @@ struct SlipModel {
   std::optional<contact::JournalBearing> bearing;  ///< In place of roller_torque.
   double gear_pressure_angle = 0.0;                ///< [rad]
   double roller_mass = 0.0;                        ///< [kg]
+
+  // What results say of it.
+  Friction friction;
+  std::optional<Wear> wear;
+  PerInterface<std::optional<double>> roughness;  ///< Composite Rq [m].
+  std::optional<double> imposed_slip_ratio;
 };
+
+RollerNumbers<double> numbers_of(const SlipModel& model);
 
 /// Friction and forces at one interface of one roller.
 struct InterfaceBalance {
@@ -87,6 +102,12 @@ struct SlipBalance {
 /// where numbers overflow.
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& balance);
 
+/// What a kernel found, in place.
+void set_roller(SlipBalance& balance, const RollerBalanceOf<double>& roller);
+
+/// c |F_N|/N_R [N m], the unit of `relative_residue`.
+double residue_unit(const SlipModel& model);
+
 /// R_z, the moment left on a roller over c |F_N|/N_R [-] (Sandu 2018, (3.39) to (3.43)).
 double relative_residue(const SlipModel& model, const SlipBalance& balance);
 
@@ -97,11 +118,11 @@ struct SlipEquilibrium {
   int evaluations = 0;  ///< Calls of `balance_at`.
   SlipBalance balance;  ///< At the root.
 
-  bool ok() const { return status == SlipStatus::converged; }
+  bool ok() const { return status == SlipStatus::converged || status == SlipStatus::imposed; }
 };
 
-/// Brackets the root next to the ideal slip ratio and closes in to 1e-14 (TOMS 748). Where no
-/// friction acts, every slip ratio balances and the ideal one is returned.
+/// By `SlipSearch`, to 1e-14 or better. Where no friction acts, every slip ratio balances and the
+/// ideal one is returned. An imposed one is taken as it is.
 SlipEquilibrium find_slip_equilibrium(const SlipModel& model);
 
 /// Torques on screw and nut that keep them turning (Sandu 2018, (3.30), (3.31)) [N m].

@@ -38,14 +38,42 @@ double roller_mass(const Conditions& c, const Mechanism& m) {
   return *density * volume;
 }
 
-/// The grid of a thread's last design is kept: all designs of a study have it, as a rule.
+contact::FrictionNumbers<double> friction_of(const SlipModel& model, Interface i,
+                                             const contact::FilmContact& film) {
+  const Friction& friction = model.friction;
+  switch (friction.model) {
+    case Friction::Model::coulomb:
+      break;
+    case Friction::Model::jacod:
+      return contact::film_friction(*model.oils.threads[i], film);
+    case Friction::Model::mixed:
+      return contact::mixed_friction(
+          *model.oils.threads[i], film,
+          {friction.mixed.boundary, friction.mixed.exponent, *model.roughness[i]});
+  }
+  return contact::coulomb_friction(friction.coefficient);
+}
+
+/// A patch under its static load.
+LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact& contact,
+                                  Interface i, double axial_load) {
+  const double static_load = axial_load / std::abs(model.threads[i].normal.z());
+  const contact::PrincipalValues& relative = contact.geometry.relative;
+  const contact::FilmContact film{.normal_load = static_load,
+                                  .curvature = relative.second,
+                                  .contact_modulus = contact.contact_modulus,
+                                  .curvature_ratio = relative.first / relative.second};
+  return {axial_load, contact::at_load(contact.hertz, static_load), film,
+          friction_of(model, i, film)};
+}
+
+}  // namespace
+
 std::shared_ptr<const contact::PatchGrid> grid_of(int points) {
   thread_local std::pair<int, std::shared_ptr<const contact::PatchGrid>> last;
   if (last.first != points) last = {points, std::make_shared<const contact::PatchGrid>(points)};
   return last.second;
 }
-
-}  // namespace
 
 Oils oils_in_operation(const Conditions& c) {
   if (!c.lubricant || !has_operating_point(*c.lubricant)) return {};
@@ -78,86 +106,84 @@ SlipModels::SlipModels(const Conditions& c, const Contacts& contacts, Oils oils)
       grid_(grid_of(c.model.patch_points)),
       oils_(std::move(oils)) {}
 
+void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanism,
+                    const LoadCase& load_case, const Oils& oils) {
+  m.axial_force = axial_force_on_nut(load_case);
+  m.speed = load_case.speed ? *load_case.speed : c.operation->speed;
+  m.rollers = mechanism.rollers;
+  if (c.model.mechanism == ModelOptions::Mechanism::full &&
+      load_case.share == LoadCase::Share::solved)
+    m.rollers -= static_cast<int>(c.deviations.missing_rollers.size());
+  m.screw_torque = c.carrier.screw_torque;
+  m.nut_torque = c.carrier.nut_torque;
+  m.roller_torque = c.carrier.roller_torque;
+  m.bearing = c.carrier.bearing;
+  m.oils = oils;
+  m.gear_pressure_angle = c.carrier.gear_pressure_angle;
+  m.roller_mass = roller_mass(c, mechanism);
+  m.friction = *c.friction;
+  m.wear = c.wear;
+  for (const Interface i : kInterfaces) m.roughness[i] = composite_roughness(c, i);
+  m.imposed_slip_ratio = c.operation ? c.operation->slip_ratio : std::nullopt;
+}
+
+void set_geometry(SlipModel& m, const Contacts& contacts) {
+  m.geometry = kinematic_geometry(contacts, m.axial_force);
+  for (const Interface i : kInterfaces) {
+    const contact::InterfaceGeometry g = touching(contacts.interfaces[i].geometry, m.axial_force);
+    m.threads[i].normal = g.point.normal;
+    m.threads[i].major_axis = g.major_axis;
+    m.threads[i].minor_axis = g.minor_axis;
+  }
+}
+
+void set_equal_contacts(SlipModel& m, const Contacts& contacts) {
+  const int alike = contacts.mechanism.contacts_per_roller;
+  for (const Interface i : kInterfaces) {
+    m.threads[i].alike = alike;
+    m.threads[i].patch_of_thread.assign(static_cast<std::size_t>(alike), 0);
+    m.threads[i].contacts.assign(
+        1, contact_of(m, contacts.interfaces[i], i, std::abs(m.axial_force) / m.rollers / alike));
+  }
+}
+
 SlipModel SlipModels::of(const LoadCaseResult& loaded, const Oils& oils) const {
   if (loaded.load_case.share == LoadCase::Share::equal) return equal_shares(loaded.load_case, oils);
   SlipModel model = unloaded(loaded.load_case, oils);
   for (const Interface i : kInterfaces) {
+    LoadedThreads& threads = model.threads[i];
     const int row = (*loaded.threads)[i].threads_per_roller;
-    model.threads[i].threads_per_roller = row;
-    if (row > 0) model.threads[i].alike = 1.0 / model.rollers;
+    threads.threads_per_roller = row;
+    if (row > 0) threads.alike = 1.0 / model.rollers;
     for (const double load : (*loaded.threads)[i].axial_load) {
-      std::vector<std::optional<std::size_t>>& patch_of = model.threads[i].patch_of_thread;
-      patch_of.push_back(std::nullopt);
+      threads.patch_of_thread.push_back(std::nullopt);
       if (load <= 0.0) continue;
-      patch_of.back() = model.threads[i].patches.size();
-      add_patch(model, i, load);
+      threads.patch_of_thread.back() = threads.contacts.size();
+      threads.contacts.push_back(contact_of(model, contacts_.interfaces[i], i, load));
     }
   }
+  add_patches(model);
   return model;
 }
 
 SlipModel SlipModels::equal_shares(const LoadCase& load_case, const Oils& oils) const {
   SlipModel model = unloaded(load_case, oils);
-  const int alike = contacts_.mechanism.contacts_per_roller;
-  for (const Interface i : kInterfaces) {
-    model.threads[i].alike = alike;
-    model.threads[i].patch_of_thread.assign(static_cast<std::size_t>(alike), 0);
-    add_patch(model, i, std::abs(load_case.axial_force) / model.rollers / alike);
-  }
+  set_equal_contacts(model, contacts_);
+  add_patches(model);
   return model;
 }
 
 SlipModel SlipModels::unloaded(const LoadCase& load_case, const Oils& oils) const {
   SlipModel m;
-  m.axial_force = axial_force_on_nut(load_case);
-  m.speed = load_case.speed ? *load_case.speed : conditions_.operation->speed;
-  m.geometry = kinematic_geometry(contacts_, m.axial_force);
-  m.rollers = contacts_.mechanism.rollers;
-  if (conditions_.model.mechanism == ModelOptions::Mechanism::full &&
-      load_case.share == LoadCase::Share::solved)
-    m.rollers -= static_cast<int>(conditions_.deviations.missing_rollers.size());
-  for (const Interface i : kInterfaces) {
-    const contact::InterfaceGeometry g = touching(contacts_.interfaces[i].geometry, m.axial_force);
-    m.threads[i].normal = g.point.normal;
-    m.threads[i].major_axis = g.major_axis;
-    m.threads[i].minor_axis = g.minor_axis;
-  }
-  m.screw_torque = conditions_.carrier.screw_torque;
-  m.nut_torque = conditions_.carrier.nut_torque;
-  m.roller_torque = conditions_.carrier.roller_torque;
-  m.bearing = conditions_.carrier.bearing;
-  m.oils = oils;
-  m.gear_pressure_angle = conditions_.carrier.gear_pressure_angle;
-  m.roller_mass = roller_mass(conditions_, contacts_.mechanism);
+  set_conditions(m, conditions_, contacts_.mechanism, load_case, oils);
+  set_geometry(m, contacts_);
   return m;
 }
 
-void SlipModels::add_patch(SlipModel& model, Interface i, double axial_load) const {
-  const InterfaceContact& contact = contacts_.interfaces[i];
-  LoadedThreads& threads = model.threads[i];
-  const double static_load = axial_load / std::abs(threads.normal.z());
-  const contact::HertzContact ellipse = contact::at_load(contact.hertz, static_load);
-  const contact::PrincipalValues& relative = contact.geometry.relative;
-  threads.axial_load.push_back(axial_load);
-  threads.films.push_back({.normal_load = static_load,
-                           .curvature = relative.second,
-                           .contact_modulus = contact.contact_modulus,
-                           .curvature_ratio = relative.first / relative.second});
-  const Friction& friction = *conditions_.friction;
-  const contact::FilmContact& film = threads.films.back();
-  switch (friction.model) {
-    case Friction::Model::coulomb:
-      threads.patches.emplace_back(*grid_, ellipse, friction.coefficient);
-      break;
-    case Friction::Model::jacod:
-      threads.patches.emplace_back(*grid_, ellipse, *model.oils.threads[i], film);
-      break;
-    case Friction::Model::mixed:
-      threads.patches.emplace_back(
-          *grid_, ellipse, *model.oils.threads[i], film,
-          contact::TouchingFlanks{friction.mixed.boundary, friction.mixed.exponent,
-                                  *composite_roughness(conditions_, i)});
-  }
+void SlipModels::add_patches(SlipModel& model) const {
+  for (const Interface i : kInterfaces)
+    for (const LoadedThreads::Contact& c : model.threads[i].contacts)
+      model.threads[i].patches.emplace_back(*grid_, c.ellipse, c.friction);
 }
 
 }  // namespace prs

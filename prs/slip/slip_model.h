@@ -25,6 +25,20 @@ Oils oils_of(const Conditions& c, const LoadCaseResult& loaded);
 /// Composite Rq of the flanks of an interface [m]; absent where the case has none.
 std::optional<double> composite_roughness(const Conditions& c, Interface i);
 
+/// The grid of a number of points along each axis. That of a thread's last design is kept: all
+/// designs of a study have it, as a rule.
+std::shared_ptr<const contact::PatchGrid> grid_of(int points);
+
+// The parts of a model. Into memory that it keeps, as far as it has any.
+
+/// What the case says of a load case, without contacts. The mechanism is the resolved one.
+void set_conditions(SlipModel& model, const Conditions& c, const Mechanism& mechanism,
+                    const LoadCase& load_case, const Oils& oils);
+/// Points and directions of the faces that touch; `set_conditions` comes first.
+void set_geometry(SlipModel& model, const Contacts& contacts);
+/// One contact that stands for all threads of an interface, without its patch.
+void set_equal_contacts(SlipModel& model, const Contacts& contacts);
+
 /// Builds the models of slip of one case from its contacts and loads. The models refer to the grid
 /// in here and to the contacts.
 class SlipModels {
@@ -43,12 +57,11 @@ class SlipModels {
   SlipModel equal_shares(const LoadCase& load_case) const { return equal_shares(load_case, oils_); }
   SlipModel equal_shares(const LoadCase& load_case, const Oils& oils) const;
 
-  const Conditions& conditions() const { return conditions_; }
   const contact::PatchGrid& grid() const { return *grid_; }
 
  private:
   SlipModel unloaded(const LoadCase& load_case, const Oils& oils) const;
-  void add_patch(SlipModel& model, Interface i, double axial_load) const;
+  void add_patches(SlipModel& model) const;
 
   Conditions conditions_;
   const Contacts& contacts_;

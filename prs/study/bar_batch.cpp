@@ -13,9 +13,7 @@ bool BarBatch::takes(const Case& c, std::span<const std::size_t> load_cases) {
   using Teeth = ModelOptions::ToothCompliance::Kind;
   const bool plain = c.model.bodies == ModelOptions::Bodies::bars &&
                      c.model.mechanism == ModelOptions::Mechanism::sector &&
-                     c.model.tooth_compliance.kind == Teeth::none &&
-                     c.mechanism.geometry == Mechanism::Geometry::simulation && c.structure &&
-                     c.materials && !deviates(c.mechanism, c.deviations);
+                     c.model.tooth_compliance.kind == Teeth::none && c.structure && c.materials;
   return plain && std::ranges::all_of(load_cases, [&](std::size_t k) {
            if (k >= c.load_cases.size()) return false;
            const LoadCase& load = c.load_cases[k];
@@ -23,18 +21,28 @@ bool BarBatch::takes(const Case& c, std::span<const std::size_t> load_cases) {
          });
 }
 
-void BarBatch::clear() {
+void BarBatch::clear(ContactDetail detail) {
+  detail_ = detail;
+  used_offsets_ = 0;
   contacts_.clear();
   designs_.clear();
   forces_.clear();
   positions_.clear();
+  directions_.clear();
 }
 
-void BarBatch::add(std::size_t row, const Case& c, std::span<const std::size_t> load_cases) {
+void BarBatch::add(std::size_t row, const Case& c, const Mechanism& mechanism,
+                   std::span<const std::size_t> load_cases) {
   load_cases_ = load_cases.size();
   const std::size_t first = forces_.size();
-  designs_.push_back({row, contacts_.size(), first, c.mechanism.rollers, c.contact, {}, true});
-  contacts_.add(threads_of(c.mechanism), c.materials);
+  designs_.push_back(
+      {row, contacts_.size(), first, mechanism, threads_of(mechanism), c.contact, {}, {}, true});
+  contacts_.add(designs_.back().threads, c.materials);
+  if (deviates(mechanism, c.deviations)) {
+    if (offsets_.size() <= used_offsets_) offsets_.emplace_back();
+    offsets_[used_offsets_] = {c.deviations, *c.materials};
+    designs_.back().offsets = used_offsets_++;
+  }
   if (sectors_.size() < first + load_cases_) sectors_.resize(first + load_cases_);
   for (std::size_t i = 0; i < load_cases_; ++i) {
     const LoadCase& load = c.load_cases[load_cases[i]];
@@ -47,10 +55,11 @@ void BarBatch::add(std::size_t row, const Case& c, std::span<const std::size_t> 
     if (same != before.end())
       sectors_[first + i] = sectors_[first + static_cast<std::size_t>(same - before.begin())];
     else
-      set_sector_model(sectors_[first + i], c.mechanism, *c.structure, *c.materials, c.model, {},
+      set_sector_model(sectors_[first + i], mechanism, *c.structure, *c.materials, c.model, {},
                        *load.direction, *load.position, {});
     forces_.push_back(load.axial_force);
     positions_.push_back(*load.position);
+    directions_.push_back(*load.direction);
   }
 }
 
@@ -68,19 +77,35 @@ void BarBatch::set_laws() {
       if (from != to) std::swap(sectors_[from], sectors_[to]);
       forces_[to] = forces_[from];
       positions_[to] = positions_[from];
+      directions_[to] = directions_[from];
       prs::set_laws(sectors_[to], design.laws);
     }
     design.first_sector = next;
+    if (design.offsets) set_gaps(design);
     next += load_cases_;
   }
   forces_.resize(next);
   positions_.resize(next);
+  directions_.resize(next);
+}
+
+void BarBatch::set_gaps(const Design& design) {
+  const auto& [deviations, materials] = offsets_[*design.offsets];
+  for (std::size_t i = 0; i < load_cases_; ++i)
+    sectors_[design.first_sector + i].gaps =
+        initial_gaps(design.mechanism, deviations, materials,
+                     {design.laws.screw.normal_angle, design.laws.nut.normal_angle},
+                     directions_[design.first_sector + i]);
 }
 
 bool BarBatch::set_results(const Design& design, const LoadDetail& detail) {
   if (!design.has_contacts) return false;
-  contacts_.get_laws(design.contacts, found_);
-  found_.mechanism.rollers = design.rollers;
+  if (detail_ == ContactDetail::laws) {
+    contacts_.get_laws(design.contacts, found_);
+    found_.mechanism.rollers = design.mechanism.rollers;
+  } else if (!contacts_.get(design.contacts, design.mechanism, design.threads, detail_, found_)) {
+    return false;
+  }
   results_.resize(load_cases_);
   for (std::size_t i = 0; i < load_cases_; ++i) {
     const std::size_t k = design.first_sector + i;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,9 +12,9 @@
 
 namespace prs {
 
-/// Designs of bars whose contacts are found and whose sectors are solved side by side, for answers
-/// that need no more of the contacts than their laws. What is kept of a design is its sectors:
-/// neither the case nor its contacts. Memory stays from batch to batch.
+/// Designs of bars whose contacts are found and whose sectors are solved side by side. What is kept
+/// of a design is its sectors and what its contacts are made of, not the case. Memory stays from
+/// batch to batch.
 class BarBatch {
  public:
   explicit BarBatch(simd::InstructionSet set) : contacts_(set), set_(set) {}
@@ -21,10 +22,13 @@ class BarBatch {
   /// Whether the load cases of a case, by their indices, can be answered so.
   static bool takes(const Case& c, std::span<const std::size_t> load_cases);
 
-  void clear();
-  void add(std::size_t row, const Case& c, std::span<const std::size_t> load_cases);
+  /// `detail`: what answers need of the contacts.
+  void clear(ContactDetail detail);
+  /// `mechanism`: that of the case with all its radii.
+  void add(std::size_t row, const Case& c, const Mechanism& mechanism,
+           std::span<const std::size_t> load_cases);
 
-  /// Calls `take(row, results)` of each design with the results of its load cases, and
+  /// Calls `take(row, results, contacts)` of each design with the results of its load cases, and
   /// `leave(row)` of those that have no contacts or no equilibrium here.
   template <class Take, class Leave>
   void solve(BarDesignSolver& solver, const LoadDetail& detail, Take take, Leave leave) {
@@ -33,7 +37,7 @@ class BarBatch {
     solver.solve({sectors_.data(), forces_.size()}, forces_, {loads_.data(), forces_.size()});
     for (const Design& design : designs_)
       if (set_results(design, detail))
-        take(design.row, results_);
+        take(design.row, results_, found_);
       else
         leave(design.row);
   }
@@ -43,13 +47,20 @@ class BarBatch {
     std::size_t row = 0;
     std::size_t contacts = 0;  ///< Index among those that are found.
     std::size_t first_sector = 0;
-    int rollers = 0;
+    Mechanism mechanism;
+    contact::MechanismGeometry threads;
     ContactOverrides overrides;
     PerInterface<ContactLaw> laws;
+    std::optional<std::size_t> offsets;  ///< Where threads are off their nominal place.
     bool has_contacts = true;
+  };
+  struct Offsets {
+    Deviations deviations;
+    Materials materials;
   };
 
   void set_laws();
+  void set_gaps(const Design& design);
   bool set_results(const Design& design, const LoadDetail& detail);
 
   ContactBatch contacts_;
@@ -58,6 +69,10 @@ class BarBatch {
   std::vector<Design> designs_;
   std::vector<SectorModel> sectors_;        ///< Of each design those of its load cases.
   std::vector<double> forces_, positions_;  ///< Of each sector that is in use.
+  std::vector<Direction> directions_;
+  std::vector<Offsets> offsets_;  ///< Memory is kept.
+  std::size_t used_offsets_ = 0;
+  ContactDetail detail_ = ContactDetail::laws;
   std::vector<LoadDistribution> loads_;
   Contacts found_;                       ///< Of one design, as far as results need them.
   std::vector<LoadCaseResult> results_;  ///< Of one design.

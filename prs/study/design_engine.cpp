@@ -32,6 +32,7 @@
 #include "prs/study/design_reader.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
+#include "prs/study/slip_batch.h"
 #include "prs/threads/contact_batch.h"
 #include "prs/threads/contact_laws.h"
 #include "prs/threads/threads.h"
@@ -260,6 +261,15 @@ struct Batch {
   std::vector<LoadCase> load_cases = {};  ///< Memory of `OnlyLoadCases`.
 };
 
+/// None where the scalar chain says why.
+std::optional<Mechanism> sound_mechanism(Case& c) {
+  try {
+    return checked_mechanism(c);
+  } catch (const CaseError&) {
+    return std::nullopt;
+  }
+}
+
 /// Element k of memory that grows.
 template <class T>
 T& at(std::vector<T>& values, std::size_t k) {
@@ -279,8 +289,8 @@ struct DesignEngine::Parts {
   std::optional<std::vector<ResultNumber>> numbers;
   std::vector<std::size_t> load_cases;  ///< Load cases that the numbers need.
   bool needs_duty = false;              ///< Whether one of the numbers is of a duty.
-  bool in_columns = false;              ///< Whether designs that BarBatch takes go through it.
-  LoadDetail load_detail;               ///< What the numbers need of solved load cases.
+  bool in_columns = false;              ///< Whether BarBatch or SlipBatch gets what it takes.
+  NumberDetail number_detail;           ///< What the numbers need of load cases.
   Detail detail = Detail::numbers;      ///< What the numbers need of the results.
   ContactDetail contact_detail = ContactDetail::laws;  ///< What they need of the contacts.
   Bodies bodies = Bodies::bars;                        ///< Bodies of the base case.
@@ -296,6 +306,8 @@ struct DesignEngine::Parts {
     FullSolver full = FullSolver();
     Batch batch;
     BarBatch columns;
+    SlipBatch slips;
+    std::vector<bool> in_columns = {};  ///< Rows that `slips` answers.
   };
 
   /// A worker that no other thread has.
@@ -323,7 +335,8 @@ struct DesignEngine::Parts {
       }
     }
     return Worker{DesignReader(input), BarDesignSolver(set),       RefinedDesignSolver(set),
-                  FullSolver(),        Batch{{ContactBatch(set)}}, BarBatch(set)};
+                  FullSolver(),        Batch{{ContactBatch(set)}}, BarBatch(set),
+                  SlipBatch(set)};
   }
   void give_back(Worker worker) {
     const std::lock_guard lock(mutex);
@@ -400,9 +413,9 @@ struct DesignEngine::Parts {
     if (std::ranges::any_of(*numbers, &ResultNumber::needs_complete) ||
         (all_rollers && std::ranges::any_of(study.responses, is_tangent)))
       detail = Detail::complete;
-    in_columns = study.command == Command::solve && detail == Detail::numbers &&
-                 contact_detail == ContactDetail::laws;
-    load_detail = prs::load_detail(*numbers);
+    in_columns = (study.command == Command::solve || study.command == Command::slip) &&
+                 detail == Detail::numbers;
+    number_detail = prs::number_detail(*numbers);
   }
 
   /// `known`: all that does not depend on the load case.
@@ -520,9 +533,9 @@ struct DesignEngine::Parts {
     Batch& batch = worker.batch;
     const std::size_t designs = read_batch(read, from, to, worker, block);
     worker.columns.solve(
-        worker.bars, load_detail,
-        [&](std::size_t row, const std::vector<LoadCaseResult>& results) {
-          set_numbers(row_of(block, row), {.contacts = no_contacts}, results);
+        worker.bars, number_detail.loads,
+        [&](std::size_t row, const std::vector<LoadCaseResult>& results, const Contacts& contacts) {
+          set_numbers(row_of(block, row), {.contacts = contacts}, results);
         },
         [&](std::size_t row) { answer_alone(read, row, worker, block); });
     if (designs == 0) return;
@@ -586,7 +599,7 @@ struct DesignEngine::Parts {
                          RowBlock& block) {
     Batch& batch = worker.batch;
     batch.contacts.start(to - from);
-    worker.columns.clear();
+    worker.columns.clear(contact_detail);
     std::size_t designs = 0;
     for (std::size_t row = from; row < to; ++row) {
       DesignStatus status = status_after([&]() -> DesignStatus {
@@ -595,7 +608,9 @@ struct DesignEngine::Parts {
             c.model.mechanism == ModelOptions::Mechanism::full)
           return answer(c, worker, row_of(block, row));
         if (in_columns && BarBatch::takes(c, load_cases)) {
-          worker.columns.add(row, c, load_cases);
+          const std::optional<Mechanism> mechanism = sound_mechanism(c);
+          if (!mechanism) return answer(c, worker, row_of(block, row));
+          worker.columns.add(row, c, *mechanism, load_cases);
           return {};
         }
         Pending& design = at(batch.designs, designs);
@@ -618,24 +633,40 @@ struct DesignEngine::Parts {
     Borrowed worker(*this);
     for (std::size_t row = 0; row < block.rows; row += kBatch)
       evaluate_one_by_one(read, row, std::min(row + kBatch, block.rows), *worker.get(), block);
+    std::ranges::sort(block.failures, {}, &RowBlock::Failure::row);
   }
 
-  /// Rows [from, to) of a block, whose contacts are found together.
+  /// Rows [from, to) of a block, whose contacts are found together; slip with equal shares in
+  /// columns.
   void evaluate_one_by_one(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker,
                            RowBlock& block) {
     BatchContacts& contacts = worker.batch.contacts;
     contacts.start(to - from);
+    worker.slips.clear(contact_detail);
+    worker.in_columns.assign(to - from, false);
     if (shares_contacts()) {
       for (std::size_t row = from; row < to; ++row)
         status_after([&]() -> DesignStatus {
-          const Case& c = read(worker.reader, row);
-          contacts.add(row - from, c.mechanism, c.materials);
+          Case& c = read(worker.reader, row);
+          if (in_columns && worker.slips.takes(c, load_cases)) {
+            worker.slips.add(row, c, checked_mechanism(c), load_cases);
+            worker.in_columns[row - from] = true;
+          } else {
+            contacts.add(row - from, c.mechanism, c.materials);
+          }
           return {};
         });
       contacts.found.find();
     }
+    worker.slips.solve(
+        number_detail.loads, number_detail.slip,
+        [&](std::size_t row, const std::vector<LoadCaseResult>& results, const Contacts& found) {
+          set_numbers(row_of(block, row), {.contacts = found}, results);
+        },
+        [&](std::size_t row) { worker.in_columns[row - from] = false; });
     Contacts found;
     for (std::size_t row = from; row < to; ++row) {
+      if (worker.in_columns[row - from]) continue;
       const bool known = contacts.get(row - from, contact_detail, found);
       DesignStatus status = status_after([&] {
         return answer(read(worker.reader, row), worker, row_of(block, row),
@@ -649,7 +680,6 @@ struct DesignEngine::Parts {
     return block.responses.data() + row * study.responses.size();
   }
 
-  const Contacts no_contacts = {};  ///< Where no number is of the contacts.
   std::mutex mutex;
   std::vector<Worker> idle;
 };

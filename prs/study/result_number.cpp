@@ -56,31 +56,59 @@ std::optional<ResultNumber> number_of_threads(std::string_view path, Interface i
 
 }  // namespace
 
-LoadDetail load_detail(std::span<const ResultNumber> numbers) {
+NumberDetail number_detail(std::span<const ResultNumber> numbers) {
   // Numbers that are there no more without an array need it, and so may those that are not there in
   // an example at all.
-  using Array = std::vector<double> InterfaceLoads::*;
   LoadCaseResult whole;
   whole.axial_displacement = whole.axial_stiffness = whole.tangent_stiffness = 1.0;
   InterfaceLoads threads;
+  using Array = std::vector<double> InterfaceLoads::*;
   for (const Array array :
        {&InterfaceLoads::axial_load, &InterfaceLoads::normal_load, &InterfaceLoads::load_rate,
         &InterfaceLoads::approach, &InterfaceLoads::semi_major, &InterfaceLoads::semi_minor,
         &InterfaceLoads::peak_pressure})
     threads.*array = {1.0};
   whole.threads = {threads, threads};
+  const std::vector<std::vector<double> InterfaceSlip::*> of_friction = {
+      &InterfaceSlip::power,         &InterfaceSlip::power_density,
+      &InterfaceSlip::spin_torque,   &InterfaceSlip::friction_coefficient,
+      &InterfaceSlip::sliding_speed, &InterfaceSlip::max_sliding_speed,
+      &InterfaceSlip::wear,          &InterfaceSlip::dynamic_normal_load};
+  const std::vector<std::vector<double> InterfaceSlip::*> of_films = {
+      &InterfaceSlip::film_thickness, &InterfaceSlip::central_film, &InterfaceSlip::film_ratio,
+      &InterfaceSlip::boundary_share};
+  InterfaceSlip slips;
+  for (const auto& arrays : {of_friction, of_films})
+    for (const auto array : arrays) slips.*array = {1.0};
+  whole.slip.emplace();
+  whole.slip->status = SlipStatus::converged;
+  whole.slip->threads = {slips, slips};
+  whole.slip->power.screw = whole.slip->forces.centrifugal = 1.0;
+  whole.slip->efficiency = whole.slip->efficiency_fit = whole.slip->holding_torque =
+      whole.slip->viscosity = whole.slip->bearing_eccentricity = whole.slip->estimates.jones = 1.0;
+  whole.slip->self_locking = true;
   const Contacts contacts;
-  const auto need = [&](std::initializer_list<Array> arrays) {
-    LoadCaseResult part = whole;
-    for (const Interface i : kInterfaces)
-      for (const Array array : arrays) ((*part.threads)[i].*array).clear();
+  const auto need_more_than = [&](const LoadCaseResult& part) {
     return std::ranges::any_of(numbers, [&](const ResultNumber& n) {
       return !n.value({contacts, &part});
     });
   };
-  return {need({&InterfaceLoads::axial_load}), need({&InterfaceLoads::load_rate}),
-          need({&InterfaceLoads::semi_major, &InterfaceLoads::semi_minor,
-                &InterfaceLoads::peak_pressure})};
+  const auto need = [&](std::initializer_list<Array> arrays) {
+    LoadCaseResult part = whole;
+    for (const Interface i : kInterfaces)
+      for (const Array array : arrays) ((*part.threads)[i].*array).clear();
+    return need_more_than(part);
+  };
+  const auto need_slip = [&](const auto& arrays) {
+    LoadCaseResult part = whole;
+    for (const Interface i : kInterfaces)
+      for (const auto array : arrays) (part.slip->threads[i].*array).clear();
+    return need_more_than(part);
+  };
+  return {{need({&InterfaceLoads::axial_load}), need({&InterfaceLoads::load_rate}),
+           need({&InterfaceLoads::semi_major, &InterfaceLoads::semi_minor,
+                 &InterfaceLoads::peak_pressure})},
+          {need_slip(of_friction), need_slip(of_films)}};
 }
 
 std::optional<ResultNumber> result_number(std::string_view path) {

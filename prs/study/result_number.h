@@ -10,6 +10,7 @@
 #include "prs/loads/load_case_result.h"
 #include "prs/loads/result.h"
 #include "prs/measures/measures.h"
+#include "prs/slip/slip.h"
 
 namespace prs {
 
@@ -33,8 +34,12 @@ struct ResultNumber {
   std::function<std::optional<double>(const Answer&)> value;
 };
 
-/// What the numbers need of solved load cases.
-LoadDetail load_detail(std::span<const ResultNumber> numbers);
+/// What the numbers need of the loads of load cases, and of their slip.
+struct NumberDetail {
+  LoadDetail loads;
+  SlipDetail slip;
+};
+NumberDetail number_detail(std::span<const ResultNumber> numbers);
 
 /// The response at a path, see `response`; none where only the document has it: numbers about the
 /// solution, as the iterations that it took.

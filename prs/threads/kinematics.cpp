@@ -1,42 +1,42 @@
 #include "prs/threads/kinematics.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "prs/threads/kinematics_formulas.h"
 
 namespace prs {
 namespace {
 
 using Eigen::Vector3d;
 
-/// Velocity of a point of a part that turns about the z axis through `axis` and moves along it.
-Vector3d velocity(double rotation, double advance, const Vector3d& from_axis) {
-  return {-rotation * from_axis.y(), rotation * from_axis.x(), advance};
+bool standard(const KinematicGeometry& g) { return g.type == Mechanism::Type::standard; }
+
+KinematicNumbers<double> numbers_of(const KinematicGeometry& g) {
+  const auto plane = [](const Vector3d& p) { return contact::Vector2<double>{p.x(), p.y()}; };
+  return {standard(g) ? 1.0 : 0.0,
+          g.lead,
+          g.gear_ratio,
+          g.centre_distance,
+          {plane(g.points.screw), plane(g.points.nut)}};
 }
 
-bool standard(const KinematicGeometry& g) { return g.type == Mechanism::Type::standard; }
+Vector3d vector(const contact::Vector3<double>& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
 Kinematics kinematics(const KinematicGeometry& g, double speed, double slip_ratio) {
-  const double advance = -g.lead / (2.0 * std::numbers::pi) * speed;  // of the nut on the screw
-  Kinematics k;
-  k.slip_ratio = slip_ratio;
-  k.screw_to_carrier = (1.0 - slip_ratio) * speed;
-  k.nut_to_carrier = -slip_ratio * speed;
-  k.roller_to_carrier = -(standard(g) ? slip_ratio : 1.0 - slip_ratio) / g.gear_ratio * speed;
-  (standard(g) ? k.screw_advance : k.nut_advance) = standard(g) ? -advance : advance;
-  return k;
+  const KinematicsOf<double> k = kinematics_of(numbers_of(g), speed, slip_ratio);
+  return {k.slip_ratio,     k.screw_to_carrier, k.roller_to_carrier,
+          k.nut_to_carrier, k.screw_advance,    k.nut_advance};
 }
 
 ContactMotion contact_motion(const KinematicGeometry& g, const Kinematics& k, Interface i) {
-  const bool at_screw = i == Interface::screw;
-  const double body_rotation = at_screw ? k.screw_to_carrier : k.nut_to_carrier;
-  const double body_advance = at_screw ? k.screw_advance : k.nut_advance;
-  const Vector3d& point = g.points[i];
-  const Vector3d body = velocity(body_rotation, body_advance, point);
-  const Vector3d roller =
-      velocity(k.roller_to_carrier, 0.0, point - g.centre_distance * Vector3d::UnitX());
-  return {body - roller, body + roller, body_rotation - k.roller_to_carrier};
+  const ContactMotionOf<double> m =
+      contact_motion_of<double>(numbers_of(g),
+                                {k.slip_ratio, k.screw_to_carrier, k.roller_to_carrier,
+                                 k.nut_to_carrier, k.screw_advance, k.nut_advance},
+                                i);
+  return {vector(m.sliding), vector(m.rolling), m.spin};
 }
 
 double ideal_slip_ratio(const KinematicGeometry& g) {

@@ -54,7 +54,7 @@ TEST(PatchGrid, DomeTendsToTheWholeLoad) {
 
 TEST(Patch, UniformCoulombSlidingTransmitsTheCoefficient) {
   const PatchGrid grid(21);
-  const Patch patch(grid, kEllipse, 0.11);
+  const Patch patch(grid, kEllipse, coulomb_friction(0.11));
   const double whole = grid.cell_load() * grid.dome().sum();
   const PatchFriction f = patch.friction({0.03, -0.04, 0.0, 1.0});
   EXPECT_NEAR(f.traction_major, 0.6 * 0.11 * whole, 1e-15);
@@ -71,7 +71,8 @@ TEST(Patch, CoulombSpinOfACircleHasTheClosedForm) {
   double before = 1.0;
   for (const int n : {21, 84, 336}) {
     const PatchGrid grid(n);
-    const PatchFriction f = Patch(grid, ellipse(a, a, 200.0), 0.1).friction({0.0, 0.0, 25.0, 1.0});
+    const PatchFriction f =
+        Patch(grid, ellipse(a, a, 200.0), coulomb_friction(0.1)).friction({0.0, 0.0, 25.0, 1.0});
     const double error = std::abs(f.spin_arm / (3.0 * pi / 16.0 * 0.1 * a) - 1.0);
     EXPECT_LT(error, 2.0 * std::pow(n, -1.5)) << n;
     EXPECT_LT(error, before);
@@ -85,8 +86,8 @@ TEST(Patch, TheCentreOfPureSpinHasNoDirection) {
   // Rounding noise in the centre's velocity must leave no traction behind.
   const PatchGrid grid(21);
   for (const bool coulomb : {false, true}) {
-    const Patch patch =
-        coulomb ? Patch(grid, kEllipse, 0.1) : Patch(grid, kEllipse, kGrease, kFilmContact);
+    const Patch patch = coulomb ? Patch(grid, kEllipse, coulomb_friction(0.1))
+                                : Patch(grid, kEllipse, film_friction(kGrease, kFilmContact));
     const PatchFriction f = patch.friction({3e-15, -2e-15, 40.0, 0.8});
     EXPECT_LT(std::hypot(f.traction_major, f.traction_minor), 1e-13) << coulomb;
     EXPECT_GT(f.spin_arm, 0.0);
@@ -95,7 +96,7 @@ TEST(Patch, TheCentreOfPureSpinHasNoDirection) {
 
 TEST(Patch, JacodSumsWhatItsFieldsShow) {
   const PatchGrid grid(21);
-  const Patch patch(grid, kEllipse, kGrease, kFilmContact);
+  const Patch patch(grid, kEllipse, film_friction(kGrease, kFilmContact));
   const PatchMotion motion{0.05, 0.07, 40.0, 0.5};
   const Eigen::ArrayXd v_1 = patch.sliding_major(motion), v_2 = patch.sliding_minor(motion);
   const Eigen::ArrayXd speed = (v_1.square() + v_2.square()).sqrt();
@@ -120,8 +121,8 @@ TEST(Patch, JacodSumsWhatItsFieldsShow) {
 TEST(Patch, PowerIsThatOfItsWrench) {
   const PatchGrid grid(21);
   const PatchMotion motion{0.05, -0.02, 60.0, 0.5};
-  for (const Patch& patch :
-       {Patch(grid, kEllipse, 0.1), Patch(grid, kEllipse, kGrease, kFilmContact)}) {
+  for (const Patch& patch : {Patch(grid, kEllipse, coulomb_friction(0.1)),
+                             Patch(grid, kEllipse, film_friction(kGrease, kFilmContact))}) {
     const PatchFriction f = patch.friction(motion);
     EXPECT_NEAR((f.traction_major * motion.sliding_major + f.traction_minor * motion.sliding_minor +
                  f.spin_arm * motion.spin) /
@@ -134,7 +135,7 @@ TEST(Patch, SlowSlidingIsNewtonian) {
   // asinh(x) = x for small x: friction in proportion to the sliding speed, at equal rolling.
   const PatchGrid grid(11);
   const Lubricant thin{1e-3, 5e-9, 12e6};
-  const Patch patch(grid, ellipse(0.25e-3, 0.15e-3, 1.0), thin, kFilmContact);
+  const Patch patch(grid, ellipse(0.25e-3, 0.15e-3, 1.0), film_friction(thin, kFilmContact));
   const double slow = patch.friction({1e-9, 0.0, 0.0, 0.5}).traction_major;
   EXPECT_GT(slow, 0.0);
   EXPECT_NEAR(patch.friction({2e-9, 0.0, 0.0, 0.5}).traction_major / slow, 2.0, 1e-12);
@@ -146,10 +147,11 @@ TEST(Patch, EveryInstructionSetGivesTheSameSums) {
   for (Eigen::Index i = 0; i < grid.inside(); ++i)
     ratio[static_cast<std::size_t>(i)] = roelands_viscosity_ratio(0.1665, 2.4e9 * grid.dome()[i]);
   const SlidingField sliding{0.05, 0.07, 0.01, 0.006};
-  const PatchLaw law{0.0, ratio.data(), 12e6 / 2.4e9, 0.01};
-  const PatchSums best =
-      xsimd::dispatch<simd::Architectures>(PatchKernel{})(grid.points(), sliding, law);
-  const PatchSums plain = PatchKernel{}(simd::Baseline{}, grid.points(), sliding, law);
+  const PatchLawOf<double> law{0.0, 12e6 / 2.4e9, 0.01};
+  const PatchSums best = xsimd::dispatch<simd::Architectures>(PatchKernel{})(grid.points(), sliding,
+                                                                             law, ratio.data());
+  const PatchSums plain =
+      PatchKernel{}(simd::Baseline{}, grid.points(), sliding, law, ratio.data());
   EXPECT_NEAR(best.traction_major / plain.traction_major, 1.0, 1e-14);
   EXPECT_NEAR(best.traction_minor / plain.traction_minor, 1.0, 1e-14);
   EXPECT_NEAR(best.moment_major / plain.moment_major, 1.0, 1e-13);
@@ -161,7 +163,7 @@ TEST(Patch, EveryInstructionSetGivesTheSameSums) {
 
 TEST(Patch, FrictionAllocatesNothing) {
   const PatchGrid grid(21);
-  const Patch patch(grid, kEllipse, kGrease, kFilmContact);
+  const Patch patch(grid, kEllipse, film_friction(kGrease, kFilmContact));
   const auto before = ::test::allocations();
   (void)patch.friction({0.05, 0.07, 40.0, 0.5});
   EXPECT_EQ(::test::allocations(), before);

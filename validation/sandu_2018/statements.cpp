@@ -381,11 +381,13 @@ Finding dynamic_ellipses_change_little(const Case& c) {
       std::vector<contact::Patch>& patches = model.threads[i].patches;
       patches.clear();
       if (coulomb(c))
-        patches.emplace_back(m.models.grid(), ellipse, c.friction->coefficient);
+        patches.emplace_back(m.models.grid(), ellipse,
+                             contact::coulomb_friction(c.friction->coefficient));
       else
         patches.emplace_back(
-            m.models.grid(), ellipse, *model.oils.threads[i],
-            contact::FilmContact{load, contact.geometry.relative.second, contact.contact_modulus});
+            m.models.grid(), ellipse,
+            contact::film_friction(*model.oils.threads[i], {load, contact.geometry.relative.second,
+                                                            contact.contact_modulus}));
     }
     e = find_slip_equilibrium(model);
   }

@@ -1,0 +1,197 @@
+#pragma once
+
+#include "contact/journal_bearing_formulas.h"
+#include "contact/patch_formulas.h"
+#include "prs/threads/kinematics_formulas.h"
+
+/// The balance of one roller (Sandu 2018, section 3.2): formulas for numbers, for batches with one
+/// screw per lane, and for either with slopes along the slip ratio.
+namespace prs {
+
+/// A roller and what acts on it, as numbers; see `SlipModel`.
+template <class Real>
+struct RollerNumbers {
+  KinematicNumbers<Real> geometry{};
+  struct Frame {
+    contact::Vector3<Real> normal{}, major_axis{}, minor_axis{};
+  };
+  PerInterface<Frame> frames{};
+  Real speed{}, rollers{};
+  Real screw_torque{}, nut_torque{}, roller_torque{};
+  Real has_bearing{};  ///< 1, or 0: `roller_torque`.
+  contact::JournalBearingNumbers<Real> bearing{};
+  Real bearing_viscosity{};
+  Real gear_tangent{};  ///< Of the pressure angle.
+  Real roller_mass{};
+};
+
+/// Forces and moment of the threads of an interface on one roller.
+template <class Number>
+struct InterfaceForces {
+  contact::Vector3<Number> force{};
+  Number spin_torque{};
+};
+
+/// See `RollerForces`.
+template <class Number>
+struct RollerForcesOf {
+  Number contacts_x{}, contacts_y{}, gears_x{}, gears_y{}, carrier_x{}, carrier_y{}, centrifugal{};
+};
+
+/// See `RollerMoments`.
+template <class Number>
+struct RollerMomentsOf {
+  Number contacts{}, spin{}, carrier{}, gears{};
+
+  Number residue() const { return contacts + spin + carrier + gears; }
+};
+
+template <class Number>
+struct RollerBalanceOf {
+  KinematicsOf<Number> motion{};
+  PerInterface<contact::PatchMotionOf<Number>> sliding{};
+  PerInterface<InterfaceForces<Number>> interfaces{};
+  RollerForcesOf<Number> forces{};
+  RollerMomentsOf<Number> moments{};
+  contact::JournalBearingStateOf<Number> bearing{};
+  Number carrier_roller_torque{};
+};
+
+/// Sliding below this share of the rolling speed is the rounding of a contact without slip.
+inline constexpr double kNoSlip = 1e-12;
+
+template <class Number, class Real>
+Number dot(const contact::Vector3<Number>& a, const contact::Vector3<Real>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class Number, class Real>
+contact::PatchMotionOf<Number> patch_motion(const typename RollerNumbers<Real>::Frame& frame,
+                                            const ContactMotionOf<Number>& motion) {
+  using simd::max, simd::select, simd::sqrt, simd::value;
+  const Number u_n = dot(motion.rolling, frame.normal);
+  const Number rolling = dot(motion.rolling, motion.rolling);
+  const Number sliding = dot(motion.sliding, motion.sliding);
+  const auto slides = value(sliding) > kNoSlip * kNoSlip * value(rolling);
+  const Number none(Real(0.0)), tangential = rolling - u_n * u_n;
+  const auto rolls = value(tangential) > Real(0.0);
+  return {select(slides, dot(motion.sliding, frame.major_axis), none),
+          select(slides, dot(motion.sliding, frame.minor_axis), none), motion.spin * frame.normal.z,
+          select(rolls, sqrt(tangential), none)};
+}
+
+/// Normal load of a patch and what it does to the roller, with its friction.
+template <class Number>
+struct PatchForces {
+  Number normal_load{};
+  InterfaceForces<Number> on_roller{};
+};
+
+/// m = n - T/N (3.5); the axial load gives the dynamic normal one (3.11), (3.12). `alike`: threads
+/// that the patch stands for.
+template <class Number, class Real>
+PatchForces<Number> patch_forces(const typename RollerNumbers<Real>::Frame& frame,
+                                 const contact::PatchFrictionOf<Number>& friction,
+                                 const Real& axial_load, const Real& alike) {
+  using simd::copysign;
+  const auto &n = frame.normal, &t_1 = frame.major_axis, &t_2 = frame.minor_axis;
+  const Number &f_1 = friction.traction_major, &f_2 = friction.traction_minor;
+  const contact::Vector3<Number> m{n.x - f_1 * t_1.x - f_2 * t_2.x, n.y - f_1 * t_1.y - f_2 * t_2.y,
+                                   n.z - f_1 * t_1.z - f_2 * t_2.z};
+  const Number normal_load = axial_load / (m.z * copysign(Real(1.0), n.z));
+  const Number all = normal_load * alike;
+  return {normal_load, {{-(all * m.x), -(all * m.y), -(all * m.z)}, all * friction.spin_arm * n.z}};
+}
+
+/// Whether a normal load exists: friction can push a contact open, and numbers overflow.
+template <class Number>
+auto is_possible(const Number& normal_load) {
+  using Real = simd::ValueOf<Number>;
+  const Real load = simd::value(normal_load);
+  return load >= Real(0.0) && load - load == Real(0.0);
+}
+
+/// Operating pitch radius of the roller's gear [m].
+template <class Real>
+Real roller_gear_radius(const KinematicNumbers<Real>& g) {
+  using simd::select;
+  const Real& gamma = g.gear_ratio;
+  return g.centre_distance * gamma / select(g.is_standard(), Real(1.0 - gamma), Real(1.0 + gamma));
+}
+
+/// Gears and carrier for a torque of the carrier on the roller, signed [N m].
+template <class Number, class Real>
+RollerForcesOf<Number> forces_with(const RollerNumbers<Real>& m, const RollerBalanceOf<Number>& b,
+                                   const Number& roller_torque) {
+  using simd::abs, simd::copysign, simd::select;
+  const Real& c = m.geometry.centre_distance;
+  const Number orbit_speed = b.motion.slip_ratio * m.speed;  // omega_p/n
+  const Real carrier_torque = copysign(Real(1.0), m.speed) * (m.nut_torque - m.screw_torque);
+  RollerForcesOf<Number> f;
+  f.contacts_x = b.interfaces.screw.force.x + b.interfaces.nut.force.x;
+  f.contacts_y = b.interfaces.screw.force.y + b.interfaces.nut.force.y;
+  f.centrifugal = m.roller_mass * c * orbit_speed * orbit_speed;
+  f.carrier_y = (m.rollers * roller_torque + carrier_torque) / (c * m.rollers);
+  f.gears_y = f.carrier_y - f.contacts_y;
+  f.gears_x =
+      select(m.geometry.is_standard(), Real(-1.0), Real(1.0)) * abs(f.gears_y) * m.gear_tangent;
+  f.carrier_x = f.gears_x + f.contacts_x + f.centrifugal;
+  return f;
+}
+
+/// The bearing's torque depends on its load and, a little, its load on the torque.
+template <class Number, class Real>
+void balance_carrier(const RollerNumbers<Real>& m, RollerBalanceOf<Number>& b) {
+  using simd::abs, simd::any, simd::copysign, simd::length, simd::select, simd::value;
+  const Real sense = copysign(Real(1.0), m.speed);
+  Number torque(m.roller_torque);
+  auto active = m.has_bearing > Real(0.0);
+  for (int i = 0; i < 30 && any(active); ++i) {
+    const RollerForcesOf<Number> f = forces_with(m, b, Number(sense * torque));
+    const contact::JournalBearingStateOf<Number> state =
+        contact::short_bearing_of(m.bearing, m.bearing_viscosity, abs(b.motion.roller_to_carrier),
+                                  Number(0.5 * length(f.carrier_x, f.carrier_y)));
+    const Real before = value(torque);
+    b.bearing.eccentricity_ratio =
+        select(active, state.eccentricity_ratio, b.bearing.eccentricity_ratio);
+    b.bearing.torque = select(active, state.torque, b.bearing.torque);
+    torque = select(active, 2.0 * state.torque, torque);  // two heads
+    active = active && abs(value(torque) - before) > 1e-15 * value(torque);
+  }
+  b.carrier_roller_torque = sense * torque;
+  b.forces = forces_with(m, b, b.carrier_roller_torque);
+}
+
+/// Moment of a force about an axis along z through `axis_x` on the x axis.
+template <class Number, class Real>
+Number moment_z(const contact::Vector2<Real>& point, const Real& axis_x,
+                const contact::Vector3<Number>& force) {
+  return (point.x - axis_x) * force.y - point.y * force.x;
+}
+
+/// Balances all but the moment about the roller's axis, see `balance_at`. `forces_at(i, sliding)`:
+/// `InterfaceForces` of the threads of an interface.
+template <class Number, class Real, class Forces>
+RollerBalanceOf<Number> roller_balance(const RollerNumbers<Real>& m, const Number& slip_ratio,
+                                       Forces forces_at) {
+  using simd::select;
+  RollerBalanceOf<Number> b;
+  b.motion = kinematics_of(m.geometry, m.speed, slip_ratio);
+  b.moments.contacts = b.moments.spin = Number(Real(0.0));
+  for (const Interface i : kInterfaces) {
+    b.sliding[i] =
+        patch_motion<Number, Real>(m.frames[i], contact_motion_of(m.geometry, b.motion, i));
+    b.interfaces[i] = forces_at(i, b.sliding[i]);
+    b.moments.contacts +=
+        moment_z(m.geometry.points[i], m.geometry.centre_distance, b.interfaces[i].force);
+    b.moments.spin += b.interfaces[i].spin_torque;
+  }
+  b.bearing = {Number(Real(0.0)), Number(Real(0.0))};
+  balance_carrier(m, b);
+  b.moments.carrier = b.carrier_roller_torque;
+  b.moments.gears = select(m.geometry.is_standard(), Real(1.0), Real(-1.0)) *
+                    roller_gear_radius(m.geometry) * b.forces.gears_y;
+  return b;
+}
+
+}  // namespace prs

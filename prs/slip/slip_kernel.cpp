@@ -1,0 +1,192 @@
+#include "prs/slip/slip_kernel.h"
+
+#include <algorithm>
+
+#include "simd/asinh.h"
+#include "simd/transposed.h"
+
+namespace prs {
+namespace {
+
+/// Friction of one patch per lane.
+template <class Number, class Real>
+contact::PatchFrictionOf<Number> patch_friction_of(const SharedPoints& shared,
+                                                   const SharedContactNumbers<Real>& c,
+                                                   const double* viscosity_ratio,
+                                                   const contact::PatchMotionOf<Number>& motion) {
+  using simd::any, simd::value;
+  constexpr std::size_t kLanes = simd::kLanes<Real>;
+  const contact::SlidingFieldOf<Number> field =
+      contact::sliding_field(motion, c.semi_major, c.semi_minor);
+  const contact::PatchLawOf<Number> law =
+      contact::law_at(c.friction, c.peak_pressure, motion.rolling_speed);
+  contact::PatchSumsOf<Number> sums;
+  const auto add_points = [&](auto friction_at) __attribute__((always_inline)) {
+    contact::PatchSumsOf<Number> found;
+    for (std::size_t k = 0; k < shared.points.size; ++k) {
+      const contact::PatchPoint<Real> at{
+          Real(shared.points.along_major[k]), Real(shared.points.along_minor[k]),
+          Real(shared.points.dome[k]), Real(shared.points.inverse_dome[k])};
+      contact::add_point(
+          found, field, at, [&](const Number& speed) __attribute__((always_inline)) {
+            return friction_at(k, at.dome, speed);
+          });
+    }
+    sums = found;
+  };
+  const auto film = [&](std::size_t k, const Number& speed) __attribute__((always_inline)) {
+    const Real ratio = Real::load_unaligned(viscosity_ratio + shared.dome_of_point[k] * kLanes);
+    return law.scale * simd::asinh_of_positive(Number(law.factor * ratio * speed));
+  };
+  if (!any(c.friction.has_film > Real(0.0)))
+    add_points([&](std::size_t, const Real& dome, const Number&)
+                   __attribute__((always_inline)) { return law.coefficient * dome; });
+  else if (!any(value(law.coefficient) > Real(0.0)))
+    add_points([&](std::size_t k, const Real&, const Number& speed)
+                   __attribute__((always_inline)) { return film(k, speed); });
+  else
+    add_points([&](std::size_t k, const Real& dome, const Number& speed) __attribute__((
+        always_inline)) { return law.coefficient * dome + film(k, speed); });
+  return contact::patch_friction(sums, shared.cell_load, static_cast<double>(shared.points.size),
+                                 c.semi_major, c.semi_minor);
+}
+
+/// A batch of screws.
+template <class Real>
+class Screws {
+ public:
+  static constexpr std::size_t kLanes = simd::kLanes<Real>;
+
+  Screws(const SharedPoints& shared, std::span<const SlipNumbers<double>> screws,
+         const double* viscosity_ratio, std::span<SlipTask> tasks, double* memory)
+      : shared_(shared),
+        tasks_(tasks.first(std::min(kLanes, tasks.size()))),
+        numbers_(simd::side_by_side<SlipNumbers<Real>>(screws.data(), screws.size())),
+        ratio_(memory) {
+    for (std::size_t l = 0; l < kLanes; ++l)
+      for (std::size_t k = 0; k < 2 * shared.domes; ++k)
+        memory[k * kLanes + l] =
+            viscosity_ratio[(l < tasks.size() ? l : tasks.size() - 1) * 2 * shared.domes + k];
+  }
+
+  void search() {
+    const auto waits = [](bool with_slope) {
+      return [with_slope](const SlipTask& task) {
+        return !task.search.done() && task.search.wants_slope() == with_slope;
+      };
+    };
+    for (;;) {
+      const bool slopes = any_task(waits(true)), values = any_task(waits(false));
+      if (!slopes && !values) return;
+      if (slopes) {
+        const auto now = mark(waits(true));
+        take(now, balance(simd::Dual<Real>(slip_ratios(), Real(1.0))));
+      }
+      if (values) {
+        const auto now = mark(waits(false));
+        take(now, balance(slip_ratios()));
+      }
+    }
+  }
+
+ private:
+  struct Marked {
+    bool lanes[kLanes] = {};
+  };
+  template <class Number>
+  struct Found {
+    RollerBalanceOf<Number> roller;
+    PerInterface<contact::PatchFrictionOf<Number>> friction;
+    PerInterface<Number> normal_load;
+  };
+
+  template <class Which>
+  bool any_task(Which which) const {
+    for (const SlipTask& task : tasks_)
+      if (which(task)) return true;
+    return false;
+  }
+  template <class Which>
+  Marked mark(Which which) const {
+    Marked marked;
+    for (std::size_t l = 0; l < tasks_.size(); ++l) marked.lanes[l] = which(tasks_[l]);
+    return marked;
+  }
+
+  Real slip_ratios() const {
+    double ratios[kLanes];
+    for (std::size_t l = 0; l < kLanes; ++l)
+      ratios[l] = tasks_[l < tasks_.size() ? l : tasks_.size() - 1].search.slip_ratio();
+    return Real::load_unaligned(ratios);
+  }
+
+  template <class Number>
+  Found<Number> balance(const Number& slip_ratio) const {
+    Found<Number> found;
+    found.roller = roller_balance(
+        numbers_.roller, slip_ratio,
+        [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
+          const SharedContactNumbers<Real>& c = numbers_.contacts[i];
+          const double* ratio = ratio_ + (i == Interface::screw ? 0 : shared_.domes * kLanes);
+          found.friction[i] = patch_friction_of(shared_, c, ratio, sliding);
+          const PatchForces<Number> forces =
+              patch_forces(numbers_.roller.frames[i], found.friction[i], c.axial_load, c.alike);
+          found.normal_load[i] = forces.normal_load;
+          return forces.on_roller;
+        });
+    return found;
+  }
+
+  template <class Number>
+  void take(const Marked& now, const Found<Number>& found) {
+    using simd::select, simd::value;
+    const Number residue = found.roller.moments.residue() / numbers_.residue_unit;
+    const Real possible =
+        select(is_possible(found.normal_load.screw) && is_possible(found.normal_load.nut),
+               Real(1.0), Real(0.0));
+    double residues[kLanes], slopes[kLanes] = {}, are_possible[kLanes];
+    value(residue).store_unaligned(residues);
+    possible.store_unaligned(are_possible);
+    if constexpr (std::is_same_v<Number, Real>) {
+      const SlipBalanceNumbers<Real> balance{found.roller, found.friction, found.normal_load};
+      SlipBalanceNumbers<double> balances[kLanes];
+      simd::deliver(balance, balances, kLanes);
+      for (std::size_t l = 0; l < tasks_.size(); ++l)
+        if (now.lanes[l]) tasks_[l].balance = balances[l];
+    } else {
+      residue.slope.store_unaligned(slopes);
+    }
+    for (std::size_t l = 0; l < tasks_.size(); ++l) {
+      if (!now.lanes[l]) continue;
+      if (are_possible[l] > 0.0)
+        tasks_[l].search.take(residues[l], slopes[l]);
+      else
+        tasks_[l].search.jam();
+    }
+  }
+
+  const SharedPoints& shared_;
+  std::span<SlipTask> tasks_;
+  SlipNumbers<Real> numbers_;
+  const double* ratio_;
+};
+
+}  // namespace
+
+template <class Arch>
+void SlipKernel::operator()(Arch, const SharedPoints& points,
+                            std::span<const SlipNumbers<double>> screws,
+                            const double* viscosity_ratio, std::span<SlipTask> tasks,
+                            double* memory) const {
+  using Real = xsimd::batch<double, Arch>;
+  for (std::size_t first = 0; first < screws.size(); first += simd::kLanes<Real>)
+    Screws<Real>(points, screws.subspan(first), viscosity_ratio + first * 2 * points.domes,
+                 tasks.subspan(first), memory)
+        .search();
+}
+
+template void SlipKernel::operator()(PRS_SIMD_ARCHITECTURE, const SharedPoints&,
+                                     std::span<const SlipNumbers<double>>, const double*,
+                                     std::span<SlipTask>, double*) const;
+
+}  // namespace prs

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "contact/patch_kernel.h"
+#include "prs/slip/slip_formulas.h"
+#include "prs/slip/slip_search.h"
+#include "simd/architectures.h"
+
+namespace prs {
+
+/// Contact of all threads of an interface that carry the same load, as numbers; see
+/// `LoadedThreads::Contact`.
+template <class Real>
+struct SharedContactNumbers {
+  Real axial_load{}, alike{};
+  Real semi_major{}, semi_minor{}, peak_pressure{};
+  contact::FrictionNumbers<Real> friction{};
+};
+
+/// A screw whose threads carry equal loads, as numbers.
+template <class Real>
+struct SlipNumbers {
+  RollerNumbers<Real> roller{};
+  PerInterface<SharedContactNumbers<Real>> contacts{};
+  Real residue_unit{};
+};
+
+/// What acts at one slip ratio, as numbers; see `SlipBalance`.
+template <class Real>
+struct SlipBalanceNumbers {
+  RollerBalanceOf<Real> roller{};
+  PerInterface<contact::PatchFrictionOf<Real>> friction{};
+  PerInterface<Real> normal_load{};
+};
+
+/// The patch points that all screws of a batch have.
+struct SharedPoints {
+  contact::PatchPoints points;  ///< `size`: those inside.
+  std::span<const std::uint32_t> dome_of_point;
+  std::size_t domes = 0;
+  double cell_load = 0.0;
+};
+
+/// A search for equilibrium and what it found last.
+struct SlipTask {
+  SlipSearch search;
+  SlipBalanceNumbers<double> balance;
+};
+
+/// One screw per lane: searches until all are done. A screw does not depend on its neighbours.
+struct SlipKernel {
+  /// `viscosity_ratio`: per screw and interface `domes` numbers. `memory`: 2 x `domes` x
+  /// simd::kWidest numbers.
+  template <class Arch>
+  void operator()(Arch, const SharedPoints& points, std::span<const SlipNumbers<double>> screws,
+                  const double* viscosity_ratio, std::span<SlipTask> tasks, double* memory) const;
+};
+
+}  // namespace prs
