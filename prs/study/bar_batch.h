@@ -29,6 +29,7 @@ class BarBatch {
   template <class Take, class Leave>
   void solve(BarDesignSolver& solver, const LoadDetail& detail, Take take, Leave leave) {
     set_laws();
+    solver.tangent_stiffness = detail.tangent_stiffness;
     if (loads_.size() < forces_.size()) loads_.resize(forces_.size());
     solver.solve({sectors_.data(), forces_.size()}, forces_, {loads_.data(), forces_.size()});
     for (const Design& design : designs_)
@@ -45,7 +46,7 @@ class BarBatch {
     std::size_t first_sector = 0;
     int rollers = 0;
     ContactOverrides overrides;
-    PerInterface<ContactLaw> laws;
+    PerInterface<ContactLawNumbers> laws;
     bool has_contacts = true;
   };
 

@@ -70,17 +70,23 @@ LoadDetail load_detail(std::span<const ResultNumber> numbers) {
     threads.*array = {1.0};
   whole.threads = {threads, threads};
   const Contacts contacts;
-  const auto need = [&](std::initializer_list<Array> arrays) {
+  const auto need_after = [&](const auto& change) {
     LoadCaseResult part = whole;
-    for (const Interface i : kInterfaces)
-      for (const Array array : arrays) ((*part.threads)[i].*array).clear();
+    change(part);
     return std::ranges::any_of(numbers, [&](const ResultNumber& n) {
       return !n.value({contacts, &part});
     });
   };
+  const auto need = [&](std::initializer_list<Array> arrays) {
+    return need_after([&](LoadCaseResult& part) {
+      for (const Interface i : kInterfaces)
+        for (const Array array : arrays) ((*part.threads)[i].*array).clear();
+    });
+  };
   return {need({&InterfaceLoads::axial_load}), need({&InterfaceLoads::load_rate}),
           need({&InterfaceLoads::semi_major, &InterfaceLoads::semi_minor,
-                &InterfaceLoads::peak_pressure})};
+                &InterfaceLoads::peak_pressure}),
+          need_after([](LoadCaseResult& part) { part.tangent_stiffness.reset(); })};
 }
 
 std::optional<ResultNumber> result_number(std::string_view path) {
