@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "prs/input/optimize_reader.h"
@@ -59,11 +60,19 @@ void compute(benchmark::State& state, const std::string& model) {
 }
 
 void FullChainComputed(benchmark::State& state) { compute(state, ""); }
-BENCHMARK(FullChainComputed)->Arg(200'000)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(FullChainComputed)
+    ->Arg(200'000)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 /// Against `FullChainComputed`: what refined bodies cost more than bars.
 void RefinedChainComputed(benchmark::State& state) { compute(state, "model: {bodies: refined}\n"); }
-BENCHMARK(RefinedChainComputed)->Arg(200'000)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(RefinedChainComputed)
+    ->Arg(200'000)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 void FullChainWithFiles(benchmark::State& state) {
   const auto designs = static_cast<std::size_t>(state.range(0));
@@ -71,7 +80,9 @@ void FullChainWithFiles(benchmark::State& state) {
   const prs::DesignEngine engine(in);
   const std::filesystem::path path = std::filesystem::temp_directory_path() / "prs_study_bench";
   for (auto _ : state) {
+    state.PauseTiming();
     std::filesystem::remove_all(path);
+    state.ResumeTiming();
     const prs::StudyFolder folder(path, prs::StudyFolder::Use::alone);
     const prs::JournalHeader header{
         "bench", in.source, engine.study().responses, prs::design_count(engine.study()), {}};
@@ -86,7 +97,9 @@ void FullChainWithFiles(benchmark::State& state) {
         {});
     prs::StudyAnalysis analysis(engine.study());
     prs::write_rows(rows, engine.study(), {"bench", "1", "", {}}, &path, kThreads,
-                    [&](const prs::RowBlock& block) { analysis.add(block); });
+                    [&](const prs::RowBlock& block, std::span<const double> inputs) {
+                      analysis.add(block, inputs);
+                    });
     folder.remove_journals();
   }
   std::filesystem::remove_all(path);
@@ -98,6 +111,7 @@ void FullChainWithFiles(benchmark::State& state) {
 BENCHMARK(FullChainWithFiles)
     ->Arg(200'000)
     ->Arg(1'000'000)
+    ->MeasureProcessCPUTime()
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
@@ -111,6 +125,11 @@ void Optimization(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() *
                           static_cast<std::int64_t>(prs::design_count(in.optimization)));
 }
-BENCHMARK(Optimization)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(Optimization)
+    ->Arg(1)
+    ->Arg(2)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace

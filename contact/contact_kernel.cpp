@@ -1,6 +1,6 @@
 #include "contact/contact_kernel.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstring>
 
 #include "simd/transposed.h"
@@ -24,14 +24,16 @@ void EllipseKernel::operator()(Arch, double semi_major_per_cbrt_load,
                                const KnownApproach& known, double* semi_major, double* semi_minor,
                                double* peak_pressure) const {
   using Real = xsimd::batch<double, Arch>;
-  const double cbrt_constant = std::cbrt(known.hertz_constant);
-  for (std::size_t first = 0; first < normal_load.size(); first += simd::kLanes<Real>) {
-    const std::size_t size = normal_load.size() - first;
+  constexpr std::size_t kLanes = simd::kLanes<Real>;
+  const std::size_t all = normal_load.size();
+  for (std::size_t next = 0; next < all; next += kLanes) {
+    // The last batch is filled with numbers of the one before.
+    const std::size_t first = all < kLanes ? 0 : std::min(next, all - kLanes), size = all - first;
     const auto load = simd::side_by_side<Real>(normal_load.data() + first, size);
-    const Real cbrt_load =
-        known.approach.empty()
-            ? cbrt(load)
-            : cbrt_constant * sqrt(simd::side_by_side<Real>(known.approach.data() + first, size));
+    const Real cbrt_load = known.approach.empty()
+                               ? cbrt(load)
+                               : known.cbrt_constant * sqrt(simd::side_by_side<Real>(
+                                                           known.approach.data() + first, size));
     const EllipseNumbers<Real> e = ellipse_numbers(Real(semi_major_per_cbrt_load),
                                                    Real(semi_minor_per_cbrt_load), load, cbrt_load);
     simd::deliver(e.semi_major, semi_major + first, size);

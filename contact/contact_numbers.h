@@ -20,11 +20,24 @@ struct MechanismNumbers {
   Real modulus_at_screw, modulus_at_nut;
 };
 
+/// The angle psi between a contact normal and the axis [rad], `ContactPoint::normal_angle`.
+template <class Real>
+struct NormalNumbers {
+  Real angle{}, cosine{}, sine{};
+};
+
+template <class Real>
+NormalNumbers<Real> normal_numbers(const Vector3<Real>& n) {
+  const Real cosine = abs(n.z), sine = sqrt(n.x * n.x + n.y * n.y);
+  return {atan2(sine, cosine), cosine, sine};
+}
+
 /// Both contacts of a mechanism (I1J2), from its threads to Hertz's constants.
 template <class Real>
 struct MechanismContactNumbers {
   Real sound{};  ///< 1 where all three threads can be, else 0: then the rest has no meaning.
   InterfaceNumbers<Real> screw, nut;
+  NormalNumbers<Real> normal_at_screw, normal_at_nut;
   HertzNumbers<Real> hertz_at_screw, hertz_at_nut;
 };
 
@@ -46,6 +59,8 @@ MechanismContactNumbers<Real> contact_numbers(const MechanismNumbers<Real>& m) {
                    Real(0.0));
   c.screw = interface_numbers(at_screw, point_numbers(at_screw));
   c.nut = interface_numbers(at_nut, point_numbers(at_nut));
+  c.normal_at_screw = normal_numbers(c.screw.point.normal);
+  c.normal_at_nut = normal_numbers(c.nut.point.normal);
   c.hertz_at_screw = hertz_numbers(c.screw.relative, m.modulus_at_screw);
   c.hertz_at_nut = hertz_numbers(c.nut.relative, m.modulus_at_nut);
   return c;
@@ -63,7 +78,7 @@ void find_contacts(std::span<const MechanismNumbers<double>> mechanisms,
 /// k_0^(1/3) sqrt(delta), which takes no cube root a contact.
 struct KnownApproach {
   std::span<const double> approach = {};  ///< [m]; empty: not known.
-  double hertz_constant = 0.0;            ///< k_0 [N/m^1.5]
+  double cbrt_constant = 0.0;             ///< k_0^(1/3) [N^(1/3)/m^(1/2)]
 };
 
 /// `set_ellipses` of contacts with known approaches.

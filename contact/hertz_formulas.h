@@ -19,6 +19,7 @@ struct HertzNumbers {
   Real status{};  ///< As a number: `HertzStatus`.
   Real ellipticity{};
   Real hertz_constant{};
+  Real cbrt_constant{};  ///< k_0^(1/3) [N^(1/3)/m^(1/2)]
   Real semi_major_per_cbrt_load{};
   Real semi_minor_per_cbrt_load{};
 };
@@ -66,7 +67,9 @@ HertzNumbers<Real> hertz_numbers(const PrincipalOf<Real>& relative, const Real& 
   const Real stiffness = 2.0 * pi * semi_major * contact_modulus / (3.0 * e.first);
   const auto where_sound = [&](const Real& value) { return select(sound, value, Real(0.0)); };
   h.ellipticity = where_sound(k);
-  h.hertz_constant = where_sound(stiffness * sqrt(stiffness));
+  const Real cbrt_constant = sqrt(stiffness);
+  h.hertz_constant = where_sound(stiffness * cbrt_constant);
+  h.cbrt_constant = where_sound(cbrt_constant);
   h.semi_major_per_cbrt_load = where_sound(semi_major);
   h.semi_minor_per_cbrt_load = where_sound(semi_minor);
   return h;

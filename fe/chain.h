@@ -118,8 +118,7 @@ class Chain {
 
   /// With shifts where the tangent is singular; those that none helps stop. False where all do.
   bool factorize(const NewtonOptions& options, Real& shift) {
-    Mask singular =
-        elimination_.template factorize<false>(residual_, shift, pending_move()) & active_;
+    Mask singular = elimination_.factorize(residual_, shift, pending_move()) & active_;
     move_pending_ = false;
     while (any(singular)) {
       const Mask give_up = singular & !(shift < options.last_shift);
@@ -129,7 +128,7 @@ class Chain {
       if (!any(active_)) return false;
       shift =
           select(singular, select(shift > 0.0, 100.0 * shift, Real(options.first_shift)), shift);
-      singular = elimination_.template factorize<true>(residual_, shift, pending_move()) & active_;
+      singular = elimination_.factorize(residual_, shift, pending_move()) & active_;
     }
     return true;
   }

@@ -24,9 +24,10 @@ class ChainElimination {
   explicit ChainElimination(const ChainStations<Real, Station>& chain)
       : station_(chain.station), stations_(chain.count), records_(chain.records) {}
 
-  /// Factors the tangent, kShifted: with its linear part times 1 + shift, and does the forward half
-  /// of the solve. Calls move(record) of each station first. True where a pivot is not positive.
-  template <bool kShifted, class Move>
+  /// Factors the tangent, with its linear part times 1 + shift, and does the forward half of the
+  /// solve. Calls move(record) of each station first. True where a pivot is not positive. One code
+  /// for all shifts: a chain without one has the same bits whatever its neighbours need.
+  template <class Move>
   Mask factorize(const ChainResidual<Real>& residual, const Real& shift, const Move& move) const {
     Front front;
     unroll<2 * M>([&](auto i) __attribute__((always_inline)) {
@@ -36,16 +37,17 @@ class ChainElimination {
       });
     });
     front.right[0] = -residual.load;
+    const Real scale = 1.0 + shift;
     Real smallest(1e300);  // pivot; one that is no number makes those after it so
     const int last = stations_ - 1;
     for (int k = 0; k < last; ++k) {
       move(records_[k]);
-      assemble<kShifted, true>(k, residual.corrections, shift, front);
+      assemble<true>(k, residual.corrections, scale, front);
       eliminate<2 * M>(records_[k], front, smallest);
-      pass_on<kShifted>(k, shift, front);
+      pass_on(k, scale, front);
     }
     move(records_[last]);
-    assemble<kShifted, kFolded<Station>>(last, residual.corrections, shift, front);
+    assemble<kFolded<Station>>(last, residual.corrections, scale, front);
     if constexpr (kFolded<Station>) meet(records_[last], front, smallest);
     eliminate<M>(records_[last], front, smallest);
     return !(-of_both<Station>(Real(-smallest)) > 0.0);
@@ -68,22 +70,21 @@ class ChainElimination {
     Real right[2 * M];
   };
 
-  /// add(i, j, value) of a station into the front.
-  template <bool kShifted>
-  [[gnu::always_inline]] static auto adder(const Real& shift, Front& front) {
+  /// add(i, j, value) of a station into the front; `scale` is that of the diagonal.
+  [[gnu::always_inline]] static auto adder(const Real& scale, Front& front) {
     return [&](auto i, auto j, const Real& value) __attribute__((always_inline)) {
-      if constexpr (kShifted && i == j)
-        front.added[i][j] += (1.0 + shift) * value;
+      if constexpr (i == j)
+        front.added[i][j] += scale * value;
       else
         front.added[i][j] += value;
     };
   }
 
-  template <bool kShifted, bool kWithInterval>
-  [[gnu::always_inline]] void assemble(int k, bool corrections, const Real& shift,
+  template <bool kWithInterval>
+  [[gnu::always_inline]] void assemble(int k, bool corrections, const Real& scale,
                                        Front& front) const {
     const Record& record = records_[k];
-    const auto add = adder<kShifted>(shift, front);
+    const auto add = adder(scale, front);
     station_.add_station(k, add);
     if constexpr (kWithInterval) station_.add_interval_start(k, add);
     unroll<2>([&](auto c) __attribute__((always_inline)) {
@@ -127,8 +128,7 @@ class ChainElimination {
   }
 
   /// The next station's part of the front becomes the first.
-  template <bool kShifted>
-  [[gnu::always_inline]] void pass_on(int k, const Real& shift, Front& front) const {
+  [[gnu::always_inline]] void pass_on(int k, const Real& scale, Front& front) const {
     unroll<M>([&](auto i) __attribute__((always_inline)) {
       front.right[i] = front.right[M + i];
       front.right[M + i] = Real(0.0);
@@ -137,7 +137,7 @@ class ChainElimination {
         front.a[M + i][M + j] = front.added[i][j] = front.added[i][M + j] = Real(0.0);
       });
     });
-    station_.add_interval_end(k, adder<kShifted>(shift, front));
+    station_.add_interval_end(k, adder(scale, front));
   }
 
   /// Joins both halves in the middle: each lane's last station gets what the elimination of the

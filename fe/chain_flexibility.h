@@ -44,8 +44,7 @@ Real chain_flexibility(const ChainStations<Real, Station>& chain, const Real& un
   const ChainElimination<Real, Station> elimination(chain);
   // Steps become K^-1 of the right-hand side. False where K is singular.
   const auto solve = [&](const ChainResidual<Real>& right) {
-    const Lanes<Real> regular =
-        !elimination.template factorize<false>(right, Real(0.0), [](const auto&) {});
+    const Lanes<Real> regular = !elimination.factorize(right, Real(0.0), [](const auto&) {});
     Real next[M];
     set_zero(next);
     for (int k = chain.count - 1; k >= 0; --k) elimination.substitute_back(k, next);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -72,9 +73,9 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
   StudyAnalysis analysis(study);
   const std::string absent = write_rows(
       rows, study, info, options.output ? &*options.output : nullptr, threads,
-      [&](const RowBlock& block) {
+      [&](const RowBlock& block, std::span<const double> inputs) {
         add(result, block);
-        analysis.add(block);
+        analysis.add(block, inputs);
       },
       options.csv);
   if (!absent.empty()) note(options, "prs: " + absent);
@@ -87,7 +88,10 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
       .pictures = [&] { return study_pictures(result); },
       .keeps_figures = true,
       .converged = result.failed == 0,
-      .text = [&](const nlohmann::ordered_json& outline) { return study_text(outline, result); }};
+      .text =
+          [&](const nlohmann::ordered_json& outline) {
+            return study_text(outline, result, threads);
+          }};
   return deliver(delivery, info, options);
 }
 

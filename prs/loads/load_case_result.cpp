@@ -22,12 +22,10 @@ void add_hertz_contacts(InterfaceLoads& loads, const InterfaceContact& contact,
     loads.max_shear_depth.push_back(contact.shear->depth_over_semi_minor * semi_minor);
 }
 
-/// Numbers of an interface whose normal loads are set.
+/// Numbers of an interface whose normal loads and angle are set.
 void set_interface_loads(InterfaceLoads& loads, const LoadCase& load_case, const Contacts& contacts,
-                         Interface i, double normal_angle, simd::InstructionSet set,
+                         Interface i, double cosine, simd::InstructionSet set,
                          const LoadDetail& detail = {}, const contact::KnownApproach& known = {}) {
-  loads.normal_angle = normal_angle;
-  const double cosine = std::cos(normal_angle);
   const double roller_force = std::abs(load_case.axial_force) / contacts.mechanism.rollers;
   const std::size_t threads = loads.normal_load.size();
   loads.axial_load.resize(detail.axial_load ? threads : 0);
@@ -97,12 +95,13 @@ LoadCaseResult solved_result(const LoadCase& load_case, const Contacts& contacts
                              const PerInterface<ContactLaw>& laws, LoadDistribution d) {
   LoadCaseResult result;
   result.load_case = load_case;
-  set_solved_result(result, contacts, laws, d, simd::InstructionSet::scalar);
+  set_solved_result(result, contacts, {numbers_of(laws.screw), numbers_of(laws.nut)}, d,
+                    simd::InstructionSet::scalar);
   return result;
 }
 
 void set_solved_result(LoadCaseResult& result, const Contacts& contacts,
-                       const PerInterface<ContactLaw>& laws, LoadDistribution& d,
+                       const PerInterface<ContactLawNumbers>& laws, LoadDistribution& d,
                        simd::InstructionSet set, const LoadDetail& detail) {
   if (!result.solve) result.solve.emplace();
   std::swap(*result.solve, d.solve);
@@ -123,8 +122,9 @@ void set_solved_result(LoadCaseResult& result, const Contacts& contacts,
     InterfaceLoads& loads = (*result.threads)[i];
     std::swap(loads.normal_load, d.normal_load[i]);
     std::swap(loads.approach, d.approach[i]);
-    set_interface_loads(loads, result.load_case, contacts, i, laws[i].normal_angle, set, detail,
-                        {loads.approach, laws[i].hertz_constant});
+    loads.normal_angle = laws[i].normal_angle;
+    set_interface_loads(loads, result.load_case, contacts, i, laws[i].cosine, set, detail,
+                        {loads.approach, laws[i].cbrt_constant});
     loads.hertz_constant = laws[i].hertz_constant;
   }
 }
@@ -149,7 +149,8 @@ void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts,
     InterfaceLoads& loads = (*result.threads)[i];
     const double load = equal_normal_load(result.load_case, contacts.mechanism, normal_angle[i]);
     loads.normal_load.assign(count, load);
-    set_interface_loads(loads, result.load_case, contacts, i, normal_angle[i], set, detail);
+    set_interface_loads(loads, result.load_case, contacts, i, std::cos(normal_angle[i]), set,
+                        detail);
     loads.hertz_constant = hertz_constant[i];
     if (hertz_constant[i])
       loads.approach.assign(count, std::pow(load / *hertz_constant[i], 2.0 / 3.0));

@@ -20,12 +20,13 @@ struct LoadDetail {
   bool axial_load = true;
   bool load_rate = true;
   bool ellipses = true;  ///< Semi-axes, pressures and what follows from them.
+  bool tangent_stiffness = true;
 };
 
 /// The same into the result of that load case, which keeps its memory and exchanges it with the
 /// distribution's. What is not wanted is left empty.
 void set_solved_result(LoadCaseResult& result, const Contacts& contacts,
-                       const PerInterface<ContactLaw>& laws, LoadDistribution& distribution,
+                       const PerInterface<ContactLawNumbers>& laws, LoadDistribution& distribution,
                        simd::InstructionSet set, const LoadDetail& detail = {});
 
 /// Threads with equal loads by assumption; approaches follow where the Hertz constants are known.

@@ -34,17 +34,20 @@ class RepeatedNames {
   bool next(std::string_view name) {
     const auto earlier = static_cast<std::ptrdiff_t>(next_++);
     if (loads_.size() > kMany) return !names_.insert(name).second;
-    const std::size_t hash = hash_of(name);
-    if (!seen_[hash]) {
-      seen_.set(hash);
-      return false;
+    if (loads_.size() > kFew) {
+      if (!seen_) seen_.emplace();
+      const std::size_t hash = hash_of(name);
+      if (!seen_->test(hash)) {
+        seen_->set(hash);
+        return false;
+      }
     }
     const auto same = [&](const LoadCase& load) { return load.name == name; };
     return std::any_of(loads_.begin(), loads_.begin() + earlier, same);
   }
 
  private:
-  static constexpr std::size_t kMany = 256;
+  static constexpr std::size_t kFew = 8, kMany = 256;
   static constexpr int kHashBits = 12;
 
   /// Names of a range differ at the end.
@@ -57,7 +60,7 @@ class RepeatedNames {
 
   const std::vector<LoadCase>& loads_;
   std::size_t next_ = 0;
-  std::bitset<std::size_t{1} << kHashBits> seen_;
+  std::optional<std::bitset<std::size_t{1} << kHashBits>> seen_;
   std::unordered_set<std::string_view> names_;
 };
 

@@ -16,10 +16,12 @@ namespace {
 void check_reach(const Mechanism& m, Problems& problems) {
   const auto& [screw, roller, nut] = m.pitch_diameter;
   if (!screw || !roller || !nut || !m.centre_distance) return;
-  const double flank = std::min({m.flank_angle.screw, m.flank_angle.roller, m.flank_angle.nut});
-  const double reach = 0.5 * axial_pitch(m) * std::max(1.0, 1.0 / std::tan(flank));
   const double screw_gap = *m.centre_distance - 0.5 * (*screw + *roller);
   const double nut_gap = 0.5 * *nut - (*m.centre_distance + 0.5 * *roller);
+  const double least_reach = 0.5 * axial_pitch(m);
+  if (std::abs(screw_gap) <= least_reach && std::abs(nut_gap) <= least_reach) return;
+  const double flank = std::min({m.flank_angle.screw, m.flank_angle.roller, m.flank_angle.nut});
+  const double reach = least_reach * std::max(1.0, 1.0 / std::tan(flank));
   if (std::abs(screw_gap) > reach)
     problems.add("mechanism.centre_distance",
                  fmt::format("got {}; expected {}, the sum of the pitch radii of screw and roller, "

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <system_error>
 
 #include "prs/model/units.h"
@@ -44,61 +44,60 @@ bool is_formula(std::string_view text) {
 }  // namespace
 
 CsvWriter::CsvWriter(const CsvStyle& style, Part part) : style_(style) {
-  if (style.european && part == Part::whole) csv_ = "\uFEFF";
+  if (style.european && part == Part::whole) put("\uFEFF");
 }
 
 void CsvWriter::text(std::string_view value) {
   separate();
-  if (is_number(value)) return append_number(value);
+  if (is_number(value)) {
+    std::memcpy(room(value.size()), value.data(), value.size());
+    return take_number(csv_.data() + size_ + value.size());
+  }
   const bool formula = is_formula(value);
   if (!formula && value.find_first_of("\"\r\n") == std::string_view::npos &&
-      value.find(style_.separator()) == std::string_view::npos) {
-    csv_ += value;
-    return;
-  }
-  csv_ += formula ? "\"'" : "\"";
-  for (const char c : value) csv_ += c == '"' ? std::string("\"\"") : std::string(1, c);
-  csv_ += '"';
+      value.find(style_.separator()) == std::string_view::npos)
+    return put(value);
+  put(formula ? "\"'" : "\"");
+  for (const char& c : value) put(c == '"' ? std::string_view("\"\"") : std::string_view(&c, 1));
+  put("\"");
 }
 
 void CsvWriter::word(std::string_view value) {
   separate();
-  csv_ += value;
+  put(value);
 }
 
 void CsvWriter::number(std::optional<double> si, double factor) {
   separate();
   if (!si || !std::isfinite(*si)) return;
-  std::array<char, kShortNumberSize> text;
+  char* const at = room(kShortNumberSize);
   const double value = *si * factor;
-  const char* end = style_.digits >= CsvStyle::kAllDigits
-                        ? fmt::format_to(text.data(), FMT_COMPILE("{}"), value)
-                        : write_short(text.data(), value, style_.digits);
-  append_number({text.data(), static_cast<std::size_t>(end - text.data())});
+  take_number(style_.digits >= CsvStyle::kAllDigits ? fmt::format_to(at, FMT_COMPILE("{}"), value)
+                                                    : write_short(at, value, style_.digits));
 }
 
 void CsvWriter::integer(std::optional<std::size_t> value) {
   separate();
   if (!value) return;
   const fmt::format_int digits(*value);
-  csv_.append(digits.data(), digits.size());
+  put({digits.data(), digits.size()});
 }
 
 void CsvWriter::end_row() {
-  csv_ += '\n';
+  put("\n");
   row_is_empty_ = true;
 }
 
-void CsvWriter::separate() {
-  if (!row_is_empty_) csv_ += style_.separator();
-  row_is_empty_ = false;
+void CsvWriter::put(std::string_view text) {
+  if (!text.empty()) std::memcpy(room(text.size()), text.data(), text.size());
+  size_ += text.size();
 }
 
-void CsvWriter::append_number(std::string_view text) {
-  csv_ += text;
-  if (style_.decimal_mark() == '.') return;
-  std::ranges::replace(csv_.end() - static_cast<std::ptrdiff_t>(text.size()), csv_.end(), '.',
-                       style_.decimal_mark());
+void CsvWriter::take_number(const char* end) {
+  char* const first = csv_.data() + size_;
+  const auto length = static_cast<std::size_t>(end - first);
+  if (style_.decimal_mark() != '.') std::replace(first, first + length, '.', style_.decimal_mark());
+  size_ += length;
 }
 
 void load_header(CsvWriter& csv) {

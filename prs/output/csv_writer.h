@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -28,15 +29,32 @@ class CsvWriter {
   void integer(std::optional<std::size_t> value);
   void end_row();
 
-  void reserve(std::size_t characters) { csv_.reserve(characters); }
-  std::string take() { return std::move(csv_); }
+  void reserve(std::size_t characters) { room(characters); }
+  std::string take() {
+    csv_.resize(size_);
+    return std::move(csv_);
+  }
 
  private:
-  void separate();
-  void append_number(std::string_view text);
+  /// Where the next characters go, with room for so many.
+  char* room(std::size_t characters) {
+    if (csv_.size() - size_ < characters) csv_.resize(size_ + std::max(size_, characters));
+    return csv_.data() + size_;
+  }
+  void put(std::string_view text);
+  void separate() {
+    if (!row_is_empty_) {
+      *room(1) = style_.separator();
+      ++size_;
+    }
+    row_is_empty_ = false;
+  }
+  /// Takes a number that was written into the room.
+  void take_number(const char* end);
 
   CsvStyle style_;
-  std::string csv_;
+  std::string csv_;  ///< Of which `size_` characters are written.
+  std::size_t size_ = 0;
   bool row_is_empty_ = true;
 };
 

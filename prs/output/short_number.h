@@ -2,7 +2,7 @@
 
 namespace prs {
 
-/// Room that `write_short` needs for one number.
+/// Room that `write_short` needs for one number; what lies behind its end may be overwritten.
 inline constexpr int kShortNumberSize = 32;
 
 /// Writes a finite number with `digits` significant digits at most, 1 to 17, as fmt's `{:.Ng}` does

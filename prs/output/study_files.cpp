@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <optional>
 
 #include "prs/output/run_files.h"
@@ -71,7 +72,7 @@ struct RowFiles {
 
 std::string write_rows(const StoredRows& rows, const Study& study, const DocumentInfo& info,
                        const std::filesystem::path* folder, std::size_t threads,
-                       const std::function<void(const RowBlock&)>& add, const CsvStyle& style) {
+                       const TakeRows& add, const CsvStyle& style) {
   const std::vector<FactorColumn> columns = factor_columns(study);
   const StudyCsv csv(study, columns, style);
   std::optional<RowFiles> files;
@@ -80,16 +81,22 @@ std::string write_rows(const StoredRows& rows, const Study& study, const Documen
     files->csv.append(csv.header());
   }
   run_in_order(rows.block_count(), threads, [&](std::size_t k) -> std::function<void()> {
-    auto block = std::make_shared<const RowBlock>(rows.block(k));
-    if (!files) return [&add, block] { add(*block); };
-    auto factors = std::make_shared<const std::vector<double>>(
-        factor_values(study, columns, block->first, block->rows));
-    auto text = std::make_shared<const std::string>(csv.rows(*block, *factors));
-    return [&, block, factors, text] {
-      files->csv.append(*text);
-      if (files->netcdf) files->netcdf->add(*block, *factors);
-      if (files->envelope) files->envelope->maps.add(*block);
-      add(*block);
+    struct Prepared {
+      RowBlock block;
+      std::vector<double> inputs;
+      std::string text = {};
+    };
+    auto prepared = std::make_shared<Prepared>(Prepared{rows.block(k), {}});
+    const RowBlock& block = prepared->block;
+    prepared->inputs = factor_values(study, columns, block.first, block.rows);
+    if (files) prepared->text = csv.rows(block, prepared->inputs);
+    return [&add, &files, prepared] {
+      if (files) {
+        files->csv.append(prepared->text);
+        if (files->netcdf) files->netcdf->add(prepared->block, prepared->inputs);
+        if (files->envelope) files->envelope->maps.add(prepared->block);
+      }
+      add(prepared->block, prepared->inputs);
     };
   });
   if (!files) return {};

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "prs/printable.h"
 #include "prs/quantities/json.h"
 #include "prs/quantities/json_values.h"
 #include "prs/study/designs.h"
+#include "prs/study/schedule.h"
 
 namespace prs {
 namespace {
@@ -365,7 +368,7 @@ Json study_json(const StudyResult& result, const DocumentInfo& info) {
   return document;
 }
 
-std::string study_text(const Json& outline, const StudyResult& result) {
+std::string study_text(const Json& outline, const StudyResult& result, std::size_t threads) {
   std::string text = json_text(outline);
   // Texts have no ends of lines in JSON: this is the key of the document.
   constexpr std::string_view kEmpty = "\n  \"designs\": []";
@@ -375,15 +378,22 @@ std::string study_text(const Json& outline, const StudyResult& result) {
   const std::string end = text.substr(first);
   text.resize(first);
   const RowText row_text(result.study);
-  for (std::size_t k = 0; k < result.rows.size(); ++k) {
-    const std::size_t before = text.size();
-    text += k == 0 ? "\n" : ",\n";
-    row_text.append(text, result.rows[k]);
-    // The second row is as long as most.
-    if (k == 1) text.reserve(text.size() + result.rows.size() * (text.size() - before + 32));
-  }
-  const std::string_view rows = std::string_view(text).substr(first);
-  if (!is_plain_lines(rows)) text.replace(first, rows.size(), printable_json(rows));
+  constexpr std::size_t kRowsAtOnce = 64;
+  const std::size_t rows = result.rows.size(), parts = (rows + kRowsAtOnce - 1) / kRowsAtOnce;
+  run_in_order(parts, threads, [&](std::size_t k) -> std::function<void()> {
+    auto part = std::make_shared<std::string>();
+    for (std::size_t row = k * kRowsAtOnce; row < std::min(rows, (k + 1) * kRowsAtOnce); ++row) {
+      *part += row == 0 ? "\n" : ",\n";
+      row_text.append(*part, result.rows[row]);
+      // The second row is as long as most.
+      if (row == k * kRowsAtOnce + 1) part->reserve((kRowsAtOnce + 2) * part->size() / 2);
+    }
+    if (!is_plain_lines(*part)) *part = printable_json(*part);
+    return [&text, part, parts, k] {
+      if (k == 0) text.reserve(text.size() + (parts + 1) * (part->size() + part->size() / 64));
+      text += *part;
+    };
+  });
   return text.append("\n  ").append(end);
 }
 

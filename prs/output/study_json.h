@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <string_view>
 
 #include "prs/quantities/json.h"
@@ -19,7 +21,9 @@ nlohmann::ordered_json study_json(const StudyResult& result, const DocumentInfo&
 nlohmann::ordered_json study_outline(const StudyResult& result, const DocumentInfo& info);
 
 /// An outline as text, with the designs of the result in its empty list: what `json_text` gives of
-/// `study_json`, without a JSON value for each number of each design.
-std::string study_text(const nlohmann::ordered_json& outline, const StudyResult& result);
+/// `study_json`, without a JSON value for each number of each design. Rows are written on `threads`
+/// threads.
+std::string study_text(const nlohmann::ordered_json& outline, const StudyResult& result,
+                       std::size_t threads = 1);
 
 }  // namespace prs

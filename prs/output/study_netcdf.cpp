@@ -153,13 +153,16 @@ signed char StudyNetcdf::flag_of(const std::string& status) {
 void StudyNetcdf::add(const RowBlock& block, const std::vector<double>& factors) {
   const std::size_t inputs = columns_.size();
   const std::size_t outputs = variables_.size() - inputs;
-  for (std::size_t row = 0; row < block.rows; ++row) {
-    for (std::size_t f = 0; f < inputs; ++f)
-      variables_[f].values.push_back(factors[row * inputs + f]);
-    for (std::size_t k = 0; k < outputs; ++k)
-      variables_[inputs + k].values.push_back(block.responses[row * outputs + k]);
-  }
   const std::size_t first = statuses_.size();
+  const auto put = [&](Variable& variable, const std::vector<double>& rows, std::size_t column,
+                       std::size_t width) {
+    variable.values.resize(first + block.rows);
+    for (std::size_t row = 0; row < block.rows; ++row)
+      variable.values[first + row] = rows[row * width + column];
+  };
+  for (std::size_t f = 0; f < inputs; ++f) put(variables_[f], factors, f, inputs);
+  for (std::size_t k = 0; k < outputs; ++k)
+    put(variables_[inputs + k], block.responses, k, outputs);
   statuses_.resize(first + block.rows, 0);
   for (const RowBlock::Failure& failure : block.failures)
     statuses_[first + failure.row] = flag_of(failure.status.name);

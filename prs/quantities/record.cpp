@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <functional>
-#include <numeric>
 
 namespace prs {
 
@@ -31,57 +31,60 @@ RowOfWord split_row(std::string_view word) {
 
 namespace {
 
-/// The largest of f(x), four maxima side by side.
+struct Extreme {
+  double value = 0.0;
+  bool all_finite = false;
+};
+
+/// The largest of f(x), four maxima side by side, and whether all are finite: what is not leaves a
+/// sum of zeros that is not 0.
 template <class F>
-double largest(std::span<const double> v, F f) {
+Extreme extreme_of(std::span<const double> v, F f) {
   double of[4] = {f(v[0]), f(v[0]), f(v[0]), f(v[0])};
+  double zero[4] = {};
   std::size_t k = 0;
   for (; k + 4 <= v.size(); k += 4)
     for (std::size_t j = 0; j < 4; ++j) {
       const double x = f(v[k + j]);
       of[j] = x > of[j] ? x : of[j];
+      zero[j] += 0.0 * x;
     }
-  for (; k < v.size(); ++k) of[0] = std::max(of[0], f(v[k]));
-  return std::max(std::max(of[0], of[1]), std::max(of[2], of[3]));
-}
-
-/// Whether all are finite: what is not leaves a sum of zeros that is not 0.
-bool all_finite(std::span<const double> v) {
-  double zero[4] = {};
-  std::size_t k = 0;
-  for (; k + 4 <= v.size(); k += 4)
-    for (std::size_t j = 0; j < 4; ++j) zero[j] += 0.0 * v[k + j];
-  for (; k < v.size(); ++k) zero[0] += 0.0 * v[k];
-  return (zero[0] + zero[1]) + (zero[2] + zero[3]) == 0.0;
+  for (; k < v.size(); ++k) {
+    of[0] = std::max(of[0], f(v[k]));
+    zero[0] += 0.0 * v[k];
+  }
+  return {std::max(std::max(of[0], of[1]), std::max(of[2], of[3])),
+          (zero[0] + zero[1]) + (zero[2] + zero[3]) == 0.0};
 }
 
 }  // namespace
 
-SeriesReader summary_named(std::string_view word, double factor) {
-  using Values = std::span<const double>;
+std::optional<double> SeriesReader::operator()(std::span<const double> v) const {
   // A document has null in place of a number that is not finite, and no summary of such a list.
-  const auto of_finite = [](auto summary) {
-    return [summary](Values v) {
-      return !v.empty() && all_finite(v) ? std::optional(summary(v)) : std::nullopt;
-    };
+  const auto shown = [&](double value, bool finite) {
+    return finite ? std::optional(value * factor) : std::nullopt;
   };
-  if (word == ".max")
-    return of_finite([factor](Values v) { return largest(v, std::identity()) * factor; });
-  if (word == ".min")
-    return of_finite([factor](Values v) { return -largest(v, std::negate()) * factor; });
-  if (word == ".mean")
-    return of_finite([factor](Values v) {
-      return std::accumulate(v.begin(), v.end(), 0.0,
-                             [factor](double sum, double x) { return sum + x * factor; }) /
-             static_cast<double>(v.size());
-    });
-  std::string_view rest = word;
-  const std::optional<std::size_t> index = take_index(rest);
-  if (!index || !rest.empty()) return {};
-  return [index = *index, factor](Values v) {
-    return index < v.size() && std::isfinite(v[index]) ? std::optional(v[index] * factor)
-                                                       : std::nullopt;
-  };
+  if (word == Word::one)
+    return index < v.size() ? shown(v[index], std::isfinite(v[index])) : std::nullopt;
+  if (v.empty()) return std::nullopt;
+  if (word == Word::smallest) {
+    const Extreme e = extreme_of(v, std::negate());
+    return shown(-e.value, e.all_finite);
+  }
+  const Extreme e = extreme_of(v, std::identity());
+  if (word == Word::largest || !e.all_finite) return shown(e.value, e.all_finite);
+  double sum = 0.0;
+  for (const double x : v) sum += x * factor;
+  return sum / static_cast<double>(v.size());
+}
+
+SeriesReader summary_named(std::string_view word, double factor) {
+  using enum SeriesReader::Word;
+  if (word == ".max") return {largest, factor};
+  if (word == ".min") return {smallest, factor};
+  if (word == ".mean") return {mean, factor};
+  const std::optional<std::size_t> index = take_index(word);
+  return index && word.empty() ? SeriesReader{one, factor, *index} : SeriesReader();
 }
 
 }  // namespace prs

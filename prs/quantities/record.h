@@ -117,11 +117,18 @@ std::string words_of(std::string_view key);
 /// Takes `[k]` from the head of a path.
 std::optional<std::size_t> take_index(std::string_view& path);
 
-/// What a word makes of the shown values of a series.
-using SeriesReader = std::function<std::optional<double>(std::span<const double>)>;
+/// What `[k]`, `.max`, `.min` or `.mean` behind the key of a series makes of its values, in the
+/// unit that is shown; false: other words.
+struct SeriesReader {
+  enum class Word { none, one, largest, smallest, mean };
 
-/// What `[k]`, `.max`, `.min` or `.mean` behind the key of a series makes of shown values; none for
-/// other words.
+  Word word = Word::none;
+  double factor = 1.0;    ///< To the unit.
+  std::size_t index = 0;  ///< Of `one`.
+
+  explicit operator bool() const { return word != Word::none; }
+  std::optional<double> operator()(std::span<const double> values) const;
+};
 SeriesReader summary_named(std::string_view word, double factor);
 
 /// `[j][k]` as j and `[k]`; any other words as they are.

@@ -123,9 +123,9 @@ constexpr Kind kind_of() {
 /// Reads a series that a word follows, see `summary_named`.
 template <class T>
 std::optional<Reader<T>> series_reader(std::string_view word, double factor) {
-  SeriesReader read = summary_named(word, factor);
+  const SeriesReader read = summary_named(word, factor);
   if (!read) return std::nullopt;
-  return Reader<T>{[read = std::move(read)](const T& values) {
+  return Reader<T>{[read](const T& values) {
     return read({values.data(), static_cast<std::size_t>(values.size())});
   }};
 }
@@ -134,9 +134,10 @@ std::optional<Reader<T>> series_reader(std::string_view word, double factor) {
 template <class T>
 std::optional<Reader<T>> matrix_reader(std::string_view path, double factor) {
   const std::optional<std::size_t> row = take_index(path);
-  SeriesReader read = row || !path.starts_with('[') ? summary_named(path, factor) : nullptr;
+  const SeriesReader read =
+      row || !path.starts_with('[') ? summary_named(path, factor) : SeriesReader();
   if (!read) return std::nullopt;
-  return Reader<T>{[read = std::move(read), row](const T& rows) -> std::optional<double> {
+  return Reader<T>{[read, row](const T& rows) -> std::optional<double> {
     if (row) return *row < rows.size() ? read(rows[*row]) : std::nullopt;
     std::vector<double> all;
     for (const auto& values : rows) all.insert(all.end(), values.begin(), values.end());
@@ -153,9 +154,9 @@ std::optional<Reader<T>> item_reader(std::string_view path, const ShownUnit& uni
     if (!path.empty()) return std::nullopt;
     return Reader<T>{[](const T& value) { return std::optional(static_cast<double>(value)); }};
   } else if constexpr (std::is_same_v<T, std::vector<int>>) {
-    SeriesReader read = summary_named(path, 1.0);
+    const SeriesReader read = summary_named(path, 1.0);
     if (!read) return std::nullopt;
-    return Reader<T>{[read = std::move(read)](const T& values) {
+    return Reader<T>{[read](const T& values) {
       return read(std::vector<double>(values.begin(), values.end()));
     }};
   } else if constexpr (Numbers<T>) {
@@ -304,7 +305,7 @@ std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& i
           q.delivery};
     if (q.value.series) {
       const auto [row, place] = split_row(rest);
-      if (auto summary = summary_named(place, unit.factor))
+      if (const SeriesReader summary = summary_named(place, unit.factor))
         return Reader<Owner>{
             [&q, summary, row = row, indexed = place.starts_with('[')](const Owner& owner) {
               const std::span<const double> values = q.value.series(owner);

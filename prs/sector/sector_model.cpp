@@ -113,7 +113,8 @@ void set_nut(SectorModel& s, const Given& g, Direction direction, double positio
 
 void set_contacts(SectorModel& s, const Given& g, const Deviations& deviations,
                   Direction direction) {
-  set_laws(s, g.laws);
+  if (g.laws.screw.hertz_constant != 0.0)
+    set_laws(s, {numbers_of(g.laws.screw), numbers_of(g.laws.nut)});
   if (!deviates(g.mechanism, deviations)) {
     for (const Interface i : kInterfaces)
       s.gaps[i].assign(static_cast<std::size_t>(g.mechanism.contacts_per_roller), 0.0);
@@ -243,14 +244,12 @@ void set_nut_line(NutLine& line, const SectorModel& s) {
   set_line(line, s, s.contacts(), [&](int k) { return s.position + k * s.pitch; });
 }
 
-void set_laws(SectorModel& s, const PerInterface<ContactLaw>& laws) {
+void set_laws(SectorModel& s, const PerInterface<ContactLawNumbers>& laws) {
   for (const Interface i : kInterfaces) {
-    const auto& [constant, psi, compliance] = laws[i];
-    const double cosine = std::cos(psi), sine = std::sin(psi);
-    s.hertz_constant[i] = constant;
-    s.cosine[i] = cosine;
-    s.sine[i] = sine;
-    s.compliance[i] = compliance;
+    s.hertz_constant[i] = laws[i].hertz_constant;
+    s.cosine[i] = laws[i].cosine;
+    s.sine[i] = laws[i].sine;
+    s.compliance[i] = laws[i].compliance;
   }
 }
 

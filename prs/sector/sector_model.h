@@ -78,14 +78,15 @@ SectorModel sector_model(const Mechanism& mechanism, const Structure& structure,
                          const PerInterface<ContactLaw>& laws, Direction direction, double position,
                          const Deviations& deviations = {});
 
-/// The same into a model that keeps its memory, refined bodies left to `work_out`.
+/// The same into a model that keeps its memory, refined bodies left to `work_out`. Laws without a
+/// constant are left to `set_laws`.
 void set_sector_model(SectorModel& model, const Mechanism& mechanism, const Structure& structure,
                       const Materials& materials, const ModelOptions& options,
                       const PerInterface<ContactLaw>& laws, Direction direction, double position,
                       const Deviations& deviations);
 
 /// Replaces the laws of a sector of bars without initial gaps, which nothing else in it depends on.
-void set_laws(SectorModel& model, const PerInterface<ContactLaw>& laws);
+void set_laws(SectorModel& model, const PerInterface<ContactLawNumbers>& laws);
 
 /// Shells and compliances of refined bodies.
 void work_out(SectorModel& model);

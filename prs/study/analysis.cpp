@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "prs/study/idle_factors.h"
@@ -56,52 +57,88 @@ class KeptRows {
 
   void add(std::span<const double> row, std::size_t design) {
     const std::uint64_t hash = mixed_bits(design + kGoldenStep);
-    if (heap_.size() < kMostValuesKept) {
-      heap_.push_back({hash, heap_.size()});
-      values_.insert(values_.end(), row.begin(), row.end());
-    } else {
-      if (hash > heap_.front().hash) return;
-      std::ranges::pop_heap(heap_, {}, &Entry::hash);
-      heap_.back().hash = hash;
-      std::ranges::copy(row, &values_[heap_.back().slot * responses_]);
-    }
-    std::ranges::push_heap(heap_, {}, &Entry::hash);
+    if (hash > largest_) return;
+    hashes_.push_back(hash);
+    values_.insert(values_.end(), row.begin(), row.end());
+    if (hashes_.size() == 2 * kMostValuesKept) leave_out_others();
   }
 
-  /// The numbers of a response, ascending.
-  std::vector<double> ascending(std::size_t response) const {
+  std::vector<double> numbers(std::size_t response) {
+    leave_out_others();
     std::vector<double> values;
+    values.reserve(hashes_.size());
     for (std::size_t k = response; k < values_.size(); k += responses_)
       if (std::isfinite(values_[k])) values.push_back(values_[k]);
-    std::ranges::sort(values);
     return values;
   }
 
  private:
-  struct Entry {
-    std::uint64_t hash = 0;
-    std::size_t slot = 0;
-  };
+  /// Hashes of different designs differ.
+  void leave_out_others() {
+    if (hashes_.size() <= kMostValuesKept) return;
+    std::vector<std::uint64_t> hashes = hashes_;
+    const auto last = hashes.begin() + kMostValuesKept - 1;
+    std::nth_element(hashes.begin(), last, hashes.end());
+    largest_ = *last;
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < hashes_.size(); ++k) {
+      if (hashes_[k] > largest_) continue;
+      hashes_[kept] = hashes_[k];
+      if (kept != k) std::copy_n(&values_[k * responses_], responses_, &values_[kept * responses_]);
+      ++kept;
+    }
+    hashes_.resize(kept);
+    values_.resize(kept * responses_);
+  }
+
   std::size_t responses_ = 0;
-  std::vector<Entry> heap_;  ///< The largest hash first.
+  std::uint64_t largest_ = std::numeric_limits<std::uint64_t>::max();  ///< Hash that is taken.
+  std::vector<std::uint64_t> hashes_;
   std::vector<double> values_;
 };
 
-double quantile(const std::vector<double>& ascending, double probability) {
-  const double at = probability * static_cast<double>(ascending.size() - 1);
-  const auto k = static_cast<std::size_t>(at);
-  if (k + 1 == ascending.size()) return ascending[k];
-  return ascending[k] + (at - static_cast<double>(k)) * (ascending[k + 1] - ascending[k]);
+/// Brings the values of some ranks, ascending ones, to where a sorted list has them: each value
+/// found parts the list for those left and right of it. `offset`: rank of the first value.
+void put_in_place(std::span<double> values, std::span<const std::size_t> ranks,
+                  std::size_t offset = 0) {
+  if (ranks.empty()) return;
+  const std::size_t middle = ranks.size() / 2, at = ranks[middle] - offset;
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
+  put_in_place(values.first(at), ranks.first(middle), offset);
+  put_in_place(values.subspan(at + 1), ranks.subspan(middle + 1), offset + at + 1);
+}
+
+/// Quantiles at `kProbabilities`, from values that it brings into another order.
+std::array<double, kProbabilities.size()> quantiles(std::vector<double>& values) {
+  const auto place = [&](double probability) {
+    return probability * static_cast<double>(values.size() - 1);
+  };
+  std::vector<std::size_t> ranks;
+  for (const double probability : kProbabilities)
+    for (const std::size_t next : {0U, 1U}) {
+      const std::size_t rank = static_cast<std::size_t>(place(probability)) + next;
+      if (rank < values.size() && (ranks.empty() || rank > ranks.back())) ranks.push_back(rank);
+    }
+  put_in_place(values, ranks);
+  std::array<double, kProbabilities.size()> found{};
+  std::ranges::transform(kProbabilities, found.begin(), [&](double probability) {
+    const double at = place(probability);
+    const auto k = static_cast<std::size_t>(at);
+    if (k + 1 == values.size()) return values[k];
+    return values[k] + (at - static_cast<double>(k)) * (values[k + 1] - values[k]);
+  });
+  return found;
 }
 
 /// Twice the cube root of the number of values for classes (Rice's rule).
-Histogram histogram(const std::vector<double>& ascending) {
-  Histogram h{ascending.front(), ascending.back(), {}};
+Histogram histogram(const std::vector<double>& values) {
+  const auto [least, largest] = std::ranges::minmax(values);
+  Histogram h{least, largest, {}};
   if (!(h.from < h.to)) return h;
-  const double rice = std::ceil(2.0 * std::cbrt(static_cast<double>(ascending.size())));
+  const double rice = std::ceil(2.0 * std::cbrt(static_cast<double>(values.size())));
   h.counts.resize(std::min(kMostClasses, static_cast<std::size_t>(rice)));
   const double classes = static_cast<double>(h.counts.size());
-  for (const double value : ascending) {
+  for (const double value : values) {
     const auto k = static_cast<std::size_t>(classes * ((value - h.from) / (h.to - h.from)));
     ++h.counts[std::min(k, h.counts.size() - 1)];
   }
@@ -135,6 +172,10 @@ struct StudyAnalysis::Parts {
         kept(s.responses.size()),
         x(factors.size()) {
     if (s.envelope) maps.emplace(s);
+    for (const Factor& factor : study.factors) {
+      input_of_factor.push_back(input_count);
+      input_count += 1 + factor.companions.size();
+    }
     if (factors.size() > kMostFactorsOfSurface) {
       reason = fmt::format("it takes at most {} factors, the study has {}", kMostFactorsOfSurface,
                            factors.size());
@@ -147,7 +188,7 @@ struct StudyAnalysis::Parts {
     sample.assign(study.responses.size(), std::vector<double>(d + 2));
   }
 
-  void add(std::span<const double> row, std::size_t design) {
+  void add(std::span<const double> row, std::size_t design, std::span<const double> inputs) {
     followed.add(row, design);
     if (design == 0) return;
     if (!indices.empty() && !add_to_sample(row, design)) return;
@@ -155,14 +196,16 @@ struct StudyAnalysis::Parts {
     for (std::size_t j = 0; j < row.size(); ++j)
       if (std::isfinite(row[j])) moments[j].add(row[j], design);
     kept.add(row, design);
-    if (!factors.empty() && all_finite(row)) add_to_surface(row, design);
+    if (!factors.empty() && all_finite(row)) add_to_surface(row, design, inputs);
   }
 
-  void add_to_surface(std::span<const double> row, std::size_t design) {
-    set_draws(study, design, drawn);
+  void add_to_surface(std::span<const double> row, std::size_t design,
+                      std::span<const double> inputs) {
+    if (inputs.empty()) set_draws(study, design, drawn);
     for (std::size_t i = 0; i < factors.size(); ++i) {
       const std::size_t k = factors[i].factor;
-      x[i] = factors[i](value_of(study.factors[k], drawn[k]));
+      x[i] = factors[i](inputs.empty() ? value_of(study.factors[k], drawn[k])
+                                       : inputs[input_of_factor[k]]);
     }
     if (all_finite(x)) regression.add(x, row);
   }
@@ -180,6 +223,8 @@ struct StudyAnalysis::Parts {
   Study study;
   FollowedFactors followed;
   std::vector<NormalisedFactor> factors;
+  std::vector<std::size_t> input_of_factor;  ///< Among `drawn_inputs`.
+  std::size_t input_count = 0;
   std::size_t next = 0;  ///< Design.
   std::vector<Moments> moments;
   KeptRows kept;
@@ -197,16 +242,18 @@ StudyAnalysis::~StudyAnalysis() = default;
 StudyAnalysis::StudyAnalysis(StudyAnalysis&&) noexcept = default;
 StudyAnalysis& StudyAnalysis::operator=(StudyAnalysis&&) noexcept = default;
 
-void StudyAnalysis::add(const RowBlock& block) {
+void StudyAnalysis::add(const RowBlock& block, std::span<const double> inputs) {
   const std::size_t responses = parts_->study.responses.size();
   assert(block.first == parts_->next && block.responses.size() == block.rows * responses);
+  const std::size_t width = parts_->input_count;
+  assert(inputs.empty() || inputs.size() == block.rows * width);
   const std::vector<double> none(responses, kNoResponse);
   auto failure = block.failures.begin();
   for (std::size_t k = 0; k < block.rows; ++k) {
     const bool failed = failure != block.failures.end() && failure->row == k;
     if (failed) ++failure;
     parts_->add(failed ? none : std::span(block.responses).subspan(k * responses, responses),
-                block.first + k);
+                block.first + k, inputs.empty() ? inputs : inputs.subspan(k * width, width));
   }
   if (parts_->maps) parts_->maps->add(block);
   parts_->next += block.rows;
@@ -216,11 +263,10 @@ StudySummary StudyAnalysis::summary() const {
   StudySummary summary;
   for (std::size_t j = 0; j < parts_->moments.size(); ++j) {
     ResponseStatistics s = parts_->moments[j].statistics();
-    const std::vector<double> values = parts_->kept.ascending(j);
+    std::vector<double> values = parts_->kept.numbers(j);
     s.values_kept = values.size();
     if (!values.empty()) {
-      std::ranges::transform(kProbabilities, s.quantiles.begin(),
-                             [&](double probability) { return quantile(values, probability); });
+      s.quantiles = quantiles(values);
       s.histogram = histogram(values);
     }
     summary.statistics.push_back(std::move(s));

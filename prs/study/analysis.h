@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "prs/model/study.h"
@@ -65,8 +66,10 @@ class StudyAnalysis {
   StudyAnalysis(StudyAnalysis&&) noexcept;
   StudyAnalysis& operator=(StudyAnalysis&&) noexcept;
 
-  /// The next block: in ascending order, without gaps, from design 0 on.
-  void add(const RowBlock& block);
+  /// The next block: in ascending order, without gaps, from design 0 on. `inputs`: for each design
+  /// the numbers of the study's `drawn_inputs`, as they are in their units; without them they are
+  /// drawn here.
+  void add(const RowBlock& block, std::span<const double> inputs = {});
 
   StudySummary summary() const;
 

@@ -70,8 +70,10 @@ void BarBatch::set_laws() {
   for (Design& design : designs_) {
     design.has_contacts = contacts_.get_laws(design.contacts, found_);
     if (!design.has_contacts) continue;
+    design.laws = contacts_.laws(design.contacts);
     for (const Interface i : kInterfaces)
-      design.laws[i] = contact_law(design.overrides, found_.interfaces[i], i);
+      if (design.overrides.hertz_constant[i] || design.overrides.normal_angle[i])
+        design.laws[i] = numbers_of(contact_law(design.overrides, found_.interfaces[i], i));
     for (std::size_t i = 0; i < load_cases_; ++i) {
       const std::size_t from = design.first_sector + i, to = next + i;
       if (from != to) std::swap(sectors_[from], sectors_[to]);
@@ -109,7 +111,7 @@ bool BarBatch::set_results(const Design& design, const LoadDetail& detail) {
   results_.resize(load_cases_);
   for (std::size_t i = 0; i < load_cases_; ++i) {
     const std::size_t k = design.first_sector + i;
-    if (!FallbackSolver::complete(loads_[k])) return false;
+    if (!FallbackSolver::complete(loads_[k], detail.tangent_stiffness)) return false;
     results_[i].load_case.axial_force = forces_[k];
     results_[i].load_case.position = positions_[k];
     set_solved_result(results_[i], found_, design.laws, loads_[k], set_, detail);

@@ -33,6 +33,7 @@ class BarBatch {
   template <class Take, class Leave>
   void solve(BarDesignSolver& solver, const LoadDetail& detail, Take take, Leave leave) {
     set_laws();
+    solver.tangent_stiffness = detail.tangent_stiffness;
     if (loads_.size() < forces_.size()) loads_.resize(forces_.size());
     solver.solve({sectors_.data(), forces_.size()}, forces_, {loads_.data(), forces_.size()});
     for (const Design& design : designs_)
@@ -50,7 +51,7 @@ class BarBatch {
     Mechanism mechanism;
     contact::MechanismGeometry threads;
     ContactOverrides overrides;
-    PerInterface<ContactLaw> laws;
+    PerInterface<ContactLawNumbers> laws;
     std::optional<std::size_t> offsets;  ///< Where threads are off their nominal place.
     bool has_contacts = true;
   };

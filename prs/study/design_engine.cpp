@@ -557,12 +557,16 @@ struct DesignEngine::Parts {
     if (batch.loads.size() < sectors) batch.loads.resize(sectors);
     const std::span<const SectorModel> models(batch.models.data(), sectors);
     const std::span<LoadDistribution> loads(batch.loads.data(), sectors);
+    const bool tangent_stiffness = measures() || load_detail.tangent_stiffness;
+    worker.bars.tangent_stiffness = worker.refined.tangent_stiffness = tangent_stiffness;
     worker.bars.solve(models, batch.forces, loads);
     worker.refined.solve(models, batch.forces, loads);
     for (std::size_t k = 0; k < sectors; ++k) {
       Pending& design = batch.designs[batch.sectors[k].design];
-      design.complete = design.complete && FallbackSolver::complete(batch.loads[k]);
-      set_solved_result(design.load_cases[batch.sectors[k].load_case], design.contacts, design.laws,
+      design.complete =
+          design.complete && FallbackSolver::complete(batch.loads[k], tangent_stiffness);
+      set_solved_result(design.load_cases[batch.sectors[k].load_case], design.contacts,
+                        {numbers_of(design.laws.screw), numbers_of(design.laws.nut)},
                         batch.loads[k], set);
     }
     for (std::size_t k = 0; k < designs; ++k) {

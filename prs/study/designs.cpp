@@ -1,5 +1,6 @@
 #include "prs/study/designs.h"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -91,8 +92,9 @@ void draw_combination(const Study& study, std::size_t k, std::vector<Draw>& draw
 Level level_of(const Factor& factor, const Draw& draw) {
   if (draw.kind == Draw::Kind::level) return factor.levels[draw.level];
   assert(factor.companions.empty());  // They have no value between two levels.
-  return {fmt::format("{}{}{}", draw.number, factor.unit.empty() ? "" : " ", factor.unit),
-          draw.number};
+  return {
+      fmt::format(FMT_COMPILE("{}{}{}"), draw.number, factor.unit.empty() ? "" : " ", factor.unit),
+      draw.number};
 }
 
 bool is_same(const Level& level, const std::optional<Level>& base) {
@@ -142,6 +144,7 @@ Design design(const Study& study, std::size_t k) { return design(study, draws(st
 Design design(const Study& study, const std::vector<Draw>& draws) {
   assert(draws.size() == study.factors.size());
   Design design;
+  design.settings.reserve(draws.size());
   for (std::size_t i = 0; i < draws.size(); ++i) {
     if (draws[i].kind == Draw::Kind::as_in_file) continue;
     const Factor& factor = study.factors[i];

@@ -47,8 +47,25 @@ constexpr auto kSlices = [] {
   return slices;
 }();
 
+#if defined(__x86_64__)
+/// The processor's own instruction, as long as there are eight bytes.
+__attribute__((target("sse4.2"))) std::uint32_t take_words(std::uint32_t crc,
+                                                           std::string_view& bytes) {
+  std::uint64_t wide = crc;
+  for (; bytes.size() >= kWord; bytes.remove_prefix(kWord)) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data(), kWord);
+    wide = __builtin_ia32_crc32di(wide, word);
+  }
+  return static_cast<std::uint32_t>(wide);
+}
+#endif
+
 std::uint64_t crc32c(std::string_view bytes) {
   std::uint32_t crc = 0xFFFF'FFFF;
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("sse4.2")) crc = take_words(crc, bytes);
+#endif
   const auto byte = [](std::uint64_t word, std::size_t k) { return (word >> (8 * k)) & 0xFF; };
   if constexpr (std::endian::native == std::endian::little)
     for (; bytes.size() >= kWord; bytes.remove_prefix(kWord)) {

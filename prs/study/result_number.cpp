@@ -88,26 +88,29 @@ NumberDetail number_detail(std::span<const ResultNumber> numbers) {
       whole.slip->viscosity = whole.slip->bearing_eccentricity = whole.slip->estimates.jones = 1.0;
   whole.slip->self_locking = true;
   const Contacts contacts;
-  const auto need_more_than = [&](const LoadCaseResult& part) {
+  const auto need_after = [&](const auto& change) {
+    LoadCaseResult part = whole;
+    change(part);
     return std::ranges::any_of(numbers, [&](const ResultNumber& n) {
       return !n.value({contacts, &part});
     });
   };
   const auto need = [&](std::initializer_list<Array> arrays) {
-    LoadCaseResult part = whole;
-    for (const Interface i : kInterfaces)
-      for (const Array array : arrays) ((*part.threads)[i].*array).clear();
-    return need_more_than(part);
+    return need_after([&](LoadCaseResult& part) {
+      for (const Interface i : kInterfaces)
+        for (const Array array : arrays) ((*part.threads)[i].*array).clear();
+    });
   };
   const auto need_slip = [&](const auto& arrays) {
-    LoadCaseResult part = whole;
-    for (const Interface i : kInterfaces)
-      for (const auto array : arrays) (part.slip->threads[i].*array).clear();
-    return need_more_than(part);
+    return need_after([&](LoadCaseResult& part) {
+      for (const Interface i : kInterfaces)
+        for (const auto array : arrays) (part.slip->threads[i].*array).clear();
+    });
   };
   return {{need({&InterfaceLoads::axial_load}), need({&InterfaceLoads::load_rate}),
            need({&InterfaceLoads::semi_major, &InterfaceLoads::semi_minor,
-                 &InterfaceLoads::peak_pressure})},
+                 &InterfaceLoads::peak_pressure}),
+           need_after([](LoadCaseResult& part) { part.tangent_stiffness.reset(); })},
           {need_slip(of_friction), need_slip(of_films)}};
 }
 

@@ -1,5 +1,6 @@
 #include "prs/study/study_result.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace prs {
@@ -18,6 +19,8 @@ std::vector<std::optional<double>> numbers(const RowBlock& block, std::size_t ro
 }  // namespace
 
 void add(StudyResult& result, const RowBlock& block) {
+  if (result.rows.empty())
+    result.rows.reserve(std::min(kMostRowsShown, design_count(result.study)));
   auto failure = block.failures.begin();
   for (std::size_t k = 0; k < block.rows; ++k) {
     const bool failed = failure != block.failures.end() && failure->row == k;

@@ -49,6 +49,17 @@ bool ContactBatch::get_laws(std::size_t k, Contacts& c) const {
          set(c.interfaces.nut, found.nut.point, found.hertz_at_nut);
 }
 
+PerInterface<ContactLawNumbers> ContactBatch::laws(std::size_t k) const {
+  const contact::MechanismContactNumbers<double>& found = found_[k];
+  const auto law = [](const contact::NormalNumbers<double>& normal,
+                      const contact::HertzNumbers<double>& hertz) {
+    return ContactLawNumbers{
+        {hertz.hertz_constant, normal.angle, 0.0}, normal.cosine, normal.sine, hertz.cbrt_constant};
+  };
+  return {law(found.normal_at_screw, found.hertz_at_screw),
+          law(found.normal_at_nut, found.hertz_at_nut)};
+}
+
 bool ContactBatch::get(std::size_t k, const Mechanism& mechanism,
                        const contact::MechanismGeometry& threads, ContactDetail detail,
                        Contacts& c) const {

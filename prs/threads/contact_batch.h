@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/contact_numbers.h"
+#include "prs/threads/contact_law.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {
@@ -34,6 +35,9 @@ class ContactBatch {
 
   /// Sets Hertz's constants, statuses and normals alone, what a law is made of.
   bool get_laws(std::size_t k, Contacts& contacts) const;
+
+  /// Laws of contacts that `get_laws` has, as `contact_law` gives them without overrides.
+  PerInterface<ContactLawNumbers> laws(std::size_t k) const;
 
  private:
   simd::InstructionSet set_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace prs {
 
 /// Force law between the threads of one interface in the load distribution.
@@ -8,5 +10,16 @@ struct ContactLaw {
   double normal_angle = 0.0;    ///< psi, contact normal to axis [rad]
   double compliance = 0.0;      ///< Teeth, in series with the contact [m/N].
 };
+
+/// A law with what is worked out of it, for designs side by side.
+struct ContactLawNumbers : ContactLaw {
+  double cosine = 1.0, sine = 0.0;  ///< Of psi.
+  double cbrt_constant = 0.0;       ///< k_0^(1/3) [N^(1/3)/m^(1/2)]
+};
+
+inline ContactLawNumbers numbers_of(const ContactLaw& law) {
+  return {law, std::cos(law.normal_angle), std::sin(law.normal_angle),
+          std::cbrt(law.hertz_constant)};
+}
 
 }  // namespace prs

@@ -15,38 +15,43 @@ namespace {
 /// Columns that are filled before a call of the kernel.
 constexpr std::size_t kChunk = 256;
 
-void clear(BarDesigns& d) {
-  for_each_number([](std::vector<double>& column) { column.clear(); }, d);
-  for (BarDesigns::Flange& f : d.flanges)
-    for (auto* values : {&f.from, &f.to, &f.axial_rigidity}) values->clear();
-  for (auto* values : {&d.axial_force, &d.gaps.screw, &d.gaps.nut}) values->clear();
+bool is_without(const std::vector<double>& gaps) {
+  return std::ranges::all_of(gaps, [](double gap) { return gap == 0.0; });
+}
+
+/// Columns of the sectors of a kind; those of zeros are empty.
+void set_columns(BarDesigns& d, std::span<const SectorModel> sectors,
+                 std::span<const double> axial_forces, std::span<const std::size_t> order) {
+  const std::size_t designs = order.size();
+  for_each_number([=](std::vector<double>& column) { column.resize(designs); }, d);
+  d.axial_force.resize(designs);
   d.flange_count = 0;
-}
-
-void add(BarDesigns& d, const SectorModel& s, double force) {
-  for_each_number(
-      [](std::vector<double>& column, const double& number) { column.push_back(number); }, d, s);
-  d.axial_force.push_back(force);
-  d.flange_count = std::max(d.flange_count, s.flanges.size());
+  for (const std::size_t k : order)
+    d.flange_count = std::max(d.flange_count, sectors[k].flanges.size());
   if (d.flange_count > d.flanges.size()) d.flanges.resize(d.flange_count);
-  for (std::size_t i = 0; i < d.flange_count; ++i) {
-    BarDesigns::Flange& column = d.flanges[i];
-    const SectorModel::Flange flange = i < s.flanges.size() ? s.flanges[i] : SectorModel::Flange{};
-    for (auto* values : {&column.from, &column.to, &column.axial_rigidity})
-      values->resize(d.size());
-    column.from.back() = flange.from;
-    column.to.back() = flange.to;
-    column.axial_rigidity.back() = flange.axial_rigidity;
+  for (std::size_t i = 0; i < d.flange_count; ++i)
+    for (auto* values : {&d.flanges[i].from, &d.flanges[i].to, &d.flanges[i].axial_rigidity})
+      values->resize(designs);
+  for (std::size_t at = 0; at < designs; ++at) {
+    const SectorModel& s = sectors[order[at]];
+    for_each_number(
+        [at](std::vector<double>& column, const double& number) { column[at] = number; }, d, s);
+    d.axial_force[at] = axial_forces[order[at]];
+    for (std::size_t i = 0; i < d.flange_count; ++i) {
+      const SectorModel::Flange f = i < s.flanges.size() ? s.flanges[i] : SectorModel::Flange{};
+      d.flanges[i].from[at] = f.from;
+      d.flanges[i].to[at] = f.to;
+      d.flanges[i].axial_rigidity[at] = f.axial_rigidity;
+    }
   }
-  for (const Interface i : kInterfaces)
-    d.gaps[i].insert(d.gaps[i].end(), s.gaps[i].begin(), s.gaps[i].end());
-}
-
-/// Empties the columns of zeros.
-void leave_out_zeros(BarDesigns& d, bool with_compliance) {
+  const bool with_compliance = sectors[order.front()].has_compliance();
   for (const Interface i : kInterfaces) {
     if (!with_compliance) d.compliance[i].clear();
-    if (std::ranges::all_of(d.gaps[i], [](double gap) { return gap == 0.0; })) d.gaps[i].clear();
+    d.gaps[i].clear();
+    if (std::ranges::all_of(order, [&](std::size_t k) { return is_without(sectors[k].gaps[i]); }))
+      continue;
+    for (const std::size_t k : order)
+      d.gaps[i].insert(d.gaps[i].end(), sectors[k].gaps[i].begin(), sectors[k].gaps[i].end());
   }
 }
 
@@ -65,16 +70,12 @@ void BarDesignSolver::solve(std::span<const SectorModel> sectors,
     if (!sectors[k].is_refined) order_.push_back(k);
   if (!std::ranges::is_sorted(order_, {}, place)) std::ranges::sort(order_, {}, place);
   for (std::size_t first = 0, end = 0; first < order_.size(); first = end) {
-    const auto [contacts, with_compliance] = kind(order_[first]);
-    clear(designs_);
-    designs_.contacts = contacts;
-    for (; end < order_.size() && designs_.size() < kChunk; ++end) {
-      if (kind(order_[end]) != kind(order_[first])) break;
-      add(designs_, sectors[order_[end]], axial_forces[order_[end]]);
-    }
-    leave_out_zeros(designs_, with_compliance);
-    const auto threads = static_cast<std::size_t>(contacts);
-    loads_.resize(designs_.size(), threads);
+    while (end < order_.size() && end - first < kChunk && kind(order_[end]) == kind(order_[first]))
+      ++end;
+    designs_.contacts = sectors[order_[first]].contacts();
+    set_columns(designs_, sectors, axial_forces, std::span(order_).subspan(first, end - first));
+    const auto threads = static_cast<std::size_t>(designs_.contacts);
+    loads_.resize(designs_.size(), threads, tangent_stiffness);
     double* const memory = workspace_.reserve(kStationNumbers<BarStation<double>> * threads *
                                               static_cast<std::size_t>(batch_size(set_)));
     simd::run_kernel(set_, SectorKernel{}, set_ == InstructionSet::scalar, designs_, options,

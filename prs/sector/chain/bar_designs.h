@@ -24,6 +24,7 @@ class BarDesignSolver {
   /// Of Newton's method; force_scale, length_scale and reuse_factorization_below are not used. On
   /// slender rollers a residual of 1e-12 can leave 1e-10 in a thread's load.
   fe::NewtonOptions options{.residual_tolerance = 1e-13};
+  bool tangent_stiffness = true;  ///< Whether results have it; a sweep of the threads less without.
 
   /// Designs of any mixture of thread counts, each under its axial force on the whole mechanism
   /// [N]; the results of refined ones stay.

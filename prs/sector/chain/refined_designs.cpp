@@ -73,7 +73,7 @@ void RefinedDesignSolver::solve(std::span<const SectorModel> sectors,
 void RefinedDesignSolver::solve_side_by_side(const SectorModel& first) {
   const NutShape shape = first.bodies.shape();
   set_segments_of(shape, segment_of_);
-  loads_.resize(sectors_.size(), shape.contacts.size());
+  loads_.resize(sectors_.size(), shape.contacts.size(), tangent_stiffness);
   double* const memory =
       workspace_.reserve((RefinedKernel::kNumbersOfContact * shape.contacts.size() +
                           RefinedKernel::kNumbersOfNode * shape.nodes()) *

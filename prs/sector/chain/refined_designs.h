@@ -23,6 +23,7 @@ class RefinedDesignSolver {
 
   /// As of BarDesignSolver.
   fe::NewtonOptions options{.residual_tolerance = 1e-13};
+  bool tangent_stiffness = true;
 
   /// Whether a sector has a place here: one with a nut of shells whose roller's contacts stand
   /// opposite each other.

@@ -56,7 +56,8 @@ void solve_sectors(const SectorNumbers<Real>& sector, int contacts, const Statio
   const Real compliance = free_compliance + sector.offset_compliance;
   range.store(sector.sense * (loaded.head[0] + loaded.tail[0]) + compliance * force,
               results.axial_displacement);
-  range.store(sector.rollers / (chain.flexibility() + compliance), results.tangent_stiffness);
+  if (!results.tangent_stiffness.empty())
+    range.store(sector.rollers / (chain.flexibility() + compliance), results.tangent_stiffness);
 }
 
 }  // namespace prs

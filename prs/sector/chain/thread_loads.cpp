@@ -6,15 +6,16 @@
 
 namespace prs {
 
-void ThreadLoads::resize(std::size_t solves, std::size_t threads) {
+void ThreadLoads::resize(std::size_t solves, std::size_t threads, bool with_tangent) {
   stride = threads;
   for (const Interface i : kInterfaces) {
     normal_load[i].resize(solves * stride);
     approach[i].resize(solves * stride);
   }
-  for (auto* values : {&axial_displacement, &tangent_stiffness, &initial_relative_residual,
-                       &relative_residual, &energy})
+  for (auto* values :
+       {&axial_displacement, &initial_relative_residual, &relative_residual, &energy})
     values->resize(solves);
+  tangent_stiffness.resize(with_tangent ? solves : 0);
   status.resize(solves);
   iterations.resize(solves);
 }
@@ -30,7 +31,8 @@ void ThreadLoads::copy(std::size_t k, double residual_tolerance, LoadDistributio
   }
   r.axial_displacement = axial_displacement[k];
   r.tangent_stiffness.reset();
-  if (tangent_stiffness[k] > 0.0) r.tangent_stiffness = tangent_stiffness[k];
+  if (!tangent_stiffness.empty() && tangent_stiffness[k] > 0.0)
+    r.tangent_stiffness = tangent_stiffness[k];
   fe::NewtonSummary& s = r.solve;
   s.status = status[k];
   s.initial_relative_residual = initial_relative_residual[k];

@@ -17,14 +17,15 @@ struct ThreadLoads {
   PerInterface<std::vector<double>> normal_load;
   PerInterface<std::vector<double>> approach;  ///< Hertz approach delta in the same order [m].
   std::vector<double> axial_displacement;      ///< As in `LoadDistribution` [m].
-  std::vector<double> tangent_stiffness;       ///< dF/du [N/m], NaN where it is singular.
+  /// dF/du [N/m], NaN where it is singular; empty where it is not wanted.
+  std::vector<double> tangent_stiffness;
   std::vector<fe::NewtonStatus> status;
   std::vector<int> iterations;  ///< Linear solves, the first included.
   std::vector<double> initial_relative_residual;
   std::vector<double> relative_residual;
   std::vector<double> energy;  ///< Of one sector [J].
 
-  void resize(std::size_t solves, std::size_t threads);
+  void resize(std::size_t solves, std::size_t threads, bool with_tangent = true);
   /// Solve k as a LoadDistribution. Of the history only the last iteration's outcome is known.
   void copy(std::size_t k, double residual_tolerance, LoadDistribution& result) const;
 };

@@ -123,10 +123,11 @@ TEST(WriteRows, GivesTheSameFilesForAnyBlocksAndThreads) {
     };
     const StoredRows rows = run_study(test::synthetic_header(kDesigns), nullptr, run, {});
     std::size_t told = 0;
-    write_rows(rows, study, info, &temporary.path(), threads, [&](const RowBlock& block) {
+    const auto tell = [&](const RowBlock& block, std::span<const double>) {
       EXPECT_EQ(block.first, told);
       told += block.rows;
-    });
+    };
+    write_rows(rows, study, info, &temporary.path(), threads, tell);
     EXPECT_EQ(told, kDesigns);
     if (threads == 1) csv = test::content_of(temporary.path() / "study.csv");
     if (threads == 1) netcdf = test::content_of(temporary.path() / "study.nc");

@@ -180,6 +180,20 @@ TEST(StudyAnalysis, DoesNotDependOnHowTheRowsAreCut) {
   }
 }
 
+TEST(StudyAnalysis, TakesInputsThatAreDrawnAlready) {
+  Study study = sampled(Plan::latin_hypercube, 300, {"y", "z"});
+  study.factors[0].companions.emplace_back().path = "with a";
+  const std::size_t designs = design_count(study);
+  std::vector<double> inputs;
+  for (std::size_t k = 0; k < designs; ++k) {
+    const std::vector<Draw> drawn = draws(study, k);
+    for (const double number : {drawn[0].number, -1.0, drawn[1].number}) inputs.push_back(number);
+  }
+  StudyAnalysis analysis(study);
+  analysis.add(answers(study, 0, designs), inputs);
+  expect_same(analysis.summary(), in_blocks_of(study, designs));
+}
+
 // y = 1 + 3 a - b over [1, 3]: 5 + 3 x_a - x_b on the factors' axes, whatever fails.
 TEST(StudyAnalysis, FindsTheLinearResponseOfAStudy) {
   for (const Plan plan : {Plan::latin_hypercube, Plan::sobol, Plan::monte_carlo}) {

@@ -37,7 +37,7 @@ void run_whole_study(const fs::path& path) {
   };
   const StoredRows rows = run_study(test::synthetic_header(kKilledDesigns), &folder, run, {});
   write_rows(rows, test::synthetic_study(kKilledDesigns), {"1", "1", "abc"}, &path, 2,
-             [](const RowBlock&) {});
+             [](const RowBlock&, std::span<const double>) {});
   folder.remove_journals();
 }
 
