@@ -30,7 +30,7 @@ export PATH=$PWD/build/venv/bin:$PATH
 check rooms scripts/check_rooms.py
 check engine scripts/engine.sh --check
 if has clang-format; then
-  check format xargs -a <(git ls-files '*.h' '*.cpp') clang-format --dry-run --Werror
+  check format xargs -a <(git ls-files '*.h' '*.cpp') -P "$(nproc)" -n 50 clang-format --dry-run --Werror
 fi
 if has ruff; then check ruff ruff check -q; fi
 if has mypy; then check mypy mypy; fi

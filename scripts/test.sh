@@ -1,24 +1,36 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds and runs the quick tests: all of them on an engine under the
-# address and undefined-behaviour sanitizers, those of the numbers also as shipped, and beside them
-# those of the Python package. Arguments go to CMake's configuration.
+# Installs what is missing, builds and runs the quick tests: those of the numbers and those of the
+# Python package as shipped, and all but the latter on an engine by clang under the address and
+# undefined-behaviour sanitizers. Both at once. Arguments go to CMake's configuration.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-scripts/setup.sh
+scripts/setup.sh clang libclang-rt-dev llvm
+mkdir -p build
+scripts/test_python.sh --tools >build/test_tools.txt 2>&1 &
+tools=$!
 cmake --preset release -DPRS_BUILD_TESTS=ON "$@" >/dev/null
 cmake --build --preset release --target prs prs-validate prs_tests prs_document_cases
-# It takes objects of the release build, which must be there.
-cmake --preset sanitized -DPRS_BUILD_TESTS=ON "$@" >/dev/null
-cmake --build --preset sanitized
+wait "$tools" || { cat build/test_tools.txt; exit 1; }
+scripts/test_python.sh --install
 
-scripts/test_python.sh >build/test_python.txt 2>&1 &
-python=$!
+as_shipped() {
+  local status=0
+  scripts/test_python.sh --run >build/test_python.txt 2>&1 || status=1
+  ctest --preset numbers -j "$(nproc)" >build/test_numbers.txt 2>&1 || status=1
+  return "$status"
+}
+sanitized() {  # It takes objects of the release build.
+  cmake --preset sanitized -DPRS_BUILD_TESTS=ON "$@" >/dev/null &&
+    cmake --build --preset sanitized &&
+    ctest --preset quick-sanitized -j "$(nproc)"
+}
 failed=()
-ctest --preset quick-sanitized -j "$(nproc)" || failed+=(quick-sanitized)
-wait "$python" || failed+=(python)
-cat build/test_python.txt
-ctest --preset numbers -j "$(nproc)" || failed+=(numbers)
+as_shipped &
+shipped=$!
+sanitized "$@" || failed+=(sanitized)
+wait "$shipped" || failed+=("as shipped")
+cat build/test_python.txt build/test_numbers.txt
 if ((${#failed[@]})); then
   echo "test: failed: ${failed[*]}" >&2
   exit 1

@@ -143,22 +143,31 @@ TEST(Patch, SlowSlidingIsNewtonian) {
 
 TEST(Patch, EveryInstructionSetGivesTheSameSums) {
   const PatchGrid grid(21);
-  std::vector<double> ratio(grid.points().size, 0.0);
+  std::vector<double> pressure(grid.points().size, 0.0);
   for (Eigen::Index i = 0; i < grid.inside(); ++i)
-    ratio[static_cast<std::size_t>(i)] = roelands_viscosity_ratio(0.1665, 2.4e9 * grid.dome()[i]);
+    pressure[static_cast<std::size_t>(i)] = 2.4e9 * grid.dome()[i];
+  std::vector<double> ratio(pressure.size());
+  ViscosityKernel{}(simd::Baseline{}, 0.1665, pressure.data(), pressure.size(), ratio.data());
+  for (std::size_t i = 0; i < ratio.size(); ++i)
+    EXPECT_NEAR(ratio[i] / roelands_viscosity_ratio(0.1665, pressure[i]), 1.0, 1e-13);
+
   const SlidingField sliding{0.05, 0.07, 0.01, 0.006};
-  const PatchLawOf<double> law{0.0, 12e6 / 2.4e9, 0.01};
-  const PatchSums best = xsimd::dispatch<simd::Architectures>(PatchKernel{})(grid.points(), sliding,
-                                                                             law, ratio.data());
-  const PatchSums plain =
-      PatchKernel{}(simd::Baseline{}, grid.points(), sliding, law, ratio.data());
-  EXPECT_NEAR(best.traction_major / plain.traction_major, 1.0, 1e-14);
-  EXPECT_NEAR(best.traction_minor / plain.traction_minor, 1.0, 1e-14);
-  EXPECT_NEAR(best.moment_major / plain.moment_major, 1.0, 1e-13);
-  EXPECT_NEAR(best.moment_minor / plain.moment_minor, 1.0, 1e-13);
-  EXPECT_NEAR(best.power / plain.power, 1.0, 1e-14);
-  EXPECT_NEAR(best.friction / plain.friction, 1.0, 1e-14);
-  EXPECT_DOUBLE_EQ(best.max_speed, plain.max_speed);
+  const double scale = 12e6 / 2.4e9;
+  for (const PatchLawOf<double>& law :
+       {PatchLawOf<double>{0.1, 0.0, 0.0}, {0.0, scale, 0.01}, {0.03, 0.75 * scale, 0.01}}) {
+    SCOPED_TRACE(law.coefficient);
+    const double* viscosity = law.scale > 0.0 ? ratio.data() : nullptr;
+    const PatchSums best =
+        xsimd::dispatch<simd::Architectures>(PatchKernel{})(grid.points(), sliding, law, viscosity);
+    const PatchSums plain = PatchKernel{}(simd::Baseline{}, grid.points(), sliding, law, viscosity);
+    EXPECT_NEAR(best.traction_major / plain.traction_major, 1.0, 1e-14);
+    EXPECT_NEAR(best.traction_minor / plain.traction_minor, 1.0, 1e-14);
+    EXPECT_NEAR(best.moment_major / plain.moment_major, 1.0, 1e-13);
+    EXPECT_NEAR(best.moment_minor / plain.moment_minor, 1.0, 1e-13);
+    EXPECT_NEAR(best.power / plain.power, 1.0, 1e-14);
+    EXPECT_NEAR(best.friction / plain.friction, 1.0, 1e-14);
+    EXPECT_DOUBLE_EQ(best.max_speed, plain.max_speed);
+  }
 }
 
 TEST(Patch, FrictionAllocatesNothing) {
