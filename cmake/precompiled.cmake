@@ -1,7 +1,6 @@
 # precompile_headers(KIND [OPTIONS ..] HEADERS ..): headers of libraries that most sources include,
-# compiled once for all targets that have these options beyond those of every target. With GCC half
-# of a batch's time was theirs. Other builds than those in batches are without: there a missing
-# #include shows.
+# compiled once for all targets that have these options beyond those of every target. Other builds
+# than those in batches are without: there a missing #include shows.
 function(precompile_headers kind)
   cmake_parse_arguments(PARSE_ARGV 1 precompiled "" "" "OPTIONS;HEADERS")
   if(NOT PRS_UNITY_BUILD OR EMSCRIPTEN)
