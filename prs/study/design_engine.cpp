@@ -557,7 +557,7 @@ struct DesignEngine::Parts {
     if (batch.loads.size() < sectors) batch.loads.resize(sectors);
     const std::span<const SectorModel> models(batch.models.data(), sectors);
     const std::span<LoadDistribution> loads(batch.loads.data(), sectors);
-    const bool tangent_stiffness = measures() || load_detail.tangent_stiffness;
+    const bool tangent_stiffness = measures() || number_detail.loads.tangent_stiffness;
     worker.bars.tangent_stiffness = worker.refined.tangent_stiffness = tangent_stiffness;
     worker.bars.solve(models, batch.forces, loads);
     worker.refined.solve(models, batch.forces, loads);
