@@ -149,6 +149,7 @@ void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts,
     InterfaceLoads& loads = (*result.threads)[i];
     const double load = equal_normal_load(result.load_case, contacts.mechanism, normal_angle[i]);
     loads.normal_load.assign(count, load);
+    loads.normal_angle = normal_angle[i];
     set_interface_loads(loads, result.load_case, contacts, i, std::cos(normal_angle[i]), set,
                         detail);
     loads.hertz_constant = hertz_constant[i];
