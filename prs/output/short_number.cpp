@@ -42,7 +42,9 @@ int first_exponent(double size) {
     return starts;
   }();
   // log10(2) = 0.30103; the binary exponent alone is off by one at most.
-  const auto binary = static_cast<int>(std::bit_cast<std::uint64_t>(size) >> 52U) - 1023;
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &size, sizeof bits);
+  const auto binary = static_cast<int>(bits >> 52U) - 1023;
   const int below = (binary * 1233) >> 12;
   return below + (size >= kStarts[static_cast<std::size_t>(below + 1 - kLeastExponent)] ? 1 : 0);
 }
