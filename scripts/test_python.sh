@@ -25,7 +25,8 @@ for part in (read["build-system"]["requires"], read["project"]["dependencies"],
 }
 
 package() {
-  "${pip[@]}" --no-deps --no-build-isolation -C build-dir=build/release -C cmake.define.PRS_BUILD_TESTS=ON .
+  # By the same CMake as the rest: another one, which packages bring, compiles everything again.
+  CMAKE_EXECUTABLE=$(command -v cmake) "${pip[@]}" --no-deps --no-build-isolation -C build-dir=build/release -C cmake.define.PRS_BUILD_TESTS=ON .
 }
 
 step=all
