@@ -143,9 +143,9 @@ void check_lubricant(const Lubricant& l, const std::optional<Heat>& heat, Proble
                            celsius(temperature), mm2_per_s(viscosity),
                            mm2_per_s(contact::kLeastKinematicViscosity),
                            mm2_per_s(contact::kGreatestKinematicViscosity),
-                           l.walther                        ? "`walther`"
+                           l.walther                ? "`walther`"
                            : l.viscosity_at.empty() ? "the name"
-                                                            : "the two points"));
+                                                    : "the two points"));
 }
 
 void check_carrier(const Carrier& carrier, Problems& problems) {
