@@ -16,10 +16,7 @@ bool standard(const SlipModel& m) { return m.geometry.type == Mechanism::Type::s
 
 Vector3d vector(const contact::Vector3<double>& v) { return {v.x, v.y, v.z}; }
 contact::Vector3<double> numbers(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-double moment_about_axis(const Vector3d& point, const Vector3d& force) {
-  return point.x() * force.y() - point.y() * force.x();
-}
+contact::Vector2<double> in_plane(const Vector3d& point) { return {point.x(), point.y()}; }
 
 /// Forces of the patches of an interface; `take(k, friction, forces)` of each. Not possible where
 /// one has no normal load.
@@ -84,14 +81,13 @@ std::optional<Dual<double>> residue_with_slope(const RollerNumbers<double>& roll
 }  // namespace
 
 RollerNumbers<double> numbers_of(const SlipModel& m) {
-  const auto plane = [](const Vector3d& p) { return contact::Vector2<double>{p.x(), p.y()}; };
   const KinematicGeometry& g = m.geometry;
   RollerNumbers<double> roller;
   roller.geometry = {standard(m) ? 1.0 : 0.0,
                      g.lead,
                      g.gear_ratio,
                      g.centre_distance,
-                     {plane(g.points.screw), plane(g.points.nut)}};
+                     {in_plane(g.points.screw), in_plane(g.points.nut)}};
   for (const Interface i : kInterfaces)
     roller.frames[i] = {numbers(m.threads[i].normal), numbers(m.threads[i].major_axis),
                         numbers(m.threads[i].minor_axis)};
@@ -164,7 +160,7 @@ SlipEquilibrium find_slip_equilibrium(const SlipModel& model) {
 DriveTorques drive_torques(const SlipModel& m, const SlipBalance& b) {
   // What acts on a roller, taken about the screw's axis, acts back on screw and nut.
   const auto about_axis = [&](Interface i) {
-    return moment_about_axis(m.geometry.points[i], b.interfaces[i].force) +
+    return moment_z(in_plane(m.geometry.points[i]), 0.0, numbers(b.interfaces[i].force)) +
            b.interfaces[i].spin_torque;
   };
   const double c = m.geometry.centre_distance;

@@ -115,7 +115,7 @@ double relative_residue(const SlipModel& model, const SlipBalance& balance);
 /// the ideal one, or beyond the ideal one where the carrier is driven.
 struct SlipEquilibrium {
   SlipStatus status = SlipStatus::not_computed;
-  int evaluations = 0;  ///< Calls of `balance_at`.
+  int evaluations = 0;  ///< Of the balance, with slopes or without.
   SlipBalance balance;  ///< At the root.
 
   bool ok() const { return status == SlipStatus::converged || status == SlipStatus::imposed; }

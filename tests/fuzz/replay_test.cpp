@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "support/count.h"
-#include "support/sanitized.h"
 #include "support/temporary_directory.h"
 #include "tests/fuzz/files.h"
 #include "tests/fuzz/targets.h"
@@ -44,7 +43,6 @@ class FuzzMutations : public testing::TestWithParam<Target> {};
 /// differ from what they were made of, and not all are refused: else the mutator, or what follows
 /// it, is not tested.
 TEST_P(FuzzMutations, AreNoFinding) {
-  if (GetParam().run == documents) SKIP_UNDER_SANITIZERS();
   std::vector<std::string> inputs;
   for (const fs::path& file : corpus_of(GetParam()))
     if (GetParam().run(test::content_of(file))) inputs.push_back(test::content_of(file));

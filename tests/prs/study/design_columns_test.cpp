@@ -15,10 +15,10 @@
 #include "prs/study/design_engine.h"
 #include "prs/study/design_reader.h"
 #include "prs/study/result_number.h"
-#include "support/allocations.h"
 #include "support/count.h"
 #include "tests/contact/mechanisms.h"
 #include "tests/prs/input/abevi.h"
+#include "tests/prs/study/memory_of_designs.h"
 
 // Designs side by side against the same designs one after the other.
 namespace prs {
@@ -226,15 +226,8 @@ void expect_no_memory_per_design(const std::string& model) {
            "%}, {path: 'load_cases[0].axial_force', log_uniform: {from: 0.45 kN, to: 45 kN}}], "
            "responses: [axial_displacement_um, nut.peak_pressure_MPa.max]}\n",
        {}});
-  const DesignEngine engine(in);
-  const auto allocations = [&](std::size_t designs) {
-    const std::size_t before = test::allocations();
-    const RowBlock block = engine.evaluate(1, designs);
-    EXPECT_TRUE(block.failures.empty());
-    return test::allocations() - before;
-  };
-  allocations(1024);
-  EXPECT_EQ(allocations(64), allocations(1024)) << model;
+  SCOPED_TRACE(model);
+  test::expect_no_memory_per_design(DesignEngine(in));
 }
 
 TEST(DesignColumns, ADesignTakesNoMemory) {

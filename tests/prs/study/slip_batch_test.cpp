@@ -13,7 +13,8 @@
 #include "prs/model/case_error.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/design_reader.h"
-#include "tests/support/allocations.h"
+#include "tests/prs/input/abevi.h"
+#include "tests/prs/study/memory_of_designs.h"
 #include "tests/support/count.h"
 #include "tests/support/slips.h"
 
@@ -166,16 +167,7 @@ TEST(SlipBatch, GivesTheResultsOfTheScalarChain) {
   EXPECT_GT(ends["converged"], 3 * ends["refused"]);
 }
 
-const std::string kStudy = R"(
-mechanism:
-  type: inverted
-  lead: 5 mm
-  starts: {screw: 3, roller: 1}
-  flank_angle: 45 deg
-  pitch_diameter: {screw: 21 mm, roller: 7 mm, nut: 35 mm}
-  centre_distance: 14 mm
-  profile: {screw: straight, roller: {convex: 4.949747468 mm}, nut: straight}
-  rollers: 11
+const std::string kStudy = input::kAbeviThreads + R"(  rollers: 11
   contacts_per_roller: 20
 materials: {youngs_modulus: 209 GPa, poisson_ratio: 0.3, density: 7810 kg/m^3}
 load_cases:
@@ -203,15 +195,7 @@ TEST(SlipBatch, ADesignTakesNoMemory) {
       "{path: 'load_cases[0].axial_force', log_uniform: {from: 1 kN, to: 40 kN}}], responses: "
       "[slip.efficiency, 'load_cases[1].slip.power_loss_W', slip.screw.film_thickness_nm.max, "
       "slip.hottest_thread.power_W, nut.peak_pressure_MPa.max]");
-  const DesignEngine engine(in);
-  const auto allocations = [&](std::size_t designs) {
-    const std::size_t before = test::allocations();
-    const RowBlock block = engine.evaluate(1, designs);
-    EXPECT_TRUE(block.failures.empty());
-    return test::allocations() - before;
-  };
-  allocations(1024);
-  EXPECT_EQ(allocations(64), allocations(1024));
+  test::expect_no_memory_per_design(DesignEngine(in));
 }
 
 /// Rows of a study, refusals with their words.
