@@ -475,12 +475,12 @@ double largest_speed(const Case& c) {
 }
 
 /// What the torque of a preloaded screw holds.
-std::string torque_of_preloaded(const LoadCase& pattern) {
+std::string torque_of_preloaded(const LoadCase& pattern, bool chosen) {
   std::string conditions;
   if (!pattern.name.empty())
-    conditions = fmt::format(
-        ", at the position and temperatures of load case `{}`, which the force does not have",
-        pattern.name);
+    conditions =
+        fmt::format(", at the {}temperatures of load case `{}`, which the force does not have",
+                    chosen ? "position and " : "", pattern.name);
   return fmt::format(
       "preload: the torque is that of the external load alone{}; what friction takes of the "
       "preload is not in it",
@@ -500,7 +500,8 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
     return;
   }
   require_rolling(c, contacts);
-  if (c.preload) curves.warnings.push_back(torque_of_preloaded(pattern));
+  if (c.preload)
+    curves.warnings.push_back(torque_of_preloaded(pattern, options.load_case.has_value()));
   const Running parts = running(c, contacts, pattern);
   FrictionTorque torque(parts.conditions, contacts, pattern, parts.oils);
   curves.friction =
@@ -515,12 +516,13 @@ LoadCase pattern_of(const Case& c, const CurveOptions& options) {
     return options.load_case ? load.name == *options.load_case : is_solved(load);
   };
   const auto found = std::ranges::find_if(c.load_cases, is_asked_for);
-  if (found != c.load_cases.end() && is_solved(*found)) return *found;
-  if (c.preload && !options.load_case) {
-    LoadCase pattern;
+  const bool usable = found != c.load_cases.end() && is_solved(*found);
+  if (c.preload && !options.load_case) {  // Torque and force hold at the same position.
+    LoadCase pattern = usable ? *found : LoadCase{};
     pattern.position = c.preload->position;
     return pattern;
   }
+  if (usable) return *found;
   if (found != c.load_cases.end())
     throw CaseError(found->input_path,
                     "got `share: equal`; expected a load case that the models solve for `export`; "

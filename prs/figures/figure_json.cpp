@@ -28,6 +28,8 @@ constexpr std::array<std::string_view, 3> kWeights = {"thin", "normal", "strong"
 constexpr std::array<std::string_view, 3> kShapes = {"line", "area", "arrows"};
 constexpr std::array<std::string_view, 3> kAnchors = {"left", "centre", "right"};
 
+constexpr int kMostColumns = 100;  ///< Of panels side by side.
+
 template <class Names, class Value>
 std::string_view name_of(const Names& names, Value value) {
   return names[static_cast<std::size_t>(value)];
@@ -281,7 +283,8 @@ Figure read_figure(const Json& json) {
     if (!std::ranges::all_of(panel.series, is_style, &Series::style) ||
         !std::ranges::all_of(panel.references, is_style, &ReferenceLine::style))
       throw std::runtime_error("style");
-  if (!std::ranges::all_of(figure.legend, is_style, &LegendEntry::style) || figure.columns < 1)
+  if (!std::ranges::all_of(figure.legend, is_style, &LegendEntry::style) || figure.columns < 1 ||
+      figure.columns > kMostColumns)
     throw std::runtime_error("legend");
   return figure;
 }

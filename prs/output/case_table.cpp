@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "prs/output/table_units.h"
@@ -42,6 +43,9 @@ void add_folded_rows(const CaseTable& table, const CaseGroup& group, std::vector
   if (!failed.empty()) remark += fmt::format("; NOT CONVERGED: {}", folded_names(failed));
   rows.push_back({{}, std::move(remark)});
 }
+
+/// Whether a number is nothing but zeros.
+bool is_zero(std::string_view text) { return text.find_first_of("123456789") == text.npos; }
 
 std::vector<Row> header_rows(const CaseTable& table) {
   std::vector<Row> rows(2);
@@ -103,7 +107,8 @@ std::string case_name_cell(const LoadCaseResult& result) {
 }
 
 std::string force_cell(const LoadCaseResult& result) {
-  return fixed(result.load_case.axial_force, "kN", 3);
+  const double force = result.load_case.axial_force;
+  return fixed(force, "kN", force_decimals(force));
 }
 
 std::string direction_cell(const LoadCaseResult& result) {
@@ -144,8 +149,22 @@ std::string pressure_cell(const LoadCaseResult& result) {
   return cell;
 }
 
+int force_decimals(double force) {
+  constexpr double kSmall = 10.0;  // [N]
+  return force != 0.0 && std::abs(force) < kSmall ? 6 : 3;
+}
+
 std::string fixed(std::optional<double> si, double factor, int decimals) {
-  return si ? fmt::format("{:.{}f}", *si * factor, decimals) : std::string(kAbsent);
+  if (!si) return std::string(kAbsent);
+  std::string text = fmt::format("{:.{}f}", *si * factor, decimals);
+  if (text.starts_with('-') && is_zero(text)) text.erase(0, 1);
+  return text;
+}
+
+std::string fixed_change(double value, int decimals) {
+  std::string text = fmt::format("{:+.{}f}", value, decimals);
+  if (is_zero(text)) text[0] = '+';
+  return text;
 }
 
 std::string padded(const std::string& text, std::size_t columns, bool left_aligned) {

@@ -43,8 +43,13 @@ std::string most_loaded_cell(const LoadCaseResult& result, Interface i);
 /// The largest of all threads [GPa], and where it acts.
 std::string pressure_cell(const LoadCaseResult& result);
 
-/// SI * factor with `decimals` decimals.
+/// Decimals of a force in kN: also one of a newton shows four digits.
+int force_decimals(double force);
+
+/// SI * factor with `decimals` decimals; what rounds to zero has no sign.
 std::string fixed(std::optional<double> si, double factor, int decimals);
+/// The value with its sign, `+0.00` where it rounds to zero.
+std::string fixed_change(double value, int decimals);
 
 /// The text, padded with spaces to `columns` columns.
 std::string padded(const std::string& text, std::size_t columns, bool left_aligned);

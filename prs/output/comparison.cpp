@@ -65,7 +65,8 @@ std::string comparison_table(const ModelComparison& c) {
       text += model_row(cell(m == 0 ? case_name_cell(c.best().load_cases[k]) : ""), {&c, k, m});
   if (shown < c.load_cases())
     text += fmt::format("  … {} of {} load cases; all in comparison.csv\n", shown, c.load_cases());
-  return text + warning_section(c.warnings);
+  const std::string warnings = warning_summary(c.warnings, c.best().load_cases);
+  return warnings.empty() ? text : text + '\n' + warnings;
 }
 
 std::string comparison_csv(const ModelComparison& c, const CsvStyle& style) {

@@ -32,7 +32,7 @@ std::string number(double value) {
 
 std::string change(std::optional<double> from, std::optional<double> to) {
   const std::optional<double> percent = from && to ? change_percent(*to, *from) : std::nullopt;
-  return percent ? fmt::format("{:+.2f} %", *percent) : "";
+  return percent ? fixed_change(*percent, 2) + " %" : "";
 }
 
 std::string text_of(const std::optional<Level>& level, const Factor& input) {

@@ -38,7 +38,7 @@ int decimals_of(double largest) {
 }
 
 std::string four_digits(double value) {
-  return fmt::format("{:.{}f}", value, decimals_of(std::abs(value)));
+  return fixed(value, 1.0, decimals_of(std::abs(value)));
 }
 
 // A case at length.
@@ -52,7 +52,8 @@ std::string block_line(std::string_view label, const std::string& value,
 }
 
 std::string title_line(const LoadCaseResult& result) {
-  std::string load = fixed_with_unit(result.load_case.axial_force, "kN", 3);
+  std::string load = fixed_with_unit(result.load_case.axial_force, "kN",
+                                     force_decimals(result.load_case.axial_force));
   if (result.load_case.direction) load += fmt::format(", {}", name(*result.load_case.direction));
   if (result.load_case.share == LoadCase::Share::equal) load += ", equal shares";
   if (has_slip(result))
@@ -225,7 +226,7 @@ double largest(const SlipResult& slip, std::vector<double> InterfaceSlip::*value
 std::string comparison_line(std::string_view label, double equal, double solved,
                             std::string_view unit) {
   const std::string change =
-      equal > 0.0 ? fmt::format("{:+.2f} %", (solved / equal - 1.0) * per_si::percent) : "";
+      equal > 0.0 ? fixed_change((solved / equal - 1.0) * per_si::percent, 2) + " %" : "";
   return block_line(
       fmt::format("{}, {}", label, unit), four_digits(shown(equal, unit)),
       fmt::format("{:>{}} {:>10}", four_digits(shown(solved, unit)), kValueWidth, change));
@@ -234,8 +235,8 @@ std::string comparison_line(std::string_view label, double equal, double solved,
 /// A line of comparison whose change is given as a difference.
 std::string difference_line(std::string_view label, double equal, double solved, int decimals) {
   return block_line(label, fixed(equal, 1.0, decimals),
-                    fmt::format("{:>{}.{}f} {:>+10.{}f}", solved, kValueWidth, decimals,
-                                solved - equal, decimals));
+                    fmt::format("{:>{}.{}f} {:>10}", solved, kValueWidth, decimals,
+                                fixed_change(solved - equal, decimals)));
 }
 
 std::string equal_share_lines(const SlipResult& slip) {

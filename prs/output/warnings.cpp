@@ -51,14 +51,18 @@ std::string group_lines(const WarningGroup& group) {
 }  // namespace
 
 std::string warning_summary(const Result& result) {
+  return warning_summary(result.warnings, result.load_cases);
+}
+
+std::string warning_summary(const std::vector<std::string>& warnings,
+                            const std::vector<LoadCaseResult>& load_cases) {
   std::vector<WarningGroup> groups;
-  for (const LoadCaseResult& load_case : result.load_cases)
+  for (const LoadCaseResult& load_case : load_cases)
     for (const std::string& warning : load_case.warnings)
       add(printable(warning), load_case.load_case, groups);
 
   std::string summary;
-  for (const std::string& warning : result.warnings)
-    summary += wrapped(printable(warning), "  ", kWidth);
+  for (const std::string& warning : warnings) summary += wrapped(printable(warning), "  ", kWidth);
   for (const WarningGroup& group : groups) summary += group_lines(group);
   return summary.empty() ? summary : "Warnings\n" + summary;
 }

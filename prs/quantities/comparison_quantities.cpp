@@ -13,7 +13,8 @@ struct ComparedLoad {
   const ModelComparison* comparison = nullptr;
   std::size_t load_case = 0;
 
-  const LoadCase& load() const { return comparison->best().load_cases[load_case].load_case; }
+  const LoadCaseResult& best() const { return comparison->best().load_cases[load_case]; }
+  const LoadCase& load() const { return best().load_case; }
 };
 
 /// Threads of one interface.
@@ -109,6 +110,9 @@ constexpr Quantity<ComparedLoad> kLoad[] = {
        return models;
      }>,
      "the best last"},
+    {"warnings",
+     of<[](const ComparedLoad& l) -> const std::vector<std::string>& { return l.best().warnings; }>,
+     "what is unusual about this load, by the best model"},
 };
 
 constexpr Quantity<ModelComparison> kComparison[] = {

@@ -215,8 +215,9 @@ std::vector<std::string> as_warnings(const std::vector<std::string>& texts) {
   return notes;
 }
 
-std::vector<std::string> summary(const Result& result) {
-  std::string text = warning_summary(result);
+template <class... Warned>
+std::vector<std::string> summary(const Warned&... warned) {
+  std::string text = warning_summary(warned...);
   return text.empty() ? std::vector<std::string>{} : std::vector{std::move(text)};
 }
 
@@ -333,7 +334,8 @@ const std::vector<CommandRow>& table() {
           {.file = "comparison.json",
            .document = comparison_json,
            .table = comparison_table,
-           .notes = [](const ModelComparison& r) { return as_warnings(r.warnings); },
+           .notes =
+               [](const ModelComparison& r) { return summary(r.warnings, r.best().load_cases); },
            .files =
                [](const ModelComparison& r, const CsvStyle& style) {
                  return std::vector<OutputFile>{{"comparison.csv", comparison_csv(r, style)}};

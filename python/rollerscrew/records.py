@@ -761,6 +761,7 @@ class ComparedLoadCase(Record):
     direction: str
     position_mm: float
     models: list[ComparedModel]
+    warnings: list[str]
 
 
 class Comparison(Record):

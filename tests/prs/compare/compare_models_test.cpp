@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
+#include "prs/output/comparison.h"
+#include "prs/quantities/comparison_quantities.h"
 #include "prs/sector/influence/matrix_cache.h"
 
 namespace prs {
@@ -63,6 +66,19 @@ TEST(CompareModels, ShearOfTheRollerIsOfBarsAlone) {
   EXPECT_THAT(models_of(compare_models(
                   compared_lesson("04_contacts_from_geometry.yaml", {"model.roller_shear=true"}))),
               ElementsAre(Bodies::bars, Bodies::refined));
+}
+
+TEST(CompareModels, TellsWhatIsUnusualAboutALoadAsSolveDoes) {
+  const Case c = compared_lesson("01_config_1_to_3.yaml",
+                                 {"load_cases=[{name: heavy, axial_force: 90 kN, direction: "
+                                  "tension, position: 10 mm}]"});
+  const ModelComparison comparison = compare_models(c);
+  const std::vector<std::string>& expected = comparison.best().load_cases[0].warnings;
+  ASSERT_THAT(expected, testing::Contains(testing::HasSubstr("exceeds")));
+  const nlohmann::ordered_json load =
+      comparison_json(comparison, {})["comparison"]["load_cases"][0];
+  EXPECT_EQ(load["warnings"], nlohmann::ordered_json(expected));
+  EXPECT_THAT(comparison_table(comparison), testing::HasSubstr("exceeds"));
 }
 
 TEST(CompareModels, EqualSharesAreLeftOut) {

@@ -141,6 +141,23 @@ TEST(SystemCurves, OfAPreloadedNutSayWhatALoadCaseChanges) {
   EXPECT_THAT(warnings(one, std::nullopt), Not(testing::Contains(HasSubstr("changes nothing"))));
 }
 
+/// Where its force holds, if no load case is asked for.
+TEST(SystemCurves, TorqueOfAPreloadedNutIsThatAtItsPosition) {
+  const auto torque = [](const std::string& position, const CurveOptions& options) {
+    const Case c = lesson_case(
+        "12_preload.yaml", Command::preload,
+        {"friction={coulomb: 0.08}", "operation={speed: 300 rpm}",
+         "load_cases=[{name: far, axial_force: 8 kN, direction: tension, position: " + position +
+             "}]"});
+    const SystemCurves curves = system_curves(c, options);
+    const PrsCurves view = curves.view();
+    int beyond = 0;
+    return prs_torque(&view, 8e3, 30.0, &beyond);
+  };
+  EXPECT_EQ(torque("10 mm", {}), torque("30 mm", {}));
+  EXPECT_NE(torque("10 mm", {.load_case = "far"}), torque("30 mm", {.load_case = "far"}));
+}
+
 /// Both flanks of a nut with play touch after half of it each.
 TEST(SystemCurves, OfANutWithPlayAreZeroWithinIt) {
   const Case c = lesson_case("12_preload.yaml", Command::preload,

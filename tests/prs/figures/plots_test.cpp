@@ -183,6 +183,11 @@ TEST(Figures, AreReadBackFromTheirFile) {
   for (const std::string wrong : {"", "{}", "[{}]", "[1]"}) EXPECT_TRUE(figures_of(wrong).empty());
   EXPECT_TRUE(
       figures_of(std::regex_replace(text, std::regex("\"style\":1"), "\"style\":9")).empty());
+  for (const std::string columns : {"0", "4000000000", "-1"})
+    EXPECT_TRUE(figures_of(std::regex_replace(text, std::regex("\"columns\":[0-9]+"),
+                                              "\"columns\":" + columns))
+                    .empty())
+        << columns;
 }
 
 TEST(Figures, MoreConfigurationsThanStylesAreLimited) {

@@ -62,6 +62,22 @@ TEST(SlipTable, AbsentQuantitiesHaveNoLine) {
     EXPECT_FALSE(contains(table, part)) << part << " in\n" << table;
 }
 
+TEST(SlipTable, WhatRoundsToZeroHasNoMinus) {
+  LoadCaseResult load_case = with_slip(solved_case("a", 45e3, Direction::tension));
+  SlipResult& slip = *load_case.slip;
+  slip.equal_shares->power_loss = (1.0 + 1e-6) * slip.power.total();
+  slip.equal_shares->efficiency = *slip.efficiency + 1e-6;
+  slip.torque_nut = -1e-9;
+  const std::string table = slip_table(result_of({load_case}));
+  EXPECT_TRUE(contains(table, "+0.00 %"));
+  EXPECT_FALSE(contains(table, "-0.00")) << table;
+}
+
+TEST(SlipTable, SmallForcesShowTheirDigits) {
+  LoadCaseResult load_case = with_slip(solved_case("a", 0.4321, Direction::tension));
+  EXPECT_TRUE(contains(slip_table(result_of({load_case})), "0.000432 kN"));
+}
+
 TEST(SlipTable, ImposedSlipRatioShowsTheMomentLeft) {
   LoadCaseResult load_case = with_slip(equal_share_case("equal"));
   load_case.slip->status = SlipStatus::imposed;
