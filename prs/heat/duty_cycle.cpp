@@ -351,6 +351,108 @@ std::optional<LossTable> table_over(const TemperatureBox& box, Duty& duty, std::
   return of(*duty.cases[k], true, kSolvedTable, equal.value_or(LossTable{}));
 }
 
+/// What each load case sees in a cycle from `start`.
+Visited visited_from(const OfParts& start, const Cycle& cycle,
+                     const std::vector<LossTable>& tables) {
+  Visited visited(tables.size());
+  State state;
+  state.temperature = start;
+  std::size_t last = tables.size() - 1;
+  OfParts before = start;
+  cycle.run(tables, state, [&](std::size_t table, double, const OfParts& t) {
+    if (table != last) visited.add(table, before);
+    visited.add(table, t);
+    last = table, before = t;
+  });
+  return visited;
+}
+
+/// The cycle that repeats itself: its losses, the last table for rests, and its first temperatures.
+struct Periodic {
+  HeatStatus status = HeatStatus::converged;
+  std::string reason;
+  std::vector<LossTable> tables;
+  OfParts start;
+};
+
+/// Each round takes tables over what the last one has visited: rough ones, and good ones once the
+/// range is known.
+Periodic find_periodic(const Cycle& cycle, Duty& duty, const OfParts& guess) {
+  constexpr int kMostRounds = 12;
+  const std::size_t cases = duty.cases.size();
+  Periodic found{HeatStatus::converged, {}, std::vector<LossTable>(cases + 1), guess};
+  const auto end_as = [&](HeatStatus status, std::string reason) {
+    found.status = status;
+    found.reason = std::move(reason);
+    return found;
+  };
+  for (std::size_t k = 0; k < cases; ++k)
+    if (const std::optional<Losses> losses = duty.cases[k]->at(guess))
+      found.tables[k] = LossTable(*losses);
+
+  bool good = false;
+  Cycle::Factors factors;
+  std::vector<TemperatureBox> covered(cases);
+  for (int round = 0; round < kMostRounds; ++round) {
+    const std::optional<OfParts> start = cycle.periodic(found.tables, found.start, factors);
+    if (!start)
+      return end_as(HeatStatus::no_steady_state,
+                    "the temperatures of the cycle do not come to repeat themselves; give the "
+                    "parts more conductance, less load or more rest");
+    found.start = *start;
+    const Visited visited = visited_from(*start, cycle, found.tables);
+    const auto is_covered = [&](std::size_t k) {
+      return round > 0 && covered[k].contains(visited.boxes[k]);
+    };
+    bool inside = round > 0;
+    for (std::size_t k = 0; k < cases && inside; ++k) inside = is_covered(k);
+    if (good && inside) return found;
+    const bool was_good = std::exchange(good, good || inside);
+    for (std::size_t k = 0; k < cases; ++k) {
+      if (was_good && is_covered(k)) continue;
+      // Constant losses lead too far, so that what they visited is not kept.
+      TemperatureBox box = visited.boxes[k];
+      if (round > 1 && good == was_good)
+        box.include(covered[k].least), box.include(covered[k].greatest);
+      covered[k] = box.widened(0.25);
+      std::optional<LossTable> table = table_over(covered[k], duty, k, good);
+      if (!table)
+        return end_as(HeatStatus::no_steady_state,
+                      fmt::format("{} in `{}` at temperatures of the cycle",
+                                  duty.cases[k]->failure(), duty.names[k]));
+      found.tables[k] = std::move(*table);
+    }
+  }
+  return end_as(HeatStatus::iteration_limit,
+                fmt::format("the range of temperatures of the cycle still grows after {} rounds",
+                            kMostRounds));
+}
+
+/// Temperatures and energies of one period.
+void keep_course(const Periodic& found, const Cycle& cycle, const ThermalNetwork& network,
+                 const OfParts& capacity, HeatCycle& result) {
+  const auto keep = [&](double time, const OfParts& t) {
+    result.time.push_back(time);
+    const PerPart<double> parts = per_part(t);
+    for (const Part p : kParts) result.temperature[p].push_back(parts[p]);
+  };
+  State state;
+  state.temperature = found.start;
+  keep(0.0, found.start);
+  OfParts before = found.start, peak = found.start;
+  cycle.run(found.tables, state, [&](std::size_t table, double time, const OfParts& t) {
+    const Warming warming{network, capacity, found.tables[table]};
+    peak = peak.cwiseMax(warming.greatest_within(before, t, time - result.time.back()));
+    keep(time, t);
+    before = t;
+  });
+  result.peak = per_part(peak);
+  result.mean = per_part(state.integral / result.period);
+  result.energy_in = state.input;
+  result.energy_lost = state.lost;
+  if (state.output > kNoOutput * state.input) result.efficiency = state.output / state.input;
+}
+
 }  // namespace
 
 OfParts heat_capacities(const Conditions& c, const Mechanism& m) {
@@ -368,101 +470,29 @@ OfParts heat_capacities(const Conditions& c, const Mechanism& m) {
 
 HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
                               std::vector<std::string>& warnings) {
-  HeatCycle cycle;
-  const auto end_as = [&](HeatStatus status, std::string reason) {
-    cycle.status = status;
-    cycle.reason = std::move(reason);
-    return cycle;
-  };
   const ThermalNetwork network = thermal_network(*c.heat);
   const OfParts capacity = heat_capacities(c, contacts.mechanism);
   Duty duty = duty_of(c, contacts);
-  const std::size_t cases = duty.cases.size();
-  const Cycle integrate(network, capacity, duty.segments);
-  cycle.period = integrate.period();
+  const Cycle cycle(network, capacity, duty.segments);
+  HeatCycle result;
+  result.period = cycle.period();
+  const auto end_as = [&](HeatStatus status, const std::string& reason) {
+    result.status = status;
+    result.reason = reason;
+    return result;
+  };
 
   const SteadyHeat steady = find_steady_heat(network, average(duty, heat_may_grow(c)));
   if (!steady.converged()) return end_as(steady.status, steady.reason);
-  OfParts start = steady.temperature;
-  std::vector<LossTable> tables(cases + 1);
-  for (std::size_t k = 0; k < cases; ++k)
-    if (const std::optional<Losses> losses = duty.cases[k]->at(start))
-      tables[k] = LossTable(*losses);
-
-  // Each round takes tables over what the last one has visited: rough ones, and good ones once the
-  // range is known.
-  bool good = false, inside = false;
-  Cycle::Factors factors;
-  std::vector<TemperatureBox> covered(cases);
-  for (int round = 0; round < 12; ++round) {
-    const std::optional<OfParts> found = integrate.periodic(tables, start, factors);
-    if (!found)
-      return end_as(HeatStatus::no_steady_state,
-                    "the temperatures of the cycle do not come to repeat themselves; give the "
-                    "parts more conductance, less load or more rest");
-    start = *found;
-    Visited visited(cases + 1);
-    State state;
-    state.temperature = start;
-    std::size_t last = cases;
-    OfParts before = start;
-    integrate.run(tables, state, [&](std::size_t table, double, const OfParts& t) {
-      if (table != last) visited.add(table, before);
-      visited.add(table, t);
-      last = table, before = t;
-    });
-    inside = round > 0;
-    for (std::size_t k = 0; k < cases && inside; ++k)
-      inside = covered[k].contains(visited.boxes[k]);
-    if (good && inside) break;
-    const bool was_good = std::exchange(good, good || inside);
-    for (std::size_t k = 0; k < cases; ++k) {
-      const bool contained = round > 0 && covered[k].contains(visited.boxes[k]);
-      if (was_good && contained) continue;
-      // Constant losses lead too far, so that what they visited is not kept.
-      TemperatureBox box = visited.boxes[k];
-      if (round > 1 && good == was_good)
-        box.include(covered[k].least), box.include(covered[k].greatest);
-      covered[k] = box.widened(0.25);
-      std::optional<LossTable> table = table_over(covered[k], duty, k, good);
-      if (!table)
-        return end_as(HeatStatus::no_steady_state,
-                      fmt::format("{} in `{}` at temperatures of the cycle",
-                                  duty.cases[k]->failure(), duty.names[k]));
-      tables[k] = std::move(*table);
-    }
-  }
-  if (!(good && inside))
-    return end_as(HeatStatus::iteration_limit,
-                  "the range of temperatures of the cycle still grows after 12 rounds");
-  for (std::size_t k = 0; k < cases; ++k)
-    if (tables[k].error() > kTellTable)
+  const Periodic found = find_periodic(cycle, duty, steady.temperature);
+  if (found.status != HeatStatus::converged) return end_as(found.status, found.reason);
+  for (std::size_t k = 0; k < duty.cases.size(); ++k)
+    if (found.tables[k].error() > kTellTable)
       warnings.push_back(
           fmt::format("heat.duty: the losses of `{}` are not smooth over the temperatures of the "
                       "cycle: interpolated to {:.1e} of their largest",
-                      duty.names[k], tables[k].error()));
-
-  PerPart<std::vector<double>>& at = cycle.temperature;
-  const auto keep = [&](double time, const OfParts& t) {
-    cycle.time.push_back(time);
-    const PerPart<double> parts = per_part(t);
-    for (const Part p : kParts) at[p].push_back(parts[p]);
-  };
-  State state;
-  state.temperature = start;
-  keep(0.0, start);
-  OfParts before = start, peak = start;
-  integrate.run(tables, state, [&](std::size_t table, double time, const OfParts& t) {
-    const Warming warming{network, capacity, tables[table]};
-    peak = peak.cwiseMax(warming.greatest_within(before, t, time - cycle.time.back()));
-    keep(time, t);
-    before = t;
-  });
-  cycle.peak = per_part(peak);
-  cycle.mean = per_part(state.integral / cycle.period);
-  cycle.energy_in = state.input;
-  cycle.energy_lost = state.lost;
-  if (state.output > kNoOutput * state.input) cycle.efficiency = state.output / state.input;
+                      duty.names[k], found.tables[k].error()));
+  keep_course(found, cycle, network, capacity, result);
   return end_as(HeatStatus::converged, {});
 }
 

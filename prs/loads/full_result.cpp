@@ -136,6 +136,46 @@ class AllRollers {
   std::optional<FullBodies> bodies_;
 };
 
+/// What belongs to no single thread, but the orbit.
+FullLoads full_loads(const AllRollers& all, const FullModel& f, FullDistribution& d,
+                     const LoadCase& load_case, const Conditions& c, const Contacts& contacts,
+                     const PerInterface<ContactLaw>& laws) {
+  FullLoads full;
+  full.freedoms = d.freedoms;
+  full.rollers = f.rollers;
+  full.carrier_angle = load_case.spatial.carrier_angle;
+  for (const int roller : d.idle_rollers) full.idle_rollers.push_back(roller + 1);
+  full.screw_end = std::move(d.screw_end);
+  full.nut = d.nut;
+  full.rings = std::move(d.rings);
+  full.bearings = d.bearings;
+  if (all.influence()) {
+    Conditions nominal = c;
+    nominal.deviations = {};
+    full.symmetric = symmetric_loads(
+        f, influence_solver(nominal, contacts, laws, *load_case.direction, *load_case.position)
+               .solve(f.axial_force));
+  } else {
+    full.symmetric = symmetric_loads(f);
+  }
+  full.symmetric_stiffness = f.axial_force / full.symmetric.axial_displacement;
+  return full;
+}
+
+/// A contact that opens further than the other flank is away.
+void warn_of_openings(const FullDistribution& d, const Contacts& contacts,
+                      const PerInterface<ContactLaw>& laws, std::vector<std::string>& warnings) {
+  for (const Interface i : kInterfaces) {
+    const double opening = d.largest_opening[i] / std::cos(laws[i].normal_angle);
+    const contact::ContactPoint& point = contacts.interfaces[i].geometry.point;
+    if (point.ok() && point.backlash > 0.0 && opening > point.backlash)
+      warnings.push_back(fmt::format(
+          "a {} contact opens by {:.3g} mm, more than the backlash of {:.3g} mm: the other flank "
+          "would touch, which the model leaves out",
+          label(i), opening * 1e3, point.backlash * 1e3));
+  }
+}
+
 }  // namespace
 
 FullDistribution full_distribution(const LoadCase& load_case, const Conditions& c,
@@ -172,28 +212,11 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     flattened.approach[i] = flat(d.approach[i]);
   }
   LoadCaseResult result = solved_result(load_case, contacts, laws, std::move(flattened));
-  if (!d.reason.empty()) result.warnings.push_back(d.reason);
+  std::vector<std::string>& warnings = result.warnings;
+  if (!d.reason.empty()) warnings.push_back(d.reason);
   if (!result.threads) return result;
 
-  FullLoads full;
-  full.freedoms = d.freedoms;
-  full.rollers = f.rollers;
-  full.carrier_angle = load.carrier_angle;
-  for (const int roller : d.idle_rollers) full.idle_rollers.push_back(roller + 1);
-  full.screw_end = std::move(d.screw_end);
-  full.nut = d.nut;
-  full.rings = std::move(d.rings);
-  full.bearings = d.bearings;
-  if (all.influence()) {
-    Conditions nominal = c;
-    nominal.deviations = {};
-    full.symmetric = symmetric_loads(
-        f, influence_solver(nominal, contacts, laws, *load_case.direction, *load_case.position)
-               .solve(f.axial_force));
-  } else {
-    full.symmetric = symmetric_loads(f);
-  }
-  full.symmetric_stiffness = f.axial_force / full.symmetric.axial_displacement;
+  FullLoads full = full_loads(all, f, d, load_case, c, contacts, laws);
   for (const Interface i : kInterfaces) {
     InterfaceLoads& loads = (*result.threads)[i];
     loads.threads_per_roller = f.threads();
@@ -204,30 +227,22 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     if (turned.converged())
       full.orbit = std::move(turned);
     else
-      result.warnings.push_back(fmt::format("the orbit is left out: {}", text(*turned.failure)));
+      warnings.push_back(fmt::format("the orbit is left out: {}", text(*turned.failure)));
   }
   if (detail == Detail::complete && full.screw_end.compliance.size() == 0)
-    result.warnings.push_back(fmt::format("the stiffness of the screw's end is left out: {}",
-                                          why_left_out(full, all.influence())));
+    warnings.push_back(fmt::format("the stiffness of the screw's end is left out: {}",
+                                   why_left_out(full, all.influence())));
   if (result.axial_displacement && *result.axial_displacement < 0.0)
-    result.warnings.push_back(fmt::format(
+    warnings.push_back(fmt::format(
         "the loaded section moves {:.3g} mm against the force, as side loads or displaced parts "
         "have it, so that `axial_stiffness` is negative; take `tangent_stiffness`",
         -*result.axial_displacement * 1e3));
-  for (const Interface i : kInterfaces) {
-    const double opening = d.largest_opening[i] / std::cos(laws[i].normal_angle);
-    const contact::ContactPoint& point = contacts.interfaces[i].geometry.point;
-    if (point.ok() && point.backlash > 0.0 && opening > point.backlash)
-      result.warnings.push_back(fmt::format(
-          "a {} contact opens by {:.3g} mm, more than the backlash of {:.3g} mm: the other flank "
-          "would touch, which the model leaves out",
-          label(i), opening * 1e3, point.backlash * 1e3));
-  }
+  warn_of_openings(d, contacts, laws, warnings);
   if (std::optional<std::string> warning = forced_bearings(d.bearings, f.axial_force))
-    result.warnings.push_back(std::move(*warning));
+    warnings.push_back(std::move(*warning));
   if (all.shoulder_lifts())
     if (std::optional<std::string> warning = lifted_shoulder(c.structure->nut, d.nut))
-      result.warnings.push_back(std::move(*warning));
+      warnings.push_back(std::move(*warning));
   result.full = std::make_shared<const FullLoads>(std::move(full));
   return result;
 }

@@ -203,6 +203,86 @@ std::string files_text(std::size_t count) {
   return count == 1 ? "1 file" : fmt::format("{} files", count);
 }
 
+/// What the process wrote since the record began; from now on it records no more.
+Listed files_of_record(const FileDescriptor& folder, const fs::path& name,
+                       const std::string& command) {
+  Listed own{command, {}, {}};
+  std::vector<fs::path> written;
+  {
+    RunRecord& r = record();
+    const std::lock_guard guard(r.mutex);
+    r.active = false;
+    own.case_digest = r.case_digest;
+    written.swap(r.files);
+  }
+  if (!folder.is_open()) return own;
+  for (const fs::path& file : written) {
+    const std::string path = path_below(name, file);
+    if (path.empty() || !is_result(path)) continue;
+    const std::optional<Place> place = place_of(folder, path);
+    const std::string digest = place ? digest_of(folder, *place) : std::string();
+    if (!digest.empty()) own.files[path] = digest;
+  }
+  return own;
+}
+
+/// The runs in a folder's list, none where there is no list; nothing where it cannot be read.
+std::optional<std::vector<Listed>> former_runs(const FileDescriptor& folder) {
+  const RegularFile list = open_regular(std::string(kFileList).c_str(), O_RDONLY, 0, folder.get());
+  if (!list.file.is_open()) return std::vector<Listed>{};
+  const std::optional<std::string> text = content_of(list.file, kLongestList);
+  return text ? parsed_list(*text) : std::nullopt;
+}
+
+/// Former runs: those whose files stay, and those whose files are out of date.
+struct SortedRuns {
+  std::vector<Listed> listed, stale;
+  bool kept = false;  ///< Long work on another case is among those that stay.
+};
+
+/// `own` is the run that ends; one that did not come to its end makes nothing out of date, and the
+/// run that wrote the case stays.
+SortedRuns sorted_runs(std::vector<Listed> former, const Listed& own, bool complete,
+                       const std::string& case_path) {
+  SortedRuns sorted;
+  for (Listed& run : former) {
+    for (const auto& [path, digest] : own.files) run.files.erase(path);
+    const bool of_other_case =
+        !own.case_digest.empty() && !run.case_digest.empty() && run.case_digest != own.case_digest;
+    const bool own_command = run.command == own.command;
+    const bool stays = !own_command && takes_long(run.command);
+    sorted.kept = sorted.kept || (of_other_case && stays && !run.files.empty());
+    const bool out_of_date = own_command || (of_other_case && !stays);
+    if (complete && out_of_date && !run.files.contains(case_path))
+      sorted.stale.push_back(std::move(run));
+    else if (!run.files.empty())
+      sorted.listed.push_back(std::move(run));
+  }
+  return sorted;
+}
+
+/// Removes what is as it was listed, and notes what was removed and what was not.
+void remove_stale(const FileDescriptor& folder, const fs::path& name,
+                  const std::vector<Listed>& stale, std::vector<std::string>& notes) {
+  std::size_t removed = 0;
+  std::vector<std::string> changed;
+  for (const Listed& run : stale)
+    for (const auto& [path, digest] : run.files) {
+      const Removal removal = remove_listed(folder, path, digest);
+      if (removal == Removal::removed) ++removed;
+      if (removal == Removal::changed) changed.push_back((name / path).string());
+    }
+  if (removed > 0)
+    notes.push_back(fmt::format("{} of earlier runs removed from {}, which this run does not write",
+                                files_text(removed), name.string()));
+  if (changed.empty()) return;
+  const std::size_t count = changed.size();
+  changed.resize(std::min(count, kMostNamed));
+  notes.push_back(
+      fmt::format("{} of earlier runs changed since and stayed; remove what you do not need: {}{}",
+                  files_text(count), fmt::join(changed, ", "), count > kMostNamed ? ", .." : ""));
+}
+
 }  // namespace
 
 void record_written(const fs::path& file) {
@@ -242,99 +322,37 @@ std::vector<std::string> RunFiles::finish() {
 }
 
 std::vector<std::string> RunFiles::update(bool complete) {
-  Listed own{command_, {}, {}};
-  std::vector<fs::path> written;
-  {
-    RunRecord& r = record();
-    const std::lock_guard guard(r.mutex);
-    r.active = false;
-    own.case_digest = r.case_digest;
-    written.swap(r.files);
-  }
   const FileDescriptor folder(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!folder.is_open()) return {};
-  for (const fs::path& file : written) {
-    const std::string path = path_below(folder_, file);
-    if (path.empty() || !is_result(path)) continue;
-    const std::optional<Place> place = place_of(folder, path);
-    const std::string digest = place ? digest_of(folder, *place) : std::string();
-    if (!digest.empty()) own.files[path] = digest;
-  }
+  Listed own = files_of_record(folder, folder_, command_);
   if (own.files.empty()) return {};
-
-  std::vector<std::string> notes;
+  const std::string list = (folder_ / kFileList).string();
   if (!lock(folder))
     return {
         fmt::format("{}: another run holds the list of files, or the file system has no locks: "
                     "nothing was removed or listed, files of earlier runs stay",
-                    (folder_ / kFileList).string())};
-  std::vector<Listed> former;
-  const RegularFile list = open_regular(std::string(kFileList).c_str(), O_RDONLY, 0, folder.get());
-  if (list.file.is_open()) {
-    const std::optional<std::string> text = content_of(list.file, kLongestList);
-    std::optional<std::vector<Listed>> runs = text ? parsed_list(*text) : std::nullopt;
-    if (runs)
-      former = *std::move(runs);
-    else
-      notes.push_back(
-          fmt::format("{}: no list of what prs wrote, or damaged; files of earlier "
-                      "runs stay, remove those that you do not need",
-                      (folder_ / kFileList).string()));
-  }
+                    list)};
+  std::vector<std::string> notes;
+  std::optional<std::vector<Listed>> former = former_runs(folder);
+  if (!former)
+    notes.push_back(
+        fmt::format("{}: no list of what prs wrote, or damaged; files of earlier runs "
+                    "stay, remove those that you do not need",
+                    list));
 
-  const std::string case_path = case_file_.empty() ? "" : path_below(folder_, case_file_);
-  std::vector<Listed> runs, stale;
-  bool kept = false;
-  for (Listed& run : former) {
-    for (const auto& [path, digest] : own.files) run.files.erase(path);
-    const bool of_other_case =
-        !own.case_digest.empty() && !run.case_digest.empty() && run.case_digest != own.case_digest;
-    const bool own_command = run.command == command_;
-    const bool stays = !own_command && takes_long(run.command);
-    kept = kept || (of_other_case && stays && !run.files.empty());
-    const bool out_of_date = own_command || (of_other_case && !stays);
-    if (complete && out_of_date && !run.files.contains(case_path))
-      stale.push_back(std::move(run));
-    else if (!run.files.empty())
-      runs.push_back(std::move(run));
-  }
-  runs.push_back(std::move(own));
+  SortedRuns sorted =
+      sorted_runs(std::move(former).value_or(std::vector<Listed>{}), own, complete,
+                  case_file_.empty() ? std::string() : path_below(folder_, case_file_));
+  sorted.listed.push_back(std::move(own));
   StagedFile file(folder_ / kFileList);
-  file.append(list_text(runs));
+  file.append(list_text(sorted.listed));
   file.publish();
 
-  std::size_t removed = 0;
-  std::vector<std::string> changed;
-  for (const Listed& run : stale)
-    for (const auto& [path, digest] : run.files) switch (remove_listed(folder, path, digest)) {
-        case Removal::removed:
-          ++removed;
-          break;
-        case Removal::changed:
-          changed.push_back((folder_ / path).string());
-          break;
-        case Removal::absent:
-          break;
-      }
-
-  if (kept)
+  if (sorted.kept)
     notes.push_back(
         fmt::format("{} holds results of a study or an optimization of another case, "
                     "which stay; remove them, or take another folder",
                     folder_.string()));
-
-  if (removed > 0)
-    notes.push_back(fmt::format("{} of earlier runs removed from {}, which this run does not write",
-                                files_text(removed), folder_.string()));
-  if (!changed.empty())
-    notes.push_back(fmt::format(
-        "{} of earlier runs changed since and stayed; remove what you do not need: {}{}",
-        files_text(changed.size()),
-        fmt::join(
-            changed.begin(),
-            changed.begin() + static_cast<std::ptrdiff_t>(std::min(changed.size(), kMostNamed)),
-            ", "),
-        changed.size() > kMostNamed ? ", .." : ""));
+  remove_stale(folder, folder_, sorted.stale, notes);
   return notes;
 }
 

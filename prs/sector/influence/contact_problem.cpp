@@ -29,6 +29,78 @@ struct Trial {
   Eigen::VectorXd residual;  ///< Relative: compatibility, then equilibrium.
 };
 
+/// The conditions under a force, as Newton's method sees them.
+class Equilibrium {
+ public:
+  Equilibrium(const ContactProblem& p, double force)
+      : p_(p), n_(p.gap.size()), force_(force), jacobian_(n_ + 2, n_ + 2), lu_(n_ + 2) {}
+
+  /// Rigid bodies, equal shares: the largest gap closed as well.
+  Trial start() {
+    const auto contacts = static_cast<double>(p_.contacts());
+    const Index first_nut = n_ / 2;
+    Trial t;
+    t.y.resize(n_);
+    for (Index i = 0; i < n_; ++i) {
+      const double cosine = std::abs(p_.rigid(i, 1));
+      t.y[i] = std::pow(force_ / (contacts * cosine * p_.hertz_constant[i]), 2.0 / 3.0);
+    }
+    length_ = t.y.mean();
+    t.motion[1] = (t.y[first_nut] + p_.gap.tail(n_ / 2).maxCoeff()) / p_.rigid(first_nut, 1);
+    t.motion[0] = t.motion[1] + (t.y[0] + p_.gap.head(n_ / 2).maxCoeff()) / p_.rigid(0, 0);
+    evaluate(t);
+    return t;
+  }
+
+  /// Newton's step from here, to be subtracted.
+  Eigen::VectorXd step(const Trial& at) {
+    factorize(at);
+    return lu_.solve(at.residual);
+  }
+
+  Trial moved(const Trial& at, const Eigen::VectorXd& step, double share) const {
+    Trial t;
+    t.y = at.y - share * step.head(n_);
+    t.motion = at.motion - share * step.tail<2>();
+    evaluate(t);
+    return t;
+  }
+
+  double tangent_stiffness(const Trial& at) {
+    factorize(at);
+    Eigen::VectorXd rate = Eigen::VectorXd::Zero(n_ + 2);
+    rate[n_] = 1.0 / force_;  // a unit of force, in relative equilibrium
+    return 1.0 / lu_.solve(rate)[n_];
+  }
+
+ private:
+  void evaluate(Trial& t) const {
+    t.loads = loads_at(p_, t.y);
+    t.residual.resize(n_ + 2);
+    t.residual.head(n_) =
+        (t.y + p_.gap - p_.rigid * t.motion + p_.flexibility * t.loads.value) / length_;
+    t.residual.tail<2>() =
+        (p_.rigid.transpose() * t.loads.value - Eigen::Vector2d(force_, 0.0)) / force_;
+  }
+
+  void factorize(const Trial& at) {
+    jacobian_.topLeftCorner(n_, n_) = p_.flexibility * at.loads.slope.asDiagonal();
+    jacobian_.topLeftCorner(n_, n_).diagonal().array() += 1.0;
+    jacobian_.topLeftCorner(n_, n_) /= length_;
+    jacobian_.topRightCorner(n_, 2) = -p_.rigid / length_;
+    jacobian_.bottomLeftCorner(2, n_) = p_.rigid.transpose() * at.loads.slope.asDiagonal() / force_;
+    jacobian_.bottomRightCorner<2, 2>().setZero();
+    lu_.compute(jacobian_);
+  }
+
+  const ContactProblem& p_;
+  Index n_;
+  double force_;
+  double length_ = 0.0;  ///< A typical approach.
+  Eigen::MatrixXd jacobian_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+};
+
 }  // namespace
 
 ContactProblem contact_problem(const Eigen::MatrixXd& flexibility,
@@ -62,43 +134,9 @@ Eigen::MatrixXd joined_flexibility(const Flexibility& screw, const Flexibility& 
 }
 
 ContactSolution solve(const ContactProblem& p, double force, const ContactSolveOptions& options) {
-  const Index n = p.gap.size();
-  const Eigen::Vector2d load(force, 0.0);
-
-  // Rigid bodies, equal shares: the largest gap closed as well.
-  const auto half = static_cast<double>(p.contacts());
-  Trial at;
-  at.y.resize(n);
-  for (Index i = 0; i < n; ++i) {
-    const double cosine = std::abs(p.rigid(i, 1));
-    at.y[i] = std::pow(force / (half * cosine * p.hertz_constant[i]), 2.0 / 3.0);
-  }
-  const double length = at.y.mean();
-  const Index first_nut = n / 2;
-  at.motion[1] = (at.y[first_nut] + p.gap.tail(n / 2).maxCoeff()) / p.rigid(first_nut, 1);
-  at.motion[0] = at.motion[1] + (at.y[0] + p.gap.head(n / 2).maxCoeff()) / p.rigid(0, 0);
-
-  const auto evaluate = [&](Trial& t) {
-    t.loads = loads_at(p, t.y);
-    t.residual.resize(n + 2);
-    t.residual.head(n) =
-        (t.y + p.gap - p.rigid * t.motion + p.flexibility * t.loads.value) / length;
-    t.residual.tail<2>() = (p.rigid.transpose() * t.loads.value - load) / force;
-  };
-  evaluate(at);
-
+  Equilibrium equilibrium(p, force);
+  Trial at = equilibrium.start();
   ContactSolution s;
-  Eigen::MatrixXd jacobian(n + 2, n + 2);
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu(n + 2);
-  const auto factorize = [&] {
-    jacobian.topLeftCorner(n, n) = p.flexibility * at.loads.slope.asDiagonal();
-    jacobian.topLeftCorner(n, n).diagonal().array() += 1.0;
-    jacobian.topLeftCorner(n, n) /= length;
-    jacobian.topRightCorner(n, 2) = -p.rigid / length;
-    jacobian.bottomLeftCorner(2, n) = p.rigid.transpose() * at.loads.slope.asDiagonal() / force;
-    jacobian.bottomRightCorner<2, 2>().setZero();
-    lu.compute(jacobian);
-  };
   for (;;) {
     s.residual = at.residual.cwiseAbs().maxCoeff();
     if (s.residual <= options.tolerance) {
@@ -106,23 +144,19 @@ ContactSolution solve(const ContactProblem& p, double force, const ContactSolveO
       break;
     }
     if (s.iterations() == options.max_iterations) break;
-    factorize();
-    const Eigen::VectorXd step = lu.solve(at.residual);
+    const Eigen::VectorXd step = equilibrium.step(at);
     s.history.push_back({});
     if (!step.allFinite()) {
       s.status = ContactSolveStatus::singular;
       break;
     }
     const double before = at.residual.squaredNorm();
-    Trial trial;
     double share = 1.0;
+    Trial trial = equilibrium.moved(at, step, share);
     int halvings = 0;
-    for (; halvings <= options.max_halvings; ++halvings, share *= 0.5) {
-      trial.y = at.y - share * step.head(n);
-      trial.motion = at.motion - share * step.tail<2>();
-      evaluate(trial);
-      if (trial.residual.squaredNorm() <= (1.0 - 1e-4 * share) * before) break;
-    }
+    while (!(trial.residual.squaredNorm() <= (1.0 - 1e-4 * share) * before) &&
+           halvings++ < options.max_halvings)
+      trial = equilibrium.moved(at, step, share *= 0.5);
     if (halvings > options.max_halvings) {
       s.status = ContactSolveStatus::line_search_failed;
       break;
@@ -134,12 +168,7 @@ ContactSolution solve(const ContactProblem& p, double force, const ContactSolveO
   s.approach = at.y.cwiseMax(0.0);
   s.screw_motion = at.motion[0];
   s.roller_motion = at.motion[1];
-  if (s.converged()) {
-    factorize();
-    Eigen::VectorXd rate = Eigen::VectorXd::Zero(n + 2);
-    rate[n] = 1.0 / force;  // a unit of force, in relative equilibrium
-    s.tangent_stiffness = 1.0 / lu.solve(rate)[n];
-  }
+  if (s.converged()) s.tangent_stiffness = equilibrium.tangent_stiffness(at);
   return s;
 }
 

@@ -242,6 +242,112 @@ double outer_radius(const GroovedShape& s, double z) {
   return s.far_radius;
 }
 
+/// Columns and layers of a body's grid. Layers are counted from the profile: those that follow it,
+/// then those of the core.
+struct Layers {
+  std::vector<double> z;      ///< Of the columns.
+  std::vector<double> share;  ///< Of the way from profile to base, of layers that follow it.
+  std::vector<double> core;   ///< Radii.
+  double base = 0.0;
+  bool outwards = false;  ///< The profile is the innermost.
+
+  int columns() const { return static_cast<int>(z.size()) - 1; }
+  int ridge_cells() const { return static_cast<int>(share.size()) - 1; }
+  int count() const { return ridge_cells() + static_cast<int>(core.size()) - 1; }
+  double middle(int column) const {
+    const auto c = static_cast<std::size_t>(column);
+    return 0.5 * (z[c] + z[c + 1]);
+  }
+  /// Radius of a line between layers below a surface.
+  double radius(int line, double surface) const {
+    return line <= ridge_cells()
+               ? surface + (base - surface) * share[static_cast<std::size_t>(line)]
+               : core[static_cast<std::size_t>(line - ridge_cells())];
+  }
+  /// In the grid layers run outwards.
+  int line_in_grid(int line) const { return outwards ? line : count() - line; }
+  int cell_in_grid(int layer) const { return outwards ? layer : count() - 1 - layer; }
+};
+
+Layers layers_of(const GroovedShape& shape, const std::vector<LoadedFlank>& flanks,
+                 const MeshDensity& density) {
+  const Groove& g = shape.groove;
+  Layers layers{split(columns_of(shape, flanks, density), density.split),
+                {},
+                {},
+                base_radius(shape, density),
+                g.internal};
+  const std::vector<double> share = ridge_layers(g, flanks, density, layers.base);
+  const double last_cell = (share[share.size() - 1] - share[share.size() - 2]) *
+                           std::abs(g.radius(-g.dedendum) - layers.base);
+  layers.core = split(
+      core_radii(shape, density, layers.base, density.growth * std::max(last_cell, 0.05 * g.pitch)),
+      density.split);
+  layers.share = split(share, density.split);
+  return layers;
+}
+
+bool is_threaded(const GroovedShape& shape, double z) {
+  const double same = 1e-6 * shape.groove.pitch;
+  return z > shape.start - same && z < shape.end + same;
+}
+
+/// Radius of the surface at a column. Next to a step the layers that follow the profile are empty,
+/// and lie anywhere.
+double surface_radius(const GroovedShape& shape, double base, double z) {
+  if (is_threaded(shape, z)) return shape.groove.radius(surface_height(shape, z));
+  if (!has_step(shape, base)) return shape.plain_end->radius;
+  return shape.groove.radius(-shape.groove.dedendum);
+}
+
+/// Whether a cell between two columns, in the middle of which z lies, belongs to the body.
+bool is_filled(const GroovedShape& shape, const Layers& layers, double z, int layer) {
+  const auto core = [&](int line) {
+    return layers.core[static_cast<std::size_t>(line - layers.ridge_cells())];
+  };
+  const bool in_core = layer >= layers.ridge_cells();
+  if (shape.groove.internal && in_core)
+    return core(layer + 1) < outer_radius(shape, z) * (1.0 + 1e-9);
+  if (!is_threaded(shape, z) && has_step(shape, layers.base))
+    return in_core && core(layer) < shape.plain_end->radius * (1.0 + 1e-9);
+  return true;
+}
+
+fe::MeridianGrid grid_of(const GroovedShape& shape, const Layers& layers) {
+  fe::MeridianGrid grid(layers.columns(), layers.count());
+  for (int c = 0; c <= layers.columns(); ++c) {
+    const double z = layers.z[static_cast<std::size_t>(c)];
+    const double surface = surface_radius(shape, layers.base, z);
+    for (int l = 0; l <= layers.count(); ++l)
+      grid.point(c, layers.line_in_grid(l)) = {layers.radius(l, surface), z};
+  }
+  for (int c = 0; c < layers.columns(); ++c)
+    for (int l = 0; l < layers.count(); ++l)
+      grid.set_filled(c, layers.cell_in_grid(l), is_filled(shape, layers, layers.middle(c), l));
+  return grid;
+}
+
+/// The edges of the profile that a loaded flank's patch lies on.
+GroovedBody::Patch patch_on(const fe::MeshedGrid& meshed, const Layers& layers, const Groove& g,
+                            const LoadedFlank& f) {
+  GroovedBody::Patch p;
+  p.patch = f.patch;
+  p.normal = g.normal(f.side);
+  p.centre = {g.pitch_radius, f.ridge + g.position(f.side, 0.0)};
+  const double half = patch_height(f.patch, g, f.side) * std::tan(g.angle(f.side));
+  double covered = 0.0;
+  for (int c = 0; c < layers.columns(); ++c) {
+    if (std::abs(layers.middle(c) - p.centre.y()) >= half) continue;
+    const fe::MeridianEdge e = meshed.along_axis(c, layers.line_in_grid(0));
+    covered += std::abs(meshed.mesh().nodes[static_cast<std::size_t>(e[1])].y() -
+                        meshed.mesh().nodes[static_cast<std::size_t>(e[0])].y());
+    p.edges.push_back(e);
+  }
+  if (std::abs(covered - 2.0 * half) > 1e-6 * half)
+    throw std::invalid_argument("a contact patch lies beyond the end of the threads");
+  return p;
+}
+
 }  // namespace
 
 const GroovedBody::Column& GroovedBody::column(double z) const {
@@ -255,98 +361,26 @@ const GroovedBody::Column& GroovedBody::column(double z) const {
 
 GroovedBody mesh_grooved_body(const GroovedShape& shape, const std::vector<LoadedFlank>& flanks,
                               const MeshDensity& density) {
-  const Groove& g = shape.groove;
   require_proper(shape, density);
-  const std::vector<double> z = split(columns_of(shape, flanks, density), density.split);
-  const double base = base_radius(shape, density);
-  std::vector<double> share = ridge_layers(g, flanks, density, base);
-  const double root = g.radius(-g.dedendum);
-  const double last_cell =
-      (share[share.size() - 1] - share[share.size() - 2]) * std::abs(root - base);
-  const std::vector<double> core =
-      split(core_radii(shape, density, base, density.growth * std::max(last_cell, 0.05 * g.pitch)),
-            density.split);
-  share = split(share, density.split);
-
-  // Layers counted from the profile; in the grid they run outwards.
-  const int ridge_cells = static_cast<int>(share.size()) - 1;
-  const int core_cells = static_cast<int>(core.size()) - 1;
-  const int layers = ridge_cells + core_cells;
-  const int columns = static_cast<int>(z.size()) - 1;
-  const auto in_grid = [&](int layer) { return g.internal ? layer : layers - layer; };
-  const auto cell_in_grid = [&](int layer) { return g.internal ? layer : layers - 1 - layer; };
-  const double same = 1e-6 * g.pitch;
-  const auto is_threaded = [&](double at) {
-    return at > shape.start - same && at < shape.end + same;
-  };
-
-  fe::MeridianGrid grid(columns, layers);
-  for (int c = 0; c <= columns; ++c) {
-    const double at = z[static_cast<std::size_t>(c)];
-    // Next to a step the layers that follow the profile are empty, and lie anywhere.
-    double surface = root;
-    if (is_threaded(at))
-      surface = g.radius(surface_height(shape, at));
-    else if (!has_step(shape, base))
-      surface = shape.plain_end->radius;
-    for (int l = 0; l <= layers; ++l) {
-      const double r = l <= ridge_cells
-                           ? surface + (base - surface) * share[static_cast<std::size_t>(l)]
-                           : core[static_cast<std::size_t>(l - ridge_cells)];
-      grid.point(c, in_grid(l)) = {r, at};
-    }
-  }
-  for (int c = 0; c < columns; ++c) {
-    const double middle =
-        0.5 * (z[static_cast<std::size_t>(c)] + z[static_cast<std::size_t>(c + 1)]);
-    const bool threaded = is_threaded(middle);
-    for (int l = 0; l < layers; ++l) {
-      bool on = true;
-      if (!threaded && has_step(shape, base))
-        on = l >= ridge_cells && core[static_cast<std::size_t>(l - ridge_cells)] <
-                                     shape.plain_end->radius * (1.0 + 1e-9);
-      if (g.internal && l >= ridge_cells)
-        on = core[static_cast<std::size_t>(l - ridge_cells + 1)] <
-             outer_radius(shape, middle) * (1.0 + 1e-9);
-      grid.set_filled(c, cell_in_grid(l), on);
-    }
-  }
-
+  const Layers layers = layers_of(shape, flanks, density);
+  const fe::MeridianGrid grid = grid_of(shape, layers);
   const fe::MeshedGrid meshed(grid);
   GroovedBody body;
   body.shape = shape;
   body.mesh = meshed.mesh();
-  for (int c = 0; c <= columns; ++c) {
-    GroovedBody::Column column{z[static_cast<std::size_t>(c)], {}, {}};
-    for (int l = 0; l < layers; ++l) {
+  for (int c = 0; c <= layers.columns(); ++c) {
+    GroovedBody::Column column{layers.z[static_cast<std::size_t>(c)], {}, {}};
+    for (int l = 0; l < layers.count(); ++l) {
       const bool before = c > 0 && grid.is_filled(c - 1, l);
-      const bool after = c < columns && grid.is_filled(c, l);
+      const bool after = c < layers.columns() && grid.is_filled(c, l);
       if (!before && !after) continue;
       column.edges.push_back(meshed.outwards(c, l));
       if (before != after) column.free_face.push_back(meshed.outwards(c, l));
     }
     body.columns_.push_back(std::move(column));
   }
-  for (const LoadedFlank& f : flanks) {
-    GroovedBody::Patch p;
-    p.patch = f.patch;
-    p.normal = g.normal(f.side);
-    p.centre = {g.pitch_radius, f.ridge + g.position(f.side, 0.0)};
-    const double half = patch_height(f.patch, g, f.side) * std::tan(g.angle(f.side));
-    for (int c = 0; c < columns; ++c) {
-      const double middle =
-          0.5 * (z[static_cast<std::size_t>(c)] + z[static_cast<std::size_t>(c + 1)]);
-      if (std::abs(middle - p.centre.y()) < half)
-        p.edges.push_back(meshed.along_axis(c, in_grid(0)));
-    }
-    double covered = 0.0;
-    for (const fe::MeridianEdge& e : p.edges)
-      covered += std::abs(body.mesh.nodes[static_cast<std::size_t>(e[1])].y() -
-                          body.mesh.nodes[static_cast<std::size_t>(e[0])].y());
-    if (std::abs(covered - 2.0 * half) > 1e-6 * half)
-      throw std::invalid_argument("a contact patch lies beyond the end of the threads");
-    body.patches.push_back(std::move(p));
-  }
+  for (const LoadedFlank& f : flanks)
+    body.patches.push_back(patch_on(meshed, layers, shape.groove, f));
   return body;
 }
 
