@@ -1,10 +1,11 @@
 #include "prs/output/gnuplot.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "prs/output/plots.h"
 #include "support/temporary_directory.h"
 
 namespace prs {
@@ -22,6 +23,33 @@ TEST(GnuplotProcess, SaysWhatIsWrongWithAScript) {
   const test::TemporaryDirectory folder;
   std::ofstream(folder.path() / "s.gp") << "plot no such thing\n";
   EXPECT_NE(GnuplotProcess(folder.path(), "s.gp").wait(), "");
+}
+
+/// A fine map is an image where all its nodes have a value; else polygons, as gnuplot moves pixels
+/// into a gap.
+TEST(GnuplotMap, OfManyNodesIsSmallAndQuiet) {
+  const test::TemporaryDirectory folder;
+  constexpr std::size_t kNodes = 100;
+  Figure figure{"whole", "A map", {"x", "", 0.0, 99.0}, {"y", "", 0.0, 99.0}};
+  figure.colours = ColourScale{"value", "", 0.0, 198.0, {0.0, 66.0, 132.0, 198.0}};
+  GridData& grid = figure.panels.emplace_back().map.grid;
+  for (std::size_t k = 0; k < kNodes; ++k) {
+    grid.x.push_back(static_cast<double>(k));
+    grid.y.push_back(static_cast<double>(k));
+  }
+  for (std::size_t k = 0; k < kNodes * kNodes; ++k)
+    grid.values.push_back(grid.x[k / kNodes] + grid.y[k % kNodes]);
+  Figure gap = figure;
+  gap.name = "gap";
+  gap.panels[0].map.grid.values[5050] = kFree;
+  const Undrawn undrawn = draw_figures({figure, gap}, folder.path());
+  EXPECT_THAT(undrawn.notes, testing::IsEmpty());
+  EXPECT_THAT(undrawn.errors, testing::IsEmpty());
+  const auto size = [&](const std::string& name) {
+    return std::filesystem::file_size(folder.path() / "plots" / (name + ".svg"));
+  };
+  EXPECT_LT(size("whole"), 200'000u);
+  EXPECT_GT(size("gap"), 1'000'000u);
 }
 
 }  // namespace
