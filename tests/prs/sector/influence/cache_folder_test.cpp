@@ -83,6 +83,24 @@ TEST_F(CacheFolderTest, WhatWasNotUsedForLongestGoesFirst) {
   EXPECT_TRUE(fs::exists(file('a')));
 }
 
+TEST_F(CacheFolderTest, FilesFromTheFutureCountAsOthersDo) {  // The clock was set back.
+  const auto in_years = [](int years) {
+    return fs::file_time_type::clock::now() + std::chrono::years(years);
+  };
+  const CacheFolder small(path, 2 * 4096);
+  const fs::path left = file('c').string() + ".4711.0";
+  for (const char digit : {'a', 'b'}) small.write(digest(digit), "old");
+  write(left, "half");
+  for (const fs::path& each : {file('a'), file('b'), left}) fs::last_write_time(each, in_years(60));
+  EXPECT_EQ(small.read(digest('a')), "old");
+  EXPECT_LT(fs::last_write_time(file('a')), in_years(1));  // Used now: it ages as others do.
+  small.write(digest('d'), "new");
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_FALSE(fs::exists(file('a')));
+  EXPECT_TRUE(fs::exists(file('b')));
+  EXPECT_EQ(small.read(digest('d')), "new");
+}
+
 TEST_F(CacheFolderTest, DraftsGoOnceTheirWritersAreGone) {
   fs::create_directory(path);
   const fs::path left = file('a').string() + ".4711.0", at_work = file('b').string() + ".0123abcd";
