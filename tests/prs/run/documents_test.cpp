@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -66,10 +67,12 @@ std::string verdict(const std::vector<std::pair<std::string, Json>>& documents) 
   const auto save = [&](const std::string& name, const Json& json) {
     std::ofstream(folder.path() / name) << json.dump();
   };
-  for (const std::string_view command : documented_commands())
-    save(std::string(command), document_schema(command));
   Json list = Json::array();
-  for (const auto& [command, document] : documents) list.push_back({command, document});
+  std::set<std::string> saved;
+  for (const auto& [command, document] : documents) {
+    if (saved.insert(command).second) save(command, document_schema(command));
+    list.push_back({command, document});
+  }
   save("documents", list);
   std::ofstream(folder.path() / "check.py")
       << "import json\n"
