@@ -1,28 +1,34 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds and runs the quick tests: those of the numbers and those of the
 # Python package as shipped, and all but the latter on an engine by clang under the address and
-# undefined-behaviour sanitizers. Both at once. Arguments go to CMake's configuration.
+# undefined-behaviour sanitizers. Both at once. Arguments go to CMake's configuration; --tools alone
+# installs only.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/setup.sh clang libclang-rt-dev llvm
+if [[ ${1:-} == --tools ]]; then
+  exec scripts/test_python.sh --tools
+fi
 mkdir -p build
 scripts/test_python.sh --tools >build/test_tools.txt 2>&1 &
 tools=$!
 cmake --preset release -DPRS_BUILD_TESTS=ON "$@" >/dev/null
 cmake --build --preset release --target prs prs-validate prs_tests prs_document_cases
 wait "$tools" || { cat build/test_tools.txt; exit 1; }
-scripts/test_python.sh --install
 
+# Both build in build/release, one at a time.
 as_shipped() {
   local status=0
-  scripts/test_python.sh --run >build/test_python.txt 2>&1 || status=1
+  { flock build/release.lock scripts/test_python.sh --install &&
+    scripts/test_python.sh --run; } >build/test_python.txt 2>&1 || status=1
   ctest --preset numbers -j "$(nproc)" >build/test_numbers.txt 2>&1 || status=1
   return "$status"
 }
 sanitized() {  # It takes objects of the release build.
   cmake --preset sanitized -DPRS_BUILD_TESTS=ON "$@" >/dev/null &&
-    cmake --build --preset sanitized &&
+    cmake --build --preset sanitized --target prs prs-validate &&
+    flock build/release.lock cmake --build --preset sanitized &&
     ctest --preset quick-sanitized -j "$(nproc)"
 }
 failed=()

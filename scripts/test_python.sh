@@ -29,6 +29,10 @@ package() {
   CMAKE_EXECUTABLE=$(command -v cmake) "${pip[@]}" --no-deps --no-build-isolation -C build-dir=build/release -C cmake.define.PRS_BUILD_TESTS=ON .
 }
 
+# Python keeps what it compiled of a module: hundreds of processes load the same.
+unset PYTHONDONTWRITEBYTECODE
+export PYTHONPYCACHEPREFIX=$PWD/build/pycache
+
 step=all
 case ${1:-} in
   --tools | --install | --run | --sanitized) step=${1#--}; shift ;;

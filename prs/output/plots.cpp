@@ -4,9 +4,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
-#include <iterator>
 #include <string_view>
 #include <system_error>
 
@@ -72,8 +72,12 @@ class StagingFolder {
 bool is_whole(const fs::path& image) {
   constexpr std::string_view kSvgEnd = "</svg>";
   constexpr std::string_view kPngEnd("\0\0\0\0IEND\xAE\x42\x60\x82", 12);
-  std::ifstream file(image, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  std::string bytes(64, '\0');
+  std::ifstream file(image, std::ios::binary | std::ios::ate);
+  const auto size = static_cast<std::streamoff>(file.tellg());
+  file.seekg(std::max<std::streamoff>(0, size - static_cast<std::streamoff>(bytes.size())));
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
   if (image.extension() == ".png") return bytes.ends_with(kPngEnd);
   bytes.resize(bytes.find_last_not_of(" \r\n") + 1);
   return bytes.ends_with(kSvgEnd);

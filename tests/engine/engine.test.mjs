@@ -36,7 +36,8 @@ function differences(ours, theirs, path = '', scale = 0) {
     return ours === theirs ? [] : [`${path}: ${ours} for ${theirs}`];
   const keys = new Set([...Object.keys(ours), ...Object.keys(theirs)]);
   // Of the threads of a roller, they count together.
-  const all = (key) => Array.isArray(theirs) ? Math.max(scale, largest(theirs))
+  const ofList = Array.isArray(theirs) ? Math.max(scale, largest(theirs)) : undefined;
+  const all = (key) => ofList !== undefined ? ofList
       : ofBalance.has(key) ? largest(theirs[key]) : path.includes('.reactions') ? scale : 0;
   return [...keys].filter((key) => !ofTheWay.has(key))
       .flatMap((key) => key in ours && key in theirs

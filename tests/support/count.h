@@ -9,13 +9,12 @@ namespace test {
 
 /// How many random samples a test takes: a fixed-seed subset in the quick run, all of them where
 /// the environment asks for the thorough one (`ctest -L thorough` sets PRS_THOROUGH).
-inline int count(int quick, int thorough) {
-  return std::getenv("PRS_THOROUGH") != nullptr ? thorough : quick;
-}
+inline bool thorough() { return std::getenv("PRS_THOROUGH") != nullptr; }
+inline int count(int quick, int all) { return thorough() ? all : quick; }
 
 /// The same of samples that go through the same functions: sanitizers see a fifth.
-inline int samples(int quick, int thorough) {
-  return count(sanitized() ? std::max(1, quick / 5) : quick, thorough);
+inline int samples(int quick, int all) {
+  return count(sanitized() ? std::max(1, quick / 5) : quick, all);
 }
 
 }  // namespace test

@@ -10,12 +10,12 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <string>
 #include <system_error>
 #include <vector>
+
+#include "tests/support/temporary_directory.h"
 
 namespace test {
 
@@ -68,9 +68,7 @@ inline std::map<std::string, std::string> files_in(const std::filesystem::path& 
   std::map<std::string, std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
-    std::ifstream file(entry.path(), std::ios::binary);
-    files[std::filesystem::relative(entry.path(), folder).string()] =
-        std::string(std::istreambuf_iterator<char>(file), {});
+    files[std::filesystem::relative(entry.path(), folder).string()] = content_of(entry.path());
   }
   return files;
 }

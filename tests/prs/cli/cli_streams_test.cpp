@@ -12,6 +12,7 @@
 
 #include "prs/study/study_folder.h"
 #include "tests/prs/study/study_file.h"
+#include "tests/support/count.h"
 #include "tests/support/processes.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
@@ -39,11 +40,15 @@ struct Streams {
   }
 };
 
+/// Every state of each output next to every one of the other; standard input is open and closed in
+/// turn, with each state of either, in the thorough run with each pair of them.
 std::vector<Streams> all_streams() {
   std::vector<Streams> all;
   for (const bool in : {true, false})
     for (const Stream out : kStreams)
-      for (const Stream err : kStreams) all.push_back({in, out, err});
+      for (const Stream err : kStreams)
+        if (test::thorough() || in == ((static_cast<int>(out) + static_cast<int>(err)) % 2 == 0))
+          all.push_back({in, out, err});
   return all;
 }
 

@@ -258,16 +258,12 @@ TEST(Schema, NeverRefusesWhatTheReaderTakes) {
   std::vector<Sample> samples;
   for (const EchoEntry& entry : input.fields)
     for (const std::string& value : kValues) samples.push_back({{oil, entry.path + "=" + value}});
-  for (Sample& s : samples) s.accepted = reader_accepts(s);
+  std::erase_if(samples, [](const Sample& s) { return !reader_accepts(s); });
+  EXPECT_GT(samples.size(), 50u);
   const std::vector<bool> verdicts = schema_accepts(samples);
   ASSERT_EQ(verdicts.size(), samples.size());
-  int accepted = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!samples[i].accepted) continue;
-    ++accepted;
+  for (std::size_t i = 0; i < samples.size(); ++i)
     EXPECT_TRUE(verdicts[i]) << samples[i].overrides.back();
-  }
-  EXPECT_GT(accepted, 50);
 }
 
 TEST(Schema, StatesDefaultsUnitsAndMeaning) {

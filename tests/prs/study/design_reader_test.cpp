@@ -168,7 +168,7 @@ StudyInput all_numbers(const Lesson& l, const std::string& plan, const std::stri
 }
 
 TEST(DesignReader, ReadsEveryNumberAsItsText) {
-  const auto designs = static_cast<std::size_t>(test::count(15, 1000));
+  const auto designs = static_cast<std::size_t>(test::samples(40, 1000));
   for (const Lesson& l : kLessons) {
     const int refused = refused_of(
         all_numbers(l, "plan: latin_hypercube\n  samples: 1000", "within: 0.01 %"), designs);
@@ -178,7 +178,7 @@ TEST(DesignReader, ReadsEveryNumberAsItsText) {
 
 // 30 % leads out of bounds and to contradictions, one and several at once.
 TEST(DesignReader, RefusesAsTheTextIsRefused) {
-  const auto designs = static_cast<std::size_t>(test::count(15, 1000));
+  const auto designs = static_cast<std::size_t>(test::samples(40, 1000));
   int refused = 0;
   for (const Lesson& l : kLessons)
     refused +=

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-constexpr std::size_t kKilledDesigns = 100'000;
+const auto kKilledDesigns = static_cast<std::size_t>(test::samples(100'000, 100'000));
 constexpr const char* kFolder = "PRS_KILL_TEST_FOLDER";
 
 /// All that `prs study --output` does, on a cheap evaluator.

@@ -50,7 +50,7 @@ TEST(BarDesigns, AgreeWithSparseSolverOnRandomSectors) {
   std::mt19937_64 random(23);
   Designs designs;
   std::vector<LoadDistribution> expected;
-  for (int k = 0; k < test::count(200, 5000); ++k) {
+  for (int k = 0; k < test::samples(200, 5000); ++k) {
     const SectorCase c = test::random_sector(random);
     designs.add(c, test::random_force(c, random), std::to_string(k));
     expected.push_back(test::sparse(c.build(), designs.forces.back()));

@@ -71,11 +71,11 @@ void agree_on_random_sectors(int count, bool refined) {
 }
 
 TEST(ChainSolver, AgreesWithSparseSolverOnRandomSectors) {
-  agree_on_random_sectors(test::count(200, 5000), false);
+  agree_on_random_sectors(test::samples(200, 5000), false);
 }
 
 TEST(ChainSolver, AgreesWithSparseSolverOnRandomRefinedSectors) {
-  agree_on_random_sectors(test::count(60, 2000), true);
+  agree_on_random_sectors(test::samples(60, 2000), true);
 }
 
 /// With rigid bodies every thread carries the same, and the displacement is that of two contacts.

@@ -68,7 +68,7 @@ LoadDistribution study(const SectorCase& c, const Sector& sector, double force) 
 TEST(ExtremeDesigns, StudiesAgreeWithSolves) {
   std::mt19937_64 random(47);
   Differences worst;
-  for (int k = 0; k < test::count(100, 4000); ++k) {
+  for (int k = 0; k < test::samples(100, 4000); ++k) {
     const SectorCase c = test::extreme_sector(random);
     const double force = test::extreme_force(random);
     const Sector sector = c.build();

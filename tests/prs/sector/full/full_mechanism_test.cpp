@@ -210,7 +210,7 @@ double imbalance(const FullModel& f, const FullDistribution& d) {
 TEST(FullMechanism, RandomCasesConvergeOrHaveNoEquilibrium) {
   std::mt19937_64 random(20261122);
   int converged = 0;
-  const int count = test::count(60, 3000);
+  const int count = test::samples(60, 3000);
   for (int k = 0; k < count; ++k) {
     SCOPED_TRACE(k);
     const Case c = random_case(random);
