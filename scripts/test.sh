@@ -13,8 +13,12 @@ fi
 mkdir -p build
 scripts/test_python.sh --tools >build/test_tools.txt 2>&1 &
 tools=$!
-cmake --preset release -DPRS_BUILD_TESTS=ON "$@" >/dev/null
-cmake --build --preset release --target prs prs-validate prs_tests prs_document_cases
+# Both engines are linked with the same compiled tests.
+cmake --preset tests "$@" >/dev/null
+cmake --preset release -DPRS_BUILD_TESTS=ON -DPRS_TESTS_FROM="$PWD/build/tests" "$@" >/dev/null
+cmake --build --preset release --target prs prs-validate
+cmake --build --preset tests
+cmake --build --preset release --target prs_tests
 wait "$tools" || { cat build/test_tools.txt; exit 1; }
 
 # Both build in build/release, one at a time.
@@ -25,7 +29,7 @@ as_shipped() {
   ctest --preset numbers -j "$(nproc)" >build/test_numbers.txt 2>&1 || status=1
   return "$status"
 }
-sanitized() {  # It takes objects of the release build.
+sanitized() {  # It takes kernels of the release build.
   cmake --preset sanitized -DPRS_BUILD_TESTS=ON "$@" >/dev/null &&
     cmake --build --preset sanitized --target prs prs-validate &&
     flock build/release.lock cmake --build --preset sanitized &&

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -267,7 +268,8 @@ TEST(FullMechanism, ASpacingOfTheCarrierRenumbersTheRollers) {
   c.load_cases[0].spatial.carrier_angle = 2.0 * std::numbers::pi / 11.0;
   FullDistribution after = solve(model_of(c));
   for (const Interface i : kInterfaces) {
-    std::ranges::rotate(after.normal_load[i], after.normal_load[i].end() - 1);
+    std::rotate(after.normal_load[i].begin(), after.normal_load[i].end() - 1,
+                after.normal_load[i].end());
     EXPECT_LT(largest_difference(before.normal_load[i], after.normal_load[i]),
               1e-10 * largest(before.normal_load[i]));
   }
