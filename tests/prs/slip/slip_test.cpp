@@ -221,7 +221,7 @@ TEST(MixedFriction, MatchesThePlainCalculation) {
   std::mt19937_64 random(34);
   std::uniform_real_distribution<double> unit;
   int compared = 0;
-  const int tries = test::samples(40, 400);
+  const int tries = test::sanitized() ? 8 : test::count(20, 400);
   for (int n = 0; n < tries; ++n) {
     SCOPED_TRACE(n);
     Case c = test::random_slip(random);
