@@ -37,9 +37,7 @@ int decimals_of(double largest) {
   return std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 6);
 }
 
-std::string four_digits(double value) {
-  return fixed(value, 1.0, decimals_of(std::abs(value)));
-}
+std::string four_digits(double value) { return fixed(value, 1.0, decimals_of(std::abs(value))); }
 
 // A case at length.
 
