@@ -154,7 +154,7 @@ TEST(Engine, SolvesTheLoadCasesThatAreAskedFor) {
   Json question = question_of("solve", "03_load_sweep.yaml");
   const Json all = answer_of(question)["document"]["load_cases"];
   ASSERT_GT(all.size(), 2u);
-  question["load_cases"] = {all[1]["name"]};
+  question["load_cases"] = Json::array({all[1]["name"]});
   const Json one = answer_of(question)["document"]["load_cases"];
   ASSERT_EQ(one.size(), 1u);
   EXPECT_EQ(one[0]["name"], all[1]["name"]);
