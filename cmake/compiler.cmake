@@ -16,8 +16,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND memory GREATER 3000)
   add_compile_options(--param=ggc-min-heapsize=2000000)  # KiB
 endif()
 
-# What reads and writes is compiled in half the time, and runs spend theirs elsewhere. Pages carry it:
-# there it is small.
+# Options of what reads and writes: it is compiled in half the time, and takes little of a run's. In live
+# pages it is small.
 set(PRS_HASTY -O1)
 if(EMSCRIPTEN)
   set(PRS_HASTY -Os)

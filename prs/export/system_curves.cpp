@@ -1,6 +1,7 @@
 #include "prs/export/system_curves.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -474,17 +475,19 @@ double largest_speed(const Case& c) {
   return speed;
 }
 
-/// What the torque of a preloaded screw holds.
-std::string torque_of_preloaded(const LoadCase& pattern, bool chosen) {
-  std::string conditions;
-  if (!pattern.name.empty())
-    conditions =
-        fmt::format(", at the {}temperatures of load case `{}`, which the force does not have",
-                    chosen ? "position and " : "", pattern.name);
+/// What the torque of a preloaded screw holds, and where.
+std::string torque_of_preloaded(const Case& c, const LoadCase& pattern, bool chosen) {
+  std::vector<std::string> conditions;
+  if (chosen) conditions.push_back("position");
+  if (c.heat) conditions.push_back("temperatures");
+  std::string where;
+  if (!pattern.name.empty() && !conditions.empty())
+    where = fmt::format(", at the {} of load case `{}`, which the force does not have",
+                        fmt::join(conditions, " and "), pattern.name);
   return fmt::format(
       "preload: the torque is that of the external load alone{}; what friction takes of the "
       "preload is not in it",
-      conditions);
+      where);
 }
 
 void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, double force,
@@ -501,7 +504,7 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
   }
   require_rolling(c, contacts);
   if (c.preload)
-    curves.warnings.push_back(torque_of_preloaded(pattern, options.load_case.has_value()));
+    curves.warnings.push_back(torque_of_preloaded(c, pattern, options.load_case.has_value()));
   const Running parts = running(c, contacts, pattern);
   FrictionTorque torque(parts.conditions, contacts, pattern, parts.oils);
   curves.friction =
@@ -509,7 +512,8 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
                      c.friction->of_film() || c.carrier.bearing, curves.lead, curves.torque_error);
 }
 
-/// The load case whose conditions hold: position, misalignment, speed.
+/// The load case whose conditions hold: position, misalignment, speed. With `preload` and no load
+/// case asked for, its position is that of the preload.
 LoadCase pattern_of(const Case& c, const CurveOptions& options) {
   const auto is_solved = [](const LoadCase& load) { return load.share == LoadCase::Share::solved; };
   const auto is_asked_for = [&](const LoadCase& load) {

@@ -424,7 +424,7 @@ Periodic find_periodic(const Cycle& cycle, Duty& duty, const OfParts& guess) {
     }
   }
   return end_as(HeatStatus::iteration_limit,
-                fmt::format("the range of temperatures of the cycle still grows after {} rounds",
+                fmt::format("the range of temperatures of the cycle is not settled after {} rounds",
                             kMostRounds));
 }
 

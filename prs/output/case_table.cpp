@@ -44,8 +44,8 @@ void add_folded_rows(const CaseTable& table, const CaseGroup& group, std::vector
   rows.push_back({{}, std::move(remark)});
 }
 
-/// Whether a number is nothing but zeros.
-bool is_zero(std::string_view text) { return text.find_first_of("123456789") == text.npos; }
+/// Whether a number, as it is shown, is nothing but zeros.
+bool is_zero(std::string_view text) { return text.find_first_not_of("+-0.") == text.npos; }
 
 std::vector<Row> header_rows(const CaseTable& table) {
   std::vector<Row> rows(2);

@@ -276,8 +276,8 @@ bool fits_an_image(const GridData& grid, const Axis& x, const Axis& y) {
          std::ranges::all_of(grid.values, [](double value) { return std::isfinite(value); });
 }
 
-/// A map in bands with labelled lines between them, seen from above. As polygons 200 x 200 nodes
-/// are 12 MB.
+/// A map in bands with labelled lines between them, seen from above; as an image where it can be,
+/// as polygons of 200 x 200 nodes are 12 MB.
 std::string map_lines(const Figure& figure, std::size_t index) {
   constexpr std::size_t kFineNodes = 80;  // So many along an axis show no steps.
   const Panel& panel = figure.panels[index];

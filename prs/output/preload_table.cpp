@@ -60,11 +60,14 @@ std::string columns(std::initializer_list<std::string> cells) {
 
 std::string row(const PreloadResult& r, std::size_t k) {
   const PreloadPoint& point = r.curve.points[k];
-  const std::string force = fixed(point.axial_force, "kN", 3);
+  const std::string force = fixed(point.axial_force, "kN", force_decimals(point.axial_force));
   if (!point.solve.converged())
     return fmt::format("{}  NOT CONVERGED ({}), residual {:.1e}\n", padded(force, 15, false),
                        fe::name(point.solve.status), point.solve.relative_residual);
-  const auto side = [&](Direction d) { return fixed(point.sides[d].axial_load.screw, "kN", 3); };
+  const auto side = [&](Direction d) {
+    const double load = point.sides[d].axial_load.screw;
+    return fixed(load, "kN", force_decimals(load));
+  };
   double normal = 0.0;
   for (const Direction d : kDirections)
     for (const Interface i : kInterfaces)

@@ -233,7 +233,7 @@ std::string comparison_line(std::string_view label, double equal, double solved,
 /// A line of comparison whose change is given as a difference.
 std::string difference_line(std::string_view label, double equal, double solved, int decimals) {
   return block_line(label, fixed(equal, 1.0, decimals),
-                    fmt::format("{:>{}.{}f} {:>10}", solved, kValueWidth, decimals,
+                    fmt::format("{:>{}} {:>10}", fixed(solved, 1.0, decimals), kValueWidth,
                                 fixed_change(solved - equal, decimals)));
 }
 

@@ -40,8 +40,8 @@ struct Streams {
   }
 };
 
-/// Every state of each output next to every one of the other; standard input is open and closed in
-/// turn, with each state of either, in the thorough run with each pair of them.
+/// All pairs of states of the two outputs, standard input open in half of them; the thorough run
+/// takes each pair with both.
 std::vector<Streams> all_streams() {
   std::vector<Streams> all;
   for (const bool in : {true, false})

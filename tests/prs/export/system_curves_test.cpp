@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -150,6 +151,12 @@ TEST(SystemCurves, TorqueOfAPreloadedNutIsThatAtItsPosition) {
          "load_cases=[{name: far, axial_force: 8 kN, direction: tension, position: " + position +
              "}]"});
     const SystemCurves curves = system_curves(c, options);
+    EXPECT_EQ(std::ranges::any_of(curves.warnings,
+                                  [](const std::string& warning) {
+                                    return warning.find("at the position of load case `far`") !=
+                                           std::string::npos;
+                                  }),
+              options.load_case.has_value());
     const PrsCurves view = curves.view();
     int beyond = 0;
     return prs_torque(&view, 8e3, 30.0, &beyond);
