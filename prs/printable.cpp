@@ -84,9 +84,10 @@ std::size_t sequence_length(std::string_view text) {
 
 bool is_plain_lines(std::string_view text) noexcept {
   const auto others = [](std::string_view part) {
-    int count = 0;  // To the end of the part: compilers count many characters at once.
-    for (const char c : part) count += (c < 0x20 && c != '\n') || c == 0x7F;
-    return count;
+    unsigned char any = 0;  // To the end of the part: compilers look at many characters at once.
+    for (const char c : part)
+      any |= static_cast<unsigned char>((c < 0x20 && c != '\n') || c == 0x7F);
+    return any;
   };
   constexpr std::size_t kPart = 4096;
   for (std::size_t k = 0; k < text.size(); k += kPart)

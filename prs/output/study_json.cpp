@@ -390,11 +390,12 @@ std::string study_text(const Json& outline, const StudyResult& result, std::size
     }
     if (!is_plain_lines(*part)) *part = printable_json(*part);
     return [&text, part, parts, k] {
-      if (k == 0) text.reserve(text.size() + (parts + 1) * (part->size() + part->size() / 64));
+      if (k == 0) text.reserve(text.size() + (parts + 1) * (part->size() + part->size() / 8));
       text += *part;
     };
   });
-  return text.append("\n  ").append(end);
+  text.append("\n  ").append(end);
+  return text;
 }
 
 }  // namespace prs
