@@ -80,20 +80,19 @@ SparseSymmetric permuted(const SparseSymmetric& m, const std::vector<int>& place
 }
 
 /// Pattern of the upper triangle over the equations that `number` gives to the freedoms.
-/// A follower is coupled by the freedoms that it follows.
+/// A follower is coupled by the free freedoms that it follows in the end.
 SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, int size) {
   Places places;
   std::vector<int> coupled;
+  const auto add_equations_of = [&](const auto& self, int freedom) -> void {
+    const int n = at(number, freedom);
+    if (n < size) return coupled.push_back(n);
+    for (const Term& term : at(model.constraints, n - size).form)
+      self(self, global(term.node, term.dof));
+  };
   const auto couple = [&](const auto& freedoms) {
     coupled.clear();
-    for (const int freedom : freedoms) {
-      const int n = at(number, freedom);
-      if (n >= size)
-        for (const Term& term : at(model.constraints, n - size).form)
-          coupled.push_back(at(number, global(term.node, term.dof)));
-      else
-        coupled.push_back(n);
-    }
+    for (const int freedom : freedoms) add_equations_of(add_equations_of, freedom);
     for (const int i : coupled)
       for (const int j : coupled)
         if (i >= 0 && i <= j) places.add(i, j);
@@ -198,6 +197,15 @@ void Equations::number_freedoms(const Model& model) {
     for (const int freedom : globals(e)) activate(freedom);
   for (const ShellElement& e : model.shells)
     for (const int freedom : globals(e)) activate(freedom);
+  for (const SpringElement& e : model.springs)
+    if (e.nx != 0.0)
+      for (const RigidArm& end : {e.from, e.to}) activate(global(end.node, Dof::u));
+  const auto activate_all = [&](const LinearForm& form) {
+    for (const Term& term : form)
+      if (term.coefficient != 0.0) activate(global(term.node, term.dof));
+  };
+  for (const FormSpring& e : model.form_springs) activate_all(e.approach);
+  for (const ElasticLink& e : model.elastic_links) activate_all(e.form);
   for (const ElasticSupport& s : model.elastic_supports) activate(global(s.node, s.dof));
   for (const FixedSupport& s : model.fixed_supports) at(number_, global(s.node, s.dof)) = kOut;
 

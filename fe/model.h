@@ -92,7 +92,8 @@ struct ElasticLink {
   double stiffness = 0.0;  ///< k [N/m or N m/rad]
 };
 
-/// A freedom that follows others: it is the form plus `offset`. The form names free freedoms only.
+/// A freedom that follows others: it is the form plus `offset`. The form names free freedoms, and
+/// those of constraints before this one.
 struct Constraint {
   int node = 0;
   Dof dof = Dof::u;
@@ -101,7 +102,8 @@ struct Constraint {
 };
 
 /// A plane structure of bars, beams, shells and unilateral springs: what stays constant in a solve.
-/// Bars carry u only; a freedom that no element stiffens takes no part in the equations.
+/// Bars and springs move u, forms what they name; a freedom that no element stiffens takes no part
+/// in the equations.
 struct Model {
   int nodes = 0;
   std::vector<BarElement> bars;

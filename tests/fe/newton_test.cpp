@@ -139,6 +139,36 @@ TEST(Newton, SoftestStiffnessKeepsItsDigits) {
   EXPECT_NEAR(load.dot(rate) * 3.0 * beam.kSupport, 1.0, 1e-9);
 }
 
+/// Seat, ring and roller: each follows the one before, and the last alone is pushed by a contact.
+TEST(Newton, FollowsWhatFollows) {
+  constexpr double kBar = 1e7, kHertz = 1e10, kForce = 100.0, kAhead = -1e-6;
+  Model m;
+  const int ground = m.add_node(), seat = m.add_node(), ring = m.add_node(), roller = m.add_node(),
+            pusher = m.add_node();
+  m.fixed_supports.push_back({ground, Dof::u});
+  m.bars.push_back({ground, seat, {kBar, 1.0}});
+  m.constraints.push_back({ring, Dof::u, {{seat, Dof::u, 2.0}}, kAhead});
+  m.constraints.push_back({roller, Dof::u, {{ring, Dof::u, 1.5}}, 0.0});
+  m.springs.push_back({{pusher}, {roller}, 1.0, 0.0, {kHertz, 0.0, 0.0}});
+
+  const Equations equations(m);
+  ASSERT_EQ(equations.size(), 2);  // Seat and pusher.
+  NewtonSolver solver(equations);
+  NewtonOptions options;
+  options.force_scale = kForce;
+  State q(Eigen::VectorXd::Zero(equations.size()));
+  ASSERT_TRUE(
+      solver.solve(equations.load_vector({{pusher, Dof::u, kForce}}), options, q).converged());
+  // The roller moves three times as far as the seat, which a lever of three loads in turn.
+  const double seat_moves = 3.0 * kForce / kBar;
+  const double roller_moves = 3.0 * seat_moves + 1.5 * kAhead;
+  EXPECT_NEAR(equations.displacement(q, seat, Dof::u) / seat_moves, 1.0, 1e-10);
+  EXPECT_NEAR(equations.displacement(q, ring, Dof::u) / (2.0 * seat_moves + kAhead), 1.0, 1e-10);
+  EXPECT_NEAR(equations.displacement(q, roller, Dof::u) / roller_moves, 1.0, 1e-10);
+  const double approach = std::pow(kForce / kHertz, 2.0 / 3.0);
+  EXPECT_NEAR(equations.displacement(q, pusher, Dof::u) / (roller_moves + approach), 1.0, 1e-10);
+}
+
 /// Along a long thread contacts open one after the other.
 TEST(Newton, LongThreadsMayTakeMoreIterations) {
   const NewtonOptions options;

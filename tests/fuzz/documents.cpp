@@ -9,6 +9,7 @@
 
 #include "modules/module.h"
 #include "prs/engine/engine.h"
+#include "prs/export/system_model.h"
 #include "prs/figures/figure_json.h"
 #include "prs/figures/pictures.h"
 #include "prs/input/optimize_reader.h"
@@ -277,6 +278,46 @@ bool run_on_engine(const char* command, const input::Source& source) {
   return status != 2;
 }
 
+// What models of systems are made of
+
+/// Forces rise with the deflection, and what is written reads back as the same curves.
+bool run_export(const input::Source& source) {
+  const SystemModel model = system_model(source, {});
+  const SystemCurves& curves = model.curves;
+  expect_finite(curves_json(curves), "");
+  const std::vector<double> written = curves.data();
+  PrsCurves here = curves.view(), read = {};
+  expect(prs_read_curves(written.data(), written.size(), &read) != 0, "the curves are refused");
+  PrsCurves half = {};
+  expect(prs_read_curves(written.data(), written.size() / 2, &half) == 0, "half of them are taken");
+
+  const auto reach = [](const BranchTable& sense) { return sense.deflection(sense.at.size() - 1); };
+  const double from = -1.2 * reach(curves.senses.compression);
+  const double to = 1.2 * reach(curves.senses.tension);
+  constexpr int kPoints = 200;
+  double stiffness = 0.0, same_stiffness = 0.0;
+  int beyond = 0;
+  double before = prs_force(&here, from, &stiffness, &beyond);
+  for (int k = 0; k <= kPoints; ++k) {
+    const double deflection = from + (to - from) * k / kPoints;
+    const double force = prs_force(&here, deflection, &stiffness, &beyond);
+    expect(std::isfinite(force) && force >= before - 1e-12 * std::abs(before),
+           fmt::format("{} N after {} N", force, before));
+    expect(std::isfinite(stiffness) && stiffness >= 0.0, fmt::format("{} N/m", stiffness));
+    expect(prs_force(&read, deflection, &same_stiffness, &beyond) == force &&
+               same_stiffness == stiffness,
+           "what was written has another force");
+    for (const double speed : {-1e3, -1e-3, 0.0, 50.0})
+      expect(std::isfinite(prs_torque(&here, force, speed, &beyond)), "a torque is not finite");
+    before = force;
+  }
+  expect(functional_mockup_unit(curves, model.text).starts_with("PK"), "no archive");
+  expect(modelica_package(curves, model.text).ends_with("end " + model.text.name + ";\n"),
+         "no whole package");
+  expect(!curves_text(curves).empty(), "nothing is said of the curves");
+  return true;
+}
+
 /// Lives of threads are null exactly where their load is zero, else positive.
 void expect_lives_of(const Json& lives, const Json& loads, const std::string& at) {
   expect(lives.size() == loads.size(), at + " is not of as many threads as the loads");
@@ -340,6 +381,7 @@ bool documents(std::string_view input) {
   try {
     if (command == "study") return run_study_document(source);
     if (command == "optimize") return run_optimize_document(source);
+    if (command == "export") return run_export(source);
     for (const char* page : {"report", "write"})
       if (command == page) return run_on_engine(page, source);
     for (const CommandRow& row : commands())

@@ -215,7 +215,7 @@ std::optional<Json> parsed(std::string_view text) try {
 
 constexpr const char* kCommands[] = {"check",   "contact", "solve",    "solve", "slip",
                                      "compare", "life",    "measures", "study", "report",
-                                     "write",   "preload", "optimize"};
+                                     "write",   "preload", "optimize", "export"};
 
 std::string dumped(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

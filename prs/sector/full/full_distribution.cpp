@@ -83,9 +83,7 @@ class Solution {
   void read(FullDistribution& d) {
     read_loads(d);
     read_rings(d);
-    d.nut = support(s_.nut[static_cast<std::size_t>(s_.thrust)]);
-    for (const int node : s_.bearing_nodes)
-      d.bearings.push_back(support(s_.screw[static_cast<std::size_t>(node)]));
+    read_supports(d);
     const SpatialNode& end = s_.screw[static_cast<std::size_t>(s_.loaded)];
     const auto at = [&](int node, Dof dof) { return equations_.displacement(q_, node, dof); };
     const Lateral offset = rigid_offset(f_, end.x), slope = rigid_slope(f_);
@@ -174,24 +172,24 @@ class Solution {
     ring.moment.z += arm * y;
   }
 
-  /// What a held node needs beyond the loads on it; nothing of a freedom that is not held.
-  SupportForce support(const SpatialNode& n) {
-    const auto held = [&](int node, Dof dof) {
-      return equations_.number(node, dof) >= equations_.size() ? needed(node, dof)
-                                                               : elastic_support(node, dof);
+  /// Springs first: they take part in what their freedom needs of a support that holds it rigidly.
+  void read_supports(FullDistribution& d) {
+    const auto add_springs = [&](const FullStructure::Support& s) {
+      for (const FullStructure::Held* held : {&s.u, &s.y, &s.z, &s.y_slope, &s.z_slope})
+        if (held->link >= 0) needed(held->node, held->dof) += equations_.link_force(q_, held->link);
     };
-    SupportForce s{n.x,
-                   {held(n.axial, Dof::u), held(n.y_plane, Dof::v), held(n.z_plane, Dof::v)},
-                   {-held(n.z_plane, Dof::theta), held(n.y_plane, Dof::theta)}};
-    return s;
+    add_springs(s_.housing);
+    for (const FullStructure::Support& bearing : s_.bearings) add_springs(bearing);
+    d.nut = support(s_.housing);
+    for (const FullStructure::Support& bearing : s_.bearings)
+      d.bearings.push_back(support(bearing));
   }
-  double elastic_support(int node, Dof dof) const {
-    for (std::size_t k = 0; k < s_.model.elastic_links.size(); ++k) {
-      const fe::LinearForm& form = s_.model.elastic_links[k].form;
-      if (form.size() == 1 && form[0].node == node && form[0].dof == dof)
-        return -equations_.link_force(q_, static_cast<int>(k));
-    }
-    return 0.0;
+  SupportForce support(const FullStructure::Support& s) {
+    const auto force = [&](const FullStructure::Held& held) {
+      if (held.link >= 0) return -equations_.link_force(q_, held.link);
+      return held.constraint >= 0 ? needed(held.node, held.dof) : 0.0;
+    };
+    return {s.x, {force(s.u), force(s.y), force(s.z)}, {-force(s.z_slope), force(s.y_slope)}};
   }
 
   const FullModel& f_;

@@ -121,10 +121,9 @@ FullModel full_model(const Mechanism& m, const Structure& structure, const Mater
   const NutLine line = has_wall ? nut_line(f.sector, all_contacts(f)) : nut_line(f.sector);
   const BodyRadii radii = body_radii(m, structure, materials, options, laws, line);
   const auto screw = [&](double from, double to, double radius) {
-    if (to > from)
-      f.screw.push_back({from, to, section(Part::screw, radius, 0.5 * structure.screw.bore)});
+    f.screw.push_back({from, to, section(Part::screw, radius, 0.5 * structure.screw.bore)});
   };
-  screw(f.loaded_section, first, radii.plain_screw);
+  if (f.loaded_section < first) screw(f.loaded_section, first, radii.plain_screw);
   screw(first, last + structure.screw.far_length, radii.screw);
   for (std::size_t i = 0; i < line.outer_radius.size(); ++i)
     f.nut.push_back({line.sections[i], line.sections[i + 1],

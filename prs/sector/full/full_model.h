@@ -52,7 +52,7 @@ struct FullModel {
   double centre_distance = 0.0;  ///< a [m]
   int rollers = 0;               ///< Missing ones included.
   std::vector<Roller> present;
-  std::vector<BodyPiece> screw, nut;  ///< Along x, without gaps between them.
+  std::vector<BodyPiece> screw, nut;  ///< Along x, without gaps between them; at least one.
   std::optional<NutWall> nut_wall;    ///< Of refined bodies.
   double loaded_section = 0.0;        ///< x_L [m]
   double thrust = 0.0;                ///< x of the held section of the nut [m].

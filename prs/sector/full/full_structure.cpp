@@ -29,7 +29,6 @@ class Builder {
     s_.nut = body(nut_stations(), f_.nut);
     if (f_.nut_wall) add_wall(*f_.nut_wall);
     s_.loaded = nearest(s_.screw, f_.loaded_section);
-    s_.thrust = nearest(s_.nut, f_.thrust);
     add_rings();
     add_housing();
     add_bearings();  // Before the guides, which may follow their nodes.
@@ -270,32 +269,40 @@ class Builder {
     }
   }
 
-  void hold(int node, Dof dof, double stiffness, double rest) {
-    if (stiffness == kRigid)
+  FullStructure::Held hold(int node, Dof dof, double stiffness, double rest) {
+    FullStructure::Held held{node, dof};
+    if (stiffness == kRigid) {
+      held.constraint = static_cast<int>(s_.model.constraints.size());
       s_.model.constraints.push_back({node, dof, {}, rest});
-    else if (stiffness > 0.0)
+    } else if (stiffness > 0.0) {
+      held.link = static_cast<int>(s_.model.elastic_links.size());
       s_.model.elastic_links.push_back({{{node, dof, 1.0}}, rest, stiffness});
-  }
-  void hold_across(const SpatialNode& n, Dof dof, double stiffness, Lateral rest = {}) {
-    hold(n.y_plane, dof, stiffness, rest.y);
-    hold(n.z_plane, dof, stiffness, rest.z);
+    }
+    return held;
   }
 
   void add_housing() {
-    const SpatialNode& n = s_.nut[static_cast<std::size_t>(s_.thrust)];
-    hold(n.axial, Dof::u, f_.housing.axial, 0.0);
-    hold_across(n, Dof::v, f_.housing.lateral);
-    hold_across(n, Dof::theta, f_.housing.tilt);
+    const SpatialNode& n = at(s_.nut, f_.thrust);
+    const Housing& h = f_.housing;
+    s_.housing = {n.x,
+                  hold(n.axial, Dof::u, h.axial, 0.0),
+                  hold(n.y_plane, Dof::v, h.lateral, 0.0),
+                  hold(n.z_plane, Dof::v, h.lateral, 0.0),
+                  hold(n.y_plane, Dof::theta, h.tilt, 0.0),
+                  hold(n.z_plane, Dof::theta, h.tilt, 0.0)};
   }
 
   void add_bearings() {
     const Lateral slope = rigid_slope(f_);
     for (const Bearing& b : f_.bearings) {
-      s_.bearing_nodes.push_back(nearest(s_.screw, b.position));
-      const SpatialNode& n = s_.screw[static_cast<std::size_t>(s_.bearing_nodes.back())];
+      const SpatialNode& n = at(s_.screw, b.position);
       const Lateral moved = rigid_offset(f_, b.position);
-      hold_across(n, Dof::v, b.lateral, {b.offset.y - moved.y, b.offset.z - moved.z});
-      hold_across(n, Dof::theta, b.tilt, {b.angle.z - slope.y, -b.angle.y - slope.z});
+      s_.bearings.push_back({n.x,
+                             {},
+                             hold(n.y_plane, Dof::v, b.lateral, b.offset.y - moved.y),
+                             hold(n.z_plane, Dof::v, b.lateral, b.offset.z - moved.z),
+                             hold(n.y_plane, Dof::theta, b.tilt, b.angle.z - slope.y),
+                             hold(n.z_plane, Dof::theta, b.tilt, -b.angle.y - slope.z)});
     }
   }
 

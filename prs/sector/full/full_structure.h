@@ -41,6 +41,18 @@ struct FullStructure {
     int constraint = -1;
     int link = -1;
   };
+  /// What holds a freedom: a constraint or an elastic link, or nothing.
+  struct Held {
+    int node = 0;
+    fe::Dof dof = fe::Dof::u;
+    int constraint = -1;
+    int link = -1;
+  };
+  /// A bearing, or the seat of the nut.
+  struct Support {
+    double x = 0.0;
+    Held u, y, z, y_slope, z_slope;
+  };
 
   fe::Model model;
   std::vector<SpatialNode> screw, nut;
@@ -48,9 +60,9 @@ struct FullStructure {
   std::vector<Guide> guides;
   std::array<int, 2> rings{-1, -1};           ///< (-, y, z as u and v) of floating rings.
   std::array<const SpatialNode*, 2> seats{};  ///< Of the rings on screw or nut; null: housing.
-  std::vector<int> bearing_nodes;             ///< In `screw`.
-  int loaded = 0;                             ///< In `screw`.
-  int thrust = 0;                             ///< In `nut`.
+  Support housing;
+  std::vector<Support> bearings;  ///< As FullModel::bearings; several may hold one freedom.
+  int loaded = 0;                 ///< In `screw`.
   std::vector<fe::NodalLoad> loads;
 
   FullStructure() = default;

@@ -307,6 +307,20 @@ TEST(LoadDistribution, FreeLengthAddsItsElongationAlone) {
   EXPECT_LT(largest_difference(with.normal_load.screw, without.normal_load.screw), 1e-9);
 }
 
+/// Without a free length no bar of the screw is left.
+TEST(LoadDistribution, OneThreadMovesAsItsContactsAndTheFreeLengthDo) {
+  SectorCase c = abevi();
+  c.mechanism.contacts_per_roller = 1;
+  const LoadDistribution with = solve(c, 4e3);
+  c.structure.screw.free_length = 0.0;
+  const LoadDistribution without = solve(c, 4e3);
+  for (const Interface i : kInterfaces) EXPECT_NEAR(rates(c, without, i, 4e3)[0], 1.0, 1e-12);
+  const double area = std::numbers::pi / 4 * (21e-3 * 21e-3 - 6e-3 * 6e-3);
+  EXPECT_NEAR(
+      (with.axial_displacement - without.axial_displacement) / (4e3 * 10e-3 / (209e9 * area)), 1.0,
+      1e-10);
+}
+
 TEST(LoadDistribution, StiffRingsActAsBothEndNodesHeld) {
   SectorCase c = abevi();
   const LoadDistribution held = solve(c, 45e3);

@@ -97,6 +97,14 @@ FullModel model_of(const Case& c) { return model_of(c, c.load_cases[0]); }
 
 Case symmetric_case() { return case_of(reference().at("cases").at(0)); }
 
+Case side_loaded() {
+  Case c = symmetric_case();
+  c.load_cases[0].spatial.side_force.value = {1e3, -500.0};
+  c.load_cases[0].spatial.moment.value = {20.0, 40.0};
+  c.load_cases[0].spatial.eccentricity = {0.5e-3, 0.2e-3};
+  return c;
+}
+
 TEST(FullMechanism, IsTheSectorWhereAllRollersAreAlike) {
   Case c = symmetric_case();
   c.deviations.crowning = 3e-6;
@@ -114,6 +122,28 @@ TEST(FullMechanism, IsTheSectorWhereAllRollersAreAlike) {
         }
 }
 
+/// A thrust section where the first guide ring stands on the nut.
+Structure::Thrust under_first_ring(const Case& c) {
+  const FullModel f = model_of(c);
+  const double middle =
+      std::clamp(f.roller_ends.first + 0.5 * f.sector.end_length, 0.0, c.structure->nut.length);
+  return {.tension = middle, .compression = middle};
+}
+
+/// A ring then follows the nut's node, which follows its seat.
+TEST(FullMechanism, ARingMayStandOnTheSeatOfTheNut) {
+  Case c = side_loaded();
+  c.structure->nut.thrust = under_first_ring(c);
+  const FullDistribution held = solve(model_of(c));
+  ASSERT_TRUE(held.solve.converged());
+  c.structure->nut.housing = {1e18, 1e18, 1e14};
+  const FullDistribution stiff = solve(model_of(c));
+  ASSERT_TRUE(stiff.solve.converged());
+  for (const Interface i : kInterfaces)
+    EXPECT_LT(largest_difference(held.normal_load[i], stiff.normal_load[i]),
+              1e-6 * largest(held.normal_load[i]));
+}
+
 /// Screws of all kinds that are hard on the solver.
 Case random_case(std::mt19937_64& random) {
   const auto between = [&](double a, double b) {
@@ -127,7 +157,7 @@ Case random_case(std::mt19937_64& random) {
   Deviations& d = c.deviations;
   LoadCase& load = c.load_cases[0];
   m.rollers = 2 + one_of(11);
-  m.contacts_per_roller = 2 + one_of(21);
+  m.contacts_per_roller = 1 + one_of(22);
   m.lead = one_of(2) ? 5e-3 : -5e-3;
   load.direction = one_of(2) ? Direction::tension : Direction::compression;
   load.axial_force = magnitude(2.5, 5.0);
@@ -135,7 +165,7 @@ Case random_case(std::mt19937_64& random) {
   load.position = between(0.0, s.nut.length - span);
   if (one_of(4) == 0) c.model.contact_phase = ModelOptions::ContactPhase::helical;
   c.model.shear = one_of(2) == 0;
-  s.screw.free_length = between(0.0, 60e-3);
+  s.screw.free_length = one_of(4) ? between(0.0, 60e-3) : 0.0;
   s.screw.far_length = one_of(2) ? between(0.0, 40e-3) : 0.0;
   s.roller.rings.carrier = static_cast<Rings::Carrier>(one_of(3));
   if (one_of(4) == 0) s.roller.rings.stiffness = magnitude(0.0, 9.0);
@@ -145,7 +175,7 @@ Case random_case(std::mt19937_64& random) {
                      magnitude(3.0, 7.0)};
   const double first = *load.position - s.screw.free_length;
   const double last = *load.position + span + s.screw.far_length;
-  for (int b = one_of(3); b > 0; --b) {
+  for (int b = first < last ? one_of(3) : 1; b > 0; --b) {
     const double tilts[] = {0.0, kRigid, magnitude(2.0, 6.0)};
     s.screw.bearings.push_back({between(first, last),
                                 one_of(2) ? kRigid : magnitude(6.0, 9.0),
@@ -170,6 +200,7 @@ Case random_case(std::mt19937_64& random) {
                           between(first, last)};
   if (one_of(3) == 0) spatial.moment = {{between(-0.01, 0.01) * load.axial_force, 1.0}, {}};
   if (one_of(3) == 0) spatial.nut_tilt = {between(-2e-3, 2e-3), between(-2e-3, 2e-3)};
+  if (one_of(4) == 0) s.nut.thrust = under_first_ring(c);
   return c;
 }
 
@@ -231,14 +262,6 @@ TEST(FullMechanism, RandomCasesConvergeOrHaveNoEquilibrium) {
     }
   }
   EXPECT_GT(converged, count / 2);
-}
-
-Case side_loaded() {
-  Case c = symmetric_case();
-  c.load_cases[0].spatial.side_force.value = {1e3, -500.0};
-  c.load_cases[0].spatial.moment.value = {20.0, 40.0};
-  c.load_cases[0].spatial.eccentricity = {0.5e-3, 0.2e-3};
-  return c;
 }
 
 Lateral turned(Lateral l, double angle) {
@@ -419,6 +442,23 @@ TEST(FullMechanism, ATurnIsOnePositionWhereNothingElseHasAnAzimuth) {
 }
 
 /// By bisection on the force, a thread stands where it just closes.
+/// One contact a roller, and the load on its section: no beam of the screw is left. The contacts of
+/// one section hold either how it moves aside or how it tilts; a bearing holds the other.
+TEST(FullMechanism, OneContactOfEachRollerHoldsTheScrewWithABearing) {
+  Case c = symmetric_case();
+  c.mechanism.contacts_per_roller = 1;
+  c.structure->screw.free_length = 0.0;
+  EXPECT_EQ(solve(model_of(c)).solve.status, fe::NewtonStatus::mechanism);
+  c.structure->screw.bearings.push_back(
+      {.position = *c.load_cases[0].position, .offset = {}, .angle = {}});
+  const FullModel f = model_of(c);
+  const FullDistribution d = solve(f);
+  ASSERT_TRUE(d.solve.converged()) << fe::name(d.solve.status);
+  for (const Interface i : kInterfaces)
+    for (const auto& roller : d.normal_load[i])
+      EXPECT_NEAR(roller[0] * f.sector.cosine[i] * c.mechanism.rollers / f.axial_force, 1.0, 1e-10);
+}
+
 TEST(FullMechanism, ThreadsThatJustCloseNeedNoWiderNumbers) {
   Case c = with_a_thick_roller(20e-6);
   const auto closed = [&](double force) {
@@ -491,6 +531,32 @@ TEST(FullMechanism, OneSolverForManyModelsGivesTheSameBits) {
   compare(model_of(c));
   c.load_cases[0].axial_force *= 0.5;
   compare(model_of(c));
+}
+
+TEST(FullMechanism, BearingsAtOnePlaceShareByTheirStiffness) {
+  Case c = side_loaded();
+  const auto bearing = [&](double lateral, double tilt) {
+    return Bearing{*c.load_cases[0].position, lateral, tilt, {}, {}};
+  };
+  std::vector<Bearing>& bearings = c.structure->screw.bearings;
+  bearings = {bearing(3e8, 3e4)};
+  const SupportForce one = solve(model_of(c)).bearings[0];
+  bearings = {bearing(1e8, 1e4), bearing(2e8, 2e4)};
+  const FullDistribution two = solve(model_of(c));
+  for (const int k : {0, 1}) {
+    const SupportForce& part = two.bearings[static_cast<std::size_t>(k)];
+    EXPECT_LT((part.force - (k + 1) / 3.0 * one.force).norm(), 1e-9 * one.force.norm());
+    EXPECT_NEAR(part.moment.y / ((k + 1) / 3.0 * one.moment.y), 1.0, 1e-9);
+    EXPECT_NEAR(part.moment.z / ((k + 1) / 3.0 * one.moment.z), 1.0, 1e-9);
+  }
+  // The spring of one pulls at what the other holds.
+  bearings = {bearing(kRigid, 0.0), bearing(2e8, 0.0)};
+  bearings[1].offset = {1e-5, -2e-5};
+  const FullModel f = model_of(c);
+  const FullDistribution held = solve(f);
+  EXPECT_NEAR(held.bearings[1].force[1], 2e8 * 1e-5, 1e-6);
+  EXPECT_NEAR(held.bearings[1].force[2], 2e8 * -2e-5, 1e-6);
+  EXPECT_LT(imbalance(f, held), 1e-9);
 }
 
 TEST(FullMechanism, BearingsThatPushAgainstEachOtherAreToldOf) {
