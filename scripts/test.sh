@@ -6,18 +6,21 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-scripts/setup.sh clang libclang-rt-dev llvm
+scripts/setup.sh clang libclang-rt-dev llvm lld
 if [[ ${1:-} == --tools ]]; then
   exec scripts/test_python.sh --tools
 fi
 mkdir -p build
 scripts/test_python.sh --tools >build/test_tools.txt 2>&1 &
 tools=$!
+# In large pages clang takes a fifteenth less time.
+by_clang() { GLIBC_TUNABLES=glibc.malloc.hugetlb=1 cmake --build "$@"; }
+
 # Both engines are linked with the same compiled tests.
 cmake --preset tests "$@" >/dev/null
 cmake --preset release -DPRS_BUILD_TESTS=ON -DPRS_TESTS_FROM="$PWD/build/tests" "$@" >/dev/null
 cmake --build --preset release --target prs prs-validate
-cmake --build --preset tests
+by_clang --preset tests
 cmake --build --preset release --target prs_tests
 wait "$tools" || { cat build/test_tools.txt; exit 1; }
 
@@ -31,7 +34,7 @@ as_shipped() {
 }
 sanitized() {  # It takes kernels of the release build.
   cmake --preset sanitized -DPRS_BUILD_TESTS=ON "$@" >/dev/null &&
-    cmake --build --preset sanitized --target prs prs-validate &&
+    by_clang --preset sanitized --target prs prs-validate &&
     flock build/release.lock cmake --build --preset sanitized &&
     ctest --preset quick-sanitized -j "$(nproc)"
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds what runs side by side (EngineThreads) under clang's thread sanitizer, and runs it.
+# Builds what runs side by side (EngineThreads, the module of Python) under clang's thread sanitizer, and
+# runs it. Arguments go to the former's tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -9,3 +10,4 @@ cmake --preset threads >/dev/null
 cmake --build --preset threads
 TSAN_OPTIONS="suppressions=$PWD/tests/support/thread_sanitizer.supp second_deadlock_stack=1" \
   build/threads/tests/prs_thread_tests "$@"
+scripts/test_python.sh --threads

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import os
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +44,14 @@ def is_result(cell: Any) -> bool:
     return "result" in cell.metadata.get("tags", [])
 
 
+def leave_pictures_out(ipython: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Figures are made and laid aside: test_plots.py draws them."""
+    profile = ipython / "profile_default"
+    profile.mkdir(parents=True)
+    (profile / "ipython_kernel_config.py").write_text("c.InlineBackend.figure_formats = set()\n")
+    monkeypatch.setenv("IPYTHONDIR", str(ipython))
+
+
 def executed(path: Path) -> Any:
     """The notebook after a fresh run in its own folder; raises CellExecutionError."""
     notebook = read(path)
@@ -74,9 +83,11 @@ def test_stored_notebook_is_complete_and_small(path: Path) -> None:
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_fresh_run_is_quiet_and_prints_the_stored_numbers(
-    path: Path, monkeypatch: pytest.MonkeyPatch
+    path: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setenv("PRS_CACHE_DIR", "")
+    if os.environ.get("PRS_THOROUGH") != "1":
+        leave_pictures_out(tmp_path, monkeypatch)
     stored = read(path)
     fresh = executed(path)
     for number, (before, after) in enumerate(zip(stored.cells, fresh.cells, strict=True), 1):

@@ -13,6 +13,7 @@
 #include "fe/newton.h"
 #include "support/count.h"
 #include "support/finite_difference.h"
+#include "support/sanitized.h"
 
 namespace fe {
 namespace {

@@ -10,6 +10,7 @@
 #include "prs/output/comparison.h"
 #include "prs/quantities/comparison_quantities.h"
 #include "prs/sector/influence/matrix_cache.h"
+#include "support/sanitized.h"
 
 namespace prs {
 namespace {
@@ -95,6 +96,7 @@ TEST(CompareModels, EqualSharesAreLeftOut) {
 
 /// No test's case has matrices in the cache before it asks for them.
 TEST(CompareModels, InfluenceIsThereWhereItsMatricesAre) {
+  SKIP_UNDER_SANITIZERS();
   const std::vector<std::string> fewer = {"mechanism.contacts_per_roller=3",
                                           "load_cases=[{axial_force: 5 kN, direction: tension, "
                                           "position: 40 mm}]"};

@@ -19,6 +19,7 @@
 #include "prs/study/study_run.h"
 #include "prs/threads/contact_laws.h"
 #include "tests/prs/input/abevi.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temporary_directory.h"
 
 // What runs side by side, in one process: `scripts/threads.sh` runs these under the thread
@@ -38,6 +39,7 @@ void expect_same_on_two_threads(const Work& work) {
 }
 
 TEST(EngineThreads, TwoThatAskAtOnceGetTheAnswerOfOne) {
+  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/threads.sh).
   for (const auto& [command, lesson] :
        std::vector<std::pair<const char*, const char*>>{{"check", "11_real_parts"},
                                                         {"solve", "05_standard_screw"},
@@ -74,6 +76,7 @@ std::vector<std::uint64_t> studied(const input::StudyInput& in, std::size_t thre
 }
 
 TEST(EngineThreads, StudiesOnTwoThreadsAreThoseOnOne) {
+  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/threads.sh).
   for (const char* overrides : {"study.command=solve", "study.command=slip",
                                 "model={bodies: refined}", "model={mechanism: full}"}) {
     const std::string text = test::content_of(PRS_SOURCE_DIR "/configs/10_parametric_study.yaml");
@@ -90,6 +93,7 @@ TEST(EngineThreads, StudiesOnTwoThreadsAreThoseOnOne) {
 }
 
 TEST(EngineThreads, OptimizationsOnTwoThreadsAreThoseOnOne) {
+  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/threads.sh).
   const std::string text = test::content_of(PRS_SOURCE_DIR "/configs/22_yao_optimum.yaml");
   const input::OptimizeInput in = input::read_optimize_input(input::source_of_text(
       "case.yaml", text, {"optimize.generations=3", "optimize.population=12"}));
@@ -106,6 +110,7 @@ TEST(EngineThreads, OptimizationsOnTwoThreadsAreThoseOnOne) {
 }
 
 TEST(EngineThreads, TwoThatShareACacheOfMatricesComputeTheSame) {
+  SKIP_UNDER_SANITIZERS();  // But the thread sanitizer (scripts/threads.sh).
   const Case c = input::read_case_text(
       input::kAbevi, "case.yaml", {"mechanism.contacts_per_roller=2", "model={bodies: influence}"},
       Command::solve);

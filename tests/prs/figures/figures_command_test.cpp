@@ -8,6 +8,7 @@
 #include <string>
 
 #include "support/program.h"
+#include "support/sanitized.h"
 #include "support/temporary_directory.h"
 
 namespace prs {
@@ -27,6 +28,7 @@ bool agree(const std::filesystem::path& schema, const std::filesystem::path& doc
 }
 
 TEST(FiguresCommand, DocumentsHoldThemAsTheirSchemaSays) {
+  SKIP_UNDER_SANITIZERS();
   const test::TemporaryDirectory temporary;
   ASSERT_EQ(
       test::run_prs("schema figures --quiet --output '" + temporary.path().string() + "'").status,

@@ -491,6 +491,7 @@ TEST(HeatCycle, ShortCyclesInTheColdConverge) {
 }
 
 TEST(HeatCycle, NeitherLongStepsNorLightPartsEndIt) {
+  SKIP_UNDER_SANITIZERS();
   for (const auto& [duration, capacity] : {std::pair{1e9, 300.0}, {4.0, 1e-9}}) {
     Case c = with_duty(warm_reference(), {acting("reference", duration), rest(duration)});
     c.heat->capacity = Heat::Capacity{capacity, capacity, capacity};
@@ -544,6 +545,7 @@ TEST(HeatCycle, PeaksBetweenTheStepsCount) {
 }
 
 TEST(HeatCycle, EfficiencyIsWhatComesOutOverWhatGoesIn) {
+  SKIP_UNDER_SANITIZERS();
   // A load that drives a screw with much friction: all that flows in is lost.
   Case locking = test::left_handed(test::with_coulomb(warm_reference(), 0.5));
   locking.mechanism.lead = -2e-3;
@@ -561,6 +563,7 @@ TEST(HeatCycle, EfficiencyIsWhatComesOutOverWhatGoesIn) {
 }
 
 TEST(LossTable, InterpolatesASmoothFunctionAndItsDerivatives) {
+  SKIP_UNDER_SANITIZERS();
   const auto at = [](const OfParts& t) -> std::optional<Losses> {
     const double a = 1e3 * std::exp(-0.02 * (t[0] - 300.0)) / (1.0 + 0.01 * (t[2] - 300.0));
     return Losses{OfParts(a, 2.0 * t[1], 5.0), a + t[1], t[1]};

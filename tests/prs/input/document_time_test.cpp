@@ -4,6 +4,7 @@
 #include "prs/input/reader.h"
 #include "support/count.h"
 #include "support/cpu_time.h"
+#include "support/sanitized.h"
 
 namespace prs::input {
 namespace {
@@ -42,6 +43,7 @@ double time_of_plain_text() {
 /// No text takes more than a few times as long as a plain one of its size: what grows with the
 /// square of the size would take 100,000 times as long.
 TEST(DocumentTime, AMegabyteOfAnythingIsRefusedAboutAsQuicklyAsPlainTextIsRead) {
+  SKIP_UNDER_SANITIZERS();
   const double plain = time_of_plain_text();
   for (const char* part :
        {"[",     "]",    "{",   "}",   "- ",   "a: ",  "a: 1\n", "a:\n ",    "{? ",  "? ",

@@ -10,6 +10,7 @@
 #include "prs/input/document.h"
 #include "prs/input/reader.h"
 #include "tests/prs/input/abevi.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temporary_directory.h"
 
 namespace prs::input {
@@ -106,6 +107,7 @@ std::string lubricant(const std::string& keys) {
 }
 
 TEST(Schema, TakesWhatTheReaderTakes) {
+  SKIP_UNDER_SANITIZERS();
   std::vector<Sample> samples;
   add(samples, true,
       {{"mechanism.rollers", {"9"}},
@@ -152,6 +154,7 @@ TEST(Schema, TakesWhatTheReaderTakes) {
 }
 
 TEST(Schema, RefusesWhatTheReaderRefuses) {
+  SKIP_UNDER_SANITIZERS();
   std::vector<Sample> samples;
   add(samples, false,
       {{"mechanism", {"", "3", "{}"}},
@@ -245,6 +248,7 @@ const std::vector<std::string> kValues{"",
 /// Every value of the case replaced by each of many texts: whatever passes the reader must pass the
 /// schema, which is the more lenient of the two.
 TEST(Schema, NeverRefusesWhatTheReaderTakes) {
+  SKIP_UNDER_SANITIZERS();
   if (!validator_is_installed()) GTEST_SKIP() << "python3-jsonschema is not installed";
   const std::string oil = lubricant(
       "temperature: 60 degC, density: 870 kg/m^3, viscosity_at: [{temperature: 30 degC, "

@@ -623,6 +623,7 @@ TEST(FullLife, RatesEachPartByTheLoadsThatItMeets) {
 
 /// Few loads are solved one by one, many are interpolated: damages of two halves add up.
 TEST(FullLife, OfManyLoadsIsThatOfTheirHalves) {
+  SKIP_UNDER_SANITIZERS();
   constexpr int kMany = 60;
   const auto life_of = [](int first, int last) {
     std::string loads;

@@ -14,6 +14,7 @@
 #include "prs/quantities/preload_json.h"
 #include "prs/sector/load_distribution.h"
 #include "support/count.h"
+#include "support/sanitized.h"
 #include "support/sectors.h"
 #include "tests/prs/input/abevi.h"
 
@@ -248,6 +249,7 @@ INSTANTIATE_TEST_SUITE_P(Preload, Arrangements,
                          });
 
 TEST_P(Arrangements, ForceAndInterferenceAreInverse) {
+  SKIP_UNDER_SANITIZERS();
   for (const PreloadCase& p : real_cases(GetParam())) {
     const PreloadSector sector = p.build();
     PreloadCase other = p;
@@ -260,6 +262,7 @@ TEST_P(Arrangements, ForceAndInterferenceAreInverse) {
 }
 
 TEST_P(Arrangements, TheSidesBalanceTheExternalLoad) {
+  SKIP_UNDER_SANITIZERS();
   for (const PreloadCase& p : real_cases(GetParam())) {
     PreloadSolver solver = p.solver();
     for (double f = -45e3; f <= 45e3; f += 5e3) {
@@ -314,6 +317,7 @@ bool opens(const PreloadCase& p, PreloadSolver& solver, Direction d) {
 }
 
 TEST_P(Arrangements, ASideOpensAtItsOpeningForce) {
+  SKIP_UNDER_SANITIZERS();
   for (const PreloadCase& p : real_cases(GetParam()))
     for (const Direction d : kDirections) {
       PreloadSolver solver = p.solver(d);
@@ -345,6 +349,7 @@ TEST(Preload, AStraightRollerMirrorsTheCurve) {
 
 /// Beyond the opening the screw is the one of `prs solve`, shifted by what the preload took up.
 TEST_P(Arrangements, BeyondTheOpeningTheOtherSideCarriesAsAlone) {
+  SKIP_UNDER_SANITIZERS();
   const bool single = GetParam() == Arrangement::single_nut;
   for (const PreloadCase& p : real_cases(GetParam()))
     for (const Direction d : kDirections) {
@@ -403,6 +408,7 @@ TEST_P(Arrangements, PlayIsADeadZone) {
 }
 
 TEST_P(Arrangements, RandomSectorsConverge) {
+  SKIP_UNDER_SANITIZERS();
   std::mt19937_64 random(20261121);
   for (int k = 0; k < test::samples(20, 300); ++k) {
     test::SectorCase c = test::random_sector(random);

@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "prs/page/page.h"
+#include "support/sanitized.h"
 
 namespace prs {
 namespace {
@@ -111,6 +112,7 @@ TEST(LivePage, CarriesTheEngineUnlessStatic) {
 }
 
 TEST(Report, OfThousandsOfLoadsIsNoLargerThanOthers) {
+  SKIP_UNDER_SANITIZERS();
   input::Source source = live_lesson("04_contacts_from_geometry.yaml");
   source.text += "\nlife:\n  position: 29 mm\n  spectrum:\n";
   for (int k = 0; k < 8000; ++k)

@@ -11,6 +11,7 @@
 
 #include "prs/study/designs.h"
 #include "prs/study/study_result.h"
+#include "support/sanitized.h"
 
 namespace prs {
 namespace {
@@ -98,6 +99,7 @@ TEST(StudyStatistics, NothingWithoutDesigns) {
 // Of 200,000 values 0, 1, .. a third is kept. The share of kept values below a quantile scatters by
 // sqrt(p (1 - p) / 65,536) <= 0.002.
 TEST(StudyStatistics, QuantilesOfManyDesignsComeFromPartOfThem) {
+  SKIP_UNDER_SANITIZERS();
   constexpr std::size_t kDesigns = 200'000;
   std::vector<double> values(kDesigns);
   std::iota(values.begin(), values.end(), 0.0);

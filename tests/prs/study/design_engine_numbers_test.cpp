@@ -24,6 +24,7 @@
 #include "support/count.h"
 #include "support/program.h"
 #include "support/random_screws.h"
+#include "support/sanitized.h"
 
 // Random screws through the engine of studies: what mechanics says of every one of them.
 namespace prs {
@@ -305,6 +306,7 @@ TEST(DesignEngineNumbers, ExtremeScrewsConvergeOrSayWhyNot) {
 
 /// Each thread of each roller, a force off the axis in its plane of symmetry.
 TEST(DesignEngineNumbers, RealisticFullMechanismsAllConvergeAndObeyMechanics) {
+  SKIP_UNDER_SANITIZERS();
   RandomScrews random(2029);
   Verdicts verdicts;
   LoadOracles oracles;

@@ -167,9 +167,17 @@ StudyInput all_numbers(const Lesson& l, const std::string& plan, const std::stri
   return read_study_input(lesson(l.name, study_of(l.command, plan, paths, way)));
 }
 
+/// Sanitizers see every third: what they have in common is read alike.
+std::vector<Lesson> some_lessons() {
+  std::vector<Lesson> lessons;
+  for (std::size_t k = 0; k < std::size(kLessons); k += test::sanitized() ? 3 : 1)
+    lessons.push_back(kLessons[k]);
+  return lessons;
+}
+
 TEST(DesignReader, ReadsEveryNumberAsItsText) {
   const auto designs = static_cast<std::size_t>(test::samples(40, 1000));
-  for (const Lesson& l : kLessons) {
+  for (const Lesson& l : some_lessons()) {
     const int refused = refused_of(
         all_numbers(l, "plan: latin_hypercube\n  samples: 1000", "within: 0.01 %"), designs);
     EXPECT_LT(refused, static_cast<int>(designs)) << l.name;
@@ -179,11 +187,12 @@ TEST(DesignReader, ReadsEveryNumberAsItsText) {
 // 30 % leads out of bounds and to contradictions, one and several at once.
 TEST(DesignReader, RefusesAsTheTextIsRefused) {
   const auto designs = static_cast<std::size_t>(test::samples(40, 1000));
+  const std::vector<Lesson> lessons = some_lessons();
   int refused = 0;
-  for (const Lesson& l : kLessons)
+  for (const Lesson& l : lessons)
     refused +=
         refused_of(all_numbers(l, "plan: monte_carlo\n  samples: 1000", "within: 30 %"), designs);
-  EXPECT_GT(refused, 50);
+  EXPECT_GT(3 * refused, static_cast<int>(designs * lessons.size()));
 }
 
 // Load cases that agree in all but name and force are checked once, those that vary each.

@@ -11,6 +11,7 @@
 #include "prs/sector/chain/fallback_solver.h"
 #include "prs/sector/load_distribution.h"
 #include "support/count.h"
+#include "support/sanitized.h"
 #include "support/sectors.h"
 
 namespace prs {
@@ -107,6 +108,7 @@ TEST(ExtremeDesigns, SoftRingsCarryWhatTheFlankAnglesDifferBy) {
 }
 
 TEST(ExtremeDesigns, ThousandsOfThreadsConverge) {
+  SKIP_UNDER_SANITIZERS();
   SectorCase c = test::abevi();
   c.mechanism.contacts_per_roller = test::count(2000, 10000);
   c.structure.nut = {20.0, 46e-3, {}, {.tension = 10e-3, .compression = 19.99}};

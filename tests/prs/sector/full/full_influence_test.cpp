@@ -306,6 +306,7 @@ struct CoarseBodies {
 };
 
 TEST(FullInfluence, IsTheInfluenceModelWhereAllRollersAreAlike) {
+  SKIP_UNDER_SANITIZERS();
   CoarseBodies bodies;
   FullScrew& screw = bodies.screw;
   screw.parts.structure.roller.rings.carrier = Rings::Carrier::nut;

@@ -18,6 +18,7 @@
 #include "prs/threads/contact_laws.h"
 #include "support/count.h"
 #include "support/full_mechanism.h"
+#include "support/sanitized.h"
 #include "support/sectors.h"
 
 namespace prs {
@@ -460,6 +461,7 @@ TEST(FullMechanism, OneContactOfEachRollerHoldsTheScrewWithABearing) {
 }
 
 TEST(FullMechanism, ThreadsThatJustCloseNeedNoWiderNumbers) {
+  SKIP_UNDER_SANITIZERS();
   Case c = with_a_thick_roller(20e-6);
   const auto closed = [&](double force) {
     c.load_cases[0].axial_force = force;

@@ -69,6 +69,7 @@ PerInterface<double> effect_of_harmonics(const RefinedScrew& screw) {
 }
 
 TEST(FullRefined, IsTheSectorsRefinedModelWhereAllRollersAreAlike) {
+  SKIP_UNDER_SANITIZERS();
   RefinedScrew screw;
   screw.parts.deviations.crowning = 3e-6;
   std::vector<RefinedEffects> effects(8);

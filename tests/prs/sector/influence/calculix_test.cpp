@@ -14,6 +14,7 @@
 #include "prs/sector/influence/flexibility.h"
 #include "prs/validation/csv_table.h"
 #include "support/count.h"
+#include "support/sanitized.h"
 
 namespace prs {
 namespace {

@@ -9,6 +9,7 @@
 #include "prs/sector/influence/influence.h"
 #include "support/coarse_bodies.h"
 #include "support/count.h"
+#include "support/sanitized.h"
 #include "support/sectors.h"
 
 namespace prs {
