@@ -114,7 +114,7 @@ SparseSymmetric pattern_of(const Model& model, const std::vector<int>& number, i
 }
 
 /// Which freedoms the parts of a model join, in their order: equal for models that differ in
-/// numbers only.
+/// numbers other than 0 only.
 std::vector<int> shape_of(const Model& model) {
   std::vector<int> shape{model.nodes};
   const auto add = [&](const auto& parts, auto freedoms_of) {
@@ -125,13 +125,14 @@ std::vector<int> shape_of(const Model& model) {
   const auto support = [&](const auto& s) { shape.push_back(global(s.node, s.dof)); };
   const auto form = [&](const LinearForm& terms) {
     shape.push_back(static_cast<int>(terms.size()));
-    for (const Term& t : terms) shape.push_back(global(t.node, t.dof));
+    for (const Term& t : terms)
+      shape.insert(shape.end(), {global(t.node, t.dof), t.coefficient != 0.0});
   };
   add(model.bars, ends);
   add(model.beams, ends);
   add(model.shells, ends);
   add(model.springs, [&](const SpringElement& s) {
-    shape.insert(shape.end(), {s.from.node, s.to.node});
+    shape.insert(shape.end(), {s.from.node, s.to.node, s.nx != 0.0});
   });
   add(model.form_springs, [&](const FormSpring& s) { form(s.approach); });
   add(model.elastic_supports, support);
@@ -217,7 +218,13 @@ void Equations::number_freedoms(const Model& model) {
     if (n == kFree) n = size++;
   for (std::size_t k = 0; k < model.constraints.size(); ++k) {
     const Constraint& c = model.constraints[k];
-    at(number_, global(c.node, c.dof)) = size + static_cast<int>(k);
+    int& n = at(number_, global(c.node, c.dof));
+    assert(n == kFollows);  // One constraint for a freedom, and no form of later ones.
+    n = size + static_cast<int>(k);
+    assert(std::ranges::all_of(c.form, [&](const Term& t) {
+      const int followed = at(number_, global(t.node, t.dof));
+      return followed != kFollows && followed < n;
+    }));
   }
 
   const SparseSymmetric pattern = pattern_of(model, number_, size);

@@ -102,8 +102,8 @@ struct Constraint {
 };
 
 /// A plane structure of bars, beams, shells and unilateral springs: what stays constant in a solve.
-/// Bars and springs move u, forms what they name; a freedom that no element stiffens takes no part
-/// in the equations.
+/// Bars stiffen u, forms what they name, springs between nodes u, and v and theta where beams or
+/// shells do. A freedom that nothing stiffens takes no part in the equations.
 struct Model {
   int nodes = 0;
   std::vector<BarElement> bars;

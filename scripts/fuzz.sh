@@ -43,6 +43,7 @@ END
   exit
 fi
 
+scripts/setup.sh clang libclang-rt-dev llvm lld || exit 1
 seconds=${1:-600}
 (($# > 1)) && targets=("${@:2}")
 cmake --preset release >/dev/null && cmake --build --preset release --target prs >/dev/null &&

@@ -4,6 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+scripts/setup.sh clang libclang-rt-dev llvm lld
 cmake --preset release >/dev/null
 cmake --build --preset release --target prs >/dev/null
 cmake --preset threads >/dev/null

@@ -45,7 +45,7 @@ def is_result(cell: Any) -> bool:
 
 
 def leave_pictures_out(ipython: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Figures are made and laid aside: test_plots.py draws them."""
+    """Figures are made and not rendered, which takes half of a notebook's time."""
     profile = ipython / "profile_default"
     profile.mkdir(parents=True)
     (profile / "ipython_kernel_config.py").write_text("c.InlineBackend.figure_formats = set()\n")

@@ -15,6 +15,7 @@
 #include "prs/input/value_text.h"
 #include "tests/prs/input/abevi.h"
 #include "tests/support/count.h"
+#include "tests/support/sanitized.h"
 
 namespace prs::input {
 namespace {

@@ -22,7 +22,6 @@
 #include "support/count.h"
 #include "support/folder_watch.h"
 #include "support/processes.h"
-#include "support/sanitized.h"
 #include "tests/support/parsed_csv.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
@@ -256,19 +255,6 @@ TEST_F(StudyCommand, WaitsForAProcessThatIsAboutToEnd) {
   holder.close();
   EXPECT_EQ(study.wait(), 0);
   EXPECT_TRUE(fs::exists(folder / "study.json"));
-}
-
-/// Beyond the designs that are kept for the document and the quantiles. 1 MB is 5 bytes for each.
-TEST_F(StudyCommand, TakesNoMoreMemoryForMoreDesigns) {
-  SKIP_UNDER_SANITIZERS();
-  const auto peak = [](const std::string& samples) {
-    test::Process run({test::program(), "study", PRS_SOURCE_DIR "/configs/15_sensitivity.yaml",
-                       "--set", "study.samples=" + samples, "--threads", "1", "--quiet"});
-    rusage use{};
-    EXPECT_EQ(run.wait(&use), 0);
-    return use.ru_maxrss;  // [kB]
-  };
-  EXPECT_NEAR(static_cast<double>(peak("900000")), static_cast<double>(peak("300000")), 1000.0);
 }
 
 TEST_F(StudyCommand, ThatCannotBeDrawnWholeGoesOnWithItsPictures) {

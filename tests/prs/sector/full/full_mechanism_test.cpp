@@ -123,26 +123,10 @@ TEST(FullMechanism, IsTheSectorWhereAllRollersAreAlike) {
         }
 }
 
-/// A thrust section where the first guide ring stands on the nut.
-Structure::Thrust under_first_ring(const Case& c) {
+/// x of the middle of the first guide ring, as far as it stands on the nut.
+double first_ring(const Case& c) {
   const FullModel f = model_of(c);
-  const double middle =
-      std::clamp(f.roller_ends.first + 0.5 * f.sector.end_length, 0.0, c.structure->nut.length);
-  return {.tension = middle, .compression = middle};
-}
-
-/// A ring then follows the nut's node, which follows its seat.
-TEST(FullMechanism, ARingMayStandOnTheSeatOfTheNut) {
-  Case c = side_loaded();
-  c.structure->nut.thrust = under_first_ring(c);
-  const FullDistribution held = solve(model_of(c));
-  ASSERT_TRUE(held.solve.converged());
-  c.structure->nut.housing = {1e18, 1e18, 1e14};
-  const FullDistribution stiff = solve(model_of(c));
-  ASSERT_TRUE(stiff.solve.converged());
-  for (const Interface i : kInterfaces)
-    EXPECT_LT(largest_difference(held.normal_load[i], stiff.normal_load[i]),
-              1e-6 * largest(held.normal_load[i]));
+  return std::clamp(f.roller_ends.first + 0.5 * f.sector.end_length, 0.0, c.structure->nut.length);
 }
 
 /// Screws of all kinds that are hard on the solver.
@@ -201,7 +185,7 @@ Case random_case(std::mt19937_64& random) {
                           between(first, last)};
   if (one_of(3) == 0) spatial.moment = {{between(-0.01, 0.01) * load.axial_force, 1.0}, {}};
   if (one_of(3) == 0) spatial.nut_tilt = {between(-2e-3, 2e-3), between(-2e-3, 2e-3)};
-  if (one_of(4) == 0) s.nut.thrust = under_first_ring(c);
+  if (one_of(4) == 0) s.nut.thrust.tension = s.nut.thrust.compression = first_ring(c);
   return c;
 }
 
@@ -236,6 +220,34 @@ double imbalance(const FullModel& f, const FullDistribution& d) {
   double largest = f.axial_force;
   for (const SupportForce& b : d.bearings) largest = std::max(largest, b.force.norm());
   return std::max({std::abs(fx), force.norm(), moment.norm() / f.centre_distance}) / largest;
+}
+
+/// A ring then follows a node of nut or screw, which follows its seat.
+TEST(FullMechanism, ARingMayStandWhereItsCarrierIsHeld) {
+  const auto expect_limit_of_stiff_seats = [](const Case& rigid, const Case& stiff) {
+    const FullModel f = model_of(rigid);
+    const FullDistribution held = solve(f), nearly = solve(model_of(stiff));
+    ASSERT_TRUE(held.solve.converged());
+    ASSERT_TRUE(nearly.solve.converged());
+    EXPECT_LT(imbalance(f, held), 1e-9);
+    for (const Interface i : kInterfaces)
+      EXPECT_LT(largest_difference(held.normal_load[i], nearly.normal_load[i]),
+                1e-6 * largest(held.normal_load[i]));
+  };
+  const double ring = first_ring(side_loaded());
+  Case c = side_loaded();
+  c.structure->nut.thrust.tension = ring;
+  Case stiff = c;
+  stiff.structure->nut.housing = {1e18, 1e18, 1e14};
+  expect_limit_of_stiff_seats(c, stiff);
+
+  c = side_loaded();
+  c.structure->roller.rings.carrier = Rings::Carrier::screw;
+  c.structure->screw.bearings = {{ring, kRigid, kRigid, {1e-5, 0.0}, {}}};
+  stiff = c;
+  stiff.structure->screw.bearings[0].lateral = 1e18;
+  stiff.structure->screw.bearings[0].tilt = 1e14;
+  expect_limit_of_stiff_seats(c, stiff);
 }
 
 /// Each converges, or has a free motion, or has no equilibrium, of which a linear programme is the
@@ -442,9 +454,8 @@ TEST(FullMechanism, ATurnIsOnePositionWhereNothingElseHasAnAzimuth) {
   }
 }
 
-/// By bisection on the force, a thread stands where it just closes.
-/// One contact a roller, and the load on its section: no beam of the screw is left. The contacts of
-/// one section hold either how it moves aside or how it tilts; a bearing holds the other.
+/// One contact per roller, and the load on its section: no beam of the screw is left. The contacts
+/// of one section hold either how it moves aside or how it tilts; a bearing holds the other.
 TEST(FullMechanism, OneContactOfEachRollerHoldsTheScrewWithABearing) {
   Case c = symmetric_case();
   c.mechanism.contacts_per_roller = 1;
@@ -460,6 +471,7 @@ TEST(FullMechanism, OneContactOfEachRollerHoldsTheScrewWithABearing) {
       EXPECT_NEAR(roller[0] * f.sector.cosine[i] * c.mechanism.rollers / f.axial_force, 1.0, 1e-10);
 }
 
+/// By bisection on the force, a thread stands where it just closes.
 TEST(FullMechanism, ThreadsThatJustCloseNeedNoWiderNumbers) {
   SKIP_UNDER_SANITIZERS();
   Case c = with_a_thick_roller(20e-6);
@@ -542,9 +554,12 @@ TEST(FullMechanism, BearingsAtOnePlaceShareByTheirStiffness) {
   };
   std::vector<Bearing>& bearings = c.structure->screw.bearings;
   bearings = {bearing(3e8, 3e4)};
-  const SupportForce one = solve(model_of(c)).bearings[0];
+  const FullDistribution alone = solve(model_of(c));
+  ASSERT_TRUE(alone.solve.converged());
+  const SupportForce& one = alone.bearings[0];
   bearings = {bearing(1e8, 1e4), bearing(2e8, 2e4)};
   const FullDistribution two = solve(model_of(c));
+  ASSERT_TRUE(two.solve.converged());
   for (const int k : {0, 1}) {
     const SupportForce& part = two.bearings[static_cast<std::size_t>(k)];
     EXPECT_LT((part.force - (k + 1) / 3.0 * one.force).norm(), 1e-9 * one.force.norm());
@@ -556,6 +571,7 @@ TEST(FullMechanism, BearingsAtOnePlaceShareByTheirStiffness) {
   bearings[1].offset = {1e-5, -2e-5};
   const FullModel f = model_of(c);
   const FullDistribution held = solve(f);
+  ASSERT_TRUE(held.solve.converged());
   EXPECT_NEAR(held.bearings[1].force[1], 2e8 * 1e-5, 1e-6);
   EXPECT_NEAR(held.bearings[1].force[2], 2e8 * -2e-5, 1e-6);
   EXPECT_LT(imbalance(f, held), 1e-9);
