@@ -130,7 +130,6 @@ void expect_study_agrees(const input::Source& source, const Json& document, Comm
   std::vector<std::string> paths = response_paths(document);
   std::erase_if(paths, [](const std::string& path) {
     return path.starts_with("resolved_input") || path.find("resid") != std::string::npos ||
-           path.ends_with("input_output_W") ||  // A difference, which `expect_power_balance` takes.
            path.find("iterations") != std::string::npos ||
            path.find("evaluations") != std::string::npos ||
            path.find_first_of("\",'") != std::string::npos;
@@ -150,11 +149,16 @@ void expect_study_agrees(const input::Source& source, const Json& document, Comm
   const DesignEngine engine = study_engine(in);
   const RowBlock base = engine.evaluate(0, 1);
   const bool fails = !base.failures.empty();
+  // What friction does is rounding of the force where there is none.
+  double rounding = 0.0;
+  if (const auto cases = document.find("load_cases"); cases != document.end() && !cases->empty())
+    rounding = 1e-12 * std::abs(cases->front().value("axial_force_N", 0.0));
   for (std::size_t k = 0; k < paths.size(); ++k) {
     const std::optional<double> said = response(document, paths[k]);
     const double studied = base.responses[k];
     if (fails && !std::isfinite(studied)) continue;
-    expect(said.has_value() == std::isfinite(studied) && (!said || agree(*said, studied, 1e-6)),
+    expect(said.has_value() == std::isfinite(studied) &&
+               (!said || agree(*said, studied, 1e-6) || std::abs(*said - studied) < rounding),
            fmt::format("{} is {} in a study", paths[k], studied));
   }
 }
