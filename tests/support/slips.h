@@ -97,7 +97,7 @@ inline prs::Case random_slip(std::mt19937_64& random) {
       0.5 * *m.pitch_diameter.screw / (standard ? m.starts.screw - 2 : m.starts.screw);
   m.profile.roller.radius = roller_radius / std::sin(flank) * uniform(0.7, 1.3);
   m.backlash = {uniform(-0.02, 0.05) * pitch, uniform(-0.02, 0.05) * pitch};
-  m.rollers = whole(1, 6);
+  m.rollers = whole(1, standard && m.starts.screw == 3 ? 5 : 6);  // As thick as the screw.
   m.contacts_per_roller = whole(2, 9);
   c.lubricant->viscosity = log_uniform(5e-3, 1.0);
   c.lubricant->pressure_viscosity = uniform(10e-9, 40e-9);
