@@ -103,7 +103,7 @@ std::string verdict(const std::vector<std::pair<std::string, Json>>& documents) 
 /// Both of each document, which is computed once. In the resolved input overrides and defaults are
 /// stated; what the file refers to stands where it stood.
 TEST(Documents, OfEveryLessonAndCommandAreAsTheirSchemaSaysAndComeAgainFromTheirResolvedInput) {
-  SKIP_UNDER_SANITIZERS();  // Which see `LessonReport`, of all lessons too.
+  SKIP_UNDER_SANITIZERS();  // There `LessonReport` takes all lessons.
   std::vector<std::pair<std::string, Json>> documents;
   for_each_run([&](const CommandRow& row, const input::Source& source) {
     Json document = document_of(row, source);
