@@ -8,7 +8,7 @@
 #include <random>
 
 #include "fe/cholesky.h"
-#include "fe/supernodal_cholesky.h"
+#include "fe/sparse_factorization.h"
 #include "prs/sector/full/full_influence.h"
 #include "prs/sector/full/full_structure.h"
 #include "prs/sector/full/orbit.h"
@@ -79,7 +79,7 @@ BENCHMARK(FullFactorize);
 
 void FullFactorizeSupernodal(benchmark::State& state) {
   const Tangent t;
-  const auto cholesky = modules::loaded<fe::CholmodModule>().factorization(t.matrix);
+  const auto cholesky = modules::loaded<fe::CholmodModule>().supernodal(t.matrix);
   for (auto _ : state) benchmark::DoNotOptimize(cholesky->factorize(t.matrix));
 }
 BENCHMARK(FullFactorizeSupernodal);

@@ -6,7 +6,7 @@
 
 #include "fe/cholesky.h"
 #include "fe/newton.h"
-#include "fe/supernodal_cholesky.h"
+#include "fe/sparse_factorization.h"
 #include "prs/sector/load_distribution.h"
 #include "support/sectors.h"
 
@@ -58,7 +58,7 @@ BENCHMARK(Factorize);
 
 void FactorizeSupernodal(benchmark::State& state) {
   Loaded l;
-  const auto cholesky = modules::loaded<fe::CholmodModule>().factorization(l.tangent);
+  const auto cholesky = modules::loaded<fe::CholmodModule>().supernodal(l.tangent);
   for (auto _ : state) benchmark::DoNotOptimize(cholesky->factorize(l.tangent));
 }
 BENCHMARK(FactorizeSupernodal);

@@ -209,7 +209,7 @@ HarmonicBody::HarmonicBody(const MeridianMesh& mesh, const Isotropic& material, 
         springs_[slot(i.equation, j.equation)] +=
             spring.stiffness * i.sign * a.weight * j.sign * b.weight;
       }
-  cholesky_ = modules::loaded<CholmodModule>().factorization(stiffness_);
+  cholesky_ = modules::loaded<CholmodModule>().supernodal(stiffness_);
 }
 
 void HarmonicBody::number_freedoms(const MeridianMesh& mesh, int harmonic,
@@ -296,7 +296,7 @@ FactorizationStatus HarmonicBody::factorize(int harmonic) {
 }
 
 Eigen::MatrixXd HarmonicBody::solve(const Eigen::MatrixXd& loads) {
-  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(unknowns(), loads.cols()), x;
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(unknowns(), loads.cols()), x(unknowns(), loads.cols());
   for (Eigen::Index row = 0; row < loads.rows(); ++row) {
     const Freedom f = freedom_[static_cast<std::size_t>(row)];
     if (f.equation >= 0) b.row(f.equation) += f.sign * loads.row(row);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fe/meridian_mesh.h"
+#include "fe/sparse_factorization.h"
 #include "fe/sparse_symmetric.h"
-#include "fe/supernodal_cholesky.h"
 
 namespace fe {
 
@@ -129,7 +129,7 @@ class HarmonicBody {
   SparseSymmetric stiffness_;
   std::vector<double> constant_, linear_, quadratic_;  ///< Terms of K(n)/c_n, on the pattern.
   std::vector<double> springs_;
-  std::unique_ptr<SupernodalCholesky> cholesky_;
+  std::unique_ptr<SparseFactorization> cholesky_;
 };
 
 }  // namespace fe

@@ -3,6 +3,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <atomic>
 
 namespace fe {
 namespace {
@@ -14,35 +15,74 @@ Matrix upper_of(const SparseSymmetric& m) {
                                   m.column_start.data(), m.row.data(), m.value.data());
 }
 
-}  // namespace
+class EigenFactorization : public SparseFactorization {
+ public:
+  explicit EigenFactorization(const SparseSymmetric& pattern) : matrix_(upper_of(pattern)) {
+    factor_.analyzePattern(matrix_);
+  }
 
-struct Cholesky::Impl {
-  Matrix matrix;
-  Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factor;
+  FactorizationStatus factorize(const SparseSymmetric& matrix,
+                                double smallest_pivot_ratio) override {
+    std::copy(matrix.value.begin(), matrix.value.end(), matrix_.valuePtr());
+    factor_.factorize(matrix_);
+    if (factor_.info() != Eigen::Success) return FactorizationStatus::not_positive_definite;
+    const Eigen::VectorXd pivots = factor_.vectorD();
+    // False where one is no number.
+    const bool positive = (pivots.array() > smallest_pivot_ratio * pivots.maxCoeff()).all();
+    return positive ? FactorizationStatus::ok : FactorizationStatus::not_positive_definite;
+  }
+
+  void solve(const Eigen::Ref<const Eigen::MatrixXd>& b,
+             Eigen::Ref<Eigen::MatrixXd> x) const override {
+    x = factor_.solve(b);
+  }
+
+ private:
+  Matrix matrix_;
+  Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factor_;
 };
 
-Cholesky::Cholesky(const SparseSymmetric& pattern) : impl_(std::make_unique<Impl>()) {
-  impl_->matrix = upper_of(pattern);
-  impl_->factor.analyzePattern(impl_->matrix);
+std::atomic<bool> eigen_always = false;
+
+struct Library {
+  CholmodModule::Factorize* factorization;
+  std::string name;
+};
+
+/// CHOLMOD's where its module loads; a failure is not tried again.
+const Library& library() {
+  static const Library eigen{eigen_factorization, eigen_factorization_name()};
+  if (eigen_always) return eigen;
+  static const Library best = [] {
+    try {
+      const CholmodModule& module = modules::loaded<CholmodModule>();
+      return Library{module.simplicial, module.name()};
+    } catch (const modules::Missing&) {
+      return eigen;
+    }
+  }();
+  return best;
 }
 
-Cholesky::~Cholesky() = default;
-Cholesky::Cholesky(Cholesky&&) noexcept = default;
-Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
+}  // namespace
 
-FactorizationStatus Cholesky::factorize(const SparseSymmetric& matrix,
-                                        double smallest_pivot_ratio) {
-  std::copy(matrix.value.begin(), matrix.value.end(), impl_->matrix.valuePtr());
-  impl_->factor.factorize(impl_->matrix);
-  if (impl_->factor.info() != Eigen::Success) return FactorizationStatus::not_positive_definite;
-  const Eigen::VectorXd pivots = impl_->factor.vectorD();
-  // False where one is no number.
-  const bool positive = (pivots.array() > smallest_pivot_ratio * pivots.maxCoeff()).all();
-  return positive ? FactorizationStatus::ok : FactorizationStatus::not_positive_definite;
+Cholesky::Cholesky(const SparseSymmetric& pattern)
+    : factorization_(library().factorization(pattern)) {}
+
+std::string_view Cholesky::name() { return library().name; }
+
+void factorize_by_eigen(bool always) { eigen_always = always; }
+
+std::unique_ptr<SparseFactorization> eigen_factorization(const SparseSymmetric& pattern) {
+  return std::make_unique<EigenFactorization>(pattern);
 }
 
-void Cholesky::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
-  x = impl_->factor.solve(b);
+std::string eigen_factorization_name() {
+  std::string text = "Eigen ";
+  for (const int number : {EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION})
+    text += std::to_string(number) + '.';
+  text.back() = ',';
+  return text + " simplicial LDL'";
 }
 
 std::vector<int> fill_reducing_order(const SparseSymmetric& pattern) {

@@ -2,37 +2,49 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "fe/factorization_status.h"
+#include "fe/sparse_factorization.h"
 #include "fe/sparse_symmetric.h"
 
 namespace fe {
 
-/// Sparse LDL' by Eigen for a fixed pattern of the size of a sector: the symbolic analysis happens
-/// once, at birth; `factorize` takes new values for the same pattern. The matrix is factorized in
-/// the order given: number the equations by `fill_reducing_order` first. For much larger patterns
-/// see SupernodalCholesky.
+/// Sparse LDL' for a fixed pattern of the size of a sector: by CHOLMOD, or by Eigen where that is
+/// not installed. The symbolic analysis happens once, at birth; `factorize` takes new values for
+/// the same pattern. The matrix is factorized in the order given: number the equations by
+/// `fill_reducing_order` first.
 class Cholesky {
  public:
   explicit Cholesky(const SparseSymmetric& pattern);
-  ~Cholesky();
-  Cholesky(Cholesky&&) noexcept;
-  Cholesky& operator=(Cholesky&&) noexcept;
 
-  /// Not positive definite: also where a pivot is below `smallest_pivot_ratio` times the largest.
+  /// As SparseFactorization has them.
   FactorizationStatus factorize(const SparseSymmetric& matrix,
-                                double smallest_pivot_ratio = kSmallestPivotRatio);
+                                double smallest_pivot_ratio = kSmallestPivotRatio) {
+    return factorization_->factorize(matrix, smallest_pivot_ratio);
+  }
+  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
+    x.resize(b.size());
+    factorization_->solve(b, x);
+  }
 
-  /// Solves A x = b with the last factorization, which must have been `ok`.
-  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
+  /// Library, version and kind: `CHOLMOD 3.0.14, simplicial LDL'`.
+  static std::string_view name();
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<SparseFactorization> factorization_;
 };
 
-/// Approximate minimum degree order: entry k is the row that comes k-th.
+/// Takes Eigen's from now on, for comparing both; not while other threads solve.
+void factorize_by_eigen(bool always);
+
+/// Eigen's simplicial LDL', and what it is called.
+std::unique_ptr<SparseFactorization> eigen_factorization(const SparseSymmetric& pattern);
+std::string eigen_factorization_name();
+
+/// Approximate minimum degree order, by Eigen: entry k is the row that comes k-th.
 std::vector<int> fill_reducing_order(const SparseSymmetric& pattern);
 
 }  // namespace fe

@@ -1,9 +1,12 @@
 #include <cholmod.h>
 
+#include <algorithm>
 #include <cassert>
+#include <limits>
 #include <new>
+#include <string>
 
-#include "fe/supernodal_cholesky.h"
+#include "fe/sparse_factorization.h"
 
 namespace fe {
 namespace {
@@ -39,25 +42,27 @@ cholmod_sparse view(const SparseSymmetric& m) {
 }
 
 /// CHOLMOD's view of the columns of a matrix; it never writes to them.
-cholmod_dense view(const Eigen::MatrixXd& b) {
+cholmod_dense view(const Eigen::Ref<const Eigen::MatrixXd>& b) {
   cholmod_dense d{};
-  d.nrow = d.d = static_cast<std::size_t>(b.rows());
+  d.nrow = static_cast<std::size_t>(b.rows());
   d.ncol = static_cast<std::size_t>(b.cols());
-  d.nzmax = d.nrow * d.ncol;
+  d.d = static_cast<std::size_t>(b.outerStride());
+  d.nzmax = d.d * d.ncol;
   d.x = const_cast<double*>(b.data());
   d.xtype = CHOLMOD_REAL;
   d.dtype = CHOLMOD_DOUBLE;
   return d;
 }
 
-class Cholmod : public SupernodalCholesky {
+/// With a workspace of its own, so that threads do not meet.
+class Cholmod : public SparseFactorization {
  public:
-  explicit Cholmod(const SparseSymmetric& pattern) {
+  Cholmod(const SparseSymmetric& pattern, int kind) {
     set_common(common_);
     common_.nmethods = 1;
     common_.method[0].ordering = CHOLMOD_NATURAL;
     common_.postorder = 0;
-    common_.supernodal = CHOLMOD_SUPERNODAL;
+    common_.supernodal = kind;
     cholmod_sparse a = view(pattern);
     factor_ = cholmod_analyze(&a, &common_);
     if (factor_ == nullptr) {
@@ -73,16 +78,19 @@ class Cholmod : public SupernodalCholesky {
     cholmod_finish(&common_);
   }
 
-  FactorizationStatus factorize(const SparseSymmetric& matrix) override {
+  FactorizationStatus factorize(const SparseSymmetric& matrix,
+                                double smallest_pivot_ratio) override {
     cholmod_sparse a = view(matrix);
     cholmod_factorize(&a, factor_, &common_);
     require_memory(common_);
     const bool ok = common_.status != CHOLMOD_NOT_POSDEF && factor_->minor == factor_->n &&
-                    cholmod_rcond(factor_, &common_) > kSmallestPivotRatio;
+                    (factor_->is_super ? cholmod_rcond(factor_, &common_) > smallest_pivot_ratio
+                                       : pivots_are_above(smallest_pivot_ratio));
     return ok ? FactorizationStatus::ok : FactorizationStatus::not_positive_definite;
   }
 
-  void solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) override {
+  void solve(const Eigen::Ref<const Eigen::MatrixXd>& b,
+             Eigen::Ref<Eigen::MatrixXd> x) const override {
     cholmod_dense rhs = view(b);
     [[maybe_unused]] const int ok = cholmod_solve2(CHOLMOD_A, factor_, &rhs, nullptr, &solution_,
                                                    nullptr, &workspace_y_, &workspace_e_, &common_);
@@ -93,15 +101,30 @@ class Cholmod : public SupernodalCholesky {
   }
 
  private:
-  cholmod_common common_{};
+  /// Of LDL'; false where one is no number.
+  bool pivots_are_above(double smallest_ratio) const {
+    const int* first = static_cast<const int*>(factor_->p);
+    const double* value = static_cast<const double*>(factor_->x);
+    double least = std::numeric_limits<double>::infinity(), largest = 0.0;
+    for (std::size_t j = 0; j < factor_->n; ++j) {
+      const double pivot = value[first[j]];
+      if (!(pivot > 0.0)) return false;
+      least = std::min(least, pivot);
+      largest = std::max(largest, pivot);
+    }
+    return least > smallest_ratio * largest;
+  }
+
+  mutable cholmod_common common_{};
   cholmod_factor* factor_ = nullptr;
-  cholmod_dense* solution_ = nullptr;
-  cholmod_dense* workspace_y_ = nullptr;
-  cholmod_dense* workspace_e_ = nullptr;
+  mutable cholmod_dense* solution_ = nullptr;
+  mutable cholmod_dense* workspace_y_ = nullptr;
+  mutable cholmod_dense* workspace_e_ = nullptr;
 };
 
-std::unique_ptr<SupernodalCholesky> factorization(const SparseSymmetric& pattern) {
-  return std::make_unique<Cholmod>(pattern);
+template <int kind>
+std::unique_ptr<SparseFactorization> factorization(const SparseSymmetric& pattern) {
+  return std::make_unique<Cholmod>(pattern, kind);
 }
 
 std::vector<int> fill_reducing_order(const SparseSymmetric& pattern) {
@@ -116,8 +139,22 @@ std::vector<int> fill_reducing_order(const SparseSymmetric& pattern) {
   return order;
 }
 
+/// The version of the library that is loaded.
+std::string name() {
+  int version[3];
+  cholmod_version(version);
+  std::string text = "CHOLMOD ";
+  for (const int number : version) text += std::to_string(number) + '.';
+  text.back() = ',';
+  return text + " simplicial LDL'";
+}
+
 }  // namespace
 }  // namespace fe
 
 extern "C" __attribute__((visibility("default")))
-const fe::CholmodModule prs_module{{}, fe::factorization, fe::fill_reducing_order};
+const fe::CholmodModule prs_module{{},
+                                   fe::factorization<CHOLMOD_SIMPLICIAL>,
+                                   fe::factorization<CHOLMOD_SUPERNODAL>,
+                                   fe::fill_reducing_order,
+                                   fe::name};

@@ -4,27 +4,19 @@
 #include <cmath>
 #include <limits>
 
-#include "fe/cholesky.h"
-#include "fe/index.h"
+#include "fe/double_tangent.h"
 #include "fe/newton_method.h"
 #include "fe/wide_newton.h"
 
 namespace fe {
 namespace {
 
-/// Steps of which doubles may shift the tangent, before wider numbers tell whether it is singular
-/// or only seems so.
-constexpr int kMostShifted = 8;
-
-/// Relative residual of a state worth going on from; what wrong digits led to may be far away.
-constexpr double kNear = 1e-6;
-
 constexpr double kTangentTolerance = 1e-11;
 constexpr int kMostRefinements = 10;
 /// Relative correction after which the next one would be rounding.
 constexpr double kRefined = 1e-8;
 
-class DoubleNumbers {
+class DoubleNumbers : public DoubleTangent {
  public:
   static constexpr int kMostStalls = 3;
   static constexpr double kNoGain = 1e-3;
@@ -33,51 +25,27 @@ class DoubleNumbers {
   using Vector = Eigen::VectorXd;
 
   explicit DoubleNumbers(const Equations& equations)
-      : equations_(&equations), tangent_(equations.linear_stiffness()), cholesky_(tangent_) {}
+      : DoubleTangent(equations), equations_(&equations) {}
 
   State zero_state() const { return Vector(Vector::Zero(equations_->size())); }
 
   double energy_and_residual(const State& q, const Vector& f, Vector& residual) const {
     return equations_->energy_and_residual(q, f, residual);
   }
-  void tangent(const State& q, double least) { equations_->tangent_stiffness(q, tangent_, least); }
-  void secant(const std::vector<double>& stiffness) {
-    equations_->secant_stiffness(stiffness, tangent_);
-  }
-  void shift_by(double change) {
-    const SparseSymmetric& linear = equations_->linear_stiffness();
-    for (int j = 0; j < tangent_.size(); ++j) {
-      const int diagonal = at(tangent_.column_start, j + 1) - 1;
-      at(tangent_.value, diagonal) += change * at(linear.value, diagonal);
-    }
-  }
-  FactorizationStatus factorize() { return cholesky_.factorize(tangent_, smallest_pivot_ratio); }
   /// The factorized secant matrix, kept where it comes again: models that differ in gaps and loads
   /// have it in common. Null where it is singular.
   const Cholesky* start_factor() {
-    if (tangent_.value != start_value_) {
-      start_value_ = tangent_.value;
+    if (matrix().value != start_value_) {
+      start_value_ = matrix().value;
       start_.reset();
-      return factorize() == FactorizationStatus::ok ? &cholesky_ : nullptr;
+      return factorize() == FactorizationStatus::ok ? &cholesky() : nullptr;
     }
     if (!start_) {
-      start_ = std::make_unique<Cholesky>(tangent_);
-      if (start_->factorize(tangent_, smallest_pivot_ratio) != FactorizationStatus::ok)
+      start_ = std::make_unique<Cholesky>(matrix());
+      if (start_->factorize(matrix(), smallest_pivot_ratio) != FactorizationStatus::ok)
         start_.reset();
     }
     return start_.get();
-  }
-  double smallest_pivot_ratio = kSmallestPivotRatio;
-  void solve(const Vector& b, Vector& x) { cholesky_.solve(b, x); }
-  bool solved(const Vector& b, const Vector& x) const {
-    Vector left = b;
-    for (int j = 0; j < tangent_.size(); ++j)
-      for (int k = at(tangent_.column_start, j); k < at(tangent_.column_start, j + 1); ++k) {
-        const int i = at(tangent_.row, k);
-        left[i] -= at(tangent_.value, k) * x[j];
-        if (i != j) left[j] -= at(tangent_.value, k) * x[i];
-      }
-    return left.cwiseAbs().maxCoeff() <= 0.1 * b.cwiseAbs().maxCoeff();
   }
   double force_change(const State& q, const Vector& x) const {
     return equations_->force_change(q, x);
@@ -98,8 +66,6 @@ class DoubleNumbers {
 
  private:
   const Equations* equations_;
-  SparseSymmetric tangent_;
-  Cholesky cholesky_;
   std::vector<double> start_value_;
   std::unique_ptr<Cholesky> start_;
 };
@@ -132,7 +98,9 @@ NewtonSolver& NewtonSolver::operator=(NewtonSolver&&) noexcept = default;
 void NewtonSolver::equations_changed() { wide_.reset(); }
 
 WideNewton& NewtonSolver::wide() {
-  if (!wide_) wide_ = std::make_unique<WideNewton>(*equations_);
+  if (!wide_)
+    wide_ =
+        std::make_unique<WideNewton>(*equations_, doubles_->method.numbers().smallest_pivot_ratio);
   return *wide_;
 }
 
@@ -141,19 +109,14 @@ NewtonSummary NewtonSolver::solve(const Eigen::VectorXd& f, const NewtonOptions&
   const int limit = options.iteration_limit(static_cast<int>(equations_->springs().size()));
   const State start = q;
   NewtonSummary summary = doubles_->method.solve(f, options, limit, kMostShifted, q);
-  const bool digits_may_help = summary.status == NewtonStatus::line_search_failed ||
-                               summary.status == NewtonStatus::not_positive_definite;
-  if (!digits_may_help || !std::isfinite(summary.relative_residual)) return summary;
+  if (!digits_may_help(summary)) return summary;
   if (held && !held()) {
     summary.status = NewtonStatus::no_equilibrium;
     return summary;
   }
   if (!(summary.relative_residual <= kNear)) q = start;
-  NewtonSummary further = wide().solve(f, options, limit - summary.iterations(), q);
-  further.wide = true;
-  further.initial_relative_residual = summary.initial_relative_residual;
-  further.history.insert(further.history.begin(), summary.history.begin(), summary.history.end());
-  return further;
+  continue_by(wide().solve(f, options, limit - summary.iterations(), q), summary);
+  return summary;
 }
 
 bool NewtonSolver::start(const Eigen::VectorXd& f, const std::vector<double>& stiffness, State& q) {

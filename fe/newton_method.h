@@ -10,6 +10,27 @@
 
 namespace fe {
 
+/// Steps of which doubles may shift the tangent, before wider numbers tell whether it is singular
+/// or only seems so.
+inline constexpr int kMostShifted = 8;
+
+/// Relative residual of a state worth going on from; what wrong digits led to may be far away.
+inline constexpr double kNear = 1e-6;
+
+/// Whether numbers with more digits may find what these did not.
+inline bool digits_may_help(const NewtonSummary& s) {
+  return (s.status == NewtonStatus::line_search_failed ||
+          s.status == NewtonStatus::not_positive_definite) &&
+         std::isfinite(s.relative_residual);
+}
+
+/// Adds what a solve reached that went on from the last one.
+inline void continue_by(NewtonSummary further, NewtonSummary& summary) {
+  further.initial_relative_residual = summary.initial_relative_residual;
+  further.history.insert(further.history.begin(), summary.history.begin(), summary.history.end());
+  summary = std::move(further);
+}
+
 /// Newton's method for any number type. `Numbers` holds the workspace and provides
 ///
 /// - `Energy`, `State`, `Vector`: a number, displacements, and anything else that has an entry for

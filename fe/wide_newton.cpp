@@ -4,7 +4,9 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
 #include <limits>
+#include <optional>
 
+#include "fe/double_tangent.h"
 #include "fe/index.h"
 #include "fe/newton_method.h"
 
@@ -40,23 +42,13 @@ State to_state(const WideState& q) {
   return state;
 }
 
-}  // namespace
-
-struct WideNewton::Numbers {
-  static constexpr int kMostStalls = std::numeric_limits<int>::max();
-  static constexpr double kNoGain = 0.0;
+/// What the states, forces and energies of both kinds of steps are.
+struct WideNumbers {
   using Energy = Wide;
   using State = WideState;
   using Vector = WideVector;
-  using Matrix = Eigen::SparseMatrix<Wide>;
 
-  explicit Numbers(const Equations& e) : equations(e), linear(e.linear_values<Wide>()) {
-    const SparseSymmetric& pattern = e.linear_stiffness();
-    matrix =
-        Eigen::Map<const Matrix>(e.size(), e.size(), static_cast<Eigen::Index>(linear.size()),
-                                 pattern.column_start.data(), pattern.row.data(), linear.data());
-    factor.analyzePattern(matrix);
-  }
+  explicit WideNumbers(const Equations& e) : equations(e) {}
 
   State zero_state() const { return {Vector::Zero(equations.size())}; }
 
@@ -84,33 +76,6 @@ struct WideNewton::Numbers {
     }
     return energy;
   }
-
-  void tangent(const State& q, double least) {
-    std::copy(linear.begin(), linear.end(), matrix.valuePtr());
-    for (const Equations::Spring& s : equations.springs())
-      s.for_each_tangent(Wide(std::max(response(s, q).tangent, least)),
-                         [&](int slot, const Wide& k) { matrix.valuePtr()[slot] += k; });
-  }
-
-  void shift_by(double change) {
-    for (int j = 0; j < equations.size(); ++j) {
-      const int diagonal = matrix.outerIndexPtr()[j + 1] - 1;
-      matrix.valuePtr()[diagonal] += change * at(linear, diagonal);
-    }
-  }
-
-  FactorizationStatus factorize() {
-    factor.factorize(matrix);
-    if (factor.info() != Eigen::Success) return FactorizationStatus::not_positive_definite;
-    const Vector pivots = factor.vectorD();
-    for (const Wide& pivot : pivots)
-      if (!(pivot > kSmallestWidePivotRatio * pivots.maxCoeff()))
-        return FactorizationStatus::not_positive_definite;
-    return FactorizationStatus::ok;
-  }
-
-  void solve(const Vector& b, Vector& x) const { x = factor.solve(b); }
-  bool solved(const Vector&, const Vector&) const { return true; }
 
   double force_change(const State& q, const Vector& x) const {
     return equations.force_change(to_state(q), x.cast<double>());
@@ -141,31 +106,110 @@ struct WideNewton::Numbers {
   }
 
   const Equations& equations;
+};
+
+/// Steps in doubles.
+struct DoubleSteps : WideNumbers {
+  static constexpr int kMostStalls = 3;
+  static constexpr double kNoGain = 1e-3;
+
+  explicit DoubleSteps(const Equations& e) : WideNumbers(e), doubles(e) {}
+
+  void tangent(const State& q, double least) { doubles.tangent(to_state(q), least); }
+  void shift_by(double change) { doubles.shift_by(change); }
+  FactorizationStatus factorize() { return doubles.factorize(); }
+  void solve(const Vector& b, Vector& x) {
+    doubles.solve(b.cast<double>(), step);
+    x = step.cast<Wide>();
+  }
+  bool solved(const Vector& b, const Vector& x) const {
+    return doubles.solved(b.cast<double>(), x.cast<double>());
+  }
+
+  DoubleTangent doubles;
+  Eigen::VectorXd step;
+};
+
+/// Steps in wide numbers.
+struct WideSteps : WideNumbers {
+  static constexpr int kMostStalls = std::numeric_limits<int>::max();
+  static constexpr double kNoGain = 0.0;
+  using Matrix = Eigen::SparseMatrix<Wide>;
+
+  explicit WideSteps(const Equations& e) : WideNumbers(e), linear(e.linear_values<Wide>()) {
+    const SparseSymmetric& pattern = e.linear_stiffness();
+    matrix =
+        Eigen::Map<const Matrix>(e.size(), e.size(), static_cast<Eigen::Index>(linear.size()),
+                                 pattern.column_start.data(), pattern.row.data(), linear.data());
+    factor.analyzePattern(matrix);
+  }
+
+  void tangent(const State& q, double least) {
+    std::copy(linear.begin(), linear.end(), matrix.valuePtr());
+    for (const Equations::Spring& s : equations.springs())
+      s.for_each_tangent(Wide(std::max(response(s, q).tangent, least)),
+                         [&](int slot, const Wide& k) { matrix.valuePtr()[slot] += k; });
+  }
+
+  void shift_by(double change) {
+    for (int j = 0; j < equations.size(); ++j) {
+      const int diagonal = matrix.outerIndexPtr()[j + 1] - 1;
+      matrix.valuePtr()[diagonal] += change * at(linear, diagonal);
+    }
+  }
+
+  FactorizationStatus factorize() {
+    factor.factorize(matrix);
+    if (factor.info() != Eigen::Success) return FactorizationStatus::not_positive_definite;
+    const Vector pivots = factor.vectorD();
+    for (const Wide& pivot : pivots)
+      if (!(pivot > kSmallestWidePivotRatio * pivots.maxCoeff()))
+        return FactorizationStatus::not_positive_definite;
+    return FactorizationStatus::ok;
+  }
+
+  void solve(const Vector& b, Vector& x) const { x = factor.solve(b); }
+  bool solved(const Vector&, const Vector&) const { return true; }
+
   std::vector<Wide> linear;
   Matrix matrix;  ///< Upper triangle of the tangent.
   Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factor;
 };
 
+}  // namespace
+
 struct WideNewton::Implementation {
-  NewtonMethod<Numbers> method;
+  const Equations& equations;
+  NewtonMethod<DoubleSteps> by_doubles;
+  std::optional<NewtonMethod<WideSteps>> by_wide;
+
+  NewtonMethod<WideSteps>& wide() { return by_wide ? *by_wide : by_wide.emplace(equations); }
 };
 
-WideNewton::WideNewton(const Equations& equations)
-    : implementation_(new Implementation{NewtonMethod<Numbers>(equations)}) {}
+WideNewton::WideNewton(const Equations& equations, double smallest_pivot_ratio)
+    : implementation_(new Implementation{equations, NewtonMethod<DoubleSteps>(equations), {}}) {
+  implementation_->by_doubles.numbers().doubles.smallest_pivot_ratio = smallest_pivot_ratio;
+}
 WideNewton::~WideNewton() = default;
 
 NewtonSummary WideNewton::solve(const Eigen::VectorXd& f, const NewtonOptions& options, int limit,
                                 State& q) {
   WideState wide = to_wide(q);
-  NewtonOptions wide_options = options;
-  wide_options.first_shift = kFirstShift;
-  NewtonSummary summary = implementation_->method.solve(f, wide_options, limit, limit, wide);
+  NewtonSummary summary = implementation_->by_doubles.solve(f, options, limit, kMostShifted, wide);
+  if (digits_may_help(summary)) {
+    if (!(summary.relative_residual <= kNear)) wide = to_wide(q);
+    NewtonOptions wide_options = options;
+    wide_options.first_shift = kFirstShift;
+    const int left = limit - summary.iterations();
+    continue_by(implementation_->wide().solve(f, wide_options, left, left, wide), summary);
+    summary.wide = true;
+  }
   q = to_state(wide);
   return summary;
 }
 
 bool WideNewton::solve_tangent(const State& q, const Eigen::VectorXd& rate, Eigen::VectorXd& x) {
-  Numbers& numbers = implementation_->method.numbers();
+  WideSteps& numbers = implementation_->wide().numbers();
   numbers.tangent(to_wide(q), 0.0);
   if (numbers.factorize() != FactorizationStatus::ok) return false;
   WideVector wide;

@@ -9,21 +9,22 @@
 namespace fe {
 
 /// Newton's method in numbers of 113 binary digits, for models whose stiffnesses are so far apart
-/// that the assembled tangent loses the softest of them in double precision: stiffnesses 17 decades
-/// apart keep 16 digits. Slower by a factor of about a hundred.
+/// that doubles lose the softest of them: stiffnesses 17 decades apart keep 16 digits.
 class WideNewton {
  public:
-  explicit WideNewton(const Equations& equations);
+  /// As NewtonSolver has them.
+  WideNewton(const Equations& equations, double smallest_pivot_ratio);
   ~WideNewton();
 
-  /// As NewtonSolver::solve, in at most `limit` linear solves.
+  /// As NewtonSolver::solve, in at most `limit` linear solves: forces are those of wide numbers,
+  /// but steps are solved for in doubles, whose errors the next step takes away. Where these are
+  /// too large, it goes on with a tangent in wide numbers, a thousand times as slow.
   NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, int limit, State& q);
 
   /// As NewtonSolver::solve_tangent.
   bool solve_tangent(const State& q, const Eigen::VectorXd& rate, Eigen::VectorXd& x);
 
  private:
-  struct Numbers;
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };

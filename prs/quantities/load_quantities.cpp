@@ -1,3 +1,6 @@
+#include <cmath>
+
+#include "fe/cholesky.h"
 #include "prs/loads/full_result.h"
 #include "prs/quantities/heat_quantities.h"
 #include "prs/quantities/measure_quantities.h"
@@ -50,6 +53,15 @@ constexpr auto of_solve = of<[](const LoadCaseResult& r) {
   return r.solve ? std::optional(std::invoke(get, *r.solve)) : std::nullopt;
 }>;
 
+/// Methods without a sparse matrix know no energy.
+std::optional<std::string> factorization(const LoadCaseResult& r) {
+  if (!r.solve || r.solve->history.empty() || std::isnan(r.solve->history.back().energy))
+    return std::nullopt;
+  std::string name(fe::Cholesky::name());
+  if (r.solve->wide) name += "; then Eigen's LDL' of 113 binary digits";
+  return name;
+}
+
 template <Interface i>
 constexpr auto of_loads =
     of<[](const LoadCaseResult& r) { return r.threads ? &(*r.threads)[i] : nullptr; },
@@ -70,6 +82,9 @@ constexpr Quantity<LoadCaseResult> kLoadCase[] = {
      Reach::document},
     {"relative_residual", of_solve<&fe::NewtonSummary::relative_residual>,
      "largest force out of balance over the load", "", "", "", "", Reach::document},
+    {"factorization", of<factorization>,
+     "library, version and kind of what solved the sparse equations", "", "", "", "",
+     Reach::document},
     {"axial_displacement_um", of<&LoadCaseResult::axial_displacement, &LoadCaseResult::converged>,
      "of the loaded section; > 0 along the load"},
     {"axial_stiffness_N_per_um", of<&LoadCaseResult::axial_stiffness, &LoadCaseResult::converged>,

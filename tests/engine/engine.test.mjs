@@ -9,7 +9,7 @@ const ask = await loadEngine();
 const answerTo = (question) => JSON.parse(ask(JSON.stringify(question)));
 
 // What is left over after a solution, and the way to it.
-const ofTheWay = new Set(['newton_history', 'iterations', 'relative_residual', 'relative_residue',
+const ofTheWay = new Set(['newton_history', 'factorization', 'iterations', 'relative_residual', 'relative_residue',
                           'interpolation_error', 'axial_error_um']);
 // How far numbers may differ, by their path.
 const tolerances = [

@@ -5,10 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <random>
-
-#include "fe/supernodal_cholesky.h"
 
 namespace fe {
 namespace {
@@ -36,42 +33,33 @@ struct RandomSymmetric {
   }
 };
 
-/// Both factorizations, as one.
-class SupernodalOrNot {
- public:
-  SupernodalOrNot(const SparseSymmetric& pattern, bool supernodal) {
-    if (supernodal)
-      dense_ = modules::loaded<CholmodModule>().factorization(pattern);
-    else
-      sparse_.emplace(pattern);
-  }
-  FactorizationStatus factorize(const SparseSymmetric& a) {
-    return sparse_ ? sparse_->factorize(a) : dense_->factorize(a);
-  }
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) {
-    Eigen::VectorXd x;
-    Eigen::MatrixXd columns;
-    if (sparse_) return sparse_->solve(b, x), x;
-    dense_->solve(b, columns);
-    return columns;
-  }
+/// Every factorization: CHOLMOD's two and Eigen's.
+std::unique_ptr<SparseFactorization> by_simplicial(const SparseSymmetric& pattern) {
+  return modules::loaded<CholmodModule>().simplicial(pattern);
+}
+std::unique_ptr<SparseFactorization> by_supernodal(const SparseSymmetric& pattern) {
+  return modules::loaded<CholmodModule>().supernodal(pattern);
+}
 
- private:
-  std::optional<Cholesky> sparse_;
-  std::unique_ptr<SupernodalCholesky> dense_;
+class CholeskyKinds : public testing::TestWithParam<CholmodModule::Factorize*> {
+ protected:
+  static Eigen::VectorXd solution(const SparseFactorization& f, const Eigen::VectorXd& b) {
+    Eigen::VectorXd x(b.size());
+    f.solve(b, x);
+    return x;
+  }
 };
-
-class CholeskyKinds : public testing::TestWithParam<bool> {};
-INSTANTIATE_TEST_SUITE_P(Both, CholeskyKinds, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(All, CholeskyKinds,
+                         testing::Values(by_simplicial, by_supernodal, eigen_factorization));
 
 TEST_P(CholeskyKinds, SolvesAsDenseFactorization) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const int n = 3 + 7 * static_cast<int>(seed);
     const RandomSymmetric a(n, 0.1, n, seed);
-    SupernodalOrNot cholesky(a.sparse, GetParam());
-    ASSERT_EQ(cholesky.factorize(a.sparse), FactorizationStatus::ok);
+    const auto cholesky = GetParam()(a.sparse);
+    ASSERT_EQ(cholesky->factorize(a.sparse), FactorizationStatus::ok);
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, -1.0, 2.0);
-    const Eigen::VectorXd x = cholesky.solve(b);
+    const Eigen::VectorXd x = solution(*cholesky, b);
     EXPECT_LT((x - a.dense.ldlt().solve(b)).norm(), 1e-13 * x.norm());
   }
 }
@@ -81,18 +69,18 @@ TEST_P(CholeskyKinds, TellsIndefiniteFromDefinite) {
     const RandomSymmetric a(30, 0.2, 0.5, seed);
     const bool positive =
         Eigen::LLT<Eigen::MatrixXd>(a.dense).info() == Eigen::ComputationInfo::Success;
-    SupernodalOrNot cholesky(a.sparse, GetParam());
-    EXPECT_EQ(cholesky.factorize(a.sparse) == FactorizationStatus::ok, positive) << seed;
+    const auto cholesky = GetParam()(a.sparse);
+    EXPECT_EQ(cholesky->factorize(a.sparse) == FactorizationStatus::ok, positive) << seed;
   }
 }
 
 TEST_P(CholeskyKinds, RecoversAfterAnIndefiniteMatrix) {
   RandomSymmetric a(30, 0.2, 30.0, 1);
-  SupernodalOrNot cholesky(a.sparse, GetParam());
+  const auto cholesky = GetParam()(a.sparse);
   SparseSymmetric negative = a.sparse;
   for (double& v : negative.value) v = -v;
-  EXPECT_EQ(cholesky.factorize(negative), FactorizationStatus::not_positive_definite);
-  EXPECT_EQ(cholesky.factorize(a.sparse), FactorizationStatus::ok);
+  EXPECT_EQ(cholesky->factorize(negative), FactorizationStatus::not_positive_definite);
+  EXPECT_EQ(cholesky->factorize(a.sparse), FactorizationStatus::ok);
 }
 
 TEST_P(CholeskyKinds, SingularMatrixIsNotPositiveDefinite) {
@@ -100,8 +88,24 @@ TEST_P(CholeskyKinds, SingularMatrixIsNotPositiveDefinite) {
   singular.column_start = {0, 1, 3};
   singular.row = {0, 0, 1};
   singular.value = {1.0, -1.0, 1.0};
-  SupernodalOrNot cholesky(singular, GetParam());
-  EXPECT_EQ(cholesky.factorize(singular), FactorizationStatus::not_positive_definite);
+  const auto cholesky = GetParam()(singular);
+  EXPECT_EQ(cholesky->factorize(singular), FactorizationStatus::not_positive_definite);
+}
+
+TEST_P(CholeskyKinds, SmallPivotsAreRefusedByTheRatioGiven) {
+  RandomSymmetric a(30, 0.0, 5.0, 1);
+  a.sparse.value.front() = 1e-9;
+  const auto cholesky = GetParam()(a.sparse);
+  EXPECT_EQ(cholesky->factorize(a.sparse, 1e-8), FactorizationStatus::not_positive_definite);
+  EXPECT_EQ(cholesky->factorize(a.sparse, 0.0), FactorizationStatus::ok);
+}
+
+TEST(Cholesky, IsCholmodsOrEigensAsItsNameSays) {
+  EXPECT_TRUE(Cholesky::name().starts_with("CHOLMOD "));
+  EXPECT_TRUE(Cholesky::name().ends_with("simplicial LDL'"));
+  factorize_by_eigen(true);
+  EXPECT_TRUE(Cholesky::name().starts_with("Eigen "));
+  factorize_by_eigen(false);
 }
 
 TEST(FillReducingOrder, IsAPermutation) {

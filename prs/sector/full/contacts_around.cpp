@@ -3,6 +3,7 @@
 #include <Eigen/Jacobi>
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace prs {
@@ -65,6 +66,8 @@ class Around {
       modes_.back().flexibility *= unit;
       modes_.back().rigid.rightCols(m.reactions) *= unit;
       modes_.back().support.bottomRightCorner(m.reactions, m.reactions) *= unit;
+      const Index of_motions = m.rigid.cols() - m.reactions;
+      modes_.back().support.topLeftCorner(of_motions, of_motions) /= unit;
     }
     for (std::size_t w = 0; w < given.waves.size(); ++w) {
       shapes_.col(static_cast<Index>(w)) = given.waves[w].shape;
@@ -128,6 +131,29 @@ class Around {
       s.approach_left.col(at).noalias() -= m.rigid * v;
       motions(s.force_left, w) += m.rigid.transpose() * load.col(at) + m.support * v;
     }
+  }
+
+  /// Whether rounding of the sums alone can leave this much: as much as half an eps for each term
+  /// of a sum of their sizes (Higham, Accuracy and Stability of Numerical Algorithms, 2002, (3.5)).
+  bool left_is_rounding(const State& s) const {
+    const MatrixXd shapes = shapes_.cwiseAbs(), load = s.load * shapes;
+    const MatrixXd approach = s.y.cwiseAbs() * shapes + gap_.cwiseAbs();
+    const double share = 0.5 * std::numeric_limits<double>::epsilon() *
+                         static_cast<double>(contacts_ + rollers_ + motions_);
+    for (std::size_t w = 0; w < first_.size(); ++w) {
+      const ContactsAround::Mode& m = mode_of(w);
+      const VectorXd v = motions(s.motion, w).cwiseAbs();
+      const MatrixXd rigid = m.rigid.cwiseAbs();
+      const auto at = static_cast<Index>(w);
+      const VectorXd approaches =
+          approach.col(at) + m.flexibility.cwiseAbs() * load.col(at) + rigid * v;
+      const VectorXd forces = motions(load_, w).cwiseAbs() + rigid.transpose() * load.col(at) +
+                              m.support.cwiseAbs() * v;
+      if ((s.approach_left.col(at).cwiseAbs() - share * approaches).maxCoeff() > 0.0 ||
+          (motions(s.force_left, w).cwiseAbs() - share * forces).maxCoeff() > 0.0)
+        return false;
+    }
+    return true;
   }
 
   /// Slopes for the steps to come, of present rollers at least `least` times the first stiffness.
@@ -279,7 +305,8 @@ ContactsAroundSolution solve(const ContactsAround& contacts, const ContactsAroun
       if (trial.square() <= (1.0 - 1e-4 * share) * before) break;
     }
     if (halvings > options.max_halvings) {
-      summary.status = ContactSolveStatus::line_search_failed;
+      summary.status = around.left_is_rounding(at) ? ContactSolveStatus::converged
+                                                   : ContactSolveStatus::line_search_failed;
       break;
     }
     at = std::move(trial);

@@ -20,7 +20,7 @@ struct ContactsAround {
   struct Mode {
     Eigen::MatrixXd flexibility;  ///< C [m/N], symmetric.
     Eigen::MatrixXd rigid;        ///< R, one column for each of V.
-    Eigen::MatrixXd support;      ///< E, symmetric.
+    Eigen::MatrixXd support;      ///< E, symmetric: of motions [N/m], of reactions [m/N].
     Eigen::Index reactions = 0;   ///< Forces among V, the last of it.
   };
   struct Wave {
@@ -43,7 +43,8 @@ struct ContactsAroundOptions {
   /// least `least_tangent` times it.
   double stiffness = 1.0;
   double least_tangent = 1e-7;
-  double tolerance = 1e-12;      ///< Of every residual.
+  /// Of every residual; where no step lessens it further, what rounding can leave is enough.
+  double tolerance = 1e-12;
   double step_tolerance = 1e-6;  ///< Of a step's linear equations.
   int most_directions = 120;     ///< Of GMRES, before the equations are solved densely.
   int max_iterations = 50;

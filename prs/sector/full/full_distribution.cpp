@@ -207,20 +207,22 @@ struct Linearised {
   bool all_closed() const { return std::ranges::find(closed, false) == closed.end(); }
 };
 
-Linearised linearised(const FullModel& f, const FullDistribution& d,
-                      const std::vector<FullModel::Roller>& rollers) {
+/// Contacts of idle rollers carry nothing.
+Linearised linearised(const FullModel& f, const FullDistribution& d) {
   const double share = kUnloaded * f.axial_force / (static_cast<double>(f.rollers) * f.threads());
   Linearised l;
-  for (const FullModel::Roller& r : rollers)
+  for (const FullModel::Roller& r : f.present) {
+    const bool idle = std::ranges::find(d.idle_rollers, r.number) != d.idle_rollers.end();
     for (const Interface i : kInterfaces)
       for (std::size_t k = 0; k < static_cast<std::size_t>(f.threads()); ++k) {
         const auto j = static_cast<std::size_t>(r.number);
         const fe::PowerLawSpring law{f.sector.hertz_constant[i], 0.0,
                                      f.sector.contact_compliance(i, k)};
         const double approach = std::min(d.approach[i][j][k], fe::largest_deflection(law));
-        l.tangent.push_back(fe::response_in_series(law, approach).tangent);
-        l.closed.push_back(d.normal_load[i][j][k] * f.sector.cosine[i] > share);
+        l.tangent.push_back(idle ? 0.0 : fe::response_in_series(law, approach).tangent);
+        l.closed.push_back(!idle && d.normal_load[i][j][k] * f.sector.cosine[i] > share);
       }
+  }
   return l;
 }
 
@@ -262,32 +264,30 @@ std::string why_left_out(const FreeMotions& free) {
                      free.parts.front());
 }
 
-/// Idle rollers are left out; nothing where the loaded threads alone leave a motion free.
+/// Idle rollers bend between the rings that they tie to each other; along the axis, where nothing
+/// holds them, they are pinned.
+FullStructure with_pinned(const FullModel& f, const std::vector<int>& idle_rollers) {
+  FullStructure s = full_structure(f);
+  for (std::size_t r = 0; r < s.rollers.size(); ++r)
+    if (std::ranges::find(idle_rollers, f.present[r].number) != idle_rollers.end())
+      s.model.constraints.push_back({s.rollers[r].nodes.front(), Dof::u, {}, 0.0});
+  return s;
+}
+
+/// Nothing where the loaded threads alone leave a motion free.
 void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
                     fe::NewtonSolver& solver, FullDistribution& d) {
-  if (d.idle_rollers.empty()) {
-    const Linearised linear = linearised(f, d, f.present);
-    const FreeMotions free =
-        linear.all_closed() ? FreeMotions{} : free_motions(f, s, linear.closed);
-    if (free.count == 0)
-      condense(f, s, equations, solver, linear, d);
-    else
-      d.screw_end.left_out = why_left_out(free);
-    return;
-  }
-  FullModel loaded = f;
-  std::erase_if(loaded.present, [&](const FullModel::Roller& r) {
-    return std::ranges::find(d.idle_rollers, r.number) != d.idle_rollers.end();
-  });
-  const FullStructure without = full_structure(loaded);
-  const Linearised linear = linearised(f, d, loaded.present);
-  if (const FreeMotions free = free_motions(loaded, without, linear.closed); free.count > 0) {
+  const Linearised linear = linearised(f, d);
+  if (linear.all_closed()) return condense(f, s, equations, solver, linear, d);
+  const FullStructure pinned = with_pinned(f, d.idle_rollers);
+  if (const FreeMotions free = free_motions(f, pinned, linear.closed); free.count > 0) {
     d.screw_end.left_out = why_left_out(free);
     return;
   }
-  const fe::Equations fewer(without.model);
-  fe::NewtonSolver of_fewer(fewer, 0.0);
-  condense(loaded, without, fewer, of_fewer, linear, d);
+  if (d.idle_rollers.empty()) return condense(f, s, equations, solver, linear, d);
+  const fe::Equations of_pinned(pinned.model);
+  fe::NewtonSolver solver_of_pinned(of_pinned, 0.0);
+  condense(f, pinned, of_pinned, solver_of_pinned, linear, d);
 }
 
 }  // namespace

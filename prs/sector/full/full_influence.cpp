@@ -89,7 +89,7 @@ class Assembly {
   int freedoms() const {
     const auto rollers = static_cast<Index>(f_.present.size());
     const auto held = static_cast<Index>(held_.size());
-    return static_cast<int>((2 * threads_ + 1) * rollers + 5 + 2 * held);
+    return static_cast<int>((2 * threads_ + 1) * rollers + 5 + 2 * (floating() + held));
   }
 
   void read(const ContactsAroundSolution& s, FullDistribution& d) const {
@@ -134,6 +134,11 @@ class Assembly {
   Index row(Interface i, int thread) const {
     return (i == Interface::screw ? 0 : threads_) + thread;
   }
+  /// Rings that move against what carries them.
+  Index floating() const { return f_.floating_rings() ? 2 : 0; }
+  /// Of the waves of order 1, where reactions begin: across the axis, slope, each roller along its
+  /// axis, rings.
+  Index first_reaction() const { return 3 + floating(); }
   Eigen::Index rings_on_screw() const { return f_.carrier == Rings::Carrier::screw ? 2 : 0; }
 
   void add_contacts() {
@@ -230,7 +235,8 @@ class Assembly {
       problem.modes.push_back({body(m), roller_, MatrixXd::Zero(1, 1), 0});
   }
 
-  /// Motions: across the axis, slope, each roller along its axis; then reactions of bearings.
+  /// As first_reaction has them: motions, then reactions of bearings. Soft rings move far more than
+  /// contacts approach: as motions they keep the digits that their flexibility would lose.
   ContactsAround::Mode bending(MatrixXd flexibility) const {
     const double count = amplitude() * amplitude();
     const auto add = [&](const MatrixXd& by, double c) {
@@ -238,7 +244,6 @@ class Assembly {
     };
     add(nut_.col(1), 1.0 / f_.housing.lateral);
     add(nut_.col(2), arm_ * arm_ / f_.housing.tilt);
-    if (f_.floating_rings()) add(lines_, 1.0 / f_.ring_stiffness);
     if (bodies_of_rings_) {
       const std::array<Index, 2> displacements{0, 2};
       MatrixXd coupling = MatrixXd::Zero(2 * threads_, 2);
@@ -251,18 +256,21 @@ class Assembly {
                               mixed - mixed.transpose());
     }
     const auto held = static_cast<Index>(held_.size());
-    ContactsAround::Mode mode{std::move(flexibility), MatrixXd(2 * threads_, 3 + held),
-                              MatrixXd::Zero(3 + held, 3 + held), held};
-    mode.rigid.leftCols(3) << amplitude() * screw_.rightCols(2), roller_;
+    const Index first = first_reaction(), all = first + held;
+    ContactsAround::Mode mode{std::move(flexibility), MatrixXd(2 * threads_, all),
+                              MatrixXd::Zero(all, all), held};
+    mode.rigid.leftCols(first) << amplitude() * screw_.rightCols(2), roller_,
+        amplitude() * lines_.leftCols(floating());
+    mode.support.diagonal().segment(3, floating()).setConstant(f_.ring_stiffness);
     for (Index a = 0; a < held; ++a) {
       const Held& at = held_[static_cast<std::size_t>(a)];
-      mode.rigid.col(3 + a) = amplitude() * by_stations_.col(at.freedom);
-      mode.support.block(3 + a, 0, 1, 2) = -rigid_stations_.row(at.freedom);
-      mode.support.block(0, 3 + a, 2, 1) = -rigid_stations_.row(at.freedom).transpose();
+      mode.rigid.col(first + a) = amplitude() * by_stations_.col(at.freedom);
+      mode.support.block(first + a, 0, 1, 2) = -rigid_stations_.row(at.freedom);
+      mode.support.block(0, first + a, 2, 1) = -rigid_stations_.row(at.freedom).transpose();
       for (Index b = 0; b < held; ++b)
-        mode.support(3 + a, 3 + b) =
+        mode.support(first + a, first + b) =
             -between_stations_(at.freedom, held_[static_cast<std::size_t>(b)].freedom);
-      mode.support(3 + a, 3 + a) -= 1.0 / at.stiffness;
+      mode.support(first + a, first + a) -= 1.0 / at.stiffness;
     }
     return mode;
   }
@@ -311,9 +319,10 @@ class Assembly {
         component(turned(turning, l.carrier_angle), sine);
     load.head(2) += rigid_stations_.transpose() * on_stations;
     for (std::size_t a = 0; a < held_.size(); ++a) {
-      load[3 + static_cast<Index>(a)] = -component(turned(held_[a].rest, l.carrier_angle), sine);
+      load[first_reaction() + static_cast<Index>(a)] =
+          -component(turned(held_[a].rest, l.carrier_angle), sine);
       if (on_stations.size() > 0)
-        load[3 + static_cast<Index>(a)] +=
+        load[first_reaction() + static_cast<Index>(a)] +=
             between_stations_.row(held_[a].freedom).dot(on_stations.col(0));
     }
   }
@@ -382,7 +391,7 @@ class Assembly {
     for (const Bearing& b : f_.bearings) d.bearings.push_back({b.position, {0.0, 0.0, 0.0}, {}});
     for (std::size_t a = 0; a < held_.size(); ++a) {
       SupportForce& bearing = d.bearings[static_cast<std::size_t>(held_[a].freedom - first) / 2];
-      const Lateral force = across_of(s, 3 + static_cast<Index>(a));
+      const Lateral force = across_of(s, first_reaction() + static_cast<Index>(a));
       if (held_[a].freedom % 2 == 0)
         bearing.force << 0.0, force.y, force.z;
       else

@@ -45,6 +45,16 @@ TEST_F(WithoutModules, CasesAreSolved) {
             test::run_prs("solve configs/01_config_1_to_3.yaml").out);
 }
 
+/// CHOLMOD factorizes where it is there; documents say which library it was.
+TEST_F(WithoutModules, SparseMatricesAreEigens) {
+  for (const std::string lesson : {"01_config_1_to_3", "26_unequal_rollers"}) {
+    const std::string command = "solve configs/" + lesson + ".yaml --json --quiet";
+    EXPECT_THAT(run(command).out, HasSubstr("\"factorization\": \"Eigen 3."));
+    EXPECT_THAT(test::run_prs(command).out,
+                testing::ContainsRegex("\"factorization\": \"CHOLMOD [0-9.]+, simplicial LDL'\""));
+  }
+}
+
 TEST_F(WithoutModules, StudiesOnOneThreadWriteAllButNetcdf) {
   const test::Outcome loud =
       run("study '" + file.string() + "' --threads 1 --output '" + folder.string() + "'");
