@@ -55,6 +55,25 @@ std::string wrapped(std::string_view text, std::string_view indent, std::size_t 
   return result + '\n';
 }
 
+std::string wrapped_lines(std::string_view text, std::size_t max_width) {
+  std::string result;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const bool ends = line.size() < text.size();
+    text.remove_prefix(line.size() + (ends ? 1 : 0));
+    if (width(line) <= max_width) {
+      result.append(line).append(ends ? "\n" : "");
+      continue;
+    }
+    const std::size_t blanks = std::min(line.find_first_not_of(' '), line.size());
+    std::string lines = wrapped(line.substr(blanks), std::string(blanks + 2, ' '), max_width);
+    lines.erase(0, 2);
+    if (!ends) lines.pop_back();
+    result += lines;
+  }
+  return result;
+}
+
 std::string capitalised(std::string text) {
   const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
   if (text.size() > 1 && is_small(text[0]) && is_small(text[1]))

@@ -18,6 +18,10 @@ std::string shortened(std::string_view text, std::size_t max_width);
 /// `indent`; a longer word stays whole. Ends with a newline.
 std::string wrapped(std::string_view text, std::string_view indent, std::size_t max_width);
 
+/// The same for each line of a text that is wider, whose further lines stand two columns further
+/// in.
+std::string wrapped_lines(std::string_view text, std::size_t max_width);
+
 /// With a large first letter, where it begins a word and is no symbol.
 std::string capitalised(std::string text);
 

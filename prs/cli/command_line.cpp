@@ -74,18 +74,21 @@ std::string named(const CLI::ParseError& error) {
   return is_flag && !name.starts_with('-') ? "--" + name : name;
 }
 
-/// What nobody expected: the first option, else the first word.
+/// What nobody expected.
 struct Extra {
   std::size_t depth = 0;  ///< Of the command that met it.
   std::string text;
 };
 
+bool is_option(std::string_view text) { return text.starts_with('-') && text != "-"; }
+
+/// The word in a command's place where none was found, else the first option, else the first word.
 std::optional<Extra> extra(const std::vector<const CLI::App*>& chain) {
   std::optional<Extra> first;
   for (std::size_t depth = 0; depth < chain.size(); ++depth)
     for (const std::string& text : chain[depth]->remaining()) {
       if (text == "--") continue;
-      if (text.starts_with('-') && text != "-") return Extra{depth, text};
+      if (is_option(text)) return first && chain.size() == 1 ? first : Extra{depth, text};
       if (!first) first = Extra{depth, text};
     }
   return first;
@@ -128,7 +131,7 @@ std::string unknown_command(std::string_view word, const std::string& program,
 
 std::string unexpected(const std::vector<const CLI::App*>& chain, const Extra& extra) {
   const CLI::App& command = *chain[extra.depth];
-  if (!extra.text.starts_with('-') || extra.text == "-") {
+  if (!is_option(extra.text)) {
     if (extra.depth > 0 || command.get_subcommands({}).empty())
       return fmt::format("got {}; expected no further word", shown(extra.text));
     std::vector<std::string> known;

@@ -168,6 +168,7 @@ void add_page_options(CLI::App& command, Options& options, const char* output) {
   add_file(command, options)->required();
   add_set(command, options);
   command.add_option("-o,--output", options.report, output)->type_name("FILE");
+  add_units_option(command, options);
   command
       .add_option("--results", options.results,
                   "Show the study and the optimization of the case that this folder holds; "

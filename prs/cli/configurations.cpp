@@ -11,6 +11,7 @@
 #include "prs/cli/deliver.h"
 #include "prs/cli/quantity_option.h"
 #include "prs/input/source.h"
+#include "prs/model/case_error.h"
 #include "prs/output/configurations_files.h"
 #include "prs/output/configurations_table.h"
 #include "prs/output/files.h"
@@ -69,6 +70,21 @@ const Configuration& chosen(const Configurations& all, const ConfigurationOption
                                      input::shown(o.write[0]), all.found.size()));
 }
 
+/// The case of `--write`, into a file that is new.
+void write(const Configuration& configuration, const ConfigurationOptions& o) {
+  const auto text = [&] {
+    try {
+      return configuration_case(configuration);
+    } catch (const CaseError& error) {
+      fail_option("--write", error.what());
+    }
+  }();
+  if (std::filesystem::exists(o.write[1]))
+    fail_option("--write", fmt::format("{}: the file exists already; give another name",
+                                       input::shown(o.write[1])));
+  write_case(o.write[1], text);
+}
+
 }  // namespace
 
 int configurations(const Options& options) {
@@ -77,27 +93,21 @@ int configurations(const Options& options) {
   const Configurations all = prs::configurations(query);
   if (all.found.empty()) refuse(all);
 
-  std::optional<std::string> written;
-  if (!asked.write.empty()) {
-    written = configuration_case(chosen(all, asked));
-    if (std::filesystem::exists(asked.write[1]))
-      fail_option("--write", fmt::format("{}: the file exists already; give another name",
-                                         input::shown(asked.write[1])));
-  }
-  if (written) write_case(asked.write[1], *written);
+  const bool writes = !asked.write.empty();
+  if (writes) write(chosen(all, asked), asked);
   const int status = deliver(
       {.file = "configurations.json",
        .document = [&](const DocumentInfo& info) { return configurations_json(all, info); },
-       .table = [&] { return configurations_table(query, all); },
+       .table = [&] { return writes ? "" : configurations_table(query, all); },
        .files =
            [&](const CsvStyle& style) {
              return std::vector<OutputFile>{{"configurations.csv", configurations_csv(all, style)},
                                             {"gear_pairs.csv", gear_pairs_csv(all, style)}};
            }},
       {kVersion, kSchemaVersion, "", {}, "configurations"}, options);
-  if (written)
-    note(options, fmt::format("{}: written; `prs check {}` is the next step", asked.write[1],
-                              asked.write[1]));
+  if (writes)
+    note(options, fmt::format("{0}: line {1} is written; `prs check {0}` is the next step",
+                              asked.write[1], asked.write[0]));
   return status;
 }
 

@@ -53,12 +53,13 @@ std::string text(const OptionText& option) {
   return fmt::format("{}: {}", option.help, fmt::join(option.words, ", "));
 }
 
-/// What a page of help holds between its usage and its examples.
+/// What a page of help holds between its usage and its examples, in the order of first entries.
 std::vector<Section> sections(const CommandText& command) {
   std::vector<Section> all;
   const auto add = [&](const std::string& title, Entry entry) {
-    if (all.empty() || all.back().title != title) all.push_back({title, {}});
-    all.back().entries.push_back(std::move(entry));
+    auto section = std::ranges::find(all, title, &Section::title);
+    if (section == all.end()) section = all.insert(section, Section{title, {}});
+    section->entries.push_back(std::move(entry));
   };
   for (const OptionText& argument : command.arguments)
     add("Arguments", {argument.value, text(argument)});
@@ -68,7 +69,6 @@ std::vector<Section> sections(const CommandText& command) {
   return all;
 }
 
-/// Sections of one title stand together, in the order of their first entries.
 std::string plain(const Section& section) {
   std::string lines = fmt::format("\n{}:\n", section.title);
   for (const auto& [term, text] : section.entries) {

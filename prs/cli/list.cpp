@@ -36,23 +36,10 @@ std::vector<Item> command_items(const Options& options) {
 
 using Json = nlohmann::ordered_json;
 
-void add_inputs(const Json& schema, const std::string& path, std::vector<Item>& items) {
-  const Json properties = schema.value("properties", Json::object());
-  for (const auto& [key, property] : properties.items()) {
-    const std::string own = path.empty() ? key : path + "." + key;
-    if (std::ranges::find(items, own, &Item::name) == items.end())
-      items.push_back({own, property.value("description", "")});
-    add_inputs(property, own, items);
-  }
-  for (const Json& alternative : schema.value("oneOf", Json::array()))
-    add_inputs(alternative, path, items);
-  if (schema.contains("items")) add_inputs(schema["items"], path + "[0]", items);
-}
-
 /// What `--set` takes.
 std::vector<Item> input_items() {
   std::vector<Item> items;
-  add_inputs(input::schema(), "", items);
+  for (const input::InputKey& key : input::input_keys()) items.push_back({key.path, key.meaning});
   return items;
 }
 

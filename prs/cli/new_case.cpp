@@ -71,6 +71,20 @@ std::string option_of(std::string member) {
   return "--" + member;
 }
 
+/// `--nut-diameter` -> `nut_diameter`
+std::string member_of(std::string option) {
+  std::ranges::replace(option, '-', '_');
+  return option.substr(2);
+}
+
+/// `+30mm` -> `30 mm`, as it stands in a case.
+std::string spaced(std::string_view quantity) {
+  if (quantity.starts_with('+')) quantity.remove_prefix(1);
+  const std::string_view unit = input::split_unit(quantity)->unit;
+  quantity.remove_suffix(unit.size());
+  return fmt::format("{} {}", quantity.substr(0, quantity.find_last_not_of(' ') + 1), unit);
+}
+
 ScrewData data_of(const NewOptions& o, Mechanism::Type type, std::vector<std::string>& given) {
   using namespace input;
   for (const auto& [option, text] :
@@ -87,6 +101,7 @@ ScrewData data_of(const NewOptions& o, Mechanism::Type type, std::vector<std::st
   d.lead = quantity_option("--lead", *o.lead, unit::length, {}, "");
   given = {fmt::format("screw diameter {}", shown(*o.screw_diameter)),
            fmt::format("lead {}", shown(*o.lead))};
+  d.as_written = {{"screw_diameter", spaced(*o.screw_diameter)}, {"lead", spaced(*o.lead)}};
   d.starts = o.starts;
   d.rollers = o.rollers;
   if (o.starts) given.push_back(fmt::format("{} starts", *o.starts));
@@ -94,6 +109,7 @@ ScrewData data_of(const NewOptions& o, Mechanism::Type type, std::vector<std::st
   for (const QuantityOption& q : kQuantities)
     if (const std::optional<std::string>& text = o.*q.text) {
       d.*q.value = quantity_option(q.name, *text, q.dimension, positive, "more than 0");
+      d.as_written[member_of(q.name)] = spaced(*text);
       given.push_back(fmt::format("{} {}", q.meaning, shown(*text)));
     }
   return d;
@@ -116,6 +132,7 @@ CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given)
   if (o.temperature) {
     l.temperature = quantity_option("--temperature", *o.temperature, input::unit::temperature,
                                     {230.0, 500.0}, "an oil's temperature, -43 to 226 degC");
+    l.temperature_as_written = spaced(*o.temperature);
     given.push_back("its temperature " + *o.temperature);
   }
   return l;
@@ -139,11 +156,37 @@ std::string first_given(const NewOptions& o) {
   return {};
 }
 
+Mechanism::Type type_of(const NewOptions& o) {
+  return o.type == "standard" ? Mechanism::Type::standard : Mechanism::Type::inverted;
+}
+
+/// Whether anything is said of the screw, which else is an example.
+bool has_screw(NewOptions o) {
+  o.mechanism.reset();
+  return !first_given(o).empty();
+}
+
+/// What the case says that nobody gave.
+std::string assumptions(const NewOptions& o) {
+  if (!has_screw(o)) {
+    const ScrewData d = example(type_of(o));
+    return fmt::format(
+        "an example, {} x {}: no dimension was given; yours go in as "
+        "--screw-diameter and --lead",
+        mm(d.screw_diameter), mm(d.lead));
+  }
+  std::vector<std::string> assumed;
+  if (!o.starts) assumed.emplace_back("starts");
+  if (!o.rollers) assumed.emplace_back("rollers");
+  for (const QuantityOption& q : kQuantities)
+    if (!(o.*q.text)) assumed.emplace_back(q.meaning);
+  if (!o.lubricant) assumed.emplace_back("lubricant");
+  return assumed.empty() ? "" : fmt::format("assumed, as it says: {}", fmt::join(assumed, ", "));
+}
+
 std::string new_text(const NewOptions& o) {
-  const auto type = o.type == "standard" ? Mechanism::Type::standard : Mechanism::Type::inverted;
-  NewOptions of_screw = o;
-  of_screw.mechanism.reset();
-  const bool by_options = !first_given(of_screw).empty();
+  const Mechanism::Type type = type_of(o);
+  const bool by_options = has_screw(o);
   std::vector<std::string> given;
   try {
     const ScrewData data = by_options ? data_of(o, type, given) : example(type);
@@ -192,9 +235,11 @@ void add_new_options(CLI::App& command, NewOptions& options) {
                        const char* kind) { command.add_option(name, text, what)->type_name(kind); };
   add("--screw-diameter", options.screw_diameter, "Nominal diameter, with its unit", "LENGTH");
   add("--lead", options.lead, "Of screw and nut; > 0 right-handed", "LENGTH");
-  command.add_option("--starts", options.starts, "Of screw and nut; default: 5, 4 or 3")
-      ->type_name("N");
-  command.add_option("--rollers", options.rollers, "Default: as many as fit")->type_name("N");
+  take_whole_number(
+      command.add_option("--starts", options.starts, "Of screw and nut; default: 5, 4 or 3"), 1,
+      100);
+  take_whole_number(command.add_option("--rollers", options.rollers, "Default: as many as fit"), 1,
+                    1000);
   add("--nut-diameter", options.nut_diameter, "Outer; default: as in catalogues", "LENGTH");
   add("--nut-length", options.nut_length,
       "Of the whole nut, inverted: of the tube that the rollers travel in; default: by rule",
@@ -243,8 +288,9 @@ int new_case(const Options& all) {
     refuse_existing(options.file);
     write_case(options.file, new_text(options));
   }
-  note(all,
-       fmt::format("{}: written; `prs check {}` is the next step", options.file, options.file));
+  const std::string assumed = copied ? "" : assumptions(options);
+  note(all, fmt::format("{0}: written{1}{2}; `prs check {0}` is the next step", options.file,
+                        assumed.empty() ? "" : ", ", assumed));
   return kDone;
 }
 

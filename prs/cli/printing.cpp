@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -12,6 +13,7 @@
 #include "prs/file_descriptor.h"
 #include "prs/printable.h"
 #include "prs/quantities/json.h"
+#include "prs/text.h"
 
 namespace prs::cli {
 namespace {
@@ -19,6 +21,14 @@ namespace {
 [[noreturn]] void fail_to_print(int error) {
   if (error == EPIPE) throw ReaderGone();
   throw std::system_error(error, std::generic_category(), "cannot write to standard output");
+}
+
+/// Of the terminal that shows messages, which would break words; 0 where there is none.
+std::size_t message_columns() noexcept {
+  constexpr std::size_t kLeast = 40;
+  winsize size{};
+  if (::isatty(STDERR_FILENO) != 1 || ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0) return 0;
+  return size.ws_col < kLeast ? 0 : size.ws_col;
 }
 
 }  // namespace
@@ -45,12 +55,15 @@ void close_output() {
 }
 
 void say(std::string_view text) noexcept try {
-  if (is_plain_lines(text))
+  const std::size_t columns = message_columns();
+  if (columns > 0 && text.size() > columns)
+    write_all(STDERR_FILENO, wrapped_lines(printable_lines(text), columns));
+  else if (is_plain_lines(text))
     write_all(STDERR_FILENO, text);
   else
     write_all(STDERR_FILENO, printable_lines(text));
 } catch (const std::bad_alloc&) {
-  write_all(STDERR_FILENO, "(out of memory for a message)");
+  write_all(STDERR_FILENO, is_plain_lines(text) ? text : "(out of memory for a message)");
 }
 
 void control_terminal(std::string_view sequence) noexcept { write_all(STDERR_FILENO, sequence); }

@@ -43,8 +43,9 @@ void print(std::string_view text);
 /// Closes standard output. Throws what a file system held back until then, as `print` does.
 void close_output();
 
-/// Prints on standard error, as `printable_lines` shows it. Lines of visible ASCII allocate no
-/// memory. A failure is ignored: results and exit status do not depend on it.
+/// Prints on standard error, as `printable_lines` shows it; on a terminal, long lines break between
+/// words. Lines of visible ASCII that are short or go elsewhere allocate no memory. A failure is
+/// ignored: results and exit status do not depend on it.
 void say(std::string_view text) noexcept;
 
 /// Prints on standard error unchanged: for terminal control codes, never for text of the input.

@@ -27,11 +27,13 @@
 namespace prs::cli {
 namespace {
 
-/// One line of an error, without asking for memory.
+/// One line of an error; in pieces where there is no memory for it.
 int failed(std::string_view before, std::string_view what, int status) noexcept {
-  say(before);
-  say(what);
-  say("\n");
+  try {
+    say(std::string(before).append(what).append("\n"));
+  } catch (const std::bad_alloc&) {
+    for (const std::string_view part : {before, what, std::string_view("\n")}) say(part);
+  }
   return status;
 }
 
@@ -83,13 +85,14 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
 }
 
 void add_units_option(CLI::App& command, OutputOptions& options) {
-  take_one_of(command.add_option_function<std::string>(
-                  "--units",
-                  [&options](const std::string& system) {
-                    options.units = system == "us" ? UnitSystem::us : UnitSystem::si;
-                  },
-                  "Units of the tables: us shows in, lbf, ksi; JSON and CSV are always si"),
-              {"si", "us"});
+  take_one_of(
+      command.add_option_function<std::string>(
+          "--units",
+          [&options](const std::string& system) {
+            options.units = system == "us" ? UnitSystem::us : UnitSystem::si;
+          },
+          "Units of tables and of pages: us shows in, lbf, ksi; JSON and CSV are always si"),
+      {"si", "us"});
 }
 
 void add_csv_options(CLI::App& command, CsvStyle& style) {

@@ -35,6 +35,7 @@ std::string command_of(const Options& options) {
   for (const std::filesystem::path& folder : options.results)
     command += " --results " + quoted(folder.string());
   if (options.without_engine) command += " --static";
+  if (options.units == UnitSystem::us) command += " --units us";
   if (options.report) command += " --output " + quoted(options.report->string());
   return command;
 }
@@ -77,6 +78,7 @@ Report write_page(const Options& options) {
   PageOptions asked{command_of(options), options.results, !options.without_engine};
   if (asked.results.empty())
     asked.results = {std::filesystem::absolute(options.report.value_or("page")).parent_path()};
+  const TableUnits units(options.units);
   Report report = make_report(source, asked);
   if (options.report) {
     std::error_code told_by_the_file;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -27,6 +28,8 @@ struct ScrewData {
   std::optional<double> roller_profile_radius = {};  ///< r_B of the roller's convex flanks [m].
   std::optional<double> load = {};                   ///< Axial [N], > 0.
   std::optional<double> speed = {};                  ///< Screw against nut [rad/s], > 0.
+  /// Numbers as somebody wrote them, by the names of these members: `lead` -> `1/2 in`.
+  std::map<std::string, std::string> as_written = {};
 };
 
 /// A screw with nothing missing for the load distribution, and what goes with it. SI units.

@@ -86,6 +86,8 @@ LiveQuestion live_question(const Json& json) {
   question.quick = value_of<bool>(json, "quick", false, "true or false");
   question.sections =
       value_of<std::vector<std::string>>(json, "sections", {}, "a list of names of sections");
+  if (value_of<std::string>(json, "units", "si", "si or us") == "us")
+    question.units = UnitSystem::us;
   if (const Json thread = value_of<Json>(json, "thread", nullptr, "an object"); thread.is_object())
     question.thread = {value_of<std::size_t>(thread, "load_case", 0, "a number from 0"),
                        value_of<std::size_t>(thread, "thread", 0, "a number from 0")};

@@ -661,13 +661,13 @@ void fields(Io& io, Preload& p) {
 
 template <class Io>
 void fields(Io& io, CsvColumn& c) {
-  io.field("column", c.column, Text{}, required, "Its name in the heading of the file");
-  io.field("unit", c.unit, Text{}, required, "Of its numbers");
+  io.field("column", c.column, Text{"force_kN"}, required, "Its name in the heading of the file");
+  io.field("unit", c.unit, Text{"kN"}, required, "Of its numbers");
 }
 
 template <class Io>
 void fields(Io& io, HistorySource& h) {
-  io.field("file", h.file, Text{}, required,
+  io.field("file", h.file, Text{"forces.csv"}, required,
            "Comma-separated values with a heading, one row per sample; relative to this file");
   io.field("force", h.force, Block{}, required, "Axial force, > 0 in tension");
   io.field("position", h.position, Block{}, optional, "Axial position of the nut on the screw");
@@ -903,7 +903,7 @@ void fields(Io& io, CompanionItem& c) {
   io.field("path", c.path, Text{"mechanism.lead"}, required,
            "What changes with the factor, as `--set` names it");
   io.field("values", c.values, ListOrRange{}, required, "One for each value of the factor");
-  io.field("label", c.label, Text{}, optional, "Its name in tables and figures");
+  io.field("label", c.label, Text{"lead"}, optional, "Its name in tables and figures");
 }
 
 template <class Io>
@@ -922,7 +922,7 @@ void fields(Io& io, FactorItem& f) {
            "In a plan with samples, in place of `values`: uniform about what the file says, by a "
            "share `3 %` or a half width `0.02 mm` to both sides, or from the lower to the upper "
            "deviation `[-0.01 mm, 0.03 mm]`");
-  io.field("label", f.label, Text{}, optional, "Its name in tables and figures");
+  io.field("label", f.label, Text{"lead"}, optional, "Its name in tables and figures");
   io.field("with", f.companions, List{Block{}, 1}, optional,
            "Inputs that change together with this one, value by value");
 }
@@ -944,7 +944,7 @@ void fields(Io& io, Envelope::Target& t) {
 
 template <class Io>
 void fields(Io& io, EnvelopePointItem& p) {
-  io.field("name", p.name, Text{}, required, "In tables and figures");
+  io.field("name", p.name, Text{"A"}, required, "In tables and figures");
   io.field("at", p.at, List{Verbatim{}, 2, 2}, optional, "Values of the two factors");
   io.field("wanted", p.wanted, Choice{}, optional, "In place of `at`");
   io.field("reach", p.reach, List{Block{}, 1, 2}, optional,

@@ -93,7 +93,7 @@ void fields(Io& io, LinkedInputItem& l) {
 template <class Io>
 void fields(Io& io, VariableItem& v) {
   io.field("path", v.path, kInputPath, required, "What may change, as `--set` names it");
-  io.field("label", v.label, Text{}, optional, "Its name in tables and figures");
+  io.field("label", v.label, Text{"lead"}, optional, "Its name in tables and figures");
   io.field("values", v.values, List{Verbatim{}, 2}, optional,
            "What it may be, as it would stand in the file");
   const Presence bound = required_only_if(!v.values, "in place of `values`");
@@ -124,7 +124,7 @@ void fields(Io& io, ConstraintItem& c) {
   io.field("at_most", c.at_most, kLimit,
            c.at_least ? optional : Presence{true, true, "where there is no `at_least`"},
            "The same from above");
-  io.field("name", c.name, Text{}, optional, "Its name in tables");
+  io.field("name", c.name, Text{"weight"}, optional, "Its name in tables");
 }
 
 template <class Io>

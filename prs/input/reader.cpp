@@ -15,6 +15,7 @@
 #include "prs/input/case_fields.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/document.h"
+#include "prs/input/schema.h"
 #include "prs/input/usual_values.h"
 #include "prs/input/value_text.h"
 #include "prs/model/check_case.h"
@@ -513,6 +514,7 @@ class MapReader : public Visitor {
       if (std::ranges::find(known_, child.key) != known_.end()) continue;
       std::string fix = blank_hint(child.key);
       if (fix.empty()) fix = range_hint(child.key);
+      if (fix.empty()) fix = elsewhere_hint(child.key);
       if (fix.empty()) fix = did_you_mean(child.key, known_);
       map_.errors.add(child.key_place, join(map_.path, child.key),
                       fmt::format("unknown key; expected one of {}; {}", fmt::join(known_, ", "),
@@ -526,6 +528,23 @@ class MapReader : public Visitor {
     const bool is_of_range = key == "from" || key == "to" || key == "steps";
     const bool has_values = std::ranges::find(known_, "values") != known_.end();
     return is_of_range && has_values ? "write `values: {from: .., to: .., steps: ..}`" : "";
+  }
+
+  /// Where a key stands that is missing its path: `mechanism.rollers` of `rollers`.
+  std::string elsewhere_hint(std::string_view key) const {
+    constexpr std::size_t kMost = 2;
+    if (!map_.path.empty()) return {};
+    std::vector<std::string> paths;  // The outermost.
+    std::ptrdiff_t least = std::numeric_limits<std::ptrdiff_t>::max();
+    for (const InputKey& known : input_keys()) {
+      const std::ptrdiff_t depth = std::ranges::count(known.path, '.');
+      if (depth > least || !known.path.ends_with(fmt::format(".{}", key))) continue;
+      if (depth < least) paths.clear();
+      least = depth;
+      paths.push_back(fmt::format("`{}`", known.path));
+    }
+    if (paths.empty() || paths.size() > kMost) return {};
+    return fmt::format("did you mean {}?", fmt::join(paths, " or "));
   }
 
   /// How to fix `lead:5 mm`, which is a key to YAML.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -18,12 +19,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Text of a number within bounds, as far as its sign tells.
-std::string number_pattern(const Bounds& bounds) {
+/// Texts of a quantity within bounds, as far as its sign tells; of inches also with a fraction.
+std::string quantity_pattern(const Bounds& bounds, const Dimension& dimension) {
   const bool sign_free = bounds.least < 0.0;
   const bool no_zero = bounds.zero_excluded || !bounds.contain(0.0);
-  return fmt::format("^{}{}([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?",
-                     sign_free ? "[+-]?" : "\\+?", no_zero ? "(?=[0-9.]*[1-9])" : "");
+  const std::string start =
+      fmt::format("^{}{}", sign_free ? "[+-]?" : "\\+?", no_zero ? "(?=[0-9.]*[1-9])" : "");
+  const std::string decimal =
+      "([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)? *" + unit_pattern(dimension);
+  if (&dimension != &unit::length) return start + decimal + "$";
+  return fmt::format("{}({}|([0-9]+[ -])?[0-9]+/[1-9][0-9]* *(in|ft))$", start, decimal);
 }
 
 template <class T>
@@ -31,7 +36,7 @@ Json schema_of(T&, const Quantity& q) {
   const Bounds& bounds = zero_depends_on_unit(q.dimension) ? unbounded : q.bounds;
   const std::string limits = text_of_bounds(q.bounds, q);
   return {{"type", "string"},
-          {"pattern", number_pattern(bounds) + " *" + unit_pattern(q.dimension) + "$"},
+          {"pattern", quantity_pattern(bounds, q.dimension)},
           {"description",
            fmt::format("In {}{}{}", unit_list(q.dimension), limits.empty() ? "" : ";", limits)},
           {"examples", Json::array({q.dimension.example})}};
@@ -267,7 +272,29 @@ void Properties::field(std::string_view key, T& value, const Kind& kind, Presenc
   if (presence.required && presence.condition.empty()) required_.push_back(key);
 }
 
+void add_keys(const Json& schema, const std::string& path, std::vector<InputKey>& keys) {
+  const Json properties = schema.value("properties", Json::object());
+  for (const auto& [key, property] : properties.items()) {
+    const std::string own = path.empty() ? key : path + "." + key;
+    if (std::ranges::find(keys, own, &InputKey::path) == keys.end())
+      keys.push_back({own, property.value("description", "")});
+    add_keys(property, own, keys);
+  }
+  for (const Json& alternative : schema.value("oneOf", Json::array()))
+    add_keys(alternative, path, keys);
+  if (schema.contains("items")) add_keys(schema["items"], path + "[0]", keys);
+}
+
 }  // namespace
+
+const std::vector<InputKey>& input_keys() {
+  static const std::vector<InputKey> keys = [] {
+    std::vector<InputKey> all;
+    add_keys(schema(), "", all);
+    return all;
+  }();
+  return keys;
+}
 
 Json schema() {
   CaseFile file;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 namespace prs::input {
 
@@ -9,5 +11,13 @@ namespace prs::input {
 /// left to the reader. For references, `x-meaning`, `x-value` and `x-condition` are the parts of a
 /// description.
 nlohmann::ordered_json schema();
+
+/// A key of the input as `--set` takes it, `load_cases[0].axial_force`, and what it means.
+struct InputKey {
+  std::string path, meaning;
+};
+
+/// All of them, in the order of the schema.
+const std::vector<InputKey>& input_keys();
 
 }  // namespace prs::input

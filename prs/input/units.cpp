@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <utility>
 
 namespace prs::input {
 
@@ -34,7 +35,7 @@ constexpr Unit kAngle[] = {{{"deg", "°"}, pi, 180.0}, {{"rad"}}, {{"mrad"}, 1.0
 
 constexpr Unit kPressure[] = {{{"Pa", "N/m^2"}},
                               {{"kPa"}, 1e3},
-                              {{"MPa", "N/mm^2"}, 1e6},
+                              {{"MPa", "N/mm^2", "N/mm2"}, 1e6},
                               {{"GPa"}, 1e9},
                               {{"bar"}, 1e5},
                               {{"psi", "lbf/in^2"}, kPoundForce / (kInch * kInch)},
@@ -68,7 +69,8 @@ constexpr Unit kStiffness[] = {{{"N/m"}},
                                {{"N/um", "N/µm", "N/μm"}, 1e6},
                                {{"kN/mm", "MN/m"}, 1e6},
                                {{"kN/um", "kN/µm", "kN/μm"}, 1e9},
-                               {{"lbf/in"}, kPoundForce / kInch}};
+                               {{"lbf/in"}, kPoundForce / kInch},
+                               {{"lbf/uin", "lbf/µin", "lbf/μin"}, 1e6 * kPoundForce / kInch}};
 
 constexpr Unit kTorque[] = {{{"N m", "Nm", "N*m"}},
                             {{"N mm", "Nmm", "N*mm"}, 1.0, 1e3},
@@ -164,12 +166,55 @@ const Dimension* dimension_of(std::string_view symbol) {
   return nullptr;
 }
 
+/// A whole number at the head of a text, which it takes away.
+std::optional<double> take_whole(std::string_view& text) {
+  const std::size_t size = std::min(text.find_first_not_of("0123456789"), text.size());
+  double number = 0.0;
+  if (size == 0 || size > 6) return std::nullopt;
+  std::from_chars(text.data(), text.data() + size, number);
+  text.remove_prefix(size);
+  return number;
+}
+
 /// The decimal number at the head of a text and what follows it.
 struct Head {
   std::optional<double> number;
   bool representable = true;
   std::string_view rest;
 };
+
+/// Without the blanks in front, those of typesetters included.
+std::string_view without_blanks(std::string_view text) {
+  for (std::size_t length = 1; length > 0; text.remove_prefix(length)) {
+    length = 0;
+    for (const std::string_view blank : {" ", "\u00A0", "\u2009", "\u202F"})
+      if (text.starts_with(blank)) length = blank.size();
+  }
+  return text;
+}
+
+/// `1 1/4 in`, `1-1/4 in`, `5/8 in`, of inches and feet alone. `rest` follows the first number.
+std::optional<Head> split_fraction(std::string_view text, std::string_view rest) {
+  if (rest.empty() || std::string_view(" -/").find(rest[0]) == std::string_view::npos)
+    return std::nullopt;
+  const bool negative = text.starts_with('-');
+  if (negative) text.remove_prefix(1);
+  const std::optional<double> first = take_whole(text);
+  std::optional<double> numerator = first;
+  if (text.data() != rest.data()) return std::nullopt;  // `1.5 1/4`
+  if (rest[0] != '/') {
+    text.remove_prefix(1);
+    numerator = take_whole(text);
+  }
+  if (!first || !numerator || !text.starts_with('/')) return std::nullopt;
+  text.remove_prefix(1);
+  const std::optional<double> denominator = take_whole(text);
+  const std::string_view unit = without_blanks(text);
+  const bool is_proper = rest[0] == '/' || *numerator < denominator.value_or(0.0);
+  if (!(denominator > 0.0) || !is_proper || (unit != "in" && unit != "ft")) return std::nullopt;
+  const double number = *numerator / *denominator + (rest[0] == '/' ? 0.0 : *first);
+  return Head{negative ? -number : number, true, text};
+}
 
 Head split_number(std::string_view text) {
   std::string_view digits = text;
@@ -183,17 +228,9 @@ Head split_number(std::string_view text) {
   const char* end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, number);
   if (error == std::errc::invalid_argument) return {};
-  return {number, error == std::errc{}, {stop, static_cast<std::size_t>(end - stop)}};
-}
-
-/// Without the blanks in front, those of typesetters included.
-std::string_view without_blanks(std::string_view text) {
-  for (std::size_t length = 1; length > 0; text.remove_prefix(length)) {
-    length = 0;
-    for (const std::string_view blank : {" ", "\u00A0", "\u2009", "\u202F"})
-      if (text.starts_with(blank)) length = blank.size();
-  }
-  return text;
+  const std::string_view rest(stop, static_cast<std::size_t>(end - stop));
+  if (std::optional<Head> inches = split_fraction(digits, rest)) return *inches;
+  return {number, error == std::errc{}, rest};
 }
 
 /// `nan`, `-inf`, `.Inf`, ..
@@ -203,6 +240,68 @@ bool names_no_number(std::string_view text) {
     if (c != '.' && c != '+' && c != '-')
       word += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
   return word.starts_with("nan") || word.starts_with("inf");
+}
+
+/// How people write units besides, and what to write in their place.
+struct Slang {
+  std::string_view written, unit, remark = {};
+};
+
+constexpr Slang kSlang[] = {{"inch", "in"},
+                            {"inches", "in"},
+                            {"\"", "in"},
+                            {"''", "in"},
+                            {"foot", "ft"},
+                            {"feet", "ft"},
+                            {"micron", "um"},
+                            {"microns", "um"},
+                            {"lb", "lbf"},
+                            {"lbs", "lbf"},
+                            {"degree", "deg"},
+                            {"degrees", "deg"},
+                            {"u/min", "rpm"},
+                            {"r/min", "rpm"},
+                            {"sec", "s"},
+                            {"hr", "h"},
+                            {"hours", "h"},
+                            {"celsius", "degC"},
+                            {"kgf", "N", "; 1 kgf is 9.80665 N"},
+                            {"kp", "N", "; 1 kp is 9.80665 N"}};
+
+/// Without what spellings of a unit differ in: large letters, `^`, blanks, signs of typesetters.
+std::string plain_spelling(std::string_view symbol) {
+  std::string plain;
+  for (std::size_t k = 0; k < symbol.size(); ++k) {
+    constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
+        {"²", "2"}, {"³", "3"}, {"µ", "u"}, {"μ", "u"}, {"·", ""}, {"°", "deg"}};
+    const auto* const sign = std::ranges::find_if(
+        kSigns, [&](const auto& s) { return symbol.substr(k).starts_with(s.first); });
+    if (sign != std::end(kSigns)) {
+      plain += sign->second;
+      k += sign->first.size() - 1;
+    } else if (const char c = symbol[k];
+               std::string_view("^* .").find(c) == std::string_view::npos) {
+      plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    }
+  }
+  return plain;
+}
+
+/// How to write the unit that a text stands for; empty where it is none.
+std::string unit_meant(std::string_view symbol, const Dimension& dimension) {
+  const std::string plain = plain_spelling(symbol.substr(0, 40));
+  for (const auto& [written, unit, remark] : kSlang)
+    if (plain == written && find_unit(unit, dimension))
+      return fmt::format("write `{}`{}", unit, remark);
+  for (const Unit& u : dimension.units)
+    for (const std::string_view spelling : u.spellings) {
+      if (spelling.empty() || plain_spelling(spelling) != plain) continue;
+      // `mPa` may have been meant.
+      const bool is_milli = symbol[0] == 'm' && spelling[0] == 'M';
+      return fmt::format("{} `{}`{}", is_milli ? "did you mean" : "write", spelling,
+                         is_milli ? "?" : "");
+    }
+  return {};
 }
 
 }  // namespace
@@ -249,10 +348,11 @@ ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension)
     const Dimension* other = dimension_of(symbol);
     if (symbol.starts_with('\t'))
       return {std::nullopt, "there is a tab between number and unit; write a blank"};
+    const std::string meant = other ? "" : unit_meant(symbol, dimension);
     return {std::nullopt,
-            fmt::format("`{}` is {}; use one of the units {}", symbol.substr(0, 40),
+            fmt::format("`{}` is {}; {}", symbol.substr(0, 40),
                         other ? fmt::format("the unit of {}", other->name) : "not a known unit",
-                        unit_list(dimension))};
+                        meant.empty() ? "use one of the units " + unit_list(dimension) : meant)};
   }
   const std::optional<double> value = head.representable ? to_si(*head.number, *u) : std::nullopt;
   if (!value) return {std::nullopt, "its magnitude is beyond any machine; check number and unit"};

@@ -71,7 +71,8 @@ struct ParsedQuantity {
   std::string hint;
 };
 
-/// `45 kN` -> 45000. The whole text must be a decimal number and a unit of the dimension; NaN,
+/// `45 kN` -> 45000. The whole text must be a decimal number, of inches and feet also one with a
+/// fraction (`1 1/4 in`), and a unit of the dimension; NaN,
 /// infinities and magnitudes beyond 1e-30 .. 1e30 (SI) are refused. Independent of the locale.
 ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension);
 

@@ -39,7 +39,7 @@ void add_folded_rows(const CaseTable& table, const CaseGroup& group, std::vector
   std::vector<std::string> failed;
   for (const LoadCaseResult* result : group.cases)
     if (!table.failure(*result).empty()) failed.push_back(case_name_cell(*result));
-  std::string remark = fmt::format("… 3 of {} points; all in {}", count, table.file);
+  std::string remark = fmt::format("… 3 of {} points; {}", count, all_in(table.file));
   if (!failed.empty()) remark += fmt::format("; NOT CONVERGED: {}", folded_names(failed));
   rows.push_back({{}, std::move(remark)});
 }
@@ -165,6 +165,18 @@ std::string fixed_change(double value, int decimals) {
   std::string text = fmt::format("{:+.{}f}", value, decimals);
   if (is_zero(text)) text[0] = '+';
   return text;
+}
+
+std::string significant(std::optional<double> value, int digits) {
+  if (!value || !std::isfinite(*value)) return std::string(kAbsent);
+  const double size = std::abs(*value);
+  const double digit = std::pow(10.0, std::floor(std::log10(size)) + 1.0 - digits);
+  if (!(digit >= 1.0 && size < 1e9)) return fmt::format("{:.{}g}", *value, digits);
+  return fmt::format("{:.0f}", std::round(*value / digit) * digit);
+}
+
+std::string all_in(std::string_view file) {
+  return fmt::format("all in {}, with --output DIR", file);
 }
 
 std::string padded(const std::string& text, std::size_t columns, bool left_aligned) {

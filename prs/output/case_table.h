@@ -9,7 +9,7 @@
 
 namespace prs {
 
-inline constexpr std::size_t kTableWidth = 110;
+inline constexpr std::size_t kTableWidth = 100;
 /// Stands for what a case does not define.
 inline constexpr std::string_view kAbsent = "–";
 
@@ -28,8 +28,8 @@ struct CaseTable {
   std::string_view file;                          ///< That has all points of a range.
 };
 
-/// The table as a rule within 110 columns. Beyond 24 cases a range shows its first, middle and last
-/// point.
+/// The table as a rule within `kTableWidth` columns. Beyond 24 cases a range shows its first,
+/// middle and last point.
 std::string case_table(const CaseTable& table, const std::vector<LoadCaseResult>& results);
 
 // Cells that tables of load cases share.
@@ -50,6 +50,13 @@ int force_decimals(double force);
 std::string fixed(std::optional<double> si, double factor, int decimals);
 /// The value with its sign, `+0.00` where it rounds to zero.
 std::string fixed_change(double value, int decimals);
+
+/// Significant digits at most, four as these formulas are good for; from 1e-4 to 1e9 without an
+/// exponent.
+std::string significant(std::optional<double> value, int digits = 4);
+
+/// Where a table leaves rows out: `all in slip.csv, with --output DIR`.
+std::string all_in(std::string_view file);
 
 /// The text, padded with spaces to `columns` columns.
 std::string padded(const std::string& text, std::size_t columns, bool left_aligned);

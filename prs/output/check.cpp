@@ -6,9 +6,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <utility>
 
 #include "prs/model/units.h"
 #include "prs/output/case_table.h"
+#include "prs/output/table_units.h"
 #include "prs/output/warnings.h"
 #include "prs/quantities/contact_quantities.h"
 #include "prs/quantities/record_table.h"
@@ -81,10 +83,23 @@ std::string input_list(const std::vector<input::EchoEntry>& fields) {
   return text;
 }
 
+/// A key of documents as tables show it, and what shows its number: `centre_distance, in`.
+std::pair<std::string, double> labelled(std::string path) {
+  for (std::size_t end = path.size(); end != std::string::npos; end = path.rfind('.', end - 1)) {
+    const ShownUnit& unit = unit_of(std::string_view(path).substr(0, end));
+    if (const ShownUnit& tables = table_unit(unit); tables.text != unit.text) {
+      path.erase(end - unit.suffix.size(), unit.suffix.size());
+      return {fmt::format("{}, {}", path, tables.text), tables.factor / unit.factor};
+    }
+  }
+  return {path, 1.0};
+}
+
 std::string derived(const Contacts& contacts) {
   std::string text = "\nDerived\n";
-  const auto line = [&](const std::string& key, double value) {
-    text += fmt::format("  {:<42} {:.8g}\n", key, value);
+  const auto line = [&](const std::string& path, double value) {
+    const auto [label, factor] = labelled(path);
+    text += fmt::format("  {:<42} {:.7g}\n", label, factor * value);
   };
   for (const auto& [key, value] : lengths(contacts.mechanism)) line(key, value);
   const Json json = object_of(contacts);

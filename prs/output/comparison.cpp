@@ -17,10 +17,10 @@
 namespace prs {
 namespace {
 
-constexpr std::size_t kLongestName = 28;
+constexpr std::size_t kLongestName = 19;
 
 std::string comparison_row(std::initializer_list<std::string> cells) {
-  constexpr std::size_t kWidths[] = {0, 11, 10, 7, 8, 13, 13, 12, 7};  // Behind the name.
+  constexpr std::size_t kWidths[] = {0, 10, 10, 6, 8, 12, 12, 13, 6};  // Behind the name.
   std::string line;
   std::size_t column = 0;
   for (const std::string& cell : cells) {
@@ -64,7 +64,8 @@ std::string comparison_table(const ModelComparison& c) {
     for (std::size_t m = 0; m < c.models.size(); ++m)
       text += model_row(cell(m == 0 ? case_name_cell(c.best().load_cases[k]) : ""), {&c, k, m});
   if (shown < c.load_cases())
-    text += fmt::format("  … {} of {} load cases; all in comparison.csv\n", shown, c.load_cases());
+    text += fmt::format("  … {} of {} load cases; {}\n", shown, c.load_cases(),
+                        all_in("comparison.csv"));
   const std::string warnings = warning_summary(c.warnings, c.best().load_cases);
   return warnings.empty() ? text : text + '\n' + warnings;
 }

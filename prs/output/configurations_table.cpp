@@ -27,11 +27,11 @@ struct Column {
 
 constexpr Column kColumns[] = {
     {"#", "", 3, false},          {"type", "", 10, true},
-    {"starts", "S/R", 7, false},  {"pitch", "mm", 9, false},
-    {"screw", "mm", 9, false},    {"roller", "mm", 9, false},
-    {"nut", "mm", 9, false},      {"centres", "mm", 9, false},
+    {"starts", "S/R", 6, false},  {"pitch", "mm", 7, false},
+    {"screw", "mm", 8, false},    {"roller", "mm", 8, false},
+    {"nut", "mm", 8, false},      {"centres", "mm", 8, false},
     {"hand", "roller", 7, false}, {"rollers", "≤", 8, false},
-    {"alike", "", 8, false},      {"gears", "teeth, module/mm", 18, false}};
+    {"one", "angle", 7, false},   {"gears", "teeth, module/mm", 18, false}};
 
 std::string line(const auto& cell) {
   std::string text;
@@ -108,7 +108,8 @@ std::string configurations_table(const ConfigurationQuery& query, const Configur
   for (std::size_t k = 0; k < all.found.size(); ++k) text += row(k + 1, all.found[k]);
   text += "\n";
   text += wrapped(
-      "Every number of rollers up to the one given meshes at equal spacing; with those of `alike` "
+      "Every number of rollers up to the one given meshes at equal spacing; with those of `one "
+      "angle` "
       "all go in turned the same way. Gears: roller to nut (standard) or screw (inverted), the "
       "most suitable pair; * second series of modules, ≤ rollers whose pinions clear each other.",
       "", kTableWidth);

@@ -29,7 +29,7 @@ namespace {
 using contact::Thread;
 using contact::ThreadSurface;
 
-constexpr std::size_t kMaxNameWidth = 20;
+constexpr std::size_t kMaxNameWidth = 16;
 constexpr std::size_t kLabelWidth = 38;
 constexpr int kValueWidth = 16;
 
@@ -221,7 +221,7 @@ std::vector<LoadColumn> present_columns(const Cases& cases) {
 
 std::string case_row(const std::string& name, std::string_view interface,
                      const std::vector<std::string>& cells) {
-  constexpr int kCellWidth = 9;
+  constexpr int kCellWidth = 8;
   std::string line = fmt::format("  {:<{}} {:<6}", name, kMaxNameWidth, interface);
   for (const std::string& cell : cells) line += fmt::format(" {:>{}}", cell, kCellWidth);
   return line + '\n';

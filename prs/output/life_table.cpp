@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 #include "prs/loads/analyze.h"
 #include "prs/output/case_table.h"
 #include "prs/output/table_units.h"
+#include "prs/output/warnings.h"
 #include "prs/quantities/life_quantities.h"
 #include "prs/quantities/model_summary.h"
 #include "prs/text.h"
@@ -12,27 +15,36 @@
 namespace prs {
 namespace {
 
+/// A value behind its name; its later lines stand below the first.
 std::string line(std::string_view what, const std::string& value) {
-  return fmt::format("  {:<38} {}\n", what, value);
+  return wrapped(value, std::string(41, ' '), kTableWidth)
+      .replace(0, 41, fmt::format("  {:<38} ", what));
 }
 
-std::string kilonewtons(std::optional<double> force) { return fixed_with_unit(force, "kN", 2); }
+/// Four digits with the unit of tables.
+std::string quantity(std::optional<double> si, std::string_view unit) {
+  if (!si) return std::string(kAbsent);
+  return fmt::format("{} {}", significant(shown(*si, unit)), table_unit(unit).text);
+}
+
+std::string kilonewtons(std::optional<double> force) { return quantity(force, "kN"); }
 
 std::string cell(std::optional<double> value, double factor = 1.0) {
-  return value && std::isfinite(*value) ? fmt::format("{:.4g}", *value * factor)
-                                        : std::string(kAbsent);
+  return significant(value ? std::optional(*value * factor) : std::nullopt);
 }
 
-std::string columns(const std::string& first, std::initializer_list<std::string> cells) {
+std::string columns(const std::string& first, const std::vector<std::string>& cells) {
   std::string text = "  " + padded(first, 38, true);
-  for (const std::string& c : cells) text += padded(with_table_unit(c), 17, false);
+  for (const std::string& c : cells) text += padded(with_table_unit(c), 15, false);
   return text + '\n';
 }
 
 std::string life_row(const LifeResult& r, const std::string& what, double revolutions) {
   const LifeInUse life = in_use(r, revolutions);
-  return columns(what, {cell(life.revolutions, 1e-6), cell(life.hours),
-                        cell(life.travel, table_unit("km").factor), cell(life.passes)});
+  std::vector<std::string> cells{cell(life.revolutions, 1e-6), cell(life.hours),
+                                 cell(life.travel, table_unit("km").factor)};
+  if (r.revolutions_known) cells.push_back(cell(life.passes));
+  return columns(what, cells);
 }
 
 /// Whether the rated life is another than L10.
@@ -52,8 +64,9 @@ std::string weakest_thread(const WeakestThread& w) {
 
 std::string lives(const LifeResult& r) {
   const bool solved = r.life.share == LoadCase::Share::solved;
-  std::string text = columns(
-      "Life L10", {"million rev.", "hours", "travel, km", r.history ? "histories" : "spectra"});
+  std::vector<std::string> heads{"million rev.", "hours", "travel, km"};
+  if (r.revolutions_known) heads.emplace_back(r.history ? "histories" : "spectra run");
+  std::string text = columns("Life L10", heads);
   text += life_row(r, solved ? "mechanism, real thread loads" : "mechanism, equal thread loads",
                    r.system_life);
   if (is_rated(r))
@@ -80,23 +93,24 @@ std::string by_direction(const LifeResult& r, std::optional<double> FlankLife::*
 std::string capacities(const LifeResult& r) {
   std::string text;
   const Interval& range = r.dynamic_capacity_range;
-  text += line("dynamic capacity C_a",
-               r.lemor ? fmt::format("{} ({} to {} by readings of Lemor's factor alone)",
-                                     kilonewtons(r.dynamic_capacity), fixed(range.least, "kN", 2),
-                                     kilonewtons(range.greatest))
-                       : fmt::format("{} (given)", kilonewtons(r.dynamic_capacity)));
-  if (r.lemor)
-    text +=
-        line("  by a maker's 23 standard screws",
-             fmt::format("{} to {} (C_a is {:g} to {:g} times theirs)",
-                         fixed(r.dynamic_capacity / kCapacityOverMakers.greatest, "kN", 0),
-                         fixed_with_unit(r.dynamic_capacity / kCapacityOverMakers.least, "kN", 0),
-                         kCapacityOverMakers.least, kCapacityOverMakers.greatest));
+  text +=
+      line("dynamic capacity C_a",
+           r.lemor ? fmt::format("{} ({} to {} by the diameters that Lemor's f_c may take)",
+                                 kilonewtons(r.dynamic_capacity),
+                                 significant(shown(range.least, "kN")), kilonewtons(range.greatest))
+                   : fmt::format("{} (given)", kilonewtons(r.dynamic_capacity)));
+  if (r.lemor && r.contacts.mechanism.type == Mechanism::Type::standard)
+    text += line(
+        "  by a maker's 23 standard screws",
+        fmt::format("{} to {} (C_a is {:g} to {:g} times theirs)",
+                    significant(shown(r.dynamic_capacity / kCapacityOverMakers.greatest, "kN")),
+                    kilonewtons(r.dynamic_capacity / kCapacityOverMakers.least),
+                    kCapacityOverMakers.least, kCapacityOverMakers.greatest));
   if (r.lemor && std::isfinite(r.system_life)) {
     const auto [least, greatest] = in_use(r, r.system_life).revolutions_range;
     text +=
-        line("life of the mechanism by the readings",
-             fmt::format("{:.4g} to {:.4g} million revolutions", 1e-6 * least, 1e-6 * greatest));
+        line("life of the mechanism in that range",
+             fmt::format("{} to {} million revolutions", cell(least, 1e-6), cell(greatest, 1e-6)));
   }
   if (is_rated(r))
     text +=
@@ -108,17 +122,17 @@ std::string capacities(const LifeResult& r) {
   if (r.life.static_capacity)
     text += line("static capacity C_0", kilonewtons(r.life.static_capacity) + " (given)");
   if (r.equal_shares_static_capacity) {
-    text += line("force that gives " + fixed_with_unit(kStaticPressureLimit, "GPa", 1),
+    text += line("force that gives " + quantity(kStaticPressureLimit, "GPa"),
                  by_direction(r, &FlankLife::static_capacity));
     text += line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
     text +=
         line("force with ellipses at a flank's edge", by_direction(r, &FlankLife::flank_edge_load));
     text += line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));
   }
-  text += line("static safety", r.static_safety()
-                                    ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(),
-                                                  describe(*r.static_safety_limit()))
-                                    : std::string(kAbsent));
+  text += line("static safety",
+               r.static_safety() ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(),
+                                               in_table_units(describe(*r.static_safety_limit())))
+                                 : std::string(kAbsent));
   return text;
 }
 
@@ -126,19 +140,16 @@ std::string loads(const LifeResult& r) {
   std::string text;
   if (r.revolutions_known)
     text += line("revolutions, travel",
-                 fmt::format("{:.6g}, {:.4g} {}", r.revolutions,
-                             shown(r.revolutions * std::abs(r.contacts.mechanism.lead), "m"),
-                             table_unit("m").text));
-  if (r.duration) text += line("duration", fmt::format("{:.4g} h", *r.duration / 3600.0));
+                 fmt::format("{}, {}", cell(r.revolutions),
+                             quantity(r.revolutions * std::abs(r.contacts.mechanism.lead), "m")));
+  if (r.duration) text += line("duration", fmt::format("{} h", cell(*r.duration, 1.0 / 3600.0)));
   for (const Direction d : kDirections)
     if (const auto& f = r.flanks[d])
-      text +=
-          line(fmt::format("{}", name(d)),
-               fmt::format("{:.1f} % of the revolutions, up to {}, peak pressure {} {}",
-                           100.0 * f->revolutions / r.revolutions, kilonewtons(f->largest_force),
-                           cell(std::max(f->peak_pressure.screw, f->peak_pressure.nut),
-                                table_unit("MPa").factor),
-                           table_unit("MPa").text));
+      text += line(
+          fmt::format("{}", name(d)),
+          fmt::format("{:.1f} % of the revolutions, up to {}, peak pressure {}",
+                      100.0 * f->revolutions / r.revolutions, kilonewtons(f->largest_force),
+                      quantity(std::max(f->peak_pressure.screw, f->peak_pressure.nut), "MPa")));
   if (r.cycles)
     text += line("load cycles (rainflow)",
                  fmt::format("{:.1f}, equivalent range {} at slope {:g}, largest {}",
@@ -159,11 +170,7 @@ std::string life_table(const LifeResult& r) {
             loads(r);
   else
     text += fmt::format("NOT CONVERGED: {}\n", *r.failure);
-  if (r.warnings.empty()) return text;
-  text += "\nWarnings\n";
-  for (const std::string& warning : r.warnings)
-    text += wrapped(printable(warning), "  ", kTableWidth);
-  return text;
+  return text + warning_section(r.warnings);
 }
 
 }  // namespace prs

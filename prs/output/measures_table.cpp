@@ -19,15 +19,15 @@
 namespace prs {
 namespace {
 
-constexpr std::size_t kTitleWidth = 62;
-constexpr std::size_t kCellWidth = 16;
+constexpr std::size_t kTitleWidth = 58;
+constexpr std::size_t kCellWidth = 14;
 constexpr std::size_t kMostCases = 3;  ///< That fit side by side.
 
-/// Five digits, of large numbers all before the point.
-std::string five_digits(std::optional<double> shown) {
-  if (!shown) return std::string(kAbsent);
-  return std::abs(*shown) >= 1e4 && std::abs(*shown) < 1e9 ? fmt::format("{:.0f}", *shown)
-                                                           : fmt::format("{:.5g}", *shown);
+/// What documents have in newtons and single revolutions is that large here.
+ShownUnit row_unit(const ShownUnit& unit) {
+  if (unit.text == "N") return table_unit("kN");
+  if (unit.text == "revolutions") return {"", "10^6 revolutions", 1e-6};
+  return table_unit(unit);
 }
 
 /// A number or a text; none where the measure is absent.
@@ -37,7 +37,8 @@ std::optional<std::string> measure_cell(const Quantity<Owner>& q,
   if (!measures) return std::nullopt;
   if (q.value.number) {
     const std::optional<double> shown = shown_number(q, *measures);
-    return shown ? std::optional(five_digits(*shown * table_factor(q.unit))) : std::nullopt;
+    return shown ? std::optional(significant(*shown * row_unit(q.unit).factor / q.unit.factor))
+                 : std::nullopt;
   }
   const auto json = q.value.json(*measures, q.unit);
   return json.is_null() ? std::nullopt : std::optional(json.template get<std::string>());
@@ -67,7 +68,7 @@ std::string group_rows(std::span<const std::optional<Owner>> owners) {
         any = any || shown;
         cells += padded(shown.value_or(std::string(kAbsent)), kCellWidth, false);
       }
-      const std::string_view unit = table_unit(q.unit).text;
+      const std::string_view unit = row_unit(q.unit).text;
       if (any)
         rows += padded(fmt::format("  {}{}{}", q.title, unit.empty() ? "" : ", ", unit),
                        kTitleWidth, true) +
@@ -87,7 +88,7 @@ std::string load_table(const MeasuresResult& result, std::size_t first, std::siz
                          kCellWidth - 1, false);
   text += '\n' + padded(with_table_unit("  force, kN"), kTitleWidth, true);
   for (std::size_t k = first; k < last; ++k)
-    text += padded(five_digits(shown(result.analysis.load_cases[k].load_case.axial_force, "kN")),
+    text += padded(significant(shown(result.analysis.load_cases[k].load_case.axial_force, "kN")),
                    kCellWidth, false);
   text += '\n';
   const std::string rows = group_rows(std::span(result.load_measures).subspan(first, last - first));

@@ -184,7 +184,8 @@ std::string failures(const OptimizationResult& result) {
         fmt::format("{} without an answer, the first: {}", reason.designs, printable(reason.first)),
         "", kTableWidth);
   if (reasons.size() > kMostReasons)
-    text += fmt::format("… and {} other reasons in history.csv\n", reasons.size() - kMostReasons);
+    text += fmt::format("… and {} other reasons; {}\n", reasons.size() - kMostReasons,
+                        all_in("history.csv"));
   return text.empty() ? "" : "\n" + text;
 }
 

@@ -6,7 +6,7 @@
 
 #include "prs/output/case_table.h"
 #include "prs/output/table_units.h"
-#include "prs/text.h"
+#include "prs/output/warnings.h"
 
 namespace prs {
 namespace {
@@ -54,7 +54,7 @@ std::string summary(const PreloadResult& r) {
 
 std::string columns(std::initializer_list<std::string> cells) {
   std::string text;
-  for (const std::string& cell : cells) text += padded(with_table_unit(cell), 15, false);
+  for (const std::string& cell : cells) text += padded(with_table_unit(cell), 14, false);
   return text + '\n';
 }
 
@@ -62,7 +62,7 @@ std::string row(const PreloadResult& r, std::size_t k) {
   const PreloadPoint& point = r.curve.points[k];
   const std::string force = fixed(point.axial_force, "kN", force_decimals(point.axial_force));
   if (!point.solve.converged())
-    return fmt::format("{}  NOT CONVERGED ({}), residual {:.1e}\n", padded(force, 15, false),
+    return fmt::format("{}  NOT CONVERGED ({}), residual {:.1e}\n", padded(force, 14, false),
                        fe::name(point.solve.status), point.solve.relative_residual);
   const auto side = [&](Direction d) {
     const double load = point.sides[d].axial_load.screw;
@@ -88,18 +88,14 @@ std::string preload_table(const PreloadResult& r) {
                        fe::name(r.at_rest.solve.status), r.at_rest.solve.relative_residual);
   std::string text = summary(r) + '\n';
   text += columns({"force", "displacement", "tangent", "tension side", "compr. side", "max. normal",
-                   "displ. without"});
+                   "without"});
   text += columns({"kN", "µm", "N/µm", "kN", "kN", "N", "preload, µm"});
   const std::size_t count = r.curve.points.size();
   const std::size_t step = (count + kMostRows - 1) / kMostRows;
   for (std::size_t k = 0; k < count; ++k)
     if (k % step == 0 || k + 1 == count || !r.curve.points[k].solve.converged()) text += row(r, k);
-  if (step > 1) text += fmt::format("  … of {} loads; all in preload.csv\n", count);
-  if (r.warnings.empty()) return text;
-  text += "\nWarnings\n";
-  for (const std::string& warning : r.warnings)
-    text += wrapped(printable(warning), "  ", kTableWidth);
-  return text;
+  if (step > 1) text += fmt::format("  … of {} loads; {}\n", count, all_in("preload.csv"));
+  return text + warning_section(r.warnings);
 }
 
 }  // namespace prs

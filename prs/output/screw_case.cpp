@@ -4,9 +4,12 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "prs/configurations/heat_estimate.h"
 #include "prs/configurations/roller_spacing.h"
+#include "prs/life/capacity.h"
+#include "prs/model/case_error.h"
 #include "prs/model/groove.h"
 #include "prs/model/quantity_text.h"
 #include "prs/quantities/configurations_json.h"
@@ -39,10 +42,27 @@ std::string degrees(double angle) {
 }
 /// What was given, to 15 digits: 0.3937 in is 9.99998 mm, no 9.999979999999999 mm.
 std::string exact(double length) { return fmt::format("{:.15g} mm", 1e3 * length); }
-std::string length_text(const std::optional<double>& given, double otherwise) {
-  return given ? exact(*given) : mm(otherwise);
-}
 std::string kilonewton(double force) { return fmt::format("{:.7g} kN", 1e-3 * force); }
+
+/// A member of the data as somebody wrote it, else as it follows.
+std::string written_or(const ScrewData& d, const std::string& member, std::string otherwise) {
+  const auto known = d.as_written.find(member);
+  return known == d.as_written.end() ? std::move(otherwise) : known->second;
+}
+std::string length_text(const ScrewData& d, const std::string& member,
+                        const std::optional<double>& given, double otherwise) {
+  return written_or(d, member, given ? exact(*given) : mm(otherwise));
+}
+std::string diameter_text(const ScrewData& d) {
+  return written_or(d, "screw_diameter", exact(d.screw_diameter));
+}
+std::string lead_text(const ScrewData& d) { return written_or(d, "lead", exact(d.lead)); }
+std::string load_text(const CompleteScrew& s) {
+  return written_or(s.data, "load", kilonewton(s.load));
+}
+std::string speed_text(const CompleteScrew& s, bool backwards) {
+  return (backwards ? "-" : "") + written_or(s.data, "speed", rpm(s.speed));
+}
 
 using ModelOf = ModelOptions::Mechanism;
 
@@ -54,7 +74,7 @@ std::string case_heading(const CompleteScrew& s, const std::string& origin) {
   const bool right_handed = standard == (m.lead > 0.0);
   std::string text = case_remark(fmt::format("{} planetary roller screw, {} x {}.",
                                              standard ? "A standard" : "An inverted",
-                                             mm(s.data.screw_diameter), mm(m.lead)));
+                                             diameter_text(s.data), lead_text(s.data)));
   text += "#\n" + case_remark(origin);
   text += case_remark(
       "What was not given is marked `assumed`, with the reason: replace what you know. The rules, "
@@ -134,7 +154,7 @@ std::string mechanism_text(const CompleteScrew& s) {
                    is_standard(s) ? "rollers keep their place on the nut; or inverted"
                                   : "rollers keep their place on the screw; or standard") +
          case_line("  geometry: design", "roller, nut and centre distance follow") +
-         case_line(fmt::format("  lead: {}", exact(m.lead)), "given; < 0 left-handed") +
+         case_line(fmt::format("  lead: {}", lead_text(d)), "given; < 0 left-handed") +
          case_line(
              fmt::format("  starts: {{screw: {}, roller: {}}}", m.starts.screw, m.starts.roller),
              origin_of(d.starts.has_value(),
@@ -143,13 +163,14 @@ std::string mechanism_text(const CompleteScrew& s) {
                                    mm(kThinnestRoller)))) +
          case_line(fmt::format("  flank_angle: {}", degrees(d.flank_angle)),
                    "assumed: as on nearly all; one value, or {screw: .., roller: .., nut: ..}") +
-         case_line(fmt::format("  pitch_diameter: {{screw: {}}}", exact(d.screw_diameter)),
+         case_line(fmt::format("  pitch_diameter: {{screw: {}}}", diameter_text(d)),
                    "given: weights in catalogues show that the nominal diameter is this one") +
          case_line("  backlash: {screw: 0 mm, nut: 0 mm}",
                    "assumed: a nut without play; take a half of yours for each") +
          case_line(
              fmt::format("  profile: {{screw: straight, roller: {{convex: {}}}, nut: straight}}",
-                         length_text(d.roller_profile_radius, m.profile.roller.radius)),
+                         length_text(d, "roller_profile_radius", d.roller_profile_radius,
+                                     m.profile.roller.radius)),
              origin_of(d.roller_profile_radius.has_value(),
                        fmt::format("{:g} pitches: with it, as in makers' catalogues, the static "
                                    "capacity hardly depends on the lead. No catalogue prints it, "
@@ -167,6 +188,7 @@ std::string structure_text(const CompleteScrew& s, ModelOf model) {
   const Structure& of = *s.c.structure;
   const ScrewData& d = s.data;
   const bool standard = is_standard(s), full = model == ModelOf::full;
+  const std::string nut_length = length_text(d, "nut_length", d.nut_length, of.nut.length);
   return "\nstructure:\n" +
          case_line(fmt::format("  screw: {{bore: 0 mm, free_length: {}{}}}",
                                mm(of.screw.free_length), full ? ", far_length: 0 mm" : ""),
@@ -191,7 +213,7 @@ std::string structure_text(const CompleteScrew& s, ModelOf model) {
                                 : ", rings: screw") +
          "  nut:\n" +
          case_line(
-             fmt::format("    length: {}", length_text(d.nut_length, of.nut.length)),
+             fmt::format("    length: {}", nut_length),
              origin_of(d.nut_length.has_value(),
                        standard ? fmt::format(
                                       "{:g} times the nut's pitch diameter and {}, 0.84 to 1.15 "
@@ -203,14 +225,13 @@ std::string structure_text(const CompleteScrew& s, ModelOf model) {
                                               kInvertedNut))) +
          case_line(
              fmt::format("    outer_diameter: {}",
-                         length_text(d.nut_diameter, of.nut.outer_diameter)),
+                         length_text(d, "nut_diameter", d.nut_diameter, of.nut.outer_diameter)),
              origin_of(d.nut_diameter.has_value(),
                        fmt::format("{:g} times the nut's pitch diameter and {}, 0.96 to 1.03 times "
                                    "the diameters of a catalogue",
                                    kNutDiameterSlope, mm(kNutDiameterOffset))) +
                  "; a plain cylinder") +
-         case_line(fmt::format("    thrust: {{tension: 0 mm, compression: {}}}",
-                               length_text(d.nut_length, of.nut.length)),
+         case_line(fmt::format("    thrust: {{tension: 0 mm, compression: {}}}", nut_length),
                    "assumed: the housing holds the nut at its end faces; with a flange, see "
                    "`structure.nut.flanges`") +
          (full ? case_line("    housing: {axial: rigid, lateral: rigid, tilt: rigid}",
@@ -241,7 +262,7 @@ std::string spatial_text(ModelOf model) {
 
 std::string loads_text(const CompleteScrew& s, ModelOf model) {
   const ScrewData& d = s.data;
-  const double turn = s.c.mechanism.lead > 0.0 ? 1.0 : -1.0;
+  const bool left_handed = s.c.mechanism.lead < 0.0;
   return "\n" + model_text(model) +
          case_remark(
              origin_of(d.load.has_value(),
@@ -258,18 +279,37 @@ std::string loads_text(const CompleteScrew& s, ModelOf model) {
              "  - {{name: tension, axial_force: {0}, direction: tension, position: {1}{3}}}\n"
              "  - {{name: compression, axial_force: {0}, direction: compression, position: {1}, "
              "speed: {2}{3}}}\n",
-             kilonewton(s.load), mm(s.position), rpm(-turn * s.speed), spatial_text(model)) +
+             load_text(s), mm(s.position), speed_text(s, !left_handed), spatial_text(model)) +
          "\n" +
          case_line(
-             fmt::format("operation: {{speed: {}}}", rpm(turn * s.speed)),
+             fmt::format("operation: {{speed: {}}}", speed_text(s, left_handed)),
              origin_of(d.speed.has_value(),
                        "a half of 150,000 mm/min over the screw's diameter, which makers allow"));
 }
 
 std::string lubricant_text(const CaseLubricant& l) {
-  return case_line(
-      fmt::format("lubricant: {{name: {}, temperature: {}}}", l.name, celsius(l.temperature)),
-      origin_of(!l.assumed, "others: `prs list lubricants`"));
+  return case_line(fmt::format("lubricant: {{name: {}, temperature: {}}}", l.name,
+                               l.temperature_as_written.empty() ? celsius(l.temperature)
+                                                                : l.temperature_as_written),
+                   origin_of(!l.assumed, "others: `prs list lubricants`"));
+}
+
+/// `prs life` needs a ratio of diameters for which Lemor's factor is known. With n starts it is
+/// cos(alpha)/n, inverted cos(alpha)/(n + 2).
+void require_capacity(const CompleteScrew& s) {
+  const Contacts contacts = find_contacts(s.c.mechanism, s.c.materials, Detail::numbers);
+  const PerInterface<InterfaceContact>& of = contacts.interfaces;
+  const LemorGeometry g = lemor_geometry(
+      contacts.mechanism, contact_angle({of.screw.normal_angle(), of.nut.normal_angle()}));
+  if (lemor_capacity(g)) return;
+  const int starts = s.c.mechanism.starts.screw, more = is_standard(s) ? 0 : 2;
+  throw CaseError(
+      "starts",
+      fmt::format("got {}; expected at most {:.0f}: rollers of {} are thinner beside the nut than "
+                  "Lemor's capacity is known for, which `life` needs; take fewer starts",
+                  starts,
+                  std::floor((starts + more) * factor_ratio(g) / kFactorRatios.least) - more,
+                  mm(s.pitch_diameter.roller)));
 }
 
 /// Proposed length of the shaft between its supports [m].
@@ -305,8 +345,7 @@ std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
          case_line(fmt::format("  position: {}", mm(s.position)),
                    "rollers in the middle of the nut") +
          case_line(
-             fmt::format("  spectrum: [{{force: {}, direction: tension, share: 1}}]",
-                         kilonewton(s.load)),
+             fmt::format("  spectrum: [{{force: {}, direction: tension, share: 1}}]", load_text(s)),
              "assumed: one load all the time; or several with their shares, or `history`, a file") +
          "  # dynamic_capacity: .. kN             # of your catalogue, in place of Lemor's "
          "formula\n"
@@ -326,6 +365,7 @@ std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
 
 std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubricant,
                        const std::string& origin, ModelOf model) {
+  require_capacity(screw);
   return case_heading(screw, origin) + mechanism_text(screw) + structure_text(screw, model) + "\n" +
          case_line(
              fmt::format("materials: {{youngs_modulus: {:g} GPa, poisson_ratio: {:g}, density: "

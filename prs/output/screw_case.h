@@ -13,12 +13,13 @@ namespace prs {
 struct CaseLubricant {
   std::string name = "iso-vg-100";
   double temperature = 333.15;  ///< [K]
+  std::string temperature_as_written = {};
   bool assumed = true;
 };
 
 /// The screw as a commented case for which every command but `preload`, `study` and `optimize` has
 /// all it needs. `origin` says in its first lines where the data come from. A full mechanism has
-/// supports and loads across the axis as well.
+/// supports and loads across the axis as well. Throws CaseError where `prs life` would refuse it.
 std::string screw_case(const CompleteScrew& screw, const CaseLubricant& lubricant,
                        const std::string& origin,
                        ModelOptions::Mechanism mechanism = ModelOptions::Mechanism::sector);

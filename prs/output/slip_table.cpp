@@ -66,12 +66,11 @@ std::string slip_ratio_lines(const SlipResult& slip) {
       slip.status == SlipStatus::imposed
           ? fmt::format("imposed; moment left on a roller {} {}",
                         four_digits(shown(slip.moments.residue(), "N mm")), table_unit("N mm").text)
-          : fmt::format("optimality {:.3f} %", slip.optimality * per_si::percent);
-  std::string lines = block_line("slip ratio", fixed(slip.slip_ratio, 1.0, 6), origin) +
-                      block_line("  ideal", fixed(slip.ideal_slip_ratio, 1.0, 6)) +
-                      block_line("  at the pitch points", fixed(slip.estimates.simple, 1.0, 6));
-  if (slip.estimates.jones) lines += block_line("  Jones", fixed(slip.estimates.jones, 1.0, 6));
-  return lines;
+          : fmt::format("{:.4g} % of the way from pure sliding to the ideal",
+                        slip.optimality * per_si::percent);
+  return block_line("slip ratio", fixed(slip.slip_ratio, 1.0, 6), origin) +
+         block_line("  ideal", fixed(slip.ideal_slip_ratio, 1.0, 6)) +
+         block_line("  at the pitch points", fixed(slip.estimates.simple, 1.0, 6));
 }
 
 std::string efficiency_lines(const SlipResult& slip) {

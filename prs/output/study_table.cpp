@@ -28,9 +28,9 @@ constexpr std::string_view kBaseMark = "as in the file";
 constexpr std::size_t kMostRanked = 10;  // Factors per response.
 constexpr double kLeastShare = 1e-3;     // Least share of a factor that is shown.
 constexpr std::size_t kMostRankings = 6;
-constexpr std::size_t kMaxName = 33;
-constexpr std::size_t kStatistic = 10;
-constexpr std::size_t kBarCells = 30;
+constexpr std::size_t kMaxName = 30;
+constexpr std::size_t kStatistic = 9;
+constexpr std::size_t kBarCells = 20;
 
 /// A response over two lines, the unit at the end.
 struct Heading {
@@ -144,7 +144,8 @@ std::string factor_table(const StudyResult& result, std::size_t index, const Col
     const std::string value = level_text(*level, factor.unit);
     text += row_line(columns, fmt::format("{} {}", base ? '*' : ' ', value), *row);
   }
-  if (step > 1) text += fmt::format("  … of {} values; all in study.csv\n", factor.levels.size());
+  if (step > 1)
+    text += fmt::format("  … of {} values; {}\n", factor.levels.size(), all_in("study.csv"));
   return text;
 }
 
@@ -182,7 +183,8 @@ std::string failures(const StudyResult& result) {
     text += wrapped(fmt::format("{} {}: {}", name, row.status.name, printable(row.status.reason)),
                     "  ", kTableWidth);
   }
-  if (failed > shown) text += fmt::format("  … and {} more in study.csv\n", failed - shown);
+  if (failed > shown)
+    text += fmt::format("  … and {} more; {}\n", failed - shown, all_in("study.csv"));
   return text;
 }
 
@@ -195,8 +197,9 @@ std::string factor_tables(const StudyResult& result) {
     text.append("\n").append(factor_table(result, k, columns));
   text += "\n* as in the file";
   if (columns.headings.size() < result.study.responses.size())
-    text += fmt::format("; {} more responses in study.csv",
-                        result.study.responses.size() - columns.headings.size());
+    text +=
+        fmt::format("; {} more responses; {}",
+                    result.study.responses.size() - columns.headings.size(), all_in("study.csv"));
   return text + '\n';
 }
 
@@ -222,7 +225,7 @@ std::string ranked_row(std::size_t k, const std::string& label, const std::strin
 
 /// Under a ranking: what it leaves out.
 std::string more_factors(std::size_t count) {
-  return count > 0 ? fmt::format("       … {} more in study.json\n", count) : "";
+  return count > 0 ? fmt::format("       … {} more; {}\n", count, all_in("study.json")) : "";
 }
 
 std::string contributions(const Study& study, std::size_t response, const LinearFit& fit) {
@@ -280,7 +283,8 @@ std::string rankings(const StudyResult& result) {
       text += contributions(study, k, *summary.surfaces->fits[k]);
   }
   if (!text.empty() && shown < study.responses.size())
-    text += fmt::format("\n… {} more responses in study.json\n", study.responses.size() - shown);
+    text += fmt::format("\n… {} more responses; {}\n", study.responses.size() - shown,
+                        all_in("study.json"));
   return text;
 }
 
@@ -298,8 +302,7 @@ std::string statistics(const StudyResult& result) {
       values.insert(values.end(),
                     {s.mean, s.standard_deviation, s.min, s.quantiles[1], s.quantiles[3], s.max});
     for (const std::optional<double>& value : values) {
-      const std::string cell =
-          value ? fmt::format("{:.4g}", response.factor * *value) : std::string(kAbsent);
+      const std::string cell = value ? significant(response.factor * *value) : std::string(kAbsent);
       text += fmt::format(" {}", padded(cell, kStatistic, false));
     }
     text += '\n';
@@ -397,7 +400,7 @@ std::string envelope_points(const StudyResult& result) {
   }
   text += row("envelope", [](const EnvelopePoint& p) { return short_number(p.envelope); });
   if (shown < found.size())
-    text += fmt::format("… {} more points in study.json\n", found.size() - shown);
+    text += fmt::format("… {} more points; {}\n", found.size() - shown, all_in("study.json"));
   if (std::ranges::any_of(found, [](const EnvelopePoint* p) { return !p->design; }))
     text += "between: interpolated between four designs of the grid\n";
   return text + reasons;

@@ -8,13 +8,10 @@
 #include "prs/output/warnings.h"
 #include "prs/quantities/model_summary.h"
 #include "prs/quantities/quantities.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {
-
-std::string iterations(const LoadCaseResult& result) {
-  return result.solve ? fmt::to_string(result.solve->iterations()) : std::string(kAbsent);
-}
 
 template <Interface interface>
 std::string most_loaded(const LoadCaseResult& result) {
@@ -30,7 +27,6 @@ constexpr CaseColumn kColumns[] = {
     {"screw max.", "thread: %", false, most_loaded<Interface::screw>},
     {"nut max.", "thread: %", false, most_loaded<Interface::nut>},
     {"pressure", "max. GPa", true, pressure_cell},
-    {"Newton", "steps", false, iterations},
 };
 
 std::string failure(const LoadCaseResult& result) {
@@ -48,8 +44,10 @@ std::vector<double> percent(const std::vector<double>& rates) {
 }  // namespace
 
 std::string load_case_table(const Result& result) {
+  std::string model = model_line(result);
+  if (!model.empty()) model = wrapped(model.substr(0, model.size() - 1), "", kTableWidth);
   const std::string table =
-      model_line(result) + case_table({kColumns, 3, failure, "load_cases.csv"}, result.load_cases);
+      model + case_table({kColumns, 3, failure, "load_cases.csv"}, result.load_cases);
   const std::string warnings = warning_summary(result);
   return warnings.empty() ? table : table + '\n' + warnings;
 }

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <regex>
 
+#include "prs/input/units.h"
 #include "prs/output/case_table.h"
 
 namespace prs {
@@ -29,7 +32,7 @@ constexpr UsUnit kUsUnits[] = {
     {"mm/rad", {"", "in/rad", kPerInch}},
     {"kN/kg", {"", "lbf/lb", kPerPoundForce / kPerPound}},
     {"W/mm²", {"", "W/in²", 1.0 / (kPerInch * kPerInch)}},
-    {"N/µm", {"", "lbf/in", kPerPoundForce / kPerInch}},
+    {"N/µm", {"", "lbf/µin", 1e-6 * kPerPoundForce / kPerInch}},
     {"mm/s", {"", "in/s", kPerInch}},
     {"kg/m", {"", "lb/in", kPerPound / kPerInch}},
     {"kg mm²", {"", "lb in²", kPerPound* kPerInch* kPerInch}},
@@ -60,6 +63,44 @@ int decimals_in(const ShownUnit& shown, const ShownUnit& unit, int decimals) {
   return std::max(0, decimals + more);
 }
 
+constexpr const char* kNumber = R"(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?)";
+
+/// What stands before, one number or two of a range, and one of the units that are replaced.
+std::regex quantity_in_sentence() {
+  std::string units = "um";
+  for (const UsUnit& unit : kUsUnits) {
+    units += '|';
+    for (const char c : unit.si) {
+      if (std::string_view("^$.*+?()[]{}|/\\").find(c) != std::string_view::npos) units += '\\';
+      units += c;
+    }
+  }
+  return std::regex(fmt::format(R"((^|[ (])({0})(?:( to | and | or )({0}))? ({1})(?![\w/^(²³]))",
+                                kNumber, units));
+}
+
+/// With as many digits as it had, three at least.
+std::string converted_number(const std::string& number, double factor) {
+  int digits = 0;
+  for (const char c : number.substr(0, number.find('e')))
+    if ((c > '0' && c <= '9') || (c == '0' && digits > 0)) ++digits;
+  return significant(factor * input::parse_number(number).value_or(0.0), std::max(3, digits));
+}
+
+std::string converted(std::string text, const std::regex& quantity) {
+  std::string all;
+  for (std::smatch found; std::regex_search(text, found, quantity); text = found.suffix()) {
+    const std::string unit = found[5] == "um" ? "µm" : found[5].str();
+    const ShownUnit& documents = documents_unit(unit);
+    const ShownUnit& tables = table_unit(documents);
+    const double factor = tables.factor / documents.factor;
+    all += found.prefix().str() + found[1].str() + converted_number(found[2], factor);
+    if (found[4].matched) all += found[3].str() + converted_number(found[4], factor);
+    all += fmt::format(" {}", tables.text);
+  }
+  return all + text;
+}
+
 }  // namespace
 
 TableUnits::TableUnits(UnitSystem system) : before_(system_of_tables) { system_of_tables = system; }
@@ -83,6 +124,25 @@ std::string with_table_unit(std::string_view label) {
   return std::string(label);
 }
 
+UnitSystem table_system() { return system_of_tables; }
+
+std::string in_table_units(const std::string& sentence) {
+  if (system_of_tables == UnitSystem::si) return sentence;
+  static const std::regex quantity = quantity_in_sentence();
+  std::string text;
+  bool is_typed = false;
+  for (std::size_t begin = 0; begin <= sentence.size(); is_typed = !is_typed) {
+    const std::size_t end = std::min(sentence.find('`', begin), sentence.size());
+    const std::string part = sentence.substr(begin, end - begin);
+    if (is_typed)
+      text += '`' + part + (end < sentence.size() ? "`" : "");
+    else
+      text += converted(part, quantity);
+    begin = end + 1;
+  }
+  return text;
+}
+
 double shown(double si, std::string_view unit) { return si * table_unit(unit).factor; }
 
 std::string fixed(std::optional<double> si, std::string_view unit, int decimals) {
@@ -97,6 +157,8 @@ std::string fixed_with_unit(std::optional<double> si, std::string_view unit, int
 }
 
 double table_factor(const ShownUnit& unit) { return table_unit(unit).factor / unit.factor; }
+
+double table_factor(std::string_view unit) { return table_factor(documents_unit(unit)); }
 
 std::string TableResponse::text() const {
   return title.unit.empty() ? title.name : fmt::format("{} ({})", title.name, title.unit);

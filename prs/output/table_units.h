@@ -34,6 +34,13 @@ const ShownUnit& table_unit(std::string_view text);
 /// A label with the unit of tables at its end: `torque, lbf in` of `torque, N m`.
 std::string with_table_unit(std::string_view label);
 
+/// The system of the tables that are made now.
+UnitSystem table_system();
+
+/// A sentence whose quantities are in units of documents (`2.9 GPa`, `0.2 to 0.5 mm`) with those of
+/// tables, as many digits, three at least. What stands in backticks, as one would type it, stays.
+std::string in_table_units(const std::string& sentence);
+
 /// A number of SI as tables show what documents show in this unit: `kN`.
 double shown(double si, std::string_view unit);
 
@@ -44,6 +51,7 @@ std::string fixed_with_unit(std::optional<double> si, std::string_view unit, int
 
 /// What shows a number of documents in the unit of tables.
 double table_factor(const ShownUnit& unit);
+double table_factor(std::string_view unit);
 
 /// A response of a study as tables show it.
 struct TableResponse {

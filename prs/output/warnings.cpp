@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <string_view>
 
+#include "prs/output/case_table.h"
+#include "prs/output/table_units.h"
 #include "prs/quantities/case_groups.h"
 #include "prs/text.h"
 
 namespace prs {
 namespace {
-
-constexpr std::size_t kWidth = 110;
 
 struct WarningGroup {
   std::string pattern;  ///< The text without its numbers.
@@ -42,10 +42,15 @@ void add(std::string text, const LoadCase& load_case, std::vector<WarningGroup>&
   group->cases.push_back(printable(load_case.name));
 }
 
+/// With the units of tables.
+std::string warning_lines(const std::string& warning) {
+  return wrapped(in_table_units(printable(warning)), "  ", kTableWidth);
+}
+
 std::string group_lines(const WarningGroup& group) {
   const std::string cases = fmt::format("in {}{}", folded_names(group.cases),
                                         group.texts_differ ? "; numbers of the last" : "");
-  return wrapped(group.place + group.text, "  ", kWidth) + wrapped(cases, "    ", kWidth);
+  return warning_lines(group.place + group.text) + wrapped(cases, "    ", kTableWidth);
 }
 
 }  // namespace
@@ -62,14 +67,14 @@ std::string warning_summary(const std::vector<std::string>& warnings,
       add(printable(warning), load_case.load_case, groups);
 
   std::string summary;
-  for (const std::string& warning : warnings) summary += wrapped(printable(warning), "  ", kWidth);
+  for (const std::string& warning : warnings) summary += warning_lines(warning);
   for (const WarningGroup& group : groups) summary += group_lines(group);
   return summary.empty() ? summary : "Warnings\n" + summary;
 }
 
 std::string warning_section(const std::vector<std::string>& warnings) {
   std::string text;
-  for (const std::string& warning : warnings) text += wrapped(printable(warning), "  ", kWidth);
+  for (const std::string& warning : warnings) text += warning_lines(warning);
   return text.empty() ? text : "\nWarnings\n" + text;
 }
 

@@ -7,6 +7,7 @@
 
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
+#include "prs/output/table_units.h"
 #include "prs/page/resources.h"
 #include "prs/report/svg.h"
 #include "prs/sha256.h"
@@ -121,7 +122,7 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
                  policy_hash(page_script()))
            : "";
   std::string text = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<!DOCTYPE html>\n<html lang=\"en\"{}>\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
       "'{}'{}; "
       "base-uri 'none'; form-action 'none'\">\n"
@@ -130,9 +131,9 @@ std::string page_html(const input::Source& source, const ReportParts& parts,
       "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}<div class=\"page{}\">\n"
       "<header>\n{}</header>\n<div class=\"side\"><nav aria-label=\"Contents\"><ol>{}</ol></nav>\n"
       "{}</div>\n<main>\n{}</main>\n<footer>{}</footer>\n</div>\n",
-      policy_hash(style), scripts, html(parts.title), style,
-      live ? "<p id=\"changed\" hidden></p>\n" : "", live ? " is-live" : "", parts.head, links,
-      live ? panel_html(parts) : "", body, parts.foot);
+      table_system() == UnitSystem::us ? " data-units=\"us\"" : "", policy_hash(style), scripts,
+      html(parts.title), style, live ? "<p id=\"changed\" hidden></p>\n" : "",
+      live ? " is-live" : "", parts.head, links, live ? panel_html(parts) : "", body, parts.foot);
   text += data_block("data", parts.shown);
   if (live) {
     text += data_block("case", case_of(source));

@@ -59,6 +59,9 @@ namespace {
 constexpr std::string_view kMiner = "FKM; Miner elementary", kPalmgrenMean = "ISO 281; cubic mean",
                            kLemorCapacity = "Lemor, in Jung 2017, (6.1) to (6.3)";
 
+constexpr std::string_view kFactorRange =
+    "f_c at d_r cos/d_n, d_r cos/(2 c) and D_c cos/(2 c): Lemor's ratio of diameters and ISO 281's";
+
 using Range = std::array<double, 2>;
 Range range_of(const Interval& i) { return {i.least, i.greatest}; }
 
@@ -187,14 +190,14 @@ constexpr Quantity<Capacity> kCapacity[] = {
     {"dynamic_capacity_N", of<[](const Capacity& c) { return c.life->dynamic_capacity; }>,
      "C_a; life.dynamic_capacity where stated", kLemorCapacity},
     {"dynamic_capacity_range_N",
-     of<[](const Capacity& c) { return range_of(c.life->dynamic_capacity_range); }>,
-     "by the readings of the diameter ratio", "docs/life.md"},
+     of<[](const Capacity& c) { return range_of(c.life->dynamic_capacity_range); }>, kFactorRange,
+     "docs/life.md"},
     {"source", of<[](const Capacity& c) { return c.life->lemor ? "lemor" : "given"; }>,
      "lemor | given"},
     {"geometry_factor", of_lemor<&LemorCapacity::factor>, "f_c", kLemorCapacity},
     {"geometry_factor_range",
-     of_lemor<[](const LemorCapacity& l) { return range_of(l.factor_range); }>,
-     "by the readings of the diameter ratio", "docs/life.md"},
+     of_lemor<[](const LemorCapacity& l) { return range_of(l.factor_range); }>, kFactorRange,
+     "docs/life.md"},
     {"diameter_ratio", of_lemor<&LemorCapacity::ratio>, "d_r cos(alpha)/d_n", kLemorCapacity},
     {"element_diameter_mm", of_lemor<&LemorCapacity::element_diameter>,
      "diameter of the equivalent ball", kLemorCapacity},

@@ -46,9 +46,10 @@ constexpr std::string_view kLemorValidity =
     "d_r cos(alpha)/d_n from 0.01 to 0.30; crowned flanks of 45 deg, hardened steel";
 constexpr std::string_view kLemor = "Lemor, in Jung 2017, (5.5), (6.1), (8.26)";
 constexpr std::string_view kRangeFormula =
-    "C_a with the other readings of the diameter ratio in f_c and the fit's 0.35 %";
+    "C_a with f_c at d_r cos/(2 c) or D_c cos/(2 c), the ratio of ISO 281, and the fit's 0.35 %";
 constexpr std::string_view kRangeValidity =
-    "how f_c is read, not an error bar: C_a is 0.69 to 1.26 times a maker's for screws from 8 to "
+    "which ratio f_c takes, not an error bar: C_a is 0.69 to 1.26 times a maker's for screws from "
+    "8 to "
     "120 "
     "mm (validation/standard_screws); a maker's own value goes first";
 constexpr std::string_view kDeformationFormula =
@@ -151,9 +152,9 @@ constexpr Quantity<Measures> kMeasures[] = {
     {"dynamic_capacity_N", of<&Measures::dynamic_capacity>, kLemorFormula, kLemor,
      "dynamic capacity C_a", kCapacityGroup, kLemorValidity},
     {"dynamic_capacity_low_N", of<&Measures::dynamic_capacity_low>, kRangeFormula, "docs/life.md",
-     "dynamic capacity, least reading of f_c", kCapacityGroup, kRangeValidity},
+     "dynamic capacity, least by other ratios in f_c", kCapacityGroup, kRangeValidity},
     {"dynamic_capacity_high_N", of<&Measures::dynamic_capacity_high>, kRangeFormula, "docs/life.md",
-     "dynamic capacity, greatest reading of f_c", kCapacityGroup, kRangeValidity},
+     "dynamic capacity, greatest by other ratios in f_c", kCapacityGroup, kRangeValidity},
     {"static_capacity_N", of<&Measures::static_capacity>,
      "the least of the next four; or life.static_capacity where stated", "ISO 76, Palmgren, Hertz",
      "static capacity C_0", kCapacityGroup,
@@ -187,7 +188,7 @@ constexpr Quantity<Measures> kMeasures[] = {
     {"weight_kg", of<&Measures::weight>, "sum of both", kBodySource, "weight of rollers and nut",
      kWeightGroup, kBodyValidity},
     {"screw_weight_kg_per_m", of<&Measures::screw_weight_per_length>, "rho pi/4 (d_S^2 - d_bore^2)",
-     kGeometry, "weight of the screw per metre", kWeightGroup, kBodyValidity},
+     kGeometry, "weight of the screw per length", kWeightGroup, kBodyValidity},
     {"material_volume_cm3", of<&Measures::material_volume>,
      "pi/4 (integral of (D(x)^2 - d_N^2) dx + N_r (d_R^2 N p + 2 d_end^2 L_end))",
      "Jung 2017, (7.2), which lacks pi/4", "material of rollers and nut", kWeightGroup,

@@ -50,14 +50,16 @@ std::string_view known_bias(const ModelOptions& m) {
   if (has_yamamoto(m)) return "for comparison: Hertz has the deflection of the teeth already";
   switch (m.bodies) {
     case Bodies::bars:
-      return "17 to 32 % too stiff for a screw like lesson 1; `model: {bodies: refined}`";
+      return "17 to 32 % stiffer than finite elements on an inverted 21 x 5 mm screw; nearer: "
+             "`model: {bodies: refined}`";
     case Bodies::refined:
-      return effects_off(m.refined).empty() ? "0.4 to 3.4 % too stiff for a screw like lesson 1"
-                                            : "";
+      return effects_off(m.refined).empty()
+                 ? "0.4 to 3.4 % stiffer than finite elements on an inverted 21 x 5 mm screw"
+                 : "";
     case Bodies::influence:
       break;
   }
-  return "within 0.5 % of finite elements for a screw like lesson 1";
+  return "within 0.5 % of finite elements on an inverted 21 x 5 mm screw";
 }
 
 }  // namespace

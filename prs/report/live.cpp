@@ -69,6 +69,7 @@ LiveAnswer answer_of(Findings& all, const LiveQuestion& question) {
 LiveAnswer live_sections(const input::Source& source, const LiveQuestion& question) {
   constexpr Command kOfThread[] = {Command::contact, Command::solve, Command::slip};
   thread_local Kept kept;
+  const TableUnits units(question.units);
   if (question.sections == std::vector{std::string(kThread)}) {
     Findings few = findings_of(source, {}, kOfThread);
     return answer_of(few, question);

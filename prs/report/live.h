@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "prs/input/source.h"
+#include "prs/output/table_units.h"
 #include "prs/report/report.h"
 
 namespace prs {
@@ -16,6 +17,7 @@ struct LiveQuestion {
   bool quick = false;   ///< Only what follows while a value moves, from `solve` or `contact`.
   std::vector<std::string> sections = {};  ///< Empty: all.
   std::optional<ThreadChoice> thread = {};
+  UnitSystem units = UnitSystem::si;
 };
 
 struct LiveAnswer {

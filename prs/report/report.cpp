@@ -10,6 +10,7 @@
 
 #include "prs/figures/figure_json.h"
 #include "prs/figures/pictures.h"
+#include "prs/output/table_units.h"
 #include "prs/quantities/case_groups.h"
 #include "prs/quantities/results_schema.h"
 #include "prs/report/findings.h"
@@ -122,13 +123,16 @@ bool is_of_rollers(std::string_view name) {
 std::string head_html(const Findings& all, const std::string& title) {
   const Json& diameters = all.check["contact"]["pitch_diameter_mm"];
   const auto diameter = [&](const char* part) {
-    return report_number(diameters.value(part, std::numeric_limits<double>::quiet_NaN()), "mm");
+    const ReportUnit unit = report_unit("", "mm");
+    const double shown =
+        unit.factor * diameters.value(part, std::numeric_limits<double>::quiet_NaN());
+    return fmt::format("{} {}", report_number(shown, unit.text), unit.text);
   };
   const std::string starts = input_value(all, "mechanism.starts.screw");
   return fmt::format(
       "<p class=\"eyebrow\">Planetary roller screw · report</p>\n<h1>{}</h1>\n<p class=\"lead\">{} "
       "mechanism, {} rollers with {} threads each. Lead {}, {} start{} on the screw. Pitch "
-      "diameters: screw {} mm, roller {} mm, nut {} mm.</p>\n",
+      "diameters: screw {}, roller {}, nut {}.</p>\n",
       html(title), html(capitalised(input_value(all, "mechanism.type"))),
       html(input_value(all, "mechanism.rollers")),
       html(input_value(all, "mechanism.contacts_per_roller")),
@@ -153,6 +157,7 @@ std::string comparison_html(const Json& document) {
   std::vector<std::string> head{"Load case",        "Model",
                                 "Stiffness, N/µm",  "Displacement, µm",
                                 "Largest share, %", "Peak pressure, MPa"};
+  std::ranges::transform(head, head.begin(), with_table_unit);
   std::vector<std::vector<std::string>> rows;
   constexpr std::size_t kMost = 12;
   const std::size_t count = comparison["load_cases"].size();
@@ -160,7 +165,7 @@ std::string comparison_html(const Json& document) {
   for (std::size_t k = 0; k < count; k += stride)
     for (const Json& model : comparison["load_cases"][k]["models"]) {
       const auto number = [&](const char* key, const char* unit) {
-        return model.contains(key) ? report_value(model[key], ReportUnit{unit}) : "–";
+        return model.contains(key) ? report_value(model[key], report_unit(key, unit)) : "–";
       };
       double share = std::numeric_limits<double>::quiet_NaN();
       for (const char* side : {"screw", "nut"})
@@ -294,8 +299,8 @@ std::string inputs_html(const Findings& all) {
   std::vector<std::vector<std::string>> derived;
   for (const auto& [key, value] : under(all.check, "derived").items())
     derived.push_back({html(capitalised(words_of(key))),
-                       report_value(value, ReportUnit{std::string(unit_of(key).text)}),
-                       html(unit_of(key).text)});
+                       report_value(value, report_unit(key, unit_of(key).text)),
+                       html(with_table_unit(unit_of(key).text))});
   if (!derived.empty())
     text += "<h3>What follows from them</h3>\n" + plain_table({"", "Value", "Unit"}, derived);
   return text;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "prs/output/figure_layout.h"
+#include "prs/output/table_units.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -572,6 +573,65 @@ std::string legend_svg(const Figure& figure, const Layout& layout) {
   return all;
 }
 
+/// Gives an axis or a scale of colours the unit of tables; returns what its numbers grow by.
+double take_table_unit(auto& axis) {
+  const double factor = table_factor(axis.unit);
+  axis.unit = with_table_unit(axis.unit);
+  axis.from *= factor;
+  axis.to *= factor;
+  return factor;
+}
+
+double take_axis_unit(Axis& axis) {
+  const double factor = take_table_unit(axis);
+  for (Tick& tick : axis.ticks) tick.at *= factor;
+  return factor;
+}
+
+void scale(std::vector<double>& values, double factor) {
+  for (double& value : values) value *= factor;
+}
+
+void scale(GridData& grid, double x, double y, double values) {
+  scale(grid.x, x);
+  scale(grid.y, y);
+  scale(grid.values, values);
+}
+
+void scale(Panel& panel, double x, double y, double colour) {
+  for (Series& series : panel.series) {
+    scale(series.values, colour);
+    for (Polyline& part : series.parts)
+      for (auto& point : part) point = {x * point[0], y * point[1]};
+  }
+  for (ReferenceLine& line : panel.references) line.at *= line.vertical ? x : y;
+  for (Label& label : panel.labels) {
+    label.text = in_table_units(label.text);
+    if (label.in_panel) continue;
+    label.x *= x;
+    label.y *= y;
+  }
+  scale(panel.map.grid, x, y, colour);
+  if (!panel.surface) return;
+  const double z = take_axis_unit(panel.surface->z);
+  scale(panel.surface->grid, x, y, z);
+  for (SurfacePoint& p : panel.surface->points) p = {p.name, x * p.x, y * p.y, z * p.z};
+}
+
+Figure with_table_units(Figure figure) {
+  if (table_system() == UnitSystem::si) return figure;
+  double colour = 1.0;
+  if (figure.colours) {
+    colour = take_table_unit(*figure.colours);
+    scale(figure.colours->levels, colour);
+  }
+  const double x = take_axis_unit(figure.x), y = take_axis_unit(figure.y);
+  for (Panel& panel : figure.panels)
+    scale(panel, panel.x ? take_axis_unit(*panel.x) : x, panel.y ? take_axis_unit(*panel.y) : y,
+          colour);
+  return figure;
+}
+
 }  // namespace
 
 std::string html(std::string_view content) {
@@ -600,7 +660,8 @@ std::string html(std::string_view content) {
   return escaped;
 }
 
-std::string svg(const Figure& figure, const std::string& id) {
+std::string svg(const Figure& shown, const std::string& id) {
+  const Figure figure = with_table_units(shown);
   const Layout layout(figure);
   const bool titled =
       std::ranges::any_of(figure.panels, [](const Panel& panel) { return !panel.title.empty(); });

@@ -7,6 +7,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "prs/output/case_table.h"
+#include "prs/output/table_units.h"
 #include "prs/report/svg.h"
 #include "prs/text.h"
 
@@ -127,7 +129,8 @@ std::string report_number(double value, std::string_view unit) {
     const auto e = text.find('e');
     shown = fmt::format("{} × 10<sup>{}</sup>", text.substr(0, e), std::stoi(text.substr(e + 1)));
   } else {
-    shown = size >= 99999.5 ? fmt::format("{:.0f}", value) : fmt::format("{:.5g}", value);
+    const bool is_of_geometry = unit == "mm" || unit == "in" || unit == "deg";
+    shown = is_of_geometry && size < 99999.5 ? fmt::format("{:.5g}", value) : significant(value);
   }
   for (std::size_t at = shown.find('-'); at != std::string::npos; at = shown.find('-', at))
     shown.replace(at, 1, "\u2212");
@@ -147,7 +150,7 @@ std::string unit_in(std::string_view path) {
 
 ReportUnit report_unit(std::string_view key, std::string_view unit) {
   if (unit.empty() && key.find("efficiency") != key.npos) return {"%", 100.0};
-  return {std::string(unit)};
+  return {with_table_unit(unit), table_factor(unit)};
 }
 
 std::string report_value(const Json& value, const ReportUnit& unit, bool is_range) {

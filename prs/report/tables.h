@@ -18,11 +18,12 @@ struct ReportUnit {
 /// The unit that the path of a quantity ends in, `MPa` of `screw.peak_pressure_MPa.max`.
 std::string unit_in(std::string_view path);
 
-/// Of a quantity by its key or path, with the unit of documents: efficiencies are told in percent.
+/// Of a quantity by its key or path, with the unit of documents: that of tables; efficiencies are
+/// told in percent.
 ReportUnit report_unit(std::string_view key, std::string_view unit);
 
-/// A number as the report shows it: five digits, stiffness with one decimal, never a separator of
-/// thousands. `unit` as people write it.
+/// A number as the report shows it: four digits, of geometry five, stiffness with one decimal,
+/// never a separator of thousands. `unit` as people write it.
 std::string report_number(double value, std::string_view unit);
 
 /// What a document says, as HTML: of long arrays their range; empty where it is no number or text.

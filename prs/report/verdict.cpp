@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "prs/output/table_units.h"
 #include "prs/quantities/case_groups.h"
 #include "prs/report/findings.h"
 #include "prs/report/svg.h"
@@ -194,7 +195,7 @@ std::string warning_list(const Findings& all) {
   if (all.warnings.empty()) return {};
   std::string text = "<ul class=\"warnings\">\n";
   for (const ReportWarning& warning : all.warnings)
-    text += fmt::format("<li>{}{}</li>\n", html(warning.text),
+    text += fmt::format("<li>{}{}</li>\n", html(in_table_units(warning.text)),
                         warning.cases.empty() ? ""
                                               : fmt::format(" <small>in {}</small>",
                                                             html(folded_names(warning.cases))));

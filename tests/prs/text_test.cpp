@@ -30,6 +30,13 @@ TEST(Text, PrintableLinesKeepsLinesOnly) {
   EXPECT_EQ(printable_lines("a\n\tb\r\x1b\u202e\n"), "a\n b  \uFFFD\n");
 }
 
+TEST(Text, WideLinesBreakBetweenWords) {
+  EXPECT_EQ(wrapped_lines("one two three\nfour\n  five six\n", 9),
+            "one two\n  three\nfour\n  five\n    six\n");
+  EXPECT_EQ(wrapped_lines("one two three", 9), "one two\n  three");
+  EXPECT_EQ(wrapped_lines("a\n\nb", 9), "a\n\nb");
+}
+
 TEST(Text, PrintableJsonSaysTheSame) {
   const nlohmann::json json{{"name", "a\u0085\u202e\x7f\U000e0041\u2028\ufeff µ 😀\n\x1b"}};
   const std::string text = printable_json(json.dump(2));

@@ -66,7 +66,8 @@ const overrides = () => [...theCase.set, ...changes];
 
 /** A question about the case as it is now; of its report, what `report` asks for. */
 const question = (more) => ({ command: 'report', ...theCase, set: overrides(), ...more });
-const reportQuestion = (report) => question({ report: { own: theCase.set.length, ...report } });
+const { units } = document.documentElement.dataset;
+const reportQuestion = (report) => question({ report: { own: theCase.set.length, units, ...report } });
 
 // Sections ---------------------------------------------------------------------------------------
 

@@ -39,6 +39,10 @@ TEST(Usage, ErrorsSayWhatWasFoundWhatIsAllowedAndWhereHelpIs) {
   for (const auto& [arguments, message] : std::vector<std::pair<std::string, std::string>>{
            {"lists", "got lists; expected a command; did you mean `list`? See `prs help`"},
            {"frobnicate", "got frobnicate; expected a command; see `prs help`"},
+           {"slove - --json",
+            "got slove; expected a command; did you mean `solve`? See `prs help`"},
+           {"new standard --starts 99999999999999999999",
+            "--starts: got 99999999999999999999; expected a whole number from 1 to 100"},
            {"case.yaml",
             "got case.yaml; expected a command before it, for example `prs check "
             "case.yaml`; see `prs help`"},
@@ -145,6 +149,17 @@ void for_each_command(const nlohmann::json& program,
   for (const nlohmann::json& command : program.value("commands", nlohmann::json::array())) {
     see(command["name"].get<std::string>().substr(4), command);
     for_each_command(command, see);
+  }
+}
+
+TEST(Help, AGroupOfCommandsStandsOnce) {
+  for (const char* page : {"--help", "help", "manual"}) {
+    const std::string text = run_prs(page).out;
+    const std::string group =
+        page == std::string("manual") ? "\n.SH ANALYSE A CASE\n" : "\nAnalyse a case:\n";
+    const std::size_t first = text.find(group);
+    ASSERT_NE(first, std::string::npos) << page;
+    EXPECT_EQ(text.find(group, first + 1), std::string::npos) << page;
   }
 }
 

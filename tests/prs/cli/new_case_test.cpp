@@ -184,13 +184,54 @@ TEST_F(NewCase, ABlankBeforeTheUnitChangesNothing) {
     return all.substr(all.find("\nmechanism:"));
   };
   EXPECT_EQ(case_of("--screw-diameter 30mm --lead 10mm"),
-            case_of("--screw-diameter '30 mm' --lead '1 cm'"));
+            case_of("--screw-diameter '30 mm' --lead '10 mm'"));
 }
 
-TEST_F(NewCase, InchesStandAsMillimetresWithoutATailOfDigits) {
-  const std::string text = prs("new standard --screw-diameter 0.3937in --lead '0.1 in'").out;
-  EXPECT_THAT(text, HasSubstr("  lead: 2.54 mm "));
-  EXPECT_THAT(text, HasSubstr("pitch_diameter: {screw: 9.99998 mm}"));
+TEST_F(NewCase, WhatIsGivenStandsAsItWasWritten) {
+  ASSERT_EQ(prs("new standard a.yaml --screw-diameter '1 1/4 in' --lead=-1/4in --nut-length 3in "
+                "--nut-diameter '2-3/4 in' --load 2000lbf --speed +300rpm --temperature '140 degF'")
+                .status,
+            0);
+  const std::string a = text("a.yaml");
+  for (const char* line :
+       {"roller screw, 1 1/4 in x -1/4 in.", "  lead: -1/4 in ", "{screw: 1 1/4 in}",
+        "    length: 3 in ", "outer_diameter: 2-3/4 in ", "compression: 3 in}", "{force: 2000 lbf,",
+        "axial_force: 2000 lbf,", "operation: {speed: -300 rpm}", "speed: 300 rpm}",
+        "temperature: 140 degF}"})
+    EXPECT_THAT(a, HasSubstr(line));
+  const auto check = nlohmann::json::parse(prs("check a.yaml --json").out);
+  for (const auto& [path, value] : {std::pair{"mechanism.lead", "-6.35 mm"},
+                                    {"mechanism.pitch_diameter.screw", "31.75 mm"},
+                                    {"structure.nut.outer_diameter", "69.85 mm"}})
+    EXPECT_THAT(check["input"], testing::Contains(testing::ResultOf(
+                                    [&](const nlohmann::json& entry) {
+                                      return entry["path"] == path && entry["value"] == value;
+                                    },
+                                    true)))
+        << path;
+}
+
+TEST_F(NewCase, SaysWhatItAssumes) {
+  EXPECT_THAT(prs("new standard a.yaml").err,
+              StartsWith("a.yaml: written, an example, 30 mm x 10 mm: no dimension was given; "));
+  const std::string some = prs("new inverted b.yaml --load 9kN " + kOf30).err;
+  EXPECT_THAT(some, HasSubstr("b.yaml: written, assumed, as it says: starts, rollers, "));
+  EXPECT_THAT(some, testing::Not(HasSubstr("load")));
+}
+
+TEST_F(NewCase, HasNoMoreStartsThanLifeKnowsTheCapacityOf) {
+  // d_r cos(45 deg)/d_n = 0.01: 1/n of a standard screw, 1/(n + 2) of an inverted one.
+  for (const auto& [type, most] : {std::pair{"standard", 70}, {"inverted", 68}}) {
+    const std::string screw = fmt::format("new {0} {0}.yaml {1}--starts ", type, kOf30);
+    const test::Outcome more = prs(screw + std::to_string(most + 1));
+    EXPECT_EQ(more.status, 2);
+    EXPECT_THAT(more.err,
+                HasSubstr(fmt::format("--starts: got {}; expected at most {}: rollers of ",
+                                      most + 1, most)));
+    EXPECT_FALSE(fs::exists(folder.path() / fmt::format("{}.yaml", type)));
+    ASSERT_EQ(prs(screw + std::to_string(most)).status, 0);
+    EXPECT_EQ(prs(fmt::format("life {}.yaml --set life.share=equal", type)).status, 0);
+  }
 }
 
 TEST_F(NewCase, WhatCannotBeIsOneErrorAndNoFile) {

@@ -370,6 +370,8 @@ TEST_F(ConfigurationsCommand, WritesACaseThatChecks) {
   const std::string asked = "configurations --screw-diameter '21 mm' --lead '5 mm' --starts 3 ";
   const test::Outcome run = prs(asked + "--type inverted --rollers 9 --write 1 case.yaml");
   ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err, HasSubstr("case.yaml: line 1 is written"));
   const test::Outcome check = prs("check case.yaml");
   EXPECT_EQ(check.status, 0) << check.err;
   EXPECT_EQ(check.out.find("Warnings"), std::string::npos) << check.out;
@@ -393,7 +395,9 @@ TEST_F(ConfigurationsCommand, RefusesWhatIsWrong) {
            {sound + "--starts 0", "--starts"},
            {sound + "--starts 3 --rollers 40", "40 rollers do not fit, at most 11"},
            {sound + "--starts 2 --type standard", "more than two screw starts"},
-           {sound + "--write 400 x.yaml", "expected the number of a line, 1 to"}}) {
+           {sound + "--write 400 x.yaml", "expected the number of a line, 1 to"},
+           {sound + "--starts 90 --type inverted --write 1 x.yaml",
+            "--write: got 90; expected at most 68"}}) {
     const test::Outcome run = prs("configurations --json " + arguments);
     EXPECT_EQ(run.status, 2) << arguments;
     EXPECT_EQ(run.out, "") << arguments;

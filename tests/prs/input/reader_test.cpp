@@ -356,6 +356,14 @@ TEST(ReadCase, TextsThatAreNoCaseAreRefused) {
               StartsWith("case.yaml:27:1: error: got more text after the end of the document"));
 }
 
+TEST(ReadCase, AKeyWithoutItsPathIsToldIt) {
+  const auto hint = [](const std::string& set) { return error_of(kAbevi, {set}); };
+  EXPECT_THAT(hint("rollers=9"), HasSubstr("; did you mean `mechanism.rollers`? (from --set"));
+  EXPECT_THAT(hint("speed=9 rpm"),
+              HasSubstr("; did you mean `load_cases[0].speed` or `operation.speed`?"));
+  EXPECT_THAT(hint("life.history.file=\"\""), HasSubstr("`file: forces.csv`"));
+}
+
 TEST(ReadCase, AKeyWithoutABlankBehindItIsNoUnknownWord) {
   EXPECT_THAT(error_of(abevi_with("contacts_per_roller: 20", "contacts_per_roller:20")),
               StartsWith("case.yaml:10:3: error: got contacts_per_roller:20; expected"));

@@ -71,6 +71,7 @@ TEST(Units, CustomaryUnitsAreThoseOfTheirDefinition) {
   EXPECT_NEAR(si("1 ksi", unit::pressure), 6894757, 0.5);
   EXPECT_NEAR(si("1 lb/in^3", unit::density), 27679.90, 5e-3);
   EXPECT_NEAR(si("1 lbf/in", unit::stiffness), 175.1268, 5e-5);
+  EXPECT_NEAR(si("1 lbf/uin", unit::stiffness), 175.1268e6, 50);
   EXPECT_NEAR(si("1 lbf in", unit::torque), 0.1129848, 5e-8);
   EXPECT_EQ(si("1 in lbf", unit::torque), si("1 lbf in", unit::torque));
   EXPECT_NEAR(si("1 lbf ft", unit::torque), 1.355818, 5e-7);
@@ -124,6 +125,40 @@ TEST(Units, NumbersMayBeWrittenAsEngineersDo) {
                            "5\u00A0mm", "5\u202Fmm"})
     EXPECT_EQ(si(text, unit::length), 0.005) << text;
   EXPECT_EQ(si("-.5 mm", unit::length), -0.0005);
+}
+
+TEST(Units, InchesMayHaveAFraction) {
+  EXPECT_EQ(si("1 1/4 in", unit::length), 0.03175);
+  EXPECT_EQ(si("-1-1/4in", unit::length), -0.03175);
+  EXPECT_EQ(si("5/8 in", unit::length), 0.015875);
+  EXPECT_EQ(si("+2 1/2 ft", unit::length), 0.762);
+  EXPECT_EQ(number_in("1 1/4 in", "mm"), 31.75);
+  for (const char* text : {"1 5/4 in", "1.5 1/4 in", "1/0 in", "1 1/4 mm", "1 1/4", "1/4/2 in",
+                           "1e1/4 in", "1  1/4 in", "/4 in", "1 -1/4 in", "1000000000/8 in"})
+    EXPECT_FALSE(parse_quantity(text, unit::length).value) << text;
+  EXPECT_NEAR(si("400 1/min", unit::rotational_speed), 400 * pi / 30, 1e-12);
+  EXPECT_FALSE(parse_quantity("1/4 in/s", unit::rotational_speed).value);
+}
+
+TEST(Units, WhatMeansAnotherSpellingIsToldIt) {
+  for (const auto& [text, dimension, hint] :
+       {std::tuple{"400 RPM", &unit::rotational_speed, "write `rpm`"},
+        {"400 U/min", &unit::rotational_speed, "write `rpm`"},
+        {"5 MM", &unit::length, "write `mm`"},
+        {"1 inch", &unit::length, "write `in`"},
+        {"1\"", &unit::length, "write `in`"},
+        {"100 kgf", &unit::force, "write `N`; 1 kgf is 9.80665 N"},
+        {"10 KN", &unit::force, "write `kN`"},
+        {"100 lb", &unit::force, "write `lbf`"},
+        {"210 mPa", &unit::pressure, "did you mean `MPa`?"},
+        {"46 mm2/s", &unit::kinematic_viscosity, "write `mm^2/s`"},
+        {"7810 kg/m³", &unit::density, "write `kg/m^3`"},
+        {"3e5 N/mm^1,5", &unit::hertz_constant, "use one of the units "}}) {
+    const ParsedQuantity parsed = parse_quantity(text, *dimension);
+    EXPECT_FALSE(parsed.value) << text;
+    EXPECT_NE(parsed.hint.find(hint), std::string::npos) << parsed.hint;
+  }
+  EXPECT_EQ(si("700 N/mm2", unit::pressure), si("700 MPa", unit::pressure));
 }
 
 TEST(Units, WhatIsNoQuantityIsRefused) {

@@ -9,8 +9,10 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "prs/life/rainflow.h"
+#include "prs/text.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 
@@ -64,6 +66,23 @@ TEST_F(LifeCommand, LessonHasTheDataOfItsHeading) {
   EXPECT_NEAR(json["loads"]["largest_force_N"].get<double>(),
               *std::max_element(force.begin(), force.end()), 0.06);
   EXPECT_NEAR(json["cycles"]["count"].get<double>(), prs::count(prs::rainflow(force, 50.0)), 1.0);
+}
+
+TEST_F(LifeCommand, TableHasOneSystemOfUnitsAndFits) {
+  const Outcome us = prs("life configs/14_flight_spectrum.yaml --units us");
+  for (const char* unit : {" kN", " GPa", " MPa", " mm", " km"})
+    EXPECT_EQ(us.out.find(unit), std::string::npos) << unit << us.out;
+  EXPECT_THAT(us.out, HasSubstr("roller-screw peak pressure 422 ksi is above 363 ksi"));
+  std::istringstream lines(us.out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(prs::width(line), 100u) << line;
+}
+
+TEST_F(LifeCommand, MakersScrewsAreNoMeasureOfInvertedOnes) {
+  EXPECT_EQ(prs("life configs/14_flight_spectrum.yaml").out.find("maker's"), std::string::npos);
+  const std::string standard = prs("life validation/standard_screws/screw_30x10.yaml").out;
+  EXPECT_THAT(standard, HasSubstr("by a maker's 23 standard screws"));
+  // A spectrum by shares is no number of revolutions.
+  EXPECT_EQ(standard.find("spectra"), std::string::npos) << standard;
 }
 
 TEST_F(LifeCommand, RefusesWhatIsWrongWhereItStands) {

@@ -68,7 +68,7 @@ TEST(TableUnits, EveryUnitThatIsReplacedIsOneOfDocumentsAndKeepsItsValue) {
       {"mm", "in", 25.4, 1.0},           {"µm", "µin", 0.0254, 1.0},
       {"nm", "µin", 25.4, 1.0},          {"kN", "lbf", 4.448222e-3, 1.0},
       {"N", "lbf", 4.448222, 1.0},       {"MPa", "ksi", 6.894757, 1.0},
-      {"GPa", "ksi", 6.894757e-3, 1.0},  {"N/µm", "lbf/in", 0.1751268, 1e3},
+      {"GPa", "ksi", 6.894757e-3, 1.0},  {"N/µm", "lbf/µin", 175.1268, 1.0},
       {"N m", "lbf in", 0.1129848, 1.0}, {"N mm", "lbf in", 112.9848, 1.0},
       {"kg", "lb", 0.4535924, 1.0},      {"cm³", "in³", 16.38706, 1.0},
       {"kg/m", "lb/in", 17.85797, 1.0},  {"kg mm²", "lb in²", 292.6397, 1.0},
@@ -86,6 +86,18 @@ TEST(TableUnits, EveryUnitThatIsReplacedIsOneOfDocumentsAndKeepsItsValue) {
   EXPECT_EQ(with_table_unit("kN"), "lbf");
   EXPECT_EQ(with_table_unit("column"), "column");
   EXPECT_EQ(fixed_with_unit(12e3, "kN", 3), "2697.7 lbf");
+}
+
+TEST(TableUnits, SentencesHaveThemToo) {
+  const std::string told =
+      "a: got 0.2 to 0.5 mm, 12.5 kN (4.0 GPa); write `b: 5 mm`; 9 mm/min, -1e-3 N/µm";
+  EXPECT_EQ(in_table_units(told), told);
+  const TableUnits units(UnitSystem::us);
+  // 1 lbf = 4.448222 N, 1 ksi = 6.894757 MPa (NIST SP 811, appendix B.8).
+  EXPECT_EQ(in_table_units(told),
+            "a: got 0.00787 to 0.0197 in, 2810 lbf (580 ksi); write `b: 5 mm`; 9 mm/min, "
+            "-5.71e-06 lbf/µin");
+  EXPECT_EQ(in_table_units("12.34 kN"), "2774 lbf");
 }
 
 TEST(ContactTable, RoundingErrorsHaveNoSign) {
@@ -133,7 +145,7 @@ TEST(ContactTable, WarningsOfMechanismAndCasesStandBelow) {
   EXPECT_NE(text.find("exceeds 4.0 GPa", heading), std::string::npos);
 }
 
-TEST(ContactTable, FitsInto110ColumnsWhateverTheNames) {
+TEST(ContactTable, FitsInto100ColumnsWhateverTheNames) {
   std::vector<LoadCase> cases;
   for (int k = 0; k < 40; ++k)
     cases.push_back(equal_share("range[" + std::to_string(k) + ']', 1e6 * (k + 1)));
@@ -141,7 +153,7 @@ TEST(ContactTable, FitsInto110ColumnsWhateverTheNames) {
   cases.push_back(equal_share("\x1b[2J\n\xff", 1.0));
   const std::string text = table(abevi_contacts(cases));
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(width(line), 110) << line;
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(width(line), 100) << line;
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
   EXPECT_NE(text.find("5 of 42 cases"), std::string::npos);
 }

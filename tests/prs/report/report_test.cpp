@@ -7,6 +7,7 @@
 #include <set>
 
 #include "prs/output/figure_layout.h"
+#include "prs/output/table_units.h"
 #include "prs/page/page.h"
 #include "prs/report/svg.h"
 #include "prs/report/tables.h"
@@ -122,9 +123,21 @@ TEST(Report, HasNumbersThatReadBack) {
   EXPECT_EQ(report_number(854.8137, "N/µm"), "854.8");
   EXPECT_EQ(report_number(1000.0, "N/µm"), "1000.0");
   EXPECT_EQ(report_number(-0.0642634, "mm"), "\u22120.064263");
-  EXPECT_EQ(report_number(123456.7, "N"), "123457");
+  EXPECT_EQ(report_number(123456.7, "N"), "123500");
   EXPECT_EQ(report_number(501520676.76, ""), "5.015 × 10<sup>8</sup>");
   EXPECT_EQ(report_number(2.5e-7, ""), "2.500 × 10<sup>\u22127</sup>");
+}
+
+TEST(Report, MayBeInInchesAndPounds) {
+  const input::Source source = lesson_source("01_config_1_to_3.yaml");
+  const TableUnits units(UnitSystem::us);
+  const std::string page = make_report(source, {.live = false}).html;
+  EXPECT_THAT(page, HasSubstr("Pitch diameters: screw 0.82677 in"));
+  for (const char* si : {">N/µm<", ">kN<", ">N<", ">MPa<", ">mm<", ">µm<", "(kN)", "(N/µm)",
+                         "Stiffness, N/µm", " GPa "})
+    EXPECT_EQ(page.find(si), std::string::npos) << si;
+  for (const char* us : {">lbf/µin<", ">lbf<", ">ksi<", ">in<", "data-units=\"us\""})
+    EXPECT_THAT(page, HasSubstr(us));
 }
 
 TEST(Report, KeepsTheDateThatItIsGiven) {
@@ -226,6 +239,24 @@ TEST(Svg, DrawsLargeMapsNoFinerThanAScreen) {
        {kScaleColours[0].data(), kScaleColours[std::size(kScaleColours) - 1].data()})
     for (const std::string& drawn : {coarse, fine})
       EXPECT_THAT(drawn, HasSubstr(std::string("class=\"c\" fill=\"") + end));
+}
+
+TEST(Svg, DrawsTheSameInUnitsOfTables) {
+  Figure figure{
+      .name = "a", .title = "a", .x = {"Force", "kN", 0.0, 8.0}, .y = {"y", "mm", 0.0, 4.0}};
+  const std::size_t line = figure.add(line_of(Colour::blue));
+  figure.panels.resize(1);
+  figure.panels[0].series = {{line, {{{1.0, 1.0}, {7.0, 3.0}}}}};
+  const auto lines = [](const std::string& drawn) {
+    const std::size_t first = drawn.find("<path class=\"s0");
+    return drawn.substr(first, drawn.find('>', first) - first);
+  };
+  const std::string si = svg(figure, "x");
+  const TableUnits units(UnitSystem::us);
+  const std::string us = svg(figure, "x");
+  EXPECT_THAT(si, AllOf(HasSubstr("Force (kN)"), HasSubstr("y (mm)")));
+  EXPECT_THAT(us, AllOf(HasSubstr("Force (lbf)"), HasSubstr("y (in)"), HasSubstr(">1500<")));
+  EXPECT_EQ(lines(si), lines(us));  // The axes alone have other numbers.
 }
 
 TEST(Svg, DrawsEachKindOfPart) {

@@ -129,6 +129,14 @@ TEST(Check, AnOddValueHasOneWarning) {
   }
 }
 
+TEST(Check, DerivedValuesHaveTheUnitsOfTables) {
+  const test::Outcome us = test::run_prs("check configs/01_config_1_to_3.yaml --units us");
+  EXPECT_THAT(us.out, HasSubstr("  centre_distance, in                        0.5511811\n"));
+  EXPECT_THAT(us.out, HasSubstr("  pitch_diameter.screw, in                   0.8267717\n"));
+  EXPECT_THAT(us.out, HasSubstr("backlash -0.00253 in"));
+  EXPECT_EQ(us.out.find("_mm"), std::string::npos);
+}
+
 /// Warnings on single values stand first in every command's document.
 TEST(Check, OddValuesAreToldByEveryCommand) {
   const input::Source source = input::load_source(PRS_SOURCE_DIR "/configs/18_design_measures.yaml",
