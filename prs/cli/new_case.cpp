@@ -116,6 +116,7 @@ CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given)
   if (o.temperature) {
     l.temperature = quantity_option("--temperature", *o.temperature, input::unit::temperature,
                                     {230.0, 500.0}, "an oil's temperature, -43 to 226 degC");
+    l.assumed_temperature = false;
     given.push_back("its temperature " + *o.temperature);
   }
   return l;

@@ -13,7 +13,8 @@ namespace prs {
 struct CaseLubricant {
   std::string name = "iso-vg-100";
   double temperature = 333.15;  ///< [K]
-  bool assumed = true;
+  bool assumed = true;          ///< The name.
+  bool assumed_temperature = true;
 };
 
 /// The screw as a commented case for which every command but `preload`, `study` and `optimize` has
