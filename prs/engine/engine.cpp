@@ -176,9 +176,13 @@ Answer report_answer(const Question& question) {
     text.append(std::exchange(separator, ",\n")).append("\"" + id + "\": ");
     append_quoted(text, body.get_ref<const std::string&>());
   }
+  text += "},\n\"head\": ";
+  append_quoted(text, found.head);
+  text += fmt::format(",\n\"threads\": {},\n\"all_follow\": {}}}", found.threads.dump(),
+                      found.all_follow);
   return {.status = found.converged ? kDone : kNotConverged,
           .messages = std::move(found.notes),
-          .document_text = text + "}}"};
+          .document_text = std::move(text)};
 }
 
 Answer written_answer(const Question& question) {

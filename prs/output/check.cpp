@@ -74,12 +74,27 @@ std::string readiness(const CheckResult& result) {
   return text;
 }
 
-std::string input_list(const std::vector<input::EchoEntry>& fields) {
+/// What a value rests on, and the reason of an assumed one.
+std::pair<std::string_view, std::string_view> basis_of(const input::EchoEntry& f,
+                                                       const CheckResult& result) {
+  if (f.is_default) return {"default", {}};
+  const auto found = result.assumed.find(f.path);
+  if (found == result.assumed.end()) return {"given", {}};
+  return {"assumed", found->second};
+}
+
+/// A reason stands below the first of the values that share it.
+std::string input_list(const CheckResult& result) {
   std::string text = "\nInput\n";
-  for (const input::EchoEntry& f : fields)
-    text += fmt::format(
-        "  {:<42} {}{}\n", f.path, printable(f.value),
-        f.is_default ? fmt::format("   ({})", f.origin.empty() ? "default" : f.origin) : "");
+  std::string_view told;
+  for (const input::EchoEntry& f : result.fields) {
+    const auto [basis, reason] = basis_of(f, result);
+    text += fmt::format("  {:<42} {}   ({}{}{})\n", f.path, printable(f.value), basis,
+                        f.origin.empty() ? "" : " ", f.origin);
+    if (!reason.empty() && reason != told)
+      text += wrapped(printable(reason), std::string(6, ' '), kTableWidth);
+    told = reason;
+  }
   return text;
 }
 
@@ -132,7 +147,7 @@ std::string check_table(const CheckResult& result) {
 }
 
 std::string full_check_table(const CheckResult& result) {
-  return head(result) + input_list(result.fields) + derived(result.geometry.contacts);
+  return head(result) + input_list(result) + derived(result.geometry.contacts);
 }
 
 nlohmann::ordered_json check_json(const CheckResult& result, const DocumentInfo& info) {
@@ -145,7 +160,11 @@ nlohmann::ordered_json check_json(const CheckResult& result, const DocumentInfo&
   }
   for (const input::EchoEntry& f : result.fields) {
     document["input"].push_back({{"path", f.path}, {"value", f.value}, {"default", f.is_default}});
-    if (!f.origin.empty()) document["input"].back()["origin"] = f.origin;
+    Json& entry = document["input"].back();
+    if (!f.origin.empty()) entry["origin"] = f.origin;
+    const auto [basis, reason] = basis_of(f, result);
+    entry["basis"] = basis;
+    if (!reason.empty()) entry["reason"] = reason;
   }
   const Contacts& contacts = result.geometry.contacts;
   for (const auto& [key, value] : lengths(contacts.mechanism)) document["derived"][key] = value;

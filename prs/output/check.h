@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct CommandNeeds {
 /// The resolved case, what follows from it, what is unusual, and what it is ready for.
 struct CheckResult {
   std::vector<input::EchoEntry> fields;
+  std::map<std::string, std::string> assumed;  ///< See `input::assumptions`.
   std::vector<CommandNeeds> commands;
   Result geometry;  ///< Contacts and warnings alone.
 };
@@ -28,7 +30,7 @@ struct CheckResult {
 /// Readiness by command and what to add, warnings, derived values.
 std::string check_table(const CheckResult& result);
 
-/// The same, with every value of the input and whether it is a default.
+/// The same, with every value of the input: given, assumed or a default.
 std::string full_check_table(const CheckResult& result);
 
 nlohmann::ordered_json check_json(const CheckResult& result, const DocumentInfo& info);

@@ -120,8 +120,12 @@ void put_check(Parts& d) {
   d.put("input", list(object({{"path", text()},
                               {"value", text()},
                               {"default", flag()},
-                              {"origin", type("string", "Of a default that a name stands for")}},
-                             {"path", "value", "default"})));
+                              {"origin", type("string", "Of a default that a name stands for")},
+                              {"basis", type("string",
+                                             "given, assumed (as a comment of the file "
+                                             "says) or default")},
+                              {"reason", type("string", "Why it was assumed")}},
+                             {"path", "value", "default", "basis"})));
   d.put("derived", object({{"axial_pitch_mm", number()},
                            {"contact_length_mm", number()},
                            {"roller_spacing_mm", number()}},

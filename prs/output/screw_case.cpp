@@ -25,8 +25,18 @@ std::string case_remark(const std::string& text, std::size_t indent = 0) {
   return wrapped(text, std::string(indent, ' ') + "# ", kCaseWidth);
 }
 
-/// A line of the case, its remark behind it or, where that is too long, above.
-std::string case_line(const std::string& content, const std::string& text) {
+/// What assumptions are read from, see prs/input/assumptions.h: of `value`, as the file has it.
+std::string assumption(const std::string& value, const std::string& reason) {
+  return fmt::format("assumed {}: {}", value, reason);
+}
+
+constexpr std::string_view kAssumed = "assumed: ";
+
+/// A line of the case, its remark behind it or, where that is too long, above. A remark that begins
+/// with `assumed: ` marks the value of the line.
+std::string case_line(const std::string& content, std::string text) {
+  if (text.starts_with(kAssumed))
+    text = assumption(content.substr(content.find(": ") + 2), text.substr(kAssumed.size()));
   const std::string whole = fmt::format("{:<38}  # {}", content, text);
   if (width(whole) <= kCaseWidth) return whole + "\n";
   return case_remark(text, content.find_first_not_of(' ')) + content + "\n";
@@ -34,7 +44,7 @@ std::string case_line(const std::string& content, const std::string& text) {
 
 /// The remark on a value that was given, or else on how it was assumed.
 std::string origin_of(bool given, const std::string& assumed) {
-  return given ? "given" : "assumed: " + assumed;
+  return given ? "given" : std::string(kAssumed) + assumed;
 }
 
 std::string degrees(double angle) {
@@ -77,9 +87,9 @@ std::string case_heading(const CompleteScrew& s, const std::string& origin) {
                                              diameter_text(s.data), lead_text(s.data)));
   text += "#\n" + case_remark(origin);
   text += case_remark(
-      "What was not given is marked `assumed`, with the reason: replace what you know. The rules, "
-      "and "
-      "how near they come to makers' screws, stand in docs/new_case.md.");
+      "What was not given is marked `assumed`, with its value and the reason: replace what you "
+      "know; what differs from its mark counts as given. The rules, and how near they come to "
+      "makers' screws, stand in docs/new_case.md.");
   text +=
       "#\n"
       "#   prs check FILE                   every value, its default, what is unusual\n"
@@ -123,21 +133,26 @@ std::string thread_text(const Mechanism& m) {
   const double pitch = axial_pitch(m);
   const bool as_makers = m.thread.screw->addendum > 0.999 * kCrestHeight * pitch &&
                          m.thread.screw->dedendum > 0.999 * kMeshedRootDepth * pitch;
-  std::string text =
-      case_remark(
-          fmt::format(
-              "assumed: crests {:.2g} and roots {:.2g} pitches from the pitch line, {}. Ellipses "
-              "reach such crests below the static "
-              "capacity: makers count on what bears beyond, `prs measures` and `prs life` warn",
-              m.thread.screw->addendum / pitch, m.thread.screw->dedendum / pitch,
-              as_makers ? "after outer and root diameters of a catalogue"
-                        : "as far as these flanks reach: makers have more"),
-          2) +
-      "  thread:\n";
-  for (const Part p : kParts)
-    text += fmt::format("    {}: {{addendum: {}, dedendum: {}}}\n", name(p),
-                        mm(m.thread[p]->addendum), mm(m.thread[p]->dedendum));
-  return text;
+  std::string lines, value;
+  for (const Part p : kParts) {
+    const std::string part = fmt::format("{}: {{addendum: {}, dedendum: {}}}", name(p),
+                                         mm(m.thread[p]->addendum), mm(m.thread[p]->dedendum));
+    lines += "    " + part + "\n";
+    value += (value.empty() ? "{" : ", ") + part;
+  }
+  return case_remark(
+             assumption(
+                 value + "}",
+                 fmt::format(
+                     "crests {:.2g} and roots {:.2g} pitches from the pitch line, {}. Ellipses "
+                     "reach such crests below the static "
+                     "capacity: makers count on what bears beyond, `prs measures` and `prs life` "
+                     "warn",
+                     m.thread.screw->addendum / pitch, m.thread.screw->dedendum / pitch,
+                     as_makers ? "after outer and root diameters of a catalogue"
+                               : "as far as these flanks reach: makers have more")),
+             2) +
+         "  thread:\n" + lines;
 }
 
 std::string mechanism_text(const CompleteScrew& s) {
@@ -153,14 +168,17 @@ std::string mechanism_text(const CompleteScrew& s) {
          case_line(fmt::format("  type: {}", type_name(m.type)),
                    is_standard(s) ? "rollers keep their place on the nut; or inverted"
                                   : "rollers keep their place on the screw; or standard") +
-         case_line("  geometry: design", "roller, nut and centre distance follow") +
+         case_line("  geometry: design", "assumed: roller, nut and centre distance follow") +
          case_line(fmt::format("  lead: {}", lead_text(d)), "given; < 0 left-handed") +
          case_line(
              fmt::format("  starts: {{screw: {}, roller: {}}}", m.starts.screw, m.starts.roller),
-             origin_of(d.starts.has_value(),
-                       fmt::format("of 5, 4, 3 the first whose rollers are {} or thicker, as in "
-                                   "makers' catalogues; the nut has the screw's",
-                                   mm(kThinnestRoller)))) +
+             d.starts
+                 ? assumption(fmt::format("{{roller: {}}}", m.starts.roller),
+                              "rollers with as few starts as mesh; the screw's are given, the nut "
+                              "has as many")
+                 : fmt::format("assumed: of 5, 4, 3 the first whose rollers are {} or "
+                               "thicker, as in makers' catalogues; the nut has the screw's",
+                               mm(kThinnestRoller))) +
          case_line(fmt::format("  flank_angle: {}", degrees(d.flank_angle)),
                    "assumed: as on nearly all; one value, or {screw: .., roller: .., nut: ..}") +
          case_line(fmt::format("  pitch_diameter: {{screw: {}}}", diameter_text(d)),
@@ -171,11 +189,13 @@ std::string mechanism_text(const CompleteScrew& s) {
              fmt::format("  profile: {{screw: straight, roller: {{convex: {}}}, nut: straight}}",
                          length_text(d, "roller_profile_radius", d.roller_profile_radius,
                                      m.profile.roller.radius)),
-             origin_of(d.roller_profile_radius.has_value(),
-                       fmt::format("{:g} pitches: with it, as in makers' catalogues, the static "
-                                   "capacity hardly depends on the lead. No catalogue prints it, "
-                                   "and pressures depend on it: ask the maker, or measure",
-                                   kProfileRadius))) +
+             d.roller_profile_radius
+                 ? assumption("{screw: straight, nut: straight}",
+                              "as of most published screws; the radius is given")
+                 : fmt::format("assumed: {:g} pitches: with it, as in makers' catalogues, the "
+                               "static capacity hardly depends on the lead. No catalogue prints "
+                               "it, and pressures depend on it: ask the maker, or measure",
+                               kProfileRadius)) +
          thread_text(m) +
          case_line(fmt::format("  rollers: {}", m.rollers),
                    origin_of(d.rollers.has_value(),
@@ -196,21 +216,20 @@ std::string structure_text(const CompleteScrew& s, ModelOf model) {
                                standard ? "the nut's face" : "the end of the rollers",
                                full ? "; far_length: of the shaft behind the last contact" : "")) +
          (full ? case_remark(
-                     "assumed: the rollers alone hold the screw across its axis; bearings of its "
+                     "Assumed: the rollers alone hold the screw across its axis; bearings of its "
                      "shaft: see `bearings` in docs/full_mechanism.md",
                      2)
                : "") +
-         case_remark(
-             standard
-                 ? "assumed: toothed ends over 0.9 of the length that the threads leave in the "
-                   "nut, 0.92 of the rollers' diameter, after inertias of a catalogue"
-                 : "assumed: toothed ends 0.7 of the rollers' diameter long and 0.92 thick",
-             2) +
-         fmt::format("  roller: {{end_length: {}, end_diameter: {}, guidance: both_end_nodes{}}}\n",
-                     mm(of.roller.end_length), mm(of.roller.end_diameter),
-                     !full      ? ""
-                     : standard ? ", rings: nut"
-                                : ", rings: screw") +
+         case_line(fmt::format("  roller: {{end_length: {}, end_diameter: {}, guidance: "
+                               "both_end_nodes{}}}",
+                               mm(of.roller.end_length), mm(of.roller.end_diameter),
+                               !full      ? ""
+                               : standard ? ", rings: nut"
+                                          : ", rings: screw"),
+                   standard
+                       ? "assumed: toothed ends over 0.9 of the length that the threads leave in "
+                         "the nut, 0.92 of the rollers' diameter, after inertias of a catalogue"
+                       : "assumed: toothed ends 0.7 of the rollers' diameter long and 0.92 thick") +
          "  nut:\n" +
          case_line(
              fmt::format("    length: {}", nut_length),
@@ -242,45 +261,56 @@ std::string structure_text(const CompleteScrew& s, ModelOf model) {
 /// Model, and what belongs to all rollers but is not a load.
 std::string model_text(ModelOf model) {
   if (model == ModelOf::sector)
-    return case_line("model: {bodies: refined}",
-                     "or bars, faster but stiffer; or influence, slower: see `prs compare`");
+    return case_line(
+        "model: {bodies: refined}",
+        "assumed: bars are faster but stiffer, influence is slower: see `prs compare`");
   return case_line("model: {mechanism: full, bodies: refined}",
-                   "all rollers on a screw and a nut that bend; or bars, faster but stiffer") +
+                   assumption("{bodies: refined}",
+                              "on a screw and a nut that bend; bars are faster but stiffer")) +
          case_remark(
-             "assumed: equal rollers, all there, and nominal threads; one value per roller or "
+             "Assumed: equal rollers, all there, and nominal threads; one value per roller or "
              "start, in braces: deviations: {roller_diameter: [..], missing_rollers: [1], "
              "index_error: {screw: [..]}, thread_eccentricity: {screw: {y: 4 um, z: 0 um}}}");
 }
 
-/// Loads across the axis, misalignment and a turn of the carrier, of one load case.
-std::string spatial_text(ModelOf model) {
+/// Loads across the axis and misalignment of one load case, `line` between lines.
+std::string spatial_text(ModelOf model, std::string_view line) {
   if (model == ModelOf::sector) return "";
-  return ",\n"
-         "     eccentricity: {y: 0 mm, z: 0 mm}, side_force: {y: 0 N, z: 0 N},\n"
-         "     moment: {y: 0 N m, z: 0 N m}, misalignment: {nut_tilt: {y: 0 mrad, z: 0 mrad}}";
+  return fmt::format(
+      ",{0}eccentricity: {{y: 0 mm, z: 0 mm}}, side_force: {{y: 0 N, z: 0 N}},{0}"
+      "moment: {{y: 0 N m, z: 0 N m}}, misalignment: {{nut_tilt: {{y: 0 mrad, z: 0 mrad}}}}",
+      line);
 }
 
 std::string loads_text(const CompleteScrew& s, ModelOf model) {
   const ScrewData& d = s.data;
   const bool left_handed = s.c.mechanism.lead < 0.0;
+  const std::string force = fmt::format(", axial_force: {}", load_text(s));
+  const auto load_case = [&](const char* name, const std::string& load, std::string_view line) {
+    const bool is_tension = name == std::string_view("tension");
+    return fmt::format("{{name: {0}{1}, direction: {0}, position: {2}{3}{4}}}", name, load,
+                       mm(s.position),
+                       is_tension ? "" : fmt::format(", speed: {}", speed_text(s, !left_handed)),
+                       spatial_text(model, line));
+  };
+  const auto in_mark = [&](const char* name) {
+    return load_case(name, d.load ? std::string() : force, " ");
+  };
+  const auto in_file = [&](const char* name) { return load_case(name, force, "\n     "); };
   return "\n" + model_text(model) +
-         case_remark(
-             origin_of(d.load.has_value(),
-                       fmt::format("the load of {:g} GPa with equal shares, 9 % of the static "
-                                   "capacity by 4.0 GPa, but no more than {:g} MPa in the screw",
+         case_remark(assumption(
+             fmt::format("[{}, {}]", in_mark("tension"), in_mark("compression")),
+             (d.load ? "the force is given"
+                     : fmt::format("the load of {:g} GPa with equal shares, 9 % of the static "
+                                   "capacity by 4.0 GPa, but no more than {:g} MPa in the "
+                                   "screw",
                                    1e-9 * kModeratePressure, 1e-6 * kModerateStress)) +
-             "; rollers in the middle of the nut. The screw drives in both cases." +
-             (model == ModelOf::full ? " Assumed: in line, no load across the axis; y and z lie "
-                                       "across it, roller 1 on y. What a turn of the carrier does: "
-                                       "add `orbit: {steps: 8}`."
-                                     : "")) +
-         "load_cases:\n" +
-         fmt::format(
-             "  - {{name: tension, axial_force: {0}, direction: tension, position: {1}{3}}}\n"
-             "  - {{name: compression, axial_force: {0}, direction: compression, position: {1}, "
-             "speed: {2}{3}}}\n",
-             load_text(s), mm(s.position), speed_text(s, !left_handed), spatial_text(model)) +
-         "\n" +
+                 "; rollers in the middle of the nut. The screw drives in both cases." +
+                 (model == ModelOf::full
+                      ? " In line, no load across the axis; y and z lie across it, roller 1 "
+                        "on y. What a turn of the carrier does: add `orbit: {steps: 8}`."
+                      : ""))) +
+         "load_cases:\n  - " + in_file("tension") + "\n  - " + in_file("compression") + "\n\n" +
          case_line(
              fmt::format("operation: {{speed: {}}}", speed_text(s, left_handed)),
              origin_of(d.speed.has_value(),
@@ -288,10 +318,21 @@ std::string loads_text(const CompleteScrew& s, ModelOf model) {
 }
 
 std::string lubricant_text(const CaseLubricant& l) {
-  return case_line(fmt::format("lubricant: {{name: {}, temperature: {}}}", l.name,
-                               l.temperature_as_written.empty() ? celsius(l.temperature)
-                                                                : l.temperature_as_written),
-                   origin_of(!l.assumed, "others: `prs list lubricants`"));
+  const bool assumed_temperature = l.temperature_as_written.empty();
+  const std::string name = "name: " + l.name,
+                    temperature =
+                        "temperature: " + (assumed_temperature ? celsius(l.temperature)
+                                                               : l.temperature_as_written);
+  const std::string assumed = l.assumed && assumed_temperature ? name + ", " + temperature
+                              : l.assumed                      ? name
+                              : assumed_temperature            ? temperature
+                                                               : "";
+  return case_line(fmt::format("lubricant: {{{}, {}}}", name, temperature),
+                   assumed.empty()
+                       ? "given"
+                       : assumption("{" + assumed + "}",
+                                    l.assumed ? "a common grade; others: `prs list lubricants`"
+                                              : "of an oil at work"));
 }
 
 /// `prs life` needs a ratio of diameters for which Lemor's factor is known. With n starts it is
@@ -343,10 +384,13 @@ std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
                      mm(0.005 * s.pitch_diameter.roller)) +
          heat_text(s) + "\nlife:\n" +
          case_line(fmt::format("  position: {}", mm(s.position)),
-                   "rollers in the middle of the nut") +
+                   "assumed: rollers in the middle of the nut") +
          case_line(
-             fmt::format("  spectrum: [{{force: {}, direction: tension, share: 1}}]", load_text(s)),
-             "assumed: one load all the time; or several with their shares, or `history`, a file") +
+             fmt::format("  spectrum: [{{force: {}, direction: tension, share: 1}}]",
+                         load_text(s)),
+             (s.data.load ? assumption("[{direction: tension, share: 1}]", "")
+                          : std::string(kAssumed)) +
+                 "one load all the time; or several with their shares, or `history`, a file") +
          "  # dynamic_capacity: .. kN             # of your catalogue, in place of Lemor's "
          "formula\n"
          "  # static_capacity: .. kN\n"

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <tuple>
 
 #include "prs/model/void_inputs.h"
 #include "prs/report/findings.h"
@@ -26,6 +28,8 @@ struct Control {
   bool of_force = false;        ///< That is a share of the axial force.
 };
 
+constexpr const char* kSpectrum = "life.spectrum[].force";
+constexpr std::size_t kMostAtOnce = 100;  ///< Loads of a spectrum that one slider moves.
 constexpr const char* kLoads = "Loads";
 constexpr const char* kThreads = "Threads";
 constexpr const char* kBodies = "Bodies";
@@ -35,6 +39,7 @@ constexpr const char* kRunning = "Running";
 constexpr Control kControls[] = {
     {kLoads, "load_cases[].axial_force", "Axial force", Span::factor, 0.05, 2.0},
     {kLoads, "load_cases[].axial_force.to", "Largest axial force", Span::factor, 0.1, 2.0},
+    {kLoads, kSpectrum, "Load of the life", Span::factor, 0.05, 2.0},
     {kLoads, "load_cases[].misalignment.nut_tilt.y", "Tilt of the nut about y", Span::about, -0.2,
      0.2},
     {kLoads, "load_cases[].misalignment.nut_tilt.z", "Tilt of the nut about z", Span::about, -0.2,
@@ -66,6 +71,7 @@ constexpr Control kControls[] = {
      0.004},
     {kErrors, "deviations.crowning", "Crowning of the rollers", Span::about, 0.0, 0.02},
     {kRunning, "operation.speed", "Speed", Span::factor, 0.02, 3.0},
+    {kRunning, "load_cases[].speed", "Speed", Span::factor, 0.02, 3.0},
     {kRunning, "friction.model.coulomb", "Friction coefficient", Span::factor, 0.2, 2.0},
     {kRunning, "friction.model.mixed.boundary", "Boundary friction", Span::factor, 0.2, 2.0},
     {kRunning, "lubricant.temperature", "Temperature of the oil", Span::about, -30.0, 60.0},
@@ -195,9 +201,53 @@ std::string slider_html(const Findings& all, const Slider& slider, int index) {
       control.kind == Span::whole ? "1" : "any", written.number, html(written.unit));
 }
 
-std::string name_of_case(const Findings& all, const std::string& path) {
-  if (!path.starts_with("load_cases[")) return {};
-  return input_value(all, path.substr(0, path.find(']') + 1) + ".name");
+/// The item of a list that an input belongs to, `load_cases[0]`; empty where there is none.
+std::string item_of(const std::string& path) { return path.substr(0, path.find(']') + 1); }
+
+std::string name_of_item(const Findings& all, const std::string& path) {
+  if (path.starts_with("load_cases[")) return input_value(all, item_of(path) + ".name");
+  if (any_item(path) != kSpectrum) return {};
+  return fmt::format("no. {}", std::stoi(path.substr(path.find('[') + 1)) + 1);
+}
+
+/// A load of the life's spectrum and the force of a load case that it follows: one of the same size
+/// and direction.
+struct Follower {
+  std::string path, leader;
+};
+
+std::size_t count_of(const Findings& all, std::string_view pattern) {
+  return static_cast<std::size_t>(std::ranges::count_if(all.check["input"], [&](const Json& entry) {
+    return any_item(entry["path"].get<std::string>()) == pattern;
+  }));
+}
+
+/// Every load of the spectrum; none where one of them is no load case's.
+std::vector<Follower> followers(const Findings& all) {
+  struct Load {
+    std::string path, force, direction;
+  };
+  std::map<std::string, Load> cases, spectrum;  // By their items.
+  for (const Json& entry : all.check["input"]) {
+    const std::string path = entry["path"], pattern = any_item(path);
+    auto& loads = pattern.starts_with("load_cases[].") ? cases : spectrum;
+    if (pattern == "load_cases[].axial_force" || pattern == "life.spectrum[].force")
+      std::tie(loads[item_of(path)].path, loads[item_of(path)].force) =
+          std::pair(path, entry["value"].get<std::string>());
+    if (pattern == "load_cases[].direction" || pattern == "life.spectrum[].direction")
+      loads[item_of(path)].direction = entry["value"];
+  }
+  std::map<std::pair<std::string, std::string>, std::string> leaders;
+  for (const auto& [item, load] : cases)
+    leaders.try_emplace({load.force, load.direction}, load.path);
+  std::vector<Follower> found;
+  if (spectrum.size() > kMostAtOnce) return found;
+  for (const auto& [item, load] : spectrum) {
+    const auto leader = leaders.find({load.force, load.direction});
+    if (leader == leaders.end()) return {};
+    found.push_back({load.path, leader->second});
+  }
+  return found;
 }
 
 }  // namespace
@@ -207,11 +257,14 @@ std::string controls_html(const Findings& all) {
   if (!all.most_complete()) return {};
   std::vector<Slider> sliders;
   const bool full = input_value(all, "model.mechanism") == "full";
+  const std::vector<Follower> led = followers(all);
+  const std::size_t cases = count_of(all, "load_cases[].name");
+  const bool own_loads = led.empty() && count_of(all, kSpectrum) <= kMostAtOnce;
   for (const Control& control : kControls) {
     const std::string_view wanted = control.path;
     const bool is_of_all =
         control.kind == Span::about && wanted.starts_with("load_cases[].");  // Full alone.
-    if (is_of_all && !full) continue;
+    if ((is_of_all && !full) || (wanted == kSpectrum && !own_loads)) continue;
     std::vector<Slider> own;
     for (const Json& entry : all.check["input"])
       for (const auto& [path, value] :
@@ -224,10 +277,13 @@ std::string controls_html(const Findings& all) {
         auto same = std::ranges::find(own, value, &Slider::value);
         if (same == own.end()) same = own.insert(own.end(), {&control, value, {}, {}});
         same->paths.push_back(path);
-        if (std::string name = name_of_case(all, path); !name.empty())
+        if (std::string name = name_of_item(all, path); !name.empty())
           same->cases.push_back(std::move(name));
+        for (const auto& [follower, leader] : led)
+          if (leader == path) same->paths.push_back(follower);
       }
-    if (own.size() == 1) own.front().cases.clear();  // All have the same.
+    if (own.size() == 1 && (own.front().cases.size() >= cases || !wanted.starts_with("load_cases")))
+      own.front().cases.clear();  // All have the same.
     if (own.size() > kMostAlike) own.resize(kMostAlike);
     std::ranges::move(own, std::back_inserter(sliders));
   }

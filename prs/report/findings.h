@@ -55,7 +55,9 @@ struct Findings {
   bool converged = true;
   bool is_full = false;  ///< All rollers, not one for all.
 
-  const Findings* before = nullptr;        ///< Shown behind these, in grey.
+  const Findings* before = nullptr;  ///< Shown behind these, in grey.
+  /// What has loads of its own, which stayed while those of the load cases moved, and why.
+  std::map<Command, std::string> unmoved = {};
   std::string section = {};                ///< The one that is being written.
   std::map<std::string, int> places = {};  ///< How many of a name stand in it so far.
   bool keeps_figures = false;              ///< For those that are drawn behind others.
@@ -96,6 +98,9 @@ std::string controls_html(const Findings& all);
 
 /// Loads, pressures, friction of one thread, with its pictures.
 std::string thread_html(Findings& all, const ThreadChoice& choice);
+
+/// Name of the case, and its mechanism in a sentence.
+std::string head_html(const Findings& all);
 
 /// The load cases whose threads can be looked at, and the most loaded thread; null where none can.
 nlohmann::ordered_json thread_choices(const Findings& all);

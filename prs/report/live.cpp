@@ -1,8 +1,11 @@
 #include "prs/report/live.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 
+#include "prs/input/reader.h"
 #include "prs/report/findings.h"
 #include "prs/report/sections.h"
 #include "prs/sector/full/full_distribution.h"
@@ -53,10 +56,47 @@ Findings& report_of(const input::Source& report, bool quick, Kept& kept) {
   return *known;
 }
 
+/// What has loads of its own that are still the report's, while the load cases have others.
+std::map<Command, std::string> unmoved(const input::Source& report, const input::Source& changed) {
+  const auto values = [](const input::Source& source) {
+    return input::read_case_input(source, Command::check).values;
+  };
+  const Case before = values(report), now = values(changed);
+  const auto told = [](std::string_view key) {
+    return fmt::format(
+        "This does not follow the axial force of the load cases: its loads are those of "
+        "<code>{}</code>.",
+        key);
+  };
+  std::map<Command, std::string> all;
+  if (std::ranges::equal(before.load_cases, now.load_cases, {}, &LoadCase::axial_force,
+                         &LoadCase::axial_force))
+    return all;
+  if (now.life && before.life &&
+      std::ranges::equal(before.life->spectrum, now.life->spectrum, {}, &SpectrumLoad::force,
+                         &SpectrumLoad::force))
+    all[Command::life] = told(now.life->history ? "life.history" : "life.spectrum");
+  if (now.preload && before.preload && before.preload->load.from == now.preload->load.from &&
+      before.preload->load.to == now.preload->load.to)
+    all[Command::preload] = told("preload.load");
+  return all;
+}
+
 LiveAnswer answer_of(Findings& all, const LiveQuestion& question) {
-  LiveAnswer answer{nlohmann::ordered_json::object(), all.notes, all.converged};
-  for (const SectionRow& row : section_rows())
-    if (is_wanted(question, row)) answer.sections[row.id] = section_of(all, row).body;
+  LiveAnswer answer{
+      nlohmann::ordered_json::object(), {}, nullptr, all.unmoved.empty(), all.notes, all.converged};
+  for (const SectionRow& row : section_rows()) {
+    if (!is_wanted(question, row)) continue;
+    std::string body = section_of(all, row).body;
+    for (const auto& [command, why] : all.unmoved)
+      if (name(command) == row.id && !body.empty())
+        body = fmt::format("<p>{}</p>\n<div class=\"stale\">\n{}</div>\n", why, body);
+    answer.sections[row.id] = std::move(body);
+  }
+  if (!question.quick && !all.check.empty()) {
+    answer.head = head_html(all);
+    answer.threads = thread_choices(all);
+  }
   if (question.thread) {
     all.section = kThread;
     answer.sections[std::string(kThread)] = thread_html(all, *question.thread);
@@ -80,6 +120,7 @@ LiveAnswer live_sections(const input::Source& source, const LiveQuestion& questi
   if (is_same(source, own)) return answer_of(report, question);
   Findings changed = findings_for(source, question.quick, kept);
   changed.before = &report;
+  if (!question.quick) changed.unmoved = unmoved(own, source);
   return answer_of(changed, question);
 }
 

@@ -22,6 +22,9 @@ struct LiveQuestion {
 
 struct LiveAnswer {
   nlohmann::ordered_json sections;  ///< HTML, by their names; empty where nothing is to be shown.
+  std::string head;                 ///< HTML above them; empty in a quick answer.
+  nlohmann::ordered_json threads;   ///< As in `ReportParts`; null in a quick answer.
+  bool all_follow = true;           ///< Whether no section keeps loads of its own.
   std::vector<std::string> notes;   ///< What could not be computed.
   bool converged = true;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -120,7 +121,13 @@ bool is_of_rollers(std::string_view name) {
 
 // Sections
 
-std::string head_html(const Findings& all, const std::string& title) {
+std::string title_of(const Findings& all) {
+  return std::filesystem::path(all.source.name).stem().string();
+}
+
+}  // namespace
+
+std::string head_html(const Findings& all) {
   const Json& diameters = all.check["contact"]["pitch_diameter_mm"];
   const auto diameter = [&](const char* part) {
     const ReportUnit unit = report_unit("", "mm");
@@ -133,12 +140,14 @@ std::string head_html(const Findings& all, const std::string& title) {
       "<p class=\"eyebrow\">Planetary roller screw · report</p>\n<h1>{}</h1>\n<p class=\"lead\">{} "
       "mechanism, {} rollers with {} threads each. Lead {}, {} start{} on the screw. Pitch "
       "diameters: screw {}, roller {}, nut {}.</p>\n",
-      html(title), html(capitalised(input_value(all, "mechanism.type"))),
+      html(title_of(all)), html(capitalised(input_value(all, "mechanism.type"))),
       html(input_value(all, "mechanism.rollers")),
       html(input_value(all, "mechanism.contacts_per_roller")),
       html(input_value(all, "mechanism.lead")), html(starts), starts == "1" ? "" : "s",
       diameter("screw"), diameter("roller"), diameter("nut"));
 }
+
+namespace {
 
 std::string mechanism_html(Findings& all) {
   const CommandAnswer* answer = all.most_complete();
@@ -269,7 +278,9 @@ std::string inputs_html(const Findings& all) {
   constexpr std::size_t kMostOfBlock = 1000;
   std::vector<std::vector<std::string>> rows;
   std::string block;
-  std::size_t defaults = 0, of_block = 0;
+  std::size_t of_block = 0;
+  std::map<std::string, std::size_t> counts;
+  std::string told;  // A reason stands beside the first of the values that share it.
   const auto end_block = [&] {
     if (of_block > kMostOfBlock)
       rows.push_back({fmt::format("… and {} more", of_block - kMostOfBlock),
@@ -283,18 +294,24 @@ std::string inputs_html(const Findings& all) {
       end_block();
       rows.push_back({html(own)});
     }
-    const bool is_default = entry.value("default", false);
-    defaults += is_default ? 1 : 0;
+    std::string origin = entry["basis"];
+    ++counts[origin];
     if (++of_block > kMostOfBlock) continue;
-    const std::string origin = entry.value("origin", "default");
-    rows.push_back(
-        {fmt::format("<code>{}</code>", html(path)), html(entry["value"].get<std::string>()),
-         is_default ? fmt::format("<span class=\"default\">{}</span>", html(origin)) : "given"});
+    const std::string reason = entry.value("reason", "");
+    if (entry.contains("origin")) origin += " " + entry["origin"].get<std::string>();
+    if (!reason.empty()) origin += reason == told ? ", as above" : ": " + reason;
+    told = reason;
+    rows.push_back({fmt::format("<code>{}</code>", html(path)),
+                    html(entry["value"].get<std::string>()),
+                    entry["basis"] == "default"
+                        ? fmt::format("<span class=\"default\">{}</span>", html(origin))
+                        : html(origin)});
   }
   end_block();
   std::string text = fmt::format(
-      "<p>Every value of the case, {} of them defaults that the file does not state.</p>\n",
-      defaults);
+      "<p>Every value of the case: {} given, {} assumed as comments in the file say, {} defaults "
+      "that the file does not state.</p>\n",
+      counts["given"], counts["assumed"], counts["default"]);
   text += plain_table({"Input", "Value", "Origin"}, rows);
   std::vector<std::vector<std::string>> derived;
   for (const auto& [key, value] : under(all.check, "derived").items())
@@ -502,10 +519,9 @@ Json documents_of(const Findings& all) { return data_of(all, {}); }
 
 ReportParts report_parts(const input::Source& source, const ReportOptions& options) {
   Findings all = findings_of(source, options, reported_commands());
-  const std::string title = std::filesystem::path(source.name).stem().string();
   ReportParts parts;
-  parts.title = fmt::format("{} · planetary roller screw", title);
-  parts.head = head_html(all, title);
+  parts.title = fmt::format("{} · planetary roller screw", title_of(all));
+  parts.head = head_html(all);
   for (const SectionRow& row : section_rows()) parts.sections.push_back(section_of(all, row));
   parts.foot = fmt::format(
       "<p>Made by prs {} on {}. SHA-256 of the case: <span class=\"mono\">{}"

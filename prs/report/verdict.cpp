@@ -114,6 +114,7 @@ const std::vector<Headline>& headlines() {
 /// A number of the verdict as it is shown, in HTML.
 struct Tile {
   std::string value, unit, where;
+  Command command;
 };
 
 std::optional<Tile> tile_of(const Findings& all, const Headline& headline) {
@@ -127,7 +128,7 @@ std::optional<Tile> tile_of(const Findings& all, const Headline& headline) {
     const auto [least, most] =
         std::ranges::minmax_element(found, {}, [](const Found& f) { return f.value; });
     const Found& one = headline.pick == Pick::smallest ? *least : *most;
-    Tile tile{report_number(one.value, unit.text), unit.text, one.where};
+    Tile tile{report_number(one.value, unit.text), unit.text, one.where, command};
     if (headline.pick == Pick::above_one && tile.value == report_number(1.0, "")) return {};
     if (headline.pick == Pick::range)
       if (const std::string low = report_number(least->value, unit.text); low != tile.value) {
@@ -147,12 +148,14 @@ std::string tile_html(const Findings& all, const Headline& headline) {
   };
   const std::optional<Tile> before = all.before ? tile_of(*all.before, headline) : std::nullopt;
   const bool moved = before && before->value != tile->value;
+  const bool stays = all.unmoved.contains(tile->command);
   return fmt::format(
-      "<div data-tile=\"{}\"><dt>{}</dt><dd><div class=\"value\">{}</div>{}"
+      "<div data-tile=\"{}\"{}><dt>{}</dt><dd><div class=\"value\">{}</div>{}"
       "<div class=\"where\">{}</div></dd></div>\n",
-      &headline - headlines().data(), headline.title, number(*tile),
+      &headline - headlines().data(), stays ? " class=\"stale\"" : "", headline.title,
+      number(*tile),
       moved ? fmt::format("<div class=\"before\">report: {}</div>", number(*before)) : "",
-      html(tile->where));
+      stays ? "does not follow the load cases" : html(tile->where));
 }
 
 /// How many load cases of a document have an answer.

@@ -13,6 +13,7 @@
 #include "prs/compare/compare_models.h"
 #include "prs/figures/pictures.h"
 #include "prs/heat/analyze_heat.h"
+#include "prs/input/assumptions.h"
 #include "prs/input/compute_from.h"
 #include "prs/input/force_history.h"
 #include "prs/input/optimize_reader.h"
@@ -130,7 +131,7 @@ CheckResult run_check(const input::Source& source, const input::CaseInput& in) {
   if (in.study) input::read_study_input(source);
   if (in.optimize) input::read_optimize_input(source);
   const Case& c = in.values;
-  CheckResult result{in.fields, {}, {}};
+  CheckResult result{in.fields, input::assumptions(in.fields, source), {}, {}};
   for (const CommandRow& row : commands())
     result.commands.push_back({row.command, input::unmet(in, row.command)});
   Result& geometry = result.geometry;

@@ -277,6 +277,69 @@ def test_copies_are_the_changed_case(
     assert browser.tiles() == live
 
 
+@pytest.fixture
+def screw(program: Run, tmp_path: Path) -> Path:
+    """A case of which diameter and lead alone are given."""
+    case = tmp_path / "screw.yaml"
+    run = program("new", "standard", case, "--screw-diameter", "25mm", "--lead", "5mm")
+    assert run.returncode == 0, run.stderr
+    return case
+
+
+def test_one_load_drives_all_that_has_it(
+    browser: Browser, page: Callable[..., Path], screw: Path
+) -> None:
+    browser.open(page(screw))
+    browser.write("load_cases[0].axial_force", "200 kN")
+    assert browser.text("#state") == "All numbers follow."
+    live = browser.tiles()
+    paths = [f"load_cases[{k}].axial_force" for k in (0, 1)] + ["life.spectrum[0].force"]
+    sets = [word for path in paths for word in ("--set", f"{path}=200 kN")]
+    browser.open(page(screw, "--static", *sets, name="set.html"))
+    assert live == browser.tiles()
+
+
+def test_what_does_not_follow_is_grey_and_says_so(
+    browser: Browser, page: Callable[..., Path], screw: Path
+) -> None:
+    browser.open(page(screw, "--set", "life.spectrum[0].force=9 kN"))
+    before = browser.text("#life")
+    browser.write("load_cases[0].axial_force", "12 kN")
+    assert browser.text("#state").startswith("Not all numbers follow")
+    assert "does not follow the axial force of the load cases" in browser.text("#life")
+    assert browser.find("#life .stale").is_displayed()
+    browser.write("life.spectrum[0].force", "12 kN")
+    assert browser.text("#state") == "All numbers follow."
+    assert browser.driver.find_elements(By.CSS_SELECTOR, "main .stale") == []
+    assert browser.text("#life") != before
+
+
+def test_head_and_basis_follow(browser: Browser, page: Callable[..., Path], screw: Path) -> None:
+    browser.open(page(screw))
+    assert "11 rollers" in browser.text("header")
+    browser.write("mechanism.rollers", "6")
+    assert "6 rollers" in browser.text("header")
+    (row,) = (
+        row
+        for row in browser.driver.find_elements(By.CSS_SELECTOR, "#inputs tr")
+        if "mechanism.rollers" in (row.get_attribute("textContent") or "")
+    )
+    assert (row.get_attribute("textContent") or "").endswith("6given")
+
+
+def test_a_number_alone_has_the_unit_beside_it(
+    browser: Browser, page: Callable[..., Path]
+) -> None:
+    browser.open(page(4))
+    path = "structure.nut.outer_diameter"
+    for written, read in (("60", "60 mm"), ("6.1 cm", "6.1 cm"), ("6.2", "6.2 cm")):
+        browser.write(path, written)
+        assert browser.text("#trouble") == ""
+        assert browser.control(path)[0].get_attribute("value") == read
+    browser.write("mechanism.contacts_per_roller", "18")
+    assert browser.text("#trouble") == ""
+
+
 def test_a_thread_is_looked_at(browser: Browser, page: Callable[..., Path]) -> None:
     browser.open(page(29))
     number = browser.find("#thread-number")

@@ -137,17 +137,38 @@ function show(answer, asked) {
   document.body.classList.toggle('is-wrong', wrong);
   if (wrong) return;
   for (const [id, html] of Object.entries(answer.document.sections)) showSection(id, html, asked.report.quick);
+  showHead(answer.document.head);
+  if (answer.document.threads) takeThreads(answer.document.threads);
 }
 
-const quick = new Latest(show);
+/** A quick answer has none: the one that stands is grey until it follows. */
+function showHead(html) {
+  const head = document.querySelector('header');
+  head.classList.toggle('stale', !html);
+  if (html) head.innerHTML = html;
+}
+
+let settled = true; // Whether all numbers are those of the values.
+
+const quick = new Latest((answer, asked) => settled || show(answer, asked));
 const complete = new Latest((answer, asked) => {
   // An older answer must not replace what follows the slider by now.
   if (JSON.stringify(asked.set) !== JSON.stringify(overrides())) return;
   show(answer, asked);
+  if (asked.report.sections) return;
+  settled = true;
   element('state').textContent =
-    answer.status === 0 ? (changes.size ? 'All numbers follow.' : '') : 'See the message below.';
+    answer.status !== 0
+      ? 'See the message below.'
+      : !changes.size
+        ? ''
+        : answer.document.all_follow
+          ? 'All numbers follow.'
+          : 'Not all numbers follow: those in grey say why.';
   if (answer.status === 3) element('state').textContent = 'A load case did not converge.';
   document.dispatchEvent(new CustomEvent('prs-complete', { detail: answer.status }));
+  // Another count of threads moves the choice.
+  if (JSON.stringify(chosenThread()) !== JSON.stringify(asked.report.thread)) askThread();
 });
 
 let completion = 0;
@@ -155,6 +176,8 @@ let completion = 0;
 /** Shows the changed case: at once what is on the screen, and all when the values rest. */
 function follow(resting) {
   showChanges();
+  settled = false;
+  element('state').textContent = 'Computing …';
   quick.put(() => reportQuestion({ quick: true, sections: quickSections.filter(isOnScreen) }));
   clearTimeout(completion);
   completion = setTimeout(showAll, resting ? 0 : 300);
@@ -213,7 +236,7 @@ class Control {
     });
     this.slider.addEventListener('change', showAll);
     this.text.addEventListener('change', () => {
-      this.set(this.text.value.trim() || this.own);
+      this.set(this.withUnit(this.text.value.trim()) || this.own);
       this.moveSlider();
       follow(true);
     });
@@ -225,6 +248,13 @@ class Control {
 
   get isChanged() {
     return changes.has(this.paths[0]);
+  }
+
+  /** A number alone has the unit of the value that stood there. */
+  withUnit(typed) {
+    const shown = changes.get(this.paths[0]) ?? this.own;
+    const [, unit = this.unit] = shown.match(/^[-+\d.eE]+\s*(\S.*)$/) ?? [];
+    return unit && /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(typed) ? `${typed} ${unit}` : typed;
   }
 
   set(value) {
@@ -305,18 +335,26 @@ function askThread() {
   threadIsShown = true;
   element('thread').hidden = false;
   document.querySelector('nav a[href="#thread"]').parentElement.hidden = false;
+  if (!settled) return showAll();
   complete.put(() => reportQuestion({ sections: ['thread'], thread: chosenThread() }));
+}
+
+/** How many threads and rollers there are to choose from. */
+function takeThreads(choices) {
+  threadsOfRoller = choices.threads;
+  for (const [field, most] of [[threadNumber, choices.threads], [threadRoller, choices.rollers]]) {
+    field.max = most;
+    if (Number(field.value) > most) field.value = most;
+  }
+  element('roller-label').hidden = choices.rollers === 1;
 }
 
 function fillThreadForm() {
   const choices = JSON.parse(element('threads').textContent);
   if (!choices) return;
-  threadsOfRoller = choices.threads;
+  takeThreads(choices);
   choices.cases.forEach((name, k) => threadCase.append(new Option(name, k)));
   threadCase.value = choices.load_case;
-  threadNumber.max = threadsOfRoller;
-  threadRoller.max = choices.rollers;
-  element('roller-label').hidden = choices.rollers === 1;
   threadNumber.value = (choices.thread % threadsOfRoller) + 1;
   threadRoller.value = Math.floor(choices.thread / threadsOfRoller) + 1;
   element('thread').hidden = false;

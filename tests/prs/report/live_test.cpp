@@ -4,12 +4,15 @@
 
 #include <regex>
 
+#include "prs/configurations/complete_screw.h"
+#include "prs/output/screw_case.h"
 #include "prs/page/page.h"
 #include "support/sanitized.h"
 
 namespace prs {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -54,6 +57,51 @@ TEST(LiveReport, ShowsTheReportBehindOtherValues) {
   };
   EXPECT_GT(paths(live_sections(changed, {}).sections["loads"]),
             paths(live_sections(changed, {.own = 1}).sections["loads"]));
+}
+
+/// A case whose life has the load of its load cases, and overrides that give them another.
+input::Source screw_with(std::vector<std::string> overrides) {
+  const std::string text =
+      screw_case(complete_screw({.screw_diameter = 25e-3, .lead = 5e-3, .load = 19e3}), {}, "");
+  overrides.insert(overrides.begin(), "model.bodies=bars");
+  return input::source_of_text("screw.yaml", text, std::move(overrides));
+}
+const std::string kOfCases = "load_cases[0].axial_force=200 kN",
+                  kOfOther = "load_cases[1].axial_force=200 kN",
+                  kOfLife = "life.spectrum[0].force=200 kN";
+
+TEST(LiveReport, OneLoadDrivesTheLifeOfTheSameLoads) {
+  EXPECT_THAT(report_parts(screw_with({}), {}).controls,
+              HasSubstr("data-paths=\"load_cases[0].axial_force life.spectrum[0].force "
+                        "load_cases[1].axial_force\""));
+  const LiveAnswer live = live_sections(screw_with({kOfCases, kOfOther, kOfLife}), {.own = 1});
+  EXPECT_TRUE(live.all_follow);
+  for (const char* id : {"verdict", "life"})
+    EXPECT_THAT(live.sections[id].get<std::string>(), Not(HasSubstr("class=\"stale\""))) << id;
+}
+
+TEST(LiveReport, WhatKeepsItsOwnLoadsIsGreyAndSaysSo) {
+  const std::string controls =
+      report_parts(screw_with({"life.spectrum[0].force=9 kN"}), {}).controls;
+  EXPECT_THAT(controls, HasSubstr("data-paths=\"load_cases[0].axial_force "
+                                  "load_cases[1].axial_force\""));
+  EXPECT_THAT(controls, HasSubstr("data-paths=\"life.spectrum[0].force\""));
+  const LiveAnswer live = live_sections(screw_with({kOfCases, kOfOther}), {.own = 1});
+  EXPECT_FALSE(live.all_follow);
+  EXPECT_THAT(live.sections["life"].get<std::string>(),
+              AllOf(HasSubstr("does not follow the axial force"), HasSubstr("life.spectrum"),
+                    HasSubstr("<div class=\"stale\">")));
+  EXPECT_THAT(live.sections["slip"].get<std::string>(), Not(HasSubstr("stale")));
+  EXPECT_THAT(live.sections["verdict"].get<std::string>(),
+              HasSubstr("class=\"stale\"><dt>Life"));
+}
+
+TEST(LiveReport, HeadAndThreadsFollow) {
+  const LiveAnswer live = live_sections(
+      screw_with({"mechanism.rollers=6", "mechanism.contacts_per_roller=20"}), {.own = 1});
+  EXPECT_THAT(live.head, HasSubstr("6 rollers with 20 threads"));
+  EXPECT_EQ(live.threads["threads"], 20);
+  EXPECT_EQ(live_sections(screw_with({"mechanism.rollers=6"}), {.own = 1, .quick = true}).head, "");
 }
 
 TEST(LiveReport, IsQuickWithWhatFollowsASlider) {
