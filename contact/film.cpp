@@ -8,21 +8,23 @@ namespace {
 LubricantNumbers<double> numbers(const Lubricant& l) {
   return {l.viscosity, l.pressure_viscosity, l.eyring_stress};
 }
-FilmContactNumbers<double> numbers(const FilmContact& c) {
-  return {c.normal_load, c.curvature, c.contact_modulus, c.curvature_ratio};
-}
 MoesNumbersOf<double> numbers(const MoesNumbers& m) { return {m.speed, m.load, m.lubricant}; }
 
 Film film_of(double parameter, const MoesNumbers& moes, const FilmContact& contact) {
-  return {parameter, film_thickness(parameter, moes.speed, numbers(contact))};
+  return {parameter, film_thickness(parameter, moes.speed, numbers_of(contact))};
 }
 
 }  // namespace
 
+FilmContactNumbers<double> numbers_of(const FilmContact& c) {
+  return {c.normal_load, c.curvature, c.contact_modulus, c.curvature_ratio,
+          c.direction == FilmDirection::rolling ? 1.0 : 0.0};
+}
+
 MoesNumbers moes_numbers(const Lubricant& lubricant, const FilmContact& contact,
                          double rolling_speed) {
   const auto [speed, load, of_lubricant] =
-      moes_numbers_of(numbers(lubricant), numbers(contact), rolling_speed);
+      moes_numbers_of(numbers(lubricant), numbers_of(contact), rolling_speed);
   return {speed, load, of_lubricant};
 }
 
@@ -51,6 +53,24 @@ Film nijenbanning_film(const Lubricant& lubricant, const FilmContact& contact,
   return film_of(film_parameter(film_regimes(moes, contact.curvature_ratio)), moes, contact);
 }
 
+double rolling_radius_ratio(const FilmContact& contact, double along_major) {
+  const auto [along, across] = rolling_curvatures(numbers_of(contact), along_major);
+  return along / across;
+}
+
+double chittenden_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed,
+                       double along_major) {
+  if (rolling_speed <= 0.0) return 0.0;
+  return chittenden_thickness(numbers(lubricant), numbers_of(contact), rolling_speed, along_major);
+}
+
+double central_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed,
+                    double along_major) {
+  return contact.direction == FilmDirection::rolling
+             ? chittenden_film(lubricant, contact, rolling_speed, along_major)
+             : nijenbanning_film(lubricant, contact, rolling_speed).thickness;
+}
+
 double boundary_share(double film_ratio, double exponent) {
   return boundary_share_of(film_ratio, exponent);
 }
@@ -58,7 +78,7 @@ double boundary_share(double film_ratio, double exponent) {
 double sliding_factor(const Lubricant& lubricant, const FilmContact& contact, const Film& film,
                       double rolling_speed) {
   if (film.parameter <= 0.0) return 0.0;
-  return sliding_factor_of(numbers(lubricant), numbers(contact), film.parameter, rolling_speed);
+  return sliding_factor_of(numbers(lubricant), numbers_of(contact), film.parameter, rolling_speed);
 }
 
 }  // namespace contact

@@ -18,7 +18,11 @@ struct LubricantNumbers {
 template <class Real>
 struct FilmContactNumbers {
   Real normal_load, curvature, contact_modulus, curvature_ratio;
+  Real follows_rolling{};  ///< 1: FilmDirection::rolling, else 0.
 };
+
+struct FilmContact;
+FilmContactNumbers<double> numbers_of(const FilmContact& contact);
 
 /// See `MoesNumbers`.
 template <class Number>
@@ -105,6 +109,48 @@ Number full_fit_parameter(const FilmRegimesOf<Number>& h) {
   const Number piezoviscous = power_sum(h.rigid_piezoviscous, h.elastic_piezoviscous, Real(-8.0));
   const Number s = 1.5 * (1.0 + exp(Number(-1.2 * h.elastic_isoviscous / h.elastic_piezoviscous)));
   return power_sum(isoviscous, piezoviscous, s);
+}
+
+/// 1/R_e and 1/R_s, see `rolling_radius_ratio`.
+template <class Number>
+struct RollingCurvatures {
+  Number along, across;
+};
+template <class Number, class Real>
+RollingCurvatures<Number> rolling_curvatures(const FilmContactNumbers<Real>& contact,
+                                             const Number& along_major) {
+  const Number turned = (1.0 - contact.curvature_ratio) * along_major;
+  return {contact.curvature * (1.0 - turned),
+          contact.curvature * (contact.curvature_ratio + turned)};
+}
+
+/// h of `chittenden_film`; `rolling_speed` > 0.
+template <class Number, class Real>
+Number chittenden_thickness(const LubricantNumbers<Real>& lubricant,
+                            const FilmContactNumbers<Real>& contact, const Number& rolling_speed,
+                            const Number& along_major) {
+  using simd::exp, simd::power;
+  const Real e = film_modulus(contact);
+  const RollingCurvatures<Number> rho = rolling_curvatures(contact, along_major);
+  const Number u = 0.5 * lubricant.viscosity * rolling_speed * rho.along / e;
+  const Number w = contact.normal_load * rho.along * rho.along / e;
+  const Number ratio = power(Number(rho.along / rho.across), Real(2.0 / 3.0));
+  return 4.31 * power(Real(lubricant.pressure_viscosity * e), Real(0.49)) * power(u, Real(0.68)) *
+         power(w, Real(-0.073)) * (1.0 - exp(Number(-1.23 * ratio))) / rho.along;
+}
+
+/// h of `central_film`; `rolling_speed` > 0.
+template <class Number, class Real>
+Number central_thickness(const LubricantNumbers<Real>& lubricant,
+                         const FilmContactNumbers<Real>& contact, const MoesNumbersOf<Number>& moes,
+                         const Number& rolling_speed, const Number& along_major) {
+  const Number along_minor = film_thickness(
+      full_fit_parameter(film_regimes_of(moes, contact.curvature_ratio)), moes.speed, contact);
+  using simd::any, simd::select;
+  const auto follows = contact.follows_rolling > Real(0.0);
+  if (!any(follows)) return along_minor;
+  return select(follows, chittenden_thickness(lubricant, contact, rolling_speed, along_major),
+                along_minor);
 }
 
 /// See `boundary_share`.

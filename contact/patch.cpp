@@ -71,7 +71,7 @@ FrictionNumbers<double> coulomb_friction(double coefficient) {
 FrictionNumbers<double> film_friction(const Lubricant& lubricant, const FilmContact& film) {
   return {.has_film = 1.0,
           .oil = {lubricant.viscosity, lubricant.pressure_viscosity, lubricant.eyring_stress},
-          .film = {film.normal_load, film.curvature, film.contact_modulus, film.curvature_ratio}};
+          .film = numbers_of(film)};
 }
 
 FrictionNumbers<double> mixed_friction(const Lubricant& lubricant, const FilmContact& film,
@@ -98,8 +98,7 @@ template <class Number>
 PatchFrictionOf<Number> Patch::friction(const PatchMotionOf<Number>& motion) const {
   const double a = ellipse_.semi_major, b = ellipse_.semi_minor;
   const auto sums = xsimd::dispatch<simd::Architectures>(PatchKernel{})(
-      grid_->points(), sliding_field(motion, a, b),
-      law_at(law_, ellipse_.peak_pressure, motion.rolling_speed),
+      grid_->points(), sliding_field(motion, a, b), law_at(law_, ellipse_.peak_pressure, motion),
       law_.has_film > 0.0 ? viscosity_ratio_.data() : nullptr);
   return patch_friction(sums, grid_->cell_load(), static_cast<double>(grid_->inside()), a, b);
 }
@@ -116,7 +115,7 @@ Eigen::ArrayXd Patch::sliding_minor(const PatchMotion& motion) const {
 }
 
 Eigen::ArrayXd Patch::friction_coefficient(const PatchMotion& motion) const {
-  const PatchLawOf<double> at = law_at(law_, ellipse_.peak_pressure, motion.rolling_speed);
+  const PatchLawOf<double> at = law_at(law_, ellipse_.peak_pressure, motion);
   if (law_.has_film == 0.0) return Eigen::ArrayXd::Constant(grid_->inside(), at.coefficient);
   const Eigen::ArrayXd speed =
       (sliding_major(motion).square() + sliding_minor(motion).square()).sqrt();

@@ -58,7 +58,7 @@ FrictionNumbers<double> coulomb_friction(double coefficient);
 /// *static* load, Sandu's film of the whole contact.
 FrictionNumbers<double> film_friction(const Lubricant& lubricant, const FilmContact& film_contact);
 /// Mixed friction (Olver and Spikes 1998): mu_D = (1 - s) mu_film + s mu_touching at each point,
-/// mu_film Jacod's, s the `boundary_share` of the whole contact by Nijenbanning's central film.
+/// mu_film Jacod's, s the `boundary_share` of the whole contact by the central film.
 /// Jacod's for thick films, Coulomb's without film or entrainment.
 FrictionNumbers<double> mixed_friction(const Lubricant& lubricant, const FilmContact& film_contact,
                                        const TouchingFlanks& touching);

@@ -14,6 +14,7 @@ struct PatchMotionOf {
   Number sliding_minor{};  ///< v_M . t_2 [m/s]
   Number spin{};           ///< Relative angular velocity about the normal t_1 x t_2 [rad/s]
   Number rolling_speed{};  ///< |u_M|, sum of the surface velocities in the tangent plane [m/s]
+  Number along_major{};    ///< Share of |u_M|^2 along t_1.
 };
 
 /// Friction on a patch over its normal load N (equations of Sandu 2018). The friction acts on the
@@ -128,12 +129,12 @@ struct FrictionNumbers {
   FilmContactNumbers<Real> film{};
 };
 
-/// The law at a rolling speed. Without rolling, flanks that touch carry all.
+/// The law while the contact rolls so. Without rolling, flanks that touch carry all.
 template <class Number, class Real>
 PatchLawOf<Number> law_at(const FrictionNumbers<Real>& law, const Real& peak_pressure,
-                          const Number& rolling_speed) {
+                          const PatchMotionOf<Number>& motion) {
   using simd::any, simd::select, simd::value;
-  const Number none(Real(0.0));
+  const Number none(Real(0.0)), &rolling_speed = motion.rolling_speed;
   PatchLawOf<Number> at{Number(law.coefficient), none, none};
   const auto has_film = law.has_film > Real(0.0);
   if (!any(has_film)) return at;
@@ -145,8 +146,7 @@ PatchLawOf<Number> law_at(const FrictionNumbers<Real>& law, const Real& peak_pre
   at.scale = Number(select(has_film, Real(law.oil.eyring_stress / peak_pressure), Real(0.0)));
   const auto touches = law.touches > Real(0.0);
   if (!any(touches)) return at;
-  const Number film = film_thickness(
-      full_fit_parameter(film_regimes_of(moes, law.film.curvature_ratio)), moes.speed, law.film);
+  const Number film = central_thickness(law.oil, law.film, moes, rolling_speed, motion.along_major);
   const Number share = select(rolls, boundary_share_of(Number(film / law.roughness), law.exponent),
                               Number(Real(1.0)));
   at.coefficient = select(touches, share * law.coefficient, at.coefficient);

@@ -97,8 +97,12 @@ double positive_option(std::string_view option, const std::string& text,
 CurveOptions curve_options(const ExportOptions& o) {
   CurveOptions options;
   if (o.force) options.force = positive_option("--force", *o.force, input::unit::force, "N");
+  options.speed_along_axis = o.speed && input::is_travel_speed(*o.speed);
   if (o.speed)
-    options.speed = positive_option("--speed", *o.speed, input::unit::rotational_speed, "rpm");
+    options.speed = positive_option(
+        "--speed", *o.speed,
+        options.speed_along_axis ? input::unit::travel_speed : input::unit::rotational_speed,
+        "rpm");
   options.load_case = o.load_case;
   return options;
 }

@@ -108,7 +108,10 @@ ScrewData data_of(const NewOptions& o, Mechanism::Type type, std::vector<std::st
   if (o.rollers) given.push_back(fmt::format("{} rollers", *o.rollers));
   for (const QuantityOption& q : kQuantities)
     if (const std::optional<std::string>& text = o.*q.text) {
-      d.*q.value = quantity_option(q.name, *text, q.dimension, positive, "more than 0");
+      const bool travels = q.dimension.by_lead && is_travel_speed(*text);
+      const double value = quantity_option(
+          q.name, *text, travels ? unit::travel_speed : q.dimension, positive, "more than 0");
+      d.*q.value = travels ? rotation(value, d.lead) : value;
       d.as_written[member_of(q.name)] = spaced(*text);
       given.push_back(fmt::format("{} {}", q.meaning, shown(*text)));
     }

@@ -5,10 +5,6 @@
 
 namespace prs {
 
-/// Heat transfer of bare parts in still air, free convection and radiation together [W/(m^2 K)]: 5
-/// to 15 for parts of some cm that are 20 to 80 K warmer than the room (Incropera, DeWitt,
-/// Fundamentals of Heat and Mass Transfer, chapters 1 and 9).
-inline constexpr double kStillAir = 10.0;
 /// Thermal conductivity of bearing steel [W/(m K)].
 inline constexpr double kSteelConductivity = 46.0;
 

@@ -13,6 +13,7 @@
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/heat/case_losses.h"
+#include "prs/input/units.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/full_result.h"
 #include "prs/model/case_error.h"
@@ -25,12 +26,27 @@
 namespace prs {
 namespace {
 
+/// Errors of a curve between its nodes.
+struct Errors {
+  double force = 0.0, stiffness = 0.0;
+
+  /// The larger one, in tolerances.
+  double share() const {
+    return std::max(force / kForceTolerance, stiffness / kStiffnessTolerance);
+  }
+  void take(const Errors& other) {
+    force = std::max(force, other.force);
+    stiffness = std::max(stiffness, other.stiffness);
+  }
+};
+
 /// An equilibrium of one sense, all magnitudes.
 struct Node {
   double force = 0.0;       ///< [N]
   double deflection = 0.0;  ///< [m]
   double stiffness = 0.0;   ///< dF/du [N/m]
   bool is_open = false;     ///< The interval from here to the next node is still to be looked at.
+  Errors missed = {};       ///< What an open one was missed by when it was looked at last.
 };
 
 /// Equilibria under forces of one sense, in their order.
@@ -64,62 +80,74 @@ PrsCurves in_tension(const BranchTable& table) {
   return curves;
 }
 
-/// Errors of a curve between its nodes.
-struct Errors {
-  double force = 0.0, stiffness = 0.0;
-};
-
 /// Where rollers take up the load one after the other, each brings a kink of the stiffness.
 constexpr std::size_t kMostNodes = 200;
 
-/// Where an interval is looked at and divided: in its middle the slope of a cubic is better than
-/// elsewhere.
-constexpr double kPlace = 0.35;
+/// Where an interval is looked at and divided: there the slope of a cubic errs most, as
+/// t^2 (1 - t)^2 is steepest.
+constexpr double kPlace = 0.2113248654051871;
 
-/// Adds a node in every open interval; where the curve missed it, both parts stay open.
-/// Returns by how much it missed them.
-Errors refine(std::vector<Node>& nodes, double origin, bool over_root, const Solve& solve,
-              Errors& errors) {
+/// An interval is done where it was missed by less than this many tolerances: threads and rollers
+/// that take up load or let go of it bend the stiffness between the places that are looked at.
+constexpr double kReserve = 1.0 / 3.0;
+
+/// The open intervals, no more than `room` of them, those that were missed by most.
+std::vector<bool> to_look_at(const std::vector<Node>& nodes, std::size_t room) {
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    if (nodes[k].is_open) open.push_back(k);
+  std::ranges::stable_sort(open, std::greater(),
+                           [&](std::size_t k) { return nodes[k].missed.share(); });
+  if (open.size() > room) open.resize(room);
+  std::vector<bool> look(nodes.size());
+  for (const std::size_t k : open) look[k] = true;
+  return look;
+}
+
+/// Adds a node in open intervals; where the curve missed it, both parts stay open.
+void refine(std::vector<Node>& nodes, double origin, bool over_root, const Solve& solve,
+            Errors& errors) {
   const BranchTable table = table_of(nodes, origin, over_root);
   const PrsCurves curves = in_tension(table);
   const auto place = [&](double a, double b) {
     if (!over_root) return a + kPlace * (b - a);
     return std::pow(std::cbrt(a) + kPlace * (std::cbrt(b) - std::cbrt(a)), 3.0);
   };
+  const std::vector<bool> look = to_look_at(nodes, kMostNodes - nodes.size());
   std::vector<double> forces;
-  for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
-    if (nodes[k].is_open) forces.push_back(place(nodes[k].force, nodes[k + 1].force));
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    if (look[k]) forces.push_back(place(nodes[k].force, nodes[k + 1].force));
   std::vector<Node> found = solve(forces);
   const double largest = nodes.back().force;
   const double stiffest = std::ranges::max(nodes, {}, &Node::stiffness).stiffness;
   std::vector<Node> finer;
-  Errors missed;
-  for (auto next = found.begin(); const Node& node : nodes) {
-    finer.push_back(node);
-    if (!node.is_open) continue;
+  auto next = found.begin();
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    finer.push_back(nodes[k]);
+    if (!look[k]) continue;
     Node between = *next++;
     int beyond = 0;
     double stiffness = 0.0;
     const double force = prs_force(&curves, between.deflection, &stiffness, &beyond);
-    const Errors here{std::abs(force - between.force) / largest,
+    between.missed = {std::abs(force - between.force) / largest,
                       std::abs(stiffness - between.stiffness) / stiffest};
-    between.is_open = here.force > kForceTolerance || here.stiffness > kStiffnessTolerance;
-    finer.back().is_open = between.is_open;
-    Errors& of_state = between.is_open ? missed : errors;
-    of_state = {std::max(of_state.force, here.force), std::max(of_state.stiffness, here.stiffness)};
-    if (between.deflection > node.deflection) finer.push_back(between);
+    between.is_open = between.missed.share() > kReserve;
+    if (!between.is_open) errors.take(between.missed);
+    const bool divides = between.deflection > nodes[k].deflection;
+    finer.back().is_open = between.is_open && divides;
+    finer.back().missed = between.missed;
+    if (divides) finer.push_back(between);
   }
   nodes = std::move(finer);
-  return missed;
 }
 
 BranchTable branch_table(std::vector<Node> nodes, double origin, bool over_root, const Solve& solve,
                          Errors& errors) {
   nodes.back().is_open = false;
-  Errors missed;
-  while (nodes.size() <= kMostNodes && std::ranges::any_of(nodes, &Node::is_open))
-    missed = refine(nodes, origin, over_root, solve, errors);
-  errors = {std::max(errors.force, missed.force), std::max(errors.stiffness, missed.stiffness)};
+  while (nodes.size() < kMostNodes && std::ranges::any_of(nodes, &Node::is_open))
+    refine(nodes, origin, over_root, solve, errors);
+  for (const Node& node : nodes)
+    if (node.is_open) errors.take(node.missed);
   BranchTable table = table_of(nodes, origin, over_root);
   keep_monotone(table);
   return table;
@@ -424,7 +452,7 @@ FrictionTable friction_table(FrictionTorque& torque, double force, double speed,
     grid.*intervals *= 2;
     FrictionTable finer = table_on(grid, torque);
     const double missed = difference(table, finer) / largest;
-    is_coarse = missed > kTorqueTolerance;
+    is_coarse = missed > kReserve * kTorqueTolerance;
     error = std::max(is_coarse && grid.*intervals < kMostIntervals ? 0.0 : missed, error);
     table = std::move(finer);
     return true;
@@ -595,12 +623,15 @@ std::vector<double> SystemCurves::data() const {
   return all;
 }
 
-SystemCurves system_curves(const Case& c, const CurveOptions& options) {
+SystemCurves system_curves(const Case& c, const CurveOptions& asked) {
   SystemCurves curves;
+  CurveOptions options = asked;
   const LoadCase pattern = pattern_of(c, options);
   const Contacts contacts = checked_contacts(c, Detail::complete);
   const double force = options.force.value_or(largest_force(c));
   curves.lead = contacts.threads.screw.lead;
+  if (asked.speed && asked.speed_along_axis)
+    options.speed = input::rotation(*asked.speed, curves.lead);
   Errors errors;
   if (c.preload) {
     add_preloaded_branches(c, contacts, force, errors, curves);

@@ -12,8 +12,8 @@
 
 #include "prs/heat/loss_table.h"
 #include "prs/heat/steady_heat.h"
-#include "prs/measures/bodies.h"
 #include "prs/model/quantity_text.h"
+#include "prs/sector/bodies.h"
 
 namespace prs {
 namespace {

@@ -88,6 +88,7 @@ struct CaseFile {
   std::vector<LoadCaseItem> load_cases;
   std::optional<StudyItem> study;
   std::optional<OptimizeItem> optimize;
+  bool speeds_follow_lead = false;  ///< Speeds are written along the axis.
 };
 
 // Choices: io.word(WORD, member, value, meaning), io.map(KEY, member, value, content, kind,
@@ -230,6 +231,14 @@ void alternatives(Io& io, Friction& f) {
          "a constant coefficient of friction");
   io.map("mixed", f.model, Friction::Model::mixed, f.mixed, Block{},
          "a film after Jacod through which flanks touch, by film over roughness");
+}
+
+template <class Io>
+void alternatives(Io& io, contact::FilmDirection& d) {
+  io.word("minor_axis", d, contact::FilmDirection::minor_axis,
+          "as if rolling along the minor axis of the ellipse (Nijenbanning, Venner, Moes 1994)");
+  io.word("rolling", d, contact::FilmDirection::rolling,
+          "along the rolling, at its angle to the ellipse (Chittenden, Dowson, Dunn, Taylor 1985)");
 }
 
 template <class Io>
@@ -606,7 +615,10 @@ void fields(Io& io, LoadCaseItem& l) {
                         "Displacement");
            }},
            optional, "Of the seat of the nut; `mechanism: full`");
-  io.field("orbit", s.orbit, Block{}, optional, "A turn of the carrier; `mechanism: full`");
+  io.field(
+      "orbit", s.orbit, Block{}, optional,
+      "A turn of the carrier: rollers and rings turn with their errors, errors of screw and nut "
+      "stand still; `mechanism: full`");
 }
 
 template <class Io>
@@ -790,6 +802,11 @@ void fields(Io& io, Lubricant& l) {
            named, "Pressure-viscosity coefficient; with `name` estimated from the viscosity");
   io.field("eyring_stress", l.eyring_stress, stress, named,
            "Eyring shear stress; with `name` 5 MPa by default");
+  io.field("film", l.film, Keys{[&](auto& film) {
+             film.field("direction", l.film.direction, Choice{}, optional,
+                        "Direction of rolling that the central film takes");
+           }},
+           optional, "Central film of the contacts");
 }
 
 template <class Io>
@@ -809,8 +826,8 @@ void fields(Io& io, Wear& w) {
 template <class Io>
 void fields(Io& io, Operation& o) {
   io.field("speed", o.speed, Quantity{unit::rotational_speed}, required,
-           "Screw against nut; with the sign of the axial force (left-handed: the other) the screw "
-           "drives, else the load");
+           "Screw against nut, or along the axis: n = v/|lead|; with the sign of the axial force "
+           "(left-handed: the other) the screw drives, else the load");
   io.field("slip_ratio", o.slip_ratio, Number{{.least = 0.0, .greatest = 1.0}}, optional,
            "Imposed in place of that of the roller's equilibrium");
 }

@@ -167,12 +167,15 @@ LoadHistory parse_force_history(std::string_view text, const std::string& name,
                                 const HistorySource& history, const Source& source) {
   LoadHistory h;
   h.interval = history.interval;
+  h.speed_along_axis = history.speed && is_travel_speed("1 " + history.speed->unit);
   std::vector<WantedColumn> columns = {{"force", &history.force, &unit::force, &h.force}};
   if (history.time) columns.push_back({"time", &*history.time, &unit::duration, &h.time});
   if (history.position)
     columns.push_back({"position", &*history.position, &unit::length, &h.position});
   if (history.speed)
-    columns.push_back({"speed", &*history.speed, &unit::rotational_speed, &h.speed});
+    columns.push_back({"speed", &*history.speed,
+                       h.speed_along_axis ? &unit::travel_speed : &unit::rotational_speed,
+                       &h.speed});
   for (WantedColumn& c : columns) {
     c.factor = factor_to_si(c, source);
     // A row of a few numbers is rarely shorter.

@@ -652,9 +652,39 @@ std::vector<Problem> problems_of(const Case& c, Command command) {
   return problems.empty() ? prs::missing(c, command) : problems;
 }
 
+namespace {
+
+/// Writes speeds along the axis as speeds of rotation, by the lead; whether there are any. A lead
+/// that is missing or wrong is told of where it is read.
+bool turn_speeds(Node& root) {
+  const Node* const written = find_path(root, "mechanism.lead");
+  const bool has_lead = written && written->kind == Node::Kind::scalar;
+  double lead = has_lead ? parse_quantity(written->text, unit::length).value.value_or(1.0) : 1.0;
+  if (lead == 0.0) lead = 1.0;
+  bool any = false;
+  const auto turn = [&](Node& block) {
+    for (Node& speed : block.children) {
+      if (speed.key != "speed" || speed.kind != Node::Kind::scalar) continue;
+      const std::optional<double> travel = parse_quantity(speed.text, unit::travel_speed).value;
+      if (!travel) continue;
+      speed.text = fmt::format("{} rad/s", rotation(*travel, lead));
+      any = true;
+    }
+  };
+  for (Node& block : root.children) {
+    if (block.key == "operation") turn(block);
+    if (block.key == "load_cases") std::ranges::for_each(block.children, turn);
+  }
+  return any;
+}
+
+}  // namespace
+
 CaseFile read_case_file(const Node& root, ErrorList& errors) {
   CaseFile file;
-  read({root, "", errors}, file, Block{});
+  Node turned = root;
+  file.speeds_follow_lead = turn_speeds(turned);
+  read({turned, "", errors}, file, Block{});
   if (number_of_cases(file.load_cases) > kMostLoadCases)
     errors.add(locate(root, "load_cases"), "load_cases",
                fmt::format("got {} cases; expected at most {}; write ranges with fewer steps",
@@ -700,12 +730,17 @@ std::vector<Problem> unmet(const CaseInput& input, Command command) {
   const std::optional<Command>& designs = command == Command::study ? input.study : input.optimize;
   if (designs) return unmet(input, *designs);
   Problems problems;
+  // The file's own design is among those that are suggested; one roller more may not fit.
+  const int fewer = std::max(1, input.values.mechanism.rollers - 1), rollers = fewer + 1;
   problems.add_missing(
       std::string(name(command)), fmt::format("what `{}` varies", name(command)),
       command == Command::study
-          ? "{command: solve, factors: [{path: mechanism.rollers, values: [8, 9]}]}"
-          : "{command: solve, variables: [{path: mechanism.rollers, from: 8, to: 9}], objectives: "
-            "[{maximize: axial_stiffness_N_per_um}]}");
+          ? fmt::format(
+                "{{command: solve, factors: [{{path: mechanism.rollers, values: [{}, {}]}}]}}",
+                fewer, rollers)
+          : fmt::format("{{command: solve, variables: [{{path: mechanism.rollers, from: {}, to: "
+                        "{}}}], objectives: [{{maximize: axial_stiffness_N_per_um}}]}}",
+                        fewer, rollers));
   return std::move(problems).take();
 }
 

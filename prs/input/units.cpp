@@ -59,6 +59,10 @@ constexpr Unit kRotationalSpeed[] = {{{"rpm", "rev/min"}, pi, 30.0},
                                      {{"rad/s"}},
                                      {{"deg/s"}, pi, 180.0}};
 
+constexpr Unit kTravelSpeed[] = {{{"mm/s"}, 1.0, 1e3},          {{"m/s"}},
+                                 {{"m/min"}, 1.0, 60.0},        {{"mm/min"}, 1.0, 6e4},
+                                 {{"in/s", "ips"}, 254.0, 1e4}, {{"in/min", "ipm"}, 254.0, 6e5}};
+
 constexpr Unit kHertzConstant[] = {{{"N/mm^1.5", "N/mm^(3/2)"}, kThousandTo1_5},
                                    {{"kN/mm^1.5", "kN/mm^(3/2)"}, 1e3 * kThousandTo1_5},
                                    {{"N/m^1.5", "N/m^(3/2)"}},
@@ -120,7 +124,9 @@ const Dimension kinematic_viscosity{"a kinematic viscosity", "46 mm^2/s", "mm^2/
                                     kKinematicViscosity};
 const Dimension pressure_viscosity{"a pressure-viscosity coefficient", "30 1/GPa", "1/GPa",
                                    kPressureViscosity};
-const Dimension rotational_speed{"a rotational speed", "400 rpm", "rpm", kRotationalSpeed};
+const Dimension rotational_speed{"a rotational speed", "400 rpm", "rpm", kRotationalSpeed,
+                                 &travel_speed};
+const Dimension travel_speed{"a speed along the axis", "200 mm/s", "mm/s", kTravelSpeed};
 const Dimension hertz_constant{"a Hertz constant", "3.6e5 N/mm^1.5", "N/mm^1.5", kHertzConstant};
 const Dimension stiffness{"a stiffness", "2e4 N/mm", "N/mm", kStiffness};
 const Dimension tilt_stiffness{"a tilting stiffness", "2e5 N m/rad", "N m/rad", kTiltStiffness};
@@ -147,6 +153,7 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::kinematic_viscosity,
                                             &unit::pressure_viscosity,
                                             &unit::rotational_speed,
+                                            &unit::travel_speed,
                                             &unit::hertz_constant,
                                             &unit::stiffness,
                                             &unit::tilt_stiffness,
@@ -371,6 +378,15 @@ std::string format_quantity(double value, const Dimension& dimension) {
   return text;
 }
 
+bool is_travel_speed(std::string_view text) {
+  const std::optional<NumberAndUnit> split = split_unit(text);
+  return split && find_unit(split->unit, unit::travel_speed);
+}
+
+double rotation(double travel_speed, double lead) {
+  return 2.0 * pi * travel_speed / std::abs(lead);
+}
+
 std::optional<double> parse_number(std::string_view text) {
   const Head head = split_number(text);
   if (!head.number || !head.representable || !head.rest.empty()) return std::nullopt;
@@ -407,7 +423,7 @@ std::string unit_list(const Dimension& dimension) {
   std::string list;
   for (const Unit& u : dimension.units)
     fmt::format_to(std::back_inserter(list), "{}{}", list.empty() ? "" : ", ", u.spellings[0]);
-  return list;
+  return dimension.by_lead ? list + ", " + unit_list(*dimension.by_lead) : list;
 }
 
 std::string unit_pattern(const Dimension& dimension) {
@@ -421,6 +437,7 @@ std::string unit_pattern(const Dimension& dimension) {
         pattern += c;
       }
     }
+  if (dimension.by_lead) pattern += "|" + unit_pattern(*dimension.by_lead);
   return pattern + ")";
 }
 

@@ -24,6 +24,8 @@ struct Dimension {
   std::string_view example;    ///< A typical value: `5 mm`.
   std::string_view canonical;  ///< The unit in which values are printed.
   std::span<const Unit> units;
+  /// Whose values stand for those of this one by the lead of the screw, see `rotation`; or null.
+  const Dimension* by_lead = nullptr;
 };
 
 namespace unit {
@@ -36,6 +38,7 @@ extern const Dimension viscosity;
 extern const Dimension kinematic_viscosity;
 extern const Dimension pressure_viscosity;
 extern const Dimension rotational_speed;
+extern const Dimension travel_speed;
 extern const Dimension hertz_constant;
 extern const Dimension stiffness;
 extern const Dimension tilt_stiffness;
@@ -79,6 +82,15 @@ ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension)
 /// The value [SI] in the canonical unit, with the fewest digits that read back to the same value.
 std::string format_quantity(double value, const Dimension& dimension);
 
+/// Whether a text is a speed along the axis: `200 mm/s`.
+bool is_travel_speed(std::string_view text);
+
+/// Speed of screw against nut [rad/s] of a speed along the axis v [m/s], with the sign of v in
+/// right- and left-handed screws:
+///
+///     omega = 2 pi v/|lead|
+double rotation(double travel_speed, double lead);
+
 /// A whole text that is one finite decimal number, without unit.
 std::optional<double> parse_number(std::string_view text);
 
@@ -93,7 +105,7 @@ std::optional<NumberAndUnit> split_unit(std::string_view text);
 /// where the units do not go together; bare numbers go with the unit ``.
 std::optional<double> number_in(std::string_view text, std::string_view unit);
 
-/// The shown units of a dimension, separated by commas.
+/// The shown units of a dimension, separated by commas; those that go by the lead at the end.
 std::string unit_list(const Dimension& dimension);
 
 /// Regular expression (ECMA-262 and Python) of the texts that end in a unit of the dimension.

@@ -29,11 +29,15 @@ std::optional<double> geometry_factor(double ratio) {
   return factor;
 }
 
+double size_factor(double element_diameter) {
+  const double millimetres = 1e3 * element_diameter;
+  return millimetres <= 25.4 ? std::pow(millimetres, 1.8) : 3.647 * std::pow(millimetres, 1.4);
+}
+
 double lemor_capacity(double factor, double contact_angle, int contacts, double element_diameter,
                       double helix_angle) {
   return factor * std::pow(std::cos(contact_angle), 0.86) * std::pow(contacts, 2.0 / 3.0) *
-         std::pow(1e3 * element_diameter, 1.8) * std::tan(contact_angle) *
-         std::cbrt(std::cos(helix_angle));
+         size_factor(element_diameter) * std::tan(contact_angle) * std::cbrt(std::cos(helix_angle));
 }
 
 double factor_ratio(const LemorGeometry& g) {

@@ -35,15 +35,21 @@ std::optional<double> geometry_factor(double ratio);
 /// Largest deviation of (6.3) from the values of ISO 281.
 inline constexpr double kFactorFit = 0.0035;
 
+/// What the diameter D_c of the rolling element [m] makes of its capacity (ISO 281), D_c in mm:
+///
+///     D_c^1.8 up to 25.4 mm,   3.647 D_c^1.4 beyond
+double size_factor(double element_diameter);
+
 /// Dynamic load capacity C_a [N] of all contacts together, which in 90 % of many mechanisms lasts a
 /// million revolutions of the screw against the nut:
 ///
 ///     C_a = f_c cos(alpha)^0.86 N_c^(2/3) D_c^1.8 tan(alpha) cos(beta)^(1/3)     [N, mm]
 ///
-/// Lemor, in Jung 2017, (6.1), (5.5), (8.26). `contact_angle` alpha is that of bearings, from the
-/// radial plane to the contact normal [rad]; `contacts` N_c are those of all rollers at one
-/// interface; `element_diameter` D_c [m]; `helix_angle` beta of the screw [rad], at its own value:
-/// Jung's table 7.1 has it fixed at 6.056 deg (erratum).
+/// Lemor, in Jung 2017, (6.1), (5.5), (8.26); beyond 25.4 mm `size_factor` in place of D_c^1.8.
+/// `contact_angle` alpha is that of bearings, from the radial plane to the contact normal [rad];
+/// `contacts` N_c are those of all rollers at one interface; `element_diameter` D_c [m];
+/// `helix_angle` beta of the screw [rad], at its own value: Jung's table 7.1 has it fixed at 6.056
+/// deg (erratum).
 double lemor_capacity(double factor, double contact_angle, int contacts, double element_diameter,
                       double helix_angle);
 

@@ -20,7 +20,8 @@ std::optional<double> duration(const LoadHistory& h) {
 std::vector<LoadStep> load_steps(const LoadHistory& h, double lead,
                                  std::optional<double> operation_speed) {
   const auto speed = [&](std::size_t k) {
-    return std::abs(h.speed.empty() ? operation_speed.value_or(0.0) : h.speed[k]);
+    if (h.speed.empty()) return std::abs(operation_speed.value_or(0.0));
+    return std::abs(h.speed[k]) * (h.speed_along_axis ? kTurn / std::abs(lead) : 1.0);
   };
   const auto turned = [&](std::size_t k) {
     if (!h.position.empty()) return std::abs(h.position[k] - h.position[k - 1]) / std::abs(lead);

@@ -20,10 +20,11 @@ struct InterfaceSlip {
   std::vector<double> sliding_speed;         ///< At the centre [m/s]
   std::vector<double> max_sliding_speed;     ///< Over the points [m/s]
   std::vector<double> film_thickness;        ///< Sandu's h_c [m] (2.39); empty without lubricant.
-  std::vector<double> central_film;          ///< By Nijenbanning, Venner and Moes [m]; the same.
+  std::vector<double> central_film;          ///< `contact::central_film` [m]; the same.
   std::vector<double> film_ratio;            ///< Lambda, central film over roughness, if given.
   std::vector<double> boundary_share;        ///< Of the load on flanks that touch; with film_ratio.
   std::vector<double> dynamic_normal_load;   ///< N_M [N] (3.11), (3.12)
+  double along_major = 0.0;  ///< Share of the squared rolling speed along the major axis.
   std::vector<double> wear;  ///< Volume of both bodies over travel [m^3/m]; empty without `wear`.
 };
 
@@ -54,7 +55,7 @@ struct RollerForces {
   double contacts_x = 0.0, contacts_y = 0.0;  ///< N_C F_c/R, all threads (3.27)
   double gears_x = 0.0, gears_y = 0.0;        ///< F_E/R (3.28), (3.29)
   double carrier_x = 0.0, carrier_y = 0.0;  ///< F_R/P, by the roller on the carrier (3.26), (3.32)
-  double centrifugal = 0.0;                 ///< F_cf (3.33); 0 where no density is given.
+  double centrifugal = 0.0;  ///< F_cf (3.33), by the orbit against the frame; 0 without density.
 };
 
 /// How the search for the slip ratio ended.

@@ -32,8 +32,10 @@ PlanetaryRatios planetary_ratios(Mechanism::Type type, double gear_ratio) {
 }
 
 PlanetaryRatios ratios_to_frame(Mechanism::Type type, const PlanetaryRatios& nut_at_rest) {
-  if (type == Mechanism::Type::standard) return nut_at_rest;
-  return {1.0 - nut_at_rest.roller, 1.0 - nut_at_rest.carrier};
+  const auto of = [&](double against_nut) {
+    return against_frame(type, against_nut, 1.0) / turning_speed(type, 1.0);
+  };
+  return {of(nut_at_rest.roller), of(nut_at_rest.carrier)};
 }
 
 double efficiency(double lead, double diameter, double friction) {

@@ -26,9 +26,8 @@ struct PlanetaryRatios {
 /// friction.
 PlanetaryRatios planetary_ratios(Mechanism::Type type, double gear_ratio);
 
-/// Speeds against the frame over that of the part that turns: the screw of a standard mechanism,
-/// whose nut travels without turning, the nut of an inverted one, whose screw does:
-/// x -> 1 - x for the inverted mechanism, seen from its screw.
+/// Speeds against the frame over that of the part that turns (`against_frame`, `turning_speed` of
+/// kinematics.h): x -> 1 - x for the inverted mechanism, whose nut turns.
 PlanetaryRatios ratios_to_frame(Mechanism::Type type, const PlanetaryRatios& nut_at_rest);
 
 /// Efficiency of turning rotation into travel (Jung 2017, (8.29)), with the friction angle of one

@@ -11,6 +11,7 @@ struct LoadHistory {
   std::vector<double> time;        ///< [s], not decreasing
   std::vector<double> position;    ///< [m]
   std::vector<double> speed;       ///< [rad/s], of either sign
+  bool speed_along_axis = false;   ///< Speeds are those of the travel [m/s].
   std::optional<double> interval;  ///< Between two samples [s], where `time` is empty.
 };
 

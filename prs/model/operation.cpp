@@ -92,6 +92,7 @@ Lubricant resolved(const Lubricant& lubricant) {
 std::string origin_of(std::string_view key, LubricantName name) {
   if (key == "pressure_viscosity") return "estimate from the viscosity, Gold 2001";
   if (key == "eyring_stress") return "estimate, typical of oils";
+  if (key.starts_with("film.")) return {};
   return fmt::format("of {}", data_of(name).name);
 }
 

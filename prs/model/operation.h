@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "contact/film.h"
 #include "contact/journal_bearing.h"
 #include "contact/lubricant.h"
 #include "contact/viscosity.h"
@@ -32,6 +33,11 @@ struct Lubricant {
   std::vector<ViscosityPoint> viscosity_at;
   std::optional<contact::WaltherLine> walther;
   std::optional<double> density;  ///< Density, from kinematic to dynamic viscosity [kg/m^3].
+
+  struct Film {
+    contact::FilmDirection direction = contact::FilmDirection::minor_axis;
+  };
+  Film film;
 };
 
 /// Eyring stress where only the name of a lubricant is given [Pa]: of the 2 to 10 MPa that traction
@@ -58,7 +64,8 @@ Lubricant with_data_of_name(Lubricant lubricant);
 /// With every value that the name stands for, estimates at operating temperature included.
 Lubricant resolved(const Lubricant& lubricant);
 
-/// Where the value of a key of a named lubricant comes from that is not stated: `density`.
+/// Where the value of a key of a named lubricant comes from that is not stated: `density`; empty
+/// where no name changes it.
 std::string origin_of(std::string_view key, LubricantName name);
 
 /// Which values of a lubricant are estimates, and how to replace them; empty where all are stated.

@@ -78,6 +78,9 @@ constexpr Quantity<SupportForce> kSupport[] = {
 constexpr Quantity<RingForce> kRing[] = {
     {"force_N", of<[](const RingForce& r) { return pair_of(r.force); }>,
      "y, z, of the ring on the rollers"},
+    {"moment_Nm", of<[](const RingForce& r) { return pair_of(r.moment); }>,
+     "of the ring on the rollers about y and z, at `at_mm`"},
+    {"at_mm", of<&RingForce::position>, "x"},
     {"roller_N", of<&RingForce::rollers>, "on each roller, outwards"},
 };
 

@@ -40,7 +40,8 @@ constexpr std::string_view kToothValidity =
 constexpr std::string_view kYamamoto =
     "Yamamoto 1980 in its right form (Jung 2017, (3.4) to (3.19), misprinted)";
 constexpr std::string_view kLemorFormula =
-    "C_a = f_c cos(alpha)^0.86 N_c^(2/3) D_c^1.8 tan(alpha) cos(beta)^(1/3) [N, mm]; or "
+    "C_a = f_c cos(alpha)^0.86 N_c^(2/3) D_c^1.8 tan(alpha) cos(beta)^(1/3) [N, mm], "
+    "3.647 D_c^1.4 beyond 25.4 mm; or "
     "life.dynamic_capacity where stated";
 constexpr std::string_view kLemorValidity =
     "d_r cos(alpha)/d_n from 0.01 to 0.30; crowned flanks of 45 deg, hardened steel";

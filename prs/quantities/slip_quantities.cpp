@@ -21,7 +21,8 @@ constexpr Quantity<InterfaceSlip> kInterfaceSlip[] = {
     {"film_thickness_nm", of<&InterfaceSlip::film_thickness>, "central film; needs a lubricant",
      "Sandu 2018, (2.39)"},
     {"central_film_nm", of<&InterfaceSlip::central_film>, "central film; needs a lubricant",
-     "Nijenbanning, Venner, Moes 1994"},
+     "Nijenbanning, Venner, Moes 1994; with lubricant.film.direction: rolling Chittenden et al. "
+     "1985"},
     {"film_ratio", of<&InterfaceSlip::film_ratio>,
      "Lambda: central film over the composite roughness; needs lubricant and roughness"},
     {"boundary_share", of<&InterfaceSlip::boundary_share>,

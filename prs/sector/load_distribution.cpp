@@ -44,11 +44,18 @@ fe::NewtonOptions SectorSolver::newton_options(double axial_force) const {
   return options;
 }
 
+void add_offset_energy(fe::NewtonSummary& summary, double compliance, double force) {
+  const double energy = -0.5 * compliance * force * force;
+  summary.energy += energy;
+  for (fe::NewtonIteration& iteration : summary.history) iteration.energy += energy;
+}
+
 LoadDistribution SectorSolver::solve(double axial_force) {
   const double sector_force = axial_force / sector_.rollers;
   state_ = equal_shares(axial_force);
   fe::NewtonSummary summary =
       solver_.solve(sector_force * unit_load_, newton_options(axial_force), state_);
+  add_offset_energy(summary, sector_.offset_compliance, sector_force);
   LoadDistribution result = at(state_, axial_force);
   result.solve = std::move(summary);
   return result;

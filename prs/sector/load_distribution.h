@@ -19,6 +19,10 @@ struct LoadDistribution {
   std::optional<double> tangent_stiffness;
 };
 
+/// Adds the energy of a spring of this compliance [m/N] between the loaded section and a force [N]:
+/// what the model has of the displacement without its freedoms, -c F^2/2.
+void add_offset_energy(fe::NewtonSummary& summary, double compliance, double force);
+
 /// Solves load after load on one sector; the symbolic factorization is shared.
 class SectorSolver {
  public:

@@ -21,6 +21,12 @@ namespace {
 /// Coulomb's coefficient from which surfaces are taken to touch.
 constexpr double kTouchingFriction = 0.05;
 
+/// Power densities that differ by less than this share differ by rounding: the first one counts.
+constexpr double kEqualPower = 1e-9;
+
+/// Temperatures of parts that run warm and of what is around them, for an estimate [K].
+constexpr double kWarmParts = 353.15, kSurroundings = 298.15;
+
 bool leads_agree(const contact::KinematicConsistency& k,
                  const contact::MechanismGeometry& threads) {
   return std::abs(k.lead_difference) <= contact::kSamePitch * std::abs(threads.screw.lead);
@@ -78,6 +84,7 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
   const LoadedThreads& threads = model.threads[i];
   const InterfaceBalance& b = balance.interfaces[i];
   slip.threads_per_roller = threads.threads_per_roller;
+  slip.along_major = b.motion.along_major;
   const auto add = [&](std::vector<double>& values, auto value_of_patch) {
     set_values(values, threads, value_of_patch);
   };
@@ -110,7 +117,7 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
     return contact::sandu_film(oil, threads.contacts[k].film, rolling).thickness;
   });
   const auto central_film = [&](std::size_t k) {
-    return contact::nijenbanning_film(oil, threads.contacts[k].film, rolling).thickness;
+    return contact::central_film(oil, threads.contacts[k].film, rolling, b.motion.along_major);
   };
   add(slip.central_film, central_film);
   const std::optional<double>& roughness = model.roughness[i];
@@ -172,6 +179,49 @@ void warn_of_lubrication(const SlipResult& slip, const Friction& friction,
                   "`friction: {model: {mixed: {boundary: 0.11}}}`"
                 : "take a friction coefficient of surfaces that touch"));
   }
+}
+
+/// Where the formula of the central film does not know the way that an interface rolls.
+void warn_of_film(const SlipModel& model, const SlipResult& slip,
+                  std::vector<std::string>& warnings) {
+  for (const Interface i : kInterfaces) {
+    const double along_major = slip.threads[i].along_major;
+    if (slip.threads[i].central_film.empty() || model.threads[i].contacts.empty()) continue;
+    const double off_major = 90.0 - std::asin(std::sqrt(along_major)) * 180.0 / std::numbers::pi;
+    const double ratio =
+        contact::rolling_radius_ratio(model.threads[i].contacts.front().film, along_major);
+    const bool follows = model.film_direction == contact::FilmDirection::rolling;
+    if (!follows && along_major > 0.5)
+      warnings.push_back(fmt::format(
+          "lubricant.film: the {} contacts roll {:.0f} deg off the major axis of their ellipse, and "
+          "their central film is that of rolling along the minor one; for the true direction take "
+          "`film: {{direction: rolling}}`",
+          label(i), off_major));
+    if (follows && (ratio < contact::kLeastRollingRatio || ratio > contact::kGreatestRollingRatio))
+      warnings.push_back(fmt::format(
+          "lubricant.film: the {} contacts roll {:.0f} deg off the major axis of their ellipse, with "
+          "{:.3g} times the radius across it as along it; the film's formula is made for {:g} to "
+          "{:g}: take it as an estimate",
+          label(i), off_major, ratio, contact::kLeastRollingRatio, contact::kGreatestRollingRatio));
+  }
+}
+
+/// A note where friction takes more power than still air around a nut takes from it, and nothing
+/// says where that goes.
+std::optional<std::string> unknown_heat_flow(const Conditions& c, const Mechanism& m,
+                                             double power) {
+  if (c.heat) return std::nullopt;
+  const double diameter = c.structure ? c.structure->nut.outer_diameter : *m.pitch_diameter.nut;
+  const double length =
+      c.structure ? c.structure->nut.length : m.contacts_per_roller * axial_pitch(m);
+  const double in_air = kStillAir * std::numbers::pi * diameter * length;
+  const double needed = power / (kWarmParts - kSurroundings);
+  if (needed <= in_air) return std::nullopt;
+  return fmt::format(
+      "heat: missing, so that temperatures are not known: to stay at {:.0f} degC in {:.0f} degC, "
+      "the screw must pass its {:.3g} W on by {:.3g} W/K, and still air takes {:.2g} W/K from a "
+      "bare nut; add `heat`",
+      kWarmParts - 273.15, kSurroundings - 273.15, power, needed, in_air);
 }
 
 void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads, const LoadCase& load,
@@ -355,7 +405,7 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
   if (model.bearing) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
   double hottest = -1.0;
   for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
-    if (density > hottest) hottest = density, slip.hottest = thread;
+    if (density > hottest * (1.0 + kEqualPower)) hottest = density, slip.hottest = thread;
   });
 }
 
@@ -378,6 +428,11 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
     }
     if (options.detail != Detail::complete) continue;
     warn(*loaded.slip, *c.friction, loaded.load_case, loaded.warnings);
+    if (loaded.slip->converged()) {
+      warn_of_film(model, *loaded.slip, loaded.warnings);
+      if (auto note = unknown_heat_flow(c, result.contacts.mechanism, loaded.slip->power.total()))
+        loaded.warnings.push_back(std::move(*note));
+    }
     warn_of_running_pressure(*loaded.threads, loaded.load_case, loaded.warnings);
   }
   return result;

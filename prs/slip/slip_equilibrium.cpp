@@ -182,7 +182,8 @@ PowerBySource lost_power(const SlipModel& m, const SlipBalance& b) {
 
 PowerFlow power_flow(const SlipModel& m, const DriveTorques& torques) {
   const double advance = -m.geometry.lead / (2.0 * std::numbers::pi) * m.speed;  // (2.5)
-  return {standard(m) ? torques.screw * m.speed : -torques.nut * m.speed, m.axial_force * advance};
+  return {(standard(m) ? torques.screw : torques.nut) * turning_speed(m.geometry.type, m.speed),
+          m.axial_force * advance};
 }
 
 std::optional<double> PowerFlow::efficiency() const {

@@ -65,6 +65,7 @@ struct SlipModel {
 
   // What results say of it.
   Friction friction;
+  contact::FilmDirection film_direction = contact::FilmDirection::minor_axis;
   std::optional<Wear> wear;
   PerInterface<std::optional<double>> roughness;  ///< Composite Rq [m].
   std::optional<double> imposed_slip_ratio;

@@ -70,6 +70,7 @@ contact::PatchMotionOf<Number> patch_motion(const typename RollerNumbers<Real>::
                                             const ContactMotionOf<Number>& motion) {
   using simd::max, simd::select, simd::sqrt, simd::value;
   const Number u_n = dot(motion.rolling, frame.normal);
+  const Number u_1 = dot(motion.rolling, frame.major_axis);
   const Number rolling = dot(motion.rolling, motion.rolling);
   const Number sliding = dot(motion.sliding, motion.sliding);
   const auto slides = value(sliding) > kNoSlip * kNoSlip * value(rolling);
@@ -77,7 +78,8 @@ contact::PatchMotionOf<Number> patch_motion(const typename RollerNumbers<Real>::
   const auto rolls = value(tangential) > Real(0.0);
   return {select(slides, dot(motion.sliding, frame.major_axis), none),
           select(slides, dot(motion.sliding, frame.minor_axis), none), motion.spin * frame.normal.z,
-          select(rolls, sqrt(tangential), none)};
+          select(rolls, sqrt(tangential), none),
+          select(rolls, Number(u_1 * u_1 / tangential), none)};
 }
 
 /// Normal load of a patch and what it does to the roller, with its friction.
@@ -125,7 +127,8 @@ RollerForcesOf<Number> forces_with(const RollerNumbers<Real>& m, const RollerBal
                                    const Number& roller_torque) {
   using simd::abs, simd::copysign, simd::select;
   const Real& c = m.geometry.centre_distance;
-  const Number orbit_speed = b.motion.slip_ratio * m.speed;  // omega_p/n
+  const Number orbit_speed = against_frame_of(
+      m.geometry.is_standard(), Number(b.motion.slip_ratio * m.speed), m.speed);  // Of omega_p/n.
   const Real carrier_torque = copysign(Real(1.0), m.speed) * (m.nut_torque - m.screw_torque);
   RollerForcesOf<Number> f;
   f.contacts_x = b.interfaces.screw.force.x + b.interfaces.nut.force.x;

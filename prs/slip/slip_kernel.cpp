@@ -18,8 +18,7 @@ contact::PatchFrictionOf<Number> patch_friction_of(const SharedPoints& shared,
   constexpr std::size_t kLanes = simd::kLanes<Real>;
   const contact::SlidingFieldOf<Number> field =
       contact::sliding_field(motion, c.semi_major, c.semi_minor);
-  const contact::PatchLawOf<Number> law =
-      contact::law_at(c.friction, c.peak_pressure, motion.rolling_speed);
+  const contact::PatchLawOf<Number> law = contact::law_at(c.friction, c.peak_pressure, motion);
   contact::PatchSumsOf<Number> sums;
   const auto add_points = [&](auto friction_at) __attribute__((always_inline)) {
     contact::PatchSumsOf<Number> found;

@@ -1,8 +1,9 @@
 #include "prs/slip/slip_model.h"
 
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "prs/sector/bodies.h"
 
 namespace prs {
 namespace {
@@ -22,20 +23,19 @@ KinematicGeometry kinematic_geometry(const Contacts& contacts, double force) {
   return g;
 }
 
-/// Mass of a roller as cylinders: thread at its pitch diameter and both ends [kg]; 0 without
-/// density.
+/// Mass of a roller [kg], with heads as long as their bearings where its ends are not given; 0
+/// without density.
 double roller_mass(const Conditions& c, const Mechanism& m) {
   const std::optional<double>& density = c.materials->roller.density;
   if (!density) return 0.0;
-  const auto cylinder = [](double diameter, double length) {
-    return 0.25 * std::numbers::pi * diameter * diameter * length;
-  };
-  double volume = cylinder(*m.pitch_diameter.roller, m.contacts_per_roller * axial_pitch(m));
-  if (c.structure)
-    volume += 2.0 * cylinder(c.structure->roller.end_diameter, c.structure->roller.end_length);
-  else if (c.carrier.bearing)
-    volume += 2.0 * cylinder(c.carrier.bearing->diameter, c.carrier.bearing->length);
-  return *density * volume;
+  Structure::Roller roller;
+  if (c.structure) {
+    roller = c.structure->roller;
+  } else if (c.carrier.bearing) {
+    roller.end_diameter = c.carrier.bearing->diameter;
+    roller.end_length = c.carrier.bearing->length;
+  }
+  return *density * roller_body(m, roller).volume;
 }
 
 contact::FrictionNumbers<double> friction_of(const SlipModel& model, Interface i,
@@ -62,7 +62,8 @@ LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact
   const contact::FilmContact film{.normal_load = static_load,
                                   .curvature = relative.second,
                                   .contact_modulus = contact.contact_modulus,
-                                  .curvature_ratio = relative.first / relative.second};
+                                  .curvature_ratio = relative.first / relative.second,
+                                  .direction = model.film_direction};
   return {axial_load, contact::at_load(contact.hertz, static_load), film,
           friction_of(model, i, film)};
 }
@@ -122,6 +123,7 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
   m.gear_pressure_angle = c.carrier.gear_pressure_angle;
   m.roller_mass = roller_mass(c, mechanism);
   m.friction = *c.friction;
+  m.film_direction = c.lubricant ? c.lubricant->film.direction : contact::FilmDirection::minor_axis;
   m.wear = c.wear;
   for (const Interface i : kInterfaces) m.roughness[i] = composite_roughness(c, i);
   m.imposed_slip_ratio = c.operation ? c.operation->slip_ratio : std::nullopt;

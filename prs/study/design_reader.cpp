@@ -168,6 +168,7 @@ std::unique_ptr<Frame> DesignReader::Parts::make_frame(const Shape& of,
   for (std::size_t i = 0; i < of.size(); ++i) {
     if (of[i] != kNumber) continue;
     const std::string& path = values[i].path;
+    if (made->file.speeds_follow_lead && path == "mechanism.lead") return nullptr;
     input::Slot slot = input::find_slot(made->file, path);
     if (slot.kind != input::Slot::Kind::number && slot.kind != input::Slot::Kind::whole)
       return nullptr;

@@ -24,6 +24,15 @@ Vector3d vector(const contact::Vector3<double>& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
+double against_frame(Mechanism::Type type, double against_nut, double speed) {
+  return against_frame_of<double, double>(type == Mechanism::Type::standard, against_nut, speed);
+}
+
+double turning_speed(Mechanism::Type type, double speed) {
+  const double part = type == Mechanism::Type::standard ? speed : 0.0;  // Against the nut.
+  return against_frame(type, part, speed);
+}
+
 Kinematics kinematics(const KinematicGeometry& g, double speed, double slip_ratio) {
   const KinematicsOf<double> k = kinematics_of(numbers_of(g), speed, slip_ratio);
   return {k.slip_ratio,     k.screw_to_carrier, k.roller_to_carrier,

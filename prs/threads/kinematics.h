@@ -31,6 +31,19 @@ struct Kinematics {
   double nut_advance = 0.0;
 };
 
+// What turns against the frame. The screw of a standard mechanism turns and its nut is held against
+// turning; of an inverted mechanism the nut turns and the screw is held. The part that is held
+// travels, and the rollers with it. omega_s/n, the speed of screw against nut, has the same sign in
+// both; against the frame a screw turns with omega_s/n, a nut with -omega_s/n.
+
+/// Speed against the frame of what turns with `against_nut` against the nut [rad/s], where the
+/// screw turns with `speed` against it: omega_x/n of a standard mechanism, omega_x/n - omega_s/n of
+/// an inverted one.
+double against_frame(Mechanism::Type type, double against_nut, double speed);
+
+/// Speed against the frame of the part that turns [rad/s]: omega_s/n, or -omega_s/n of a nut.
+double turning_speed(Mechanism::Type type, double speed);
+
 /// Stationary motion of the parts for one slip ratio and the speed of the screw against the nut
 /// omega_s/n [rad/s] (Sandu 2018, (2.2), (2.4), (2.5)).
 Kinematics kinematics(const KinematicGeometry& geometry, double speed, double slip_ratio);

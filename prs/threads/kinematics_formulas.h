@@ -20,6 +20,14 @@ struct KinematicNumbers {
   simd::Lanes<Real> is_standard() const { return standard > Real(0.0); }
 };
 
+/// Speed against the frame, by that against the nut: see `against_frame` of kinematics.h.
+template <class Number, class Real>
+Number against_frame_of(const simd::Lanes<Real>& is_standard, const Number& against_nut,
+                        const Real& speed) {
+  using simd::select;
+  return select(is_standard, against_nut, Number(against_nut - speed));
+}
+
 /// See `Kinematics`.
 template <class Number>
 struct KinematicsOf {

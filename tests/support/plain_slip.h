@@ -76,6 +76,7 @@ struct Case {
   Real carrier_nut_torque = 0;        ///< |C_P/N| [N m].
   Real gear_pressure_angle = pi / 9;  ///< alpha_g [rad].
   Real roller_mass = 0;               ///< m_R [kg].
+  bool film_along_rolling = false;    ///< Central film of the true direction of rolling.
   int patch_points = 21;              ///< N_1 = N_2.
   std::optional<Real> slip_ratio{};   ///< Imposed, instead of the root of (3.43).
 };
@@ -181,6 +182,23 @@ inline Film film(const Interface& m, const Lubricant& l, Real rolling, Real norm
           full_film_number(moes_m, moes_l, m.curvature_ratio) * std::sqrt(u) / rho};
 }
 
+/// Central film of Chittenden, Dowson, Dunn and Taylor (1985) at the angle theta of the rolling to
+/// the minor axis, which their x axis is: 1/R_e = cos^2/R_x + sin^2/R_y, 1/R_s = sin^2/R_x +
+/// cos^2/R_y, with mean velocity and E' = 2 E* [m].
+inline Real film_along_rolling(const Interface& m, const Lubricant& l, const Motion& v,
+                               Real normal_load) {
+  const Real u_1 = dot(v.sum, m.major), u_2 = dot(v.sum, cross(m.normal, m.major));
+  const Real theta = std::atan2(u_1, u_2), c = std::cos(theta), s = std::sin(theta);
+  const Real r_x = 1 / m.larger_curvature, r_y = r_x / m.curvature_ratio;
+  const Real r_e = 1 / (c * c / r_x + s * s / r_y), r_s = 1 / (s * s / r_x + c * c / r_y);
+  const Real e = m.relative_modulus;
+  const Real mean_speed = rolling_speed(v, m.normal) / 2;
+  return r_e * Real(4.31L) * std::pow(l.viscosity * mean_speed / (e * r_e), Real(0.68L)) *
+         std::pow(l.pressure_viscosity * e, Real(0.49L)) *
+         std::pow(normal_load / (e * r_e * r_e), Real(-0.073L)) *
+         (1 - std::exp(Real(-1.23L) * std::pow(r_s / r_e, Real(2) / 3)));
+}
+
 /// (2.27), (2.29), (2.30) at one point.
 inline Real jacod(const Interface& m, const Lubricant& l, Real pressure, Real sliding, Real rolling,
                   Real film_number) {
@@ -220,6 +238,8 @@ inline ThreadFriction friction(const Case& c, bool screw, Motion v, const Thread
   Film central;
   if (c.lubricant.viscosity > 0) {
     central = film(m, c.lubricant, rolling, t.axial_load / std::abs(m.normal[2]));
+    if (c.film_along_rolling)
+      central.central = film_along_rolling(m, c.lubricant, v, t.axial_load / std::abs(m.normal[2]));
     out.film_thickness = central.thickness;
     out.central_film = central.central;
     if (m.roughness > 0)
@@ -340,8 +360,9 @@ inline State state(const Case& c, Real slip) {
   s.carrier_force_y = (c.rollers * c_pr + c_pn + c_ps) / (c.centre_distance * c.rollers);
   s.gear_force_y = s.carrier_force_y - s.contact_force[1];
   s.gear_force_x = (1 - 2 * chi) * std::abs(s.gear_force_y) * std::tan(c.gear_pressure_angle);
-  const Real omega_pn = slip * c.speed;
-  s.centrifugal_force = c.roller_mass * c.centre_distance * omega_pn * omega_pn;
+  // The carrier against the part that does not turn: the nut, of an inverted mechanism the screw.
+  const Real orbit = c.standard ? slip * c.speed : slip * c.speed - c.speed;
+  s.centrifugal_force = c.roller_mass * c.centre_distance * orbit * orbit;
   s.carrier_force_x = s.gear_force_x + s.contact_force[0] + s.centrifugal_force;
 
   // Operating pitch radius of the roller's gear, and the moment on the roller (3.38).

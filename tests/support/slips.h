@@ -160,6 +160,8 @@ inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std
   if (c.lubricant)
     p.lubricant = {*c.lubricant->viscosity, *c.lubricant->pressure_viscosity,
                    *c.lubricant->eyring_stress};
+  if (c.lubricant)
+    p.film_along_rolling = c.lubricant->film.direction == contact::FilmDirection::rolling;
   if (c.friction->model == prs::Friction::Model::mixed) p.boundary = c.friction->mixed.boundary;
   p.exponent = c.friction->mixed.exponent;
   p.carrier_roller_torque = c.carrier.roller_torque;

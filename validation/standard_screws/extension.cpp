@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "prs/measures/bodies.h"
 #include "prs/model/units.h"
+#include "prs/sector/bodies.h"
 #include "validation/standard_screws/comparison.h"
 
 namespace prs::standard_screws {

@@ -49,11 +49,11 @@ void solve_sectors(const SectorNumbers<Real>& sector, int contacts, const Statio
   Real load = sector.sense * force;
   if constexpr (fe::kFolded<Station>) load = first_lane(load);
   fe::ChainSummary<Real> summary = chain.solve(load, force, options);
-  const Real free_compliance = sector.free_length / sector.plain_screw_rigidity;
-  summary.energy -= 0.5 * free_compliance * force * force;
+  const Real compliance =
+      sector.free_length / sector.plain_screw_rigidity + sector.offset_compliance;
+  summary.energy -= 0.5 * compliance * force * force;
   deliver<fe::kFolded<Station>>(summary, law, contacts, records, range, results);
   const auto& loaded = records[0].state;
-  const Real compliance = free_compliance + sector.offset_compliance;
   range.store(sector.sense * (loaded.head[0] + loaded.tail[0]) + compliance * force,
               results.axial_displacement);
   if (!results.tangent_stiffness.empty())

@@ -124,7 +124,10 @@ class Solution {
 
   /// Forces of the guides on the rollers; what they take is handed on to their seats.
   void read_rings(FullDistribution& d) {
-    for (RingForce& ring : d.rings) ring.rollers.assign(static_cast<std::size_t>(f_.rollers), 0.0);
+    for (std::size_t k = 0; k < d.rings.size(); ++k) {
+      d.rings[k].position = outer_face(k);
+      d.rings[k].rollers.assign(static_cast<std::size_t>(f_.rollers), 0.0);
+    }
     for (const FullStructure::Guide& guide : s_.guides) {
       const FullModel::Roller& roller = f_.present[guide.roller];
       double force = 0.0;  // On the roller, outwards.
@@ -256,7 +259,7 @@ void condense(const FullModel& f, const FullStructure& s, const fe::Equations& e
           loads[static_cast<std::size_t>(i)].dot(rates[static_cast<std::size_t>(j)]);
   d.screw_end.compliance(0, 0) += f.offset_compliance();
   d.screw_end.stiffness = d.screw_end.compliance.inverse();
-  d.tangent_stiffness = 1.0 / d.screw_end.compliance(0, 0);
+  d.tangent_stiffness = 1.0 / axial_compliance(d.screw_end, f.load.eccentricity);
 }
 
 std::string why_left_out(const FreeMotions& free) {
@@ -291,6 +294,15 @@ void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equati
 }
 
 }  // namespace
+
+double axial_compliance(const ScrewEnd& end, const Lateral& eccentricity) {
+  const std::array<double, 5> load{1.0, 0.0, 0.0, eccentricity.z, -eccentricity.y};
+  double compliance = 0.0;
+  for (std::size_t k = 0; k < end.freedoms.size(); ++k)
+    compliance += end.compliance(0, static_cast<Eigen::Index>(k)) *
+                  load[static_cast<std::size_t>(end.freedoms[k])];
+  return compliance;
+}
 
 std::optional<FullDistribution> mechanism(const FullModel& f, const FullStructure& s) {
   const FreeMotions free = free_motions(f, s);
@@ -365,6 +377,7 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
     if (!d.solve.converged()) d.solve.status = fe::NewtonStatus::no_equilibrium;
   }
   d.solve.history.insert(d.solve.history.begin(), {d.solve.energy, 1.0, 1.0, 0.0});
+  add_offset_energy(d.solve, f.offset_compliance(), f.axial_force);
   if (d.solve.status == fe::NewtonStatus::no_equilibrium) d.reason = why_not_held(f, s);
   if (!d.solve.converged()) return d;
   if (start_ == FullStart::neighbour) parts_->keep(q);

@@ -32,8 +32,9 @@ struct SupportForce {
 };
 
 struct RingForce {
+  double position = 0.0;        ///< x where force and moment act [m].
   Lateral force;                ///< Of the ring on the rollers [N].
-  Lateral moment;               ///< The same about y and z at its outer face, by beams [N m].
+  Lateral moment;               ///< The same about y and z there [N m].
   std::vector<double> rollers;  ///< On each roller, outwards; missing ones 0 [N].
 };
 
@@ -52,7 +53,7 @@ struct FullDistribution {
   PerInterface<RollerThreads> normal_load;  ///< N [N]
   PerInterface<RollerThreads> approach;     ///< Hertz approach delta [m]
   double axial_displacement = 0.0;          ///< Of the loaded section, > 0 along the load [m].
-  std::optional<double> tangent_stiffness;  ///< 1/C_xx [N/m]
+  std::optional<double> tangent_stiffness;  ///< dF/du, see `axial_compliance` [N/m]
   ScrewEnd screw_end;
   PerInterface<double> largest_opening;  ///< Of a contact that is open, along its normal [m].
   std::vector<int> idle_rollers;         ///< Numbers from 0 of those that carry no load.
@@ -60,6 +61,11 @@ struct FullDistribution {
   std::array<RingForce, 2> rings;  ///< Near and far.
   std::vector<SupportForce> bearings;
 };
+
+/// du_x/dF of the loaded section [m/N] while the force stays where it acts, so that its moments
+/// grow with it: C_xx + e_z C_x,theta_y - e_y C_x,theta_z, without a freedom that a bearing holds
+/// there.
+double axial_compliance(const ScrewEnd& end, const Lateral& eccentricity);
 
 struct FullStructure;
 /// The outcome where motions are free; nothing where none is.

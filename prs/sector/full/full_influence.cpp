@@ -127,7 +127,7 @@ class Assembly {
       if (k == 0 || !(k < 3 ? across : tilt)) d.screw_end.freedoms.push_back(k);
     d.screw_end.compliance = all(d.screw_end.freedoms, d.screw_end.freedoms);
     d.screw_end.stiffness = d.screw_end.compliance.inverse();
-    d.tangent_stiffness = 1.0 / d.screw_end.compliance(0, 0);
+    d.tangent_stiffness = 1.0 / axial_compliance(d.screw_end, f_.load.eccentricity);
   }
 
  private:
@@ -359,7 +359,11 @@ class Assembly {
   void read_rollers(const ContactsAroundSolution& s, FullDistribution& d) const {
     const auto threads = static_cast<std::size_t>(f_.threads());
     const double share = f_.axial_force / static_cast<double>(f_.present.size());
-    for (RingForce& ring : d.rings) ring.rollers.assign(static_cast<std::size_t>(f_.rollers), 0.0);
+    const std::array<double, 2> places = guide_places(f_);
+    for (std::size_t ring = 0; ring < 2; ++ring) {
+      d.rings[ring].position = places[ring];
+      d.rings[ring].rollers.assign(static_cast<std::size_t>(f_.rollers), 0.0);
+    }
     for (const Interface i : kInterfaces)
       d.normal_load[i] = d.approach[i] =
           RollerThreads(static_cast<std::size_t>(f_.rollers), std::vector<double>(threads, 0.0));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <numbers>
 #include <random>
 
@@ -171,6 +172,33 @@ TEST(ReadCase, TheLubricantMayFollowItsTemperature) {
   const Case line = read(kAbevi, {"lubricant={" + kOil + "walther: {intercept: 9.5, slope: 3.7}}"});
   EXPECT_EQ(line.lubricant->walther->intercept, 9.5);
   EXPECT_EQ(line.lubricant->walther->slope, 3.7);
+}
+
+/// n = v/|lead|, the sign that of v.
+TEST(ReadCase, SpeedsMayBeAlongTheAxis) {
+  const auto speed = [](const std::vector<std::string>& overrides) {
+    return read(kAbevi, overrides).operation->speed;
+  };
+  const double turn = 2.0 * std::numbers::pi;
+  EXPECT_DOUBLE_EQ(speed({"operation={speed: 200 mm/s}"}), 40.0 * turn);
+  EXPECT_DOUBLE_EQ(speed({"operation={speed: -1 in/s}"}), -25.4 / 5.0 * turn);
+  EXPECT_DOUBLE_EQ(speed({"operation={speed: 200 mm/s}", "mechanism.lead=-5 mm"}), 40.0 * turn);
+  for (const char* lead : {"mechanism.lead=10 mm", "mechanism.lead=0.01 m"})
+    EXPECT_DOUBLE_EQ(speed({"operation={speed: 200 mm/s}", lead}), 20.0 * turn);
+  const Case c = read(kAbevi, {"load_cases[0].speed=3 m/min"});
+  EXPECT_DOUBLE_EQ(*c.load_cases[0].speed, 10.0 * turn);
+  EXPECT_THAT(error_of(kAbevi, {"operation={speed: 200 mm}"}),
+              testing::HasSubstr("rpm, 1/min, rad/s, deg/s, mm/s, m/s, m/min"));
+}
+
+/// What a page shows and a study varies is what was written.
+TEST(ReadCase, TheEchoOfASpeedAlongTheAxisHasBoth) {
+  const CaseInput in =
+      read_case_input({"case.yaml", kAbevi, {"operation={speed: 200 mm/s}"}}, Command::solve);
+  const auto entry = std::ranges::find(in.fields, "operation.speed", &EchoEntry::path);
+  ASSERT_NE(entry, in.fields.end());
+  EXPECT_EQ(entry->value, "2400 rpm");
+  EXPECT_EQ(entry->written, "200 mm/s");
 }
 
 TEST(ReadCase, RoughnessIsOneOrOneForEachPart) {

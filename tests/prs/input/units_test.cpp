@@ -38,6 +38,10 @@ TEST(Units, EveryDimensionConvertsToSi) {
   EXPECT_EQ(si("30 1/GPa", unit::pressure_viscosity), 30e-9);
   EXPECT_DOUBLE_EQ(si("30 rpm", unit::rotational_speed), pi);
   EXPECT_EQ(si("3 rad/s", unit::rotational_speed), 3.0);
+  EXPECT_EQ(si("200 mm/s", unit::travel_speed), 0.2);
+  EXPECT_DOUBLE_EQ(si("2 in/s", unit::travel_speed), 2 * 0.0254);
+  EXPECT_DOUBLE_EQ(si("3 in/min", unit::travel_speed), 3 * 0.0254 / 60);
+  EXPECT_DOUBLE_EQ(si("1.2 m/min", unit::travel_speed), 0.02);
   EXPECT_EQ(si("2e4 N/mm", unit::stiffness), 2e7);
   EXPECT_EQ(si("500 N/um", unit::stiffness), 5e8);
   EXPECT_EQ(si("12 N mm", unit::torque), 0.012);

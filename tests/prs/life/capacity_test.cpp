@@ -59,6 +59,16 @@ TEST(LemorCapacity, GrowsWithContactsAndDiameterAsItsPowers) {
   EXPECT_NEAR(lemor_capacity(1.0, 45 * kDegree, 1, 1e-3, 0.0), std::pow(2.0, -0.43), 1e-14);
 }
 
+/// ISO 281: a ball's share of its capacity up to 25.4 mm and beyond, where both powers meet.
+TEST(LemorCapacity, LargeElementsCountLess) {
+  EXPECT_NEAR(size_factor(25.4e-3 * (1.0 + 1e-12)) / size_factor(25.4e-3), 1.0, 1e-4);
+  EXPECT_NEAR(size_factor(60e-3) / size_factor(30e-3), std::pow(2.0, 1.4), 1e-12);
+  EXPECT_NEAR(size_factor(30e-3), 3.647 * std::pow(30.0, 1.4), 1e-10);
+  EXPECT_NEAR(lemor_capacity(80.0, 45 * kDegree, 100, 60e-3, 5 * kDegree) /
+                  lemor_capacity(80.0, 45 * kDegree, 100, 30e-3, 5 * kDegree),
+              std::pow(2.0, 1.4), 1e-12);
+}
+
 LemorGeometry abevi() {
   LemorGeometry g;
   g.pitch = 5e-3 / 3;

@@ -56,6 +56,15 @@ TEST(ForceHistory, ReadsColumnsByNameInSiUnits) {
   EXPECT_TRUE(h.position.empty());
 }
 
+TEST(ForceHistory, SpeedMayBeAlongTheAxis) {
+  HistorySource history = wanted();
+  history.speed->unit = "mm/s";
+  const LoadHistory h = parse("t,n,load\n0,60,1.5\n250,-30,2\n", history);
+  EXPECT_TRUE(h.speed_along_axis);
+  EXPECT_THAT(h.speed, ElementsAre(testing::DoubleEq(60e-3), testing::DoubleEq(-30e-3)));
+  EXPECT_FALSE(parse("t,n,load\n0,60,1.5\n").speed_along_axis);
+}
+
 TEST(ForceHistory, ReadsWhatSpreadsheetsWrite) {
   const LoadHistory h = parse(
       "\xEF\xBB\xBF# made by a test\r\n\r\n\"t\";\"load\"; n \r\n0; +1 ;\"60\"\r\n# half time\r\n"

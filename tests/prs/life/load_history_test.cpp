@@ -42,6 +42,15 @@ TEST(LoadSteps, SpeedAndTimeTurnTheScrew) {
   EXPECT_EQ(*duration(h), 1.0);
 }
 
+TEST(LoadSteps, SpeedAlongTheAxisTurnsTheScrewByTheLead) {
+  LoadHistory h;
+  h.force = {1e3, 1e3};
+  h.interval = 2.0;
+  h.speed = {-20e-3, 20e-3};
+  h.speed_along_axis = true;
+  EXPECT_NEAR(revolutions(load_steps(h, -5e-3, std::nullopt)), 8.0, 1e-14);
+}
+
 SpectrumLoad load(double force, Direction direction) {
   SpectrumLoad l;
   l.force = force;

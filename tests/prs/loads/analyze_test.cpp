@@ -33,6 +33,17 @@ TEST(Analyze, EveryLessonConverges) {
   }
 }
 
+TEST(Analyze, BothSolversGiveTheSameEnergy) {
+  const Case c = lesson("13_three_models.yaml", {"model.bodies=refined"});
+  const Result sparse = analyze(c, {.solver = Solver::sparse});
+  const Result chain = analyze(c, {.detail = Detail::numbers, .solver = Solver::chain});
+  for (std::size_t k = 0; k < sparse.load_cases.size(); ++k) {
+    const double energy = sparse.load_cases[k].solve->history.back().energy;
+    EXPECT_NEAR(chain.load_cases[k].solve->energy / energy, 1.0, 1e-9);
+    EXPECT_EQ(sparse.load_cases[k].solve->energy, energy);
+  }
+}
+
 TEST(Analyze, LoadRatesAreAxialLoadsOverForcePerRollerAndSumToOne) {
   const Case c = lesson("03_load_sweep.yaml");
   for (const LoadCaseResult& r : analyze(c).load_cases)

@@ -12,6 +12,7 @@ namespace prs {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 input::Source lesson(const std::string& name, std::vector<std::string> overrides = {}) {
@@ -60,6 +61,16 @@ TEST(Commands, NameTheBlocksThatTheyLack) {
   EXPECT_THAT(input::missing(in, Command::preload), ElementsAre("preload"));
   EXPECT_THAT(input::missing(in, Command::study), ElementsAre("study"));
   EXPECT_THAT(input::missing(in, Command::optimize), ElementsAre("optimize"));
+}
+
+/// What is suggested has the file's own design, so that no best design is worse.
+TEST(Commands, SuggestDesignsAroundThatOfTheFile) {
+  const input::CaseInput in = read(lesson("01_config_1_to_3.yaml"));
+  ASSERT_EQ(in.values.mechanism.rollers, 11);
+  EXPECT_THAT(input::unmet(in, Command::optimize).at(0).message,
+              HasSubstr("{path: mechanism.rollers, from: 10, to: 11}"));
+  EXPECT_THAT(input::unmet(in, Command::study).at(0).message,
+              HasSubstr("{path: mechanism.rollers, values: [10, 11]}"));
 }
 
 /// A study needs what the command of its designs does.

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -281,6 +283,69 @@ TEST(MixedFriction, FollowsStribeck) {
   EXPECT_LT(*least, 0.99 * nut.back());
   EXPECT_TRUE(std::ranges::is_sorted(curve.film_ratio.screw));
   EXPECT_GT(curve.film_ratio.screw.back(), kFullFilm);
+}
+
+Case along_rolling(Case c) {
+  c.lubricant->film.direction = contact::FilmDirection::rolling;
+  return c;
+}
+
+/// Film, film over roughness, share of touching flanks and mixed friction alike.
+TEST(CentralFilm, AlongTheRollingIsThatOfThePlainCalculation) {
+  for (Case c : {few_threads(), test::inverted(few_threads())}) {
+    c = along_rolling(test::with_mixed_friction(c, 0.11, 2.0));
+    const Result result = analyze_slip(c);
+    expect_as_plain(c, result, 1e-9);
+    const InterfaceSlip& nut = result.load_cases[0].slip->threads.nut;
+    EXPECT_NEAR(nut.film_ratio[0], nut.central_film[0] / std::hypot(0.4e-6, 0.2e-6),
+                1e-12 * nut.film_ratio[0]);
+    c.lubricant->film = {};
+    EXPECT_LT(nut.central_film[0], analyze_slip(c).load_cases[0].slip->threads.nut.central_film[0]);
+  }
+}
+
+/// The nut rolls along the helix, 45 deg and more off the minor axis of its ellipse.
+TEST(CentralFilm, WarnsWhereItIsThatOfAnotherDirection) {
+  const auto warnings = [](const Case& c) { return analyze_slip(c).load_cases[0].warnings; };
+  const auto note = ::testing::Contains(::testing::AllOf(
+      HasSubstr("lubricant.film: the nut contacts roll"), HasSubstr("deg off the major axis")));
+  const Case c = test::sandu_reference();
+  EXPECT_THAT(warnings(c), note);
+  EXPECT_THAT(warnings(c),
+              ::testing::Not(::testing::Contains(HasSubstr("the screw contacts roll"))));
+  EXPECT_THAT(warnings(along_rolling(c)), ::testing::Not(note));
+  EXPECT_THAT(warnings(test::with_coulomb(c, 0.1)), note);  // Films are shown there too.
+}
+
+/// A bare nut of some cm passes some tenths of a watt per kelvin on to still air.
+TEST(Slip, WarnsOfHeatThatNothingTakes) {
+  const auto note = ::testing::Contains(HasSubstr("heat: missing"));
+  Case c = test::sandu_reference();
+  const Result result = analyze_slip(c);
+  ASSERT_GT(result.load_cases[0].slip->power.total(), 100.0);
+  const double needed = result.load_cases[0].slip->power.total() / 55.0;
+  EXPECT_THAT(result.load_cases[0].warnings,
+              ::testing::Contains(HasSubstr(fmt::format("by {:.3g} W/K", needed))));
+  c.operation->speed *= 1e-3;
+  EXPECT_THAT(analyze_slip(c).load_cases[0].warnings, ::testing::Not(note));
+}
+
+/// A roller's mass goes round with the carrier against the frame, in which the screw of an inverted
+/// mechanism does not turn.
+TEST(Slip, CentrifugalForceIsThatOfTheOrbitAgainstTheFrame) {
+  for (Case c : {few_threads(), test::inverted(few_threads())}) {
+    c.materials->roller.density = 7810.0;
+    const Result result = analyze_slip(c);
+    const SlipResult& s = *result.load_cases[0].slip;
+    const contact::MechanismGeometry& threads = result.contacts.threads;
+    const double radius = threads.roller.pitch_radius;
+    const double mass = 7810.0 * std::numbers::pi * radius * radius * threads.roller.pitch *
+                        c.mechanism.contacts_per_roller;
+    const bool nut_turns = c.mechanism.type == Mechanism::Type::inverted;
+    const double orbit = (nut_turns ? 1.0 - s.slip_ratio : s.slip_ratio) * s.speed;
+    EXPECT_NEAR(s.forces.centrifugal, mass * threads.centre_distance * orbit * orbit,
+                1e-9 * s.forces.centrifugal);
+  }
 }
 
 TEST(MixedFriction, WarnsOfNoThinFilm) {

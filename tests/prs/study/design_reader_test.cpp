@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 #include <numeric>
 #include <string>
 #include <type_traits>
@@ -294,6 +295,27 @@ TEST(DesignReader, CompanionsTakeTheLevelOfTheirFactor) {
   EXPECT_EQ(c.mechanism.rollers, 11);
   EXPECT_EQ(c.materials->screw.youngs_modulus, 210e9);
   EXPECT_EQ(c.structure->screw.bore, 0.004);
+}
+
+/// A speed along the axis stays where a study changes the lead, and may be a factor itself.
+TEST(DesignReader, SpeedsAlongTheAxisFollowTheLead) {
+  Source source =
+      lesson("09_slip_and_dissipation",
+             "study: {command: slip, plan: grid, factors: [{path: mechanism.lead, "
+             "values: [5 mm, 8 mm]}, {path: operation.speed, values: [100 mm/s, 3 in/s, "
+             "500 rpm]}]}");
+  source.overrides = {"load_cases[1].speed=-40 mm/s"};
+  const StudyInput input = read_study_input(source);
+  EXPECT_EQ(refused_of(input, 6), 0);
+  DesignReader reader(input);
+  const double turn = 2.0 * std::numbers::pi;
+  const double speeds[] = {0.1 / 5e-3 * turn, 0.0762 / 5e-3 * turn, 500.0 / 60.0 * turn,
+                           0.1 / 8e-3 * turn, 0.0762 / 8e-3 * turn, 500.0 / 60.0 * turn};
+  for (std::size_t k = 0; k < 6; ++k) {
+    const Case& c = reader.read(k);
+    EXPECT_DOUBLE_EQ(c.operation->speed, speeds[k]) << k;
+    EXPECT_DOUBLE_EQ(*c.load_cases[1].speed, -0.04 / c.mechanism.lead * turn) << k;
+  }
 }
 
 TEST(DesignReader, RangeOfForcesIsExpandedAnew) {

@@ -35,6 +35,7 @@ Case random_design(std::mt19937_64& random, int patch_points) {
     const double d = uniform(0.1, 0.3) * *c.mechanism.pitch_diameter.screw;
     c.carrier.bearing = contact::JournalBearing{uniform(0.3, 1.0) * d, d, 2e-3 * d};
   }
+  if (uniform(0.0, 1.0) < 0.3) c.lubricant->film.direction = contact::FilmDirection::rolling;
   if (uniform(0.0, 1.0) < 0.2) c.wear = Wear{1e-17};
   if (uniform(0.0, 1.0) < 0.1) c.operation->slip_ratio = uniform(0.3, 0.5);
   if (uniform(0.0, 1.0) < 0.05) c.friction->coefficient *= 100.0;  // jams where it is Coulomb's

@@ -25,6 +25,18 @@ KinematicGeometry geometry_of(const Case& c) {
   return g;
 }
 
+/// The screw of a standard mechanism turns and its nut does not; inverted, the other way round.
+TEST(Frame, OnePartTurnsAndTheOtherIsHeld) {
+  const double speed = -40.0, nut = 0.0, carrier = 0.3 * speed;  // Against the nut.
+  using enum Mechanism::Type;
+  EXPECT_EQ(turning_speed(standard, speed), speed);
+  EXPECT_EQ(against_frame(standard, nut, speed), 0.0);
+  EXPECT_EQ(against_frame(standard, carrier, speed), carrier);
+  EXPECT_EQ(turning_speed(inverted, speed), -speed);
+  EXPECT_EQ(against_frame(inverted, speed, speed), 0.0);
+  EXPECT_EQ(against_frame(inverted, carrier, speed), carrier - speed);
+}
+
 TEST(Kinematics, SpeedsObeyGearsAndLead) {
   for (const Case& c : {test::sandu_reference(), test::inverted(test::sandu_reference())}) {
     const KinematicGeometry g = geometry_of(c);

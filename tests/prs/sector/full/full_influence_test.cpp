@@ -174,6 +174,7 @@ void expect_same(const FullDistribution& a, const FullDistribution& b, double sh
 
 void expect_same_stiffness(const FullDistribution& a, const FullDistribution& b) {
   ASSERT_EQ(a.screw_end.freedoms, b.screw_end.freedoms);
+  EXPECT_NEAR(*a.tangent_stiffness, *b.tangent_stiffness, 1e-9 * *b.tangent_stiffness);
   const Eigen::VectorXd size = b.screw_end.compliance.diagonal().cwiseSqrt();
   for (Index i = 0; i < size.size(); ++i)
     for (Index j = 0; j < size.size(); ++j)

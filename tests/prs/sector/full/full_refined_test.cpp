@@ -173,6 +173,31 @@ TEST(FullRefined, TheComplianceOfTheScrewsEndIsTheDerivative) {
   }
 }
 
+/// Of the potential energy by the force, -u: also what Poisson's effect adds to u belongs to it.
+TEST(FullRefined, TheEnergyFallsByTheDisplacement) {
+  SKIP_UNDER_SANITIZERS();
+  const RefinedScrew screw;
+  const FullModel f = screw.model();
+  ASSERT_NE(f.offset_compliance(), 0.0);
+  const double step = 200.0;
+  const auto slope = [&](auto energy) {
+    return (energy(screw.load.axial_force + step) - energy(screw.load.axial_force - step)) /
+           (2.0 * step);
+  };
+  const double of_full = slope([&](double force) {
+    RefinedScrew other = screw;
+    other.load.axial_force = force;
+    return solve(other.model(), Detail::numbers).solve.history.back().energy;
+  });
+  EXPECT_NEAR(-of_full / solve(f, Detail::numbers).axial_displacement, 1.0, 1e-5);
+  SectorSolver sector(build_sector(f.sector));
+  const double of_sector =
+      slope([&](double force) { return sector.solve(force).solve.history.back().energy; });
+  EXPECT_NEAR(
+      -of_sector * f.sector.rollers / sector.solve(screw.load.axial_force).axial_displacement, 1.0,
+      1e-5);
+}
+
 TEST(FullRefined, BalancesWithContactsAlongAHelix) {
   RefinedScrew screw;
   screw.parts.options.contact_phase = ModelOptions::ContactPhase::helical;

@@ -1,4 +1,4 @@
-#include "prs/measures/bodies.h"
+#include "prs/sector/bodies.h"
 
 #include <algorithm>
 #include <cmath>
