@@ -253,7 +253,7 @@ class Control {
   /** A number alone has the unit of the value that stood there. */
   withUnit(typed) {
     const shown = changes.get(this.paths[0]) ?? this.own;
-    const [, unit = this.unit] = shown.match(/^[-+\d.eE]+\s*(\S.*)$/) ?? [];
+    const [, unit = this.unit] = shown.match(/^[-+]?[\d.]+(?:e[-+]?\d+)?(?![\d.])\s*(\S.*)$/i) ?? [];
     return unit && /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(typed) ? `${typed} ${unit}` : typed;
   }
 
