@@ -178,8 +178,9 @@ class Chain {
     checked_ = check;
     if (!any(check)) return;
     const Real whole = look_at_all(check);
-    // What the last step changed in a contact's force, relative to the largest: of one contact
-    // alone the work of the change is 5/3 of its square times the energy.
+    // No less than what the last step changed in a contact's force, relative to the largest: of one
+    // contact alone the work of the change is 5/3 of its square times the energy. Up to the root of
+    // twice the contacts too much.
     const Real change = sqrt(1.2 * static_cast<double>(contacts()) * length_ * length_ *
                              s.stiffness / contact_energy_);
     const Mask told = approach_rounding(chain_) <= options.force_tolerance;
@@ -188,7 +189,9 @@ class Chain {
     const Mask done = candidate & told & exact & small_in_all;
     // A whole residual that its own step does not lessen is that of rounding.
     const Mask stalled = candidate & checked_before & !done & options.stalled(whole, before);
-    const Mask rounded = stalled & told & options.rounded(change, whole);
+    const Mask rounded =
+        any(stalled) ? stalled & told & options.rounded(length_ * force_change(chain_), whole)
+                     : stalled;
     summary_.converged = summary_.converged | done | rounded;
     summary_.at_rounding = summary_.at_rounding | rounded;
     summary_.search_failed = summary_.search_failed | (stalled & !rounded);

@@ -90,4 +90,19 @@ Real approach_rounding(const ChainStations<Real, Station>& chain) {
          of_both<Station>(largest_force);
 }
 
+/// Largest change of a contact's force by the last step, relative to the largest force.
+template <class Real, class Station>
+Real force_change(const ChainStations<Real, Station>& chain) {
+  Real largest_change(0.0), largest_force(0.0);
+  for (int k = 0; k < chain.count; ++k) {
+    const auto& record = chain.records[k];
+    unroll<2>([&](auto i) __attribute__((always_inline)) {
+      const auto& c = record.contact[i];
+      largest_change = max(largest_change, c.tangent * abs(along<i>(chain.station, record.step)));
+      largest_force = max(largest_force, c.force);
+    });
+  }
+  return of_both<Station>(largest_change) / of_both<Station>(largest_force);
+}
+
 }  // namespace fe

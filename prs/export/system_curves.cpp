@@ -252,7 +252,7 @@ class LoadsOfCase {
   Conditions conditions_;
   const Contacts& contacts_;
   LoadCase pattern_;
-  FullSolver full_;
+  FullSolver full_{FullStart::neighbour};
 };
 
 void add_loaded_branches(const Conditions& c, const Contacts& contacts, const LoadCase& pattern,

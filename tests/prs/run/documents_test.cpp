@@ -143,11 +143,13 @@ std::string verdict(const std::vector<std::pair<std::string, Json>>& documents) 
   return test::content_of(folder.path() / "found");
 }
 
-/// Both of each document, which is computed once. In the resolved input overrides and defaults are
-/// stated; what the file refers to stands where it stood.
+/// All of each document, which is computed once: CHOLMOD's and Eigen's factorizations give the
+/// same. In the resolved input overrides and defaults are stated; what the file refers to stands
+/// where it stood.
 TEST(Documents, OfEveryLessonAndCommandAreAsTheirSchemaSaysAndComeAgainFromTheirResolvedInput) {
   SKIP_UNDER_SANITIZERS();  // There `LessonReport` takes all lessons.
   std::vector<std::pair<std::string, Json>> documents;
+  int factorized = 0;
   for_each_run([&](const CommandRow& row, const input::Source& source) {
     Json document = document_of(row, source);
     const std::string text = document["resolved_input"].dump();
@@ -156,9 +158,16 @@ TEST(Documents, OfEveryLessonAndCommandAreAsTheirSchemaSaysAndComeAgainFromTheir
     for (Json* d : {&first, &again})
       for (const char* key : {"case_file", "input_sha256", "overrides", "input"}) d->erase(key);
     EXPECT_TRUE(first == again) << source.name << ' ' << name(row.command);
+    fe::factorize_by_eigen(true);
+    const Json by_eigen = document_of(row, source);
+    fe::factorize_by_eigen(false);
+    expect_agreement(document, by_eigen, source.name + ' ' + std::string(name(row.command)));
+    factorized += document.dump().find("\"factorization\":\"CHOLMOD") != std::string::npos &&
+                  by_eigen.dump().find("\"factorization\":\"Eigen") != std::string::npos;
     shorten(document);
     documents.emplace_back(name(row.command), std::move(document));
   });
+  EXPECT_GT(factorized, 50);
   const test::TemporaryDirectory folder;
   const std::filesystem::path file = folder.path() / "again.yaml";
   for (const std::string run : kLongRuns) {
@@ -176,21 +185,6 @@ TEST(Documents, OfEveryLessonAndCommandAreAsTheirSchemaSaysAndComeAgainFromTheir
   documents.emplace_back("solve", printed("solve configs/01_config_1_to_3.yaml --figures"));
   shorten(documents.back().second);
   EXPECT_EQ(verdict(documents), "");
-}
-
-TEST(Documents, OfEveryLessonAreTheSameWithEitherLibraryThatFactorizes) {
-  SKIP_UNDER_SANITIZERS();  // By either alone it is solved there as well.
-  int factorized = 0;
-  for_each_run([&](const CommandRow& row, const input::Source& source) {
-    const Json ours = document_of(row, source);
-    fe::factorize_by_eigen(true);
-    const Json eigens = document_of(row, source);
-    fe::factorize_by_eigen(false);
-    expect_agreement(ours, eigens, source.name + ' ' + std::string(name(row.command)));
-    factorized += ours.dump().find("\"factorization\":\"CHOLMOD") != std::string::npos &&
-                  eigens.dump().find("\"factorization\":\"Eigen") != std::string::npos;
-  });
-  EXPECT_GT(factorized, 50);
 }
 
 TEST(Documents, TheirSchemasKnowEveryKeyAndTheTypeOfItsValue) {

@@ -78,6 +78,20 @@ TEST(ChainSolver, AgreesWithSparseSolverOnRandomRefinedSectors) {
   agree_on_random_sectors(test::samples(60, 2000), true);
 }
 
+/// A sector of 89 threads whose residual rounding keeps above the tolerance: what the last step still
+/// changed in a force decides, and the bound of it by work is twenty times too large.
+TEST(ChainSolver, ConvergesWhereRoundingIsAllThatIsLeft) {
+  std::mt19937_64 random(17);
+  SectorCase c;
+  double force = 0.0;
+  for (int k = 0; k <= 1336; ++k) {
+    c = test::random_sector(random);
+    force = test::random_force(c, random);
+  }
+  const Sector sector = c.build();
+  test::expect_same(test::sparse(sector, force), ChainSolver(sector).solve(force), "sector 1336");
+}
+
 /// With rigid bodies every thread carries the same, and the displacement is that of two contacts.
 TEST(ChainSolver, RigidBodiesShareEqually) {
   SectorCase c = test::abevi();
