@@ -183,8 +183,8 @@ TEST(ReadCase, SpeedsMayBeAlongTheAxis) {
   EXPECT_DOUBLE_EQ(speed({"operation={speed: 200 mm/s}"}), 40.0 * turn);
   EXPECT_DOUBLE_EQ(speed({"operation={speed: -1 in/s}"}), -25.4 / 5.0 * turn);
   EXPECT_DOUBLE_EQ(speed({"operation={speed: 200 mm/s}", "mechanism.lead=-5 mm"}), 40.0 * turn);
-  for (const char* lead : {"mechanism.lead=10 mm", "mechanism.lead=0.01 m"})
-    EXPECT_DOUBLE_EQ(speed({"operation={speed: 200 mm/s}", lead}), 20.0 * turn);
+  for (const char* lead : {"mechanism.lead=4 mm", "mechanism.lead=0.004 m"})
+    EXPECT_DOUBLE_EQ(speed({"operation={speed: 200 mm/s}", lead}), 50.0 * turn);
   const Case c = read(kAbevi, {"load_cases[0].speed=3 m/min"});
   EXPECT_DOUBLE_EQ(*c.load_cases[0].speed, 10.0 * turn);
   EXPECT_THAT(error_of(kAbevi, {"operation={speed: 200 mm}"}),

@@ -62,7 +62,7 @@ TEST(ForceHistory, SpeedMayBeAlongTheAxis) {
   const LoadHistory h = parse("t,n,load\n0,60,1.5\n250,-30,2\n", history);
   EXPECT_TRUE(h.speed_along_axis);
   EXPECT_THAT(h.speed, ElementsAre(testing::DoubleEq(60e-3), testing::DoubleEq(-30e-3)));
-  EXPECT_FALSE(parse("t,n,load\n0,60,1.5\n").speed_along_axis);
+  EXPECT_FALSE(parse("t,n,load\n0,60,1.5\n250,-30,2\n").speed_along_axis);
 }
 
 TEST(ForceHistory, ReadsWhatSpreadsheetsWrite) {
