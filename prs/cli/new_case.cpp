@@ -174,7 +174,7 @@ std::string assumptions(const NewOptions& o) {
   if (!has_screw(o)) {
     const ScrewData d = example(type_of(o));
     return fmt::format(
-        "an example, {} x {}: no dimension was given; yours go in as "
+        "an example of {} x {}, as no dimension was given; yours go in as "
         "--screw-diameter and --lead",
         mm(d.screw_diameter), mm(d.lead));
   }
@@ -184,7 +184,7 @@ std::string assumptions(const NewOptions& o) {
   for (const QuantityOption& q : kQuantities)
     if (!(o.*q.text)) assumed.emplace_back(q.meaning);
   if (!o.lubricant) assumed.emplace_back("lubricant");
-  return assumed.empty() ? "" : fmt::format("assumed, as it says: {}", fmt::join(assumed, ", "));
+  return assumed.empty() ? "" : fmt::format("assumed in it: {}", fmt::join(assumed, ", "));
 }
 
 std::string new_text(const NewOptions& o) {
@@ -293,7 +293,7 @@ int new_case(const Options& all) {
   }
   const std::string assumed = copied ? "" : assumptions(options);
   note(all, fmt::format("{0}: written{1}{2}; `prs check {0}` is the next step", options.file,
-                        assumed.empty() ? "" : ", ", assumed));
+                        assumed.empty() ? "" : "; ", assumed));
   return kDone;
 }
 

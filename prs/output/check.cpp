@@ -114,7 +114,7 @@ std::string derived(const Contacts& contacts) {
   std::string text = "\nDerived\n";
   const auto line = [&](const std::string& path, double value) {
     const auto [label, factor] = labelled(path);
-    text += fmt::format("  {:<42} {:.7g}\n", label, factor * value);
+    text += fmt::format("  {:<42} {}\n", label, significant(factor * value, 7));
   };
   for (const auto& [key, value] : lengths(contacts.mechanism)) line(key, value);
   const Json json = object_of(contacts);

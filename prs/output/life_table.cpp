@@ -64,7 +64,7 @@ std::string weakest_thread(const WeakestThread& w) {
 
 std::string lives(const LifeResult& r) {
   const bool solved = r.life.share == LoadCase::Share::solved;
-  std::vector<std::string> heads{"million rev.", "hours", "travel, km"};
+  std::vector<std::string> heads{"million rev.", "hours", "km"};
   if (r.revolutions_known) heads.emplace_back(r.history ? "histories" : "spectra run");
   std::string text = columns("Life L10", heads);
   text += life_row(r, solved ? "mechanism, real thread loads" : "mechanism, equal thread loads",
@@ -95,7 +95,7 @@ std::string capacities(const LifeResult& r) {
   const Interval& range = r.dynamic_capacity_range;
   text +=
       line("dynamic capacity C_a",
-           r.lemor ? fmt::format("{} ({} to {} by the diameters that Lemor's f_c may take)",
+           r.lemor ? fmt::format("{} ({} to {} by which diameters f_c takes)",
                                  kilonewtons(r.dynamic_capacity),
                                  significant(shown(range.least, "kN")), kilonewtons(range.greatest))
                    : fmt::format("{} (given)", kilonewtons(r.dynamic_capacity)));
@@ -147,12 +147,12 @@ std::string loads(const LifeResult& r) {
     if (const auto& f = r.flanks[d])
       text += line(
           fmt::format("{}", name(d)),
-          fmt::format("{:.1f} % of the revolutions, up to {}, peak pressure {}",
+          fmt::format("{:.1f} % of the revolutions, up to {} and {}",
                       100.0 * f->revolutions / r.revolutions, kilonewtons(f->largest_force),
                       quantity(std::max(f->peak_pressure.screw, f->peak_pressure.nut), "MPa")));
   if (r.cycles)
     text += line("load cycles (rainflow)",
-                 fmt::format("{:.1f}, equivalent range {} at slope {:g}, largest {}",
+                 fmt::format("{:.1f}, equivalent range {} at slope {:g}, up to {}",
                              count(r.cycles->cycles), kilonewtons(r.cycles->equivalent_range),
                              r.life.fatigue_slope, kilonewtons(r.cycles->matrix.range_to)));
   return text;

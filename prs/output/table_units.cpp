@@ -75,8 +75,8 @@ std::regex quantity_in_sentence() {
       units += c;
     }
   }
-  return std::regex(fmt::format(R"((^|[ (])({0})(?:( to | and | or )({0}))? ({1})(?![\w/^(²³]))",
-                                kNumber, units));
+  return std::regex(fmt::format(
+      R"((^|[ (]|−)({0})(?:( to | and | or | x | × )({0}))? ({1})(?![\w/^(²³]))", kNumber, units));
 }
 
 /// With as many digits as it had, three at least.

@@ -124,7 +124,7 @@ constexpr Quantity<Measures> kMeasures[] = {
     {"back_driving_efficiency", of<&Measures::back_driving_efficiency>,
      "eta' = 1 - pi d_S mu/l = 2 - 1/eta; absent where self-locking",
      "friction angle of one thread, as (8.29)",
-     "efficiency, travel into rotation (estimate, up to 0.07 off)", kTransmissionGroup,
+     "efficiency, travel into rotation (estimate within 0.07)", kTransmissionGroup,
      kBackDrivingValidity},
     {"section_stiffness_screw_N_per_um", of_side<&Measures::section_stiffness, Part::screw>,
      "E A_S/p, A_S = pi/4 (d_S^2 - d_bore^2)", "Jung 2017, (3.2)", "screw section over a pitch",

@@ -10,6 +10,7 @@
 #include "prs/figures/pictures.h"
 #include "prs/model/void_inputs.h"
 #include "prs/output/run_files.h"
+#include "prs/output/table_units.h"
 #include "prs/report/svg.h"
 
 namespace prs {
@@ -180,7 +181,7 @@ std::string figure_html(Findings& all, Figure figure, bool narrow) {
       "<figure data-figure=\"{}\"{}><figcaption>{}</figcaption><div class=\"wide\" "
       "tabindex=\"0\">{}"
       "</div></figure>\n",
-      html(figure.name), narrow ? " class=\"narrow\"" : "", html(figure.title),
+      html(figure.name), narrow ? " class=\"narrow\"" : "", html(in_table_units(figure.title)),
       svg(figure, fmt::format("{}-{}-{}", all.section, figure.name, place)));
 }
 

@@ -604,6 +604,7 @@ void scale(Panel& panel, double x, double y, double colour) {
     for (Polyline& part : series.parts)
       for (auto& point : part) point = {x * point[0], y * point[1]};
   }
+  panel.title = in_table_units(panel.title);
   for (ReferenceLine& line : panel.references) line.at *= line.vertical ? x : y;
   for (Label& label : panel.labels) {
     label.text = in_table_units(label.text);
@@ -620,6 +621,7 @@ void scale(Panel& panel, double x, double y, double colour) {
 
 Figure with_table_units(Figure figure) {
   if (table_system() == UnitSystem::si) return figure;
+  figure.title = in_table_units(figure.title);
   double colour = 1.0;
   if (figure.colours) {
     colour = take_table_unit(*figure.colours);

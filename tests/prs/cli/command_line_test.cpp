@@ -122,6 +122,25 @@ TEST(Usage, ErrorsSayWhatWasFoundWhatIsAllowedAndWhereHelpIs) {
   }
 }
 
+TEST(Usage, OnATerminalErrorsBreakBetweenWords) {
+  const FileDescriptor screen(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC));
+  ASSERT_EQ(::grantpt(screen.get()), 0);
+  ASSERT_EQ(::unlockpt(screen.get()), 0);
+  const std::string name = ::ptsname(screen.get());
+  const FileDescriptor terminal(::open(name.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+  const winsize size{.ws_row = 24, .ws_col = 60, .ws_xpixel = 0, .ws_ypixel = 0};
+  ASSERT_EQ(::ioctl(terminal.get(), TIOCSWINSZ, &size), 0);
+  test::Process process(
+      {"sh", "-c", "exec '" + std::string(test::program()) + "' solve a --jsn 2>" + name});
+  EXPECT_EQ(process.wait(), 2);
+  std::string shown(1000, '\0');
+  shown.resize(static_cast<std::size_t>(
+      std::max<ssize_t>(0, ::read(screen.get(), shown.data(), shown.size()))));
+  EXPECT_EQ(shown,
+            "prs: error: got --jsn; expected an option of `prs solve`;\r\n"
+            "  did you mean `--json`? See `prs help solve`\r\n");
+}
+
 TEST(Usage, AFileInPlaceOfTheOutputFolderIsToldBeforeAnythingIsComputed) {
   const test::TemporaryDirectory folder;
   std::ofstream(folder.path() / "file") << "x";

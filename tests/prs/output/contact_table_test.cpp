@@ -97,7 +97,7 @@ TEST(TableUnits, SentencesHaveThemToo) {
   EXPECT_EQ(in_table_units(told),
             "a: got 0.00787 to 0.0197 in, 2810 lbf (580 ksi); write `b: 5 mm`; 9 mm/min, "
             "-5.71e-06 lbf/µin");
-  EXPECT_EQ(in_table_units("12.34 kN"), "2774 lbf");
+  EXPECT_EQ(in_table_units("12.34 kN, 30 × 10 mm, −2.54 mm"), "2774 lbf, 1.18 × 0.394 in, −0.1 in");
 }
 
 TEST(ContactTable, RoundingErrorsHaveNoSign) {
