@@ -252,6 +252,7 @@ def test_a_wrong_value_is_told_and_changes_nothing(
     browser.write(path, "90 kg")
     assert f"{path}: got 90 kg" in browser.text("#trouble")
     assert browser.control(path)[0].get_attribute("aria-invalid") is not None
+    assert "cannot be computed" in browser.text("#changed")
     assert browser.tiles() == before
     browser.write(path, "60 mm")
     assert browser.text("#trouble") == ""
