@@ -270,7 +270,10 @@ class Control {
 
   moveSlider() {
     const [, number, unit] = this.value.match(/^\s*([-+\d.eE]+)\s*(.*?)\s*$/) ?? [];
-    const fits = (unit === this.unit || unit === '') && number - this.slider.min >= 0 && this.slider.max - number >= 0;
+    const fits =
+      (unit === this.unit || unit === '') &&
+      number - this.slider.min >= 0 &&
+      this.slider.max - number >= 0;
     this.slider.classList.toggle('stale', !fits);
     if (fits) this.slider.value = number;
   }
