@@ -169,11 +169,11 @@ const std::string* reason_of(const Node& node, const Reasons& reasons) {
 
 std::map<std::string, std::string> assumptions(const std::vector<EchoEntry>& entries,
                                                const Source& source) {
+  std::map<std::string, std::string> all;
+  if (entries.empty()) return all;
   ErrorList errors(source);
   const Node root = read_document(source, errors);
   const Reasons reasons = marked(root, source.text);
-  std::map<std::string, std::string> all;
-  if (reasons.empty()) return all;
   for (const EchoEntry& entry : entries) {
     if (entry.is_default) continue;
     const Node* node = find_path(root, entry.path);

@@ -12,7 +12,7 @@ namespace prs::input {
 /// Why each assumed value was assumed, by its path. A comment behind a value, or on the lines above
 /// its key, marks it:
 ///
-///     flank_angle: 45 deg                 # assumed 45 deg: as on nearly all
+///     flank_angle: 45 deg                 # assumed 45 deg: as on nearly all screws
 ///     # assumed {roller: 1}: as in makers' catalogues
 ///     starts: {screw: 5, roller: 1}
 ///

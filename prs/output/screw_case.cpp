@@ -179,8 +179,9 @@ std::string mechanism_text(const CompleteScrew& s) {
                  : fmt::format("assumed: of 5, 4, 3 the first whose rollers are {} or "
                                "thicker, as in makers' catalogues; the nut has the screw's",
                                mm(kThinnestRoller))) +
-         case_line(fmt::format("  flank_angle: {}", degrees(d.flank_angle)),
-                   "assumed: as on nearly all; one value, or {screw: .., roller: .., nut: ..}") +
+         case_line(
+             fmt::format("  flank_angle: {}", degrees(d.flank_angle)),
+             "assumed: as on nearly all screws; one value, or {screw: .., roller: .., nut: ..}") +
          case_line(fmt::format("  pitch_diameter: {{screw: {}}}", diameter_text(d)),
                    "given: weights in catalogues show that the nominal diameter is this one") +
          case_line("  backlash: {screw: 0 mm, nut: 0 mm}",
@@ -192,7 +193,8 @@ std::string mechanism_text(const CompleteScrew& s) {
              d.roller_profile_radius
                  ? assumption("{screw: straight, nut: straight}",
                               "as of most published screws; the radius is given")
-                 : fmt::format("assumed: {:g} pitches: with it, as in makers' catalogues, the "
+                 : fmt::format("assumed: screw and nut straight, rollers with arcs of {:g} "
+                               "pitches: with it, as in makers' catalogues, the "
                                "static capacity hardly depends on the lead. No catalogue prints "
                                "it, and pressures depend on it: ask the maker, or measure",
                                kProfileRadius)) +

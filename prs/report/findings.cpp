@@ -148,6 +148,7 @@ Findings quick_findings_of(input::Source source, FullSolver& full) {
   input::CaseInput in = input::read_case_input(source, Command::check);
   in.study.reset();  // Whether its designs are sound is said when the values rest.
   in.optimize.reset();
+  in.fields.clear();  // Shown when the values rest.
   Findings all = nothing_of(std::move(source), in);
   all.check["warnings"] = row_of(Command::check).run(all.source, in).warnings;
   if (input::missing(in, Command::solve).empty())

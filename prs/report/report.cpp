@@ -121,6 +121,15 @@ bool is_of_rollers(std::string_view name) {
 
 // Sections
 
+/// How many there are: `11`, or `10 of 11` where some are missing.
+std::string rollers_of(const Findings& all) {
+  const std::string places = input_value(all, "mechanism.rollers");
+  const auto missing = std::ranges::count_if(all.check["input"], [](const Json& entry) {
+    return entry["path"].get<std::string>().starts_with("deviations.missing_rollers[");
+  });
+  return missing == 0 ? places : fmt::format("{} of {}", std::stoi(places) - missing, places);
+}
+
 std::string title_of(const Findings& all) {
   return std::filesystem::path(all.source.name).stem().string();
 }
@@ -141,8 +150,7 @@ std::string head_html(const Findings& all) {
       "mechanism, {} rollers with {} threads each. Lead {}, {} start{} on the screw. Pitch "
       "diameters: screw {}, roller {}, nut {}.</p>\n",
       html(title_of(all)), html(capitalised(input_value(all, "mechanism.type"))),
-      html(input_value(all, "mechanism.rollers")),
-      html(input_value(all, "mechanism.contacts_per_roller")),
+      html(rollers_of(all)), html(input_value(all, "mechanism.contacts_per_roller")),
       html(input_value(all, "mechanism.lead")), html(starts), starts == "1" ? "" : "s",
       diameter("screw"), diameter("roller"), diameter("nut"));
 }

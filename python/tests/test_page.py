@@ -252,6 +252,7 @@ def test_a_wrong_value_is_told_and_changes_nothing(
     browser.write(path, "90 kg")
     assert f"{path}: got 90 kg" in browser.text("#trouble")
     assert browser.control(path)[0].get_attribute("aria-invalid") is not None
+    assert "cannot be computed" in browser.text("#changed")
     assert browser.tiles() == before
     browser.write(path, "60 mm")
     assert browser.text("#trouble") == ""
@@ -327,9 +328,7 @@ def test_head_and_basis_follow(browser: Browser, page: Callable[..., Path], scre
     assert (row.get_attribute("textContent") or "").endswith("6given")
 
 
-def test_a_number_alone_has_the_unit_beside_it(
-    browser: Browser, page: Callable[..., Path]
-) -> None:
+def test_a_number_alone_has_the_unit_beside_it(browser: Browser, page: Callable[..., Path]) -> None:
     browser.open(page(4))
     path = "structure.nut.outer_diameter"
     for written, read in (("60", "60 mm"), ("6.1 cm", "6.1 cm"), ("6.2", "6.2 cm")):

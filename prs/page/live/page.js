@@ -132,9 +132,10 @@ function told(messages) {
 
 function show(answer, asked) {
   const wrong = answer.status === 1 || answer.status === 2;
+  const wasWrong = document.body.classList.contains('is-wrong');
   trouble.textContent = wrong ? told(answer.messages) : '';
   for (const control of controls) control.mark(wrong && answer.messages.join('\n'));
-  document.body.classList.toggle('is-wrong', wrong);
+  if (document.body.classList.toggle('is-wrong', wrong) !== wasWrong) showChanges();
   if (wrong) return;
   for (const [id, html] of Object.entries(answer.document.sections)) showSection(id, html, asked.report.quick);
   showHead(answer.document.head);
@@ -191,18 +192,21 @@ function showAll() {
 // What differs -----------------------------------------------------------------------------------
 
 function showChanges() {
+  const wrong = document.body.classList.contains('is-wrong');
   const changed = element('changed');
   changed.hidden = changes.size === 0;
   changed.textContent = '';
   if (changes.size === 0) return;
   const told = controls.filter((c) => c.isChanged).map((c) => `${c.title} ${c.value} (${c.own})`);
   const strong = document.createElement('strong');
-  strong.textContent = 'This page differs from the report: ';
+  strong.textContent = wrong
+    ? 'These values cannot be computed, and the numbers are those before them: '
+    : 'This page differs from the report: ';
   const button = document.createElement('button');
   button.type = 'button';
   button.textContent = 'Reset';
   button.addEventListener('click', reset);
-  changed.append(strong, `${told.join(', ')}. Grey: the report. `, button);
+  changed.append(strong, `${told.join(', ')}. ${wrong ? '' : 'Grey: the report. '}`, button);
 }
 
 function reset() {
@@ -231,6 +235,7 @@ class Control {
       const length = this.slider.max - this.slider.min;
       const number = whole ? this.slider.value : short(Number(this.slider.value), length);
       this.text.value = this.unit ? `${number} ${this.unit}` : number;
+      this.slider.classList.remove('stale');
       this.set(this.text.value);
       follow(false);
     });
@@ -266,7 +271,12 @@ class Control {
 
   moveSlider() {
     const [, number, unit] = this.value.match(/^\s*([-+\d.eE]+)\s*(.*?)\s*$/) ?? [];
-    if (number !== undefined && (unit === this.unit || unit === '')) this.slider.value = number;
+    const fits =
+      (unit === this.unit || unit === '') &&
+      number - this.slider.min >= 0 &&
+      this.slider.max - number >= 0;
+    this.slider.classList.toggle('stale', !fits);
+    if (fits) this.slider.value = number;
   }
 
   reset() {

@@ -92,8 +92,7 @@ TEST(LiveReport, WhatKeepsItsOwnLoadsIsGreyAndSaysSo) {
               AllOf(HasSubstr("does not follow the axial force"), HasSubstr("life.spectrum"),
                     HasSubstr("<div class=\"stale\">")));
   EXPECT_THAT(live.sections["slip"].get<std::string>(), Not(HasSubstr("stale")));
-  EXPECT_THAT(live.sections["verdict"].get<std::string>(),
-              HasSubstr("class=\"stale\"><dt>Life"));
+  EXPECT_THAT(live.sections["verdict"].get<std::string>(), HasSubstr("class=\"stale\"><dt>Life"));
 }
 
 TEST(LiveReport, HeadAndThreadsFollow) {
@@ -102,6 +101,11 @@ TEST(LiveReport, HeadAndThreadsFollow) {
   EXPECT_THAT(live.head, HasSubstr("6 rollers with 20 threads"));
   EXPECT_EQ(live.threads["threads"], 20);
   EXPECT_EQ(live_sections(screw_with({"mechanism.rollers=6"}), {.own = 1, .quick = true}).head, "");
+}
+
+TEST(Report, HeadCountsTheRollersThatAreThere) {
+  EXPECT_THAT(report_parts(live_lesson("27_missing_roller.yaml", {"model.bodies=bars"}), {}).head,
+              HasSubstr("10 of 11 rollers"));
 }
 
 TEST(LiveReport, IsQuickWithWhatFollowsASlider) {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "prs/report/report.h"
 #include "prs/run/commands.h"
 #include "tests/support/program.h"
 
@@ -68,6 +69,30 @@ TEST(Check, DefaultsStandInTheTableOnlyWithAll) {
   EXPECT_THAT(all.out, AllOf(HasSubstr("model.patch_points"), HasSubstr("21   (default)")));
   EXPECT_EQ(test::run_prs(file + " --json --quiet").out,
             test::run_prs(file + " --all --json --quiet").out);
+}
+
+TEST(Check, SaysWhatEachValueRestsOn) {
+  input::Source source = input::load_source(PRS_SOURCE_DIR "/configs/05_standard_screw.yaml",
+                                            {"structure.nut.length=101 mm"});
+  const std::size_t at = source.text.find("  rollers: 10");
+  ASSERT_NE(at, std::string::npos);
+  source.text.insert(at, "  # assumed 10: as\n  # drawn\n");
+  const Delivery check = run(row_of(Command::check), source);
+  const Json document = check.document(document_info(source, Command::check));
+  const auto entry = [&](const char* path) {
+    return *std::ranges::find_if(document["input"],
+                                 [&](const Json& e) { return e["path"] == path; });
+  };
+  EXPECT_EQ(entry("mechanism.rollers")["basis"], "assumed");
+  EXPECT_EQ(entry("mechanism.rollers")["reason"], "as drawn");
+  EXPECT_EQ(entry("mechanism.lead")["basis"], "given");
+  EXPECT_EQ(entry("structure.nut.length")["basis"], "given");
+  EXPECT_EQ(entry("mechanism.profile_plane")["basis"], "default");
+  EXPECT_FALSE(entry("mechanism.lead").contains("reason"));
+  EXPECT_THAT(check.full_table(), HasSubstr(" 10   (assumed)\n      as drawn\n"));
+  const std::vector<ReportSection> sections = report_parts(source, {}).sections;
+  EXPECT_THAT(std::ranges::find(sections, "inputs", &ReportSection::id)->body,
+              HasSubstr("<td>10</td><td>assumed: as drawn</td>"));
 }
 
 struct Odd {
