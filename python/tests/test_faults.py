@@ -439,13 +439,17 @@ def test_signals_leave_nothing_unfinished(bench: Bench, name: str, signals: str)
 # Names, locks and leftovers
 
 
+#: Where no picture is asked for: it takes longest.
+WITHOUT_GNUPLOT = {"PATH": "/nowhere"}
+
+
 def run_prs(
-    folder: Path, *words: str, env: dict[str, str] | None = None
+    folder: Path, *words: str, before: tuple[str, ...] = (), env: dict[str, str] | None = None
 ) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [program(), *words],
+        [*before, program(), *words],
         cwd=folder,
-        env={**os.environ, "PRS_CACHE_DIR": "", **(env or {})},
+        env={**os.environ, "PRS_CACHE_DIR": "", **(WITHOUT_GNUPLOT if env is None else env)},
         capture_output=True,
         text=True,
         check=False,
@@ -453,11 +457,13 @@ def run_prs(
     )
 
 
+@pytest.mark.skipif(not THOROUGH, reason="GnuplotTicks.KeepPercentSigns draws none")
 def test_a_percent_sign_in_a_name_is_drawn(bench: Bench) -> None:
     out = bench.output()
     name = "load_cases[0].name=pull 50 %"
     lesson = "09_slip_and_dissipation.yaml"
-    run = run_prs(bench.folder, "slip", lesson, "--set", name, "--output", str(out), "--quiet")
+    words = ("slip", lesson, "--set", name, "--output", str(out), "--quiet")
+    run = run_prs(bench.folder, *words, env={})
     assert (run.returncode, run.stderr) == (0, "")
     assert "pull 50 %<" in (out / "plots" / "power_by_source.svg").read_text()
 
@@ -470,7 +476,7 @@ def dead_process() -> int:
 
 def test_a_folder_in_use_is_told_and_left_alone(bench: Bench) -> None:
     out = bench.output()
-    assert bench.run("solve", out).returncode == 0
+    assert bench.run("solve", out, env=WITHOUT_GNUPLOT).returncode == 0
     before = contents(out)
     words = ("contact", "05_standard_screw.yaml", "--output", str(out), "--quiet")
     with open(out / "study.lock", "w+") as lock:
@@ -498,7 +504,7 @@ def test_what_killed_runs_left_goes_and_other_files_stay(bench: Bench) -> None:
     mine = [out / f"slip.csv.{os.getpid()}-0.tmp", out / "my.tmp", out / "a.1-x.tmp"]
     for file in (left[1], *mine):
         file.write_text("x")
-    assert bench.run("solve", out).returncode == 0
+    assert bench.run("solve", out, env=WITHOUT_GNUPLOT).returncode == 0
     assert [file for file in left if file.exists()] == []
     assert [file for file in mine if not file.exists()] == []
 
@@ -551,13 +557,8 @@ def test_a_journal_of_lives_is_merged_without_opening_what_it_names(tmp_path: Pa
     if not tracing():
         pytest.skip("no strace")
     log = tmp_path / "trace"
-    run = subprocess.run(
-        ["strace", "-f", "-o", log, "-e", "trace=openat,open", program(), *merge],
-        cwd=tmp_path,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    strace = (shutil.which("strace") or "", "-f", "-o", str(log), "-e", "trace=openat,open")
+    run = run_prs(tmp_path, *merge, before=strace)
     assert (run.returncode, told(run)) == (2, True), run.stderr
     assert "study.1-of-1.journal" in log.read_text()
     assert "secret" not in log.read_text()
@@ -596,18 +597,9 @@ def test_scarce_memory_ends_with_a_message(bench: Bench, name: str) -> None:
         "optimize": ("23_crowning.yaml", "--set", "optimize.generations=3"),
     }[name]
     for more in range(16, 72) if THOROUGH else {"study": (60,), "optimize": (42,)}[name]:
-        run = subprocess.run(
-            [
-                *("prlimit", f"--as={least_memory() + (more << 20)}", program(), name, *lesson),
-                *("--threads", "2", "--quiet", "--output", str(bench.output())),
-            ],
-            cwd=bench.folder,
-            env={**os.environ, "PRS_CACHE_DIR": ""},
-            capture_output=True,
-            text=True,
-            check=False,
-            timeout=300,
-        )
+        limit = (shutil.which("prlimit") or "", f"--as={least_memory() + (more << 20)}")
+        words = (name, *lesson, "--threads", "2", "--quiet", "--output", str(bench.output()))
+        run = run_prs(bench.folder, *words, before=limit)
         assert run.returncode in (0, 1, 127), (more, run.returncode, run.stderr)
         assert run.returncode != 1 or "error: " in run.stderr, run.stderr
 
