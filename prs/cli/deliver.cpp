@@ -2,28 +2,42 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "prs/cli/interruption.h"
 #include "prs/figures/figure_json.h"
+#include "prs/output/run_files.h"
+#include "prs/output/staged_file.h"
 
 namespace prs::cli {
 namespace {
 
-/// The document first; false where a picture is missing.
-bool write(const Delivery& delivery, const std::string& document, const Figures& shown,
+using WriteText = std::function<void(const TextSink&)>;
+
+/// False where a picture is missing.
+bool write(const Delivery& delivery, const WriteText& document, const Figures& shown,
            const OutputOptions& options) {
   const Interruption after_the_files;  // What is written is listed, whatever ends the run.
-  std::vector<OutputFile> files{{delivery.file, document}};
+  std::error_code told_by_the_file;
+  std::filesystem::create_directories(*options.output, told_by_the_file);
+  const std::filesystem::path path = *options.output / delivery.file;
+  StagedFile staged(path);
+  document([&](std::string_view text) { staged.append(text); });
+  staged.close();
+  std::vector<OutputFile> files;
   if (delivery.files) std::ranges::move(delivery.files(options.csv), std::back_inserter(files));
   if (delivery.keeps_figures && !shown.empty())
     files.push_back({delivery.file.substr(0, delivery.file.find('.')) + std::string(kFiguresEnding),
                      figures_text(shown)});
   write_files(*options.output, files);
+  staged.publish();
+  record_written(path);
   Undrawn undrawn = draw_figures(shown, *options.output);
   if (Interruption::asked()) throw Interrupted();
   for (const std::string& note : delivery.without_figure) undrawn.notes.push_back(note);
@@ -32,6 +46,12 @@ bool write(const Delivery& delivery, const std::string& document, const Figures&
 
 }  // namespace
 
+std::vector<std::string> notes_of(std::string text) {
+  if (text.empty()) return {};
+  text.erase(text.find_last_not_of('\n') + 1);
+  return {std::move(text)};
+}
+
 int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOptions& options) {
   const bool has_document = options.json || options.output;
   if (options.figures && !has_document)
@@ -39,15 +59,17 @@ int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOpti
   Figures shown;
   if (delivery.pictures && (options.output || (options.figures && options.json)))
     shown = figures(delivery.pictures());
-  std::string document;
+  nlohmann::ordered_json json;
   if (has_document) {
-    nlohmann::ordered_json json = delivery.document(info);
+    json = delivery.outline ? delivery.outline(info) : delivery.document(info);
     if (options.figures) json["figures"] = to_json(shown);
-    document = delivery.text ? delivery.text(json) : json_text(json);
   }
+  const WriteText document = [&](const TextSink& sink) {
+    delivery.write ? delivery.write(json, sink) : sink(json_text(json));
+  };
   const bool written = !options.output || write(delivery, document, shown, options);
   if (options.json) {
-    print(document);
+    document([](std::string_view text) { print(text); });
     for (const std::string& text : delivery.notes) note(options, text);
   } else if (!options.quiet) {
     const TableUnits units(options.units);

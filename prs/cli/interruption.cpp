@@ -1,5 +1,6 @@
 #include "prs/cli/interruption.h"
 
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -14,17 +15,30 @@ namespace {
 constexpr int kStatusOfSignal = 128;  ///< Shells add the signal to it.
 
 volatile std::sig_atomic_t asked_by = 0;  ///< The signal, or 0.
+Interruption::Patience patience;          ///< Changes while no signal is answered.
 
-void end(int signal) {
-  constexpr std::string_view kText = "prs: interrupted\n";
+[[noreturn]] void end(int signal, std::string_view text) {
   remove_unfinished();
-  write_all(STDERR_FILENO, kText);
+  write_all(STDERR_FILENO, text);
   ::_exit(kStatusOfSignal + signal);
+}
+
+void end(int signal) { end(signal, "prs: interrupted\n"); }
+
+void end_late(int) { end(asked_by, patience.text); }
+
+/// `after` 0: not at all. A plain system call, which handlers of signals may use.
+void call_end_late(std::chrono::milliseconds after) {
+  itimerval timer{};
+  timer.it_value.tv_sec = after.count() / 1000;
+  timer.it_value.tv_usec = after.count() % 1000 * 1000;
+  ::setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
 void ask_to_stop(int signal) {
   if (asked_by != 0) end(signal);
   asked_by = signal;
+  if (patience.time.count() > 0) call_end_late(patience.time);
 }
 
 }  // namespace
@@ -33,12 +47,16 @@ void ask_to_stop(int signal) {
 struct Interruption::Before {
   struct sigaction interrupt {};
   struct sigaction terminate {};
+  struct sigaction alarm {};
 };
 
-Interruption::Interruption() : before_(std::make_unique<Before>()) {
+Interruption::Interruption(Patience given) : before_(std::make_unique<Before>()) {
+  patience = given;
   struct sigaction ask {};
-  ask.sa_handler = ask_to_stop;
   sigfillset(&ask.sa_mask);
+  ask.sa_handler = end_late;
+  ::sigaction(SIGALRM, &ask, &before_->alarm);
+  ask.sa_handler = ask_to_stop;
   ::sigaction(SIGINT, &ask, &before_->interrupt);
   ::sigaction(SIGTERM, &ask, &before_->terminate);
 }
@@ -46,11 +64,20 @@ Interruption::Interruption() : before_(std::make_unique<Before>()) {
 Interruption::~Interruption() {
   ::sigaction(SIGINT, &before_->interrupt, nullptr);
   ::sigaction(SIGTERM, &before_->terminate, nullptr);
+  call_end_late(std::chrono::milliseconds(0));
+  ::sigaction(SIGALRM, &before_->alarm, nullptr);
 }
 
 bool Interruption::asked() { return asked_by != 0; }
 
 int Interruption::status() { return kStatusOfSignal + asked_by; }
+
+Interruption::Patience patience_for(bool is_kept) {
+  return {std::chrono::seconds(5),
+          is_kept ? "prs: interrupted; what was under way took long and is lost; the same command "
+                    "continues from there\n"
+                  : "prs: interrupted; with --output DIR a run can be continued\n"};
+}
 
 void end_on_interrupt() {
   struct sigaction action {};

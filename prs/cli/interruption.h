@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 
 namespace prs::cli {
@@ -7,7 +8,14 @@ namespace prs::cli {
 /// While it lives, the first Ctrl-C or SIGTERM only asks the program to stop; the next one ends it.
 class Interruption {
  public:
-  Interruption();
+  /// How long the program may take to stop, and what it says when it is ended then.
+  struct Patience {
+    std::chrono::milliseconds time{0};  ///< 0: for ever.
+    const char* text = "";
+  };
+
+  Interruption() : Interruption(Patience{}) {}
+  explicit Interruption(Patience patience);
   ~Interruption();
 
   static bool asked();
@@ -19,6 +27,10 @@ class Interruption {
   struct Before;
   std::unique_ptr<Before> before_;
 };
+
+/// For runs that keep what is computed: time for a design, and not for a long one. `is_kept` says
+/// whether they have a folder for it.
+Interruption::Patience patience_for(bool is_kept);
 
 /// Thrown where a program that was asked to stop has left everything in order.
 struct Interrupted {};

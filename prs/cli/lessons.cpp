@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <stdexcept>
 #include <string_view>
 
 #include "prs/cli/data_folder.h"
@@ -38,6 +39,11 @@ std::vector<Lesson> lessons() {
     if (file.extension() == ".yaml" && std::isdigit(static_cast<unsigned char>(name[0])) != 0)
       all.push_back({name, title_of(input::load_source(file.string(), {}).text), file});
   }
+  if (all.empty())
+    throw std::runtime_error(fmt::format(
+        "got {}, which has no lesson; expected files as 01_config_1_to_3.yaml; install `prs` anew, "
+        "or set PRS_SHARE to a folder that has them",
+        input::shown(data_folder("lessons").string())));
   std::ranges::sort(all, {}, [](const Lesson& l) { return std::pair(l.number(), l.name); });
   return all;
 }

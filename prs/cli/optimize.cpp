@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -27,19 +26,11 @@
 namespace prs::cli {
 namespace {
 
-/// Removes what a process left that died while it wrote the files.
-void remove_unfinished(const std::filesystem::path& folder) {
-  const std::regex unfinished(
-      R"((front\.csv|history\.csv|optimize(_figures)?\.json|best\.yaml)\.\d+-\d+\.tmp)");
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (std::regex_match(entry.path().filename().string(), unfinished))
-      std::filesystem::remove(entry.path());
-}
-
 Delivery delivery_of(const OptimizationResult& result, const input::Source& source) {
   return {.file = "optimize.json",
           .document = [&](const DocumentInfo& info) { return optimize_json(result, info); },
           .table = [&] { return optimize_table(result); },
+          .notes = notes_of(optimize_failure(result)),
           .files =
               [&](const CsvStyle& style) {
                 std::vector<OutputFile> files{{"front.csv", front_csv(result, style)},
@@ -72,14 +63,13 @@ int optimize(const Options& options) {
   std::optional<StudyFolder> folder;
   const auto open = [&](const JournalHeader& header) {
     if (!options.output) return Journal::temporary(header);
-    folder.emplace(*options.output, StudyFolder::Use::alone);
-    remove_unfinished(*options.output);
+    folder.emplace(*options.output, StudyFolder::Use::alone, "prs optimize");
     return Journal::append_to(journal_file, header, options.restart);
   };
   std::optional<OptimizationResult> result;
   {
     ProgressLine line(options.quiet);
-    const Interruption interruption;
+    const Interruption interruption(patience_for(options.output.has_value()));
     result = run_optimization(
         in, threads, open,
         {Interruption::asked, [&](const StudyProgress& progress) { line.show(progress); }});

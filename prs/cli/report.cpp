@@ -15,6 +15,7 @@
 #include "prs/output/run_files.h"
 #include "prs/output/staged_file.h"
 #include "prs/quantities/json.h"
+#include "prs/study/temporary_folder.h"
 
 namespace prs::cli {
 namespace {
@@ -95,7 +96,7 @@ Report write_page(const Options& options) {
 
 /// A page of this case in a new folder for temporary files.
 std::filesystem::path temporary_page(const std::string& file) {
-  std::string folder = (std::filesystem::temp_directory_path() / "prs-XXXXXX").string();
+  std::string folder = (temporary_folder() / "prs-XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr)
     throw std::system_error(errno, std::generic_category(), folder);
   const std::string stem = std::filesystem::path(file).stem().string();

@@ -85,13 +85,12 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
       .file = "study.json",
       .document = [&](const DocumentInfo& i) { return study_outline(result, i); },
       .table = [&] { return study_table(result); },
+      .notes = notes_of(study_failures(result)),
       .pictures = [&] { return study_pictures(result); },
       .keeps_figures = true,
       .converged = result.failed == 0,
-      .text =
-          [&](const nlohmann::ordered_json& outline) {
-            return study_text(outline, result, threads);
-          }};
+      .write = [&](const nlohmann::ordered_json& outline,
+                   const TextSink& sink) { sink(study_text(outline, result, threads)); }};
   return deliver(delivery, info, options);
 }
 
@@ -132,27 +131,33 @@ int report_interruption(const StudyProgress& progress, const Options& options) {
 int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
             const Options& options) {
   const input::StudyInput in = input::read_study_input(source);
-  if (in.study.plan == Plan::derivatives) return derivatives(in, options);
+  std::optional<StudyFolder> folder;
+  const auto open_folder = [&] {
+    if (options.output)
+      folder.emplace(*options.output,
+                     options.shard ? StudyFolder::Use::among_shards : StudyFolder::Use::alone);
+  };
+  if (in.study.plan == Plan::derivatives) {
+    open_folder();
+    return derivatives(in, options);
+  }
   const DesignEngine engine = study_engine(in);
   const Study& study = engine.study();
   for (const std::string& warning : void_factor_warnings(in, study.responses))
     note(options, warning_note(warning));
-  std::optional<StudyFolder> folder;
-  if (options.output)
-    folder.emplace(*options.output,
-                   options.shard ? StudyFolder::Use::among_shards : StudyFolder::Use::alone);
+  open_folder();
   const JournalHeader header{key_of(in, in.study.command), source, study.responses,
                              design_count(study), options.shard.value_or(Shard{})};
 
   const RunDesigns run_here = [&](const NextRange& next, const TakeRecord& take) {
-    run_schedule(threads, engine.chunk(), next, evaluate_with(engine), take);
+    run_schedule(threads, engine.chunk(), next, evaluate_with(engine, Interruption::asked), take);
   };
   const RunDesigns run = [&](const NextRange& next, const TakeRecord& take) {
     ranks.lead(next, take, engine.chunk(), run_here);
   };
   ProgressLine line(options.quiet);
   StudyProgress progress;
-  std::optional<Interruption> interruption(std::in_place);
+  std::optional<Interruption> interruption(patience_for(options.output.has_value()));
   const StoredRows rows = run_study(header, folder ? &*folder : nullptr, run,
                                     {options.restart, Interruption::asked,
                                      [&](const StudyProgress& now) {
@@ -230,17 +235,20 @@ int merge_study(const Options& options) {
         input::shown(options.file)));
   const StoredRows rows = gather_rows(options.folders);
   const JournalHeader& header = rows.journals().front().header();
-  const input::StudyInput in = input::read_study_input(input::source_of_text(
-      header.source.name, header.source.text, header.source.overrides, header.source.folder));
+  input::Source source = input::source_of_text(header.source.name, header.source.text,
+                                               header.source.overrides, header.source.folder);
+  source.files.emplace();  // A journal may come from anywhere: what it names is not opened.
+  const input::StudyInput in = input::read_study_input(source);
   if (!agree(header, in.study))
     throw StudyFolderError(fmt::format(
         "{}: error: its designs or responses are not those of the study in it; remove it, compute "
         "its part again, and merge",
         rows.journals().front().path().string()));
-  if (header.key != key_of(in, in.study.command))
+  const std::vector<std::string> referred = referred_of(header.key);
+  if (header.key != study_key(kVersion, source, referred))
     throw StudyFolderError(
-        fmt::format("{}: error: computed by another version of prs, or from another force history; "
-                    "merge with those",
+        fmt::format("{}: error: computed by another version of prs, or changed since; merge with "
+                    "that version, or compute it again",
                     rows.journals().front().path().string()));
   Study study = in.study;
   study.responses = header.responses;
@@ -249,10 +257,12 @@ int merge_study(const Options& options) {
   if (options.output) folder.emplace(*options.output, StudyFolder::Use::alone);
   const std::size_t threads = options.threads > 0 ? options.threads : default_threads();
   std::optional<DesignEngine> engine;
-  const auto engine_of_study = [&]() -> const DesignEngine& {
-    if (!engine) engine.emplace(in);
-    return *engine;
-  };
+  std::function<const DesignEngine&()> engine_of_study;
+  if (referred.empty())
+    engine_of_study = [&]() -> const DesignEngine& {
+      if (!engine) engine.emplace(in);
+      return *engine;
+    };
   return deliver_study(rows, in, study, engine_of_study, threads, options);
 }
 

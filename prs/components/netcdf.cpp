@@ -1,6 +1,8 @@
 #include <netcdf.h>
+#include <sys/mman.h>
 
 #include <cerrno>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -11,16 +13,29 @@ namespace {
 
 static_assert(ColumnFile::kFile == NC_GLOBAL);
 
+/// HDF5 does not survive where memory ends: whether it has some to spare.
+bool has_memory() {
+  constexpr std::size_t kSpare = std::size_t{16} << 20;
+  void* const memory =
+      ::mmap(nullptr, kSpare, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  return memory != MAP_FAILED && ::munmap(memory, kSpare) == 0;
+}
+
+void require_memory() {
+  if (!has_memory()) throw std::bad_alloc();
+}
+
 class NetcdfFile : public ColumnFile {
  public:
   NetcdfFile(const std::filesystem::path& path, const std::filesystem::path& name)
       : name_(name.string()) {
+    require_memory();
     require(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
     int old_fill = 0;
     require(nc_set_fill(id_, NC_NOFILL, &old_fill));
   }
   ~NetcdfFile() override {
-    if (id_ >= 0) nc_abort(id_);
+    if (id_ >= 0 && has_memory()) nc_abort(id_);
   }
 
   void set_length(const std::string& dimension, std::size_t length) override {
@@ -28,6 +43,7 @@ class NetcdfFile : public ColumnFile {
   }
 
   int add_column(const std::string& name, Type type) override {
+    require_memory();
     const nc_type types[] = {NC_DOUBLE, NC_INT, NC_BYTE};
     int column = 0;
     require(nc_def_var(id_, name.c_str(), types[static_cast<int>(type)], 1, &dimension_, &column));
@@ -36,23 +52,28 @@ class NetcdfFile : public ColumnFile {
   }
 
   void describe(int column, const char* attribute, const Attribute& value) override {
+    require_memory();
     std::visit([&](const auto& v) { put(column, attribute, v); }, value);
   }
 
   void write(int column, std::size_t first, std::span<const double> values) override {
+    require_memory();
     const std::size_t count = values.size();
     require(nc_put_vara_double(id_, column, &first, &count, values.data()));
   }
   void write(int column, std::size_t first, std::span<const int> values) override {
+    require_memory();
     const std::size_t count = values.size();
     require(nc_put_vara_int(id_, column, &first, &count, values.data()));
   }
   void write(int column, std::size_t first, std::span<const signed char> values) override {
+    require_memory();
     const std::size_t count = values.size();
     require(nc_put_vara_schar(id_, column, &first, &count, values.data()));
   }
 
   void close() override {
+    require_memory();
     errno = 0;
     require(nc_close(std::exchange(id_, -1)));
   }

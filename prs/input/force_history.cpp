@@ -1,12 +1,14 @@
 #include "prs/input/force_history.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <optional>
 
 #include "prs/input/csv_reader.h"
@@ -15,6 +17,7 @@
 #include "prs/input/fail_at.h"
 #include "prs/input/field.h"
 #include "prs/input/units.h"
+#include "prs/regular_file.h"
 
 namespace prs::input {
 namespace {
@@ -196,7 +199,8 @@ std::filesystem::path path_of(const HistorySource& history, const Source& source
   return source.folder.empty() ? shown_path(history, source) : source.folder / history.file;
 }
 
-/// Whether the file lies, links followed, below the folder of the case.
+/// Whether a file lies, links followed, below the folder of the case; an open one by what was
+/// opened, whatever has its name by now.
 bool stands_with_case(const std::filesystem::path& file, const Source& source) {
   namespace fs = std::filesystem;
   fs::path folder = source.folder.empty() ? fs::path(source.name).parent_path() : source.folder;
@@ -207,6 +211,11 @@ bool stands_with_case(const std::filesystem::path& file, const Source& source) {
   const fs::path to = fs::weakly_canonical(file, error);
   return !error &&
          std::mismatch(from.begin(), from.end(), to.begin(), to.end()).first == from.end();
+}
+
+/// As the system names an open file.
+std::filesystem::path name_of_open(const FileDescriptor& file) {
+  return fmt::format("/proc/self/fd/{}", file.get());
 }
 
 /// By `--set`, which is the user's word; a case may come from anywhere.
@@ -228,26 +237,33 @@ std::string force_history_text(const HistorySource& history, const Source& sourc
     return found->second;
   }
   const std::filesystem::path path = path_of(history, source);
-  if (!stands_with_case(path, source) && !names_file_by_override(source))
-    refuse(
-        "expected a file in the folder of the case or below it; move it there, or allow it by "
-        "`--set life.history.file=PATH`");
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
+  const bool may_stand_anywhere = names_file_by_override(source);
+  const auto require_place = [&](const std::filesystem::path& place) {
+    if (!may_stand_anywhere && !stands_with_case(place, source))
+      refuse(
+          "expected a file in the folder of the case or below it; move it there, or allow it by "
+          "`--set life.history.file=PATH`");
+  };
+  require_place(path);
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  const int why = file.is_open() ? 0 : errno;
+  struct stat status {};
+  if (why == ENOENT || why == ENOTDIR || why == ENXIO ||
+      (why == 0 && (::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode))))
     refuse(fmt::format(
         "expected a file of comma-separated values; {} {}; give its path relative to this file",
         shown(shown_path(history, source).string()),
-        std::filesystem::exists(path, error) ? "is no file" : "does not exist"));
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error || size > kMostBytes)
+        why == ENOENT || why == ENOTDIR ? "does not exist" : "is no file"));
+  if (why == 0) require_place(name_of_open(file));
+  if (static_cast<std::uintmax_t>(status.st_size) > kMostBytes)
     refuse(fmt::format("expected at most {} MiB; shorten the history or keep fewer columns",
                        kMostBytes >> 20));
-  std::string text(static_cast<std::size_t>(size), '\0');
-  std::ifstream file(path, std::ios::binary);
-  if (!file.read(text.data(), static_cast<std::streamsize>(size)))
+  std::optional<std::string> text =
+      why == 0 ? content_of(file, kMostBytes) : std::optional<std::string>();
+  if (!text)
     refuse(fmt::format("expected a file that can be read; check the rights of {}",
                        shown(shown_path(history, source).string())));
-  return text;
+  return *std::move(text);
 }
 
 LoadHistory read_force_history(const HistorySource& history, const Source& source) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,6 +17,9 @@
 
 namespace prs {
 namespace {
+
+/// Of processor time, where memory is limited.
+constexpr rlim_t kMostSeconds = 3;
 
 [[noreturn]] void fail(int error) {
   throw std::system_error(error, std::generic_category(), "gnuplot");
@@ -80,6 +84,11 @@ GnuplotProcess::GnuplotProcess(const std::filesystem::path& directory, const std
                          environ);
     if (error == 0) unfinished_ = UnfinishedProcess(child_);
   }
+  // Without memory for its fonts, gnuplot looks for them for ever.
+  rlimit memory{};
+  constexpr rlimit kTime{kMostSeconds, kMostSeconds + 1};
+  if (error == 0 && ::getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY)
+    ::prlimit(child_, RLIMIT_CPU, &kTime, nullptr);
   ::close(pipe[1]);
   messages_ = pipe[0];
   if (error == 0) return;
@@ -111,6 +120,9 @@ std::string GnuplotProcess::wait() {
   const int ended = status();
   if (WIFEXITED(ended) && WEXITSTATUS(ended) == 0) return {};
   if (!messages.empty()) return messages;
+  if (WIFSIGNALED(ended) && WTERMSIG(ended) == SIGXCPU)
+    return fmt::format("gnuplot took more than {} s under a limit of memory; give it more memory",
+                       kMostSeconds);
   return WIFSIGNALED(ended) ? fmt::format("gnuplot was ended by signal {}", WTERMSIG(ended))
                             : fmt::format("gnuplot ended with status {}", WEXITSTATUS(ended));
 }

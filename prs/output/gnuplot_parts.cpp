@@ -8,6 +8,16 @@
 #include "prs/text.h"
 
 namespace prs {
+namespace {
+
+/// gnuplot takes the text of a tick for a format of its number.
+std::string tick_text(const std::string& text) {
+  std::string format;
+  for (const char c : text) format += c == '%' ? std::string("%%") : std::string(1, c);
+  return gnuplot_string(format);
+}
+
+}  // namespace
 
 std::string gnuplot_string(std::string_view text) {
   std::string result = "\"";
@@ -31,9 +41,8 @@ std::string gnuplot_ticks(const Axis& axis, int pixels, bool is_horizontal) {
   std::vector<std::string> ticks;
   if (!axis.ticks.empty()) {
     for (const Tick& tick : axis.ticks)
-      ticks.push_back(tick.text.empty()
-                          ? fmt::format("{:.7g}", tick.at)
-                          : fmt::format("{} {:.7g}", gnuplot_string(tick.text), tick.at));
+      ticks.push_back(tick.text.empty() ? fmt::format("{:.7g}", tick.at)
+                                        : fmt::format("{} {:.7g}", tick_text(tick.text), tick.at));
   } else if (!has_range(axis)) {
     return axis.whole ? "1" : "autofreq";
   } else if (axis.logarithmic) {

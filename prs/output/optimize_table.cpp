@@ -191,10 +191,16 @@ std::string failures(const OptimizationResult& result) {
 
 }  // namespace
 
+std::string optimize_failure(const OptimizationResult& result) {
+  if (result.compromise) return "";
+  if (!result.chosen()) return "No design has an answer.\n" + failures(result);
+  return "No design keeps all constraints; the document has the nearest one.\n";
+}
+
 std::string optimize_table(const OptimizationResult& result) {
   const EvaluatedDesign* chosen = result.chosen();
   std::string text = head(result);
-  if (!chosen) return text + "No design has an answer.\n" + failures(result);
+  if (!chosen) return text + optimize_failure(result);
   if (!result.compromise) text += "No design keeps all constraints; the nearest one:\n\n";
   return text + design_table(result, *chosen) + constraints(result, *chosen) + comparison(result) +
          failures(result);

@@ -10,4 +10,7 @@ namespace prs {
 /// the file's own design and of the compromise, then the constraints and the check.
 std::string optimize_table(const OptimizationResult& result);
 
+/// Why there is no compromise; empty where there is one.
+std::string optimize_failure(const OptimizationResult& result);
+
 }  // namespace prs

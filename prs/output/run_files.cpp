@@ -18,6 +18,7 @@
 #include "prs/output/staged_file.h"
 #include "prs/regular_file.h"
 #include "prs/sha256.h"
+#include "prs/study/file_lock.h"
 
 namespace prs {
 namespace {
@@ -305,15 +306,25 @@ RunFiles::RunFiles(fs::path folder, std::string command, fs::path case_file,
   r.active = true;
   r.files.clear();
   r.case_digest = digest_of_case_file(case_file_, overrides);
+  if (takes_long(command_)) return;
+  std::error_code ignored;
+  for (fs::path at = fs::absolute(folder_); !fs::exists(at, ignored); at = at.parent_path())
+    if (at.has_filename()) made_.push_back(at);
+  const SignalsHeld held;
+  lock_.emplace(folder_, LOCK_EX, FolderLock::Run{"prs " + command_, r.case_digest});
+  unfinished_.emplace_back(lock_->path());
+  for (const fs::path& made : made_) unfinished_.emplace_back(made);
 }
 
 RunFiles::~RunFiles() {
-  if (finished_) return;
   try {
-    update(false);
+    if (!finished_) update(false);
   } catch (const std::exception&) {
     // What ended the run is reported; files that are not listed stay.
   }
+  lock_.reset();
+  for (const fs::path& folder : made_)
+    if (::rmdir(folder.c_str()) != 0) break;  // It holds results.
 }
 
 std::vector<std::string> RunFiles::finish() {

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "prs/input/source.h"
 #include "prs/output/files.h"
+#include "prs/output/unfinished.h"
+#include "prs/study/file_lock.h"
 
 namespace prs {
 
@@ -31,13 +34,15 @@ void record_case(const std::string& text, const std::vector<std::string>& overri
 /// link.
 class RunFiles {
  public:
-  /// Records from now on what is written below `folder`. `case_file` is empty where the command
-  /// reads no case.
+  /// Records from now on what is written below `folder`, and keeps other runs out of it, see
+  /// `FolderLock`; studies and optimizations do so themselves (`StudyFolder`). `case_file` is empty
+  /// where the command reads no case.
   RunFiles(std::filesystem::path folder, std::string command, std::filesystem::path case_file,
            const std::vector<std::string>& overrides = {});
   RunFiles(const RunFiles&) = delete;
   RunFiles& operator=(const RunFiles&) = delete;
-  /// Lists what was written by a run that did not come to its end, and removes nothing.
+  /// Lists what was written by a run that did not come to its end, and removes nothing but folders
+  /// that were made for it and are empty.
   ~RunFiles();
 
   /// Removes what is out of date, brings the list up to date where anything was written, and says
@@ -52,6 +57,9 @@ class RunFiles {
   std::string command_;
   std::filesystem::path case_file_;
   bool finished_ = false;
+  std::vector<std::filesystem::path> made_;  ///< Folders that were missing, the innermost first.
+  std::optional<FolderLock> lock_;
+  std::vector<UnfinishedPath> unfinished_;
 };
 
 /// What the last run of a command on a case wrote below a folder, as far as it is unchanged;

@@ -167,12 +167,13 @@ std::string labelled_settings(const Study& study, const Design& design) {
   return text;
 }
 
-/// What is wrong with the designs that have no answer.
-std::string failures(const StudyResult& result) {
+}  // namespace
+
+std::string study_failures(const StudyResult& result) {
   const std::size_t failed = result.refused + result.failed;
   if (failed == 0) return "";
   const bool drawn = is_sampled(result.study.plan);
-  std::string text = fmt::format("\n{} of {} designs without an answer\n", failed, result.designs);
+  std::string text = fmt::format("{} of {} designs without an answer\n", failed, result.designs);
   std::size_t shown = 0;
   for (std::size_t k = 0; k < result.rows.size() && shown < kMostReasons; ++k) {
     const StudyRow& row = result.rows[k];
@@ -187,6 +188,8 @@ std::string failures(const StudyResult& result) {
     text += fmt::format("  … and {} more; {}\n", failed - shown, all_in("study.csv"));
   return text;
 }
+
+namespace {
 
 /// The rows of a study whose designs differ in one value, one table per factor.
 std::string factor_tables(const StudyResult& result) {
@@ -422,7 +425,9 @@ std::string head(const StudyResult& result) {
 
 std::string study_table(const StudyResult& result) {
   const Study& study = result.study;
-  const std::string end = failures(result) + warning_section(result.warnings);
+  std::string end = study_failures(result);
+  if (!end.empty()) end.insert(0, "\n");
+  end += warning_section(result.warnings);
   if (study.plan == Plan::one_at_a_time || (study.plan == Plan::grid && study.factors.size() == 1))
     return factor_tables(result) + end;
   return head(result) + rankings(result) + statistics(result) +

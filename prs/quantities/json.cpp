@@ -7,6 +7,7 @@
 #include "prs/quantities/heat_quantities.h"
 #include "prs/quantities/life_json.h"
 #include "prs/quantities/life_quantities.h"
+#include "prs/quantities/load_case_stream.h"
 #include "prs/quantities/measure_quantities.h"
 #include "prs/quantities/measures_json.h"
 #include "prs/quantities/model_summary.h"
@@ -34,6 +35,18 @@ void put_explanations(Json& list, std::string_view of) {
                     {"source", q.source}});
 }
 
+template <class R>
+Json with_load_cases(Json outline, const R& result) {
+  for (std::size_t k = 0; std::optional<Json> load_case = load_case_json(result, k); ++k)
+    outline["load_cases"].push_back(*std::move(load_case));
+  return outline;
+}
+
+/// Malformed UTF-8 is replaced.
+std::string dumped(const Json& document) {
+  return printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
 }  // namespace
 
 Json document_head(const DocumentInfo& info, const std::vector<std::string>& warnings) {
@@ -55,7 +68,7 @@ void put_contacts(Json& document, const Contacts& contacts) {
     document["threads"] = std::move(threads);
 }
 
-Json to_json(const Result& result, const DocumentInfo& info) {
+Json outline_json(const Result& result, const DocumentInfo& info) {
   Json document = document_head(info, result.warnings);
   if (result.contacts.threads.centre_distance > 0.0) put_contacts(document, result.contacts);
   const auto is_solved = [](const LoadCaseResult& load_case) {
@@ -63,22 +76,36 @@ Json to_json(const Result& result, const DocumentInfo& info) {
   };
   if (std::ranges::any_of(result.load_cases, is_solved)) document["model"] = model_json(result);
   document["load_cases"] = Json::array();
-  for (const LoadCaseResult& load_case : result.load_cases) {
-    document["load_cases"].push_back(object_of(load_case));
-    if (result.load_cases.size() > kMostHistories)
-      document["load_cases"].back().erase("newton_history");
-  }
   if (result.heat_cycle) document["heat_cycle"] = object_of(*result.heat_cycle);
   return document;
 }
 
-Json measures_json(const MeasuresResult& result, const DocumentInfo& info) {
-  Json document = to_json(result.analysis, info);
+std::optional<Json> load_case_json(const Result& result, std::size_t k) {
+  if (k >= result.load_cases.size()) return std::nullopt;
+  Json json = object_of(result.load_cases[k]);
+  if (result.load_cases.size() > kMostHistories) json.erase("newton_history");
+  return json;
+}
+
+Json to_json(const Result& result, const DocumentInfo& info) {
+  return with_load_cases(outline_json(result, info), result);
+}
+
+Json outline_json(const MeasuresResult& result, const DocumentInfo& info) {
+  Json document = outline_json(result.analysis, info);
   document["measures"] = object_of(result.measures);
-  for (std::size_t k = 0; k < result.load_measures.size(); ++k)
-    if (result.load_measures[k])
-      document["load_cases"][k]["measures"] = object_of(*result.load_measures[k]);
   return document;
+}
+
+std::optional<Json> load_case_json(const MeasuresResult& result, std::size_t k) {
+  std::optional<Json> json = load_case_json(result.analysis, k);
+  if (json && k < result.load_measures.size() && result.load_measures[k])
+    (*json)["measures"] = object_of(*result.load_measures[k]);
+  return json;
+}
+
+Json measures_json(const MeasuresResult& result, const DocumentInfo& info) {
+  return with_load_cases(outline_json(result, info), result);
 }
 
 Json measure_explanations_json() {
@@ -102,8 +129,30 @@ Json life_json(const LifeResult& result, const DocumentInfo& info) {
   return document;
 }
 
-std::string json_text(const Json& document) {
-  return printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
+std::string json_text(const Json& document) { return dumped(document) + '\n'; }
+
+void write_with_load_cases(const Json& outline,
+                           const std::function<std::optional<Json>(std::size_t)>& load_case,
+                           const TextSink& sink) {
+  const std::string text = json_text(outline);
+  // Texts have no ends of lines in JSON: this is the key of the document.
+  constexpr std::string_view kEmpty = "\n  \"load_cases\": []";
+  const std::size_t list = text.find(kEmpty);
+  std::optional<Json> next = list == text.npos ? std::nullopt : load_case(0);
+  if (!next) return sink(text);
+  const std::size_t first = list + kEmpty.size() - 1;
+  std::string piece = text.substr(0, first) + '\n';
+  for (std::size_t k = 1; next; ++k) {
+    std::string lines = "    ";
+    for (const char c : dumped(*next)) {
+      lines += c;
+      if (c == '\n') lines += "    ";
+    }
+    next = load_case(k);
+    sink(piece.append(lines).append(next ? ",\n" : "\n"));
+    piece.clear();
+  }
+  sink("  " + text.substr(first));
 }
 
 }  // namespace prs

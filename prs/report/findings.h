@@ -90,6 +90,9 @@ std::string input_value(const Findings& all, std::string_view path);
 
 /// State, numbers of interest, and how many warnings.
 std::string verdict_html(const Findings& all);
+
+/// What did not converge, a line for each command.
+std::vector<std::string> unconverged(const Findings& all);
 std::string warning_list(const Findings& all);
 
 /// Sliders and fields for the inputs that matter, by what the case states; empty where it has

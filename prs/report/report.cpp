@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -540,6 +541,7 @@ ReportParts report_parts(const input::Source& source, const ReportOptions& optio
   parts.data = documents_of(all);
   parts.shown = data_of(all, options.room.data);
   parts.notes = all.notes;
+  std::ranges::move(unconverged(all), std::back_inserter(parts.notes));
   parts.converged = all.converged;
   return parts;
 }

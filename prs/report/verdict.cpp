@@ -170,6 +170,19 @@ std::pair<std::size_t, std::size_t> converged_cases(const Json& document) {
 
 }  // namespace
 
+std::vector<std::string> unconverged(const Findings& all) {
+  std::vector<std::string> notes;
+  for (const CommandAnswer& answer : all.answers) {
+    if (answer.delivery.converged) continue;
+    std::vector<std::string> names;
+    for (const Json& load_case : under(answer.document, "load_cases"))
+      if (!load_case.value("converged", true)) names.push_back(load_case.value("name", ""));
+    notes.push_back(fmt::format("{} did not converge{}; the page says why", name(answer.command),
+                                names.empty() ? "" : ": load case " + folded_names(names)));
+  }
+  return notes;
+}
+
 std::string verdict_html(const Findings& all) {
   std::string text, tiles;
   if (const CommandAnswer* solve = all.answer(Command::solve)) {

@@ -41,6 +41,7 @@
 #include "prs/preload/analyze_preload.h"
 #include "prs/quantities/comparison_quantities.h"
 #include "prs/quantities/life_json.h"
+#include "prs/quantities/load_case_stream.h"
 #include "prs/quantities/measures_json.h"
 #include "prs/quantities/preload_json.h"
 #include "prs/sha256.h"
@@ -64,6 +65,8 @@ struct Forms {
   Pictures (*pictures)(const R&, const Case&) = nullptr;
   std::vector<std::string> (*without_figure)(const R&) = nullptr;
   bool (*converged)(const R&) = nullptr;
+  Json (*outline)(const R&, const DocumentInfo&) = nullptr;  ///< The document without load cases.
+  std::optional<Json> (*load_case)(const R&, std::size_t) = nullptr;
 };
 
 template <class R>
@@ -100,6 +103,13 @@ Delivery delivered(const input::Source& source, const input::CaseInput& in, cons
     };
   if (forms.without_figure) d.without_figure = forms.without_figure(*result);
   if (forms.converged) d.converged = forms.converged(*result);
+  if (forms.outline) {
+    d.outline = [=](const DocumentInfo& info) { return forms.outline(*result, info); };
+    d.write = [=](const Json& outline, const TextSink& sink) {
+      write_with_load_cases(
+          outline, [&](std::size_t k) { return forms.load_case(*result, k); }, sink);
+    };
+  }
   return d;
 }
 
@@ -300,7 +310,9 @@ Forms<Result> forms_of_solve() {
           .files = solve_files,
           .pictures = [](const Result& r,
                          const Case& c) { return with_drawings(solve_pictures(r), c, r); },
-          .converged = all_converged};
+          .converged = all_converged,
+          .outline = outline_json,
+          .load_case = load_case_json};
 }
 
 const std::vector<CommandRow>& table() {
@@ -327,7 +339,9 @@ const std::vector<CommandRow>& table() {
            .notes = summary,
            .pictures = [](const Result& r,
                           const Case& c) { return with_drawings(contact_pictures(r), c, r); },
-           .without_figure = contacts_without_figure}),
+           .without_figure = contacts_without_figure,
+           .outline = outline_json,
+           .load_case = load_case_json}),
       row<Result>(Command::solve, "Load distribution, pressures, displacement and stiffness",
                   run_solve, forms_of_solve()),
       row<ModelComparison>(
@@ -358,7 +372,9 @@ const std::vector<CommandRow>& table() {
                [](const Result& r) {
                  return all_converged(r) && std::ranges::all_of(r.load_cases, has_converged_slip) &&
                         (!r.heat_cycle || r.heat_cycle->converged());
-               }}),
+               },
+           .outline = outline_json,
+           .load_case = load_case_json}),
       row<PreloadResult>(
           Command::preload, "Preload: curve through zero, lost motion, opening loads", run_preload,
           {.file = "preload.json",
@@ -393,7 +409,9 @@ const std::vector<CommandRow>& table() {
                                                 {"yang.csv", yang_csv(r, style)}};
                },
            .pictures = [](const MeasuresResult& r, const Case&) { return measures_pictures(r); },
-           .converged = [](const MeasuresResult& r) { return all_converged(r.analysis); }}),
+           .converged = [](const MeasuresResult& r) { return all_converged(r.analysis); },
+           .outline = outline_json,
+           .load_case = load_case_json}),
       {Command::study, "Run the study of the file: many designs, a row each"},
       {Command::optimize, "Search the designs that the file aims at"},
   };

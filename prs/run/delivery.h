@@ -8,7 +8,7 @@
 #include "prs/figures/pictures.h"
 #include "prs/output/csv_style.h"
 #include "prs/output/files.h"
-#include "prs/quantities/json.h"
+#include "prs/quantities/load_case_stream.h"
 
 namespace prs {
 
@@ -26,8 +26,10 @@ struct Delivery {
   std::vector<std::string> without_figure = {};  ///< Why some are missing, a line each.
   bool converged = true;
   std::function<std::string()> full_table = {};  ///< With `--all`, where there is more.
-  /// The document as text; empty: `json_text`.
-  std::function<std::string(const nlohmann::ordered_json&)> text = {};
+  /// The document without the lists that `write` fills; empty: `document`.
+  std::function<nlohmann::ordered_json(const DocumentInfo&)> outline = {};
+  /// The document as text, piece by piece, from its outline; empty: `json_text`.
+  std::function<void(const nlohmann::ordered_json&, const TextSink&)> write = {};
 };
 
 }  // namespace prs

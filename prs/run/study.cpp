@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -14,12 +15,16 @@
 #include "prs/input/fail_at.h"
 #include "prs/input/force_history.h"
 #include "prs/model/void_inputs.h"
+#include "prs/sha256.h"
 #include "prs/study/idle_factors.h"
 #include "prs/study/journal.h"
 #include "prs/version.h"
 
 namespace prs {
 namespace {
+
+/// After that time what is computed goes into the journal, as soon as the design at hand is done.
+constexpr std::chrono::seconds kLongestBlock{1};
 
 /// Where a response stands in the file: in the list, or in the envelope that needs it.
 std::string place_of(const input::StudyInput& in, std::size_t response) {
@@ -152,23 +157,37 @@ std::vector<std::string> study_warnings(const input::StudyInput& in, const Study
   const Study& study = result.study;
   std::vector<std::string> warnings = void_factor_warnings(in, study.responses);
   std::vector<std::size_t> idle = result.summary.idle_factors;
-  if (is_sampled(study.plan) && study.plan != Plan::sobol_indices)
-    idle = idle_drawn_factors(
-        study, result.summary.surfaces ? &*result.summary.surfaces : nullptr,
-        [&](const std::vector<std::vector<Draw>>& designs) { return engine().evaluate(designs); });
+  if (is_sampled(study.plan) && study.plan != Plan::sobol_indices) {
+    if (engine)
+      idle =
+          idle_drawn_factors(study, result.summary.surfaces ? &*result.summary.surfaces : nullptr,
+                             [&](const std::vector<std::vector<Draw>>& designs) {
+                               return engine().evaluate(designs);
+                             });
+    else
+      warnings.push_back(
+          "study: whether each factor moves a response was not looked at, which takes the force "
+          "history; run the study in one piece for that");
+  }
   for (const std::size_t f : idle) warnings.push_back(idle_warning(study.factors[f]));
   return warnings;
 }
 
-Evaluate evaluate_with(const DesignEngine& engine) {
-  return [&](std::size_t first, std::size_t count) { return engine.evaluate(first, count); };
+Evaluate evaluate_with(const DesignEngine& engine, const std::function<bool()>& interrupted) {
+  return [&, interrupted](std::size_t first, std::size_t count) {
+    if (interrupted && interrupted()) return RowBlock{first, 0, {}, {}};
+    const auto end = std::chrono::steady_clock::now() + kLongestBlock;
+    return engine.evaluate(first, count, [&] {
+      return (interrupted && interrupted()) || std::chrono::steady_clock::now() > end;
+    });
+  };
 }
 
 std::string key_of(const input::StudyInput& in, Command command) {
   std::vector<std::string> referred;
   if (command == Command::life)
     if (const Case base = input::read_design(in, {}); base.life->history)
-      referred.push_back(input::force_history_text(*base.life->history, in.source));
+      referred.push_back(sha256(input::force_history_text(*base.life->history, in.source)));
   return study_key(kVersion, in.source, referred);
 }
 

@@ -19,8 +19,9 @@ DesignEngine study_engine(const input::StudyInput& in);
 /// The base case with its derivatives, for the plan `derivatives`; errors as for `study_engine`.
 CaseDerivatives run_derivatives(const input::StudyInput& in);
 
-/// The engine as a function that schedules call. The engine must outlive it.
-Evaluate evaluate_with(const DesignEngine& engine);
+/// The engine as a function that schedules call: what it has after a second, and once it is
+/// interrupted only what it has. The engine must outlive it.
+Evaluate evaluate_with(const DesignEngine& engine, const std::function<bool()>& interrupted = {});
 
 /// Warnings on factors that change neither loads nor stiffness because the file overrides what they
 /// would change: one sentence per factor, with the responses that do not follow it.
@@ -29,6 +30,7 @@ std::vector<std::string> void_factor_warnings(const input::StudyInput& in,
 
 /// These warnings, and those on factors that moved no response. `engine` is called only where
 /// designs that differ in one factor alone are missing; it must be that of the result's study.
+/// Empty: a warning says that these factors were not looked at.
 std::vector<std::string> study_warnings(const input::StudyInput& in, const StudyResult& result,
                                         const std::function<const DesignEngine&()>& engine);
 

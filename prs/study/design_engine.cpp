@@ -137,6 +137,9 @@ std::vector<std::size_t> load_cases_of(const std::vector<ResultNumber>& numbers,
 /// memory.
 constexpr std::size_t kBatch = 64;
 
+/// Whether designs that follow are left out.
+using Stop = std::function<bool()>;
+
 /// Reads the case of the design that a row of a block answers.
 using ReadRow = std::function<Case&(DesignReader& reader, std::size_t row)>;
 
@@ -338,9 +341,11 @@ struct DesignEngine::Parts {
                   FullSolver(),        Batch{{ContactBatch(set)}}, BarBatch(set),
                   SlipBatch(set)};
   }
-  void give_back(Worker worker) {
+  /// A destructor calls it: a worker that there is no place for is made anew.
+  void give_back(Worker worker) noexcept try {
     const std::lock_guard lock(mutex);
     idle.push_back(std::move(worker));
+  } catch (const std::bad_alloc&) {
   }
 
   bool measures() const { return study.command == Command::measures; }
@@ -510,35 +515,33 @@ struct DesignEngine::Parts {
     return {};
   }
 
-  RowBlock evaluate(std::size_t first, std::size_t rows, const ReadRow& read) {
+  RowBlock evaluate(std::size_t first, std::size_t rows, const ReadRow& read, const Stop& stop) {
     RowBlock block{first, rows, {}, {}};
     block.responses.assign(rows * study.responses.size(), kNoResponse);
-    if (in_batches())
-      evaluate_batches(read, block);
-    else
-      evaluate_one_by_one(read, block);
+    Borrowed worker(*this);
+    for (std::size_t row = 0; row < block.rows;) {
+      const std::size_t to = std::min(row + kBatch, block.rows);
+      row = in_batches() ? evaluate_batch(read, row, to, *worker.get(), block, stop)
+                         : evaluate_one_by_one(read, row, to, *worker.get(), block, stop);
+      if (row < block.rows && stop && stop()) block.rows = row;
+    }
+    block.responses.resize(block.rows * study.responses.size());
+    std::ranges::sort(block.failures, {}, &RowBlock::Failure::row);
     return block;
   }
 
-  void evaluate_batches(const ReadRow& read, RowBlock& block) {
-    Borrowed worker(*this);
-    for (std::size_t row = 0; row < block.rows; row += kBatch)
-      evaluate_batch(read, row, std::min(row + kBatch, block.rows), *worker.get(), block);
-    std::ranges::sort(block.failures, {}, &RowBlock::Failure::row);
-  }
-
-  /// Rows [from, to) of a block.
-  void evaluate_batch(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker,
-                      RowBlock& block) {
+  /// Rows [from, to) of a block, or those before the row that is returned.
+  std::size_t evaluate_batch(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker,
+                             RowBlock& block, const Stop& stop) {
     Batch& batch = worker.batch;
-    const std::size_t designs = read_batch(read, from, to, worker, block);
+    const std::size_t designs = read_batch(read, from, to, worker, block, stop);
     worker.columns.solve(
         worker.bars, number_detail.loads,
         [&](std::size_t row, const std::vector<LoadCaseResult>& results, const Contacts& contacts) {
           set_numbers(row_of(block, row), {.contacts = contacts}, results);
         },
         [&](std::size_t row) { answer_alone(read, row, worker, block); });
-    if (designs == 0) return;
+    if (designs == 0) return to;
     batch.contacts.found.find();
     batch.sectors.clear();
     batch.forces.clear();
@@ -578,6 +581,7 @@ struct DesignEngine::Parts {
       else
         set_numbers(row_of(block, design.row), {.contacts = design.contacts}, design.load_cases);
     }
+    return to;
   }
 
   /// Of a design whose load cases are solved.
@@ -598,9 +602,9 @@ struct DesignEngine::Parts {
     if (!status.converged()) block.failures.push_back({row, std::move(status)});
   }
 
-  /// Designs that wait for contacts and loads; the others are answered.
-  std::size_t read_batch(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker,
-                         RowBlock& block) {
+  /// Designs that wait for contacts and loads; the others are answered. `to` is where it stopped.
+  std::size_t read_batch(const ReadRow& read, std::size_t from, std::size_t& to, Worker& worker,
+                         RowBlock& block, const Stop& stop) {
     Batch& batch = worker.batch;
     batch.contacts.start(to - from);
     worker.columns.clear(contact_detail);
@@ -609,8 +613,11 @@ struct DesignEngine::Parts {
       DesignStatus status = status_after([&]() -> DesignStatus {
         Case& c = read(worker.reader, row);
         if (c.model.bodies == Bodies::influence ||
-            c.model.mechanism == ModelOptions::Mechanism::full)
-          return answer(c, worker, row_of(block, row));
+            c.model.mechanism == ModelOptions::Mechanism::full) {
+          DesignStatus answered = answer(c, worker, row_of(block, row));
+          if (stop && stop()) to = row + 1;
+          return answered;
+        }
         if (in_columns && BarBatch::takes(c, load_cases)) {
           const std::optional<Mechanism> mechanism = sound_mechanism(c);
           if (!mechanism) return answer(c, worker, row_of(block, row));
@@ -633,17 +640,10 @@ struct DesignEngine::Parts {
     return designs;
   }
 
-  void evaluate_one_by_one(const ReadRow& read, RowBlock& block) {
-    Borrowed worker(*this);
-    for (std::size_t row = 0; row < block.rows; row += kBatch)
-      evaluate_one_by_one(read, row, std::min(row + kBatch, block.rows), *worker.get(), block);
-    std::ranges::sort(block.failures, {}, &RowBlock::Failure::row);
-  }
-
-  /// Rows [from, to) of a block, whose contacts are found together; slip with equal shares in
-  /// columns.
-  void evaluate_one_by_one(const ReadRow& read, std::size_t from, std::size_t to, Worker& worker,
-                           RowBlock& block) {
+  /// Rows [from, to) of a block, or those before the row that is returned, whose contacts are found
+  /// together; slip with equal shares in columns.
+  std::size_t evaluate_one_by_one(const ReadRow& read, std::size_t from, std::size_t to,
+                                  Worker& worker, RowBlock& block, const Stop& stop) {
     BatchContacts& contacts = worker.batch.contacts;
     contacts.start(to - from);
     worker.slips.clear(contact_detail);
@@ -677,7 +677,9 @@ struct DesignEngine::Parts {
                       known ? &found : nullptr);
       });
       if (!status.converged()) block.failures.push_back({row, std::move(status)});
+      if (stop && stop()) return row + 1;
     }
+    return to;
   }
 
   double* row_of(RowBlock& block, std::size_t row) const {
@@ -697,16 +699,19 @@ DesignEngine::~DesignEngine() = default;
 
 const Study& DesignEngine::study() const { return parts_->study; }
 
-RowBlock DesignEngine::evaluate(std::size_t first, std::size_t count) const {
-  return parts_->evaluate(first, count, [first](DesignReader& reader, std::size_t row) -> Case& {
-    return reader.read(first + row);
-  });
+RowBlock DesignEngine::evaluate(std::size_t first, std::size_t count,
+                                const std::function<bool()>& stop) const {
+  return parts_->evaluate(
+      first, count,
+      [first](DesignReader& reader, std::size_t row) -> Case& { return reader.read(first + row); },
+      stop);
 }
 
 RowBlock DesignEngine::evaluate(const std::vector<std::vector<Draw>>& designs) const {
-  return parts_->evaluate(0, designs.size(), [&](DesignReader& reader, std::size_t row) -> Case& {
-    return reader.read(designs[row]);
-  });
+  return parts_->evaluate(
+      0, designs.size(),
+      [&](DesignReader& reader, std::size_t row) -> Case& { return reader.read(designs[row]); },
+      {});
 }
 
 std::size_t DesignEngine::chunk() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -37,8 +38,10 @@ class DesignEngine {
   const Study& study() const;
 
   /// Designs [first, first + count): a pure function of the study, from any thread. Never throws
-  /// for what is wrong with a design.
-  RowBlock evaluate(std::size_t first, std::size_t count) const;
+  /// for what is wrong with a design. `stop` is asked between slow designs, and those that follow
+  /// are left out; one at least is answered.
+  RowBlock evaluate(std::size_t first, std::size_t count,
+                    const std::function<bool()>& stop = {}) const;
 
   /// Designs that are given by their values, one draw per factor: row k of the block belongs to the
   /// k-th design.

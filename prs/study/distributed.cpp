@@ -11,6 +11,7 @@
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "prs/sha256.h"
@@ -23,7 +24,8 @@ using Clock = std::chrono::steady_clock;
 /// Messages to the first rank, and its answer.
 enum Tag {
   kHello,   ///< How many blocks the rank wants to have on their way.
-  kRecord,  ///< An encoded block, one of these.
+  kRecord,  ///< An encoded block, the last of what the rank was given at once.
+  kPart,    ///< One before it.
   kRange,   ///< The next in its place; without designs: none.
 };
 
@@ -210,7 +212,7 @@ void Ranks::serve(const NextRange& next, const TakeRecord& take, std::size_t chu
     } else {
       take(message->content);
       grant.took(designs_of(message->content).count);
-      answer(message->rank);
+      if (message->tag == kRecord) answer(message->rank);
     }
   }
 }
@@ -218,6 +220,7 @@ void Ranks::serve(const NextRange& next, const TakeRecord& take, std::size_t chu
 void Ranks::assist(const Evaluate& evaluate, std::size_t threads) {
   served_ = true;
   Mailbox<DesignRange> ranges;
+  std::set<std::size_t> ends;  ///< Of the ranges that were given and are not done.
   Mailbox<std::string> records;
   std::size_t places = kBlocksPerThread * threads;
   communicator_->send(0, kHello, content_of<1>({places}));
@@ -234,11 +237,13 @@ void Ranks::assist(const Evaluate& evaluate, std::size_t threads) {
   });
   while (places > 0) {
     if (const std::optional<std::string> record = records.take()) {
-      communicator_->send(0, kRecord, *record);
+      communicator_->send(0, ends.erase(designs_of(*record).end()) > 0 ? kRecord : kPart, *record);
     } else if (const auto message = communicator_->receive()) {
       const auto [first, count] = numbers_of<2>(message->content);
       if (count == 0) --places;
-      if (count > 0) ranges.put({first, count});
+      if (count == 0) continue;
+      ends.insert(first + count);
+      ranges.put({first, count});
     } else {
       std::this_thread::sleep_for(kPause);
     }

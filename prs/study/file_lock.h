@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <string_view>
 
 #include "prs/file_descriptor.h"
 
@@ -19,5 +21,31 @@ void wait_for_lock();
 /// cannot be locked at all. `wait` runs between two tries.
 bool lock_file(const FileDescriptor& file, int operation, const std::filesystem::path& path,
                const std::function<void()>& wait = wait_for_lock);
+
+/// The file in an output folder whose lock keeps other runs out.
+inline constexpr std::string_view kFolderLock = "study.lock";
+
+/// The lock of an output folder, on an open file: it ends with its process, however that ends.
+class FolderLock {
+ public:
+  /// What the file says of the run that holds the lock.
+  struct Run {
+    std::string command;           ///< `prs slip`
+    std::string case_digest = {};  ///< Runs of different cases do not wait for each other.
+  };
+
+  /// Creates the folder where it is missing, and waits a second for who has the lock. Alone in it
+  /// (LOCK_EX), removes what processes that died left under temporary names; LOCK_SH is for runs
+  /// that share the folder. Throws StudyFolderError that says who has it, and std::system_error.
+  FolderLock(const std::filesystem::path& folder, int kind, const Run& run);
+  FolderLock(FolderLock&&) = default;
+  ~FolderLock();  ///< The last one removes the file.
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  FileDescriptor file_;
+};
 
 }  // namespace prs

@@ -15,6 +15,7 @@
 #include "prs/regular_file.h"
 #include "prs/sha256.h"
 #include "prs/study/file_lock.h"
+#include "prs/study/temporary_folder.h"
 
 namespace prs {
 namespace {
@@ -160,7 +161,7 @@ std::optional<JournalHeader> decode_header(std::string_view bytes) {
 }
 
 FileDescriptor open_temporary() {
-  std::string pattern = (fs::temp_directory_path() / "prs-study-XXXXXX").string();
+  std::string pattern = (temporary_folder() / "prs-study-XXXXXX").string();
   FileDescriptor file(::mkostemp(pattern.data(), O_APPEND | O_CLOEXEC));
   if (!file.is_open())
     throw std::system_error(errno, std::generic_category(),
@@ -191,8 +192,18 @@ std::string study_key(std::string_view version, const input::Source& source,
   put(bytes, version);
   put(bytes, source.text);
   put(bytes, source.overrides);
-  for (const std::string& text : referred) put(bytes, text);
-  return sha256(bytes);
+  for (const std::string& digest : referred) put(bytes, digest);
+  std::string key = sha256(bytes);
+  for (const std::string& digest : referred) key += digest;
+  return key;
+}
+
+std::vector<std::string> referred_of(std::string_view key) {
+  constexpr std::size_t kDigest = 64;
+  std::vector<std::string> digests;
+  for (std::size_t at = kDigest; at < key.size(); at += kDigest)
+    digests.emplace_back(key.substr(at, kDigest));
+  return digests;
 }
 
 std::string encode(const RowBlock& block) {
@@ -235,7 +246,7 @@ Journal Journal::append_to(const fs::path& path, const JournalHeader& header, bo
 
 Journal Journal::temporary(const JournalHeader& header) {
   Journal journal;
-  journal.path_ = fs::temp_directory_path();
+  journal.path_ = temporary_folder();
   journal.file_ = open_temporary();
   journal.header_ = header;
   journal.begin();

@@ -26,10 +26,13 @@ class StudyFolderError : public std::runtime_error {
 /// symbolic link, a pipe or a folder stands in its place, and std::system_error.
 FileDescriptor open_study_file(const std::filesystem::path& path, int flags);
 
-/// What the rows of a study depend on, as one hash: program, file, overrides and the contents of
-/// what the file refers to.
+/// What the rows of a study depend on: one hash of program, file, overrides and what the file
+/// refers to, given as SHA-256 of the contents, and behind it these.
 std::string study_key(std::string_view version, const input::Source& source,
                       std::span<const std::string> referred = {});
+
+/// What a key has behind its hash.
+std::vector<std::string> referred_of(std::string_view key);
 
 /// Header of a journal: enough to write the files of the study without its input.
 struct JournalHeader {

@@ -60,10 +60,19 @@ void run_schedule(std::size_t threads, std::size_t chunk, const NextRange& next,
     return designs.has_value();
   };
   const auto compute = [&](Block& block) {
-    block.record = encode(evaluate(block.designs.first, block.designs.count));
+    DesignRange& rest = block.designs;
+    do {
+      const RowBlock rows = evaluate(rest.first, rest.count);
+      block.record.clear();
+      if (rows.rows == 0) return;
+      rest = {rest.first + rows.rows, rest.count - rows.rows};
+      block.record = encode(rows);
+      if (rest.count > 0) take(block.record);
+    } while (rest.count > 0);
   };
-  run_pipeline<Block>(threads, false, give, compute,
-                      [&](const Block& block) { take(block.record); });
+  run_pipeline<Block>(threads, false, give, compute, [&](const Block& block) {
+    if (!block.record.empty()) take(block.record);
+  });
 }
 
 void run_in_order(std::size_t count, std::size_t threads,

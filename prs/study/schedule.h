@@ -11,7 +11,8 @@
 
 namespace prs {
 
-/// Answers designs [first, first + count). A pure function, called from many threads at once.
+/// Answers designs [first, first + count), or the first of them where that takes long; none once
+/// the run is interrupted. A pure function, called from many threads at once.
 using Evaluate = std::function<RowBlock(std::size_t first, std::size_t count)>;
 
 /// The next designs to evaluate, about `most` of them; none once all are given away. From any
@@ -27,9 +28,10 @@ std::size_t available_processors();
 /// Threads of a run whose user names no number: one per processor, or one where TBB is missing.
 std::size_t default_threads();
 
-/// Evaluates `chunk` designs at a time on `threads` threads until none is left, and encodes them.
-/// The number of blocks under way is limited, so that a slow `take` slows the rest down. An
-/// exception in one of the functions ends the run and is thrown again.
+/// Evaluates `chunk` designs at a time on `threads` threads until none is left, and encodes them,
+/// in as many blocks as `evaluate` makes of them. The number of blocks under way is limited, so
+/// that a slow `take` slows the rest down. An exception in one of the functions ends the run and is
+/// thrown again.
 void run_schedule(std::size_t threads, std::size_t chunk, const NextRange& next,
                   const Evaluate& evaluate, const TakeRecord& take);
 

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
-#include "prs/file_descriptor.h"
+#include "prs/study/file_lock.h"
 #include "prs/study/journal.h"
 
 namespace prs {
@@ -22,12 +23,8 @@ class StudyFolder {
     among_shards,  ///< Processes of other shards may.
   };
 
-  /// Creates the folder where it is missing; alone in it, removes what processes that died left
-  /// unfinished. Throws StudyFolderError where another process uses it,
-  /// and std::system_error.
-  StudyFolder(std::filesystem::path path, Use use);
-  ~StudyFolder();
-  StudyFolder(StudyFolder&&) = default;
+  /// See `FolderLock`; `command` is what other runs are told that uses the folder.
+  StudyFolder(std::filesystem::path path, Use use, const std::string& command = "prs study");
 
   const std::filesystem::path& path() const { return path_; }
   Use use() const { return use_; }
@@ -36,9 +33,9 @@ class StudyFolder {
   void remove_journals() const;
 
  private:
-  std::filesystem::path path_, lock_path_;
+  std::filesystem::path path_;
   Use use_;
-  FileDescriptor lock_;
+  FolderLock lock_;
 };
 
 }  // namespace prs

@@ -7,10 +7,12 @@ chosen system calls (strace), not at chosen times. PRS_THOROUGH=1 runs the whole
 
 from __future__ import annotations
 
+import fcntl
 import os
 import random
 import re
 import shutil
+import struct
 import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -432,6 +434,174 @@ def test_signals_leave_nothing_unfinished(bench: Bench, name: str, signals: str)
         assert again.returncode == 0, again.stderr
         assert_in_order(bench, name, out, again)
         assert contents(out).keys() == bench.undisturbed(name).keys()
+
+
+# Names, locks and leftovers
+
+
+#: Where no picture is asked for: it takes longest.
+WITHOUT_GNUPLOT = {"PATH": "/nowhere"}
+
+
+def run_prs(
+    folder: Path, *words: str, before: tuple[str, ...] = (), env: dict[str, str] | None = None
+) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [*before, program(), *words],
+        cwd=folder,
+        env={**os.environ, "PRS_CACHE_DIR": "", **(WITHOUT_GNUPLOT if env is None else env)},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+    )
+
+
+@pytest.mark.skipif(not THOROUGH, reason="GnuplotTicks.KeepPercentSigns draws none")
+def test_a_percent_sign_in_a_name_is_drawn(bench: Bench) -> None:
+    out = bench.output()
+    name = "load_cases[0].name=pull 50 %"
+    lesson = "09_slip_and_dissipation.yaml"
+    words = ("slip", lesson, "--set", name, "--output", str(out), "--quiet")
+    run = run_prs(bench.folder, *words, env={})
+    assert (run.returncode, run.stderr) == (0, "")
+    assert "pull 50 %<" in (out / "plots" / "power_by_source.svg").read_text()
+
+
+def dead_process() -> int:
+    process = subprocess.Popen(["true"])
+    process.wait()
+    return process.pid
+
+
+def test_a_folder_in_use_is_told_and_left_alone(bench: Bench) -> None:
+    out = bench.output()
+    assert bench.run("solve", out, env=WITHOUT_GNUPLOT).returncode == 0
+    before = contents(out)
+    words = ("contact", "05_standard_screw.yaml", "--output", str(out), "--quiet")
+    with open(out / "study.lock", "w+") as lock:
+        lock.write(f"{os.getpid()}\nprs slip\nof another case\n")
+        lock.flush()
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        run = run_prs(bench.folder, *words)
+        assert run.returncode == 2
+        assert f"(prs slip, number {os.getpid()})" in run.stderr
+        assert told(run)
+        (out / "study.lock").unlink()
+        assert contents(out) == before
+    # Of a run that was killed.
+    (out / "study.lock").write_text(f"{dead_process()}\nprs slip\nof another case\n")
+    assert run_prs(bench.folder, *words).returncode == 0
+    assert not (out / "study.lock").exists()
+
+
+def test_what_killed_runs_left_goes_and_other_files_stay(bench: Bench) -> None:
+    out = bench.output()
+    pictures = out / "plots" / f"pictures.{dead_process()}-0.tmp"
+    pictures.mkdir(parents=True)
+    (pictures / "power.svg").write_text("<svg>")
+    left = [pictures, out / f"slip.csv.{dead_process()}-0.tmp"]
+    mine = [out / f"slip.csv.{os.getpid()}-0.tmp", out / "my.tmp", out / "a.1-x.tmp"]
+    for file in (left[1], *mine):
+        file.write_text("x")
+    assert bench.run("solve", out, env=WITHOUT_GNUPLOT).returncode == 0
+    assert [file for file in left if file.exists()] == []
+    assert [file for file in mine if not file.exists()] == []
+
+
+LIVES = "study: {command: life, factors: [{path: mechanism.rollers, values: [9, 10]}]}\n"
+
+
+def crc32c(data: bytes) -> int:
+    crc = 0xFFFFFFFF
+    for byte in data:
+        crc ^= byte
+        for _ in range(8):
+            crc = (crc >> 1) ^ (0x82F63B78 if crc & 1 else 0)
+    return crc ^ 0xFFFFFFFF
+
+
+def forged(journal: bytes, recorded: str, other: str) -> bytes:
+    """A sound journal whose header has another override."""
+
+    def text(content: str) -> bytes:
+        return struct.pack("<Q", len(content)) + content.encode()
+
+    (length,) = struct.unpack("<Q", journal[8:16])
+    assert text(recorded) in journal[16 : length + 8]
+    head = journal[16:length].replace(text(recorded), text(other))
+    sealed = struct.pack("<Q", len(head) + 16) + head
+    return journal[:8] + sealed + struct.pack("<Q", crc32c(sealed)) + journal[8 + length :]
+
+
+def test_a_journal_of_lives_is_merged_without_opening_what_it_names(tmp_path: Path) -> None:
+    history = tmp_path / "history.csv"
+    shutil.copy(CONFIGS / "14_flight_spectrum.csv", history)
+    lesson = (CONFIGS / "14_flight_spectrum.yaml").read_text()
+    (tmp_path / "lives.yaml").write_text(lesson + LIVES)
+    named = f"life.history.file={history}"
+    study = ("study", "lives.yaml", "--set", named, "--quiet", "--output")
+    assert run_prs(tmp_path, *study, "alone").returncode == 0
+    assert run_prs(tmp_path, *study, "part", "--shard", "1/1").returncode == 0
+    history.rename(tmp_path / "elsewhere.csv")
+    merge = ("study", "merge", "part", "--quiet", "--output", "merged")
+    merged = run_prs(tmp_path, *merge)
+    assert merged.returncode == 0, merged.stderr
+    ours, alone = ((tmp_path / folder / "study.csv").read_text() for folder in ("merged", "alone"))
+    assert ours == alone
+
+    journal = tmp_path / "part" / "study.1-of-1.journal"
+    secret = tmp_path / "secret.csv"
+    secret.write_text("secret")
+    journal.write_bytes(forged(journal.read_bytes(), named, f"life.history.file={secret}"))
+    if not tracing():
+        pytest.skip("no strace")
+    log = tmp_path / "trace"
+    strace = (shutil.which("strace") or "", "-f", "-o", str(log), "-e", "trace=openat,open")
+    run = run_prs(tmp_path, *merge, before=strace)
+    assert (run.returncode, told(run)) == (2, True), run.stderr
+    assert "study.1-of-1.journal" in log.read_text()
+    assert "secret" not in log.read_text()
+
+
+def test_missing_lessons_and_temporary_folders_are_told(tmp_path: Path) -> None:
+    (tmp_path / "lessons").mkdir()
+    new = ("new", "--lesson", "1", "case.yaml")
+    run = run_prs(tmp_path, *new, env={"PRS_SHARE": str(tmp_path)})
+    assert (run.returncode, told(run)) == (1, True), run.stderr
+    assert "PRS_SHARE" in run.stderr
+    lesson = str(CONFIGS / "15_sensitivity.yaml")
+    run = run_prs(tmp_path, "study", lesson, env={"TMPDIR": "/nope"})
+    assert (run.returncode, told(run)) == (1, True), run.stderr
+    assert "TMPDIR: got /nope" in run.stderr
+
+
+def test_what_did_not_converge_is_told_beside_a_document(bench: Bench) -> None:
+    text = (bench.folder / "01_config_1_to_3.yaml").read_text() + OPTIMIZE
+    limit = "  constraints: [{response: axial_stiffness_N_per_um, at_least: 1e9}]\n"
+    (bench.folder / "limited.yaml").write_text(text + limit)
+    run = run_prs(bench.folder, "optimize", "limited.yaml", "--json")
+    assert run.returncode == 3, run.stderr
+    assert "No design keeps all constraints" in run.stderr
+    slip = ("report", "09_slip_and_dissipation.yaml", "--static", "--output", "page.html")
+    jammed = ("--set", "carrier.nut_torque=150 N m", "--set", "load_cases[0].axial_force=80 kN")
+    run = run_prs(bench.folder, *slip, *jammed)
+    assert run.returncode == 3, run.stderr
+    assert "slip did not converge" in run.stderr
+
+
+@pytest.mark.parametrize("name", ["study", "optimize"])
+def test_scarce_memory_ends_with_a_message(bench: Bench, name: str) -> None:
+    lesson = {
+        "study": ("15_sensitivity.yaml", "--restart"),
+        "optimize": ("23_crowning.yaml", "--set", "optimize.generations=3"),
+    }[name]
+    for more in range(16, 72) if THOROUGH else {"study": (60,), "optimize": (42,)}[name]:
+        limit = (shutil.which("prlimit") or "", f"--as={least_memory() + (more << 20)}")
+        words = (name, *lesson, "--threads", "2", "--quiet", "--output", str(bench.output()))
+        run = run_prs(bench.folder, *words, before=limit)
+        assert run.returncode in (0, 1, 127), (more, run.returncode, run.stderr)
+        assert run.returncode != 1 or "error: " in run.stderr, run.stderr
 
 
 # Ranks

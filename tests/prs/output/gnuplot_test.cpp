@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "prs/output/gnuplot_parts.h"
 #include "prs/output/plots.h"
 #include "support/temporary_directory.h"
 
@@ -23,6 +24,13 @@ TEST(GnuplotProcess, SaysWhatIsWrongWithAScript) {
   const test::TemporaryDirectory folder;
   std::ofstream(folder.path() / "s.gp") << "plot no such thing\n";
   EXPECT_NE(GnuplotProcess(folder.path(), "s.gp").wait(), "");
+}
+
+/// gnuplot takes these for formats of the number at the tick.
+TEST(GnuplotTicks, KeepPercentSigns) {
+  Axis axis;
+  axis.ticks = {{1.0, "pull 50 %"}};
+  EXPECT_EQ(gnuplot_ticks(axis, 100, true), "(\"pull 50 %%\" 1)");
 }
 
 /// A fine map is an image where all its nodes have a value; else polygons, as gnuplot moves pixels

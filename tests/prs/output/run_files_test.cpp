@@ -1,13 +1,16 @@
 #include "prs/output/run_files.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "prs/output/files.h"
 #include "prs/sha256.h"
+#include "prs/study/journal.h"
 #include "support/temporary_directory.h"
 
 namespace prs {
@@ -115,6 +118,26 @@ TEST_F(RunFilesTest, OverridesMakeAnotherCaseAndCommentsDoNot) {
   EXPECT_THAT(present(), ElementsAre("contact.json", "slip.csv"));
   run("contact", one, {"contact.json"}, {"mechanism.rollers=7"});
   EXPECT_THAT(present(), ElementsAre("contact.json"));
+}
+
+TEST_F(RunFilesTest, AFolderTakesOneRunAtATime) {
+  {
+    RunFiles first(folder, "slip", one);
+    write_files(folder, {{"slip.csv", "slip"}});
+    try {
+      RunFiles(folder, "solve", two);
+      FAIL() << "two runs at once";
+    } catch (const StudyFolderError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(fmt::format("(prs slip, number {})", ::getpid())));
+    }
+    EXPECT_THAT(first.finish(), IsEmpty());
+  }
+  EXPECT_THAT(present(), ElementsAre("slip.csv"));
+}
+
+TEST_F(RunFilesTest, AFolderThatARunMadeForNothingGoesAgain) {
+  { const RunFiles nothing(folder / "deeper", "solve", one); }
+  EXPECT_FALSE(fs::exists(folder));
 }
 
 TEST_F(RunFilesTest, WhatIsNoFileStays) {

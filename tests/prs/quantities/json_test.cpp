@@ -1,4 +1,4 @@
-#include "prs/quantities/json.h"
+#include "prs/quantities/load_case_stream.h"
 
 #include <gtest/gtest.h>
 
@@ -122,6 +122,27 @@ TEST(Json, TextReadsBackToTheSameNumbers) {
 TEST(Json, TextSurvivesMalformedNames) {
   const std::string text = json_text(case_json(failed_case("\xff\"\n")));
   EXPECT_EQ(nlohmann::json::parse(text).at("name"), "\uFFFD\"\n");
+}
+
+/// What a document gives that is written load case by load case.
+std::string written(const Result& result) {
+  std::string text;
+  write_with_load_cases(
+      outline_json(result, kInfo), [&](std::size_t k) { return load_case_json(result, k); },
+      [&](std::string_view piece) { text += piece; });
+  return text;
+}
+
+TEST(Json, WrittenLoadCaseByLoadCaseIsTheSameText) {
+  Result result;
+  result.warnings = {"\"load_cases\": []\n"};
+  EXPECT_EQ(written(result), json_text(to_json(result, kInfo)));
+  result.load_cases = {solved_case("a", 12345.678, Direction::compression),
+                       failed_case("\xff\"\n\u202e"), equal_share_case("equal")};
+  result.heat_cycle.emplace();
+  EXPECT_EQ(written(result), json_text(to_json(result, kInfo)));
+  result.load_cases.resize(101, failed_case("many"));
+  EXPECT_EQ(written(result), json_text(to_json(result, kInfo)));
 }
 
 }  // namespace

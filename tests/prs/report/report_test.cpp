@@ -170,6 +170,7 @@ TEST(ReportCommand, WritesAndMarksWhatDidNotConverge) {
                     "--set 'carrier.nut_torque=150 N m' --set 'load_cases[0].axial_force=80 kN'",
                     folder.path());
   EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("prs: slip did not converge"));
   EXPECT_THAT(test::content_of(folder.path() / "page.html"), HasSubstr("Slip did not converge."));
 }
 

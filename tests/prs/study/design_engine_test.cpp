@@ -1,5 +1,6 @@
 #include "prs/study/design_engine.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,6 +29,7 @@
 #include "prs/study/result_number.h"
 #include "tests/prs/input/abevi.h"
 #include "tests/support/sanitized.h"
+#include "tests/support/temporary_directory.h"
 
 namespace prs {
 namespace {
@@ -109,6 +111,27 @@ load_cases:
   EXPECT_TRUE(rows.failures.empty());
   for (std::size_t k = 0; k < std::size(expected); ++k)
     EXPECT_NEAR(rows.responses[k], expected[k], 1e-9 * expected[k]);
+}
+
+TEST(DesignEngine, StopsBetweenSlowDesignsAndKeepsThoseBefore) {
+  const std::string text = test::content_of(PRS_SOURCE_DIR "/configs/09_slip_and_dissipation.yaml");
+  for (const char* command : {"slip", "solve"}) {
+    const bool full = std::string_view(command) == "solve";
+    const input::StudyInput in = study_of(
+        fmt::format(
+            "{{command: {}, factors: [{{path: mechanism.contacts_per_roller, values: [3, 4, "
+            "5, 6, 7]}}], responses: [screw.peak_pressure_MPa.max]}}",
+            command),
+        text + (full ? "model: {mechanism: full}\n" : ""));
+    const DesignEngine engine(in);
+    const RowBlock whole = all(engine);
+    int asked = 0;
+    const RowBlock some = engine.evaluate(1, 5, [&] { return ++asked >= 2; });
+    ASSERT_EQ(some.rows, 2u) << command;
+    ASSERT_EQ(some.responses.size(), 2u);
+    EXPECT_EQ(some.responses[0], whole.responses[1]);
+    EXPECT_EQ(some.responses[1], whole.responses[2]);
+  }
 }
 
 /// Every number of what a lesson says to a command, those of further load cases, and summaries.

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "prs/sha256.h"
 #include "support/small_files.h"
 #include "synthetic_study.h"
 #include "tests/support/temporary_directory.h"
@@ -325,6 +326,9 @@ TEST(StudyKey, DependsOnAllThatTheRowsDependOn) {
   EXPECT_NE(study_key("1", {"a.yaml", "text", {"a=1b=2"}}), key);
   const std::vector<std::string> history{"1 kN\n"};
   EXPECT_NE(study_key("1", source, history), key);
+  const std::vector<std::string> digests{sha256("1 kN\n"), sha256("2 kN\n")};
+  EXPECT_EQ(referred_of(study_key("1", source, digests)), digests);
+  EXPECT_TRUE(referred_of(key).empty());
 }
 
 }  // namespace

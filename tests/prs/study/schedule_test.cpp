@@ -48,6 +48,39 @@ TEST(Schedule, EvaluatesEachDesignOnceOnAnyNumberOfThreads) {
   }
 }
 
+/// The first of the designs that are asked for, as where they take long.
+RowBlock first_rows(std::size_t first, std::size_t count) {
+  return test::synthetic_rows(first, std::min<std::size_t>(count, 1 + first % 7));
+}
+
+TEST(Schedule, TakesWhatSlowDesignsGiveInPieces) {
+  for (const std::size_t threads : {1, 2}) {
+    Counter next(1001);
+    std::mutex mutex;
+    std::vector<int> times(1001, 0);
+    run_schedule(
+        threads, 32, [&](std::size_t most) { return next(most); }, first_rows,
+        [&](const std::string& record) {
+          const std::lock_guard lock(mutex);
+          const DesignRange range = designs_of(record);
+          for (std::size_t k = range.first; k < range.end(); ++k) ++times[k];
+        });
+    EXPECT_EQ(times, std::vector<int>(1001, 1)) << threads;
+  }
+}
+
+TEST(Schedule, KeepsWhatIsDoneWhereItIsInterrupted) {
+  Counter next(100);
+  std::size_t taken = 0;
+  run_schedule(
+      1, 10, [&](std::size_t most) { return next(most); },
+      [](std::size_t first, std::size_t count) {
+        return first < 3 ? test::synthetic_rows(first, 1) : RowBlock{first, 0 * count, {}, {}};
+      },
+      [&](const std::string& record) { taken += designs_of(record).count; });
+  EXPECT_EQ(taken, 3u);
+}
+
 TEST(Schedule, SlowTakerHoldsTheRestBack) {
   constexpr std::size_t kThreads = 4;
   Counter next(2'000);
