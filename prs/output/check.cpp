@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "prs/model/units.h"
 #include "prs/output/case_table.h"
+#include "prs/output/table_units.h"
 #include "prs/output/warnings.h"
 #include "prs/quantities/contact_quantities.h"
 #include "prs/quantities/record_table.h"
@@ -106,8 +108,36 @@ std::string derived(const Contacts& contacts) {
   return text;
 }
 
+/// A line for each criterion that has a value or a limit; the others in one.
+std::string verdict_table(const CaseVerdict& verdict) {
+  std::string text = "\nVerdict\n" + wrapped(summary(verdict), "  ", kTableWidth);
+  for (const Criterion& c : verdict.criteria) {
+    if (!c.value && !c.limit && c.name != "convergence") continue;
+    const auto [unit, factor] = shown(c);
+    const auto* const documents = std::ranges::find(kShownUnits, unit, &ShownUnit::text);
+    const bool is_known = documents != std::end(kShownUnits);
+    const auto number = [&](double value) {
+      return fmt::format("{:.4g}", value * factor * (is_known ? table_factor(*documents) : 1.0));
+    };
+    std::string limit;
+    if (c.limit)
+      limit = fmt::format("{} {} ({})", c.sense == Sense::least ? ">=" : "<=", number(*c.limit),
+                          origin(c));
+    std::string where = c.load_case;
+    if (!c.reason.empty()) where += (where.empty() ? "" : ": ") + c.reason;
+    text += padded("  " + std::string(c.title), 28, true) +
+            padded(c.value ? number(*c.value) : std::string(kAbsent), 10, false) + ' ' +
+            padded(std::string(is_known ? table_unit(*documents).text : unit), 7, true) +
+            padded(limit, 34, true) + padded(words(c.standing), 14, true) + printable(where) + '\n';
+  }
+  const std::string rest = not_computed(verdict);
+  return rest.empty() ? text
+                      : text + wrapped("Not computed: " + printable(rest), "  ", kTableWidth);
+}
+
 std::string head(const CheckResult& result) {
-  return readiness(result) + warning_section(result.geometry.warnings);
+  return readiness(result) + (result.verdict ? verdict_table(*result.verdict) : "") +
+         warning_section(result.geometry.warnings);
 }
 
 }  // namespace
@@ -132,6 +162,7 @@ nlohmann::ordered_json check_json(const CheckResult& result, const DocumentInfo&
     document["input"].push_back({{"path", f.path}, {"value", f.value}, {"default", f.is_default}});
     if (!f.origin.empty()) document["input"].back()["origin"] = f.origin;
   }
+  if (result.verdict) document["verdict"] = object_of(*result.verdict);
   const Contacts& contacts = result.geometry.contacts;
   for (const auto& [key, value] : lengths(contacts.mechanism)) document["derived"][key] = value;
   put_contacts(document, contacts);

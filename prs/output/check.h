@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "prs/model/command.h"
 #include "prs/model/problems.h"
 #include "prs/quantities/json.h"
+#include "prs/quantities/verdict.h"
 
 namespace prs {
 
@@ -23,6 +25,7 @@ struct CheckResult {
   std::vector<input::EchoEntry> fields;
   std::vector<CommandNeeds> commands;
   Result geometry;  ///< Contacts and warnings alone.
+  std::optional<CaseVerdict> verdict = {};
 };
 
 /// Readiness by command and what to add, warnings, derived values.

@@ -12,6 +12,8 @@
 
 namespace prs {
 
+struct VerdictFacts;
+
 /// What a command found, in every form in which it leaves the program. Each form is made when it is
 /// asked for.
 struct Delivery {
@@ -26,6 +28,8 @@ struct Delivery {
   std::vector<std::string> without_figure = {};  ///< Why some are missing, a line each.
   bool converged = true;
   std::function<std::string()> full_table = {};  ///< With `--all`, where there is more.
+  /// Says what it found of the verdict, as long as this lives.
+  std::function<void(VerdictFacts&)> facts = {};
   /// The document as text; empty: `json_text`.
   std::function<std::string(const nlohmann::ordered_json&)> text = {};
 };

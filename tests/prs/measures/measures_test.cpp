@@ -13,6 +13,7 @@
 #include "prs/life/analyze_life.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
+#include "prs/measures/analyze_measures.h"
 #include "prs/quantities/measure_quantities.h"
 #include "prs/quantities/record_table.h"
 #include "support/plain_contact.h"
@@ -295,6 +296,25 @@ TEST(Measures, StaticSafetyIsThatOfLifeWithEqualShares) {
   }
 }
 
+/// Under any force of one sense: what a thread carries at its limit does not depend on it.
+TEST(Measures, StaticSafetyOfALoadCaseIsThatOfLifeUnderItsForce) {
+  Case c = abevi();
+  c.life.emplace();
+  c.life->position = c.load_cases[0].position;
+  c.life->spectrum = {{.force = 30e3, .direction = Direction::tension, .share = 1.0},
+                      {.force = 20e3, .direction = Direction::compression, .share = 1.0}};
+  const LifeResult life = analyze_life(c);
+  const MeasuresResult measures = analyze_measures(c);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const FlankLife& flank = *life.flanks[*c.load_cases[k].direction];
+    const LoadMeasures& m = *measures.load_measures[k];
+    EXPECT_NEAR(*m.solved_static_safety * c.load_cases[k].axial_force,
+                *flank.static_safety() * flank.largest_force, 1e-8 * flank.static_rating->force);
+    EXPECT_EQ(m.solved_static_safety_limit, flank.static_rating->limit);
+    EXPECT_LT(*m.solved_static_safety, *m.static_safety);  // Threads share unevenly.
+  }
+}
+
 TEST(Measures, OnlyAScrewThatTurnsIsToldOfItsPressure) {
   Case c = abevi();
   const Measures m = measures(c);
@@ -484,6 +504,15 @@ TEST(MeasureQuantities, EveryMeasureHasOneKey) {
   std::set<double> shown;
   for (const Quantity<Measures>& q : design) shown.insert(*q.value.number(m));
   EXPECT_EQ(shown.size(), design.size());
+}
+
+TEST(MeasureQuantities, EstimatesAreKeysOfMeasures) {
+  std::set<std::string_view> keys;
+  for (const auto& q : record_of<Measures>().quantities) keys.insert(q.key);
+  for (const auto& q : record_of<LoadMeasures>().quantities) keys.insert(q.key);
+  for (const std::string& estimate : estimates_beside({true, true, true, true}))
+    EXPECT_TRUE(keys.contains(estimate)) << estimate;
+  EXPECT_THAT(estimates_beside({}), IsEmpty());
 }
 
 TEST(MeasureQuantities, SayWhatTheyAre) {
