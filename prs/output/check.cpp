@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <utility>
 
 #include "prs/model/units.h"
 #include "prs/output/case_table.h"
@@ -117,22 +118,27 @@ std::string verdict_table(const CaseVerdict& verdict) {
     const auto* const documents = std::ranges::find(kShownUnits, unit, &ShownUnit::text);
     const bool is_known = documents != std::end(kShownUnits);
     const auto number = [&](double value) {
-      return fmt::format("{:.4g}", value * factor * (is_known ? table_factor(*documents) : 1.0));
+      const double shown = value * factor * (is_known ? table_factor(*documents) : 1.0);
+      return std::abs(shown) < 1e4 ? fmt::format("{:.4g}", shown) : fmt::format("{:.0f}", shown);
     };
     std::string limit;
     if (c.limit)
       limit = fmt::format("{} {} ({})", c.sense == Sense::least ? ">=" : "<=", number(*c.limit),
                           origin(c));
-    std::string where = c.load_case;
-    if (!c.reason.empty()) where += (where.empty() ? "" : ": ") + c.reason;
-    text += padded("  " + std::string(c.title), 28, true) +
-            padded(c.value ? number(*c.value) : std::string(kAbsent), 10, false) + ' ' +
-            padded(std::string(is_known ? table_unit(*documents).text : unit), 7, true) +
-            padded(limit, 34, true) + padded(words(c.standing), 14, true) + printable(where) + '\n';
+    std::string where = printable(c.load_case);
+    if (!c.reason.empty()) where += (where.empty() ? "" : ": ") + printable(c.reason);
+    std::string line = padded("  " + std::string(c.title), 28, true) +
+                       padded(c.value ? number(*c.value) : "", 9, false) + ' ' +
+                       padded(std::string(is_known ? table_unit(*documents).text : unit), 7, true) +
+                       padded(limit, 26, true) + ' ' + padded(words(c.standing), 13, true);
+    // What is too long for the line stands below it.
+    if (width(line) + width(where) <= kTableWidth) line += std::exchange(where, "");
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + '\n';
+    if (!where.empty()) text += wrapped(where, std::string(28, ' '), kTableWidth);
   }
   const std::string rest = not_computed(verdict);
-  return rest.empty() ? text
-                      : text + wrapped("Not computed: " + printable(rest), "  ", kTableWidth);
+  return rest.empty() ? text : text + wrapped("No value: " + printable(rest), "  ", kTableWidth);
 }
 
 std::string head(const CheckResult& result) {

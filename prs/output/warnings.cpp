@@ -44,7 +44,9 @@ std::size_t length_of_place(std::string_view text) {
 
 std::string WarningGroup::where() const {
   if (cases.empty()) return {};
-  return fmt::format("in {}{}{}", folded_names(cases), worst.empty() ? "" : "; worst in ", worst);
+  const bool several = cases.size() > 1 && !worst.empty();
+  return fmt::format("in {}{}{}", folded_names(cases), several ? "; worst in " : "",
+                     several ? worst : "");
 }
 
 void WarningGroups::add(std::string text, const std::string& load_case) {

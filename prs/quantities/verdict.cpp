@@ -103,9 +103,9 @@ Found peak_pressure(const VerdictFacts& f) {
   if (!f.loads && !f.life) return without(f, Command::solve, Sense::greatest);
   Found found{Sense::greatest};
   const auto at = [](Interface i) { return fmt::format("roller-{}", name(i)); };
-  if (f.loads)
-    for (const LoadCaseResult& r : f.loads->load_cases)
-      if (r.threads)
+  for (const Result* result : {f.loads, f.slip})  // Slip has the loads of warm parts.
+    for (std::size_t k = 0; result && k < result->load_cases.size(); ++k)
+      if (const LoadCaseResult& r = result->load_cases[k]; r.threads)
         for (const Interface i : kInterfaces)
           if (const auto& p = (*r.threads)[i].peak_pressure; !p.empty())
             found.take(*std::ranges::max_element(p) * per_si::megapascal, r.load_case.name, at(i));

@@ -168,12 +168,10 @@ std::string card_html(const Findings& all, const Criterion& c) {
   if (all.before)
     for (const Criterion& other : all.before->verdict.criteria)
       if (other.name == c.name) before = value_html(other);
-  const std::string state = words(c.standing);
-  const bool is_state = c.limit.has_value();
-  return tile_html(
-      c.name, name(c.standing), c.title, value_html(c), before,
-      (is_state ? fmt::format("<div class=\"state {}\">{}</div>", name(c.standing), state) : "") +
-          below + where_html(where));
+  if (c.limit)
+    below += fmt::format("<div class=\"state {}\">{}</div>", name(c.standing), words(c.standing));
+  return tile_html(c.name, name(c.standing), c.title, value_html(c), before,
+                   below + where_html(where));
 }
 
 }  // namespace
@@ -204,8 +202,7 @@ std::string verdict_html(const Findings& all) {
   for (const Headline& headline : headlines()) cards += headline_html(all, headline);
   if (!cards.empty()) cards = "<dl class=\"tiles\">\n" + cards + "</dl>\n";
   const std::string rest = not_computed(verdict);
-  if (!rest.empty())
-    cards += fmt::format("<p class=\"default\">Not computed: {}.</p>\n", html(rest));
+  if (!rest.empty()) cards += fmt::format("<p class=\"default\">No value: {}.</p>\n", html(rest));
   return "<p>" + text + "</p>\n" + cards;
 }
 

@@ -38,6 +38,13 @@ TEST(WarningGroups, EqualTextsHaveNoWorstAndCasesStandOnce) {
   EXPECT_EQ(grouped({{"about the whole case", ""}}).where(), "");
 }
 
+/// Two commands tell other numbers of one load case, cold and warm.
+TEST(WarningGroups, OneCaseIsNotToldTwice) {
+  const WarningGroup group = grouped({{"2.57 GPa", "pull"}, {"2.64 GPa", "pull"}});
+  EXPECT_EQ(group.where(), "in pull");
+  EXPECT_EQ(group.whole(), "2.64 GPa");
+}
+
 TEST(WarningGroups, TheFirstCaseMayBeTheWorst) {
   EXPECT_EQ(grouped({{"at 140 degC", "hot"}, {"at 125 degC", "warm"}}).where(),
             "in hot, warm; worst in hot");
