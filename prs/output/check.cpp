@@ -109,6 +109,8 @@ std::string derived(const Contacts& contacts) {
   return text;
 }
 
+constexpr std::size_t kTitleWidth = 30;
+
 /// A line for each criterion that has a value or a limit; the others in one.
 std::string verdict_table(const CaseVerdict& verdict) {
   std::string text = "\nVerdict\n" + wrapped(summary(verdict), "  ", kTableWidth);
@@ -127,7 +129,7 @@ std::string verdict_table(const CaseVerdict& verdict) {
                           origin(c));
     std::string where = printable(c.load_case);
     if (!c.reason.empty()) where += (where.empty() ? "" : ": ") + printable(c.reason);
-    std::string line = padded("  " + std::string(c.title), 28, true) +
+    std::string line = padded("  " + std::string(c.title), kTitleWidth, true) +
                        padded(c.value ? number(*c.value) : "", 9, false) + ' ' +
                        padded(std::string(is_known ? table_unit(*documents).text : unit), 7, true) +
                        padded(limit, 26, true) + ' ' + padded(words(c.standing), 13, true);
@@ -135,7 +137,7 @@ std::string verdict_table(const CaseVerdict& verdict) {
     if (width(line) + width(where) <= kTableWidth) line += std::exchange(where, "");
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + '\n';
-    if (!where.empty()) text += wrapped(where, std::string(28, ' '), kTableWidth);
+    if (!where.empty()) text += wrapped(where, std::string(kTitleWidth, ' '), kTableWidth);
   }
   const std::string rest = not_computed(verdict);
   return rest.empty() ? text : text + wrapped("No value: " + printable(rest), "  ", kTableWidth);

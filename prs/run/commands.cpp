@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "modules/module.h"
 #include "prs/compare/compare_models.h"
 #include "prs/figures/pictures.h"
 #include "prs/heat/analyze_heat.h"
@@ -154,17 +155,24 @@ CheckResult checked_with_verdict(const input::Source& source, const input::CaseI
   CheckResult result = checked(source, in);
   std::vector<Attempt> attempts;
   std::vector<std::unique_ptr<const Delivery>> deliveries;
+  const bool takes_long = in.values.model.bodies == ModelOptions::Bodies::influence;
   const auto attempt = [&](Command command) {
     if (!input::unmet(in, command).empty()) return false;
+    if (takes_long) {
+      attempts.push_back({command, nullptr, "`influence` takes long: see `prs report`"});
+      return true;
+    }
     try {
       deliveries.push_back(std::make_unique<const Delivery>(row_of(command).run(source, in)));
       attempts.push_back({command, deliveries.back().get()});
     } catch (const input::InputError& error) {
       attempts.push_back({command, nullptr, error.what()});
+    } catch (const modules::Missing& error) {
+      attempts.push_back({command, nullptr, error.what()});
     }
     return attempts.back().delivery != nullptr;
   };
-  if (in.values.load_cases.empty() || !attempt(Command::measures)) attempt(Command::solve);
+  if (!attempt(Command::measures) || takes_long) attempt(Command::solve);
   for (const Command command : {Command::slip, Command::life}) attempt(command);
   result.verdict = verdict_by(in, attempts);
   return result;

@@ -74,8 +74,12 @@ TEST(Measures, AreAllThereForACompleteCase) {
   standard.mechanism.starts.screw = 5;
   EXPECT_EQ(defined(measures(standard)), record_of<Measures>().quantities.size());
   const LoadMeasures pull = load_measures(abevi(), 0);
-  const std::set<std::string_view> lacking = {"l10_hours", "buckling_safety", "speed_safety",
-                                              "back_driving_efficiency_by_slip"};
+  const std::set<std::string_view> lacking = {"l10_hours",
+                                              "buckling_safety",
+                                              "speed_safety",
+                                              "back_driving_efficiency_by_slip",
+                                              "solved_static_safety",
+                                              "solved_static_safety_limit"};
   const auto json = object_of(pull);
   for (const Quantity<LoadMeasures>& q : record_of<LoadMeasures>().quantities)
     EXPECT_EQ(json.contains(q.key), !lacking.contains(q.key)) << q.key;
@@ -299,18 +303,18 @@ TEST(Measures, StaticSafetyIsThatOfLifeWithEqualShares) {
 /// Under any force of one sense: what a thread carries at its limit does not depend on it.
 TEST(Measures, StaticSafetyOfALoadCaseIsThatOfLifeUnderItsForce) {
   Case c = abevi();
-  c.life.emplace();
-  c.life->position = c.load_cases[0].position;
-  c.life->spectrum = {{.force = 30e3, .direction = Direction::tension, .share = 1.0},
-                      {.force = 20e3, .direction = Direction::compression, .share = 1.0}};
-  const LifeResult life = analyze_life(c);
-  const MeasuresResult measures = analyze_measures(c);
-  for (std::size_t k = 0; k < 2; ++k) {
-    const FlankLife& flank = *life.flanks[*c.load_cases[k].direction];
-    const LoadMeasures& m = *measures.load_measures[k];
-    EXPECT_NEAR(*m.solved_static_safety * c.load_cases[k].axial_force,
-                *flank.static_safety() * flank.largest_force, 1e-8 * flank.static_rating->force);
-    EXPECT_EQ(m.solved_static_safety_limit, flank.static_rating->limit);
+  for (const std::size_t k : {0u, 1u}) {
+    const LoadCase& load = c.load_cases[k];
+    c.life.emplace().position = load.position;
+    SpectrumLoad& step = c.life->spectrum.emplace_back();
+    step.force = 20.0 * load.axial_force;
+    step.direction = *load.direction;
+    step.share = 1.0;
+    const LifeResult life = analyze_life(c);
+    const LoadMeasures m = *analyze_measures(c).load_measures[k];
+    EXPECT_NEAR(*m.solved_static_safety, 20.0 * *life.static_safety(),
+                1e-8 * *m.solved_static_safety);
+    EXPECT_EQ(m.solved_static_safety_limit, life.static_safety_limit());
     EXPECT_LT(*m.solved_static_safety, *m.static_safety);  // Threads share unevenly.
   }
 }

@@ -152,6 +152,16 @@ TEST(Verdict, WhatCannotBeComputedIsNeverMet) {
   EXPECT_EQ(criterion(verdict(kAbevi), "critical_speed_share")["state"], "not_applicable");
 }
 
+/// Nothing is asked of the load cases where there is none, and the check makes no matrices.
+TEST(Verdict, IsQuickWhereNothingCanBeSolved) {
+  const Json none = verdict("07_contact_geometry.yaml");
+  EXPECT_EQ(criterion(none, "static_safety")["state"], "not_computed");
+  EXPECT_EQ(criterion(none, "axial_play")["state"], "red");
+  const Json influence = criterion(verdict(kAbevi, {"model.bodies=influence"}), "static_safety");
+  EXPECT_EQ(influence["state"], "not_computed");
+  EXPECT_THAT(influence["reason"].get<std::string>(), HasSubstr("influence"));
+}
+
 /// Between what physics allows and what is recommended.
 TEST(Verdict, AmberIsShortOfWhatIsRecommended) {
   const double force = 30.0;  // [kN]
