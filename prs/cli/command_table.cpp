@@ -81,6 +81,11 @@ void add_check_options(CLI::App& check, Options& options) {
       ->disable_flag_override();
 }
 
+void add_all_estimates(CLI::App& command, Options& options) {
+  command.add_flag("--all", options.all, "Show estimates beside what is computed, too")
+      ->disable_flag_override();
+}
+
 void add_compare_options(CLI::App& compare, Options& options) {
   compare
       .add_flag_callback(
@@ -258,8 +263,13 @@ constexpr CaseRow kCaseRows[] = {
      "prs check case.yaml\nprs check case.yaml --all"},
     {Command::compare, kAnalyse, add_compare_options, nullptr,
      "prs compare case.yaml\nprs compare case.yaml --influence --output results"},
-    {Command::measures, kAnalyse, nullptr, nullptr,
+    {Command::slip, kAnalyse, add_all_estimates, nullptr,
+     "prs slip case.yaml\nprs slip case.yaml --all"},
+    {Command::life, kAnalyse, add_all_estimates, nullptr,
+     "prs life case.yaml\nprs life case.yaml --all"},
+    {Command::measures, kAnalyse, add_all_estimates, nullptr,
      "prs measures case.yaml\n"
+     "prs measures case.yaml --all\n"
      "prs measures --explain\n"
      "prs measures --explain critical_speed_rpm"},
     {Command::study, kSearch, add_study_options, study,

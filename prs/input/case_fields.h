@@ -11,6 +11,7 @@
 #include "prs/input/field.h"
 #include "prs/input/optimize_fields.h"
 #include "prs/model/case.h"
+#include "prs/model/limits.h"
 #include "prs/model/study.h"
 
 /// The input, described once: every key, its unit and bounds, whether it must stand, its meaning.
@@ -86,6 +87,7 @@ struct StudyItem {
 struct CaseFile {
   Case values;
   std::vector<LoadCaseItem> load_cases;
+  std::optional<Limits> limits;
   std::optional<StudyItem> study;
   std::optional<OptimizeItem> optimize;
   bool speeds_follow_lead = false;  ///< Speeds are written along the axis.
@@ -904,6 +906,32 @@ void fields(Io& io, Heat& h) {
 }
 
 template <class Io>
+void fields(Io& io, Limits& l) {
+  const Quantity length{unit::length, positive};
+  io.field("life", l.life, EitherQuantity{{unit::duration, positive}, {unit::distance, positive}},
+           optional, "Least rated life, as time or travel");
+  io.field("static_safety", l.static_safety, Number{positive}, optional, "Least");
+  io.field("peak_pressure", l.peak_pressure, Quantity{unit::pressure, positive}, optional,
+           "Greatest, of all contacts");
+  io.field("buckling_safety", l.buckling_safety, Number{positive}, optional, "Least");
+  io.field("critical_speed_share", l.critical_speed_share, Quantity{unit::share, positive},
+           optional, "Greatest speed over the critical one");
+  io.field("speed_times_diameter", l.speed_times_diameter, Quantity{unit::speed, positive},
+           optional, "Greatest n d, d the pitch diameter of the screw");
+  io.field("nut_diameter", l.nut_diameter, length, optional,
+           "Greatest outer diameter of the nut, flanges left out");
+  io.field("nut_length", l.nut_length, length, optional, "Greatest length of the nut");
+  io.field("weight", l.weight, Quantity{unit::mass, positive}, optional,
+           "Greatest: nut, rollers and screw over `measures.shaft.length`");
+  io.field("stiffness", l.stiffness, Quantity{unit::stiffness, positive}, optional,
+           "Least axial stiffness, in series with that of `measures.shaft`");
+  io.field("efficiency", l.efficiency, Quantity{unit::share, Bounds{0.0, 1.0, true, true, false}},
+           optional, "Least, where the screw drives");
+  io.field("temperature", l.temperature, Quantity{unit::temperature, positive}, optional,
+           "Greatest of screw, rollers and nut");
+}
+
+template <class Io>
 void fields(Io& io, WrittenInterval& i) {
   io.field("from", i.from, Verbatim{}, required, "Least value");
   io.field("to", i.to, Verbatim{}, required, "Greatest value, in the same unit");
@@ -1026,6 +1054,8 @@ void fields(Io& io, CaseFile& file) {
   io.field("carrier", c.carrier, Block{}, optional, "What acts on the rollers besides the threads");
   io.field("heat", c.heat, Block{}, optional,
            "How the parts get rid of the heat of friction, for `prs slip`");
+  io.field("limits", file.limits, Block{}, optional,
+           "What the verdict of `prs check` and of the report holds the case against");
   io.field("study", file.study, Block{}, optional, "What `prs study` varies");
   io.field("optimize", file.optimize, Block{}, optional,
            "What `prs optimize` varies, and its aims");

@@ -84,6 +84,11 @@ struct Quantity {
   Bounds bounds = unbounded;
 };
 
+/// `20000 h` or `500 km`: a quantity of one of two dimensions, each with a member of its own.
+struct EitherQuantity {
+  Quantity first, second;
+};
+
 /// `rigid`, `free` where that is allowed, or a stiffness. One below `least` holds nothing: a
 /// newton moves it by a kilometre, and displacements of microns drown in it.
 struct Held {

@@ -65,6 +65,11 @@ Wanted wanted(T&, const Quantity& q) {
           example_of(q)};
 }
 template <class T>
+Wanted wanted(T& value, const EitherQuantity& kind) {
+  const Wanted first = wanted(value, kind.first), second = wanted(value, kind.second);
+  return {fmt::format("{} or {}", first.what, second.what), first.example};
+}
+template <class T>
 Wanted wanted(T&, const Held& h) {
   return {fmt::format("rigid{} or {}{} with its unit", h.may_be_free ? ", free" : "",
                       h.dimension.name, text_of_bounds(h.least, Quantity{h.dimension, h.least})),
@@ -256,6 +261,17 @@ void read(const Written& w, double& value, const Quantity& q) {
   if (!parsed.value || !q.bounds.contain(*parsed.value))
     return w.refuse(wanted(value, q), parsed.hint);
   value = *parsed.value;
+}
+
+void read(const Written& w, LeastLife& life, const EitherQuantity& kind) {
+  const auto taken = [&](const Quantity& q, std::optional<double>& into) {
+    const ParsedQuantity parsed = parse_quantity(w.node.text, q.dimension);
+    if (parsed.value && q.bounds.contain(*parsed.value)) into = parsed.value;
+    return into.has_value();
+  };
+  if (w.node.kind != Node::Kind::scalar ||
+      (!taken(kind.first, life.duration) && !taken(kind.second, life.travel)))
+    w.refuse(wanted(life, kind));
 }
 
 void read(const Written& w, double& value, const Held& held) {
@@ -706,8 +722,10 @@ std::optional<Command> command_of(const std::optional<Item>& item) {
 Case checked_case(const CaseFile& file, const Node& root, Command command, ErrorList& errors) {
   Case values = file.values;
   values.load_cases = expand(file.load_cases);
-  for (const Problem& p : problems_of(values, command))
-    errors.add(locate(root, p.path), p.path, p.message);
+  std::vector<Problem> problems = problems_of(values, command);
+  if (file.limits)
+    std::ranges::move(check_limits(*file.limits, values), std::back_inserter(problems));
+  for (const Problem& p : problems) errors.add(locate(root, p.path), p.path, p.message);
   return values;
 }
 
@@ -720,6 +738,7 @@ CaseInput read_case_input(const Source& source, Command command) {
   errors.throw_if_any();
   CaseInput input{std::move(values), echo(file, root), command_of(file.study),
                   command_of(file.optimize)};
+  input.limits = file.limits;
   input.warnings = unusual_values(input.fields);
   return input;
 }

@@ -8,6 +8,7 @@
 #include "prs/input/source.h"
 #include "prs/model/case.h"
 #include "prs/model/command.h"
+#include "prs/model/limits.h"
 #include "prs/model/problems.h"
 
 namespace prs::input {
@@ -19,6 +20,7 @@ struct CaseInput {
   std::optional<Command> study;            ///< The command that the file's study runs.
   std::optional<Command> optimize;         ///< The command that an optimization runs.
   std::vector<std::string> warnings = {};  ///< What is unusual about single values.
+  std::optional<Limits> limits = {};       ///< What the verdict holds the case against.
 };
 
 /// What a command needs and the file lacks, or has otherwise, see `prs::missing`.

@@ -40,6 +40,9 @@ Json written_json(const Node& node) {
 Json value_of(const Node* node, double value, const Quantity& q) {
   return node ? node->text : text_of(value, q);
 }
+Json value_of(const Node* node, const LeastLife& value, const EitherQuantity& kind) {
+  return node ? node->text : text_of(value, kind);
+}
 Json value_of(const Node* node, double value, const Held& held) {
   return node ? node->text : text_of(value, held);
 }

@@ -43,6 +43,11 @@ Json schema_of(T&, const Quantity& q) {
 }
 
 template <class T>
+Json schema_of(T& value, const EitherQuantity& kind) {
+  return {{"oneOf", Json::array({schema_of(value, kind.first), schema_of(value, kind.second)})}};
+}
+
+template <class T>
 Json schema_of(T& value, const Held& held) {
   Json words = Json::array({"rigid"});
   if (held.may_be_free) words.push_back("free");
@@ -125,9 +130,9 @@ Json default_of(const T& value, const Kind& kind) {
 
 /// Whether a kind has a default of its own; that of a map is the defaults of its keys.
 template <class Kind>
-concept Simple =
-    std::same_as<Kind, Quantity> || std::same_as<Kind, Number> || std::same_as<Kind, Whole> ||
-    std::same_as<Kind, Held> || std::same_as<Kind, Flag> || std::same_as<Kind, Choice>;
+concept Simple = std::same_as<Kind, Quantity> || std::same_as<Kind, Number> ||
+    std::same_as<Kind, Whole> || std::same_as<Kind, Held> || std::same_as<Kind, EitherQuantity> ||
+    std::same_as<Kind, Flag> || std::same_as<Kind, Choice>;
 
 /// Visits the keys of a map.
 class Properties : public Visitor {

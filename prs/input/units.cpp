@@ -111,6 +111,14 @@ constexpr Unit kTemperature[] = {{{"degC", "°C", "C"}, 1.0, 1.0, 273.15},
 
 constexpr Unit kShare[] = {{{"%"}, 1.0, 100.0}};
 
+constexpr Unit kMass[] = {{{"kg"}}, {{"g"}, 1.0, 1e3}, {{"t"}, 1e3}, {{"lb"}, kPound}};
+
+constexpr Unit kSpeed[] = {
+    {{"mm/min"}, 1.0, 60e3},    {{"m/min"}, 1.0, 60.0}, {{"mm/s"}, 1.0, 1e3},     {{"m/s"}},
+    {{"in/min"}, kInch / 60.0}, {{"in/s"}, kInch},      {{"ft/min"}, kInch / 5.0}};
+
+constexpr Unit kDistance[] = {{{"km"}, 1e3}, {{"m"}}};
+
 }  // namespace
 
 namespace unit {
@@ -136,6 +144,9 @@ const Dimension thermal_expansion{"a coefficient of thermal expansion", "11.5 um
                                   kThermalExpansion};
 const Dimension duration{"a duration", "1 h", "s", kDuration};
 const Dimension share{"a share", "95 %", "%", kShare};
+const Dimension mass{"a mass", "12 kg", "kg", kMass};
+const Dimension speed{"a speed", "150000 mm/min", "mm/min", kSpeed};
+const Dimension distance{"a distance", "500 km", "km", kDistance};
 const Dimension wear{"a wear coefficient", "1e-8 mm^3/(N m)", "mm^3/(N m)", kWear};
 const Dimension thermal_conductance{"a thermal conductance", "8 W/K", "W/K", kThermalConductance};
 const Dimension heat_capacity{"a heat capacity", "400 J/K", "J/K", kHeatCapacity};
@@ -165,7 +176,10 @@ constexpr const Dimension* kDimensions[] = {&unit::length,
                                             &unit::wear,
                                             &unit::thermal_conductance,
                                             &unit::heat_capacity,
-                                            &unit::specific_heat};
+                                            &unit::specific_heat,
+                                            &unit::mass,
+                                            &unit::speed,
+                                            &unit::distance};
 
 const Dimension* dimension_of(std::string_view symbol) {
   for (const Dimension* d : kDimensions)

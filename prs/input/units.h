@@ -51,6 +51,9 @@ extern const Dimension wear;
 extern const Dimension thermal_conductance;
 extern const Dimension heat_capacity;
 extern const Dimension specific_heat;
+extern const Dimension mass;
+extern const Dimension speed;
+extern const Dimension distance;
 }  // namespace unit
 
 /// All dimensions, in the order in which they are shown.

@@ -9,12 +9,17 @@
 #include <vector>
 
 #include "prs/input/field.h"
+#include "prs/model/limits.h"
 
 /// Values as a person would write them in the input.
 namespace prs::input {
 
 inline std::string text_of(double value, const Quantity& q) {
   return format_quantity(value, q.dimension);
+}
+inline std::string text_of(const LeastLife& life, const EitherQuantity& kind) {
+  return life.duration ? text_of(*life.duration, kind.first)
+                       : text_of(life.travel.value_or(0.0), kind.second);
 }
 inline std::string text_of(double value, const Held& held) {
   if (value == kRigid) return "rigid";

@@ -554,6 +554,24 @@ std::optional<StaticLimit> LifeResult::static_safety_limit() const {
   return flank ? std::optional(flank->static_rating->limit) : std::nullopt;
 }
 
+std::optional<StaticRating> solved_static_rating(const Conditions& c, const Contacts& contacts,
+                                                 Direction direction, double position,
+                                                 double force) {
+  Conditions own = c;
+  if (!own.life) own.life.emplace();
+  own.life->share = LoadCase::Share::solved;
+  own.life->position = position;
+  own.preload.reset();
+  const LifeModel p{own, contacts, contact_laws(own, contacts)};
+  PerDirection<bool> wanted{};
+  wanted[direction] = true;
+  FlankLife flank;
+  flank.largest_force = force;
+  find_static_loads(p, largest_solver(p, direction, contact_solvers(p, wanted)[direction], {}),
+                    flank);
+  return flank.static_rating;
+}
+
 LifeResult analyze_life(const Conditions& c, Contacts contacts,
                         std::optional<LoadHistory> history) {
   LifeResult r;

@@ -129,6 +129,14 @@ struct LifeResult {
   const FlankLife* statically_weakest() const;
 };
 
+/// Static rating under forces of one sense, with the thread loads that are solved at the limit:
+/// what `analyze_life` has of a spectrum with such forces, without preload. Not of a full
+/// mechanism, whose load cases have side loads of their own. `force`: where the search begins [N].
+/// Absent where the geometry gives no Hertz contact, or no equilibrium is found.
+std::optional<StaticRating> solved_static_rating(const Conditions& c, const Contacts& contacts,
+                                                 Direction direction, double position,
+                                                 double force);
+
 /// Contacts -> capacity -> load distribution over the loads of the spectrum -> lives. Reads
 /// nothing, prints nothing. The case must have passed `check_case` and the requirements of `life`;
 /// `history` is given where the case has one. Throws CaseError where Lemor's factor is not known

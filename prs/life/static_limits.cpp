@@ -85,7 +85,8 @@ std::optional<std::string> flank_edge_below_capacity(const Contacts& contacts, d
   const contact::FlankEdge edge = nearest_flank_edge(contacts, i);
   return fmt::format(
       "the {} ellipse reaches the {} of the {} at {:.4g} kN, below the static capacity of {:.4g} "
-      "kN; static safety takes the smaller; lower the profile radius or take a coarser pitch",
+      "kN, with equal shares; static safety takes the smaller; lower the profile radius or take a "
+      "coarser pitch",
       label(i), contact::name(edge.end), edge.of_roller ? "roller" : name(i),
       edge_load * per_si::kilonewton, static_capacity * per_si::kilonewton);
 }

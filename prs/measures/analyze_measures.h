@@ -14,6 +14,8 @@ struct MeasuresResult {
   Measures measures;
   /// One per load case; absent where it did not converge.
   std::vector<std::optional<LoadMeasures>> load_measures;
+  /// Whether the case has all for `slip` and `life`, which compute what is estimated here.
+  bool slips = false, lives = false;
 };
 
 /// The measures of what is known of a case: contacts, and load cases that are solved.

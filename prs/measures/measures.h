@@ -71,7 +71,11 @@ struct LoadMeasures {
   PerInterface<std::optional<double>> largest_peak_pressure;  ///< At the most loaded thread [Pa].
   PerPart<std::optional<double>> root_shear_stress;           ///< At the most loaded thread [Pa].
   PerPart<std::optional<double>> root_bending_stress;         ///< [Pa]
-  /// Estimates of static safety, see prs/life/static_limits.h, and what limits them.
+  /// Static safety as `prs life` has it, see prs/life/static_limits.h, and what limits it; not of
+  /// full mechanisms; Detail::complete.
+  std::optional<double> solved_static_safety;
+  std::optional<StaticLimit> solved_static_safety_limit;
+  /// Estimates of it, and what limits them.
   std::optional<double> static_safety;         ///< With equal shares.
   std::optional<double> thread_static_safety;  ///< With the shares under this load.
   std::optional<StaticLimit> static_safety_limit, thread_static_safety_limit;

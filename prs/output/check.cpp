@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <utility>
@@ -136,8 +137,43 @@ std::string derived(const Contacts& contacts) {
   return text;
 }
 
+constexpr std::size_t kTitleWidth = 30;
+
+/// A line for each criterion that has a value or a limit; the others in one.
+std::string verdict_table(const CaseVerdict& verdict) {
+  std::string text = "\nVerdict\n" + wrapped(summary(verdict), "  ", kTableWidth);
+  for (const Criterion& c : verdict.criteria) {
+    if (!c.value && !c.limit && c.name != "convergence") continue;
+    const auto [unit, factor] = shown(c);
+    const auto* const documents = std::ranges::find(kShownUnits, unit, &ShownUnit::text);
+    const bool is_known = documents != std::end(kShownUnits);
+    const auto number = [&](double value) {
+      const double shown = value * factor * (is_known ? table_factor(*documents) : 1.0);
+      return std::abs(shown) < 1e4 ? fmt::format("{:.4g}", shown) : fmt::format("{:.0f}", shown);
+    };
+    std::string limit;
+    if (c.limit)
+      limit = fmt::format("{} {} ({})", c.sense == Sense::least ? ">=" : "<=", number(*c.limit),
+                          origin(c));
+    std::string where = printable(c.load_case);
+    if (!c.reason.empty()) where += (where.empty() ? "" : ": ") + printable(c.reason);
+    std::string line = padded("  " + std::string(c.title), kTitleWidth, true) +
+                       padded(c.value ? number(*c.value) : "", 9, false) + ' ' +
+                       padded(std::string(is_known ? table_unit(*documents).text : unit), 7, true) +
+                       padded(limit, 26, true) + ' ' + padded(words(c.standing), 13, true);
+    // What is too long for the line stands below it.
+    if (width(line) + width(where) <= kTableWidth) line += std::exchange(where, "");
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + '\n';
+    if (!where.empty()) text += wrapped(where, std::string(kTitleWidth, ' '), kTableWidth);
+  }
+  const std::string rest = not_computed(verdict);
+  return rest.empty() ? text : text + wrapped("No value: " + printable(rest), "  ", kTableWidth);
+}
+
 std::string head(const CheckResult& result) {
-  return readiness(result) + warning_section(result.geometry.warnings);
+  return readiness(result) + (result.verdict ? verdict_table(*result.verdict) : "") +
+         warning_section(result.geometry.warnings);
 }
 
 }  // namespace
@@ -166,6 +202,7 @@ nlohmann::ordered_json check_json(const CheckResult& result, const DocumentInfo&
     entry["basis"] = basis;
     if (!reason.empty()) entry["reason"] = reason;
   }
+  if (result.verdict) document["verdict"] = object_of(*result.verdict);
   const Contacts& contacts = result.geometry.contacts;
   for (const auto& [key, value] : lengths(contacts.mechanism)) document["derived"][key] = value;
   put_contacts(document, contacts);

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "prs/model/command.h"
 #include "prs/model/problems.h"
 #include "prs/quantities/json.h"
+#include "prs/quantities/verdict.h"
 
 namespace prs {
 
@@ -25,6 +27,7 @@ struct CheckResult {
   std::map<std::string, std::string> assumed;  ///< See `input::assumptions`.
   std::vector<CommandNeeds> commands;
   Result geometry;  ///< Contacts and warnings alone.
+  std::optional<CaseVerdict> verdict = {};
 };
 
 /// Readiness by command and what to add, warnings, derived values.

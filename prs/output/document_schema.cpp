@@ -17,6 +17,7 @@
 #include "prs/quantities/record_table.h"
 #include "prs/quantities/results_schema.h"
 #include "prs/quantities/schema_parts.h"
+#include "prs/quantities/verdict.h"
 
 namespace prs {
 namespace {
@@ -130,6 +131,8 @@ void put_check(Parts& d) {
                            {"contact_length_mm", number()},
                            {"roller_spacing_mm", number()}},
                           {"axial_pitch_mm", "contact_length_mm", "roller_spacing_mm"}));
+  d.put_record<CaseVerdict>("verdict");
+  d.leave_open("verdict");
   put_contacts(d);
 }
 

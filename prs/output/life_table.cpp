@@ -62,21 +62,32 @@ std::string weakest_thread(const WeakestThread& w) {
                      name(w.interface), name(w.direction));
 }
 
-std::string lives(const LifeResult& r) {
+/// The headline is the life with the real thread loads or, with a maker's capacity, that of the
+/// catalogue's formula: such a capacity comes from real screws, and uneven sharing is in it.
+std::string lives(const LifeResult& r, bool all) {
   const bool solved = r.life.share == LoadCase::Share::solved;
+  const bool given = !r.lemor;
+  const double headline = given ? r.catalogue_life : r.system_life;
   std::vector<std::string> heads{"million rev.", "hours", "km"};
   if (r.revolutions_known) heads.emplace_back(r.history ? "histories" : "spectra run");
   std::string text = columns("Life L10", heads);
-  text += life_row(r, solved ? "mechanism, real thread loads" : "mechanism, equal thread loads",
-                   r.system_life);
+  const std::string_view system =
+      solved ? "mechanism, real thread loads" : "mechanism, equal thread loads";
+  text += life_row(r, given ? "stated C_a, (C_a/F_m)^3" : std::string(system), headline);
   if (is_rated(r))
     text += life_row(r, fmt::format("  rated, {} reach it", reliability(r)),
-                     r.rated_over_l10() * r.system_life);
+                     r.rated_over_l10() * headline);
+  if (given) text += life_row(r, fmt::format("  {}", system), r.system_life);
   for (const Direction d : kDirections)
     if (r.flanks[d])
       text += life_row(r, fmt::format("  {} flanks alone", name(d)), r.flanks[d]->life);
-  if (solved) text += life_row(r, "mechanism, equal thread loads", r.equal_shares_life);
-  text += life_row(r, "catalogue formula (C_a/F_m)^3", r.catalogue_life);
+  if (all && solved) text += life_row(r, "estimate: equal thread loads", r.equal_shares_life);
+  if (all && !given) text += life_row(r, "estimate: (C_a/F_m)^3", r.catalogue_life);
+  if (given && solved)
+    text += wrapped(
+        "A stated C_a comes from real screws, whose threads share unevenly: the life with real "
+        "thread loads counts that twice and is a lower bound.",
+        "  ", kTableWidth);
   if (r.weakest) text += life_row(r, weakest_thread(*r.weakest), r.weakest->life);
   return text;
 }
@@ -90,7 +101,7 @@ std::string by_direction(const LifeResult& r, std::optional<double> FlankLife::*
   return text;
 }
 
-std::string capacities(const LifeResult& r) {
+std::string capacities(const LifeResult& r, bool all) {
   std::string text;
   const Interval& range = r.dynamic_capacity_range;
   text +=
@@ -124,10 +135,10 @@ std::string capacities(const LifeResult& r) {
   if (r.equal_shares_static_capacity) {
     text += line("force that gives " + quantity(kStaticPressureLimit, "GPa"),
                  by_direction(r, &FlankLife::static_capacity));
-    text += line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
+    if (all) text += line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
     text +=
         line("force with ellipses at a flank's edge", by_direction(r, &FlankLife::flank_edge_load));
-    text += line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));
+    if (all) text += line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));
   }
   text += line("static safety",
                r.static_safety() ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(),
@@ -158,12 +169,10 @@ std::string loads(const LifeResult& r) {
   return text;
 }
 
-}  // namespace
-
-std::string life_table(const LifeResult& r) {
+std::string table_with(const LifeResult& r, bool all) {
   std::string text;
   if (r.converged())
-    text += lives(r) + '\n' + capacities(r) + '\n' +
+    text += lives(r, all) + '\n' + capacities(r, all) + '\n' +
             (r.history ? fmt::format("History of {} samples\n", r.steps.size())
                        : fmt::format("Spectrum of {} load{}\n", r.steps.size(),
                                      r.steps.size() == 1 ? "" : "s")) +
@@ -172,5 +181,10 @@ std::string life_table(const LifeResult& r) {
     text += fmt::format("NOT CONVERGED: {}\n", *r.failure);
   return text + warning_section(r.warnings);
 }
+
+}  // namespace
+
+std::string life_table(const LifeResult& r) { return table_with(r, false); }
+std::string full_life_table(const LifeResult& r) { return table_with(r, true); }
 
 }  // namespace prs

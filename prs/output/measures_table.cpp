@@ -53,14 +53,18 @@ std::vector<std::string_view> groups_of() {
   return groups;
 }
 
-/// Numbers and words group by group, `owners` side by side; what none of them has is left out.
+using Keys = std::vector<std::string>;
+
+/// Numbers and words group by group, `owners` side by side; what none of them has is left out, and
+/// the `hidden` keys.
 template <class Owner>
-std::string group_rows(std::span<const std::optional<Owner>> owners) {
+std::string group_rows(std::span<const std::optional<Owner>> owners, const Keys& hidden) {
   std::string text;
   for (const std::string_view group : groups_of<Owner>()) {
     std::string rows;
     for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
       if (q.group != group || q.value.series) continue;
+      if (std::ranges::find(hidden, q.key) != hidden.end()) continue;
       std::string cells;
       bool any = false;
       for (const std::optional<Owner>& owner : owners) {
@@ -80,7 +84,8 @@ std::string group_rows(std::span<const std::optional<Owner>> owners) {
 }
 
 /// The load cases [first, last) side by side.
-std::string load_table(const MeasuresResult& result, std::size_t first, std::size_t last) {
+std::string load_table(const MeasuresResult& result, std::size_t first, std::size_t last,
+                       const Keys& hidden) {
   std::string text = padded("Load case", kTitleWidth, true);
   for (std::size_t k = first; k < last; ++k)
     text += ' ' + padded(shortened(printable(result.analysis.load_cases[k].load_case.name),
@@ -91,7 +96,8 @@ std::string load_table(const MeasuresResult& result, std::size_t first, std::siz
     text += padded(significant(shown(result.analysis.load_cases[k].load_case.axial_force, "kN")),
                    kCellWidth, false);
   text += '\n';
-  const std::string rows = group_rows(std::span(result.load_measures).subspan(first, last - first));
+  const std::string rows =
+      group_rows(std::span(result.load_measures).subspan(first, last - first), hidden);
   return rows.empty() ? text : text + '\n' + rows;
 }
 
@@ -127,16 +133,37 @@ void add_rows(CsvWriter& csv, std::string_view load_case, const Owner& measures)
 
 }  // namespace
 
-std::string measures_table(const MeasuresResult& result) {
+namespace {
+
+std::string table_without(const MeasuresResult& result, const Keys& hidden) {
   const std::optional<Measures> measures[] = {result.measures};
-  std::string text = group_rows<Measures>(measures);
+  std::string text = group_rows<Measures>(measures, hidden);
   const std::size_t cases = result.load_measures.size();
   for (std::size_t first = 0; first < cases; first += kMostCases)
-    text += '\n' + load_table(result, first, std::min(first + kMostCases, cases));
+    text += '\n' + load_table(result, first, std::min(first + kMostCases, cases), hidden);
   text += "\nFormulas, validity and sources: prs measures --explain\n";
+  if (!hidden.empty())
+    text +=
+        "Estimates of what prs slip and prs life compute, and with equal shares: prs measures "
+        "--all\n";
   const std::string warnings = warning_summary(result.analysis);
   return warnings.empty() ? text : text + '\n' + warnings;
 }
+
+}  // namespace
+
+std::string measures_table(const MeasuresResult& result) {
+  const auto known = [&](auto member) {
+    return std::ranges::any_of(result.load_measures,
+                               [&](const auto& m) { return m && (*m).*member; });
+  };
+  const bool solved = known(&LoadMeasures::solved_static_safety);
+  return table_without(result,
+                       estimates_beside({result.slips, result.lives, solved,
+                                         solved || known(&LoadMeasures::thread_static_safety)}));
+}
+
+std::string full_measures_table(const MeasuresResult& result) { return table_without(result, {}); }
 
 std::string measure_explanations() {
   return "Measures of the mechanism: `measures` in documents\n\n" + explanations<Measures>() +

@@ -9,6 +9,8 @@ namespace prs {
 
 /// The measures of the mechanism, then those of each load case side by side.
 std::string measures_table(const MeasuresResult& result);
+/// With the estimates of what is computed.
+std::string full_measures_table(const MeasuresResult& result);
 
 /// Formula, validity and source of every measure.
 std::string measure_explanations();

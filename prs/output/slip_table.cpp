@@ -73,10 +73,11 @@ std::string slip_ratio_lines(const SlipResult& slip) {
          block_line("  at the pitch points", fixed(slip.estimates.simple, 1.0, 6));
 }
 
-std::string efficiency_lines(const SlipResult& slip) {
-  const std::string fit = slip.efficiency_fit ? fmt::format("Sandu's fit {:.2f} %",
-                                                            *slip.efficiency_fit * per_si::percent)
-                                              : "";
+std::string efficiency_lines(const SlipResult& slip, bool all) {
+  const std::string fit =
+      all && slip.efficiency_fit
+          ? fmt::format("Sandu's fit {:.2f} %", *slip.efficiency_fit * per_si::percent)
+          : "";
   if (slip.driven_by == DrivenBy::screw)
     return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2), fit);
   return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2),
@@ -254,12 +255,12 @@ std::string equal_share_lines(const SlipResult& slip) {
   return lines;
 }
 
-std::string block(const LoadCaseResult& result) {
+std::string block(const LoadCaseResult& result, bool all) {
   if (!has_slip(result)) return title_line(result) + fmt::format("  {}\n", failure(result));
   const SlipResult& slip = *result.slip;
-  return title_line(result) + slip_ratio_lines(slip) + efficiency_lines(slip) + torque_lines(slip) +
-         power_lines(slip) + heat_lines(result.heat) + range_lines(slip) + hottest_line(slip) +
-         equal_share_lines(slip);
+  return title_line(result) + slip_ratio_lines(slip) + efficiency_lines(slip, all) +
+         torque_lines(slip) + power_lines(slip) + heat_lines(result.heat) + range_lines(slip) +
+         hottest_line(slip) + (all ? equal_share_lines(slip) : "");
 }
 
 // A case in a row.
@@ -313,13 +314,13 @@ std::vector<double> power_of_rollers(const InterfaceSlip& slip) {
 
 }  // namespace
 
-std::string slip_table(const Result& result) {
+std::string slip_table(const Result& result, bool all) {
   std::string table;
   if (result.load_cases.size() > kMostBlocks)
     table = case_table({kColumns, 3, failure, "slip.csv"}, result.load_cases);
   else
     for (const LoadCaseResult& load_case : result.load_cases)
-      table += (table.empty() ? "" : "\n") + block(load_case);
+      table += (table.empty() ? "" : "\n") + block(load_case, all);
   if (result.heat_cycle) table += '\n' + cycle_block(*result.heat_cycle);
   const std::string warnings = warning_summary(result);
   return warnings.empty() ? table : table + '\n' + warnings;

@@ -7,8 +7,9 @@
 namespace prs {
 
 /// Slip at a glance, the warnings below: up to four load cases at length, more as one row per case.
-/// Within 110 columns.
-std::string slip_table(const Result& result);
+/// Within 110 columns. `all`: with the estimates beside what is computed, by equal thread loads and
+/// by a fit.
+std::string slip_table(const Result& result, bool all = false);
 
 /// One case thread by thread: the power lost at both interfaces of a roller [W] as bars. For a case
 /// without an answer, one line that says why.

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
+#include <charconv>
+#include <utility>
 
 #include "prs/output/case_table.h"
 #include "prs/output/table_units.h"
@@ -13,33 +14,30 @@
 namespace prs {
 namespace {
 
-struct WarningGroup {
-  std::string pattern;  ///< The text without its numbers.
-  std::string place;    ///< Path of the load case, with which the text begins; else empty.
-  std::string text;     ///< As the last of the cases has it.
-  bool texts_differ = false;
-  std::vector<std::string> cases;
-};
+bool is_of_number(char c) { return (c >= '0' && c <= '9') || c == '.'; }
 
-std::string without_numbers(std::string text) {
-  std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
-  return text;
+/// Magnitudes of the numbers in a text, in their order.
+std::vector<double> numbers_in(std::string_view text) {
+  std::vector<double> numbers;
+  for (const char *at = text.data(), *end = at + text.size(); at < end; ++at) {
+    double number = 0.0;
+    if (*at < '0' || *at > '9') continue;
+    at = std::from_chars(at, end, number).ptr - 1;
+    numbers.push_back(number);
+  }
+  return numbers;
 }
 
-void add(std::string text, const LoadCase& load_case, std::vector<WarningGroup>& groups) {
-  std::string pattern = without_numbers(text), place;
-  if (!load_case.input_path.empty() && text.starts_with(load_case.input_path)) {
-    place = load_case.input_path;
-    text.erase(0, place.size());
-  }
-  auto group = std::find_if(groups.begin(), groups.end(),
-                            [&](const WarningGroup& g) { return g.pattern == pattern; });
-  if (group == groups.end())
-    group = groups.insert(group, {std::move(pattern), place, text, false, {}});
-  if (group->place != place) group->place = "load_cases[..]";
-  group->texts_differ = group->texts_differ || group->text != text;
-  group->text = std::move(text);
-  group->cases.push_back(printable(load_case.name));
+bool is_worse(std::string_view text, std::string_view than) {
+  const std::vector<double> a = numbers_in(text), b = numbers_in(than);
+  const auto [x, y] = std::ranges::mismatch(a, b);
+  if (x == a.end() || y == b.end()) return false;
+  return text.find("at the least") == text.npos ? *x > *y : *x < *y;
+}
+
+/// Length of the path of a load case at the head of a text.
+std::size_t length_of_place(std::string_view text) {
+  return text.starts_with("load_cases[") ? text.find(']') + 1 : 0;
 }
 
 /// With the units of tables.
@@ -47,13 +45,35 @@ std::string warning_lines(const std::string& warning) {
   return wrapped(in_table_units(printable(warning)), "  ", kTableWidth);
 }
 
-std::string group_lines(const WarningGroup& group) {
-  const std::string cases = fmt::format("in {}{}", folded_names(group.cases),
-                                        group.texts_differ ? "; numbers of the last" : "");
-  return warning_lines(group.place + group.text) + wrapped(cases, "    ", kTableWidth);
+}  // namespace
+
+std::string WarningGroup::where() const {
+  if (cases.empty()) return {};
+  const bool several = cases.size() > 1 && !worst.empty();
+  return fmt::format("in {}{}{}", folded_names(cases), several ? "; worst in " : "",
+                     several ? worst : "");
 }
 
-}  // namespace
+void WarningGroups::add(std::string text, const std::string& load_case) {
+  std::string pattern = text;
+  std::erase_if(pattern, is_of_number);
+  const std::size_t length = length_of_place(text);
+  std::string place = text.substr(0, length);
+  text.erase(0, length);
+  auto group = std::ranges::find(groups_, pattern, &WarningGroup::pattern);
+  if (group == groups_.end())
+    group = groups_.insert(group, {std::move(pattern), place, text, {}, {}});
+  if (group->place != place) group->place = "load_cases[..]";
+  if (group->text != text) {
+    if (group->worst.empty() && !group->cases.empty()) group->worst = group->cases.front();
+    if (is_worse(text, group->text)) {
+      group->text = std::move(text);
+      group->worst = load_case;
+    }
+  }
+  if (!load_case.empty() && known_.emplace(group->pattern, load_case).second)
+    group->cases.push_back(load_case);
+}
 
 std::string warning_summary(const Result& result) {
   return warning_summary(result.warnings, result.load_cases);
@@ -61,14 +81,15 @@ std::string warning_summary(const Result& result) {
 
 std::string warning_summary(const std::vector<std::string>& warnings,
                             const std::vector<LoadCaseResult>& load_cases) {
-  std::vector<WarningGroup> groups;
+  WarningGroups groups;
   for (const LoadCaseResult& load_case : load_cases)
     for (const std::string& warning : load_case.warnings)
-      add(printable(warning), load_case.load_case, groups);
+      groups.add(printable(warning), printable(load_case.load_case.name));
 
   std::string summary;
   for (const std::string& warning : warnings) summary += warning_lines(warning);
-  for (const WarningGroup& group : groups) summary += group_lines(group);
+  for (const WarningGroup& group : std::move(groups).take())
+    summary += warning_lines(group.whole()) + wrapped(group.where(), "    ", kTableWidth);
   return summary.empty() ? summary : "Warnings\n" + summary;
 }
 

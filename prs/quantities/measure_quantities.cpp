@@ -3,6 +3,7 @@
 #include "prs/quantities/sources.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace prs {
 namespace {
@@ -10,6 +11,7 @@ namespace {
 constexpr std::string_view kTransmissionGroup = "Transmission";
 constexpr std::string_view kStiffnessGroup = "Stiffness";
 constexpr std::string_view kCapacityGroup = "Capacity";
+constexpr std::string_view kStaticGroup = "Static limits with equal shares";
 constexpr std::string_view kWeightGroup = "Weight and room";
 constexpr std::string_view kInertiaGroup = "Inertia at the part that turns";
 constexpr std::string_view kShaftGroup = "Shaft";
@@ -158,29 +160,29 @@ constexpr Quantity<Measures> kMeasures[] = {
      "dynamic capacity, greatest by other ratios in f_c", kCapacityGroup, kRangeValidity},
     {"static_capacity_N", of<&Measures::static_capacity>,
      "the least of the next four; or life.static_capacity where stated", "ISO 76, Palmgren, Hertz",
-     "static capacity C_0", kCapacityGroup,
+     "static capacity C_0", kStaticGroup,
      "equal shares; hardened bearing steel; flanks of any height, see flank_edge_load_N; as "
      "uncertain as the profile radius: a maker's hardly depends on the lead, as if r = 5 p, which "
      "gives 0.7 to 1.4 times his, an arc about the axis 0.4 to 4.7 (validation/standard_screws)"},
     {"deformation_capacity_screw_N", of_side<&Measures::deformation_capacity, Interface::screw>,
      kDeformationFormula, kPalmgren, "load at the permanent deformation, roller-screw",
-     kCapacityGroup, kDeformationValidity},
+     kStaticGroup, kDeformationValidity},
     {"deformation_capacity_nut_N", of_side<&Measures::deformation_capacity, Interface::nut>,
-     kDeformationFormula, kPalmgren, "load at the permanent deformation, roller-nut",
-     kCapacityGroup, kDeformationValidity},
+     kDeformationFormula, kPalmgren, "load at the permanent deformation, roller-nut", kStaticGroup,
+     kDeformationValidity},
     {"pressure_capacity_screw_N", of_side<&Measures::pressure_capacity, Interface::screw>,
-     kPressureFormula, kPressureSource, "load at the pressure limit, roller-screw", kCapacityGroup,
+     kPressureFormula, kPressureSource, "load at the pressure limit, roller-screw", kStaticGroup,
      kPressureValidity},
     {"pressure_capacity_nut_N", of_side<&Measures::pressure_capacity, Interface::nut>,
-     kPressureFormula, kPressureSource, "load at the pressure limit, roller-nut", kCapacityGroup,
+     kPressureFormula, kPressureSource, "load at the pressure limit, roller-nut", kStaticGroup,
      kPressureValidity},
     {"flank_edge_load_N", of<&Measures::flank_edge_load>, "the smaller of both below",
-     kFlankEdgeSource, "load at the edge of a flank", kCapacityGroup, kFlankEdgeValidity},
+     kFlankEdgeSource, "load at the edge of a flank", kStaticGroup, kFlankEdgeValidity},
     {"flank_edge_load_screw_N", of_side<&Measures::interface_flank_edge_load, Interface::screw>,
-     kFlankEdgeFormula, kFlankEdgeSource, "load at the edge of a flank, roller-screw",
-     kCapacityGroup, kFlankEdgeValidity},
+     kFlankEdgeFormula, kFlankEdgeSource, "load at the edge of a flank, roller-screw", kStaticGroup,
+     kFlankEdgeValidity},
     {"flank_edge_load_nut_N", of_side<&Measures::interface_flank_edge_load, Interface::nut>,
-     kFlankEdgeFormula, kFlankEdgeSource, "load at the edge of a flank, roller-nut", kCapacityGroup,
+     kFlankEdgeFormula, kFlankEdgeSource, "load at the edge of a flank, roller-nut", kStaticGroup,
      kFlankEdgeValidity},
     {"roller_weight_kg", of<&Measures::roller_weight>, "N_r rho pi/4 (d_R^2 N p + 2 d_end^2 L_end)",
      kBodySource, "weight of all rollers", kWeightGroup, kBodyValidity},
@@ -288,6 +290,10 @@ constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
      kBendingFormula, kRootSource, "bending at the root, roller", kStrengthGroup, kRootValidity},
     {"root_bending_stress_nut_MPa", of_side<&LoadMeasures::root_bending_stress, Part::nut>,
      kBendingFormula, kRootSource, "bending at the root, nut", kStrengthGroup, kRootValidity},
+    {"solved_static_safety", of<&LoadMeasures::solved_static_safety>,
+     "force at which the first thread reaches a limit, with the thread loads there, over F",
+     kStaticSource, "static safety", kStrengthGroup,
+     "as that of `prs life`; not of a full mechanism", Reach::complete},
     {"static_safety", of<&LoadMeasures::static_safety>,
      "the smaller of static_capacity_N and flank_edge_load_N over F", kStaticSource,
      "static safety (estimate: equal shares)", kStrengthGroup,
@@ -320,9 +326,12 @@ constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
      "Euler-Bernoulli beam", "critical over operating speed", kDriveGroup,
      "standard mechanisms, whose screw turns; that of the critical speed"},
 
-    {"static_safety_limit", of<&LoadMeasures::static_safety_limit>,
+    {"solved_static_safety_limit", of<&LoadMeasures::solved_static_safety_limit>,
      "pressure | deformation | flank_edge | given", kStaticSource, "what limits static safety",
-     kStrengthGroup, "that of static_safety"},
+     kStrengthGroup, "that of solved_static_safety", Reach::complete},
+    {"static_safety_limit", of<&LoadMeasures::static_safety_limit>,
+     "pressure | deformation | flank_edge | given", kStaticSource,
+     "what limits static safety, equal shares", kStrengthGroup, "that of static_safety"},
     {"thread_static_safety_limit", of<&LoadMeasures::thread_static_safety_limit>,
      "pressure | deformation | flank_edge | given", kStaticSource,
      "what limits static safety, most loaded thread", kStrengthGroup,
@@ -338,6 +347,18 @@ constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
 };
 
 }  // namespace
+
+std::vector<std::string> estimates_beside(const Computed& computed) {
+  std::vector<std::string> keys;
+  const auto add = [&](bool is_computed, std::initializer_list<const char*> estimates) {
+    if (is_computed) keys.insert(keys.end(), estimates.begin(), estimates.end());
+  };
+  add(computed.slip, {"efficiency", "back_driving_efficiency", "drive_torque_Nm"});
+  add(computed.life, {"static_capacity_N", "l10_revolutions", "l10_hours", "l10_travel_km"});
+  add(computed.thread_safety, {"static_safety", "static_safety_limit"});
+  add(computed.static_safety, {"thread_static_safety", "thread_static_safety_limit"});
+  return keys;
+}
 
 template <>
 Record<Measures> record_of() {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "prs/measures/measures.h"
 #include "prs/quantities/record.h"
 
@@ -10,5 +13,16 @@ template <>
 Record<Measures> record_of();
 template <>
 Record<LoadMeasures> record_of();
+
+/// What is computed from the thread loads of a case.
+struct Computed {
+  bool slip = false, life = false;  ///< By `prs slip` and `prs life`.
+  bool static_safety = false;       ///< With the thread loads at the limit.
+  bool thread_safety = false;       ///< With those under the load, or at the limit.
+};
+
+/// Keys of the measures that are estimates of what is computed. People see them where they ask for
+/// all, so that each quantity has one headline.
+std::vector<std::string> estimates_beside(const Computed& computed);
 
 }  // namespace prs

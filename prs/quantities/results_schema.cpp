@@ -12,6 +12,7 @@
 #include "prs/quantities/preload_quantities.h"
 #include "prs/quantities/quantities.h"
 #include "prs/quantities/record_table.h"
+#include "prs/quantities/verdict.h"
 
 namespace prs {
 namespace {
@@ -33,6 +34,7 @@ constexpr Place kPlaces[] = {
     {"preload", describe<PreloadResult>},
     {"life", describe<LifeResult>},
     {"comparison", describe<ModelComparison>},
+    {"verdict", describe<CaseVerdict>},
 };
 
 std::string_view name(Kind kind) {

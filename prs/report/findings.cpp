@@ -18,28 +18,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void add_warning(std::vector<ReportWarning>& all, const std::string& text,
-                 const std::string& name) {
-  std::string pattern = text;
-  std::erase_if(pattern, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
-  auto found = std::ranges::find(all, pattern, &ReportWarning::pattern);
-  if (found == all.end()) found = all.insert(found, {pattern, text, {}});
-  if (!name.empty() && std::ranges::find(found->cases, name) == found->cases.end())
-    found->cases.push_back(name);
-}
-
-std::vector<ReportWarning> warnings_of(const Findings& all) {
-  std::vector<ReportWarning> warnings;
+std::vector<WarningGroup> warnings_of(const Findings& all) {
+  WarningGroups groups;
   const auto take = [&](const Json& document) {
-    for (const Json& text : under(document, "warnings"))
-      add_warning(warnings, text.get<std::string>(), "");
+    for (const Json& text : under(document, "warnings")) groups.add(text.get<std::string>());
     for (const Json& load_case : under(document, "load_cases"))
       for (const Json& text : under(load_case, "warnings"))
-        add_warning(warnings, text.get<std::string>(), load_case.value("name", ""));
+        groups.add(text.get<std::string>(), load_case.value("name", ""));
   };
   take(all.check);
   for (const CommandAnswer& answer : all.answers) take(answer.document);
-  return warnings;
+  return std::move(groups).take();
+}
+
+/// By what was computed; `failures` of commands that found the case wrong.
+CaseVerdict verdict_of(const Findings& all, const input::CaseInput& in,
+                   std::vector<Attempt> failures = {}) {
+  for (const CommandAnswer& answer : all.answers)
+    failures.push_back({answer.command, &answer.delivery});
+  return verdict_by(in, failures);
 }
 
 /// SOURCE_DATE_EPOCH where it is set, so that the same case gives the same bytes.
@@ -122,15 +119,15 @@ Findings findings_of(input::Source source, ReportOptions options,
   Findings all = nothing_of(std::move(source), in);
   all.options = std::move(options);
   for (const VoidInput& input : void_inputs(in.values)) all.void_paths.push_back(input.path);
-  all.check = row_of(Command::check)
-                  .run(all.source, in)
-                  .document(document_info(all.source, Command::check));
+  all.check = run_check(all.source, in).document(document_info(all.source, Command::check));
+  std::vector<Attempt> failures;
   for (const Command command : commands) {
     if (!input::missing(in, command).empty()) continue;
     try {
       add_answer(all, command, row_of(command).run(all.source, in));
     } catch (const input::InputError& error) {
       all.notes.push_back(fmt::format("{} was not computed: {}", name(command), error.what()));
+      failures.push_back({command, nullptr, error.what()});
     }
   }
   for (const Command command : {Command::study, Command::optimize})
@@ -141,6 +138,7 @@ Findings findings_of(input::Source source, ReportOptions options,
       break;
     }
   all.warnings = warnings_of(all);
+  all.verdict = verdict_of(all, in, std::move(failures));
   return all;
 }
 
@@ -150,12 +148,13 @@ Findings quick_findings_of(input::Source source, FullSolver& full) {
   in.optimize.reset();
   in.fields.clear();  // Shown when the values rest.
   Findings all = nothing_of(std::move(source), in);
-  all.check["warnings"] = row_of(Command::check).run(all.source, in).warnings;
+  all.check["warnings"] = run_check(all.source, in).warnings;
   if (input::missing(in, Command::solve).empty())
     add_answer(all, Command::solve, run_solve(all.source, in, {.full = &full}));
   else
     add_answer(all, Command::contact, row_of(Command::contact).run(all.source, in));
   all.warnings = warnings_of(all);
+  all.verdict = verdict_of(all, in);
   return all;
 }
 

@@ -10,6 +10,8 @@
 
 #include "prs/input/source.h"
 #include "prs/model/command.h"
+#include "prs/output/warnings.h"
+#include "prs/quantities/verdict.h"
 #include "prs/report/report.h"
 #include "prs/run/commands.h"
 
@@ -31,13 +33,6 @@ struct StoredRun {
   std::vector<OutputFile> files;
 };
 
-/// What the same kind of page meant about several load cases.
-struct ReportWarning {
-  std::string pattern;  ///< The text without its numbers.
-  std::string text;
-  std::vector<std::string> cases;
-};
-
 /// A drawn picture: the section, its name, and how many of that name stood before it there.
 using FigurePlace = std::tuple<std::string, std::string, int>;
 
@@ -49,7 +44,8 @@ struct Findings {
   nlohmann::ordered_json check;
   std::vector<CommandAnswer> answers;
   std::vector<StoredRun> studies;
-  std::vector<ReportWarning> warnings;
+  std::vector<WarningGroup> warnings;
+  CaseVerdict verdict;
   std::vector<std::string> notes;
   std::vector<std::string> void_paths;  ///< Inputs that overrides stand in for.
   bool converged = true;

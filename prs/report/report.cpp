@@ -14,6 +14,7 @@
 #include "prs/figures/pictures.h"
 #include "prs/output/table_units.h"
 #include "prs/quantities/case_groups.h"
+#include "prs/quantities/measure_quantities.h"
 #include "prs/quantities/results_schema.h"
 #include "prs/report/findings.h"
 #include "prs/report/sections.h"
@@ -246,15 +247,37 @@ std::string models_html(Findings& all) {
          comparison_html(compare->document);
 }
 
+/// Keys of estimates of what the page has computed, in a document: each quantity has one headline.
+std::vector<std::string> estimates_in(const Findings& all, const CommandAnswer& answer) {
+  const Json& cases = under(answer.document, "load_cases");
+  const auto known = [&](const char* key) {
+    return std::ranges::any_of(
+        cases, [&](const Json& load_case) { return under(load_case, "measures").contains(key); });
+  };
+  if (answer.command == Command::measures)
+    return estimates_beside({all.answer(Command::slip) != nullptr,
+                             all.answer(Command::life) != nullptr, known("solved_static_safety"),
+                             known("solved_static_safety") || known("thread_static_safety")});
+  // Of a stated capacity, which is of real screws, the catalogue's life is the headline.
+  const Json& life = under(answer.document, "life");
+  if (answer.command == Command::life && life.value("share", "") == "solved")
+    return under(life, "capacity").value("source", "") == "given"
+               ? std::vector<std::string>{"equal_shares"}
+               : std::vector<std::string>{"equal_shares", "catalogue"};
+  if (answer.command == Command::slip) return {"equal_shares", "efficiency_fit"};
+  return {};
+}
+
 /// The records of a document that are its own, and what its load cases have besides those of
 /// `solve`.
 std::string document_html(const Findings& all, const CommandAnswer& answer) {
   std::string text;
+  const std::vector<std::string> estimates = estimates_in(all, answer);
   for (const auto& [key, value] : answer.document.items())
     if (const RecordInfo* info = record_at(key);
         info && value.is_object() && !is_one_of(key, {"contact", "threads", "comparison"}))
-      text += record_table(*info, {{"", &value}});
-  RecordChoice choice{.without = {"name"}};
+      text += record_table(*info, {{"", &value}}, {.hidden = estimates});
+  RecordChoice choice{.without = {"name"}, .hidden = estimates};
   const CommandAnswer* solve = all.answer(Command::solve);
   static const Json none;
   if (const Json& known = solve ? under(solve->document, "load_cases") : none; !known.empty())
@@ -499,6 +522,7 @@ Json data_of(const Findings& all, std::optional<std::size_t> room) {
 std::span<const SectionRow> section_rows() {
   static constexpr SectionRow kAll[] = {
       {"verdict", "Verdict", [](Findings& all) { return verdict_html(all); }, true},
+      {"warnings", "Warnings", warnings_html},
       {"mechanism", "Mechanism", mechanism_html, true},
       {"loads", "Load distribution", loads_html, true},
       {"models", "The models side by side", models_html},
@@ -510,7 +534,6 @@ std::span<const SectionRow> section_rows() {
       {"measures", "Design measures", section_html<Command::measures>},
       {"contacts", "Contacts", contact_html},
       {"studies", "Studies", studies_html},
-      {"warnings", "Warnings", warnings_html},
       {"inputs", "Inputs and assumptions", [](Findings& all) { return inputs_html(all); }},
       {"data", "Data", files_html},
       {"provenance", "Provenance", provenance_html},

@@ -70,7 +70,7 @@ void add_record(Rows& rows, const QuantityInfo& q, const std::vector<RecordColum
                 const RecordChoice& choice, const std::string& prefix, std::string_view unit) {
   const RecordInfo& info = q.record();
   const std::string title = prefix.empty() ? q.title : prefix + ", " + q.title;
-  const RecordChoice inside{.reach = choice.reach};
+  const RecordChoice inside{.hidden = choice.hidden, .reach = choice.reach};
   if (!unit.empty()) return add_rows(rows, info, columns, inside, title, unit);
   Rows own;
   add_rows(own, info, columns, inside, "", unit);
@@ -89,7 +89,9 @@ void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn
       const auto is_in = [&](const std::vector<std::string>& keys) {
         return std::ranges::find(keys, q.key) != keys.end();
       };
-      if (is_in(choice.without) || (!choice.only.empty() && !is_in(choice.only))) continue;
+      if (is_in(choice.without) || is_in(choice.hidden) ||
+          (!choice.only.empty() && !is_in(choice.only)))
+        continue;
       const bool about_solution = q.delivery == Reach::document;
       if (about_solution != (choice.reach == Reach::document) && !is_record) continue;
       const std::vector<RecordColumn> values = inner(columns, q.key);

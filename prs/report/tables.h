@@ -40,6 +40,7 @@ struct RecordColumn {
 struct RecordChoice {
   std::vector<std::string> without = {};  ///< Keys that are left out.
   std::vector<std::string> only = {};     ///< Keys that are shown; empty: all others.
+  std::vector<std::string> hidden = {};   ///< Keys that are left out in records within, too.
   Reach reach = Reach::complete;          ///< `document`: those about the solution alone.
 };
 

@@ -50,9 +50,10 @@ void collect(const Json& json, std::string_view path, const std::string& where,
   collect(json[key], path, where, found);
 }
 
-enum class Pick { range, largest, smallest, above_one /* the largest, where it is not 1 */ };
+enum class Pick { range, largest, above_one /* the largest, where it is not 1 */ };
 
-/// A number of the verdict: the first of the paths that has any.
+/// A number beside the verdict, of which no case states a limit: the first of the paths that has
+/// any.
 struct Headline {
   const char* title;
   Pick pick;
@@ -65,38 +66,7 @@ struct Headline {
 
 const std::vector<Headline>& headlines() {
   static const std::vector<Headline> all = {
-      {"Axial stiffness", Pick::range, {{Command::solve, "load_cases[].axial_stiffness_N_per_um"}}},
-      {"Peak pressure, screw",
-       Pick::largest,
-       {{Command::solve, "load_cases[].screw.peak_pressure_MPa[]"},
-        {Command::contact, "load_cases[].screw.peak_pressure_MPa[]"}}},
-      {"Peak pressure, nut",
-       Pick::largest,
-       {{Command::solve, "load_cases[].nut.peak_pressure_MPa[]"},
-        {Command::contact, "load_cases[].nut.peak_pressure_MPa[]"}}},
-      {"Static safety",
-       Pick::smallest,
-       {{Command::life, "life.static_safety"},
-        {Command::measures, "load_cases[].measures.static_safety"}}},
-      {"Life under the loads", Pick::smallest, {{Command::life, "life.system.l10_hours"}}},
-      {"Life under the loads",
-       Pick::smallest,
-       {{Command::life, "life.system.l10_travel_km"},
-        {Command::measures, "load_cases[].measures.l10_travel_km"}}},
-      {"Efficiency", Pick::range, {{Command::slip, "load_cases[].slip.efficiency"}}},
       {"Power lost", Pick::range, {{Command::slip, "load_cases[].slip.power_loss_W"}}},
-      {"Temperature, screw",
-       Pick::largest,
-       {{Command::slip, "heat_cycle.peak_degC.screw"},
-        {Command::slip, "load_cases[].heat.temperature_degC.screw"}}},
-      {"Temperature, rollers",
-       Pick::largest,
-       {{Command::slip, "heat_cycle.peak_degC.rollers"},
-        {Command::slip, "load_cases[].heat.temperature_degC.rollers"}}},
-      {"Temperature, nut",
-       Pick::largest,
-       {{Command::slip, "heat_cycle.peak_degC.nut"},
-        {Command::slip, "load_cases[].heat.temperature_degC.nut"}}},
       {"Overload of a thread, screw",
        Pick::above_one,
        {{Command::solve, "load_cases[].screw.overload_factor"}}},
@@ -105,13 +75,11 @@ const std::vector<Headline>& headlines() {
        {{Command::solve, "load_cases[].nut.overload_factor"}}},
       {"Lost motion", Pick::largest, {{Command::preload, "preload.lost_motion_um"}}},
       {"Dynamic capacity", Pick::largest, {{Command::measures, "measures.dynamic_capacity_N"}}},
-      {"Backlash, screw", Pick::largest, {{Command::contact, "contact.screw.backlash_mm"}}},
-      {"Backlash, nut", Pick::largest, {{Command::contact, "contact.nut.backlash_mm"}}},
   };
   return all;
 }
 
-/// A number of the verdict as it is shown, in HTML.
+/// A number as it is shown, in HTML.
 struct Tile {
   std::string value, unit, where;
   Command command;
@@ -127,7 +95,7 @@ std::optional<Tile> tile_of(const Findings& all, const Headline& headline) {
     for (Found& one : found) one.value *= unit.factor;
     const auto [least, most] =
         std::ranges::minmax_element(found, {}, [](const Found& f) { return f.value; });
-    const Found& one = headline.pick == Pick::smallest ? *least : *most;
+    const Found& one = *most;
     Tile tile{report_number(one.value, unit.text), unit.text, one.where, command};
     if (headline.pick == Pick::above_one && tile.value == report_number(1.0, "")) return {};
     if (headline.pick == Pick::range)
@@ -140,32 +108,78 @@ std::optional<Tile> tile_of(const Findings& all, const Headline& headline) {
   return {};
 }
 
-std::string tile_html(const Findings& all, const Headline& headline) {
-  const std::optional<Tile> tile = tile_of(all, headline);
-  if (!tile) return {};
-  const auto number = [](const Tile& t) {
-    return t.value + (t.unit.empty() ? "" : fmt::format(" <small>{}</small>", html(t.unit)));
-  };
-  const std::optional<Tile> before = all.before ? tile_of(*all.before, headline) : std::nullopt;
-  const bool moved = before && before->value != tile->value;
-  const bool stays = all.unmoved.contains(tile->command);
-  return fmt::format(
-      "<div data-tile=\"{}\"{}><dt>{}</dt><dd><div class=\"value\">{}</div>{}"
-      "<div class=\"where\">{}</div></dd></div>\n",
-      &headline - headlines().data(), stays ? " class=\"stale\"" : "", headline.title,
-      number(*tile),
-      moved ? fmt::format("<div class=\"before\">report: {}</div>", number(*before)) : "",
-      stays ? "does not follow the load cases" : html(tile->where));
+std::string number_html(const std::string& value, std::string_view unit) {
+  return value + (unit.empty() ? "" : fmt::format(" <small>{}</small>", html(unit)));
 }
 
-/// How many load cases of a document have an answer.
-std::pair<std::size_t, std::size_t> converged_cases(const Json& document) {
-  std::size_t good = 0, count = 0;
-  for (const Json& load_case : under(document, "load_cases")) {
-    ++count;
-    good += load_case.value("converged", true) ? 1 : 0;
-  }
-  return {good, count};
+/// Also where a page moved values away from those of the report.
+std::string tile_html(std::string_view key, std::string_view classes, std::string_view title,
+                      const std::string& number, const std::string& before,
+                      const std::string& below) {
+  return fmt::format(
+      "<div data-tile=\"{}\"{}><dt>{}</dt><dd><div class=\"value\">{}</div>{}{}</dd></div>\n", key,
+      classes.empty() ? "" : fmt::format(" class=\"{}\"", classes), html(title), number,
+      before.empty() || before == number
+          ? ""
+          : fmt::format("<div class=\"before\">report: {}</div>", before),
+      below);
+}
+
+std::string where_html(std::string_view text) {
+  return fmt::format("<div class=\"where\">{}</div>", html(text));
+}
+
+// Numbers that keep their load while a page moves that of the load cases.
+constexpr std::string_view kStale = "stale", kStays = "does not follow the load cases";
+
+std::string headline_html(const Findings& all, const Headline& headline) {
+  const std::optional<Tile> tile = tile_of(all, headline);
+  if (!tile) return {};
+  const auto number = [](const Tile& t) { return number_html(t.value, t.unit); };
+  const std::optional<Tile> before = all.before ? tile_of(*all.before, headline) : std::nullopt;
+  const bool stays = all.unmoved.contains(tile->command);
+  return tile_html(headline.title, stays ? kStale : "", headline.title, number(*tile),
+                   before ? number(*before) : "", where_html(stays ? kStays : tile->where));
+}
+
+// Cards of the verdict.
+
+/// The worst value; where it is held against no limit, the range over the load cases.
+std::string value_html(const Criterion& c) {
+  if (!c.value) return "–";
+  const auto [unit, factor] = shown(c);
+  const auto number = [&, unit = unit, factor = factor](double value) {
+    return report_number(value * factor, unit);
+  };
+  std::string text = number(*c.value);
+  if (c.standing == Standing::no_limit && c.best)
+    if (const std::string best = number(*c.best); best != text)
+      text = *c.best < *c.value ? best + " … " + text : text + " … " + best;
+  return number_html(text, unit);
+}
+
+std::string card_html(const Findings& all, const Criterion& c) {
+  const auto [unit, factor] = shown(c);
+  std::string below;
+  if (c.limit)
+    below += fmt::format("<div class=\"where\">{} {}{}{}, {}</div>",
+                         c.sense == Sense::least ? "at least" : "at most",
+                         report_number(*c.limit * factor, unit), unit.empty() ? "" : " ",
+                         html(unit), html(origin(c)));
+  const bool in_range = c.standing == Standing::no_limit && c.best;
+  std::string where = in_range ? "over the load cases" : c.load_case;
+  if (!c.reason.empty()) where += (where.empty() ? "" : ": ") + c.reason;
+  std::string before;
+  if (all.before)
+    for (const Criterion& other : all.before->verdict.criteria)
+      if (other.name == c.name) before = value_html(other);
+  // Its worst load is one of `life`, in a spectrum or history of its own.
+  if (c.load_case.starts_with("life.") && all.unmoved.contains(Command::life))
+    return tile_html(c.name, kStale, c.title, value_html(c), before, where_html(kStays));
+  if (c.limit)
+    below += fmt::format("<div class=\"state {}\">{}</div>", name(c.standing), words(c.standing));
+  return tile_html(c.name, name(c.standing), c.title, value_html(c), before,
+                   below + where_html(where));
 }
 
 }  // namespace
@@ -184,37 +198,42 @@ std::vector<std::string> unconverged(const Findings& all) {
 }
 
 std::string verdict_html(const Findings& all) {
-  std::string text, tiles;
+  const CaseVerdict& verdict = all.verdict;
+  std::string text = fmt::format("<span class=\"state {}\">{}</span> ", name(verdict.standing()),
+                                 html(summary(verdict)));
   if (const CommandAnswer* solve = all.answer(Command::solve)) {
-    const auto [good, count] = converged_cases(solve->document);
-    text += good == count ? fmt::format("<span class=\"state good\">{} load case{} solved.</span> ",
-                                        count, count == 1 ? "" : "s")
-                          : fmt::format(
-                                "<span class=\"state bad\">{} of {} load cases did not "
-                                "converge.</span> ",
-                                count - good, count);
+    const Json& cases = under(solve->document, "load_cases");
+    const auto failed = std::ranges::count_if(
+        cases, [](const Json& load_case) { return !load_case.value("converged", true); });
+    const std::size_t count = cases.size();
+    text += failed == 0 ? fmt::format("{} load case{} solved. ", count, count == 1 ? "" : "s")
+                        : fmt::format(
+                              "<span class=\"state red\">{} of {} load cases did not "
+                              "converge.</span> ",
+                              failed, count);
   }
   for (const CommandAnswer& answer : all.answers)
     if (!answer.delivery.converged && answer.command != Command::solve)
-      text += fmt::format("<span class=\"state bad\">{} did not converge.</span> ",
+      text += fmt::format("<span class=\"state red\">{} did not converge.</span> ",
                           capitalised(std::string(name(answer.command))));
-  text += all.warnings.empty()
-              ? "<span>No warnings.</span>"
-              : fmt::format("<a href=\"#warnings\">{} warning{}.</a>", all.warnings.size(),
-                            all.warnings.size() == 1 ? "" : "s");
-  for (const Headline& headline : headlines()) tiles += tile_html(all, headline);
-  if (!tiles.empty()) tiles = "<dl class=\"tiles\">\n" + tiles + "</dl>\n";
-  return "<p>" + text + "</p>\n" + tiles;
+  if (all.warnings.empty()) text += "No warnings.";
+  std::string cards;
+  for (const Criterion& c : verdict.criteria)
+    if ((c.value || c.limit) && c.name != "convergence") cards += card_html(all, c);
+  for (const Headline& headline : headlines()) cards += headline_html(all, headline);
+  if (!cards.empty()) cards = "<dl class=\"tiles\">\n" + cards + "</dl>\n";
+  const std::string rest = not_computed(verdict);
+  if (!rest.empty()) cards += fmt::format("<p class=\"default\">No value: {}.</p>\n", html(rest));
+  return "<p>" + text + "</p>\n" + cards;
 }
 
 std::string warning_list(const Findings& all) {
   if (all.warnings.empty()) return {};
   std::string text = "<ul class=\"warnings\">\n";
-  for (const ReportWarning& warning : all.warnings)
-    text += fmt::format("<li>{}{}</li>\n", html(in_table_units(warning.text)),
-                        warning.cases.empty() ? ""
-                                              : fmt::format(" <small>in {}</small>",
-                                                            html(folded_names(warning.cases))));
+  for (const WarningGroup& warning : all.warnings)
+    text += fmt::format(
+        "<li>{}{}</li>\n", html(in_table_units(warning.whole())),
+        warning.cases.empty() ? "" : fmt::format(" <small>{}</small>", html(warning.where())));
   return text + "</ul>\n";
 }
 

@@ -1,6 +1,7 @@
 #include "prs/run/commands.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "modules/module.h"
 #include "prs/compare/compare_models.h"
 #include "prs/figures/pictures.h"
 #include "prs/heat/analyze_heat.h"
@@ -44,6 +46,7 @@
 #include "prs/quantities/load_case_stream.h"
 #include "prs/quantities/measures_json.h"
 #include "prs/quantities/preload_json.h"
+#include "prs/quantities/verdict.h"
 #include "prs/sha256.h"
 #include "prs/threads/geometry_warnings.h"
 #include "prs/version.h"
@@ -67,6 +70,7 @@ struct Forms {
   bool (*converged)(const R&) = nullptr;
   Json (*outline)(const R&, const DocumentInfo&) = nullptr;  ///< The document without load cases.
   std::optional<Json> (*load_case)(const R&, std::size_t) = nullptr;
+  void (*facts)(const R&, VerdictFacts&) = nullptr;
 };
 
 template <class R>
@@ -110,6 +114,7 @@ Delivery delivered(const input::Source& source, const input::CaseInput& in, cons
           outline, [&](std::size_t k) { return forms.load_case(*result, k); }, sink);
     };
   }
+  if (forms.facts) d.facts = [=](VerdictFacts& facts) { forms.facts(*result, facts); };
   return d;
 }
 
@@ -137,7 +142,7 @@ void warn_of_largest_load(const Case& c, Result& geometry) {
 }
 
 /// Reads and checks the study and the optimization of the source too.
-CheckResult run_check(const input::Source& source, const input::CaseInput& in) {
+CheckResult checked(const input::Source& source, const input::CaseInput& in) {
   if (in.study) input::read_study_input(source);
   if (in.optimize) input::read_optimize_input(source);
   const Case& c = in.values;
@@ -153,6 +158,41 @@ CheckResult run_check(const input::Source& source, const input::CaseInput& in) {
     geometry.warnings.push_back(std::move(*note));
   for (std::string& note : void_input_notes(c)) geometry.warnings.push_back(std::move(note));
   return result;
+}
+
+/// The same with the verdict, for which it runs what the case is ready for. `measures` has what
+/// `solve` gives.
+CheckResult checked_with_verdict(const input::Source& source, const input::CaseInput& in) {
+  CheckResult result = checked(source, in);
+  std::vector<Attempt> attempts;
+  std::vector<std::unique_ptr<const Delivery>> deliveries;
+  const bool takes_long = in.values.model.bodies == ModelOptions::Bodies::influence;
+  const auto attempt = [&](Command command) {
+    if (!input::unmet(in, command).empty()) return false;
+    if (takes_long) {
+      attempts.push_back({command, nullptr, "`influence` takes long: see `prs report`"});
+      return true;
+    }
+    try {
+      deliveries.push_back(std::make_unique<const Delivery>(row_of(command).run(source, in)));
+      attempts.push_back({command, deliveries.back().get()});
+    } catch (const input::InputError& error) {
+      attempts.push_back({command, nullptr, error.what()});
+    } catch (const modules::Missing& error) {
+      attempts.push_back({command, nullptr, error.what()});
+    }
+    return attempts.back().delivery != nullptr;
+  };
+  if (!attempt(Command::measures) || takes_long) attempt(Command::solve);
+  for (const Command command : {Command::slip, Command::life}) attempt(command);
+  result.verdict = verdict_by(in, attempts);
+  return result;
+}
+
+template <const Result* VerdictFacts::*loads>
+void put_loads(const Result& result, VerdictFacts& facts) {
+  facts.*loads = &result;
+  facts.contacts = &result.contacts;
 }
 
 Result run_contact(const input::Source&, const input::CaseInput& in) {
@@ -214,6 +254,8 @@ LifeResult run_life(const input::Source& source, const input::CaseInput& in) {
 
 MeasuresResult run_measures(const input::Source&, const input::CaseInput& in) {
   MeasuresResult result = analyze_measures(in.values);
+  result.slips = input::unmet(in, Command::slip).empty();
+  result.lives = input::unmet(in, Command::life).empty();
   warn_of_preload(in.values, result.analysis.warnings);
   return result;
 }
@@ -252,8 +294,9 @@ std::vector<OutputFile> solve_files(const Result& result, const CsvStyle& style)
           {"load_distribution.csv", load_distribution_csv(result, style)}};
 }
 
+template <bool all>
 std::string slip_text(const Result& result) {
-  std::string text = slip_table(result);
+  std::string text = slip_table(result, all);
   if (result.load_cases.size() <= kMostCharts)
     for (const LoadCaseResult& r : result.load_cases)
       if (r.load_case.share == LoadCase::Share::solved) text.append("\n").append(slip_chart(r));
@@ -312,25 +355,32 @@ Forms<Result> forms_of_solve() {
                          const Case& c) { return with_drawings(solve_pictures(r), c, r); },
           .converged = all_converged,
           .outline = outline_json,
-          .load_case = load_case_json};
+          .load_case = load_case_json,
+          .facts = put_loads<&VerdictFacts::loads>};
+}
+
+Forms<CheckResult> forms_of_check() {
+  return {
+      .file = "check.json",
+      .document = check_json,
+      .table = check_table,
+      .notes = [](const CheckResult& r) { return as_warnings(r.geometry.warnings); },
+      .full_table = full_check_table,
+      .pictures =
+          [](const CheckResult& r, const Case&) {
+            Pictures pictures = contact_pictures(r.geometry);
+            for (Picture& picture : pictures) picture.is_drawn = false;
+            return pictures;
+          },
+      .facts = [](const CheckResult& r, VerdictFacts& f) { f.contacts = &r.geometry.contacts; }};
 }
 
 const std::vector<CommandRow>& table() {
   static const std::vector<CommandRow> rows = {
-      row<CheckResult>(
-          Command::check, "Validate a case: what it is ready for, what is unusual, derived values",
-          run_check,
-          {.file = "check.json",
-           .document = check_json,
-           .table = check_table,
-           .notes = [](const CheckResult& r) { return as_warnings(r.geometry.warnings); },
-           .full_table = full_check_table,
-           .pictures =
-               [](const CheckResult& r, const Case&) {
-                 Pictures pictures = contact_pictures(r.geometry);
-                 for (Picture& picture : pictures) picture.is_drawn = false;
-                 return pictures;
-               }}),
+      row<CheckResult>(Command::check,
+                       "Validate a case: what it is ready for, its verdict, what is unusual, "
+                       "derived values",
+                       checked_with_verdict, forms_of_check()),
       row<Result>(
           Command::contact, "Contact points, backlash, curvatures, ellipses, pictures", run_contact,
           {.file = "contact.json",
@@ -341,7 +391,13 @@ const std::vector<CommandRow>& table() {
                           const Case& c) { return with_drawings(contact_pictures(r), c, r); },
            .without_figure = contacts_without_figure,
            .outline = outline_json,
-           .load_case = load_case_json}),
+           .load_case = load_case_json,
+           .facts =
+               [](const Result& r, VerdictFacts& f) {
+                 f.contacts = &r.contacts;
+                 // Equal shares, where nothing is solved.
+                 if (!f.loads && !r.load_cases.empty()) f.loads = &r;
+               }}),
       row<Result>(Command::solve, "Load distribution, pressures, displacement and stiffness",
                   run_solve, forms_of_solve()),
       row<ModelComparison>(
@@ -364,8 +420,9 @@ const std::vector<CommandRow>& table() {
           Command::slip, "Slip, friction, dissipated power, efficiency and torques", run_slip,
           {.file = "slip.json",
            .document = to_json,
-           .table = slip_text,
+           .table = slip_text<false>,
            .notes = summary,
+           .full_table = slip_text<true>,
            .files = slip_files,
            .pictures = [](const Result& r, const Case& c) { return slip_pictures(c, r); },
            .converged =
@@ -374,7 +431,8 @@ const std::vector<CommandRow>& table() {
                         (!r.heat_cycle || r.heat_cycle->converged());
                },
            .outline = outline_json,
-           .load_case = load_case_json}),
+           .load_case = load_case_json,
+           .facts = put_loads<&VerdictFacts::slip>}),
       row<PreloadResult>(
           Command::preload, "Preload: curve through zero, lost motion, opening loads", run_preload,
           {.file = "preload.json",
@@ -393,9 +451,11 @@ const std::vector<CommandRow>& table() {
            .document = life_json,
            .table = life_table,
            .notes = [](const LifeResult& r) { return as_warnings(r.warnings); },
+           .full_table = full_life_table,
            .files = life_files,
            .pictures = [](const LifeResult& r, const Case&) { return life_pictures(r); },
-           .converged = [](const LifeResult& r) { return r.converged(); }}),
+           .converged = [](const LifeResult& r) { return r.converged(); },
+           .facts = [](const LifeResult& r, VerdictFacts& f) { f.life = &r; }}),
       row<MeasuresResult>(
           Command::measures,
           "Capacity, life, weight, stiffness, inertia and the other design measures", run_measures,
@@ -403,6 +463,7 @@ const std::vector<CommandRow>& table() {
            .document = measures_json,
            .table = measures_table,
            .notes = [](const MeasuresResult& r) { return summary(r.analysis); },
+           .full_table = full_measures_table,
            .files =
                [](const MeasuresResult& r, const CsvStyle& style) {
                  return std::vector<OutputFile>{{"measures.csv", measures_csv(r, style)},
@@ -411,7 +472,12 @@ const std::vector<CommandRow>& table() {
            .pictures = [](const MeasuresResult& r, const Case&) { return measures_pictures(r); },
            .converged = [](const MeasuresResult& r) { return all_converged(r.analysis); },
            .outline = outline_json,
-           .load_case = load_case_json}),
+           .load_case = load_case_json,
+           .facts =
+               [](const MeasuresResult& r, VerdictFacts& f) {
+                 f.measures = &r;
+                 put_loads<&VerdictFacts::loads>(r.analysis, f);
+               }}),
       {Command::study, "Run the study of the file: many designs, a row each"},
       {Command::optimize, "Search the designs that the file aims at"},
   };
@@ -432,6 +498,25 @@ Delivery run_solve(const input::Source& source, const input::CaseInput& in,
     return solved(of, options);
   };
   return delivered(source, in, run, forms_of_solve());
+}
+
+Delivery run_check(const input::Source& source, const input::CaseInput& in) {
+  return delivered(source, in, checked, forms_of_check());
+}
+
+CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> attempts) {
+  VerdictFacts facts{in.values, in.limits.value_or(Limits{})};
+  const Contacts contacts = find_contacts(in.values.mechanism, in.values.materials);
+  facts.contacts = &contacts;
+  for (const Command command : {Command::solve, Command::slip, Command::life, Command::measures})
+    if (const std::vector<std::string> paths = input::missing(in, command); !paths.empty())
+      facts.lacking[command] = fmt::format("add {}", fmt::join(paths, ", "));
+  for (const Attempt& attempt : attempts)
+    if (!attempt.delivery)
+      facts.lacking[attempt.command] = attempt.failure;
+    else if (attempt.delivery->facts)
+      attempt.delivery->facts(facts);
+  return verdict_of(facts);
 }
 
 Delivery run(const CommandRow& row, const input::Source& source) {

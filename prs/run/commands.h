@@ -8,6 +8,7 @@
 #include "prs/input/source.h"
 #include "prs/loads/analysis_options.h"
 #include "prs/model/command.h"
+#include "prs/quantities/verdict.h"
 #include "prs/run/delivery.h"
 
 namespace prs {
@@ -30,6 +31,19 @@ const CommandRow& row_of(Command command);
 /// `solve` by other means than those of its row, on a case that has all for it.
 Delivery run_solve(const input::Source& source, const input::CaseInput& in,
                    AnalysisOptions options);
+
+/// `check` without the verdict, which runs what it needs.
+Delivery run_check(const input::Source& source, const input::CaseInput& in);
+
+/// A command that was run for a case: what it found, or what it found wrong.
+struct Attempt {
+  Command command = Command::check;
+  const Delivery* delivery = nullptr;
+  std::string failure = {};
+};
+
+/// The verdict on a case by what was run of it.
+CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> attempts);
 
 /// Reads a case for a command and runs it. Throws InputError, also where the case lacks something.
 Delivery run(const CommandRow& row, const input::Source& source);

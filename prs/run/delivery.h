@@ -12,6 +12,8 @@
 
 namespace prs {
 
+struct VerdictFacts;
+
 /// What a command found, in every form in which it leaves the program. Each form is made when it is
 /// asked for.
 struct Delivery {
@@ -30,6 +32,8 @@ struct Delivery {
   std::function<nlohmann::ordered_json(const DocumentInfo&)> outline = {};
   /// The document as text, piece by piece, from its outline; empty: `json_text`.
   std::function<void(const nlohmann::ordered_json&, const TextSink&)> write = {};
+  /// Says what it found of the verdict, as long as this lives.
+  std::function<void(VerdictFacts&)> facts = {};
 };
 
 }  // namespace prs

@@ -13,6 +13,7 @@
 #include "prs/life/analyze_life.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
+#include "prs/measures/analyze_measures.h"
 #include "prs/quantities/measure_quantities.h"
 #include "prs/quantities/record_table.h"
 #include "support/plain_contact.h"
@@ -73,8 +74,12 @@ TEST(Measures, AreAllThereForACompleteCase) {
   standard.mechanism.starts.screw = 5;
   EXPECT_EQ(defined(measures(standard)), record_of<Measures>().quantities.size());
   const LoadMeasures pull = load_measures(abevi(), 0);
-  const std::set<std::string_view> lacking = {"l10_hours", "buckling_safety", "speed_safety",
-                                              "back_driving_efficiency_by_slip"};
+  const std::set<std::string_view> lacking = {"l10_hours",
+                                              "buckling_safety",
+                                              "speed_safety",
+                                              "back_driving_efficiency_by_slip",
+                                              "solved_static_safety",
+                                              "solved_static_safety_limit"};
   const auto json = object_of(pull);
   for (const Quantity<LoadMeasures>& q : record_of<LoadMeasures>().quantities)
     EXPECT_EQ(json.contains(q.key), !lacking.contains(q.key)) << q.key;
@@ -295,6 +300,25 @@ TEST(Measures, StaticSafetyIsThatOfLifeWithEqualShares) {
   }
 }
 
+/// Under any force of one sense: what a thread carries at its limit does not depend on it.
+TEST(Measures, StaticSafetyOfALoadCaseIsThatOfLifeUnderItsForce) {
+  Case c = abevi();
+  for (const std::size_t k : {0u, 1u}) {
+    const LoadCase& load = c.load_cases[k];
+    c.life.emplace().position = load.position;
+    SpectrumLoad& step = c.life->spectrum.emplace_back();
+    step.force = 20.0 * load.axial_force;
+    step.direction = *load.direction;
+    step.share = 1.0;
+    const LifeResult life = analyze_life(c);
+    const LoadMeasures m = *analyze_measures(c).load_measures[k];
+    EXPECT_NEAR(*m.solved_static_safety, 20.0 * *life.static_safety(),
+                1e-8 * *m.solved_static_safety);
+    EXPECT_EQ(m.solved_static_safety_limit, life.static_safety_limit());
+    EXPECT_LT(*m.solved_static_safety, *m.static_safety);  // Threads share unevenly.
+  }
+}
+
 TEST(Measures, OnlyAScrewThatTurnsIsToldOfItsPressure) {
   Case c = abevi();
   const Measures m = measures(c);
@@ -484,6 +508,15 @@ TEST(MeasureQuantities, EveryMeasureHasOneKey) {
   std::set<double> shown;
   for (const Quantity<Measures>& q : design) shown.insert(*q.value.number(m));
   EXPECT_EQ(shown.size(), design.size());
+}
+
+TEST(MeasureQuantities, EstimatesAreKeysOfMeasures) {
+  std::set<std::string_view> keys;
+  for (const auto& q : record_of<Measures>().quantities) keys.insert(q.key);
+  for (const auto& q : record_of<LoadMeasures>().quantities) keys.insert(q.key);
+  for (const std::string& estimate : estimates_beside({true, true, true, true}))
+    EXPECT_TRUE(keys.contains(estimate)) << estimate;
+  EXPECT_THAT(estimates_beside({}), IsEmpty());
 }
 
 TEST(MeasureQuantities, SayWhatTheyAre) {

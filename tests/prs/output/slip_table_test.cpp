@@ -32,7 +32,7 @@ Result sweep(int points) {
 
 TEST(SlipTable, BlockHoldsWhatADesignerAsksFirst) {
   const std::string table =
-      slip_table(result_of({with_slip(solved_case("config1", 45e3, Direction::tension))}));
+      slip_table(result_of({with_slip(solved_case("config1", 45e3, Direction::tension))}), true);
   for (const char* part :
        {"config1: 45.000 kN, tension, 400 rpm", "0.372956", "0.373134",
         "99.5 % of the way from pure sliding", "80.00", "Sandu's fit 79.00 %", "12.50", "-12.25",
@@ -41,6 +41,14 @@ TEST(SlipTable, BlockHoldsWhatADesignerAsksFirst) {
     EXPECT_TRUE(contains(table, part)) << part << " in\n" << table;
   EXPECT_FALSE(contains(table, "carrier-nut"));
   EXPECT_LE(widest_line(table), 100);
+}
+
+TEST(SlipTable, OneEfficiencyUnlessAllIsAskedFor) {
+  const std::string table =
+      slip_table(result_of({with_slip(solved_case("config1", 45e3, Direction::tension))}));
+  for (const char* part : {"Sandu's fit", "thread loads", "+2.04 %"})
+    EXPECT_FALSE(contains(table, part)) << part << " in\n" << table;
+  EXPECT_TRUE(contains(table, "efficiency, %"));
 }
 
 TEST(SlipTable, AbsentQuantitiesHaveNoLine) {
@@ -68,7 +76,7 @@ TEST(SlipTable, WhatRoundsToZeroHasNoMinus) {
   slip.equal_shares->power_loss = (1.0 + 1e-6) * slip.power.total();
   slip.equal_shares->efficiency = *slip.efficiency + 1e-6;
   slip.torque_nut = -1e-9;
-  const std::string table = slip_table(result_of({load_case}));
+  const std::string table = slip_table(result_of({load_case}), true);
   EXPECT_TRUE(contains(table, "+0.00 %"));
   EXPECT_FALSE(contains(table, "-0.00")) << table;
 }

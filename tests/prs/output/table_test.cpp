@@ -95,7 +95,7 @@ TEST(LoadCaseTable, WarningsThatDifferInNumbersOnlyAppearOnce) {
   const std::string table = load_case_table(result);
   EXPECT_TRUE(contains(table, "Warnings\n  negative backlash\n"));
   EXPECT_TRUE(contains(table, "  peak pressure 4.44 GPa is high\n"));
-  EXPECT_TRUE(contains(table, "in sweep[30–44]; numbers of the last\n"));
+  EXPECT_TRUE(contains(table, "in sweep[30–44]; worst in sweep[44]\n"));
   EXPECT_LE(widest_line(table), 100);
 }
 

@@ -1,0 +1,223 @@
+#include "prs/quantities/verdict.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "prs/run/commands.h"
+#include "tests/support/program.h"
+
+namespace prs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+using Overrides = std::vector<std::string>;
+
+Json document(Command command, const std::string& lesson, const Overrides& overrides = {}) {
+  const input::Source source =
+      input::load_source(PRS_SOURCE_DIR "/configs/" + lesson, Overrides(overrides));
+  return run(row_of(command), source).document(document_info(source, command));
+}
+
+Json verdict(const std::string& lesson, const Overrides& overrides = {}) {
+  return document(Command::check, lesson, overrides)["verdict"];
+}
+
+/// The criterion of a name; null where there is none.
+Json criterion(const Json& verdict, const std::string& name) {
+  for (const Json& c : verdict["criteria"])
+    if (c["name"] == name) return c;
+  return {};
+}
+
+constexpr const char* kAbevi = "01_config_1_to_3.yaml";
+constexpr const char* kMeasured = "18_design_measures.yaml";
+constexpr const char* kDuty = "30_duty_cycle.yaml";
+
+TEST(Verdict, StaticSafetyIsTheWorstOfAllLoadCasesWithTheirShares) {
+  const Json c = criterion(verdict(kAbevi), "static_safety");
+  double least = HUGE_VAL, equal = 0.0;
+  std::string where;
+  const Json measures = document(Command::measures, kAbevi);
+  for (const Json& load_case : measures["load_cases"]) {
+    equal = load_case["measures"]["static_safety"];
+    if (const double own = load_case["measures"]["solved_static_safety"]; own < least)
+      least = own, where = load_case["name"];
+  }
+  EXPECT_EQ(c["value"], least);
+  EXPECT_EQ(c["load_case"], where);
+  EXPECT_LT(least, 1.0);
+  EXPECT_GT(equal, 1.5);  // What equal shares would have called green.
+  EXPECT_EQ(c["state"], "red");
+  EXPECT_EQ(c["limit"], 1.0);
+  EXPECT_EQ(c["limit_source"], "physics");
+}
+
+/// The pressure limit and the static rating by pressure are one limit: both are passed at once.
+TEST(Verdict, PressureIsThatOfTheMostLoadedThread) {
+  const Json of_case = verdict(kAbevi), c = criterion(of_case, "peak_pressure");
+  double largest = 0.0;
+  const Json solve = document(Command::solve, kAbevi);
+  for (const Json& load_case : solve["load_cases"])
+    for (const char* side : {"screw", "nut"})
+      for (const double p : load_case[side]["peak_pressure_MPa"]) largest = std::max(largest, p);
+  EXPECT_DOUBLE_EQ(c["value"], largest);
+  EXPECT_EQ(c["limit"], 4000.0);
+  EXPECT_EQ(c["state"], largest > 4000.0 ? "red" : "green");
+  EXPECT_EQ(of_case["state"], "red");
+}
+
+struct Limited {
+  const char *name, *unit;
+  double factor = 1.0;  ///< What the file has over what the document has.
+};
+
+/// Limits a little to either side of the values turn the states.
+void expect_turn(const std::string& lesson, const std::vector<Limited>& limits,
+                 const Overrides& overrides = {}) {
+  const auto with = [&](auto limit_of) {
+    std::string block;
+    for (const Limited& l : limits)
+      block += fmt::format("{}{}: {:.12g}{}", block.empty() ? "" : ", ", l.name,
+                           l.factor * limit_of(l), l.unit);
+    Overrides all = overrides;
+    all.push_back("limits={" + block + "}");
+    return verdict(lesson, all);
+  };
+  const Json known =
+      with([](const Limited& l) { return l.unit == std::string(" degC") ? 50 : 0.5; });
+  const auto value = [&](const Limited& l) {
+    return criterion(known, l.name)["value"].get<double>();
+  };
+  for (const Limited& l : limits) ASSERT_TRUE(criterion(known, l.name).contains("value")) << l.name;
+  const Json lower = with([&](const Limited& l) { return 0.999 * value(l); });
+  const Json upper = with([&](const Limited& l) { return 1.001 * value(l); });
+  for (const Limited& l : limits) {
+    const Json below = criterion(lower, l.name), above = criterion(upper, l.name);
+    const bool least = below["sense"] == "least";
+    EXPECT_EQ(below["state"], least ? "green" : "red") << below;
+    EXPECT_EQ(above["state"], least ? "red" : "green") << above;
+    EXPECT_EQ(below["limit_source"], "case");
+  }
+}
+
+TEST(Verdict, StatedLimitsAreMetOrMissed) {
+  expect_turn(
+      kMeasured,
+      {{"life", " h"},
+       {"static_safety", ""},
+       {"peak_pressure", " MPa"},
+       {"buckling_safety", ""},
+       {"critical_speed_share", " %", 100.0},
+       {"speed_times_diameter", " mm/min"},
+       {"nut_diameter", " mm"},
+       {"nut_length", " mm"},
+       {"weight", " kg"},
+       {"stiffness", " N/um"}},
+      {"life={position: 11 mm, spectrum: [{force: 30 kN, direction: compression, share: 1}]}"});
+  expect_turn(kDuty, {{"efficiency", " %", 100.0}, {"temperature", " degC"}});
+}
+
+/// d = 30 mm at 1000 rpm; the nut as the file has it.
+TEST(Verdict, PlainValuesAreThoseOfTheFile) {
+  const Json all = verdict(kMeasured, {"limits={speed_times_diameter: 150000 mm/min, "
+                                       "nut_diameter: 80 mm, nut_length: 120 mm}"});
+  EXPECT_NEAR(criterion(all, "speed_times_diameter")["value"], 30000.0, 1e-8);
+  EXPECT_NEAR(criterion(all, "nut_diameter")["value"], 68.0, 1e-12);
+  EXPECT_NEAR(criterion(all, "nut_length")["value"], 60.0, 1e-12);
+}
+
+TEST(Verdict, WhatCannotBeComputedIsNeverMet) {
+  const Overrides gentle = {"load_cases[0].axial_force=5 kN", "load_cases[1].axial_force=5 kN"};
+  EXPECT_EQ(criterion(verdict(kMeasured, gentle), "static_safety")["state"], "green");
+  Overrides limited = gentle;
+  limited.emplace_back("limits={temperature: 80 degC, life: 20000 h, efficiency: 75 %}");
+  const Json all = verdict(kMeasured, limited);
+  for (const char* name : {"temperature", "life", "efficiency"}) {
+    const Json c = criterion(all, name);
+    EXPECT_EQ(c["state"], "not_computed");
+    EXPECT_FALSE(c.contains("value"));
+    EXPECT_THAT(c["reason"].get<std::string>(), HasSubstr("add "));
+  }
+  EXPECT_NE(all["state"], "green");
+  const Json without_shaft = criterion(verdict(kAbevi), "buckling_safety");
+  EXPECT_EQ(without_shaft["state"], "not_computed");
+  EXPECT_EQ(without_shaft["reason"], "add measures.shaft");
+  EXPECT_EQ(criterion(verdict(kAbevi), "critical_speed_share")["state"], "not_applicable");
+}
+
+/// Nothing is asked of the load cases where there is none, and the check makes no matrices.
+TEST(Verdict, IsQuickWhereNothingCanBeSolved) {
+  const Json none = verdict("07_contact_geometry.yaml");
+  EXPECT_EQ(criterion(none, "static_safety")["state"], "not_computed");
+  EXPECT_EQ(criterion(none, "axial_play")["state"], "red");
+  const Json influence = criterion(verdict(kAbevi, {"model.bodies=influence"}), "static_safety");
+  EXPECT_EQ(influence["state"], "not_computed");
+  EXPECT_THAT(influence["reason"].get<std::string>(), HasSubstr("influence"));
+}
+
+/// Between what physics allows and what is recommended.
+TEST(Verdict, AmberIsShortOfWhatIsRecommended) {
+  const double force = 30.0;  // [kN]
+  const double safety = criterion(verdict(kMeasured), "static_safety")["value"];
+  const auto at = [&](double wanted) {
+    const std::string kn = fmt::format("{:.12g} kN", force * safety / wanted);
+    return criterion(
+        verdict(kMeasured, {"load_cases[0].axial_force=" + kn, "load_cases[1].axial_force=" + kn}),
+        "static_safety");
+  };
+  EXPECT_EQ(at(0.99)["state"], "red");
+  EXPECT_EQ(at(1.01)["state"], "amber");
+  EXPECT_EQ(at(1.49)["limit"], 1.5);
+  EXPECT_EQ(at(1.51)["state"], "green");
+  EXPECT_EQ(at(1.51)["limit_source"], "recommended");
+}
+
+TEST(Verdict, ThreadsThatInterfereAndLoadsThatDoNotConvergeAreRed) {
+  EXPECT_EQ(criterion(verdict("08_design_by_backlash.yaml", {"mechanism.backlash.nut=-0.01 mm"}),
+                      "axial_play")["state"],
+            "red");
+  const Json jammed = verdict("09_slip_and_dissipation.yaml",
+                              {"carrier.nut_torque=150 N m", "load_cases[0].axial_force=80 kN"});
+  EXPECT_EQ(criterion(jammed, "convergence")["state"], "red");
+  EXPECT_EQ(jammed["state"], "red");
+}
+
+TEST(Verdict, AStatedCapacityHasTheCataloguesLife) {
+  const std::string life =
+      "life={dynamic_capacity: 100 kN, position: 11 mm, spectrum: [{force: 30 kN, direction: "
+      "tension, share: 1}]}";
+  // L10 = 10^6 (C_a/F)^3 revolutions at 1000 rpm.
+  EXPECT_NEAR(criterion(verdict(kMeasured, {life}), "life")["value"],
+              1e6 * std::pow(100.0 / 30.0, 3) / 1000.0 / 60.0, 1e-6);
+}
+
+TEST(Verdict, TheTableNamesLimitAndLoadCase) {
+  const std::string table = test::run_prs("check configs/01_config_1_to_3.yaml").out;
+  EXPECT_THAT(table, AllOf(HasSubstr("Not met: static safety"), HasSubstr(">= 1 (physical limit)"),
+                           HasSubstr("No value: "), HasSubstr("temperature (add heat)")));
+  EXPECT_LT(table.find("Not met: "), table.find("\nWarnings"));
+}
+
+/// One number for each quantity: estimates are for those who ask for all.
+TEST(Headlines, EstimatesStandInTheFullTablesAlone) {
+  const test::TemporaryDirectory folder;
+  const std::string file = folder.path() / "screw.yaml";
+  ASSERT_EQ(test::run_prs("new standard " + file + " --screw-diameter 25mm --lead 5mm").status, 0);
+  for (const auto& [command, estimate] :
+       {std::pair("measures", "(estimate"), std::pair("life", "estimate: equal thread loads"),
+        std::pair("slip", "  thread loads                           equal")}) {
+    const std::string own = std::string(command) + ' ' + file;
+    EXPECT_THAT(test::run_prs(own).out, Not(HasSubstr(estimate))) << command;
+    EXPECT_THAT(test::run_prs(own + " --all").out, HasSubstr(estimate)) << command;
+  }
+}
+
+}  // namespace
+}  // namespace prs
