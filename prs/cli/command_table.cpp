@@ -83,6 +83,10 @@ void add_check_options(CLI::App& check, Options& options) {
 
 void add_compare_options(CLI::App& compare, Options& options) {
   compare
+      .add_option("other", options.other,
+                  "A second case: its inputs and results beside those of the first")
+      ->type_name("FILE");
+  compare
       .add_flag_callback(
           "--influence", [&] { options.overrides.push_back("model.bodies=influence"); },
           "With the influence model also where its matrices have to be made; as --set "
@@ -255,8 +259,9 @@ struct CaseRow {
 constexpr CaseRow kCaseRows[] = {
     {Command::check, kAnalyse, add_check_options, nullptr,
      "prs check case.yaml\nprs check case.yaml --all"},
-    {Command::compare, kAnalyse, add_compare_options, nullptr,
-     "prs compare case.yaml\nprs compare case.yaml --influence --output results"},
+    {Command::compare, kAnalyse, add_compare_options, compare,
+     "prs compare case.yaml\nprs compare before.yaml after.yaml\nprs compare case.yaml --influence "
+     "--output results"},
     {Command::measures, kAnalyse, nullptr, nullptr,
      "prs measures case.yaml\n"
      "prs measures --explain\n"
