@@ -4,8 +4,8 @@
     scripts/catalogue.py [--prs PRS] [--cases DIR] [CATALOGUE.csv]
 
 Runs check, contact, solve, slip, measures and life on the case of every row and prints a table of
-ratios, computed over printed. Columns of the catalogue as in validation/standard_screws/screws.csv;
-lines that begin with # are skipped. Exit status 1 where a command fails.
+ratios, computed over printed, and the static safety at the assumed load. Columns of the catalogue
+as in validation/standard_screws/screws.csv; lines that begin with # are skipped. Exit status 1 where a command fails.
 """
 
 import argparse
@@ -100,8 +100,9 @@ def main():
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
 
     failed = 0
-    print("| screw | rollers | " + " | ".join(heading for heading, *_ in RATIOS) + " |")
-    print("| --- " * (2 + len(RATIOS)) + "|")
+    headings = ["screw", "rollers", *(heading for heading, *_ in RATIOS), "static safety"]
+    print("| " + " | ".join(headings) + " |")
+    print("| --- " * len(headings) + "|")
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(asked.cases or temporary)
         folder.mkdir(parents=True, exist_ok=True)
@@ -121,6 +122,7 @@ def main():
             if any(isinstance(document, str) for document in found.values()):
                 continue
             shown = [ratio(row, found, *of) for _, *of in RATIOS]
+            shown.append(found["life"]["life"].get("static_safety"))
             print(
                 f"| {name} | {resolved(found, 'mechanism.rollers')} | "
                 + " | ".join("-" if value is None else f"{value:.2f}" for value in shown)

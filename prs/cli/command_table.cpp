@@ -88,6 +88,10 @@ void add_all_estimates(CLI::App& command, Options& options) {
 
 void add_compare_options(CLI::App& compare, Options& options) {
   compare
+      .add_option("other", options.other,
+                  "A second case: its inputs and results beside those of the first")
+      ->type_name("FILE");
+  compare
       .add_flag_callback(
           "--influence", [&] { options.overrides.push_back("model.bodies=influence"); },
           "With the influence model also where its matrices have to be made; as --set "
@@ -261,8 +265,9 @@ struct CaseRow {
 constexpr CaseRow kCaseRows[] = {
     {Command::check, kAnalyse, add_check_options, nullptr,
      "prs check case.yaml\nprs check case.yaml --all"},
-    {Command::compare, kAnalyse, add_compare_options, nullptr,
-     "prs compare case.yaml\nprs compare case.yaml --influence --output results"},
+    {Command::compare, kAnalyse, add_compare_options, compare,
+     "prs compare case.yaml\nprs compare before.yaml after.yaml\nprs compare case.yaml --influence "
+     "--output results"},
     {Command::slip, kAnalyse, add_all_estimates, nullptr,
      "prs slip case.yaml\nprs slip case.yaml --all"},
     {Command::life, kAnalyse, add_all_estimates, nullptr,

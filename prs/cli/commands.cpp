@@ -14,6 +14,7 @@
 #include "prs/output/document_schema.h"
 #include "prs/output/run_files.h"
 #include "prs/quantities/results_schema.h"
+#include "prs/run/compare_cases.h"
 
 namespace prs::cli {
 
@@ -38,6 +39,17 @@ int run_case(const CommandRow& row, const Options& options) {
   if (options.explain) return explain(options);
   const input::Source source = case_source(options);
   return deliver(run(row, source), document_info(source, row.command), options);
+}
+
+int compare(const Options& options) {
+  if (options.other.empty()) return run_case(row_of(Command::compare), options);
+  if (options.other == kStandardInput)
+    throw UsageError("OTHER: got -; expected a file; standard input may be the first of the two");
+  const input::Source source = case_source(options);
+  Options second = options;
+  second.file = options.other;
+  return deliver(compare_cases(source, case_source(second)),
+                 document_info(source, Command::compare), options);
 }
 
 int schema(const Options& options) {

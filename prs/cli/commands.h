@@ -44,6 +44,7 @@ struct ExportOptions {
 /// Arguments of all commands.
 struct Options : OutputOptions {
   std::string file;
+  std::string other;                            ///< `prs compare`: a second case; empty: none.
   std::vector<std::string> overrides;           ///< `path=value` each.
   std::size_t threads = 0;                      ///< Threads of a study; 0: one per processor.
   std::optional<Shard> shard;                   ///< `prs study --shard`: its part of the designs.
@@ -74,6 +75,8 @@ input::Source case_source(const Options& options);
 
 /// Runs a command that computes a case and writes its results.
 int run_case(const CommandRow& row, const Options& options);
+/// Compares the models of the bodies on a case, or two cases.
+int compare(const Options& options);
 int study(const Options& options);
 /// Writes the files of a study from the journals in `options.folders`.
 int merge_study(const Options& options);

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/flank_edge.h"
 #include "prs/configurations/roller_spacing.h"
 #include "prs/model/case_error.h"
 #include "prs/model/check_case.h"
 #include "prs/model/groove.h"
 #include "prs/model/quantity_text.h"
+#include "prs/threads/contact_failure.h"
 #include "prs/threads/geometry_warnings.h"
 
 namespace prs {
@@ -69,19 +71,16 @@ std::string obstacle(const Mechanism& m, std::optional<Contacts>& contacts) {
   return {};
 }
 
-/// As a maker cuts threads, but no more than 95 % of what sharp ones have.
-ThreadHeight thread_height(const Contacts& sharp, double pitch) {
-  ThreadHeight height{kCrestHeight * pitch, kMeshedRootDepth * pitch};
-  for (const Part p : kParts) {
-    const contact::Thread& thread = thread_of(sharp.threads, p);
-    const contact::RadiusLimits limits = contact::flank_limits(thread);
-    double crest = limits.largest - thread.pitch_radius,
-           root = thread.pitch_radius - limits.smallest;
-    if (thread.internal) std::swap(crest, root);
-    height.addendum = std::min(height.addendum, 0.95 * crest);
-    height.dedendum = std::min(height.dedendum, 0.95 * root);
-  }
-  return height;
+/// As a maker cuts threads, but no more than 95 % of what sharp ones have. Crests are counted from
+/// the nominal radius: without play the pitch line of one part lies up to 0.04 p below it, outer
+/// diameters of a catalogue do not.
+ThreadHeight thread_height(const contact::Thread& thread, double nominal_radius, double pitch) {
+  const contact::RadiusLimits limits = contact::flank_limits(thread);
+  double crest = limits.largest - thread.pitch_radius, root = thread.pitch_radius - limits.smallest;
+  if (thread.internal) std::swap(crest, root);
+  const double below = (nominal_radius - thread.pitch_radius) * (thread.internal ? -1.0 : 1.0);
+  return {std::min(kCrestHeight * pitch + below, 0.95 * crest),
+          std::min(kMeshedRootDepth * pitch, 0.95 * root)};
 }
 
 Threads threads_for(const ScrewData& d, int starts) {
@@ -94,8 +93,9 @@ Threads threads_for(const ScrewData& d, int starts) {
   t.reason = obstacle(t.mechanism, t.contacts);
   if (t.reason.empty()) {
     const std::optional<Contacts> sharp = t.contacts;
-    const ThreadHeight height = thread_height(*sharp, pitch);
-    t.mechanism.thread = {height, height, height};
+    const PerPart<double> nominal = nominal_radii(d, roller);
+    for (const Part p : kParts)
+      t.mechanism.thread[p] = thread_height(thread_of(sharp->threads, p), nominal[p], pitch);
     if (!obstacle(t.mechanism, t.contacts).empty()) {  // Contacts lie beyond a maker's crest.
       t.mechanism.thread = {};
       t.contacts = sharp;
@@ -266,11 +266,26 @@ double nut_outer_diameter(const ScrewData& d, const Mechanism& m, double pitch_d
   return *d.nut_diameter;
 }
 
+/// Axial force at which equal shares bring an ellipse to the end of a flank [N].
+double edge_force(const Mechanism& m, const Contacts& contacts) {
+  double force = std::numeric_limits<double>::infinity();
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& c = contacts.interfaces[i];
+    const contact::FlankEdge edge = contact::nearest_flank_edge(
+        pair_of(contacts.threads, i), c.geometry, c.hertz.semi_major_per_cbrt_load,
+        c.hertz.semi_minor_per_cbrt_load);
+    force = std::min(force, std::pow(edge.scale, 3) * std::cos(c.normal_angle()) *
+                                m.contacts_per_roller * m.rollers);
+  }
+  return force;
+}
+
 double load_of(const ScrewData& d, const Mechanism& m, const Contacts& contacts) {
   const double moderate = moderate_force(m, contacts);
   if (!d.load)
     return proposed(std::min(
-        moderate, kModerateStress * 0.25 * std::numbers::pi * d.screw_diameter * d.screw_diameter));
+        {moderate, kModerateStress * 0.25 * std::numbers::pi * d.screw_diameter * d.screw_diameter,
+         kModerateEdgeShare * edge_force(m, contacts)}));
   const double most = moderate * std::pow(kGreatestPressure / kModeratePressure, 3);
   if (*d.load > most)
     throw CaseError("load",
@@ -294,6 +309,10 @@ Structure structure_of(const ScrewData& d, const Mechanism& m, double nut_diamet
 }
 
 }  // namespace
+
+PerPart<double> nominal_radii(const ScrewData& d, double roller_diameter) {
+  return {0.5 * d.screw_diameter, 0.5 * roller_diameter, 0.5 * d.screw_diameter + roller_diameter};
+}
 
 double moderate_force(const Mechanism& m, const Contacts& contacts) {
   double force = std::numeric_limits<double>::infinity();

@@ -53,6 +53,10 @@ inline constexpr double kModeratePressure = 1.8e9;
 /// Greatest stress in the screw of a proposed load [Pa]: threads of slender screws share unevenly.
 inline constexpr double kModerateStress = 50e6;
 
+/// Greatest part of the load that brings an ellipse to the end of a flank with equal shares: the
+/// most loaded thread of a slender screw carries twice the mean and more.
+inline constexpr double kModerateEdgeShare = 0.25;
+
 // Rules, from the 24 standard screws in validation/standard_screws. d_N is the nut's pitch
 // diameter.
 
@@ -87,6 +91,11 @@ inline constexpr double kGreatestPressure = 5.0e9;
 /// Part of a maker's crest height that arcs must reach before they turn parallel to the axis.
 inline constexpr double kLeastThreadHeight = 0.5;
 
+/// Radii of screw, rollers and nut [m] from which crests are counted: d/2, d_R/2, d/2 + d_R. The
+/// pitch radii without play differ from them by up to 0.04 pitches, at the screw or, inverted, the
+/// nut.
+PerPart<double> nominal_radii(const ScrewData& data, double roller_diameter);
+
 /// Axial force at which equal shares reach `kModeratePressure` [N]; both contacts must be Hertz's.
 double moderate_force(const Mechanism& m, const Contacts& contacts);
 
@@ -96,9 +105,9 @@ double moderate_force(const Mechanism& m, const Contacts& contacts);
 ///     n: the largest of 5, 4, 3 whose rollers are 4 mm or thicker; p = |l|/n
 ///     rollers: as many as fit with half a pitch between their crests
 ///     contacts: over 0.68 L, inverted over 1.6 d but no more than that; in the middle of the nut
-///     heights of groove.h; flanks of screw and nut straight, of the rollers r_B = 5 p
-///     load that gives 1.8 GPa with equal shares, or 50 MPa in the screw; speed half of n d =
-///     150,000 mm/min
+///     heights of groove.h, crests from d, d_R, d_N; flanks straight, of the rollers r_B = 5 p
+///     load that gives 1.8 GPa with equal shares, no more than 50 MPa in the screw and a fourth of
+///     what brings an ellipse to the end of a flank; speed half of n d = 150,000 mm/min
 ///
 /// The nut, a plain cylinder, is held at its near end in tension, at its far one in compression.
 /// Throws CaseError with the name of a member of `ScrewData` where nothing can have these numbers,

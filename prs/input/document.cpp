@@ -1,6 +1,7 @@
 #include "prs/input/document.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/mark.h>
@@ -13,6 +14,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "prs/input/did_you_mean.h"
 #include "prs/input/units.h"
 
 namespace prs::input {
@@ -320,10 +322,13 @@ Node* find(Node& map, std::string_view key) {
   return const_cast<Node*>(input::find(std::as_const(map), key));
 }
 
-/// One step of a path: a key or, in brackets, an index.
+/// One step of a path: a key or, in brackets, the index or the name of an entry.
 struct Step {
   std::string_view key;
   std::optional<std::size_t> index;
+  std::string_view name = {};
+
+  bool is_entry() const { return index || !name.empty(); }
 };
 
 /// `load_cases[0].axial_force` -> key, index, key; nothing where the path is malformed.
@@ -338,14 +343,60 @@ std::optional<std::vector<Step>> split_path(std::string_view path) {
       std::size_t index = 0;
       const char* last = path.data() + path.size();
       const auto [stop, error] = std::from_chars(path.data() + 1, last, index);
-      if (error != std::errc{} || stop == last || *stop != ']') return std::nullopt;
-      steps.push_back({{}, index});
-      path.remove_prefix(static_cast<std::size_t>(stop + 1 - path.data()));
+      const std::size_t close = path.find(']');
+      if (close == path.npos || close == 1) return std::nullopt;
+      if (error == std::errc{} && stop != last && *stop == ']')
+        steps.push_back({{}, index});
+      else
+        steps.push_back({{}, std::nullopt, path.substr(1, close - 1)});
+      path.remove_prefix(close + 1);
     }
     if (path.empty()) return steps;
     if (!path.starts_with('.') || steps.size() > kDeepest) return std::nullopt;
     path.remove_prefix(1);
   }
+}
+
+std::string_view name_of(const Node& entry) {
+  const Node* name = entry.kind == Node::Kind::map ? input::find(entry, "name") : nullptr;
+  return name && name->kind == Node::Kind::scalar ? std::string_view(name->text) : "";
+}
+
+/// The entry of a list, the first of several of a name; null where there is none.
+const Node* entry_of(const Node& list, const Step& step) {
+  const auto found = step.index ? list.children.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                              *step.index, list.children.size()))
+                                : std::ranges::find(list.children, step.name, name_of);
+  return found == list.children.end() ? nullptr : &*found;
+}
+
+/// What keeps a step from being one entry of a list; empty where it is one.
+std::string no_entry(const Node& list, const Step& step) {
+  if (list.kind != Node::Kind::sequence)
+    return "the brackets have no list; expected a path that exists";
+  if (step.index)
+    return *step.index < list.children.size()
+               ? ""
+               : fmt::format("got the index {}; expected one below {}, counted from 0", *step.index,
+                             list.children.size());
+  const auto count = std::ranges::count(list.children, step.name, name_of);
+  if (count == 1) return "";
+  if (count > 1)
+    return fmt::format(
+        "got the name {}, which {} entries have; expected one; write its index, "
+        "counted from 0",
+        shown(step.name), count);
+  std::vector<std::string_view> names;
+  for (const Node& entry : list.children)
+    if (const std::string_view name = name_of(entry); !name.empty()) names.push_back(name);
+  const std::string hint = did_you_mean(step.name, names);
+  return fmt::format(
+      "got the name {}; expected that of an entry{}, or an index below {}, counted "
+      "from 0{}{}",
+      shown(step.name),
+      names.empty() ? ", of which none has one"
+                    : fmt::format(" ({})", shown(fmt::format("{}", fmt::join(names, ", ")))),
+      list.children.size(), hint.empty() ? "" : "; ", hint);
 }
 
 /// The node at the end of the steps, created where it is missing; null where they lead nowhere.
@@ -363,13 +414,10 @@ Node* descend(Node& root, const std::vector<Step>& steps, const std::string& pat
   };
   note_place();
   for (const Step& step : steps) {
-    if (step.index) {
-      if (node->kind != Node::Kind::sequence)
-        return refuse("the index has no list; expected a path that exists");
-      if (*step.index >= node->children.size())
-        return refuse(fmt::format("got the index {}; expected one below {}, counted from 0",
-                                  *step.index, node->children.size()));
-      node = &node->children[*step.index];
+    if (step.is_entry()) {
+      if (const std::string problem = no_entry(*node, step); !problem.empty())
+        return refuse(problem);
+      node = const_cast<Node*>(entry_of(*node, step));
       note_place();
       continue;
     }
@@ -484,13 +532,31 @@ std::string flow_text(const Node& value) { return flow_text(value, false); }
 const Node* find_path(const Node& root, std::string_view path) {
   const Node* node = &root;
   for (const Step& step : split_path(path).value_or(std::vector<Step>{})) {
-    if (step.index)
-      node = *step.index < node->children.size() ? &node->children[*step.index] : nullptr;
-    else
-      node = find(*node, step.key);
+    node = step.is_entry() ? entry_of(*node, step) : find(*node, step.key);
     if (!node) return nullptr;
   }
   return node;
+}
+
+std::string with_indices(const Node& root, const std::string& path) {
+  const auto steps = split_path(path);
+  if (!steps) return path;
+  std::string indexed;
+  const Node* node = &root;
+  for (const Step& step : *steps) {
+    if (!step.is_entry()) {
+      node = find(*node, step.key);
+      indexed.append(indexed.empty() ? "" : ".").append(step.key);
+    } else if (no_entry(*node, step).empty()) {
+      const Node* entry = entry_of(*node, step);
+      indexed += fmt::format("[{}]", entry - node->children.data());
+      node = entry;
+    } else {
+      return path;
+    }
+    if (!node) return path;
+  }
+  return indexed;
 }
 
 bool stands_in(const Node& node, Place place) {
@@ -532,14 +598,10 @@ Place locate(const Node& root, std::string_view path) {
   const Node* node = &root;
   Place nearest = root.place;
   for (const Step& step : split_path(path).value_or(std::vector<Step>{})) {
-    const Node* child = nullptr;
-    if (step.index)
-      child = *step.index < node->children.size() ? &node->children[*step.index] : nullptr;
-    else
-      child = find(*node, step.key);
+    const Node* child = step.is_entry() ? entry_of(*node, step) : find(*node, step.key);
     if (!child) return nearest;
     node = child;
-    nearest = step.index ? node->place : node->key_place;
+    nearest = step.is_entry() ? node->place : node->key_place;
   }
   return node->place;
 }

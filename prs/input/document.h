@@ -34,8 +34,9 @@ enum class ScalarType { text, number, boolean };
 ScalarType scalar_type(const Node& scalar);
 
 /// Reads the one YAML document of a source and applies its overrides `path=value`, where a path is
-/// `mechanism.rollers` or `load_cases[0].axial_force` and the value is YAML. Missing maps are
-/// created; an index must exist.
+/// `mechanism.rollers`, `load_cases[0].axial_force` or, by the entry's `name`,
+/// `load_cases[pull].axial_force`, and the value is YAML. Missing maps are created; an index or a
+/// name must exist, a name once.
 ///
 /// Nesting is bounded by 64 levels and the document, with its aliases expanded, by 200,000 values.
 /// Tags, merge keys (`<<`), further documents and texts that are not UTF-8 are refused. Throws
@@ -55,6 +56,10 @@ std::string flow_text(const Node& value);
 
 /// The value at a path, or null.
 const Node* find_path(const Node& root, std::string_view path);
+
+/// The path with names of entries as their places: `load_cases[0].axial_force` of
+/// `load_cases[pull].axial_force`. Unchanged where it leads nowhere.
+std::string with_indices(const Node& root, const std::string& path);
 
 /// Whether the node, one below it or one of their keys stands at the place.
 bool stands_in(const Node& node, Place place);

@@ -394,7 +394,12 @@ OptimizeItem written_optimization(const CaseFile& file, const Node& root, ErrorL
                "contact, variables: [{path: mechanism.flank_angle, from: 40 deg, to: 50 deg}], "
                "objectives: [{minimize: screw.peak_pressure_MPa.max}]}`");
   errors.throw_if_any();
-  return *file.optimize;
+  OptimizeItem item = *file.optimize;
+  for (VariableItem& variable : item.variables) {
+    take_indices(root, variable.path, variable.label);
+    for (LinkedInputItem& linked : variable.linked) linked.path = with_indices(root, linked.path);
+  }
+  return item;
 }
 
 }  // namespace

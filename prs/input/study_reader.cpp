@@ -622,10 +622,33 @@ StudyItem written_study(const CaseFile& file, const Node& root, ErrorList& error
                "missing; expected what to vary; add for example `study: {command: slip, factors: "
                "[{path: mechanism.rollers, values: [8, 9, 10]}]}`");
   errors.throw_if_any();
-  return *file.study;
+  StudyItem item = *file.study;
+  for (FactorItem& factor : item.factors) {
+    take_indices(root, factor.path, factor.label);
+    for (CompanionItem& companion : factor.companions)
+      take_indices(root, companion.path, companion.label);
+  }
+  if (item.responses)
+    for (std::string& path : *item.responses) path = response_path(root, file.load_cases, path);
+  return item;
 }
 
 }  // namespace
+
+void take_indices(const Node& root, std::string& path, std::optional<std::string>& label) {
+  std::string indexed = with_indices(root, path);
+  if (indexed != path && !label) label = path;
+  path = std::move(indexed);
+}
+
+std::string response_path(const Node& root, const std::vector<LoadCaseItem>& load_cases,
+                          const std::string& path) {
+  constexpr std::string_view kBlock = "load_cases[";
+  const std::string indexed = with_indices(root, path.substr(0, path.find(']') + 1));
+  if (!path.starts_with(kBlock) || path.starts_with(indexed)) return path;
+  const std::size_t item = std::stoul(indexed.substr(kBlock.size()));
+  return fmt::format("{}{}{}", kBlock, first_case(load_cases, item), path.substr(path.find(']')));
+}
 
 StudyInput read_study_input(const Source& source) {
   ErrorList errors(source);

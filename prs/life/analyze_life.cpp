@@ -489,17 +489,6 @@ void find_weakest(LifeResult& r) {
   }
 }
 
-void warn_of_flank_edge(const std::optional<double>& edge, const std::optional<double>& capacity,
-                        Direction d, std::vector<std::string>& warnings) {
-  if (edge && capacity && *edge < *capacity)
-    warnings.push_back(fmt::format(
-        "mechanism.profile: in {}, an ellipse reaches the end of a flank at {:.4g} kN, below the "
-        "static capacity of "
-        "{:.4g} kN; static safety takes the smaller; lower the profile radius or take a coarser "
-        "pitch",
-        name(d), *edge * 1e-3, *capacity * 1e-3));
-}
-
 void warn_of_loads(LifeResult& r) {
   const std::string_view loads = r.life.history ? "life.history" : "life.spectrum";
   for (const Direction d : kDirections) {
@@ -517,10 +506,13 @@ void warn_of_loads(LifeResult& r) {
     if (const auto& rating = r.flanks[d]->static_rating)
       if (const auto note = beyond_static_rating(r.flanks[d]->largest_force, *rating))
         r.warnings.push_back(fmt::format("{}: in {}, {}", loads, name(d), *note));
-    warn_of_flank_edge(
-        r.flanks[d]->flank_edge_load,
-        r.life.static_capacity ? r.life.static_capacity : r.flanks[d]->static_capacity, d,
-        r.warnings);
+    const std::optional<double> capacity =
+        r.life.static_capacity ? r.life.static_capacity : r.flanks[d]->static_capacity;
+    if (capacity && r.flanks[d]->flank_edge_load)
+      if (const auto note =
+              flank_edge_near("an ellipse reaches the end of a flank",
+                              *r.flanks[d]->flank_edge_load, *capacity, r.flanks[d]->largest_force))
+        r.warnings.push_back(fmt::format("{}: in {}, {}", loads, name(d), *note));
   }
   if (const auto note = beyond_life_formula(r.mean_load, r.dynamic_capacity))
     r.warnings.push_back(fmt::format("{}: {}", loads, *note));

@@ -79,16 +79,15 @@ std::optional<StaticRating> smaller(const std::optional<StaticRating>& a,
   return b->force < a->force ? b : a;
 }
 
-std::optional<std::string> flank_edge_below_capacity(const Contacts& contacts, double edge_load,
-                                                     double static_capacity, Interface i) {
-  if (!(edge_load < static_capacity)) return std::nullopt;
-  const contact::FlankEdge edge = nearest_flank_edge(contacts, i);
+std::optional<std::string> flank_edge_near(std::string_view reaches, double edge_load,
+                                           double static_capacity, double load) {
+  if (!(edge_load < static_capacity && edge_load < kUsualStaticSafety * load && load <= edge_load))
+    return std::nullopt;
   return fmt::format(
-      "the {} ellipse reaches the {} of the {} at {:.4g} kN, below the static capacity of {:.4g} "
-      "kN, with equal shares; static safety takes the smaller; lower the profile radius or take a "
-      "coarser pitch",
-      label(i), contact::name(edge.end), edge.of_roller ? "roller" : name(i),
-      edge_load * per_si::kilonewton, static_capacity * per_si::kilonewton);
+      "{} at {:.4g} kN, {:.2f} times the load and below the static capacity of {:.4g} kN; expected "
+      "at least {:g} times; lower the load or the profile radius, or take a coarser pitch",
+      reaches, edge_load * per_si::kilonewton, edge_load / load,
+      static_capacity * per_si::kilonewton, kUsualStaticSafety);
 }
 
 std::optional<std::string> dynamic_above_static(double dynamic_capacity, double static_capacity) {

@@ -86,10 +86,14 @@ std::optional<StaticRating> static_rating(const StaticLimits& limits, std::optio
 std::optional<StaticRating> smaller(const std::optional<StaticRating>& a,
                                     const std::optional<StaticRating>& b);
 
-/// A note where the ellipse of an interface reaches the end of a flank at a force [N] on the
-/// mechanism below its static capacity [N].
-std::optional<std::string> flank_edge_below_capacity(const Contacts& contacts, double edge_load,
-                                                     double static_capacity, Interface i);
+/// Static safety from which on no limit is worth a note: makers ask for 1 to 3 under smooth loads.
+inline constexpr double kUsualStaticSafety = 1.5;
+
+/// A note where an ellipse reaches the end of a flank at a force [N] on the mechanism that is below
+/// its static capacity [N] and less than `kUsualStaticSafety` times the load [N], which is no
+/// greater. `reaches`: which ellipse reaches what.
+std::optional<std::string> flank_edge_near(std::string_view reaches, double edge_load,
+                                           double static_capacity, double load);
 
 /// A note where the dynamic capacity [N] exceeds the static one [N], which no maker's does.
 std::optional<std::string> dynamic_above_static(double dynamic_capacity, double static_capacity);

@@ -321,11 +321,6 @@ std::vector<std::string> unusual_measures(const Conditions& c, const Contacts& c
   if (m.dynamic_capacity && m.static_capacity)
     if (const auto note = dynamic_above_static(*m.dynamic_capacity, *m.static_capacity))
       add("mechanism.profile", *note);
-  for (const Interface i : kInterfaces)
-    if (m.interface_flank_edge_load[i] && m.static_capacity)
-      if (const auto note = flank_edge_below_capacity(contacts, *m.interface_flank_edge_load[i],
-                                                      *m.static_capacity, i))
-        add("mechanism.profile", *note);
   if (options_of(c).shaft && c.structure && c.materials && !m.buckling_load)
     add("structure.screw.bore",
         "the bore of the screw reaches the roots of its thread: no buckling load, no critical "
@@ -345,6 +340,11 @@ std::vector<std::string> unusual_load_measures(const Conditions& c, const Measur
   if (m.dynamic_capacity) add(beyond_life_formula(force, *m.dynamic_capacity));
   if (const auto rating = equal_shares_static_rating(c, m))
     add(beyond_static_rating(force, *rating));
+  for (const Interface i : kInterfaces)
+    if (m.interface_flank_edge_load[i] && m.static_capacity)
+      add(flank_edge_near(
+          fmt::format("with equal shares, the {} ellipse reaches the end of a flank", label(i)),
+          *m.interface_flank_edge_load[i], *m.static_capacity, force));
   if (runs(c, result.load_case))
     for (const Interface i : kInterfaces)
       if (load_measures.largest_peak_pressure[i])

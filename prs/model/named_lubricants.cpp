@@ -12,6 +12,9 @@ constexpr std::string_view kIso =
     "midpoints of ISO 3448, viscosity index 95 by ASTM D2270; density: typical";
 constexpr std::string_view kAeroShell =
     "The AeroShell Book, 19th edition (2012): base oil, typical; density: typical";
+constexpr std::string_view kSkf =
+    "SKF bearing grease selection chart: base oil at 40 degC; at 100 degC viscosity index 95 by "
+    "ASTM D2270; density: typical";
 
 constexpr NamedLubricant kLubricants[] = {
     {"iso-vg-32", "mineral oil", mineral, 32e-6, 5.29e-6, 875.0, kIso},
@@ -32,6 +35,12 @@ constexpr NamedLubricant kLubricants[] = {
      3.4e-6, 850.0, kAeroShell},
     {"mil-prf-81322", "grease, wide temperature range: AeroShell Grease 22", polyalphaolefin,
      30.5e-6, 5.7e-6, 830.0, kAeroShell},
+    {"skf-lgmt-2", "grease, lithium soap: SKF LGMT 2", mineral, 110e-6, 11.80e-6, 890.0, kSkf},
+    {"skf-lgep-2", "grease, lithium soap, EP: SKF LGEP 2", mineral, 200e-6, 17.61e-6, 898.0, kSkf},
+    {"skf-lgwa-2", "grease, lithium complex, EP: SKF LGWA 2", mineral, 185e-6, 16.73e-6, 898.0,
+     kSkf},
+    {"skf-lghb-2", "grease, calcium sulphonate: SKF LGHB 2", mineral, 400e-6, 27.69e-6, 904.0,
+     kSkf},
 };
 
 }  // namespace

@@ -394,6 +394,26 @@ void put_configurations(Parts& d) {
                     {"type", "starts", "reason"})));
 }
 
+/// Of `prs compare FILE OTHER`.
+void put_case_comparison(Parts& d) {
+  const Json change = type("number", "From the value to the other, of the value");
+  d.put("other",
+        object({{"case_file", text()}, {"input_sha256", text()}, {"warnings", list(text())}},
+               {"case_file", "input_sha256", "warnings"}));
+  d.put("inputs", list(object({{"path", text()},
+                               {"value", text()},
+                               {"other_value", text()},
+                               {"change_percent", change}},
+                              {"path"})));
+  d.put("results", list(object({{"command", text()},
+                                {"load_case", text()},
+                                {"path", text()},
+                                {"value", number()},
+                                {"other_value", number()},
+                                {"change_percent", change}},
+                               {"command", "path"})));
+}
+
 struct Document {
   std::string_view command;
   void (*put)(Parts&);
@@ -415,6 +435,7 @@ constexpr Document kDocuments[] = {
        put_contacts(d);
        d.put_record<ModelComparison>("comparison");
      }},
+    {"compare", put_case_comparison},
     {"measures",
      [](Parts& d) {
        put_load_cases(d);

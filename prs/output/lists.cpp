@@ -35,7 +35,9 @@ std::string lubricants_table() {
         fmt::format("{:<16}{:>12.6g}{:>12.6g}{:>12.6g}   {} [{}]\n", l.name, 1e6 * l.viscosity_40,
                     1e6 * l.viscosity_100, l.density, l.what, source - sources.begin() + 1);
   }
-  text += "\nKinematic viscosity nu of the oil, or of the base oil of the grease.\n";
+  text +=
+      "\nKinematic viscosity nu of the oil, or of the base oil of the grease, which is all that "
+      "counts:\nits thickener is not modelled.\n";
   for (std::size_t i = 0; i < sources.size(); ++i)
     text += fmt::format("[{}] {}\n", i + 1, sources[i]);
   return text;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -124,15 +125,25 @@ std::string case_heading(const CompleteScrew& s, const std::string& origin) {
   return text;
 }
 
-std::string thread_text(const Mechanism& m) {
+std::string thread_text(const CompleteScrew& s) {
+  const Mechanism& m = s.c.mechanism;
   if (!m.thread.screw)
     return case_remark(
         "thread heights are left out: contacts lie beyond crests of 0.15 pitches, as makers have "
         "them; flanks end where they meet",
         2);
   const double pitch = axial_pitch(m);
-  const bool as_makers = m.thread.screw->addendum > 0.999 * kCrestHeight * pitch &&
-                         m.thread.screw->dedendum > 0.999 * kMeshedRootDepth * pitch;
+  const PerPart<double> nominal = nominal_radii(s.data, s.pitch_diameter.roller);
+  const auto outer = [&](Part p, double direction) {
+    return 0.5 * s.pitch_diameter[p] + direction * m.thread[p]->addendum;
+  };
+  const PerPart<double> crest = {outer(Part::screw, 1.0) - nominal.screw,
+                                 outer(Part::roller, 1.0) - nominal.roller,
+                                 nominal.nut - outer(Part::nut, -1.0)};
+  const double lowest = std::min({crest.screw, crest.roller, crest.nut});
+  const double root = m.thread.roller->dedendum;
+  const bool as_makers =
+      lowest > 0.999 * kCrestHeight * pitch && root > 0.999 * kMeshedRootDepth * pitch;
   std::string lines, value;
   for (const Part p : kParts) {
     const std::string part = fmt::format("{}: {{addendum: {}, dedendum: {}}}", name(p),
@@ -140,19 +151,15 @@ std::string thread_text(const Mechanism& m) {
     lines += "    " + part + "\n";
     value += (value.empty() ? "{" : ", ") + part;
   }
-  return case_remark(
-             assumption(
-                 value + "}",
-                 fmt::format(
-                     "crests {:.2g} and roots {:.2g} pitches from the pitch line, {}. Ellipses "
-                     "reach such crests below the static "
-                     "capacity: makers count on what bears beyond, `prs measures` and `prs life` "
-                     "warn",
-                     m.thread.screw->addendum / pitch, m.thread.screw->dedendum / pitch,
-                     as_makers ? "after outer and root diameters of a catalogue"
-                               : "as far as these flanks reach: makers have more")),
-             2) +
-         "  thread:\n" + lines;
+  const std::string reason = fmt::format(
+      "crests {:.2g} pitches beyond diameters of {}, {} and {}, roots {:.2g} from the pitch line, "
+      "{}. At the static capacity ellipses reach beyond such crests: `prs life` has the load at "
+      "the edge, and warns where yours comes near",
+      lowest / pitch, mm(2.0 * nominal.screw), mm(2.0 * nominal.roller), mm(2.0 * nominal.nut),
+      root / pitch,
+      as_makers ? "after outer and root diameters of a catalogue"
+                : "as far as these flanks reach: makers have more");
+  return case_remark(assumption(value + "}", reason), 2) + "  thread:\n" + lines;
 }
 
 std::string mechanism_text(const CompleteScrew& s) {
@@ -198,7 +205,7 @@ std::string mechanism_text(const CompleteScrew& s) {
                                "static capacity hardly depends on the lead. No catalogue prints "
                                "it, and pressures depend on it: ask the maker, or measure",
                                kProfileRadius)) +
-         thread_text(m) +
+         thread_text(s) +
          case_line(fmt::format("  rollers: {}", m.rollers),
                    origin_of(d.rollers.has_value(),
                              "as many as fit with half a pitch between their crests")) +
@@ -305,8 +312,10 @@ std::string loads_text(const CompleteScrew& s, ModelOf model) {
              (d.load ? "the force is given"
                      : fmt::format("the load of {:g} GPa with equal shares, 9 % of the static "
                                    "capacity by 4.0 GPa, but no more than {:g} MPa in the "
-                                   "screw",
-                                   1e-9 * kModeratePressure, 1e-6 * kModerateStress)) +
+                                   "screw and {:g} times what brings an ellipse to the end of a "
+                                   "flank",
+                                   1e-9 * kModeratePressure, 1e-6 * kModerateStress,
+                                   kModerateEdgeShare)) +
                  "; rollers in the middle of the nut. The screw drives in both cases." +
                  (model == ModelOf::full
                       ? " In line, no load across the axis; y and z lie across it, roller 1 "

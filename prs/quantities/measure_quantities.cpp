@@ -77,7 +77,8 @@ constexpr std::string_view kFlankEdgeFormula =
     "body or roller, rho' = sqrt((a' t_1r)^2 + (b' t_2r)^2) the ellipse's radial reach under 1 N";
 constexpr std::string_view kFlankEdgeValidity =
     "equal shares; ellipse of the unbounded flank; crests and roots of mechanism.thread, else "
-    "where flanks meet: crests as makers cut them, 0.15 p high, bring it down to about a fifth";
+    "where flanks meet: crests as makers cut them, 0.15 p high, bring it down to a third to a "
+    "fifth";
 constexpr std::string_view kFlankEdgeSource = "Hertz; geometry";
 constexpr std::string_view kBodyValidity =
     "bodies bounded by the pitch diameters; rollers with run-out and ends, nut with flanges; "

@@ -25,6 +25,7 @@
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/measures/analyze_measures.h"
+#include "prs/model/case_error.h"
 #include "prs/model/void_inputs.h"
 #include "prs/output/check.h"
 #include "prs/output/comparison.h"
@@ -128,17 +129,50 @@ CommandRow row(Command command, std::string_view help,
 
 // What each computes, with the warnings that belong to the command.
 
+LifeResult life_of(const input::Source& source, const input::CaseInput& in);
+
+/// What `solve` finds unusual about the largest loads, and `life` about those of its block.
+std::vector<std::string> solved_load_warnings(const input::Source& source,
+                                              const input::CaseInput& in, double largest) {
+  std::vector<std::string> warnings;
+  Case c = in.values;
+  std::erase_if(c.load_cases,
+                [&](const LoadCase& load) { return std::abs(load.axial_force) < largest; });
+  for (LoadCaseResult& load : analyze(c).load_cases)
+    std::ranges::move(load.warnings, std::back_inserter(warnings));
+  if (input::unmet(in, Command::life).empty())
+    std::ranges::move(life_of(source, in).warnings, std::back_inserter(warnings));
+  return warnings;
+}
+
 /// With equal shares, the least that its most loaded threads carry.
-void warn_of_largest_load(const Case& c, Result& geometry) {
+std::vector<std::string> equal_share_warnings(const LoadCase& load, const Contacts& contacts) {
+  if (!contacts.interfaces.screw.has_hertz() || !contacts.interfaces.nut.has_hertz()) return {};
+  LoadCaseResult loaded = equal_share_result(load, contacts);
+  add_warnings(loaded, contacts);
+  for (std::string& text : loaded.warnings) text += ", even with equal shares";
+  return std::move(loaded.warnings);
+}
+
+/// Where solving takes no more than the share of one roller, those of `solve` and `life`.
+void warn_of_loads(const input::Source& source, const input::CaseInput& in, Result& geometry) {
+  const Case& c = in.values;
   const auto force = [](const LoadCase& load) { return std::abs(load.axial_force); };
   const auto largest = std::ranges::max_element(c.load_cases, {}, force);
-  const PerInterface<InterfaceContact>& contacts = geometry.contacts.interfaces;
-  if (largest == c.load_cases.end() || !contacts.screw.has_hertz() || !contacts.nut.has_hertz())
-    return;
-  LoadCaseResult loaded = equal_share_result(*largest, geometry.contacts);
-  add_warnings(loaded, geometry.contacts);
-  for (const std::string& text : loaded.warnings)
-    geometry.warnings.push_back(text + ", even with equal shares");
+  const bool is_quick = c.model.mechanism == ModelOptions::Mechanism::sector &&
+                        c.model.bodies != ModelOptions::Bodies::influence;
+  std::vector<std::string> warnings;
+  try {
+    if (is_quick && input::unmet(in, Command::solve).empty())
+      warnings = solved_load_warnings(source, in, force(*largest));
+    else if (largest != c.load_cases.end())
+      warnings = equal_share_warnings(*largest, geometry.contacts);
+  } catch (const CaseError&) {  // The command that cannot run says why.
+  } catch (const input::InputError&) {
+  }
+  for (std::string& text : warnings)
+    if (std::ranges::find(geometry.warnings, text) == geometry.warnings.end())
+      geometry.warnings.push_back(std::move(text));
 }
 
 /// Reads and checks the study and the optimization of the source too.
@@ -153,7 +187,7 @@ CheckResult checked(const input::Source& source, const input::CaseInput& in) {
   geometry.contacts = find_contacts(c.mechanism, c.materials);
   geometry.warnings = geometry_warnings(c, geometry.contacts, c.load_cases);
   // What odd values bring about is not told again.
-  if (in.warnings.empty()) warn_of_largest_load(c, geometry);
+  if (in.warnings.empty()) warn_of_loads(source, in, geometry);
   if (std::optional<std::string> note = unknown_film_ratio(c))
     geometry.warnings.push_back(std::move(*note));
   for (std::string& note : void_input_notes(c)) geometry.warnings.push_back(std::move(note));
@@ -243,11 +277,15 @@ PreloadResult run_preload(const input::Source&, const input::CaseInput& in) {
 }
 
 /// Reads the force history that the case refers to.
-LifeResult run_life(const input::Source& source, const input::CaseInput& in) {
+LifeResult life_of(const input::Source& source, const input::CaseInput& in) {
   std::optional<LoadHistory> history;
   if (in.values.life->history)
     history = input::read_force_history(*in.values.life->history, source);
-  LifeResult result = analyze_life(in.values, std::move(history));
+  return analyze_life(in.values, std::move(history));
+}
+
+LifeResult run_life(const input::Source& source, const input::CaseInput& in) {
+  LifeResult result = life_of(source, in);
   warn_of_heat(in.values, result.warnings);
   return result;
 }
@@ -401,7 +439,7 @@ const std::vector<CommandRow>& table() {
       row<Result>(Command::solve, "Load distribution, pressures, displacement and stiffness",
                   run_solve, forms_of_solve()),
       row<ModelComparison>(
-          Command::compare, "The models of the bodies side by side", run_compare,
+          Command::compare, "The models of the bodies side by side, or two cases", run_compare,
           {.file = "comparison.json",
            .document = comparison_json,
            .table = comparison_table,

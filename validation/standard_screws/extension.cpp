@@ -83,7 +83,8 @@ std::vector<Statement<Rows>> statements() {
          const Interval i = range(rows, &Ratios::flank_edge);
          return {i.least >= 1.0, "load at the edge of a flank over C_0 " + text(i)};
        },
-       "crests end 0.15 p above the pitch line, and ellipses of unbounded flanks are wider: the "
+       "crests end 0.15 p beyond the nominal diameter, as outer diameters are printed, and "
+       "ellipses of unbounded flanks are wider: the "
        "maker "
        "counts on what bears beyond, or on another profile; neither is printed"},
       {"weight", "nut and rollers weigh what plain cylinders do, within 18 %",

@@ -56,6 +56,25 @@ TEST(CompleteScrew, DimensionsFollowTheRules) {
   EXPECT_EQ(s.gears.front().body_teeth, 100);
 }
 
+/// Outer diameters of the catalogue (screws.csv) where it prints them: to its last digit up to
+/// 36 mm; crests of larger screws are up to 0.05 p higher.
+TEST(CompleteScrew, TheOuterDiameterIsThatOfTheCatalogue) {
+  struct Printed {
+    double diameter, lead;
+    int starts;
+    double outer;
+  };
+  for (const auto& [d, lead, starts, outer] :
+       {Printed{12, 5, 5, 12.3}, Printed{18, 5, 5, 18.3}, Printed{21, 10, 5, 21.6},
+        Printed{24, 12, 6, 24.6}, Printed{30, 10, 5, 30.6}, Printed{36, 9, 6, 36.5}}) {
+    const CompleteScrew s =
+        complete_screw({.screw_diameter = 1e-3 * d, .lead = 1e-3 * lead, .starts = starts});
+    const double computed =
+        1e3 * (s.pitch_diameter.screw + 2.0 * s.c.mechanism.thread.screw->addendum);
+    EXPECT_NEAR(computed, outer, 0.05 + 1e-9) << d << 'x' << lead;
+  }
+}
+
 TEST(CompleteScrew, TheRulesGiveTheStartsAndNutsOfTheCatalogue) {
   for (const standard_screws::CatalogueScrew& s : printed_screws()) {
     const CompleteScrew by_rule =

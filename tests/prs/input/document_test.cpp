@@ -87,9 +87,34 @@ TEST(Document, ErrorsOfAnOverrideNameTheOverride) {
   EXPECT_EQ(error("a: 1", "b={").rfind("case.yaml:1:1: error: b: malformed YAML", 0), 0U);
   EXPECT_EQ(error("a: 1", "b={c: 1, c: 2}").rfind("case.yaml:1:1: error: b.c: dup", 0), 0U);
   EXPECT_NE(error("a: 1", "b={").find("(from --set b={)"), std::string::npos);
-  for (const char* bad : {"", "=", "a", "a b", "=1", ".a=1", "a.=1", "a..b=1", "a[=1", "a[]=1",
-                          "a[-1]=1", "a[x]=1", "a[0]b=1", "[0]=1", "a[99999999999999999999]=1"})
+  for (const char* bad :
+       {"", "=", "a", "a b", "=1", ".a=1", "a.=1", "a..b=1", "a[=1", "a[]=1", "a[0]b=1", "[0]=1"})
     EXPECT_NE(read_text("a: [1]", {bad}).error.find("; expected path=value"), std::string::npos)
+        << bad;
+}
+
+TEST(Document, OverridesFindEntriesByTheirNames) {
+  const std::string text =
+      "c: [{d: 1}, {name: push 2.5, d: 2}, {name: pull, d: 3}, {name: pull}]\n";
+  const Node root = read_text(text, {"c[push 2.5].d=5", "c[push 2.5].e.f=6", "c[0].d=7"}).root;
+  const std::vector<Node>& entries = find(root, "c")->children;
+  EXPECT_EQ(find(entries[0], "d")->text, "7");
+  EXPECT_EQ(find(entries[1], "d")->text, "5");
+  EXPECT_EQ(find_path(root, "c[push 2.5].e.f")->text, "6");
+  EXPECT_EQ(with_indices(root, "c[push 2.5].e.f"), "c[1].e.f");
+  for (const char* same : {"c[0].d", "c[none].d", "c[pull].d", "x[push 2.5]", "c[", ""})
+    EXPECT_EQ(with_indices(root, same), same);
+  const auto error = [&](const char* override) { return read_text(text, {override}).error; };
+  EXPECT_NE(error("c[pul].d=1")
+                .find("c[pul].d: got the name pul; expected that of an entry (push 2.5, "
+                      "pull, pull), or an index below 4"),
+            std::string::npos)
+      << error("c[pul].d=1");
+  EXPECT_NE(error("c[pul].d=1").find("did you mean `pull`?"), std::string::npos);
+  EXPECT_NE(error("c[pull].d=1").find("which 2 entries have"), std::string::npos);
+  for (const char* bad : {"a[-1]=1", "a[x]=1", "a[99999999999999999999]=1"})
+    EXPECT_NE(read_text("a: [1]", {bad}).error.find("of which none has one, or an index below 1"),
+              std::string::npos)
         << bad;
 }
 

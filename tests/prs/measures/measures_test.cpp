@@ -278,9 +278,12 @@ TEST(Measures, StaticSafetyStandsOnTheFlankWhereItEndsBeforeThePressureLimit) {
   EXPECT_NEAR(*pull.static_safety, *m.flank_edge_load / 30e3, 1e-12 * *pull.static_safety);
   EXPECT_EQ(pull.static_safety_limit, StaticLimit::flank_edge);
   EXPECT_EQ(pull.thread_static_safety_limit, StaticLimit::flank_edge);
-  EXPECT_THAT(unusual_measures(c, contacts, m), Contains(HasSubstr("ellipse reaches the")));
   EXPECT_THAT(load_warnings(c, 1.01 * *m.flank_edge_load),
               Contains(HasSubstr("ellipse at the edge of a flank")));
+  const auto near = Contains(HasSubstr("ellipse reaches the end of a flank"));
+  EXPECT_THAT(load_warnings(c, 0.99 * *m.flank_edge_load), near);
+  EXPECT_THAT(load_warnings(c, 1.01 * *m.flank_edge_load / kUsualStaticSafety), near);
+  EXPECT_THAT(load_warnings(c, 0.99 * *m.flank_edge_load / kUsualStaticSafety), Not(near));
 }
 
 TEST(Measures, StaticSafetyIsThatOfLifeWithEqualShares) {

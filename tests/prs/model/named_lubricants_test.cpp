@@ -56,6 +56,20 @@ TEST(NamedLubricants, ViscosityGradesHaveTheViscosityIndexOfTheirStandard) {
   EXPECT_EQ(grades, 8);
 }
 
+/// What the chart states at 40 degC; the index that the table says it takes for 100 degC.
+TEST(NamedLubricants, BearingGreasesHaveTheBaseOilOfTheirMakersChart) {
+  for (const auto& [name, at_40] : {std::pair{"skf-lgmt-2", 110.0},
+                                    {"skf-lgep-2", 200.0},
+                                    {"skf-lgwa-2", 185.0},
+                                    {"skf-lghb-2", 400.0}}) {
+    const auto rows = named_lubricants();
+    const auto grease = std::ranges::find(rows, name, &NamedLubricant::name);
+    ASSERT_NE(grease, rows.end()) << name;
+    EXPECT_NEAR(1e6 * grease->viscosity_40, at_40, 1e-9) << name;
+    EXPECT_NEAR(viscosity_index(at_40, 1e6 * grease->viscosity_100), 95.0, 0.2) << name;
+  }
+}
+
 TEST(NamedLubricants, HaveTheirViscositiesWhereTheyWereMeasured) {
   for (const NamedLubricant& l : named_lubricants()) {
     const Lubricant oil = named(l.name, 313.15);

@@ -105,6 +105,22 @@ TEST(StudyReader, FactorCarriesItsCompanions) {
   EXPECT_FALSE(f.companions[1].continuous);
 }
 
+TEST(StudyReader, LoadCasesGoByTheirNames) {
+  const Factor by_name = read("path: \"load_cases[push].position\", values: [5 mm, 6 mm]");
+  const Factor by_index = read("path: \"load_cases[1].position\", values: [5 mm, 6 mm]");
+  EXPECT_EQ(by_name.path, by_index.path);
+  EXPECT_EQ(by_name.label, "load_cases[push].position");
+  EXPECT_EQ(by_name.base->text, by_index.base->text);
+  EXPECT_THAT(error_of("path: \"load_cases[pish].position\", values: [5 mm]"),
+              HasSubstr("did you mean `push`?"));
+  // Responses count the points of a range, which the first load case is here.
+  Source source = source_of(
+      "study: {command: solve, factors: [{path: mechanism.rollers, values: [9]}], responses: "
+      "[\"load_cases[push].axial_displacement_um\"]}\n");
+  source.overrides = {"load_cases[pull].axial_force={from: 1 kN, to: 3 kN, steps: 3}"};
+  EXPECT_EQ(read_study_input(source).study.responses.at(0), "load_cases[3].axial_displacement_um");
+}
+
 TEST(StudyReader, SaysWhereARangeBelongs) {
   EXPECT_THAT(
       error_of("path: mechanism.lead, from: 4 mm, to: 6 mm, steps: 3"),

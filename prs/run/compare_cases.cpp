@@ -1,0 +1,305 @@
+#include "prs/run/compare_cases.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "prs/figures/figure_behind.h"
+#include "prs/input/reader.h"
+#include "prs/input/units.h"
+#include "prs/output/case_table.h"
+#include "prs/output/csv_writer.h"
+#include "prs/output/table_units.h"
+#include "prs/printable.h"
+#include "prs/run/commands.h"
+#include "prs/study/response.h"
+#include "prs/text.h"
+
+namespace prs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Paths = std::vector<std::string>;
+
+/// What a reader compares first of a command's document: of each load case, and of the whole.
+struct Headlines {
+  Command command;
+  Paths of_load_case, of_whole = {};
+};
+
+const std::vector<Headlines>& headlines() {
+  static const std::vector<Headlines> all = {
+      {Command::contact, {}, {"contact.screw.backlash_mm", "contact.nut.backlash_mm"}},
+      {Command::solve, default_responses(Command::solve)},
+      {Command::slip,
+       {"slip.efficiency", "slip.power_loss_W", "slip.torque_screw_Nm",
+        "heat.temperature_degC.nut"}},
+      {Command::preload, {}, {"preload.lost_motion_um"}},
+      {Command::life,
+       {},
+       {"life.static_safety", "life.system.l10_revolutions", "life.system.l10_hours"}},
+      {Command::measures,
+       {},
+       {"measures.dynamic_capacity_N", "measures.static_capacity_N", "measures.weight_kg"}},
+  };
+  return all;
+}
+
+/// Something of both cases; absent where a case lacks it.
+template <class T>
+using Both = std::array<std::optional<T>, 2>;
+
+struct InputRow {
+  std::string path;
+  Both<std::string> value;
+  std::optional<double> change;
+};
+
+struct ResultRow {
+  Command command;
+  std::string load_case;  ///< Empty: of the whole case.
+  std::string path;
+  Both<double> value;
+  std::optional<double> change;
+};
+
+struct CaseComparison {
+  std::array<DocumentInfo, 2> info;
+  std::array<std::vector<std::string>, 2> warnings;
+  std::vector<InputRow> inputs;
+  std::vector<ResultRow> results;
+  std::vector<std::string> notes;
+  Figures figures;
+  bool converged = true;
+};
+
+/// From the first to the second, of the first: 0.02 is 2 % more.
+std::optional<double> change(const Both<double>& value) {
+  if (!value[0] || !value[1] || *value[0] == 0.0) return std::nullopt;
+  return (*value[1] - *value[0]) / std::abs(*value[0]);
+}
+
+std::optional<double> change(const input::EchoEntry& a, const input::EchoEntry& b) {
+  if (a.dimension != b.dimension || (a.dimension && zero_depends_on_unit(*a.dimension)))
+    return std::nullopt;
+  return change({a.number, b.number});
+}
+
+std::vector<InputRow> differing_inputs(const std::vector<input::EchoEntry>& first,
+                                       const std::vector<input::EchoEntry>& second) {
+  std::map<std::string_view, const input::EchoEntry*> others;
+  for (const input::EchoEntry& entry : second) others.emplace(entry.path, &entry);
+  std::vector<InputRow> rows;
+  for (const input::EchoEntry& entry : first) {
+    const auto other = others.extract(entry.path);
+    if (!other)
+      rows.push_back({entry.path, {entry.value, std::nullopt}, {}});
+    else if (other.mapped()->value != entry.value)
+      rows.push_back(
+          {entry.path, {entry.value, other.mapped()->value}, change(entry, *other.mapped())});
+  }
+  for (const input::EchoEntry& entry : second)
+    if (others.contains(entry.path)) rows.push_back({entry.path, {std::nullopt, entry.value}, {}});
+  return rows;
+}
+
+std::string name_of(const Json& load_case) { return load_case.value("name", ""); }
+
+/// The k-th of a name with the k-th of that name; by places where no name is alike.
+std::vector<std::pair<std::size_t, std::size_t>> paired(const Json& first, const Json& second) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  std::vector<bool> taken(second.size());
+  for (std::size_t i = 0; i < first.size(); ++i)
+    for (std::size_t k = 0; k < second.size(); ++k)
+      if (!taken[k] && name_of(first[i]) == name_of(second[k])) {
+        taken[k] = true;
+        pairs.emplace_back(i, k);
+        break;
+      }
+  if (pairs.empty())
+    for (std::size_t k = 0; k < std::min(first.size(), second.size()); ++k)
+      pairs.emplace_back(k, k);
+  return pairs;
+}
+
+void add_results(const Headlines& of, std::array<Json, 2> documents, CaseComparison& c) {
+  const auto add = [&](const std::string& load_case, const std::string& path, const Json& first,
+                       const Json& second) {
+    const Both<double> value{response(first, path), response(second, path)};
+    if (!value[0] && !value[1]) return;
+    const bool is_temperature = path.find("_degC") != std::string::npos;
+    c.results.push_back(
+        {of.command, load_case, path, value, is_temperature ? std::nullopt : change(value)});
+  };
+  std::array<Json, 2> loads;
+  for (std::size_t k = 0; k < 2; ++k) {
+    loads[k] = documents[k].value("load_cases", Json::array());
+    documents[k].erase("load_cases");
+  }
+  for (const auto& [i, k] : paired(loads[0], loads[1])) {
+    const std::string a = name_of(loads[0][i]), b = name_of(loads[1][k]);
+    for (const std::string& path : of.of_load_case)
+      add(a == b ? a : a + " / " + b, path, loads[0][i], loads[1][k]);
+  }
+  for (const std::string& path : of.of_whole) add("", path, documents[0], documents[1]);
+}
+
+void add_figures(const Figures& first, const Figures& second, const std::string& other,
+                 Figures& overlaid) {
+  for (Figure figure : first) {
+    const auto of_name = [&](const Figure& f) { return f.name == figure.name; };
+    const auto behind = std::ranges::find_if(second, of_name);
+    if (behind == second.end() || std::ranges::any_of(overlaid, of_name)) continue;
+    if (const auto grey = add_behind(figure, *behind)) {
+      figure.legend.push_back({other, *grey});
+      overlaid.push_back(std::move(figure));
+    }
+  }
+}
+
+CaseComparison compared(const input::Source& first, const input::Source& second) {
+  CaseComparison c;
+  const std::array<const input::Source*, 2> sources{&first, &second};
+  std::array<input::CaseInput, 2> in;
+  for (std::size_t k = 0; k < 2; ++k) {
+    in[k] = input::read_case_input(*sources[k], Command::check);
+    c.info[k] = document_info(*sources[k], Command::compare);
+    c.warnings[k] = row_of(Command::check).run(*sources[k], in[k]).warnings;
+  }
+  c.inputs = differing_inputs(in[0].fields, in[1].fields);
+  for (const Headlines& of : headlines()) {
+    const bool ready[] = {input::unmet(in[0], of.command).empty(),
+                          input::unmet(in[1], of.command).empty()};
+    if (ready[0] != ready[1])
+      c.notes.push_back(fmt::format("{}: {} alone has all for it; `prs check` says what to add",
+                                    name(of.command), sources[ready[0] ? 0 : 1]->name));
+    if (!ready[0] || !ready[1]) continue;
+    std::array<Json, 2> documents;
+    std::array<Figures, 2> drawn;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Delivery d = row_of(of.command).run(*sources[k], in[k]);
+      documents[k] = d.document({});
+      if (d.pictures) drawn[k] = figures(d.pictures());
+      c.converged = c.converged && d.converged;
+    }
+    add_results(of, std::move(documents), c);
+    add_figures(drawn[0], drawn[1], second.name, c.figures);
+  }
+  return c;
+}
+
+template <class Row>
+void put_values(Json& json, const Row& row) {
+  if (row.value[0]) json["value"] = *row.value[0];
+  if (row.value[1]) json["other_value"] = *row.value[1];
+  if (row.change) json["change_percent"] = 100.0 * *row.change;
+}
+
+Json document(const CaseComparison& c, const DocumentInfo& info) {
+  Json json = document_head(info, c.warnings[0]);
+  json["other"] = {{"case_file", c.info[1].case_file},
+                   {"input_sha256", c.info[1].input_sha256},
+                   {"warnings", c.warnings[1]}};
+  json["inputs"] = Json::array();
+  json["results"] = Json::array();
+  for (const InputRow& row : c.inputs)
+    put_values(json["inputs"].emplace_back(Json{{"path", row.path}}), row);
+  for (const ResultRow& row : c.results) {
+    Json& entry = json["results"].emplace_back(Json{{"command", name(row.command)}});
+    if (!row.load_case.empty()) entry["load_case"] = row.load_case;
+    entry["path"] = row.path;
+    put_values(entry, row);
+  }
+  return json;
+}
+
+std::string line(const std::string& what, const Both<std::string>& value,
+                 const std::optional<double>& change) {
+  constexpr std::size_t kName = 50, kValue = 21, kChange = 11;
+  std::string text = "  " + padded(shortened(printable(what), kName), kName, true);
+  for (const auto& v : value)
+    text +=
+        "  " + padded(shortened(v ? printable(*v) : std::string(kAbsent), kValue), kValue, false);
+  text += padded(change ? fixed_change(100.0 * *change, 2) + " %" : "", kChange, false);
+  return text.substr(0, text.find_last_not_of(' ') + 1) + '\n';
+}
+
+std::string table(const CaseComparison& c) {
+  std::string text = line("", {c.info[0].case_file, c.info[1].case_file}, {});
+  text += c.inputs.empty() ? "Inputs do not differ\n" : "Inputs that differ\n";
+  for (const InputRow& row : c.inputs) text += line(row.path, row.value, row.change);
+  const ResultRow* before = nullptr;
+  for (const ResultRow& row : c.results) {
+    if (!before || before->command != row.command || before->load_case != row.load_case)
+      text += fmt::format("\n{}{}{}\n", name(row.command), row.load_case.empty() ? "" : ": ",
+                          printable(row.load_case));
+    before = &row;
+    const TableResponse shown = table_response(row.path);
+    Both<std::string> value;
+    for (std::size_t k = 0; k < 2; ++k)
+      if (row.value[k]) value[k] = fmt::format("{:.5g}", shown.factor * *row.value[k]);
+    text += line(shown.text(), value, row.change);
+  }
+  if (!c.notes.empty()) text += '\n';
+  for (const std::string& note : c.notes) text += wrapped(printable(note), "", kTableWidth);
+  for (std::size_t k = 0; k < 2; ++k) {
+    std::string alone;
+    for (const std::string& warning : c.warnings[k])
+      if (std::ranges::find(c.warnings[1 - k], warning) == c.warnings[1 - k].end())
+        alone += wrapped(printable(warning), "  ", kTableWidth);
+    if (!alone.empty())
+      text += fmt::format("\nWarnings of {} alone\n{}", printable(c.info[k].case_file), alone);
+  }
+  return text;
+}
+
+std::string csv(const CaseComparison& c, const CsvStyle& style) {
+  CsvWriter csv(style);
+  for (const char* key : {"command", "load_case", "path", "value", "other_value", "change_percent"})
+    csv.text(key);
+  csv.end_row();
+  for (const InputRow& row : c.inputs) {
+    for (const std::string_view text :
+         {std::string_view("input"), std::string_view(), std::string_view(row.path)})
+      csv.text(text);
+    for (const auto& v : row.value) csv.text(v.value_or(""));
+    csv.number(row.change, 100.0);
+    csv.end_row();
+  }
+  for (const ResultRow& row : c.results) {
+    csv.text(name(row.command));
+    csv.text(row.load_case);
+    csv.text(row.path);
+    for (const auto& v : row.value) csv.number(v);
+    csv.number(row.change, 100.0);
+    csv.end_row();
+  }
+  return csv.take();
+}
+
+}  // namespace
+
+Delivery compare_cases(const input::Source& first, const input::Source& second) {
+  const auto c = std::make_shared<const CaseComparison>(compared(first, second));
+  Delivery d{"comparison.json", [=](const DocumentInfo& info) { return document(*c, info); },
+             [=] { return table(*c); }, c->notes, c->warnings[0]};
+  d.files = [=](const CsvStyle& style) {
+    return std::vector<OutputFile>{{"differences.csv", csv(*c, style)}};
+  };
+  d.pictures = [=] {
+    return Pictures{{"curves", "two cases", [=](const FigureOptions&) { return c->figures; }}};
+  };
+  d.converged = c->converged;
+  return d;
+}
+
+}  // namespace prs
