@@ -58,7 +58,7 @@ std::optional<std::string> factorization(const LoadCaseResult& r) {
   if (!r.solve || r.solve->history.empty() || std::isnan(r.solve->history.back().energy))
     return std::nullopt;
   std::string name(fe::Cholesky::name());
-  if (r.solve->wide) name += "; then Eigen's LDL' of 113 binary digits";
+  if (r.solve->wide) name += "; then " + fe::eigen_factorization_name() + " of 113 binary digits";
   return name;
 }
 
