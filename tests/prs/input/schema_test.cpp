@@ -113,7 +113,7 @@ TEST(Schema, TakesWhatTheReaderTakes) {
       {{"mechanism.rollers", {"9"}},
        {"mechanism.type", {"standard", "\"standard\""}},
        {"mechanism.lead",
-        {"-5 mm", "+5e-3 m", "5000µm", "\"5 mm\"", ".5 cm", "0.2 in", "-3/16 in", "+0001/4in"}},
+        {"-5 mm", "+5e-3 m", "5000µm", "\"5 mm\"", ".5 cm", "0.2 in", "-3/16 in", "+0003/16in"}},
        {"mechanism.starts", {"{screw: 3}"}},
        {"mechanism.profile_plane", {"axial"}},
        {"mechanism.pitch", {"{roller: 1.667 mm}"}},
