@@ -63,14 +63,19 @@ const LoadCaseResult* chosen_case(const Result& result, const FigureOptions& opt
   return largest;
 }
 
-Figure in_kilonewtons(Figure figure) {
-  constexpr double kFrom = 1e4, kFactor = 1e-3;
-  const auto scale = [](auto&... values) { ((values *= kFactor), ...); };
-  const auto scale_all = [](std::vector<double>& values) {
-    for (double& value : values) value *= kFactor;
+Figure in_kilonewtons(Figure figure) { return in_unit(std::move(figure), {"N", "kN", 1e-3, 1e4}); }
+
+Figure in_page_units(Figure figure) {
+  return in_unit(in_unit(std::move(figure), {"N", "kN", 1e-3, 1e3}), {"MPa", "GPa"});
+}
+
+Figure in_unit(Figure figure, const UnitChange& change) {
+  const auto scale = [&](auto&... values) { ((values *= change.factor), ...); };
+  const auto scale_all = [&](std::vector<double>& values) {
+    for (double& value : values) value *= change.factor;
   };
-  const auto is_large = [](const std::string& unit, const Range& range) {
-    return unit == "N" && std::max(-range.from, range.to) >= kFrom;
+  const auto is_large = [&](const std::string& unit, const Range& range) {
+    return unit == change.from && std::max(-range.from, range.to) >= change.least;
   };
   for (const std::size_t d : {0U, 1U}) {
     const auto axis_of = [&](Panel& panel) -> Axis& {
@@ -86,7 +91,7 @@ Figure in_kilonewtons(Figure figure) {
                   [&](const auto& axis) { return !is_large(axis.first->unit, axis.second); });
     for (const auto& axis : shown) {
       Axis& a = *axis.first;
-      a.unit = "kN";
+      a.unit = change.to;
       scale(a.from, a.to);
       for (Tick& tick : a.ticks) scale(tick.at);
     }
@@ -108,14 +113,14 @@ Figure in_kilonewtons(Figure figure) {
   if (!figure.colours ||
       !is_large(figure.colours->unit, {figure.colours->from, figure.colours->to}))
     return figure;
-  figure.colours->unit = "kN";
+  figure.colours->unit = change.to;
   scale(figure.colours->from, figure.colours->to);
   scale_all(figure.colours->levels);
   for (Panel& panel : figure.panels) {
     for (Series& series : panel.series) scale_all(series.values);
     scale_all(panel.map.grid.values);
     if (!panel.surface) continue;
-    panel.surface->z.unit = "kN";
+    panel.surface->z.unit = change.to;
     scale(panel.surface->z.from, panel.surface->z.to);
     scale_all(panel.surface->grid.values);
     for (SurfacePoint& point : panel.surface->points) scale(point.z);

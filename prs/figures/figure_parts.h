@@ -70,8 +70,21 @@ Axis ranked_axis(const std::vector<std::string>& names);
 /// Where the k-th stands, from 0.
 double rank_position(std::size_t k, std::size_t count);
 
+/// Axes and colours in one unit instead of another, of which it is `factor`, where their numbers
+/// reach `least`.
+struct UnitChange {
+  const char* from;
+  const char* to;
+  double factor = 1e-3;
+  double least = 0.0;
+};
+Figure in_unit(Figure figure, const UnitChange& change);
+
 /// Forces of 10 kN and more in kN where the figure has them in N.
 Figure in_kilonewtons(Figure figure);
+
+/// As tables of the page have them: kN from 1000 N on, and GPa.
+Figure in_page_units(Figure figure);
 
 /// A dashed line where all threads would share the load equally, at `mean`, in every panel.
 void add_mean(Figure& figure, double mean);

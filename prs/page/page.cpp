@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <nettle/base64.h>
 
+#include <cctype>
 #include <cstdint>
 
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
 #include "prs/page/resources.h"
+#include "prs/printable.h"
 #include "prs/report/svg.h"
 #include "prs/sha256.h"
 
@@ -62,6 +64,25 @@ Json case_of(const input::Source& source) {
   return json;
 }
 
+/// A text as a string of CSS.
+std::string css_string(std::string_view content) {
+  std::string text = "\"";
+  for (const char c : printable(content)) {
+    const auto byte = static_cast<unsigned char>(c);
+    text += byte == ' ' || byte >= 0x80 || std::isalnum(byte) != 0 ? std::string(1, c)
+                                                                   : fmt::format("\\{:x} ", byte);
+  }
+  return text + '"';
+}
+
+/// What stands at the foot of every sheet of a print.
+std::string sheet_style(const ReportParts& parts) {
+  return fmt::format(
+      "@page{{@bottom-left{{content:{}}}@bottom-right{{content:\"Sheet \" counter(page) \" of \" "
+      "counter(pages)}}}}\n",
+      css_string(parts.mark));
+}
+
 /// The panel of the values. It is shown by the script alone.
 std::string panel_html(const ReportParts& parts) {
   return fmt::format(R"(<aside id="live" aria-label="Other values" hidden>
@@ -103,7 +124,7 @@ std::string section_html(const ReportSection& section, bool hidden, std::string_
 std::string page_html(const input::Source& source, const ReportParts& parts,
                       std::string_view engine) {
   const bool live = !engine.empty();
-  const std::string style = std::string(page_style()) + svg_style();
+  const std::string style = std::string(page_style()) + svg_style() + sheet_style(parts);
   std::string links, body;
   const auto add = [&](const ReportSection& section, bool hidden, std::string_view before = {}) {
     links += fmt::format("<li{}><a href=\"#{}\">{}</a></li>", hidden ? " hidden" : "", section.id,

@@ -94,15 +94,6 @@ std::string each_case_html(Findings& all, const CommandAnswer& answer, std::stri
   return text;
 }
 
-/// Whether it shows more than single points.
-bool has_curve(const Figure& figure) {
-  return std::ranges::any_of(figure.panels, [](const Panel& panel) {
-    return std::ranges::any_of(panel.series, [](const Series& series) {
-      return std::ranges::any_of(series.parts, [](const Polyline& p) { return p.size() > 1; });
-    });
-  });
-}
-
 bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
   return std::ranges::find(names, name) != names.end();
 }
@@ -119,17 +110,50 @@ bool is_of_rollers(std::string_view name) {
 
 // Sections
 
-std::string head_html(const Findings& all, const std::string& title) {
+/// A text of the case's block `report`.
+std::string told(const Findings& all, const char* key) {
+  return input_value(all, fmt::format("report.{}", key));
+}
+
+std::string title_of(const Findings& all) {
+  const std::string title = told(all, "title");
+  return title.empty() ? std::filesystem::path(all.source.name).stem().string() : title;
+}
+
+/// What every sheet of a print is marked with.
+std::string mark_of_sheets(const Findings& all) {
+  std::string mark = title_of(all);
+  for (const auto& [key, before] : {std::pair{"number", "No. "}, std::pair{"revision", "rev. "}})
+    if (const std::string text = told(all, key); !text.empty())
+      mark += fmt::format(" · {}{}", before, text);
+  return mark + " · " + all.date;
+}
+
+/// Title block: what the file says of the report, and what it was made from.
+std::string head_html(const Findings& all) {
   const Json& diameters = all.check["contact"]["pitch_diameter_mm"];
   const auto diameter = [&](const char* part) {
     return report_number(diameters.value(part, std::numeric_limits<double>::quiet_NaN()), "mm");
   };
   const std::string starts = input_value(all, "mechanism.starts.screw");
+  std::string block;
+  const auto add = [&](const char* title, const std::string& text) {
+    if (!text.empty())
+      block += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", title, html(text));
+  };
+  add("Customer", told(all, "customer"));
+  add("Number", told(all, "number"));
+  add("Revision", told(all, "revision"));
+  add("Author", told(all, "author"));
+  add("Date", all.date);
+  add("Case", all.source.name);
+  add("Program", fmt::format("prs {}", kVersion));
   return fmt::format(
-      "<p class=\"eyebrow\">Planetary roller screw · report</p>\n<h1>{}</h1>\n<p class=\"lead\">{} "
-      "mechanism, {} rollers with {} threads each. Lead {}, {} start{} on the screw. Pitch "
-      "diameters: screw {} mm, roller {} mm, nut {} mm.</p>\n",
-      html(title), html(capitalised(input_value(all, "mechanism.type"))),
+      "<p class=\"eyebrow\">Planetary roller screw · report</p>\n<h1>{}</h1>\n<dl "
+      "class=\"block\">\n{}</dl>\n<p class=\"lead\">{} mechanism, {} rollers with {} threads each. "
+      "Lead {}, {} start{} on the screw. Pitch diameters: screw {} mm, roller {} mm, nut {} "
+      "mm.</p>\n",
+      html(title_of(all)), block, html(capitalised(input_value(all, "mechanism.type"))),
       html(input_value(all, "mechanism.rollers")),
       html(input_value(all, "mechanism.contacts_per_roller")),
       html(input_value(all, "mechanism.lead")), html(starts), starts == "1" ? "" : "s",
@@ -152,7 +176,7 @@ std::string comparison_html(const Json& document) {
   const Json& comparison = document["comparison"];
   std::vector<std::string> head{"Load case",        "Model",
                                 "Stiffness, N/µm",  "Displacement, µm",
-                                "Largest share, %", "Peak pressure, MPa"};
+                                "Largest share, %", "Peak pressure, GPa"};
   std::vector<std::vector<std::string>> rows;
   constexpr std::size_t kMost = 12;
   const std::size_t count = comparison["load_cases"].size();
@@ -160,7 +184,7 @@ std::string comparison_html(const Json& document) {
   for (std::size_t k = 0; k < count; k += stride)
     for (const Json& model : comparison["load_cases"][k]["models"]) {
       const auto number = [&](const char* key, const char* unit) {
-        return model.contains(key) ? report_value(model[key], ReportUnit{unit}) : "–";
+        return model.contains(key) ? report_value(model[key], report_unit(key, unit)) : "–";
       };
       double share = std::numeric_limits<double>::quiet_NaN();
       for (const char* side : {"screw", "nut"})
@@ -175,30 +199,24 @@ std::string comparison_html(const Json& document) {
   return plain_table(head, rows, true);
 }
 
-/// What a load case has of stiffness, in a section of its own.
-std::vector<std::string> keys_of_stiffness() {
-  return {"axial_displacement_um", "axial_stiffness_N_per_um", "tangent_stiffness_N_per_um"};
+/// What a reader asks for first, a row each; all numbers of the threads fold.
+std::string loads_table_html(const Json& document) {
+  const std::vector<std::string> first{"axial_force_N",
+                                       "direction",
+                                       "position_mm",
+                                       "status",
+                                       "axial_displacement_um",
+                                       "axial_stiffness_N_per_um",
+                                       "tangent_stiffness_N_per_um"};
+  std::vector<std::string> others = first;
+  for (const char* key : {"name", "converged", "iterations"}) others.emplace_back(key);
+  return "<h3>Load cases</h3>\n" + case_table_html(document, {.only = first}) +
+         folded_html("Every number of the load cases: threads, rollers, supports",
+                     case_table_html(document, {.without = others}));
 }
 
-/// What tables of loads leave to other sections.
-std::vector<std::string> without_of_loads() {
-  std::vector<std::string> keys = keys_of_stiffness();
-  for (const char* key : {"name", "converged", "iterations"}) keys.emplace_back(key);
-  return keys;
-}
-
-/// Curves over loads, as far as there are any, and the numbers.
 std::string stiffness_html(Findings& all) {
-  const CommandAnswer* solve = all.answer(Command::solve);
-  if (!solve) return {};
-  std::string text;
-  for (const Picture& picture : solve->pictures)
-    if (is_of_stiffness(picture.name))
-      for (const Figure& figure : picture.make({}))
-        if (has_curve(figure)) text += figure_html(all, figure);
-  std::vector<std::string> only = keys_of_stiffness();
-  only.insert(only.begin(), "axial_force_N");
-  return text + case_table_html(solve->document, {.only = only});
+  return pictures_html(all, all.answer(Command::solve), is_of_stiffness);
 }
 
 std::string loads_html(Findings& all) {
@@ -212,8 +230,7 @@ std::string loads_html(Findings& all) {
     text += each_case_html(all, *solve, "roller_loads", false);
     text += each_case_html(all, *solve, "roller_shares", true);
   }
-  return text + "<h3>Load cases</h3>\n" +
-         case_table_html(solve->document, {.without = without_of_loads()});
+  return text + loads_table_html(solve->document);
 }
 
 std::string models_html(Findings& all) {
@@ -239,11 +256,70 @@ std::string document_html(const Findings& all, const CommandAnswer& answer) {
   return case_table_html(answer.document, choice) + text;
 }
 
-std::string answer_html(Findings& all, Command command) {
-  const CommandAnswer* answer = all.answer(command);
+/// How a section shows the answer of a command: what a reader asks for first, and what folds.
+struct AnswerView {
+  Command command;
+  /// Records of the load cases and of the document, and the rows of each that stand open.
+  std::vector<std::pair<std::string, std::vector<std::string>>> in_cases = {}, in_document = {};
+  std::vector<std::string> folded = {};  ///< Pictures.
+};
+
+std::string answer_html(Findings& all, const AnswerView& view) {
+  const CommandAnswer* answer = all.answer(view.command);
   if (!answer) return {};
-  return pictures_html(all, answer, [](std::string_view) { return true; }) +
-         document_html(all, *answer);
+  const auto is_folded = [&](std::string_view name) {
+    return std::ranges::find(view.folded, name) != view.folded.end();
+  };
+  std::string text =
+      pictures_html(all, answer, [&](std::string_view name) { return !is_folded(name); });
+  const std::vector<RecordColumn> cases = case_columns(answer->document);
+  for (const auto& [key, only] : view.in_cases)
+    if (const RecordInfo* info = record_in(*record_at("load_cases[]"), key))
+      text += record_table(*info, columns_in(cases, key), {.only = only});
+  for (const auto& [key, only] : view.in_document)
+    if (const Json& record = under(answer->document, key); record.is_object())
+      text += record_table(*record_at(key), {{"", &record}}, {.only = only});
+  const bool is_open = view.in_cases.empty() && view.in_document.empty();
+  const std::string every = document_html(all, *answer);
+  return text + folded_html("More pictures", pictures_html(all, answer, is_folded)) +
+         (is_open ? every : folded_html("Every number", every));
+}
+
+std::string slip_html(Findings& all) {
+  return answer_html(
+      all, {Command::slip,
+            {{"slip",
+              {"converged", "status", "speed_rpm", "driven_by", "efficiency", "power_loss_W",
+               "torque_screw_Nm", "torque_nut_Nm", "self_locking", "holding_torque_Nm",
+               "slip_ratio", "viscosity_mPas"}},
+             {"heat", {"status", "reason", "temperature_degC", "oil_degC"}}},
+            {{"heat_cycle", {"status", "reason", "period_s", "peak_degC", "mean_degC"}}},
+            {"slip_patches", "slip_residue", "roller_friction"}});
+}
+
+std::string preload_html(Findings& all) { return answer_html(all, {Command::preload}); }
+
+std::string life_html(Findings& all) {
+  return answer_html(
+      all, {Command::life,
+            {},
+            {{"life",
+              {"converged", "status", "share", "reliability_factor", "modification_factor",
+               "static_safety", "static_safety_limit", "system", "weakest_thread"}}},
+            {"thread_lives"}});
+}
+
+std::string measures_html(Findings& all) {
+  return answer_html(
+      all, {Command::measures,
+            {{"measures",
+              {"static_safety", "thread_static_safety", "static_safety_limit", "buckling_safety",
+               "speed_safety", "drive_torque_Nm"}}},
+            {{"measures",
+              {"dynamic_capacity_N", "static_capacity_N", "flank_edge_load_N", "weight_kg",
+               "screw_weight_kg_per_m", "equivalent_inertia_kg_mm2", "shaft_stiffness_N_per_um",
+               "buckling_load_N", "critical_speed_rpm"}}},
+            {"yang"}});
 }
 
 std::string contact_html(Findings& all) {
@@ -251,20 +327,25 @@ std::string contact_html(Findings& all) {
   if (!answer || !answer->document.contains("contact")) return {};
   const Json& contact = answer->document["contact"];
   const RecordInfo& info = *record_at("contact");
-  std::string text = pictures_html(all, answer, [](std::string_view) { return true; });
+  const auto is_first = [](std::string_view name) { return name == "contact_axial_section"; };
   std::vector<RecordColumn> sides;
   for (const char* side : {"screw", "nut"})
     if (contact.contains(side)) sides.push_back({fmt::format("roller-{}", side), &contact[side]});
+  std::string folded =
+      pictures_html(all, answer, [&](std::string_view name) { return !is_first(name); });
   if (const RecordInfo* side = record_in(info, "screw"); side && !sides.empty())
-    text += record_table(*side, sides);
-  return text + record_table(info, {{"", &contact}}, {.without = {"screw", "nut"}});
+    folded += record_table(*side, sides);
+  return pictures_html(all, answer, is_first) +
+         record_table(info, {{"", &contact}}, {.without = {"screw", "nut"}}) +
+         folded_html("Points, curvatures and clearances of the contacts", folded);
 }
 
-std::string inputs_html(const Findings& all) {
+/// A row for each input that the file states, or for each that it does not.
+std::string input_table_html(const Findings& all, bool of_defaults, std::size_t& count) {
   constexpr std::size_t kMostOfBlock = 1000;
   std::vector<std::vector<std::string>> rows;
   std::string block;
-  std::size_t defaults = 0, of_block = 0;
+  std::size_t of_block = 0;
   const auto end_block = [&] {
     if (of_block > kMostOfBlock)
       rows.push_back({fmt::format("… and {} more", of_block - kMostOfBlock),
@@ -273,29 +354,36 @@ std::string inputs_html(const Findings& all) {
   };
   for (const Json& entry : all.check["input"]) {
     const std::string path = entry["path"];
-    if (const std::string own = path.substr(0, path.find_first_of(".["));
-        std::exchange(block, own) != own) {
+    const std::string own = path.substr(0, path.find_first_of(".["));
+    if (entry.value("default", false) != of_defaults || own == "report") continue;
+    if (std::exchange(block, own) != own) {
       end_block();
       rows.push_back({html(own)});
     }
-    const bool is_default = entry.value("default", false);
-    defaults += is_default ? 1 : 0;
+    ++count;
     if (++of_block > kMostOfBlock) continue;
-    const std::string origin = entry.value("origin", "default");
     rows.push_back(
-        {fmt::format("<code>{}</code>", html(path)), html(entry["value"].get<std::string>()),
-         is_default ? fmt::format("<span class=\"default\">{}</span>", html(origin)) : "given"});
+        {fmt::format("<code>{}</code>", html(path)), html(entry["value"].get<std::string>())});
+    if (of_defaults) rows.back().push_back(html(entry.value("origin", "default")));
   }
   end_block();
-  std::string text = fmt::format(
-      "<p>Every value of the case, {} of them defaults that the file does not state.</p>\n",
-      defaults);
-  text += plain_table({"Input", "Value", "Origin"}, rows);
+  if (count == 0) return {};
+  return of_defaults ? plain_table({"Input", "Value", "Origin"}, rows)
+                     : plain_table({"Input", "Value"}, rows);
+}
+
+std::string inputs_html(const Findings& all) {
+  std::size_t given = 0, assumed = 0;
+  std::string text = input_table_html(all, false, given);
+  const std::string defaults = input_table_html(all, true, assumed);
+  text += folded_html(fmt::format("{} values that the file does not state: defaults", assumed),
+                      defaults);
   std::vector<std::vector<std::string>> derived;
-  for (const auto& [key, value] : under(all.check, "derived").items())
-    derived.push_back({html(capitalised(words_of(key))),
-                       report_value(value, ReportUnit{std::string(unit_of(key).text)}),
-                       html(unit_of(key).text)});
+  for (const auto& [key, value] : under(all.check, "derived").items()) {
+    const ReportUnit unit = report_unit(key, unit_of(key).text);
+    derived.push_back(
+        {html(capitalised(words_of(key))), report_value(value, unit), html(unit.text)});
+  }
   if (!derived.empty())
     text += "<h3>What follows from them</h3>\n" + plain_table({"", "Value", "Unit"}, derived);
   return text;
@@ -378,9 +466,10 @@ std::string provenance_html(Findings& all) {
   }
   text += "</dl>\n";
   if (solve) {
-    text += "<h3>How the load cases were solved</h3>\n" +
-            case_table_html(solve->document, {.without = {"name"}, .reach = Reach::document});
-    text += pictures_html(all, solve, is_of_solution);
+    text += folded_html(
+        "How the load cases were solved",
+        case_table_html(solve->document, {.without = {"name"}, .reach = Reach::document}) +
+            pictures_html(all, solve, is_of_solution));
   }
   return text;
 }
@@ -433,10 +522,6 @@ std::string files_html(Findings& all) {
 std::string pressures_html(Findings& all) {
   return pictures_html(all, all.answer(Command::solve), is_of_pressure);
 }
-template <Command command>
-std::string section_html(Findings& all) {
-  return answer_html(all, command);
-}
 std::string warnings_html(Findings& all) {
   std::string refused;
   for (const std::string& note : all.notes) refused += fmt::format("<p>{}</p>\n", html(note));
@@ -469,18 +554,18 @@ std::span<const SectionRow> section_rows() {
   static constexpr SectionRow kAll[] = {
       {"verdict", "Verdict", [](Findings& all) { return verdict_html(all); }, true},
       {"mechanism", "Mechanism", mechanism_html, true},
-      {"loads", "Load distribution", loads_html, true},
-      {"models", "The models side by side", models_html},
-      {"stiffness", "Stiffness", stiffness_html, true},
-      {"pressures", "Pressures", pressures_html, true},
-      {"slip", "Slip and losses", section_html<Command::slip>},
-      {"preload", "Preload", section_html<Command::preload>},
-      {"life", "Life", section_html<Command::life>},
-      {"measures", "Design measures", section_html<Command::measures>},
-      {"contacts", "Contacts", contact_html},
-      {"studies", "Studies", studies_html},
       {"warnings", "Warnings", warnings_html},
       {"inputs", "Inputs and assumptions", [](Findings& all) { return inputs_html(all); }},
+      {"loads", "Load distribution", loads_html, true},
+      {"pressures", "Pressures", pressures_html, true},
+      {"stiffness", "Stiffness", stiffness_html, true},
+      {"life", "Life", life_html},
+      {"slip", "Slip and losses", slip_html},
+      {"preload", "Preload", preload_html},
+      {"measures", "Design measures", measures_html},
+      {"models", "The models side by side", models_html},
+      {"contacts", "Contacts", contact_html},
+      {"studies", "Studies", studies_html},
       {"data", "Data", files_html},
       {"provenance", "Provenance", provenance_html},
   };
@@ -497,10 +582,10 @@ Json documents_of(const Findings& all) { return data_of(all, {}); }
 
 ReportParts report_parts(const input::Source& source, const ReportOptions& options) {
   Findings all = findings_of(source, options, reported_commands());
-  const std::string title = std::filesystem::path(source.name).stem().string();
   ReportParts parts;
-  parts.title = fmt::format("{} · planetary roller screw", title);
-  parts.head = head_html(all, title);
+  parts.title = fmt::format("{} · planetary roller screw", title_of(all));
+  parts.mark = mark_of_sheets(all);
+  parts.head = head_html(all);
   for (const SectionRow& row : section_rows()) parts.sections.push_back(section_of(all, row));
   parts.foot = fmt::format(
       "<p>Made by prs {} on {}. SHA-256 of the case: <span class=\"mono\">{}"
