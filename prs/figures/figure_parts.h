@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,15 @@ inline constexpr std::size_t kMinSweepPoints = 3;
 
 /// The k-th of several lines with marks.
 Style marked_line(std::size_t k);
+
+/// The k-th of several load cases or models, in other colours than those of the parts as far as
+/// there are any.
+constexpr Colour case_colour(std::size_t k) {
+  constexpr Colour kOrder[] = {Colour::ink,  Colour::orange, Colour::purple, Colour::sky,
+                               Colour::grey, Colour::green,  Colour::blue,   Colour::vermillion};
+  return kOrder[k % std::size(kOrder)];
+}
+Style case_line(std::size_t k);
 
 constexpr Style kMeanStyle = line_of(Colour::reference, Dash::dashed, Weight::thin);
 constexpr Style kZeroStyle = line_of(Colour::reference, Dash::solid, Weight::thin);
@@ -94,6 +104,10 @@ double round_step(double least);
 
 /// Round numbers around all values, at most so many steps; empty where there is none.
 std::vector<double> round_levels(const Range& range, std::size_t most_steps);
+
+/// Says in the legend of each line that lies under another where that is; without entries of which
+/// nothing is shown.
+Figure with_true_legend(Figure figure);
 
 /// Drops what is beyond the first `count` and says so in the title.
 template <class Item>

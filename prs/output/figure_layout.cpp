@@ -191,7 +191,9 @@ Layout::Layout(const Figure& figure, int image_width)
       slanted =
           std::max(slanted, static_cast<int>(0.6 * kCharacter) * static_cast<int>(longest_text(x)));
   row_gap_ = kRowGap + (titled ? kTitleGap : 0) + (own_x ? kLabel + slanted : 0);
-  bottom_ = kBottom + kLabel + slanted;
+  const bool bare =
+      std::ranges::all_of(figure.panels, [&](const Panel& p) { return x_axis(figure, p).hidden; });
+  bottom_ = bare ? kLegendMargin : kBottom + kLabel + slanted;
   std::size_t longest = 0;
   for (const LegendEntry& entry : figure.legend)
     longest = std::max(longest, prs::width(entry.title));

@@ -264,6 +264,22 @@ struct AnswerView {
   std::vector<std::string> folded = {};  ///< Pictures.
 };
 
+/// Rows of a record of the document or, as in `life.system`, of one within it, under its title.
+std::string part_of_document(const Json& document, const std::string& path,
+                             const std::vector<std::string>& only) {
+  const std::size_t dot = std::min(path.find('.'), path.size());
+  const Json& outer = under(document, path.substr(0, dot));
+  const RecordInfo* info = record_at(path.substr(0, dot));
+  if (dot == path.size())
+    return outer.is_object() ? record_table(*info, {{"", &outer}}, {.only = only}) : std::string();
+  const auto inner = std::ranges::find(info->quantities, path.substr(dot + 1), &QuantityInfo::key);
+  if (inner == info->quantities.end() || !outer.contains(inner->key)) return {};
+  const Json& record = outer[std::string(inner->key)];
+  const std::string table = record_table(inner->record(), {{"", &record}}, {.only = only});
+  return table.empty() ? table
+                       : fmt::format("<h3>{}</h3>\n", html(capitalised(inner->title))) + table;
+}
+
 std::string answer_html(Findings& all, const AnswerView& view) {
   const CommandAnswer* answer = all.answer(view.command);
   if (!answer) return {};
@@ -277,8 +293,7 @@ std::string answer_html(Findings& all, const AnswerView& view) {
     if (const RecordInfo* info = record_in(*record_at("load_cases[]"), key))
       text += record_table(*info, columns_in(cases, key), {.only = only});
   for (const auto& [key, only] : view.in_document)
-    if (const Json& record = under(answer->document, key); record.is_object())
-      text += record_table(*record_at(key), {{"", &record}}, {.only = only});
+    text += part_of_document(answer->document, key, only);
   const bool is_open = view.in_cases.empty() && view.in_document.empty();
   const std::string every = document_html(all, *answer);
   return text + folded_html("More pictures", pictures_html(all, answer, is_folded)) +
@@ -287,25 +302,38 @@ std::string answer_html(Findings& all, const AnswerView& view) {
 
 std::string slip_html(Findings& all) {
   return answer_html(
-      all, {Command::slip,
-            {{"slip",
-              {"converged", "status", "speed_rpm", "driven_by", "efficiency", "power_loss_W",
-               "torque_screw_Nm", "torque_nut_Nm", "self_locking", "holding_torque_Nm",
-               "slip_ratio", "viscosity_mPas"}},
-             {"heat", {"status", "reason", "temperature_degC", "oil_degC"}}},
-            {{"heat_cycle", {"status", "reason", "period_s", "peak_degC", "mean_degC"}}},
-            {"slip_patches", "slip_residue", "roller_friction"}});
+      all,
+      {Command::slip,
+       {{"slip",
+         {"status", "speed_rpm", "driven_by", "efficiency", "power_loss_W", "torque_screw_Nm",
+          "torque_nut_Nm", "self_locking", "holding_torque_Nm", "slip_ratio", "viscosity_mPas"}},
+        {"heat", {"status", "reason", "temperature_degC", "oil_degC"}}},
+       {{"heat_cycle", {"status", "reason", "period_s", "peak_degC", "mean_degC"}}},
+       {"slip_patches", "slip_residue", "roller_friction"}});
 }
 
 std::string preload_html(Findings& all) { return answer_html(all, {Command::preload}); }
 
 std::string life_html(Findings& all) {
+  const std::vector<std::string> basic{"l10_revolutions", "l10_hours", "l10_travel_km",
+                                       "l10_passes"};
+  const std::vector<std::string> rated{"rated_revolutions", "rated_hours", "rated_travel_km",
+                                       "rated_passes"};
+  const CommandAnswer* answer = all.answer(Command::life);
+  static const Json none;
+  const Json& life = answer ? under(answer->document, "life") : none;
+  const bool is_basic =
+      !life.is_object() ||
+      life.value("reliability_factor", 1.0) * life.value("modification_factor", 1.0) == 1.0;
   return answer_html(
       all, {Command::life,
             {},
             {{"life",
-              {"converged", "status", "share", "reliability_factor", "modification_factor",
-               "static_safety", "static_safety_limit", "system", "weakest_thread"}}},
+              {"status", "share", "reliability_factor", "modification_factor", "static_safety",
+               "static_safety_limit"}},
+             {"life.system", is_basic ? basic : rated},
+             {"life.weakest_thread",
+              {"direction", "interface", "part", "roller", "thread", "equivalent_load_N"}}},
             {"thread_lives"}});
 }
 
@@ -344,32 +372,30 @@ std::string contact_html(Findings& all) {
 std::string input_table_html(const Findings& all, bool of_defaults, std::size_t& count) {
   constexpr std::size_t kMostOfBlock = 1000;
   std::vector<std::vector<std::string>> rows;
-  std::string block;
+  std::string block, tables;
   std::size_t of_block = 0;
   const auto end_block = [&] {
     if (of_block > kMostOfBlock)
       rows.push_back({fmt::format("… and {} more", of_block - kMostOfBlock),
-                      "<code>prs check --all</code> shows them", ""});
+                      "<code>prs check --all</code> shows them"});
     of_block = 0;
+    if (!rows.empty()) tables += plain_table({}, rows);
+    rows.clear();
   };
   for (const Json& entry : all.check["input"]) {
     const std::string path = entry["path"];
     const std::string own = path.substr(0, path.find_first_of(".["));
     if (entry.value("default", false) != of_defaults || own == "report") continue;
-    if (std::exchange(block, own) != own) {
-      end_block();
-      rows.push_back({html(own)});
-    }
+    if (block != own) end_block();
+    block = own;
     ++count;
     if (++of_block > kMostOfBlock) continue;
     rows.push_back(
         {fmt::format("<code>{}</code>", html(path)), html(entry["value"].get<std::string>())});
-    if (of_defaults) rows.back().push_back(html(entry.value("origin", "default")));
+    if (entry.contains("origin")) rows.back()[1] += ", " + html(entry["origin"].get<std::string>());
   }
   end_block();
-  if (count == 0) return {};
-  return of_defaults ? plain_table({"Input", "Value", "Origin"}, rows)
-                     : plain_table({"Input", "Value"}, rows);
+  return tables.empty() ? tables : "<div class=\"blocks\">\n" + tables + "</div>\n";
 }
 
 std::string inputs_html(const Findings& all) {

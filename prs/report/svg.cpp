@@ -598,8 +598,13 @@ std::string image(const Figure& figure, std::size_t index, const std::string& id
       std::ranges::any_of(figure.panels, [](const Panel& panel) { return !panel.title.empty(); });
   const int top = titled ? kTitleTop - 6 : kTitleTop + 20;  // The page has the title.
   const std::string& title = figure.panels[index].title;
+  constexpr int kSecondLine = 26;  // Room below the axis that few labels need.
+  const Axis& x = x_axis(one, one.panels[0]);
+  const bool is_short = x.hidden || (longest_text(x) == 0 &&
+                                     fitted_lines(text_of(x), layout.panel(0).width()).size() < 2);
+  const int height = layout.height() - top - (is_short && !x.hidden ? kSecondLine : 0);
   return fmt::format("<svg viewBox=\"0 {} {} {}\" class=\"{}\" role=\"img\" aria-label=\"{}\">",
-                     top, layout.width(), layout.height() - top, half ? "half" : "whole",
+                     top, layout.width(), height, half ? "half" : "whole",
                      html(title.empty() ? figure.title : figure.title + ": " + title)) +
          panel_svg(one, layout, 0, fmt::format("{}-{}", id, index)) + "</svg>";
 }
@@ -633,7 +638,7 @@ std::string html(std::string_view content) {
 }
 
 std::string svg(const Figure& drawn, const std::string& id) {
-  const Figure figure = in_page_units(drawn);
+  const Figure figure = with_true_legend(in_page_units(drawn));
   std::string all = "<div class=\"panels\">";
   for (std::size_t k = 0; k < figure.panels.size(); ++k) all += image(figure, k, id);
   all += "</div>";
