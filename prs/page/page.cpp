@@ -38,10 +38,10 @@ std::string policy_hash(std::string_view text) {
   return "sha256-" + base64(bytes);
 }
 
-/// Data in a script element, where no `<` may stand.
+/// Data in a script element, where no `<` may stand, nor what turns the direction of writing.
 std::string data_block(const char* id, const Json& json) {
   std::string text;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
+  for (const char c : printable_json(json.dump(-1, ' ', false, Json::error_handler_t::replace)))
     if (c == '<')
       text += "\\u003c";
     else

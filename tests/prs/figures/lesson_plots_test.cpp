@@ -109,12 +109,12 @@ TEST(LessonPlots, ATurnOfTheCarrierEndsWhereItBegan) {
 }
 
 TEST(LessonPlots, TheSectionHasSizesSupportsAndTheLoad) {
-  const auto source = input::load_source(PRS_SOURCE_DIR "/configs/05_standard_screw.yaml");
+  const auto source = input::load_source(PRS_SOURCE_DIR "/configs/05_standard_screw.yaml", {});
   const auto drawn = [&](const char* direction) {
     input::Source turned = source;
     turned.overrides = {std::string("load_cases[0].direction=") + direction};
     const Delivery delivery = run(row_of(Command::solve), turned);
-    return figure(delivery.pictures(), "section", {});
+    return figure(delivery.pictures(), "section", {.load_case = 0});
   };
   const auto arrow_of = [](const Figure& section) {
     for (const Series& series : section.panels[0].series)

@@ -184,7 +184,7 @@ TEST(Figures, DescriptionsStateUnitsAndLeaveOutDefaults) {
   EXPECT_EQ(json["x"]["unit"], "kN");
   EXPECT_FALSE(json["x"].contains("logarithmic"));
   EXPECT_EQ(json["panels"].size(), 2);
-  EXPECT_EQ(json["styles"][0]["colour"], "blue");
+  EXPECT_EQ(json["styles"][0]["colour"], "ink");
   EXPECT_TRUE(to_json(*picture(sweeps(), "convergence"))["y"]["logarithmic"]);
   const nlohmann::ordered_json schema = figure_schema();
   for (const auto& [key, value] : json.items()) EXPECT_TRUE(schema["properties"].contains(key));

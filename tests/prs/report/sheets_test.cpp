@@ -15,7 +15,7 @@ using testing::Not;
 constexpr const char* kLesson = PRS_SOURCE_DIR "/configs/05_standard_screw.yaml";
 
 input::Source with_block(const std::string& block) {
-  input::Source source = input::load_source(kLesson);
+  input::Source source = input::load_source(kLesson, {});
   source.text += "\n" + block;
   return source;
 }
@@ -37,7 +37,7 @@ TEST(TitleBlock, SaysWhatTheFileSaysOfTheReport) {
                           HasSubstr("<dd>Jane</dd>"), Not(HasSubstr("<b>"))));
   EXPECT_THAT(page, HasSubstr("@bottom-left{content:\"Press 40 kN · No\\2e  C\\2d 12 · rev"));
   EXPECT_THAT(page, Not(HasSubstr("<code>report.")));  // No input of the calculation.
-  EXPECT_THAT(make_report(input::load_source(kLesson), {.live = false}).html,
+  EXPECT_THAT(make_report(input::load_source(kLesson, {}), {.live = false}).html,
               HasSubstr("<h1>05_standard_screw</h1>"));
 }
 
@@ -55,7 +55,7 @@ TEST(TitleBlock, TextsCannotLeaveTheStyleOfTheSheets) {
 
 TEST(Sheets, GoFromTheAnswerToTheNumbers) {
   std::vector<std::string> ids;
-  for (const ReportSection& section : report_parts(input::load_source(kLesson), {}).sections)
+  for (const ReportSection& section : report_parts(input::load_source(kLesson, {}), {}).sections)
     ids.push_back(section.id);
   EXPECT_THAT(ids, ElementsAre("verdict", "mechanism", "warnings", "inputs", "loads", "pressures",
                                "stiffness", "life", "slip", "preload", "measures", "models",
@@ -63,7 +63,7 @@ TEST(Sheets, GoFromTheAnswerToTheNumbers) {
 }
 
 TEST(Sheets, FoldWhatOnlySomeAskFor) {
-  const std::string page = make_report(input::load_source(kLesson), {.live = false}).html;
+  const std::string page = make_report(input::load_source(kLesson, {}), {.live = false}).html;
   const std::size_t fold = page.find("<details><summary>Every number of the load cases");
   ASSERT_NE(fold, page.npos);
   EXPECT_LT(fold, page.find("Hertz constant"));
@@ -74,7 +74,7 @@ TEST(Sheets, FoldWhatOnlySomeAskFor) {
 
 TEST(Sheets, HaveNoKeysForWords) {
   const std::string page =
-      make_report(input::load_source(PRS_SOURCE_DIR "/configs/27_missing_roller.yaml"),
+      make_report(input::load_source(PRS_SOURCE_DIR "/configs/27_missing_roller.yaml", {}),
                   {.live = false})
           .html;
   for (const char* key : {">Semi major<", ">Dofs<", ">Source<", ">Power loss input output<",
@@ -83,9 +83,10 @@ TEST(Sheets, HaveNoKeysForWords) {
 }
 
 TEST(Sheets, NamesOfLoadCasesDoNotTurnTheWriting) {
-  input::Source source = input::load_source(kLesson);
+  input::Source source = input::load_source(kLesson, {});
   source.overrides = {"load_cases[0].name=\u202Eevil"};
   EXPECT_EQ(report_parts(source, {}).threads["cases"][0], "\uFFFDevil");
+  EXPECT_THAT(make_report(source).html, AllOf(Not(HasSubstr("\u202E")), HasSubstr("\\u202e")));
 }
 
 TEST(ReportUnits, AreOfOneKind) {
