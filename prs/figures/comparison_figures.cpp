@@ -38,7 +38,7 @@ Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
   figure.y = {"Share of the load", "%"};
   figure.columns = std::size(kInterfaces);
   for (std::size_t m = 0; m < c.models.size(); ++m)
-    figure.add(std::string(name_of_model(c.models[m].model)), marked_line(m));
+    figure.add(std::string(name_of_model(c.models[m].model)), case_line(m));
   const auto threads = static_cast<std::size_t>(c.best().contacts.mechanism.contacts_per_roller);
   for (const Interface i : kInterfaces) {
     Panel& panel = figure.panels.emplace_back();
@@ -50,7 +50,7 @@ Figures loads_by_model(const ModelComparison& c, const FigureOptions& options) {
   }
   figure.x = thread_axis(threads);
   add_mean(figure, per_si::percent / static_cast<double>(threads));
-  fit_y_range(figure);
+  fit_y_range(figure, true);
   return {std::move(figure)};
 }
 

@@ -78,7 +78,7 @@ Axis fitted(Axis axis, Range range, bool from_zero) {
   return axis;
 }
 
-void fit_y_range(Figure& figure) {
+void fit_y_range(Figure& figure, bool from_zero) {
   Range range;
   for (const Panel& panel : figure.panels)
     if (!panel.y) {
@@ -87,7 +87,8 @@ void fit_y_range(Figure& figure) {
         if (!r.vertical) range.include(r.at);
     }
   if (range.empty()) return;
-  figure.y = fitted(figure.y, range, range.from >= 0.0 && range.from < 0.5 * range.to);
+  figure.y =
+      fitted(figure.y, range, range.from >= 0.0 && (from_zero || range.from < 0.5 * range.to));
 }
 
 Figure only_panel(Figure figure, std::size_t panel) {

@@ -219,7 +219,8 @@ Range range_of_y(const std::vector<Series>& series);
 Axis fitted(Axis axis, Range range, bool from_zero = false);
 
 /// Puts y from zero, unless the values fill less than half of that, to a little above the largest.
-void fit_y_range(Figure& figure);
+/// With `from_zero` always, where none is negative.
+void fit_y_range(Figure& figure, bool from_zero = false);
 
 /// A figure of one of its panels.
 Figure only_panel(Figure figure, std::size_t panel);

@@ -19,6 +19,12 @@ Style marked_line(std::size_t k) {
   return style;
 }
 
+Style case_line(std::size_t k) {
+  Style style = marked_line(k);
+  style.colour = case_colour(k);
+  return style;
+}
+
 std::string interface_title(Interface i) {
   return i == Interface::screw ? "Roller-screw" : "Roller-nut";
 }
@@ -63,14 +69,19 @@ const LoadCaseResult* chosen_case(const Result& result, const FigureOptions& opt
   return largest;
 }
 
-Figure in_kilonewtons(Figure figure) {
-  constexpr double kFrom = 1e4, kFactor = 1e-3;
-  const auto scale = [](auto&... values) { ((values *= kFactor), ...); };
-  const auto scale_all = [](std::vector<double>& values) {
-    for (double& value : values) value *= kFactor;
+Figure in_kilonewtons(Figure figure) { return in_unit(std::move(figure), {"N", "kN", 1e-3, 1e4}); }
+
+Figure in_page_units(Figure figure) {
+  return in_unit(in_unit(std::move(figure), {"N", "kN", 1e-3, 1e3}), {"MPa", "GPa"});
+}
+
+Figure in_unit(Figure figure, const UnitChange& change) {
+  const auto scale = [&](auto&... values) { ((values *= change.factor), ...); };
+  const auto scale_all = [&](std::vector<double>& values) {
+    for (double& value : values) value *= change.factor;
   };
-  const auto is_large = [](const std::string& unit, const Range& range) {
-    return unit == "N" && std::max(-range.from, range.to) >= kFrom;
+  const auto is_large = [&](const std::string& unit, const Range& range) {
+    return unit == change.from && std::max(-range.from, range.to) >= change.least;
   };
   for (const std::size_t d : {0U, 1U}) {
     const auto axis_of = [&](Panel& panel) -> Axis& {
@@ -86,7 +97,7 @@ Figure in_kilonewtons(Figure figure) {
                   [&](const auto& axis) { return !is_large(axis.first->unit, axis.second); });
     for (const auto& axis : shown) {
       Axis& a = *axis.first;
-      a.unit = "kN";
+      a.unit = change.to;
       scale(a.from, a.to);
       for (Tick& tick : a.ticks) scale(tick.at);
     }
@@ -108,18 +119,77 @@ Figure in_kilonewtons(Figure figure) {
   if (!figure.colours ||
       !is_large(figure.colours->unit, {figure.colours->from, figure.colours->to}))
     return figure;
-  figure.colours->unit = "kN";
+  figure.colours->unit = change.to;
   scale(figure.colours->from, figure.colours->to);
   scale_all(figure.colours->levels);
   for (Panel& panel : figure.panels) {
     for (Series& series : panel.series) scale_all(series.values);
     scale_all(panel.map.grid.values);
     if (!panel.surface) continue;
-    panel.surface->z.unit = "kN";
+    panel.surface->z.unit = change.to;
     scale(panel.surface->z.from, panel.surface->z.to);
     scale_all(panel.surface->grid.values);
     for (SurfacePoint& point : panel.surface->points) scale(point.z);
   }
+  return figure;
+}
+
+namespace {
+
+/// All points that a style draws in a panel.
+std::vector<std::array<double, 2>> points_of_style(const Panel& panel, std::size_t style) {
+  std::vector<std::array<double, 2>> points;
+  for (const Series& series : panel.series)
+    if (series.style == style)
+      for (const Polyline& part : series.parts)
+        points.insert(points.end(), part.begin(), part.end());
+  return points;
+}
+
+/// Whether the lines of two styles are one wherever either is shown, as far as an eye sees.
+bool are_alike(const Figure& figure, std::size_t a, std::size_t b) {
+  constexpr double kSeen = 0.004;  // Of the height of a panel.
+  bool shown = false;
+  for (const Panel& panel : figure.panels) {
+    const auto left = points_of_style(panel, a), right = points_of_style(panel, b);
+    if (left.size() != right.size()) return false;
+    shown = shown || left.size() > 1;
+    Range range = range_of_y(panel.series);
+    if (const Axis& y = panel.y ? *panel.y : figure.y; std::isfinite(y.from + y.to))
+      range = {std::min(y.from, y.to), std::max(y.from, y.to)};
+    for (std::size_t k = 0; k < left.size(); ++k)
+      if (left[k][0] != right[k][0] ||
+          !(std::abs(left[k][1] - right[k][1]) <= kSeen * (range.to - range.from)))
+        return false;
+  }
+  return shown;
+}
+
+/// Whether some series have the style, and no point.
+bool is_empty(const Figure& figure, std::size_t style) {
+  bool used = false;
+  for (const Panel& panel : figure.panels) {
+    if (!points_of_style(panel, style).empty()) return false;
+    for (const Series& series : panel.series) used = used || series.style == style;
+  }
+  return used;
+}
+
+}  // namespace
+
+Figure with_true_legend(Figure figure) {
+  std::erase_if(figure.legend, [&](const LegendEntry& e) { return is_empty(figure, e.style); });
+  const auto is_line = [&](const LegendEntry& e) {
+    const Style& style = figure.styles[e.style];
+    return style.shape == Shape::line && style.dash != Dash::none;
+  };
+  const std::vector<LegendEntry> plain = figure.legend;
+  for (std::size_t k = 0; k < plain.size(); ++k)
+    for (std::size_t above = k + 1; above < plain.size() && is_line(plain[k]); ++above)
+      if (is_line(plain[above]) && are_alike(figure, plain[k].style, plain[above].style)) {
+        figure.legend[k].title += fmt::format(", under {}", plain[above].title);
+        break;
+      }
   return figure;
 }
 

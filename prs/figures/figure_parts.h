@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,15 @@ inline constexpr std::size_t kMinSweepPoints = 3;
 
 /// The k-th of several lines with marks.
 Style marked_line(std::size_t k);
+
+/// The k-th of several load cases or models, in other colours than those of the parts as far as
+/// there are any.
+constexpr Colour case_colour(std::size_t k) {
+  constexpr Colour kOrder[] = {Colour::ink,  Colour::orange, Colour::purple, Colour::sky,
+                               Colour::grey, Colour::green,  Colour::blue,   Colour::vermillion};
+  return kOrder[k % std::size(kOrder)];
+}
+Style case_line(std::size_t k);
 
 constexpr Style kMeanStyle = line_of(Colour::reference, Dash::dashed, Weight::thin);
 constexpr Style kZeroStyle = line_of(Colour::reference, Dash::solid, Weight::thin);
@@ -70,8 +80,21 @@ Axis ranked_axis(const std::vector<std::string>& names);
 /// Where the k-th stands, from 0.
 double rank_position(std::size_t k, std::size_t count);
 
+/// Axes and colours in one unit instead of another, of which it is `factor`, where their numbers
+/// reach `least`.
+struct UnitChange {
+  std::string from;
+  std::string to;
+  double factor = 1e-3;
+  double least = 0.0;
+};
+Figure in_unit(Figure figure, const UnitChange& change);
+
 /// Forces of 10 kN and more in kN where the figure has them in N.
 Figure in_kilonewtons(Figure figure);
+
+/// As tables of the page have them: kN from 1000 N on, and GPa.
+Figure in_page_units(Figure figure);
 
 /// A dashed line where all threads would share the load equally, at `mean`, in every panel.
 void add_mean(Figure& figure, double mean);
@@ -81,6 +104,10 @@ double round_step(double least);
 
 /// Round numbers around all values, at most so many steps; empty where there is none.
 std::vector<double> round_levels(const Range& range, std::size_t most_steps);
+
+/// Says in the legend of each line that lies under another where that is; without entries of which
+/// nothing is shown.
+Figure with_true_legend(Figure figure);
 
 /// Drops what is beyond the first `count` and says so in the title.
 template <class Item>

@@ -35,6 +35,17 @@ GridData unrolled(const std::vector<double>& of_threads, int threads_per_roller)
   return grid;
 }
 
+/// Rollers that are not there have no colour, not that of zero.
+void without_missing(Panel& panel, const FullLoads& full) {
+  GridData& grid = panel.map.grid;
+  for (const int roller : full.missing_rollers) {
+    for (std::size_t k = 0; k < grid.x.size(); ++k)
+      grid.values[k * grid.y.size() + static_cast<std::size_t>(roller - 1)] = kFree;
+    panel.labels.push_back({"missing", 0.5 * (grid.x.front() + grid.x.back()),
+                            static_cast<double>(roller), false, Label::Anchor::centre});
+  }
+}
+
 /// A map of all rollers for each interface.
 Figure map_of_rollers(Figure figure, const LoadCaseResult& shown, ColourScale colours,
                       const PerInterface<const std::vector<double>*>& values) {
@@ -44,6 +55,7 @@ Figure map_of_rollers(Figure figure, const LoadCaseResult& shown, ColourScale co
     Panel& panel = figure.panels.emplace_back();
     panel.title = interface_title(i);
     panel.map = {unrolled(*values[i], threads), true};
+    without_missing(panel, *shown.full);
     for (const double value : panel.map.grid.values) range.include(value);
   }
   figure.x = thread_axis(static_cast<std::size_t>(threads));
@@ -132,6 +144,8 @@ Figures carrier_turn(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_turn);
   if (!shown) return {};
   const Orbit& orbit = *shown->full->orbit;
+  if (orbit.carrier_angle.empty()) return {};
+  constexpr double kTurn = 360.0;
   Figure figure{"carrier_turn", fmt::format("One roller over a turn of the carrier, {}",
                                             shown_name(shown->load_case.name))};
   Panel& panel = figure.panels.emplace_back();
@@ -139,12 +153,16 @@ Figures carrier_turn(const Result& result, const FigureOptions& options) {
     Polyline line;
     for (std::size_t m = 0; m < orbit.carrier_angle.size(); ++m)
       line.push_back({orbit.carrier_angle[m] * per_si::degree, orbit.loads[i].first_roller[m]});
+    line.push_back({line.front()[0] + kTurn, line.front()[1]});  // Where it began.
     panel.series.push_back(
         {figure.add(interface_title(i), line_of(colour_of(body_of(i)),
                                                 i == Interface::nut ? Dash::dashed : Dash::solid)),
          {std::move(line)}});
   }
-  figure.x = {"Angle of the carrier", "°"};
+  const double start = panel.series.front().parts.front().front()[0];
+  figure.x = {"Angle of the carrier", "°", start, start + kTurn};
+  for (double turned = 0.0; turned <= kTurn; turned += 60.0)
+    figure.x.ticks.push_back({start + turned});
   figure.y = {"Largest normal load of the first roller", "N"};
   fit_y_range(figure);
   return {std::move(figure)};

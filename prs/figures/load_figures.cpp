@@ -64,14 +64,13 @@ Figures over_load_figure(Figure figure, std::vector<LoadedConfiguration> sweeps,
         if (const CaseGroup* group = sweeps[c].group(d)) draw(panel, *group, c);
     }
   figure.columns = figure.panels.size();
-  fit_y_range(figure);
+  fit_y_range(figure, true);
   return {std::move(figure)};
 }
 
-/// Sweeps, or where there is none the single cases.
+/// Ranges of loads: a single load is no curve.
 std::vector<LoadedConfiguration> sweeps_of(const Result& result) {
-  auto sweeps = loaded_configurations(result.load_cases, kMinSweepPoints, has_stiffness);
-  return sweeps.empty() ? loaded_configurations(result.load_cases, 1, has_stiffness) : sweeps;
+  return loaded_configurations(result.load_cases, kMinSweepPoints, has_stiffness);
 }
 
 /// How a thread of a butterfly stands out (Abevi 2015, figs. 15-18).
@@ -132,7 +131,7 @@ Figures stiffness(const Result& result, const FigureOptions&) {
   keep_first(sweeps, kMostLines, figure.title);
   figure.y = {"Axial stiffness", "N/µm"};
   for (std::size_t c = 0; c < sweeps.size(); ++c) {
-    figure.add(sweeps[c].name, marked_line(c));
+    figure.add(sweeps[c].name, case_line(c));
     Style tangent = marked_line(c);
     tangent.dash = Dash::dashed;
     tangent.open = true;
@@ -156,7 +155,7 @@ Figures displacement(const Result& result, const FigureOptions&) {
   auto sweeps = sweeps_of(result);
   keep_first(sweeps, kMostLines, figure.title);
   figure.y = {"Axial displacement", "µm"};
-  for (std::size_t c = 0; c < sweeps.size(); ++c) figure.add(sweeps[c].name, marked_line(c));
+  for (std::size_t c = 0; c < sweeps.size(); ++c) figure.add(sweeps[c].name, case_line(c));
   return over_load_figure(
       std::move(figure), std::move(sweeps), [](Panel& panel, const CaseGroup& g, std::size_t c) {
         panel.series.push_back(
@@ -209,7 +208,7 @@ Figures convergence(const Result& result, const FigureOptions&) {
         line.push_back({static_cast<double>(k + 1), residual});
     longest = std::max(longest, r->solve->history.size());
     const std::size_t style =
-        figure.add(shown_name(r->load_case.name), marked_line(figure.styles.size()));
+        figure.add(shown_name(r->load_case.name), case_line(figure.styles.size()));
     panel.series.push_back({style, {std::move(line)}});
   }
   figure.x.from = 0.7;

@@ -77,7 +77,7 @@ Figures yang(const MeasuresResult& result) {
   figure.x = thread_axis(threads);
   figure.columns = figure.panels.size() == 1 ? 1 : 2;
   add_mean(figure, per_si::percent / static_cast<double>(threads));
-  fit_y_range(figure);
+  fit_y_range(figure, true);
   return {std::move(figure)};
 }
 
@@ -105,7 +105,7 @@ Figures stiffness_terms(const MeasuresResult& result) {
     const LoadCase& load_case = result.analysis.load_cases[cases[c]].load_case;
     Series bars{figure.add(fmt::format("{}, {:.4g} kN", shown_name(load_case.name),
                                        load_case.axial_force * per_si::kilonewton),
-                           area_of(palette(c)))};
+                           area_of(case_colour(c)))};
     for (std::size_t i = 0; i < contacts; ++i)
       bar(bars, rank_position(i, count) + 0.4 - (static_cast<double>(c) + 0.5) * thick,
           0.46 * thick, 1.0 / *result.load_measures[cases[c]]->hertz_stiffness[kInterfaces[i]]);

@@ -162,6 +162,77 @@ void add_body(Figure& figure, Panel& panel, Part part, std::vector<Polyline> par
 
 Polyline circle(double y, double z, double r) { return ellipse(y, z, r, r, 0.0); }
 
+/// What a drawing is read by: sizes in the bodies, the length of the nut between arrows. `top` is
+/// the nut's radius.
+void add_sizes(Figure& figure, Panel& panel, const Case& c, const Place& p, double axis,
+               const contact::MechanismGeometry& threads, double top) {
+  const double middle = 0.5 * p.nut_length;
+  const auto add = [&](double x, double y, std::string text) {
+    panel.labels.push_back({std::move(text), x, y, false, Label::Anchor::centre});
+  };
+  const auto diameter = [](const contact::Thread& thread) {
+    return 2.0 * contact::ThreadSurface(thread).pitch_radius * kMm;
+  };
+  const double screw = 0.5 * diameter(threads.screw), roller = 0.5 * diameter(threads.roller);
+  add(middle, 0.55 * screw,
+      fmt::format("screw, pitch Ø{:.5g}, lead {:.5g}", 2.0 * screw, threads.screw.lead * kMm));
+  add(middle, axis + 0.4 * roller,
+      fmt::format("{} rollers, pitch Ø{:.5g}, {} threads", c.mechanism.rollers, 2.0 * roller,
+                  p.contacts));
+  if (!c.structure) return;
+  add(middle, 0.5 * (axis + roller + top),
+      fmt::format("nut Ø{:.5g}", c.structure->nut.outer_diameter * kMm));
+  const double above = 1.08 * top;
+  panel.series.push_back(
+      {figure.add(arrows_of(Colour::ink)),
+       {{{middle, above}, {0.0, above}}, {{middle, above}, {p.nut_length, above}}}});
+  add(middle, 1.14 * top, fmt::format("{:.5g}", p.nut_length));
+}
+
+/// What holds the parts under this load.
+void add_supports(Figure& figure, Panel& panel, const Case& c, const Place& p, double axis,
+                  const LoadCaseResult* shown) {
+  if (!c.structure) return;
+  const Structure& s = *c.structure;
+  const auto& direction = shown ? shown->load_case.direction : std::nullopt;
+  if (direction)
+    if (const auto& thrust =
+            *direction == Direction::tension ? s.nut.thrust.tension : s.nut.thrust.compression) {
+      const double x = *thrust * kMm, r = 0.5 * nut_diameters_at(s.nut, *thrust).first * kMm;
+      const double outer = std::max(r, 0.5 * s.nut.outer_diameter * kMm);
+      panel.series.push_back({figure.add("section where the nut is held",
+                                         line_of(Colour::ink, Dash::dashed, Weight::strong)),
+                              {{{x, axis}, {x, 1.04 * outer}}}});
+    }
+  Style guide = points_of(Colour::purple, Mark::diamond);
+  panel.series.push_back({figure.add("roller guided", guide),
+                          {{{p.first - 0.5 * p.pitch - 0.5 * s.roller.end_length * kMm, axis}},
+                           {{p.last() + 0.5 * p.pitch + 0.5 * s.roller.end_length * kMm, axis}}}});
+  if (s.screw.bearings.empty() || !(shown && shown->full)) return;
+  Series bearings{figure.add("bearing of the screw", points_of(Colour::ink, Mark::triangle))};
+  for (const Bearing& b : s.screw.bearings) bearings.parts.push_back({{b.position * kMm, 0.0}});
+  panel.series.push_back(std::move(bearings));
+}
+
+/// The force on the screw, at its loaded end.
+void add_load(Figure& figure, Panel& panel, const Place& p, const LoadCaseResult& shown,
+              double top) {
+  const double room = 0.13 * (p.screw_to - p.screw_from), near = p.screw_from - 0.1 * room;
+  const double far = near - 0.9 * room, y = 0.15 * top;
+  const bool pulls = shown.load_case.direction == Direction::tension;
+  Style style = arrows_of(Colour::bad);
+  style.weight = Weight::strong;
+  panel.series.push_back(
+      {figure.add(style), {pulls ? Polyline{{near, y}, {far, y}} : Polyline{{far, y}, {near, y}}}});
+  const double middle = 0.5 * (near + far);
+  panel.labels.push_back(
+      {fmt::format("{:.4g} kN", shown.load_case.axial_force * per_si::kilonewton), middle,
+       y + 0.09 * top, false, Label::Anchor::centre});
+  panel.labels.push_back({std::string(name(*shown.load_case.direction)), middle, y - 0.09 * top,
+                          false, Label::Anchor::centre});
+  figure.x.from = far - 0.1 * room;
+}
+
 /// Seen along the axis.
 void add_ring(Figure& figure, Panel& panel, Part part, double outer, double inner) {
   if (!(inner > 0.0)) return add_body(figure, panel, part, {circle(0, 0, outer)});
@@ -185,8 +256,9 @@ const LoadCaseResult* case_shown(const Result& result, const FigureOptions& opti
 
 }  // namespace
 
-/// Screw, a roller and nut cut along the axis, true to scale; the contacts have the colours of
-/// their loads. Of a full mechanism the roller with the largest load.
+/// Screw, a roller and nut cut along the axis, true to scale, with sizes in mm, what holds them and
+/// the load on the screw; the contacts have the colours of their loads. Of a full mechanism the
+/// roller with the largest load.
 Figures mechanism_section(const Case& c, const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = case_shown(result, options);
   const Place p = place_of(c, result, shown);
@@ -230,9 +302,13 @@ Figures mechanism_section(const Case& c, const Result& result, const FigureOptio
   }
   Range height;
   for (const auto& point : nut) height.include(point[1]);
+  const double top = height.to;
   figure.x = {"From the end of the nut at the loaded end of the screw", "mm",
               p.screw_from - overhang, p.screw_to + overhang};
-  figure.y = {"Radius", "mm", -0.04 * height.to, 1.05 * height.to};
+  figure.y = {"Radius", "mm", -0.06 * top, (c.structure ? 1.22 : 1.05) * top};
+  add_sizes(figure, panel, c, p, axis, threads, top);
+  add_supports(figure, panel, c, p, axis, shown);
+  if (shown && shown->load_case.direction) add_load(figure, panel, p, *shown, top);
   figure.aspect = (figure.y.to - figure.y.from) / (figure.x.to - figure.x.from);
   figure.to_scale = true;
   return {std::move(figure)};
@@ -282,7 +358,7 @@ Figures mechanism_end(const Case& c, const Result& result, const FigureOptions& 
   figure.y = {"z", "mm", -1.02 * outer, 1.02 * outer};
   figure.x.hidden = figure.y.hidden = true;
   figure.to_scale = true;
-  figure.aspect = 0.5;
+  figure.aspect = 0.7;
   return {std::move(figure)};
 }
 

@@ -177,7 +177,7 @@ Figures optimization_history(const OptimizationResult& result) {
     if (figure.panels.size() < kMostPanels)
       figure.panels.push_back(history_panel(result, objective));
   figure.aspect = 0.3;
-  return {std::move(figure)};
+  return {with_true_legend(std::move(figure))};
 }
 
 /// The designs and the fronts of both searches, a panel for each pair of objectives, with the
@@ -207,7 +207,7 @@ Figures pareto_front(const OptimizationResult& result) {
           figure.panels.push_back(std::move(*large));
       }
   figure.columns = std::min<std::size_t>(figure.panels.size(), 2);
-  return {std::move(figure)};
+  return {with_true_legend(std::move(figure))};
 }
 
 }  // namespace prs

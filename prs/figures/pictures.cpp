@@ -63,6 +63,8 @@ constexpr const char* kMechanism = "a mechanism";
 constexpr const char* kLoads = "a load case that converged, or equal shares";
 constexpr const char* kSweep =
     "a sweep of loads, `axial_force: {from: .., to: .., steps: ..}`, that converged";
+constexpr const char* kRange =
+    "a range of loads, `axial_force: {from: .., to: .., steps: ..}`, not of equal shares";
 constexpr const char* kAllRollers = "a load case of `model: {mechanism: full}` that converged";
 constexpr const char* kSlip = "a load case whose slip converged";
 constexpr const char* kSlipOfRollers =
@@ -123,8 +125,8 @@ Pictures load_pictures(const Result& r) {
       {"peak_pressure", "load cases, and contacts that come from the threads",
        of(r, peak_pressure)},
       {"ellipses", "load cases, and contacts that come from the threads", of(r, ellipses)},
-      {"displacement", "a load case that converged, not of equal shares", of(r, displacement)},
-      {"stiffness", "a load case that converged, not of equal shares", of(r, stiffness)},
+      {"displacement", kRange, of(r, displacement)},
+      {"stiffness", kRange, of(r, stiffness)},
       {"butterfly", kSweep, of(r, butterfly)},
       {"roller_loads", kAllRollers, of(r, roller_loads)},
       {"roller_shares", kAllRollers, of(r, roller_shares)},

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kMostFigures = 4;
 
-constexpr Colour kSourceColours[] = {Colour::blue, Colour::sky, Colour::orange, Colour::green,
-                                     Colour::purple};
+constexpr Colour kSourceColours[] = {Colour::blue, Colour::vermillion, Colour::green, Colour::sky,
+                                     Colour::orange};
 static_assert(std::size(kSourceColours) == std::size(kPowerSources));
 
 /// A result and where it stands on the axis.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -26,6 +27,24 @@ GridData thinned(const GridData& grid, std::size_t most) {
   for (const std::size_t i : is)
     for (const std::size_t j : js) some.values.push_back(grid.at(i, j));
   return some;
+}
+
+/// The grid without outer rows and columns that have no number: designs without an answer.
+GridData answered(const GridData& grid) {
+  std::array<std::size_t, 2> from{grid.x.size(), grid.y.size()}, to{};
+  for (std::size_t i = 0; i < grid.x.size(); ++i)
+    for (std::size_t j = 0; j < grid.y.size(); ++j)
+      if (std::isfinite(grid.at(i, j))) {
+        from = {std::min(from[0], i), std::min(from[1], j)};
+        to = {std::max(to[0], i + 1), std::max(to[1], j + 1)};
+      }
+  GridData inner;
+  for (std::size_t i = from[0]; i < to[0]; ++i) {
+    inner.x.push_back(grid.x[i]);
+    for (std::size_t j = from[1]; j < to[1]; ++j) inner.values.push_back(grid.at(i, j));
+  }
+  for (std::size_t j = from[1]; j < to[1] && !inner.x.empty(); ++j) inner.y.push_back(grid.y[j]);
+  return inner;
 }
 
 /// The figure with a map of the grid, and levels for its colours; false where it has no numbers.
@@ -131,8 +150,9 @@ std::optional<Figure> grid_map(const StudyResult& result, std::size_t response,
     if (i < grid.x.size() && j < grid.y.size()) grid.values[i * grid.y.size() + j] = *value;
   }
   const Axis axis = figure.y;
-  figure.x = factor_axis(study.factors[across], x);
-  figure.y = factor_axis(study.factors[up], y);
+  grid = answered(grid);
+  figure.x = factor_axis(study.factors[across], grid.x);
+  figure.y = factor_axis(study.factors[up], grid.y);
   if (!add_map(figure, grid, axis.label, axis.unit)) return std::nullopt;
   return figure;
 }
@@ -142,7 +162,8 @@ std::optional<Figure> grid_map(const StudyResult& result, std::size_t response,
 std::optional<Figure> marked_map(const StudyResult& result, Figure figure, Axis axis,
                                  const GridMap& values) {
   const GridMaps& maps = *result.summary.maps;
-  const GridData grid{maps.axes[0].numbers, maps.axes[1].numbers, values};
+  const GridData grid = answered({maps.axes[0].numbers, maps.axes[1].numbers, values});
+  if (grid.empty()) return std::nullopt;
   figure.x = factor_axis(result.study.factors[0], grid.x);
   figure.y = factor_axis(result.study.factors[1], grid.y);
   figure.columns = 2;

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "prs/figures/figure_parts.h"
+#include "prs/loads/analyze.h"
 #include "prs/quantities/case_groups.h"
 #include "prs/quantities/quantities.h"
 #include "prs/quantities/slip_quantities.h"
@@ -60,10 +61,10 @@ std::optional<Figure> thread_figure(const ThreadPlot& plot, const Result& result
   keep_first(all, kMostLines, figure.title);
   figure.y = {plot.label, plot.unit};
   figure.columns = std::size(kInterfaces);
-  for (std::size_t c = 0; c < all.size(); ++c) figure.add(all[c].name, marked_line(c));
+  for (std::size_t c = 0; c < all.size(); ++c) figure.add(all[c].name, case_line(c));
   const std::size_t levels = figure.styles.size();
   for (std::size_t c = 0; c < all.size(); ++c)
-    figure.add(line_of(palette(c), Dash::dashed, Weight::thin));
+    figure.add(line_of(case_colour(c), Dash::dashed, Weight::thin));
   std::size_t threads = 0;
   bool has_level = false;
   for (const std::optional<Direction> direction :
@@ -118,7 +119,7 @@ std::optional<double> with_equal_shares(const LoadCaseResult& result, Interface 
 
 Figures fitted(std::optional<Figure> figure) {
   if (!figure) return {};
-  fit_y_range(*figure);
+  fit_y_range(*figure, true);
   return {std::move(*figure)};
 }
 
@@ -136,11 +137,19 @@ Figures load_distribution(const Result& result, const FigureOptions& options) {
   return fitted(std::move(figure));
 }
 
+/// With the pressure up to which contacts are rated.
 Figures peak_pressure(const Result& result, const FigureOptions& options) {
-  return fitted(
+  std::optional<Figure> figure =
       thread_figure({"peak_pressure", "Peak contact pressure", "Peak pressure", "MPa",
                      loads_of<&InterfaceLoads::peak_pressure>, per_si::megapascal, has_pressure},
-                    result, options));
+                    result, options);
+  if (!figure) return {};
+  const std::size_t limit = figure->add(
+      fmt::format("static limit {:.1f} GPa, ISO 76", kStaticPressureLimit * per_si::gigapascal),
+      line_of(Colour::bad, Dash::dash_dotted, Weight::thin));
+  for (Panel& panel : figure->panels)
+    panel.references.push_back({limit, kStaticPressureLimit * per_si::megapascal});
+  return fitted(std::move(figure));
 }
 
 Figures thread_power(const Result& result, const FigureOptions& options) {

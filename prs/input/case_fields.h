@@ -83,6 +83,11 @@ struct StudyItem {
   std::optional<EnvelopeItem> envelope;
 };
 
+/// What a report says of itself.
+struct ReportTexts {
+  std::optional<std::string> title, customer, author, number, revision;
+};
+
 /// A file as it is written: `values` lacks the load cases.
 struct CaseFile {
   Case values;
@@ -91,6 +96,7 @@ struct CaseFile {
   std::optional<StudyItem> study;
   std::optional<OptimizeItem> optimize;
   bool speeds_follow_lead = false;  ///< Speeds are written along the axis.
+  std::optional<ReportTexts> report;
 };
 
 // Choices: io.word(WORD, member, value, meaning), io.map(KEY, member, value, content, kind,
@@ -1029,6 +1035,15 @@ void fields(Io& io, StudyItem& s) {
 }
 
 template <class Io>
+void fields(Io& io, ReportTexts& r) {
+  io.field("title", r.title, Text{"\"Press 40 kN\""}, optional, "What was calculated");
+  io.field("customer", r.customer, Text{"\"Customer\""}, optional, "For whom");
+  io.field("author", r.author, Text{"\"Author\""}, optional, "By whom");
+  io.field("number", r.number, Text{"\"C-1234\""}, optional, "Of the calculation or the drawing");
+  io.field("revision", r.revision, Text{"\"A\""}, optional, "Of the calculation");
+}
+
+template <class Io>
 void fields(Io& io, CaseFile& file) {
   Case& c = file.values;
   io.field("mechanism", c.mechanism, Block{}, required, "The threads");
@@ -1059,6 +1074,7 @@ void fields(Io& io, CaseFile& file) {
   io.field("study", file.study, Block{}, optional, "What `prs study` varies");
   io.field("optimize", file.optimize, Block{}, optional,
            "What `prs optimize` varies, and its aims");
+  io.field("report", file.report, Block{}, optional, "Title block of `prs report`");
 }
 
 }  // namespace prs::input

@@ -145,6 +145,7 @@ FullLoads full_loads(const AllRollers& all, const FullModel& f, FullDistribution
   full.rollers = f.rollers;
   full.carrier_angle = load_case.spatial.carrier_angle;
   for (const int roller : d.idle_rollers) full.idle_rollers.push_back(roller + 1);
+  full.missing_rollers = c.deviations.missing_rollers;
   full.screw_end = std::move(d.screw_end);
   full.nut = d.nut;
   full.rings = std::move(d.rings);

@@ -12,9 +12,10 @@ namespace prs {
 /// What a load case of the full mechanism has in addition to the loads of its threads.
 struct FullLoads {
   int freedoms = 0;
-  int rollers = 0;                ///< Missing ones included.
-  double carrier_angle = 0.0;     ///< [rad]
-  std::vector<int> idle_rollers;  ///< From 1.
+  int rollers = 0;                   ///< Missing ones included.
+  double carrier_angle = 0.0;        ///< [rad]
+  std::vector<int> idle_rollers;     ///< From 1.
+  std::vector<int> missing_rollers;  ///< From 1.
   ScrewEnd screw_end;
   SupportForce nut;
   std::array<RingForce, 2> rings;

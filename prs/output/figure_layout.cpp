@@ -54,7 +54,7 @@ std::vector<double> logarithmic_ticks(const Axis& axis, int pixels, bool is_hori
 }
 
 template <class AxisOf>
-int room_left(const Figure& figure, AxisOf axis_of, bool first_column, bool labelled) {
+int room_left(const Figure& figure, int image, AxisOf axis_of, bool first_column, bool labelled) {
   int room = 0;
   for (std::size_t k = 0; k < figure.panels.size(); ++k) {
     if ((k % figure.columns == 0) != first_column) continue;
@@ -62,7 +62,10 @@ int room_left(const Figure& figure, AxisOf axis_of, bool first_column, bool labe
     if (axis.hidden) continue;
     const bool has_label = (labelled || figure.panels[k].y) && !axis.label.empty();
     // Two lines where the panel is too low for one.
-    const int height = figure.columns == 1 ? 400 : figure.columns == 2 ? 270 : 180;
+    const int height = image < kImageWidth   ? 220
+                       : figure.columns == 1 ? 400
+                       : figure.columns == 2 ? 270
+                                             : 180;
     const bool wraps = kCharacter * static_cast<int>(width(text_of(axis))) > height;
     const int label = !has_label ? 18 : wraps ? 82 : 62;
     room = std::max(room, kCharacter * longest_tick(axis, 240, false) + label);
@@ -157,8 +160,9 @@ const Axis& y_axis(const Figure& figure, const Panel& panel) {
   return panel.y ? *panel.y : figure.y;
 }
 
-Layout::Layout(const Figure& figure)
-    : columns_(static_cast<int>(figure.columns)),
+Layout::Layout(const Figure& figure, int image_width)
+    : width_(image_width),
+      columns_(static_cast<int>(figure.columns)),
       panels_(static_cast<int>(figure.panels.size())),
       overview_(figure.overview > 0.0) {
   const int cells = panels_ - (overview_ ? 1 : 0);
@@ -168,15 +172,18 @@ Layout::Layout(const Figure& figure)
       std::ranges::any_of(figure.panels, [](const Panel& p) { return p.x.has_value(); });
   const bool titled =
       std::ranges::any_of(figure.panels, [](const Panel& p) { return !p.title.empty(); });
-  left_ = std::max(40, room_left(figure, y_axis, true, true));
-  gap_ = columns_ > 1 ? std::max(34, room_left(figure, y_axis, false, false) + 12) : 0;
+  left_ = std::max(40, room_left(figure, width_, y_axis, true, true));
+  gap_ = columns_ > 1 ? std::max(34, room_left(figure, width_, y_axis, false, false) + 12) : 0;
   if (std::ranges::any_of(figure.panels, [](const Panel& p) { return p.surface.has_value(); }))
     gap_ += 40;  // A title of z.
   const double first = overview_ ? figure.overview : 1.0;
-  const double widths = kImageWidth - left_ - kRight - (columns_ - 1) * gap_;
+  const double widths = width_ - left_ - kRight - (columns_ - 1) * gap_;
   other_width_ = static_cast<int>(widths / (first + columns_ - 1));
   first_width_ = static_cast<int>(other_width_ * first);
-  const double usual = overview_ ? 0.75 : columns_ == 1 ? 0.5 : columns_ == 2 ? 0.65 : 0.8;
+  const double usual = overview_                                ? 0.75
+                       : columns_ == 1 && width_ == kImageWidth ? 0.5
+                       : columns_ <= 2                          ? 0.65
+                                                                : 0.8;
   panel_height_ = static_cast<int>(other_width_ * (figure.aspect > 0.0 ? figure.aspect : usual));
   int slanted = 0;
   for (const Panel& panel : figure.panels)
@@ -184,12 +191,15 @@ Layout::Layout(const Figure& figure)
       slanted =
           std::max(slanted, static_cast<int>(0.6 * kCharacter) * static_cast<int>(longest_text(x)));
   row_gap_ = kRowGap + (titled ? kTitleGap : 0) + (own_x ? kLabel + slanted : 0);
-  bottom_ = kBottom + kLabel + slanted;
+  const bool bare =
+      std::ranges::all_of(figure.panels, [&](const Panel& p) { return x_axis(figure, p).hidden; });
+  bottom_ = bare ? kLegendMargin : kBottom + kLabel + slanted;
   std::size_t longest = 0;
-  for (const LegendEntry& entry : figure.legend) longest = std::max(longest, width(entry.title));
+  for (const LegendEntry& entry : figure.legend)
+    longest = std::max(longest, prs::width(entry.title));
   const int entry_width = kLegendSymbol + (kCharacter + 1) * static_cast<int>(longest);
   const int entries = static_cast<int>(figure.legend.size());
-  legend_columns_ = std::clamp((kImageWidth - 40) / entry_width, 1, std::max(1, entries));
+  legend_columns_ = std::clamp((width_ - 40) / entry_width, 1, std::max(1, entries));
   legend_height_ = (entries + legend_columns_ - 1) / legend_columns_ * kLegendRow + kLegendMargin;
   colour_bar_room_ = figure.colours ? kColourBarRoom : 0;
   const int below = kTop + rows_ * panel_height_ + (rows_ - 1) * row_gap_ + bottom_;
@@ -221,8 +231,8 @@ Box Layout::panel(std::size_t index) const {
 
 Box Layout::colour_bar() const {
   const int top = height_ - legend_height_ - colour_bar_room_;
-  const auto margin = static_cast<int>(0.5 * (1.0 - kColourBarWidth) * kImageWidth);
-  return {margin, kImageWidth - margin, top, top + kColourBarHeight};
+  const auto margin = static_cast<int>(0.5 * (1.0 - kColourBarWidth) * width_);
+  return {margin, width_ - margin, top, top + kColourBarHeight};
 }
 
 std::pair<Axis, Axis> drawn_axes(const Figure& figure, const Layout& layout, std::size_t index) {

@@ -12,6 +12,7 @@
 namespace prs {
 
 inline constexpr int kImageWidth = 900;
+inline constexpr int kHalfWidth = 450;  ///< Of a panel by itself, as a phone shows it.
 inline constexpr int kFontSize = 15;
 inline constexpr int kCharacter = 8;  ///< Mean width of one.
 
@@ -67,12 +68,13 @@ struct Box {
 /// Where panels, colour bar and legend lie in the image.
 class Layout {
  public:
-  explicit Layout(const Figure& figure);
+  explicit Layout(const Figure& figure, int image_width = kImageWidth);
 
+  int width() const { return width_; }
   int height() const { return height_; }
   int legend_columns() const { return legend_columns_; }
   Box panel(std::size_t index) const;
-  Box legend() const { return {0, kImageWidth, height_ - legend_height_, height_}; }
+  Box legend() const { return {0, width_, height_ - legend_height_, height_}; }
   Box colour_bar() const;
   bool is_leftmost(std::size_t index) const { return column(index) == 0; }
   bool is_lowest(std::size_t index) const;
@@ -82,7 +84,7 @@ class Layout {
   int column(std::size_t index) const;
   int row(std::size_t index) const;
 
-  int columns_ = 1, rows_ = 1, panels_ = 1;
+  int width_ = kImageWidth, columns_ = 1, rows_ = 1, panels_ = 1;
   bool overview_ = false;
   int left_ = 0, gap_ = 0, row_gap_ = 0, bottom_ = 0;
   int first_width_ = 0, other_width_ = 0, panel_height_ = 0;

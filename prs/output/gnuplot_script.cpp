@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "prs/figures/figure_parts.h"
 #include "prs/output/gnuplot_parts.h"
 #include "prs/text.h"
 
@@ -276,7 +277,8 @@ bool fits_an_image(const GridData& grid, const Axis& x, const Axis& y) {
          std::ranges::all_of(grid.values, [](double value) { return std::isfinite(value); });
 }
 
-/// A map in bands with labelled lines between them, seen from above; as an image where it can be,
+/// A map in bands with labelled lines between them, seen from above, whatever z a surface drawn
+/// before was limited to; as an image where it can be,
 /// as polygons of 200 x 200 nodes are 12 MB.
 std::string map_lines(const Figure& figure, std::size_t index) {
   constexpr std::size_t kFineNodes = 80;  // So many along an axis show no steps.
@@ -285,7 +287,8 @@ std::string map_lines(const Figure& figure, std::size_t index) {
   const bool is_image = std::min(grid.x.size(), grid.y.size()) > kFineNodes &&
                         fits_an_image(grid, x_axis(figure, panel), y_axis(figure, panel));
   std::string script = fmt::format(
-      "set ylabel offset -1.4,0; set view map; set pm3d explicit corners2color mean border retrace "
+      "set ylabel offset -1.4,0; set view map; set zrange [*:*]; set pm3d explicit corners2color "
+      "mean border retrace "
       "interpolate {},{}\n",
       kFineNodes / grid.y.size() + 1, kFineNodes / grid.x.size() + 1);
   std::vector<std::string> plots = {fmt::format(
@@ -381,7 +384,8 @@ std::string terminal_lines(const Figure& figure, int height) {
 
 }  // namespace
 
-std::string gnuplot_script(const Figure& figure) {
+std::string gnuplot_script(const Figure& drawn) {
+  const Figure figure = with_true_legend(drawn);
   const Layout layout(figure);
   std::string script = fmt::format(
       "# Draws {0}.svg and {0}.png: gnuplot {0}.gp\n"

@@ -332,8 +332,8 @@ std::string lubricant_text(const CaseLubricant& l) {
   const bool assumed_temperature = l.temperature_as_written.empty();
   const std::string name = "name: " + l.name,
                     temperature =
-                        "temperature: " + (assumed_temperature ? celsius(l.temperature)
-                                                               : l.temperature_as_written);
+                        "temperature: " +
+                        (assumed_temperature ? celsius(l.temperature) : l.temperature_as_written);
   const std::string assumed = l.assumed && assumed_temperature ? name + ", " + temperature
                               : l.assumed                      ? name
                               : assumed_temperature            ? temperature
@@ -397,8 +397,7 @@ std::string rest_text(const CompleteScrew& s, const CaseLubricant& lubricant) {
          case_line(fmt::format("  position: {}", mm(s.position)),
                    "assumed: rollers in the middle of the nut") +
          case_line(
-             fmt::format("  spectrum: [{{force: {}, direction: tension, share: 1}}]",
-                         load_text(s)),
+             fmt::format("  spectrum: [{{force: {}, direction: tension, share: 1}}]", load_text(s)),
              (s.data.load ? assumption("[{direction: tension, share: 1}]", "")
                           : std::string(kAssumed)) +
                  "one load all the time; or several with their shares, or `history`, a file") +

@@ -12,9 +12,9 @@ namespace prs {
 /// The lubricant of a case that is written.
 struct CaseLubricant {
   std::string name = "iso-vg-100";
-  double temperature = 333.15;  ///< [K]
+  double temperature = 333.15;              ///< [K]
   std::string temperature_as_written = {};  ///< Empty where it is assumed.
-  bool assumed = true;          ///< The name.
+  bool assumed = true;                      ///< The name.
 };
 
 /// The screw as a commented case for which every command but `preload`, `study` and `optimize` has

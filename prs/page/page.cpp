@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <nettle/base64.h>
 
+#include <cctype>
 #include <cstdint>
 
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
 #include "prs/output/table_units.h"
 #include "prs/page/resources.h"
+#include "prs/printable.h"
 #include "prs/report/svg.h"
 #include "prs/sha256.h"
 
@@ -37,10 +39,10 @@ std::string policy_hash(std::string_view text) {
   return "sha256-" + base64(bytes);
 }
 
-/// Data in a script element, where no `<` may stand.
+/// Data in a script element, where no `<` may stand, nor what turns the direction of writing.
 std::string data_block(const char* id, const Json& json) {
   std::string text;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
+  for (const char c : printable_json(json.dump(-1, ' ', false, Json::error_handler_t::replace)))
     if (c == '<')
       text += "\\u003c";
     else
@@ -61,6 +63,25 @@ Json case_of(const input::Source& source) {
     json["histories"][in.values.life->history->file] =
         input::force_history_text(*in.values.life->history, source);
   return json;
+}
+
+/// A text as a string of CSS.
+std::string css_string(std::string_view content) {
+  std::string text = "\"";
+  for (const char c : printable(content)) {
+    const auto byte = static_cast<unsigned char>(c);
+    text += byte == ' ' || byte >= 0x80 || std::isalnum(byte) != 0 ? std::string(1, c)
+                                                                   : fmt::format("\\{:x} ", byte);
+  }
+  return text + '"';
+}
+
+/// What stands at the foot of every sheet of a print.
+std::string sheet_style(const ReportParts& parts) {
+  return fmt::format(
+      "@page{{@bottom-left{{content:{}}}@bottom-right{{content:\"Sheet \" counter(page) \" of \" "
+      "counter(pages)}}}}\n",
+      css_string(parts.mark));
 }
 
 /// The panel of the values. It is shown by the script alone.
@@ -104,7 +125,7 @@ std::string section_html(const ReportSection& section, bool hidden, std::string_
 std::string page_html(const input::Source& source, const ReportParts& parts,
                       std::string_view engine) {
   const bool live = !engine.empty();
-  const std::string style = std::string(page_style()) + svg_style();
+  const std::string style = std::string(page_style()) + svg_style() + sheet_style(parts);
   std::string links, body;
   const auto add = [&](const ReportSection& section, bool hidden, std::string_view before = {}) {
     links += fmt::format("<li{}><a href=\"#{}\">{}</a></li>", hidden ? " hidden" : "", section.id,

@@ -112,14 +112,17 @@ constexpr Quantity<ContactAt> kInterfaceContact[] = {
     {"ellipticity", hertz<&HertzConstants::ellipticity>, "b/a of the contact ellipse",
      source::kHertz, "ellipticity b/a"},
     {"semi_major_mm_per_N1_3", hertz<&HertzConstants::semi_major_per_cbrt_load>,
-     "semi-axis a over the cube root of the normal load", source::kHertz},
+     "semi-axis a over the cube root of the normal load", source::kHertz,
+     "semi-axis a over cube root of the load"},
     {"semi_minor_mm_per_N1_3", hertz<&HertzConstants::semi_minor_per_cbrt_load>,
-     "semi-axis b over the cube root of the normal load", source::kHertz},
+     "semi-axis b over the cube root of the normal load", source::kHertz,
+     "semi-axis b over cube root of the load"},
     {"max_shear_over_peak_pressure", shear<&contact::SubsurfaceShear::shear_over_pressure>,
-     "largest shear stress below the surface over p_0", source::kHertz, "", "", "",
-     Reach::complete},
+     "largest shear stress below the surface over p_0", source::kHertz,
+     "largest shear stress over peak pressure", "", "", Reach::complete},
     {"max_shear_depth_over_semi_minor", shear<&contact::SubsurfaceShear::depth_over_semi_minor>,
-     "its depth over b", source::kHertz, "", "", "", Reach::complete},
+     "its depth over b", source::kHertz, "depth of the largest shear stress over semi-axis b", "",
+     "", Reach::complete},
 };
 
 PerPart<double> of_threads(const MechanismGeometry& threads, auto value) {
@@ -151,9 +154,9 @@ constexpr Quantity<Contacts> kContacts[] = {
        };
        return PerPart<Range>{range(c.threads.screw), range(c.threads.roller), range(c.threads.nut)};
      }>,
-     "radii between which there is a flank"},
+     "radii between which there is a flank", "", "radii of the flanks"},
     {"max_rollers", of<[](const Contacts& c) { return contact::largest_roller_count(c.threads); }>,
-     "that fit side by side"},
+     "that fit side by side", "", "rollers that fit"},
     {"screw", contact_of<Interface::screw>, "of roller and screw"},
     {"nut", contact_of<Interface::nut>, "of roller and nut"},
 };

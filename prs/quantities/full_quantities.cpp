@@ -47,9 +47,10 @@ constexpr Quantity<ScrewEnd> kScrewEnd[] = {
      }>,
      "those that no bearing holds there: the order of both matrices"},
     {"stiffness_SI", of<[](const ScrewEnd& s) { return given(s.stiffness); }>,
-     "tangent, N/m, N and N m/rad; the inverse of the compliance"},
+     "tangent, N/m, N and N m/rad; the inverse of the compliance", "",
+     "stiffness in N/m, N, N m/rad"},
     {"compliance_SI", of<[](const ScrewEnd& s) { return given(s.compliance); }>,
-     "displacements per load at the load"},
+     "displacements per load at the load", "", "compliance in m/N, 1/N, rad/(N m)"},
 };
 
 std::vector<double> list_of(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
@@ -63,11 +64,12 @@ constexpr Quantity<NutSupport> kNutSupport[] = {
      "x, y, z, of the housing on the nut"},
     {"moment_Nm", of<[](const NutSupport& s) { return pair_of(s.support->moment); }>,
      "about y and z"},
-    {"at_mm", of<[](const NutSupport& s) { return s.support->position; }>, "the thrust section"},
+    {"at_mm", of<[](const NutSupport& s) { return s.support->position; }>, "the thrust section", "",
+     "position"},
 };
 
 constexpr Quantity<SupportForce> kSupport[] = {
-    {"at_mm", of<&SupportForce::position>, "x"},
+    {"at_mm", of<&SupportForce::position>, "x", "", "position"},
     {"force_N", of<[](const SupportForce& s) {
        return std::vector<double>{s.force[1], s.force[2]};
      }>,
@@ -81,7 +83,7 @@ constexpr Quantity<RingForce> kRing[] = {
     {"moment_Nm", of<[](const RingForce& r) { return pair_of(r.moment); }>,
      "of the ring on the rollers about y and z, at `at_mm`"},
     {"at_mm", of<&RingForce::position>, "x"},
-    {"roller_N", of<&RingForce::rollers>, "on each roller, outwards"},
+    {"roller_N", of<&RingForce::rollers>, "on each roller, outwards", "", "force on each roller"},
 };
 
 struct Reactions {
@@ -147,7 +149,8 @@ constexpr Quantity<Orbit> kOrbit[] = {
 };
 
 constexpr Quantity<FullLoads> kFullLoads[] = {
-    {"dofs", of<&FullLoads::freedoms>, "freedoms of the model"},
+    {"dofs", of<&FullLoads::freedoms>, "freedoms of the model", "",
+     "degrees of freedom of the model"},
     {"rollers", of<&FullLoads::rollers>, "missing ones included"},
     {"carrier_angle_deg", of<&FullLoads::carrier_angle>, "azimuth of the first roller"},
     {"idle_rollers", of<&FullLoads::idle_rollers>, "that carry nothing, from 1"},
@@ -155,8 +158,10 @@ constexpr Quantity<FullLoads> kFullLoads[] = {
     {"reactions", of<[](const FullLoads& f) { return Reactions{&f}; }>,
      "forces of the supports on the parts"},
     {"symmetric", of<[](const FullLoads& f) { return Symmetric{&f}; }>,
-     "the same screw with the axial force only: aligned, all rollers, nominal parts"},
-    {"orbit", of<&FullLoads::orbit>, "what a turn of the carrier does"},
+     "the same screw with the axial force only: aligned, all rollers, nominal parts", "",
+     "the same screw, axial force only"},
+    {"orbit", of<&FullLoads::orbit>, "what a turn of the carrier does", "",
+     "a turn of the carrier"},
 };
 
 }  // namespace

@@ -98,15 +98,6 @@ std::string each_case_html(Findings& all, const CommandAnswer& answer, std::stri
   return text;
 }
 
-/// Whether it shows more than single points.
-bool has_curve(const Figure& figure) {
-  return std::ranges::any_of(figure.panels, [](const Panel& panel) {
-    return std::ranges::any_of(panel.series, [](const Series& series) {
-      return std::ranges::any_of(series.parts, [](const Polyline& p) { return p.size() > 1; });
-    });
-  });
-}
-
 bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
   return std::ranges::find(names, name) != names.end();
 }
@@ -132,12 +123,28 @@ std::string rollers_of(const Findings& all) {
   return missing == 0 ? places : fmt::format("{} of {}", std::stoi(places) - missing, places);
 }
 
+/// A text of the case's block `report`.
+std::string told(const Findings& all, const char* key) {
+  return input_value(all, fmt::format("report.{}", key));
+}
+
 std::string title_of(const Findings& all) {
-  return std::filesystem::path(all.source.name).stem().string();
+  const std::string title = told(all, "title");
+  return title.empty() ? std::filesystem::path(all.source.name).stem().string() : title;
+}
+
+/// What every sheet of a print is marked with.
+std::string mark_of_sheets(const Findings& all) {
+  std::string mark = title_of(all);
+  for (const auto& [key, before] : {std::pair{"number", "No. "}, std::pair{"revision", "rev. "}})
+    if (const std::string text = told(all, key); !text.empty())
+      mark += fmt::format(" · {}{}", before, text);
+  return mark + " · " + all.date;
 }
 
 }  // namespace
 
+/// Title block: what the file says of the report, and what it was made from.
 std::string head_html(const Findings& all) {
   const Json& diameters = all.check["contact"]["pitch_diameter_mm"];
   const auto diameter = [&](const char* part) {
@@ -147,11 +154,23 @@ std::string head_html(const Findings& all) {
     return fmt::format("{} {}", report_number(shown, unit.text), unit.text);
   };
   const std::string starts = input_value(all, "mechanism.starts.screw");
+  std::string block;
+  const auto add = [&](const char* title, const std::string& text) {
+    if (!text.empty())
+      block += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", title, html(text));
+  };
+  add("Customer", told(all, "customer"));
+  add("Number", told(all, "number"));
+  add("Revision", told(all, "revision"));
+  add("Author", told(all, "author"));
+  add("Date", all.date);
+  add("Case", all.source.name);
+  add("Program", fmt::format("prs {}", kVersion));
   return fmt::format(
-      "<p class=\"eyebrow\">Planetary roller screw · report</p>\n<h1>{}</h1>\n<p class=\"lead\">{} "
-      "mechanism, {} rollers with {} threads each. Lead {}, {} start{} on the screw. Pitch "
-      "diameters: screw {}, roller {}, nut {}.</p>\n",
-      html(title_of(all)), html(capitalised(input_value(all, "mechanism.type"))),
+      "<p class=\"eyebrow\">Planetary roller screw · report</p>\n<h1>{}</h1>\n<dl "
+      "class=\"block\">\n{}</dl>\n<p class=\"lead\">{} mechanism, {} rollers with {} threads each. "
+      "Lead {}, {} start{} on the screw. Pitch diameters: screw {}, roller {}, nut {}.</p>\n",
+      html(title_of(all)), block, html(capitalised(input_value(all, "mechanism.type"))),
       html(rollers_of(all)), html(input_value(all, "mechanism.contacts_per_roller")),
       html(input_value(all, "mechanism.lead")), html(starts), starts == "1" ? "" : "s",
       diameter("screw"), diameter("roller"), diameter("nut"));
@@ -175,8 +194,10 @@ std::string comparison_html(const Json& document) {
   const Json& comparison = document["comparison"];
   std::vector<std::string> head{"Load case",        "Model",
                                 "Stiffness, N/µm",  "Displacement, µm",
-                                "Largest share, %", "Peak pressure, MPa"};
+                                "Largest share, %", "Peak pressure, "};
+  const ReportUnit pressure = report_unit("", "MPa");
   std::ranges::transform(head, head.begin(), with_table_unit);
+  head.back() += pressure.text;
   std::vector<std::vector<std::string>> rows;
   constexpr std::size_t kMost = 12;
   const std::size_t count = comparison["load_cases"].size();
@@ -199,30 +220,24 @@ std::string comparison_html(const Json& document) {
   return plain_table(head, rows, true);
 }
 
-/// What a load case has of stiffness, in a section of its own.
-std::vector<std::string> keys_of_stiffness() {
-  return {"axial_displacement_um", "axial_stiffness_N_per_um", "tangent_stiffness_N_per_um"};
+/// What a reader asks for first, a row each; all numbers of the threads fold.
+std::string loads_table_html(const Json& document) {
+  const std::vector<std::string> first{"axial_force_N",
+                                       "direction",
+                                       "position_mm",
+                                       "status",
+                                       "axial_displacement_um",
+                                       "axial_stiffness_N_per_um",
+                                       "tangent_stiffness_N_per_um"};
+  std::vector<std::string> others = first;
+  for (const char* key : {"name", "converged", "iterations"}) others.emplace_back(key);
+  return "<h3>Load cases</h3>\n" + case_table_html(document, {.only = first}) +
+         folded_html("Every number of the load cases: threads, rollers, supports",
+                     case_table_html(document, {.without = others}));
 }
 
-/// What tables of loads leave to other sections.
-std::vector<std::string> without_of_loads() {
-  std::vector<std::string> keys = keys_of_stiffness();
-  for (const char* key : {"name", "converged", "iterations"}) keys.emplace_back(key);
-  return keys;
-}
-
-/// Curves over loads, as far as there are any, and the numbers.
 std::string stiffness_html(Findings& all) {
-  const CommandAnswer* solve = all.answer(Command::solve);
-  if (!solve) return {};
-  std::string text;
-  for (const Picture& picture : solve->pictures)
-    if (is_of_stiffness(picture.name))
-      for (const Figure& figure : picture.make({}))
-        if (has_curve(figure)) text += figure_html(all, figure);
-  std::vector<std::string> only = keys_of_stiffness();
-  only.insert(only.begin(), "axial_force_N");
-  return text + case_table_html(solve->document, {.only = only});
+  return pictures_html(all, all.answer(Command::solve), is_of_stiffness);
 }
 
 std::string loads_html(Findings& all) {
@@ -236,8 +251,7 @@ std::string loads_html(Findings& all) {
     text += each_case_html(all, *solve, "roller_loads", false);
     text += each_case_html(all, *solve, "roller_shares", true);
   }
-  return text + "<h3>Load cases</h3>\n" +
-         case_table_html(solve->document, {.without = without_of_loads()});
+  return text + loads_table_html(solve->document);
 }
 
 std::string models_html(Findings& all) {
@@ -285,11 +299,98 @@ std::string document_html(const Findings& all, const CommandAnswer& answer) {
   return case_table_html(answer.document, choice) + text;
 }
 
-std::string answer_html(Findings& all, Command command) {
-  const CommandAnswer* answer = all.answer(command);
+/// How a section shows the answer of a command: what a reader asks for first, and what folds.
+struct AnswerView {
+  Command command;
+  /// Records of the load cases and of the document, and the rows of each that stand open.
+  std::vector<std::pair<std::string, std::vector<std::string>>> in_cases = {}, in_document = {};
+  std::vector<std::string> folded = {};  ///< Pictures.
+};
+
+/// Rows of a record of the document or, as in `life.system`, of one within it, under its title.
+std::string part_of_document(const Json& document, const std::string& path,
+                             const std::vector<std::string>& only) {
+  const std::size_t dot = std::min(path.find('.'), path.size());
+  const Json& outer = under(document, path.substr(0, dot));
+  const RecordInfo* info = record_at(path.substr(0, dot));
+  if (dot == path.size())
+    return outer.is_object() ? record_table(*info, {{"", &outer}}, {.only = only}) : std::string();
+  const auto inner = std::ranges::find(info->quantities, path.substr(dot + 1), &QuantityInfo::key);
+  if (inner == info->quantities.end() || !outer.contains(inner->key)) return {};
+  const Json& record = outer[std::string(inner->key)];
+  const std::string table = record_table(inner->record(), {{"", &record}}, {.only = only});
+  return table.empty() ? table
+                       : fmt::format("<h3>{}</h3>\n", html(capitalised(inner->title))) + table;
+}
+
+std::string answer_html(Findings& all, const AnswerView& view) {
+  const CommandAnswer* answer = all.answer(view.command);
   if (!answer) return {};
-  return pictures_html(all, answer, [](std::string_view) { return true; }) +
-         document_html(all, *answer);
+  const auto is_folded = [&](std::string_view name) {
+    return std::ranges::find(view.folded, name) != view.folded.end();
+  };
+  std::string text =
+      pictures_html(all, answer, [&](std::string_view name) { return !is_folded(name); });
+  const std::vector<RecordColumn> cases = case_columns(answer->document);
+  for (const auto& [key, only] : view.in_cases)
+    if (const RecordInfo* info = record_in(*record_at("load_cases[]"), key))
+      text += record_table(*info, columns_in(cases, key), {.only = only});
+  for (const auto& [key, only] : view.in_document)
+    text += part_of_document(answer->document, key, only);
+  const bool is_open = view.in_cases.empty() && view.in_document.empty();
+  const std::string every = document_html(all, *answer);
+  return text + folded_html("More pictures", pictures_html(all, answer, is_folded)) +
+         (is_open ? every : folded_html("Every number", every));
+}
+
+std::string slip_html(Findings& all) {
+  return answer_html(
+      all,
+      {Command::slip,
+       {{"slip",
+         {"status", "speed_rpm", "driven_by", "efficiency", "power_loss_W", "torque_screw_Nm",
+          "torque_nut_Nm", "self_locking", "holding_torque_Nm", "slip_ratio", "viscosity_mPas"}},
+        {"heat", {"status", "reason", "temperature_degC", "oil_degC"}}},
+       {{"heat_cycle", {"status", "reason", "period_s", "peak_degC", "mean_degC"}}},
+       {"slip_patches", "slip_residue", "roller_friction"}});
+}
+
+std::string preload_html(Findings& all) { return answer_html(all, {Command::preload}); }
+
+std::string life_html(Findings& all) {
+  const std::vector<std::string> basic{"l10_revolutions", "l10_hours", "l10_travel_km",
+                                       "l10_passes"};
+  const std::vector<std::string> rated{"rated_revolutions", "rated_hours", "rated_travel_km",
+                                       "rated_passes"};
+  const CommandAnswer* answer = all.answer(Command::life);
+  static const Json none;
+  const Json& life = answer ? under(answer->document, "life") : none;
+  const bool is_basic =
+      !life.is_object() ||
+      life.value("reliability_factor", 1.0) * life.value("modification_factor", 1.0) == 1.0;
+  return answer_html(
+      all, {Command::life,
+            {},
+            {{"life",
+              {"status", "share", "reliability_factor", "modification_factor", "static_safety",
+               "static_safety_limit"}},
+             {"life.system", is_basic ? basic : rated},
+             {"life.weakest_thread",
+              {"direction", "interface", "part", "roller", "thread", "equivalent_load_N"}}},
+            {"thread_lives"}});
+}
+
+std::string measures_html(Findings& all) {
+  return answer_html(
+      all, {Command::measures,
+            {{"measures",
+              {"static_safety", "thread_static_safety", "static_safety_limit", "buckling_safety",
+               "speed_safety", "drive_torque_Nm"}}},
+            {{"measures",
+              {"dynamic_capacity_N", "static_capacity_N", "flank_edge_load_N", "weight_kg",
+               "screw_weight_kg_per_m", "equivalent_inertia_kg_mm2", "shaft_stiffness_N_per_um",
+               "buckling_load_N", "critical_speed_rpm"}}},
+            {"yang"}});
 }
 
 std::string contact_html(Findings& all) {
@@ -297,59 +398,72 @@ std::string contact_html(Findings& all) {
   if (!answer || !answer->document.contains("contact")) return {};
   const Json& contact = answer->document["contact"];
   const RecordInfo& info = *record_at("contact");
-  std::string text = pictures_html(all, answer, [](std::string_view) { return true; });
+  const auto is_first = [](std::string_view name) { return name == "contact_axial_section"; };
   std::vector<RecordColumn> sides;
   for (const char* side : {"screw", "nut"})
     if (contact.contains(side)) sides.push_back({fmt::format("roller-{}", side), &contact[side]});
+  std::string folded =
+      pictures_html(all, answer, [&](std::string_view name) { return !is_first(name); });
   if (const RecordInfo* side = record_in(info, "screw"); side && !sides.empty())
-    text += record_table(*side, sides);
-  return text + record_table(info, {{"", &contact}}, {.without = {"screw", "nut"}});
+    folded += record_table(*side, sides);
+  return pictures_html(all, answer, is_first) +
+         record_table(info, {{"", &contact}}, {.without = {"screw", "nut"}}) +
+         folded_html("Points, curvatures and clearances of the contacts", folded);
 }
 
-std::string inputs_html(const Findings& all) {
+/// A row for each input that the file states, or for each that it does not.
+std::string input_table_html(const Findings& all, bool of_defaults, std::size_t& count) {
   constexpr std::size_t kMostOfBlock = 1000;
   std::vector<std::vector<std::string>> rows;
-  std::string block;
+  std::string block, tables;
   std::size_t of_block = 0;
-  std::map<std::string, std::size_t> counts;
   std::string told;  // A reason stands beside the first of the values that share it.
   const auto end_block = [&] {
     if (of_block > kMostOfBlock)
       rows.push_back({fmt::format("… and {} more", of_block - kMostOfBlock),
-                      "<code>prs check --all</code> shows them", ""});
+                      "<code>prs check --all</code> shows them"});
     of_block = 0;
+    if (!rows.empty()) tables += plain_table({}, rows);
+    rows.clear();
   };
   for (const Json& entry : all.check["input"]) {
     const std::string path = entry["path"];
-    if (const std::string own = path.substr(0, path.find_first_of(".["));
-        std::exchange(block, own) != own) {
-      end_block();
-      rows.push_back({html(own)});
-    }
-    std::string origin = entry["basis"];
-    ++counts[origin];
+    const std::string own = path.substr(0, path.find_first_of(".["));
+    if (entry.value("default", false) != of_defaults || own == "report") continue;
+    if (block != own) end_block();
+    block = own;
+    ++count;
     if (++of_block > kMostOfBlock) continue;
+    std::string origin = entry["basis"];
     const std::string reason = entry.value("reason", "");
     if (entry.contains("origin")) origin += " " + entry["origin"].get<std::string>();
     if (!reason.empty()) origin += reason == told ? ", as above" : ": " + reason;
     told = reason;
     rows.push_back({fmt::format("<code>{}</code>", html(path)),
-                    html(entry["value"].get<std::string>()),
-                    entry["basis"] == "default"
-                        ? fmt::format("<span class=\"default\">{}</span>", html(origin))
-                        : html(origin)});
+                    html(entry["value"].get<std::string>()), html(origin)});
   }
   end_block();
-  std::string text = fmt::format(
-      "<p>Every value of the case: {} given, {} assumed as comments in the file say, {} defaults "
-      "that the file does not state.</p>\n",
-      counts["given"], counts["assumed"], counts["default"]);
-  text += plain_table({"Input", "Value", "Origin"}, rows);
+  return tables.empty() ? tables : "<div class=\"blocks\">\n" + tables + "</div>\n";
+}
+
+std::string inputs_html(const Findings& all) {
+  std::size_t stated = 0, defaults = 0;
+  const std::string of_file = input_table_html(all, false, stated),
+                    others = input_table_html(all, true, defaults);
+  const auto assumed = std::ranges::count_if(
+      all.check["input"], [](const Json& entry) { return entry["basis"] == "assumed"; });
+  std::string text =
+      fmt::format("<p>{} values given, {} assumed as comments in the file say.</p>\n",
+                  static_cast<std::ptrdiff_t>(stated) - assumed, assumed);
+  text += of_file +
+          folded_html(fmt::format("{} values that the file does not state: defaults", defaults),
+                      others);
   std::vector<std::vector<std::string>> derived;
-  for (const auto& [key, value] : under(all.check, "derived").items())
-    derived.push_back({html(capitalised(words_of(key))),
-                       report_value(value, report_unit(key, unit_of(key).text)),
-                       html(with_table_unit(unit_of(key).text))});
+  for (const auto& [key, value] : under(all.check, "derived").items()) {
+    const ReportUnit unit = report_unit(key, unit_of(key).text);
+    derived.push_back(
+        {html(capitalised(words_of(key))), report_value(value, unit), html(unit.text)});
+  }
   if (!derived.empty())
     text += "<h3>What follows from them</h3>\n" + plain_table({"", "Value", "Unit"}, derived);
   return text;
@@ -432,9 +546,10 @@ std::string provenance_html(Findings& all) {
   }
   text += "</dl>\n";
   if (solve) {
-    text += "<h3>How the load cases were solved</h3>\n" +
-            case_table_html(solve->document, {.without = {"name"}, .reach = Reach::document});
-    text += pictures_html(all, solve, is_of_solution);
+    text += folded_html(
+        "How the load cases were solved",
+        case_table_html(solve->document, {.without = {"name"}, .reach = Reach::document}) +
+            pictures_html(all, solve, is_of_solution));
   }
   return text;
 }
@@ -487,10 +602,6 @@ std::string files_html(Findings& all) {
 std::string pressures_html(Findings& all) {
   return pictures_html(all, all.answer(Command::solve), is_of_pressure);
 }
-template <Command command>
-std::string section_html(Findings& all) {
-  return answer_html(all, command);
-}
 std::string warnings_html(Findings& all) {
   std::string refused;
   for (const std::string& note : all.notes) refused += fmt::format("<p>{}</p>\n", html(note));
@@ -524,17 +635,17 @@ std::span<const SectionRow> section_rows() {
       {"verdict", "Verdict", [](Findings& all) { return verdict_html(all); }, true},
       {"warnings", "Warnings", warnings_html},
       {"mechanism", "Mechanism", mechanism_html, true},
+      {"inputs", "Inputs and assumptions", [](Findings& all) { return inputs_html(all); }},
       {"loads", "Load distribution", loads_html, true},
-      {"models", "The models side by side", models_html},
-      {"stiffness", "Stiffness", stiffness_html, true},
       {"pressures", "Pressures", pressures_html, true},
-      {"slip", "Slip and losses", section_html<Command::slip>},
-      {"preload", "Preload", section_html<Command::preload>},
-      {"life", "Life", section_html<Command::life>},
-      {"measures", "Design measures", section_html<Command::measures>},
+      {"stiffness", "Stiffness", stiffness_html, true},
+      {"life", "Life", life_html},
+      {"slip", "Slip and losses", slip_html},
+      {"preload", "Preload", preload_html},
+      {"measures", "Design measures", measures_html},
+      {"models", "The models side by side", models_html},
       {"contacts", "Contacts", contact_html},
       {"studies", "Studies", studies_html},
-      {"inputs", "Inputs and assumptions", [](Findings& all) { return inputs_html(all); }},
       {"data", "Data", files_html},
       {"provenance", "Provenance", provenance_html},
   };
@@ -553,6 +664,7 @@ ReportParts report_parts(const input::Source& source, const ReportOptions& optio
   Findings all = findings_of(source, options, reported_commands());
   ReportParts parts;
   parts.title = fmt::format("{} · planetary roller screw", title_of(all));
+  parts.mark = mark_of_sheets(all);
   parts.head = head_html(all);
   for (const SectionRow& row : section_rows()) parts.sections.push_back(section_of(all, row));
   parts.foot = fmt::format(

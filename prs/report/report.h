@@ -35,6 +35,7 @@ struct ReportSection {
 /// All that a case asks for, in the parts of a page.
 struct ReportParts {
   std::string title;  ///< Text.
+  std::string mark;   ///< Text, of every sheet of a print.
   std::string head;   ///< HTML above the sections.
   std::vector<ReportSection> sections;
   std::string foot;

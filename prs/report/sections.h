@@ -16,7 +16,8 @@ struct SectionRow {
   bool is_quick = false;  ///< Of `solve` or `contact` alone: follows while a value moves.
 };
 
-/// In the order of the page.
+/// In the order in which a reviewer asks: the answer, the part, what is doubtful, what was put in,
+/// then what came out.
 std::span<const SectionRow> section_rows();
 
 ReportSection section_of(Findings& all, const SectionRow& row);

@@ -8,8 +8,11 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <set>
 #include <utility>
 
+#include "prs/figures/figure_parts.h"
 #include "prs/output/figure_layout.h"
 #include "prs/output/table_units.h"
 #include "prs/text.h"
@@ -17,7 +20,7 @@
 namespace prs {
 namespace {
 
-constexpr int kTick = 5, kTitleTop = 36, kLegendSymbol = 34, kLegendGap = 28;
+constexpr int kTick = 5, kTitleTop = 36, kLegendSymbol = 34;
 constexpr double kMarkRadius = 5.0, kOverlap = 0.4;  // Pixels; the second hides seams of cells.
 constexpr double kLooseEnds = 0.04;                  // Room at the ends of a free axis.
 constexpr std::string_view kDashes[] = {"", "", "7 5", "2 4", "9 4 2 4"};
@@ -513,12 +516,16 @@ std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t in
   return all + pick_svg(f);
 }
 
-std::string colour_bar_svg(const ColourScale& scale, const Layout& layout) {
-  const Box b = layout.colour_bar();
+/// The scale of the colours, an image of its own.
+std::string colour_bar_svg(const ColourScale& scale) {
+  constexpr Box b{40, kHalfWidth - 40, 8, 22};
   const Axis axis{scale.label, scale.unit, scale.from, scale.to, scale.logarithmic, scale.whole};
   const Ruler across{scale.from, scale.to, b.left, b.right, scale.logarithmic};
   constexpr int kSteps = 60;
-  std::string all;
+  std::string all = fmt::format(
+      "<svg viewBox=\"0 0 {} 76\" class=\"half\" role=\"img\" "
+      "aria-label=\"{}\">",
+      kHalfWidth, html(text_of(axis)));
   for (int k = 0; k < kSteps; ++k) {
     const double share = (k + 0.5) / kSteps;
     const double value = scale.logarithmic ? scale.from * std::pow(scale.to / scale.from, share)
@@ -533,104 +540,91 @@ std::string colour_bar_svg(const ColourScale& scale, const Layout& layout) {
     all += segment(across(at), b.bottom, across(at), b.bottom + kTick, "class=\"t\"");
     all += text(across(at), b.bottom + 21, "q m", tick_text(at, step));
   }
-  return all + texts(0.5 * (b.left + b.right), b.bottom + 42, "m",
-                     {fitted_lines(text_of(axis), kImageWidth - 200).front()});
+  return all +
+         texts(0.5 * (b.left + b.right), b.bottom + 42, "m",
+               {fitted_lines(text_of(axis), kHalfWidth).front()}) +
+         "</svg>";
 }
 
-std::string legend_symbol(const Style& style, double x, double y) {
+std::string legend_symbol(const Style& style) {
+  constexpr double kX = 1.0, kY = 8.0;
   if (style.shape == Shape::area)
     return fmt::format(
-        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"22\" height=\"12\" class=\"{}{}\"/>", x + 4, y - 6,
-        style.pale ? "p" : "f", static_cast<int>(style.colour));
+        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"22\" height=\"12\" class=\"{}{}\"/>", kX + 4,
+        kY - 6, style.pale ? "p" : "f", static_cast<int>(style.colour));
   std::string all;
-  if (style.dash != Dash::none) all += segment(x, y, x + kLegendSymbol - 6, y, stroke(style));
+  if (style.dash != Dash::none) all += segment(kX, kY, kX + kLegendSymbol - 6, kY, stroke(style));
   if (style.shape == Shape::arrows)
     return all + fmt::format("<path d=\"M{0:.1f} {1:.1f}l-8 -4v8Z\" class=\"f{2}\"/>",
-                             x + kLegendSymbol - 4, y, static_cast<int>(style.colour));
+                             kX + kLegendSymbol - 4, kY, static_cast<int>(style.colour));
   if (style.mark != Mark::none)
-    all += mark_path(style,
-                     mark(style.mark, x + 14, y, kMarkRadius * look(kMarkSizes, style.weight)), "");
+    all += mark_path(
+        style, mark(style.mark, kX + 14, kY, kMarkRadius * look(kMarkSizes, style.weight)), "");
   return all;
 }
 
-std::string legend_svg(const Figure& figure, const Layout& layout) {
+/// As a list of the page, whose lines break where the screen ends.
+std::string legend_html(const Figure& figure) {
   if (figure.legend.empty()) return {};
-  double widest = 0.0;
+  std::string all = "<ul class=\"legend\">";
   for (const LegendEntry& entry : figure.legend)
-    widest = std::max(widest, kLegendSymbol + kLegendGap +
-                                  7.6 * static_cast<double>(longest_text(
-                                            Axis{"", {}, 0, 1, false, false, {{0, entry.title}}})));
-  const int columns = layout.legend_columns();
-  const Box b = layout.legend();
-  const double left = std::max(10.0, 0.5 * (kImageWidth - columns * widest + kLegendGap));
-  std::string all;
-  for (std::size_t k = 0; k < figure.legend.size(); ++k) {
-    const auto column = static_cast<int>(k) % columns, row = static_cast<int>(k) / columns;
-    const double x = left + column * widest, y = b.top + 16 + 25.0 * row;
-    all += legend_symbol(figure.styles[figure.legend[k].style], x, y) +
-           text(x + kLegendSymbol, y + 5, "q", figure.legend[k].title);
-  }
-  return all;
+    all += fmt::format("<li><svg viewBox=\"0 0 {} 16\" aria-hidden=\"true\">{}</svg>{}</li>",
+                       kLegendSymbol, legend_symbol(figure.styles[entry.style]), html(entry.title));
+  return all + "</ul>";
 }
 
-/// Gives an axis or a scale of colours the unit of tables; returns what its numbers grow by.
-double take_table_unit(auto& axis) {
-  const double factor = table_factor(axis.unit);
-  axis.unit = with_table_unit(axis.unit);
-  axis.from *= factor;
-  axis.to *= factor;
-  return factor;
+/// Whether a panel is drawn half as wide as the page: others are flat, or have words at their axes.
+bool is_half(const Figure& figure, const Panel& panel) {
+  constexpr std::size_t kWord = 6;
+  if (longest_text(x_axis(figure, panel)) > kWord || longest_text(y_axis(figure, panel)) > kWord)
+    return false;
+  return figure.columns > 1 || figure.aspect == 0.0 || figure.aspect >= 0.5;
 }
 
-double take_axis_unit(Axis& axis) {
-  const double factor = take_table_unit(axis);
-  for (Tick& tick : axis.ticks) tick.at *= factor;
-  return factor;
+/// One panel of the figure, which has no legend then.
+Figure panel_alone(const Figure& figure, std::size_t index) {
+  Figure one{figure.name, figure.title, figure.x, figure.y};
+  one.panels.push_back(figure.panels[index]);
+  one.styles = figure.styles;
+  one.aspect = figure.aspect;
+  one.to_scale = figure.to_scale;
+  return one;
 }
 
-void scale(std::vector<double>& values, double factor) {
-  for (double& value : values) value *= factor;
+/// An image with one panel.
+std::string image(const Figure& figure, std::size_t index, const std::string& id) {
+  Figure one = panel_alone(figure, index);
+  const bool half = is_half(figure, figure.panels[index]);
+  const Layout layout(one, half ? kHalfWidth : kImageWidth);
+  one.colours = figure.colours;
+  const bool titled =
+      std::ranges::any_of(figure.panels, [](const Panel& panel) { return !panel.title.empty(); });
+  const int top = titled ? kTitleTop - 6 : kTitleTop + 20;  // The page has the title.
+  const std::string& title = figure.panels[index].title;
+  constexpr int kSecondLine = 26;  // Room below the axis that few labels need.
+  const Axis& x = x_axis(one, one.panels[0]);
+  const bool is_short = x.hidden || (longest_text(x) == 0 &&
+                                     fitted_lines(text_of(x), layout.panel(0).width()).size() < 2);
+  const int height = layout.height() - top - (is_short && !x.hidden ? kSecondLine : 0);
+  return fmt::format("<svg viewBox=\"0 {} {} {}\" class=\"{}\" role=\"img\" aria-label=\"{}\">",
+                     top, layout.width(), height, half ? "half" : "whole",
+                     html(title.empty() ? figure.title : figure.title + ": " + title)) +
+         panel_svg(one, layout, 0, fmt::format("{}-{}", id, index)) + "</svg>";
 }
 
-void scale(GridData& grid, double x, double y, double values) {
-  scale(grid.x, x);
-  scale(grid.y, y);
-  scale(grid.values, values);
-}
-
-void scale(Panel& panel, double x, double y, double colour) {
-  for (Series& series : panel.series) {
-    scale(series.values, colour);
-    for (Polyline& part : series.parts)
-      for (auto& point : part) point = {x * point[0], y * point[1]};
-  }
-  panel.title = in_table_units(panel.title);
-  for (ReferenceLine& line : panel.references) line.at *= line.vertical ? x : y;
-  for (Label& label : panel.labels) {
-    label.text = in_table_units(label.text);
-    if (label.in_panel) continue;
-    label.x *= x;
-    label.y *= y;
-  }
-  scale(panel.map.grid, x, y, colour);
-  if (!panel.surface) return;
-  const double z = take_axis_unit(panel.surface->z);
-  scale(panel.surface->grid, x, y, z);
-  for (SurfacePoint& p : panel.surface->points) p = {p.name, x * p.x, y * p.y, z * p.z};
-}
-
-Figure with_table_units(Figure figure) {
-  if (table_system() == UnitSystem::si) return figure;
+/// Axes, colours and texts in the units of tables.
+Figure in_table_units(Figure figure) {
+  std::set<std::string> units = {figure.x.unit, figure.y.unit};
+  if (figure.colours) units.insert(figure.colours->unit);
   figure.title = in_table_units(figure.title);
-  double colour = 1.0;
-  if (figure.colours) {
-    colour = take_table_unit(*figure.colours);
-    scale(figure.colours->levels, colour);
+  for (Panel& panel : figure.panels) {
+    for (const std::optional<Axis>& axis : {panel.x, panel.y})
+      if (axis) units.insert(axis->unit);
+    panel.title = in_table_units(panel.title);
+    for (Label& label : panel.labels) label.text = in_table_units(label.text);
   }
-  const double x = take_axis_unit(figure.x), y = take_axis_unit(figure.y);
-  for (Panel& panel : figure.panels)
-    scale(panel, panel.x ? take_axis_unit(*panel.x) : x, panel.y ? take_axis_unit(*panel.y) : y,
-          colour);
+  for (const std::string& unit : units)
+    figure = in_unit(std::move(figure), {unit, with_table_unit(unit), table_factor(unit)});
   return figure;
 }
 
@@ -662,17 +656,14 @@ std::string html(std::string_view content) {
   return escaped;
 }
 
-std::string svg(const Figure& shown, const std::string& id) {
-  const Figure figure = with_table_units(shown);
-  const Layout layout(figure);
-  const bool titled =
-      std::ranges::any_of(figure.panels, [](const Panel& panel) { return !panel.title.empty(); });
-  const int top = titled ? kTitleTop - 6 : kTitleTop + 20;  // The page has the title.
-  std::string all = fmt::format("<svg viewBox=\"0 {} {} {}\" role=\"img\" aria-label=\"{}\">", top,
-                                kImageWidth, layout.height() - top, html(figure.title));
-  for (std::size_t k = 0; k < figure.panels.size(); ++k) all += panel_svg(figure, layout, k, id);
-  if (figure.colours) all += colour_bar_svg(*figure.colours, layout);
-  return all + legend_svg(figure, layout) + "</svg>";
+std::string svg(const Figure& drawn, const std::string& id) {
+  const Figure figure = with_true_legend(table_system() == UnitSystem::us ? in_table_units(drawn)
+                                                                          : in_page_units(drawn));
+  std::string all = "<div class=\"panels\">";
+  for (std::size_t k = 0; k < figure.panels.size(); ++k) all += image(figure, k, id);
+  all += "</div>";
+  if (figure.colours) all += colour_bar_svg(*figure.colours);
+  return all + legend_html(figure);
 }
 
 std::string svg_style() {

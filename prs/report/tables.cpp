@@ -29,23 +29,36 @@ std::string heading(std::string_view title, std::size_t columns) {
                      columns + 2, html(capitalised(std::string(title))));
 }
 
-/// The value under a key of each column; null where it has none.
-std::vector<RecordColumn> inner(const std::vector<RecordColumn>& columns, std::string_view key) {
-  std::vector<RecordColumn> all;
-  for (const RecordColumn& column : columns) {
-    const bool has = column.record && column.record->is_object() && column.record->contains(key);
-    all.push_back({column.title, has ? &(*column.record)[std::string(key)] : nullptr});
-  }
-  return all;
-}
-
 bool any(const std::vector<RecordColumn>& columns) {
   return std::ranges::any_of(columns, [](const RecordColumn& c) { return c.record != nullptr; });
 }
 
+/// From the least to the largest number of arrays in arrays; empty where there is none.
+std::pair<double, double> range_of(const Json& value) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (value.is_number()) return {value.get<double>(), value.get<double>()};
+  std::pair range{kInfinity, -kInfinity};
+  if (!value.is_array()) return range;
+  for (const Json& entry : value) {
+    const auto [least, most] = range_of(entry);
+    range = {std::min(range.first, least), std::max(range.second, most)};
+  }
+  return range;
+}
+
+/// The largest number of all columns, without its sign.
+double largest_of(const std::vector<RecordColumn>& columns) {
+  double largest = 0.0;
+  for (const RecordColumn& column : columns)
+    if (column.record)
+      if (const auto [least, most] = range_of(*column.record); least <= most)
+        largest = std::max({largest, -least, most});
+  return largest;
+}
+
 void add_row(Rows& rows, const std::string& title, const QuantityInfo& q,
              std::string_view document_unit, const std::vector<RecordColumn>& columns) {
-  const ReportUnit unit = report_unit(q.key, document_unit);
+  const ReportUnit unit = report_unit(q.key, document_unit, largest_of(columns));
   std::string cells;
   const bool is_range = q.key.find("range") != q.key.npos;
   bool found = false;
@@ -94,7 +107,7 @@ void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn
         continue;
       const bool about_solution = q.delivery == Reach::document;
       if (about_solution != (choice.reach == Reach::document) && !is_record) continue;
-      const std::vector<RecordColumn> values = inner(columns, q.key);
+      const std::vector<RecordColumn> values = columns_in(columns, q.key);
       if (!any(values)) continue;
       if (is_record)
         add_record(rows, q, values, choice, prefix, own_unit);
@@ -103,17 +116,13 @@ void add_rows(Rows& rows, const RecordInfo& info, const std::vector<RecordColumn
     }
 }
 
-/// From the least to the largest number of arrays in arrays; empty where there is none.
-std::pair<double, double> range_of(const Json& value) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (value.is_number()) return {value.get<double>(), value.get<double>()};
-  std::pair range{kInfinity, -kInfinity};
-  if (!value.is_array()) return range;
-  for (const Json& entry : value) {
-    const auto [least, most] = range_of(entry);
-    range = {std::min(range.first, least), std::max(range.second, most)};
-  }
-  return range;
+/// Digits that are worth showing.
+int digits_in(std::string_view unit) {
+  for (const std::string_view exact : {"mm", "in", "deg", "1/mm"})
+    if (unit == exact) return 5;
+  for (const std::string_view rough : {"h", "km", "revolutions", "°C"})
+    if (unit == rough) return 3;
+  return 4;
 }
 
 }  // namespace
@@ -121,18 +130,20 @@ std::pair<double, double> range_of(const Json& value) {
 std::string report_number(double value, std::string_view unit) {
   if (!std::isfinite(value)) return {};
   const double size = std::abs(value);
+  const int digits = digits_in(unit);
   std::string shown;
   if (unit == "N/µm") {
     shown = fmt::format("{:.1f}", value);
   } else if (size == 0.0) {
     shown = "0";
   } else if (size >= 1e6 || size < 1e-4) {
-    const std::string text = fmt::format("{:.3e}", value);
+    const std::string text = fmt::format("{:.{}e}", value, digits - 1);
     const auto e = text.find('e');
     shown = fmt::format("{} × 10<sup>{}</sup>", text.substr(0, e), std::stoi(text.substr(e + 1)));
+  } else if (size >= std::pow(10.0, digits) - 0.5) {
+    shown = fmt::format("{:.0f}", value);
   } else {
-    const bool is_of_geometry = unit == "mm" || unit == "in" || unit == "deg";
-    shown = is_of_geometry && size < 99999.5 ? fmt::format("{:.5g}", value) : significant(value);
+    shown = fmt::format("{:.{}g}", value, digits);
   }
   for (std::size_t at = shown.find('-'); at != std::string::npos; at = shown.find('-', at))
     shown.replace(at, 1, "\u2212");
@@ -150,9 +161,13 @@ std::string unit_in(std::string_view path) {
   return {};
 }
 
-ReportUnit report_unit(std::string_view key, std::string_view unit) {
+ReportUnit report_unit(std::string_view key, std::string_view unit, double largest) {
+  constexpr double kKilonewton = 1000.0;
   if (unit.empty() && key.find("efficiency") != key.npos) return {"%", 100.0};
-  return {with_table_unit(unit), table_factor(unit)};
+  if (table_system() == UnitSystem::us) return {with_table_unit(unit), table_factor(unit)};
+  if (unit == "MPa") return {"GPa", 1e-3};
+  if (unit == "N" && largest >= kKilonewton) return {"kN", 1e-3};
+  return {std::string(unit)};
 }
 
 std::string report_value(const Json& value, const ReportUnit& unit, bool is_range) {
@@ -203,6 +218,21 @@ std::string record_table(const RecordInfo& info, const std::vector<RecordColumn>
                            head)
              : "",
       rows.text);
+}
+
+std::vector<RecordColumn> columns_in(const std::vector<RecordColumn>& columns,
+                                     std::string_view key) {
+  std::vector<RecordColumn> all;
+  for (const RecordColumn& column : columns) {
+    const bool has = column.record && column.record->is_object() && column.record->contains(key);
+    all.push_back({column.title, has ? &(*column.record)[std::string(key)] : nullptr});
+  }
+  return all;
+}
+
+std::string folded_html(std::string_view title, const std::string& body) {
+  if (body.empty()) return {};
+  return fmt::format("<details><summary>{}</summary>\n{}</details>\n", html(title), body);
 }
 
 const RecordInfo* record_in(const RecordInfo& info, std::string_view key) {

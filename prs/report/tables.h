@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -18,12 +19,15 @@ struct ReportUnit {
 /// The unit that the path of a quantity ends in, `MPa` of `screw.peak_pressure_MPa.max`.
 std::string unit_in(std::string_view path);
 
-/// Of a quantity by its key or path, with the unit of documents: that of tables; efficiencies are
-/// told in percent.
-ReportUnit report_unit(std::string_view key, std::string_view unit);
+/// Of a quantity by its key or path, with the unit of documents: efficiencies are told in percent,
+/// pressures in GPa, forces in kN where the largest of them reaches 1000 N; in US units as in
+/// tables.
+ReportUnit report_unit(std::string_view key, std::string_view unit,
+                       double largest = std::numeric_limits<double>::infinity());
 
-/// A number as the report shows it: four digits, of geometry five, stiffness with one decimal,
-/// never a separator of thousands. `unit` as people write it.
+/// A number as the report shows it, never with a separator of thousands. Lengths and angles, which
+/// follow from the geometry, have five digits, what rests on models of loads four, lives and
+/// temperatures three, stiffness has one decimal. `unit` as people write it.
 std::string report_number(double value, std::string_view unit);
 
 /// What a document says, as HTML: of long arrays their range; empty where it is no number or text.
@@ -49,8 +53,15 @@ struct RecordChoice {
 std::string record_table(const RecordInfo& info, const std::vector<RecordColumn>& columns,
                          const RecordChoice& choice = {});
 
+/// The values under a key of each column; null where it has none.
+std::vector<RecordColumn> columns_in(const std::vector<RecordColumn>& columns,
+                                     std::string_view key);
+
 /// The record under a key; null where there is none.
 const RecordInfo* record_in(const RecordInfo& info, std::string_view key);
+
+/// What folds under a heading; empty where there is nothing. On paper only what was opened stands.
+std::string folded_html(std::string_view title, const std::string& body);
 
 /// A table of texts that are HTML; the first cell of each row is its heading. A row of one cell is
 /// a heading over the next ones.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "prs/quantities/results_schema.h"
@@ -36,12 +37,17 @@ void add_thread_rows(const RecordInfo& info, const Json& json, std::size_t threa
   const RecordInfo* side = record_in(info, "screw");
   if (side && screw.is_object() && nut.is_object()) {
     for (const QuantityInfo& q : side->quantities) {
-      const ReportUnit unit = report_unit(q.key, q.unit);
-      const auto cell = [&](const Json& body) {
+      const auto value = [&](const Json& body) {
         const std::vector<Json> values = flat(under(body, std::string(q.key)));
-        return values.size() == threads ? report_value(values[thread], unit) : std::string();
+        return values.size() == threads ? values[thread] : Json();
       };
-      const std::string at_screw = cell(screw), at_nut = cell(nut);
+      const Json screw_value = value(screw), nut_value = value(nut);
+      double largest = 0.0;
+      for (const Json* one : {&screw_value, &nut_value})
+        if (one->is_number()) largest = std::max(largest, std::abs(one->get<double>()));
+      const ReportUnit unit = report_unit(q.key, q.unit, largest);
+      const std::string at_screw = report_value(screw_value, unit),
+                        at_nut = report_value(nut_value, unit);
       if (at_screw.empty() && at_nut.empty()) continue;
       rows.push_back({html(capitalised(q.title)), at_screw, at_nut, html(unit.text)});
     }
@@ -89,7 +95,7 @@ Json thread_choices(const Findings& all) {
   double most = -1.0;
   for (const Json& load_case : under(loads->document, "load_cases")) {
     const std::size_t place = choices["cases"].size();
-    choices["cases"].push_back(load_case.value("name", ""));
+    choices["cases"].push_back(printable(load_case.value("name", "")));
     const Json& known = under(under(load_case, "screw"), "normal_load_N");
     if (!known.is_array() || known.empty()) continue;
     std::vector<double> loaded;

@@ -193,13 +193,15 @@ void warn_of_film(const SlipModel& model, const SlipResult& slip,
     const bool follows = model.film_direction == contact::FilmDirection::rolling;
     if (!follows && along_major > 0.5)
       warnings.push_back(fmt::format(
-          "lubricant.film: the {} contacts roll {:.0f} deg off the major axis of their ellipse, and "
+          "lubricant.film: the {} contacts roll {:.0f} deg off the major axis of their ellipse, "
+          "and "
           "their central film is that of rolling along the minor one; for the true direction take "
           "`film: {{direction: rolling}}`",
           label(i), off_major));
     if (follows && (ratio < contact::kLeastRollingRatio || ratio > contact::kGreatestRollingRatio))
       warnings.push_back(fmt::format(
-          "lubricant.film: the {} contacts roll {:.0f} deg off the major axis of their ellipse, with "
+          "lubricant.film: the {} contacts roll {:.0f} deg off the major axis of their ellipse, "
+          "with "
           "{:.3g} times the radius across it as along it; the film's formula is made for {:g} to "
           "{:g}: take it as an estimate",
           label(i), off_major, ratio, contact::kLeastRollingRatio, contact::kGreatestRollingRatio));

@@ -71,7 +71,7 @@ const reportQuestion = (report) => question({ report: { own: theCase.set.length,
 
 // Sections ---------------------------------------------------------------------------------------
 
-const quickSections = ['verdict', 'mechanism', 'loads', 'stiffness', 'pressures'];
+const quickSections = ['verdict', 'mechanism', 'loads', 'pressures', 'stiffness'];
 
 const isOnScreen = (id) => {
   const box = element(id).getBoundingClientRect();
@@ -111,6 +111,9 @@ function showSection(id, html, quick) {
   if (quick && id === 'verdict') keepStaleTiles(body, template.content);
   const scrolled = [...body.querySelectorAll('.wide')].map((box) => box.scrollLeft);
   const focused = [...body.querySelectorAll('.wide')].indexOf(document.activeElement);
+  const opened = [...body.querySelectorAll('details[open] > summary')].map((s) => s.textContent);
+  for (const summary of template.content.querySelectorAll('summary'))
+    summary.parentElement.open = opened.includes(summary.textContent);
   body.replaceChildren(template.content);
   const boxes = body.querySelectorAll('.wide');
   scrolled.forEach((left, k) => {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -89,9 +90,48 @@ TEST(LessonPlots, SlipOfAllRollersHasMaps) {
   const GridData& grid = power->panels[1].map.grid;
   EXPECT_EQ(grid.x.size(), 20u);
   EXPECT_EQ(grid.y.size(), 11u);
-  EXPECT_EQ(grid.at(3, 0), 0.0);  // the missing one
+  EXPECT_TRUE(std::isnan(grid.at(3, 0)));  // the missing one
+  EXPECT_EQ(power->panels[1].labels.at(0).text, "missing");
   EXPECT_GT(grid.at(3, 1), grid.at(3, 5));
   expect_silent({*power, *one_of(shown, "roller_friction")});
+}
+
+TEST(LessonPlots, ATurnOfTheCarrierEndsWhereItBegan) {
+  const std::optional<Figure> turn =
+      one_of(of_lesson("27_missing_roller.yaml", Command::solve), "carrier_turn");
+  ASSERT_TRUE(turn);
+  for (const Series& series : turn->panels.at(0).series) {
+    const Polyline& line = series.parts.at(0);
+    EXPECT_DOUBLE_EQ(line.back()[0], line.front()[0] + 360.0);
+    EXPECT_EQ(line.back()[1], line.front()[1]);
+  }
+  EXPECT_DOUBLE_EQ(turn->x.to - turn->x.from, 360.0);
+}
+
+TEST(LessonPlots, TheSectionHasSizesSupportsAndTheLoad) {
+  const auto source = input::load_source(PRS_SOURCE_DIR "/configs/05_standard_screw.yaml", {});
+  const auto drawn = [&](const char* direction) {
+    input::Source turned = source;
+    turned.overrides = {std::string("load_cases[0].direction=") + direction};
+    const Delivery delivery = run(row_of(Command::solve), turned);
+    return figure(delivery.pictures(), "section", {.load_case = 0});
+  };
+  const auto arrow_of = [](const Figure& section) {
+    for (const Series& series : section.panels[0].series)
+      if (const Style& s = section.styles[series.style];
+          s.shape == Shape::arrows && s.colour == Colour::bad)
+        return series.parts.at(0);
+    return Polyline{{0.0, 0.0}, {0.0, 0.0}};
+  };
+  const Figure pulled = drawn("tension"), pushed = drawn("compression");
+  EXPECT_LT(arrow_of(pulled)[1][0], arrow_of(pulled)[0][0]);  // Out of the nut.
+  EXPECT_GT(arrow_of(pushed)[1][0], arrow_of(pushed)[0][0]);
+  std::string texts, legend;
+  for (const Label& label : pulled.panels[0].labels) texts += label.text + "; ";
+  for (const LegendEntry& entry : pulled.legend) legend += entry.title + "; ";
+  for (const char* text : {"kN; tension", "screw, pitch Ø", "rollers, pitch Ø", "nut Ø"})
+    EXPECT_THAT(texts, testing::HasSubstr(text));
+  EXPECT_THAT(legend, testing::HasSubstr("section where the nut is held"));
 }
 
 TEST(LessonPlots, PreloadHasItsStiffness) {

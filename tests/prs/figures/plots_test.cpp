@@ -9,7 +9,9 @@
 #include <regex>
 
 #include "prs/figures/figure_json.h"
+#include "prs/figures/figure_parts.h"
 #include "prs/output/files.h"
+#include "prs/output/gnuplot_script.h"
 #include "support/drawn.h"
 #include "support/sample_result.h"
 #include "support/shown.h"
@@ -108,10 +110,41 @@ TEST(Figures, ButterflyHasTensionOnThePositiveSideAndSharesOfTheMean) {
   EXPECT_EQ(picture(sweeps(), "butterfly", nut)->panels.size(), 2);
 }
 
-TEST(Figures, SweepsOfLoadsComeBeforeSingleOnes) {
+TEST(Figures, PressuresStandBelowTheirLimit) {
+  const auto figure = picture(sweeps(), "peak_pressure");
+  ASSERT_TRUE(figure);
+  for (const Panel& panel : figure->panels)
+    EXPECT_DOUBLE_EQ(panel.references.at(0).at, 4000.0);  // ISO 76
+  EXPECT_EQ(figure->legend.back().title, "static limit 4.0 GPa, ISO 76");
+  EXPECT_GT(figure->y.to, 4000.0);
+}
+
+TEST(Figures, OfThreadsBeginAtZero) {
+  for (const char* name : {"load_distribution", "peak_pressure", "stiffness", "displacement"})
+    EXPECT_EQ(picture(sweeps(), name)->y.from, 0.0) << name;
+}
+
+TEST(Figures, LinesUnderOthersAreNamed) {
+  Figure figure{"lines", "Lines"};
+  Panel& panel = figure.panels.emplace_back();
+  const Polyline line{{1.0, 1.0}, {2.0, 3.0}}, other{{1.0, 1.1}, {2.0, 3.0}};
+  panel.series = {{figure.add("a", line_of(Colour::blue)), {line}},
+                  {figure.add("b", line_of(Colour::green)), {line}},
+                  {figure.add("c", line_of(Colour::orange)), {other}},
+                  {figure.add("none", points_of(Colour::ink, Mark::circle)), {{}}}};
+  const Figure named = with_true_legend(figure);
+  ASSERT_EQ(named.legend.size(), 3u);
+  EXPECT_EQ(named.legend[0].title, "a, under b");
+  EXPECT_EQ(named.legend[1].title, "b");
+  EXPECT_EQ(named.legend[2].title, "c");
+  EXPECT_NE(gnuplot_script(figure).find("a, under b"), std::string::npos);
+}
+
+TEST(Figures, OfStiffnessNeedRangesOfLoads) {
   Result result;
   add_sweep(result, "short", Direction::tension, 2);
-  EXPECT_EQ(picture(result, "stiffness")->legend[0].title, "short");
+  EXPECT_FALSE(picture(result, "stiffness"));  // Two dots are no curve.
+  EXPECT_FALSE(picture(result, "displacement"));
   add_sweep(result, "long", Direction::tension, 3);
   const auto figure = picture(result, "stiffness");
   ASSERT_TRUE(figure);
@@ -151,7 +184,7 @@ TEST(Figures, DescriptionsStateUnitsAndLeaveOutDefaults) {
   EXPECT_EQ(json["x"]["unit"], "kN");
   EXPECT_FALSE(json["x"].contains("logarithmic"));
   EXPECT_EQ(json["panels"].size(), 2);
-  EXPECT_EQ(json["styles"][0]["colour"], "blue");
+  EXPECT_EQ(json["styles"][0]["colour"], "ink");
   EXPECT_TRUE(to_json(*picture(sweeps(), "convergence"))["y"]["logarithmic"]);
   const nlohmann::ordered_json schema = figure_schema();
   for (const auto& [key, value] : json.items()) EXPECT_TRUE(schema["properties"].contains(key));

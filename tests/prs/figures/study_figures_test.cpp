@@ -181,6 +181,11 @@ TEST(StudyFigures, GridOfTwoLongFactorsIsAMap) {
   EXPECT_GE(map.colours->to, 6.5 * 6.5);
   EXPECT_EQ(map.colours->levels.front(), map.colours->from);
   EXPECT_EQ(map.x.from, 1.0);
+  const Figure partly = study_figures(sample::run(study, [&](const std::vector<double>& x) {
+                          return x[1] > 4.0 ? std::vector<double>() : product(x);
+                        })).at(0);
+  EXPECT_EQ(partly.y.to, 4.0);  // No design beyond has an answer.
+  EXPECT_EQ(partly.x.to, 6.5);
   // Asked for, the same as lines: eight of the twelve.
   const StudyResult result = sample::run(study, product);
   const auto lines = test::shown(study_pictures(result), "lines");

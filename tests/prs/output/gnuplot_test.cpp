@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "prs/output/gnuplot_parts.h"
+#include "prs/output/gnuplot_script.h"
 #include "prs/output/plots.h"
 #include "support/temporary_directory.h"
 
@@ -47,6 +48,11 @@ TEST(GnuplotMap, OfManyNodesIsSmallAndQuiet) {
   }
   for (std::size_t k = 0; k < kNodes * kNodes; ++k)
     grid.values.push_back(grid.x[k / kNodes] + grid.y[k % kNodes]);
+  Figure again = figure;  // Drawn as SVG, then as PNG: a surface must not limit the next map.
+  again.panels.emplace_back().surface = Surface{grid, {"z", "", 1.0, 198.0}};
+  const std::string script = gnuplot_script(again);
+  EXPECT_LT(script.find("set zrange [*:*]"), script.find("with image"));
+  EXPECT_LT(script.find("with image"), script.find("set zrange [1:198]"));
   Figure gap = figure;
   gap.name = "gap";
   gap.panels[0].map.grid.values[5050] = kFree;

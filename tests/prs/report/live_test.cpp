@@ -111,7 +111,7 @@ TEST(Report, HeadCountsTheRollersThatAreThere) {
 TEST(LiveReport, IsQuickWithWhatFollowsASlider) {
   const input::Source source = live_lesson("28_driving_load.yaml");
   EXPECT_THAT(names_of(live_sections(source, {.quick = true})),
-              ElementsAre("verdict", "mechanism", "loads", "stiffness", "pressures"));
+              ElementsAre("verdict", "mechanism", "loads", "pressures", "stiffness"));
   EXPECT_THAT(names_of(live_sections(source, {.quick = true, .sections = {"loads", "slip"}})),
               ElementsAre("loads"));
 }

@@ -1,0 +1,120 @@
+#include <gmock/gmock.h>
+
+#include "prs/page/page.h"
+#include "prs/report/svg.h"
+#include "prs/report/tables.h"
+
+namespace prs {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kLesson = PRS_SOURCE_DIR "/configs/05_standard_screw.yaml";
+
+input::Source with_block(const std::string& block) {
+  input::Source source = input::load_source(kLesson, {});
+  source.text += "\n" + block;
+  return source;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(TitleBlock, SaysWhatTheFileSaysOfTheReport) {
+  const std::string page =
+      make_report(with_block("report: {title: Press 40 kN, customer: \"</style><b>A & B\", number: "
+                             "C-12, revision: B, author: Jane}"),
+                  {.live = false})
+          .html;
+  EXPECT_THAT(page, AllOf(HasSubstr("<h1>Press 40 kN</h1>"), HasSubstr("<title>Press 40 kN · "),
+                          HasSubstr("<dd>&lt;/style&gt;&lt;b&gt;A &amp; B</dd>"),
+                          HasSubstr("<dd>Jane</dd>"), Not(HasSubstr("<b>"))));
+  EXPECT_THAT(page, HasSubstr("@bottom-left{content:\"Press 40 kN · No\\2e  C\\2d 12 · rev"));
+  EXPECT_THAT(page, Not(HasSubstr("<code>report.")));  // No input of the calculation.
+  EXPECT_THAT(make_report(input::load_source(kLesson, {}), {.live = false}).html,
+              HasSubstr("<h1>05_standard_screw</h1>"));
+}
+
+TEST(TitleBlock, TakesKnownKeysAlone) {
+  EXPECT_THROW(make_report(with_block("report: {titel: x}"), {.live = false}), input::InputError);
+}
+
+TEST(TitleBlock, TextsCannotLeaveTheStyleOfTheSheets) {
+  const std::string page =
+      make_report(with_block("report: {title: '</style><script>x</script>\"}\\'}"), {.live = false})
+          .html;
+  EXPECT_EQ(count_of(page, "</style>"), 1u);
+  EXPECT_THAT(page, Not(HasSubstr("<script>x")));
+}
+
+TEST(Sheets, GoFromTheAnswerToTheNumbers) {
+  std::vector<std::string> ids;
+  for (const ReportSection& section : report_parts(input::load_source(kLesson, {}), {}).sections)
+    ids.push_back(section.id);
+  EXPECT_THAT(ids, ElementsAre("verdict", "mechanism", "warnings", "inputs", "loads", "pressures",
+                               "stiffness", "life", "slip", "preload", "measures", "models",
+                               "contacts", "studies", "data", "provenance"));
+}
+
+TEST(Sheets, FoldWhatOnlySomeAskFor) {
+  const std::string page = make_report(input::load_source(kLesson, {}), {.live = false}).html;
+  const std::size_t fold = page.find("<details><summary>Every number of the load cases");
+  ASSERT_NE(fold, page.npos);
+  EXPECT_LT(fold, page.find("Hertz constant"));
+  EXPECT_LT(page.find("Axial stiffness"), fold);
+  EXPECT_NE(page.find("details:not([open])", page.find("@media print")), page.npos);
+  EXPECT_EQ(folded_html("Nothing", ""), "");
+}
+
+TEST(Sheets, HaveNoKeysForWords) {
+  const std::string page =
+      make_report(input::load_source(PRS_SOURCE_DIR "/configs/27_missing_roller.yaml", {}),
+                  {.live = false})
+          .html;
+  for (const char* key : {">Semi major<", ">Dofs<", ">Source<", ">Power loss input output<",
+                          ">l10<", ">Rated<", ">At<", ">Stiffness SI<"})
+    EXPECT_THAT(page, Not(HasSubstr(key)));
+}
+
+TEST(Sheets, NamesOfLoadCasesDoNotTurnTheWriting) {
+  input::Source source = input::load_source(kLesson, {});
+  source.overrides = {"load_cases[0].name=\u202Eevil"};
+  EXPECT_EQ(report_parts(source, {}).threads["cases"][0], "\uFFFDevil");
+  EXPECT_THAT(make_report(source).html, AllOf(Not(HasSubstr("\u202E")), HasSubstr("\\u202e")));
+}
+
+TEST(ReportUnits, AreOfOneKind) {
+  EXPECT_EQ(report_unit("axial_force_N", "N", 19000.0).text, "kN");
+  EXPECT_EQ(report_unit("normal_load_N", "N", 85.0).text, "N");
+  EXPECT_EQ(report_unit("peak_pressure_MPa", "MPa").text, "GPa");
+  EXPECT_DOUBLE_EQ(report_unit("peak_pressure_MPa", "MPa").factor, 1e-3);
+}
+
+TEST(PageSvg, HasAnImageForEachPanel) {
+  Figure figure{"two", "Two panels"};
+  figure.columns = 2;
+  figure.x = {"Thread", "", 0.0, 2.0};
+  figure.y = {"Peak pressure", "MPa", 0.0, 4000.0};
+  const std::size_t line = figure.add("a < b", line_of(Colour::blue));
+  for (const char* title : {"left", "right"}) {
+    Panel& panel = figure.panels.emplace_back();
+    panel.title = title;
+    panel.series = {{line, {{{0.0, 0.0}, {2.0, 2000.0}}}}};
+  }
+  const std::string drawn = svg(figure, "f");
+  EXPECT_EQ(count_of(drawn, "class=\"half\" role=\"img\""), 2u);
+  EXPECT_EQ(count_of(drawn, "Peak pressure (GPa)"), 2u);  // Each stands by itself on a phone.
+  EXPECT_EQ(count_of(drawn, "clipPath id=\"f-1-0\""), 1u);
+  EXPECT_EQ(count_of(drawn, "clipPath id=\"f-0-0\""), 1u);
+  EXPECT_THAT(drawn, HasSubstr("<ul class=\"legend\">"));
+  EXPECT_THAT(drawn, HasSubstr("a &lt; b</li>"));
+}
+
+}  // namespace
+}  // namespace prs
