@@ -89,7 +89,7 @@ constexpr double kPlace = 0.2113248654051871;
 
 /// An interval is done where it was missed by less than this many tolerances: threads and rollers
 /// that take up load or let go of it bend the stiffness between the places that are looked at.
-constexpr double kReserve = 1.0 / 16.0;
+constexpr double kReserve = 1.0 / 3.0;
 
 /// The open intervals, no more than `room` of them, those that were missed by most.
 std::vector<bool> to_look_at(const std::vector<Node>& nodes, std::size_t room) {
