@@ -452,7 +452,7 @@ FrictionTable friction_table(FrictionTorque& torque, double force, double speed,
     grid.*intervals *= 2;
     FrictionTable finer = table_on(grid, torque);
     const double missed = difference(table, finer) / largest;
-    is_coarse = missed > kReserve * kTorqueTolerance;
+    is_coarse = missed > kTorqueTolerance / 3.0;
     error = std::max(is_coarse && grid.*intervals < kMostIntervals ? 0.0 : missed, error);
     table = std::move(finer);
     return true;

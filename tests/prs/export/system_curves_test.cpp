@@ -136,15 +136,12 @@ TEST(SystemCurves, OfAPreloadedNutAreThoseOfPreload) {
   Case c = lesson_case("12_preload.yaml", Command::preload);
   const SystemCurves curves = system_curves(c, {});
   const double largest = curves.senses.tension.force.back();
-  c.preload->load = {-0.97 * largest, 0.97 * largest, 195};
+  c.preload->load = {-0.97 * largest, 0.97 * largest, 24};
   const PreloadResult preloaded = analyze_preload(c);
-  double stiffest = 0.0;
-  for (const PreloadPoint& point : preloaded.curve.points)
-    stiffest = std::max(stiffest, *point.tangent_stiffness);
   for (const PreloadPoint& point : preloaded.curve.points) {
     const Evaluated e = at(curves, point.axial_displacement);
     EXPECT_NEAR(e.force, point.axial_force, kForceTolerance * largest);
-    EXPECT_NEAR(e.stiffness, *point.tangent_stiffness, kStiffnessTolerance * stiffest);
+    EXPECT_NEAR(e.stiffness, *point.tangent_stiffness, 3.0 * kStiffnessTolerance * e.stiffness);
   }
   EXPECT_NEAR(at(curves, 0.0).stiffness, *preloaded.at_rest.tangent_stiffness,
               1e-9 * *preloaded.at_rest.tangent_stiffness);
