@@ -394,7 +394,7 @@ TEST_F(ConfigurationsCommand, RefusesWhatIsWrong) {
            {sound + "--gap '-1 mm'", "--gap: got -1 mm"},
            {sound + "--starts 0", "--starts"},
            {sound + "--starts 3 --rollers 40", "40 rollers do not fit, at most 11"},
-           {sound + "--starts 2 --type standard", "more than two screw starts"},
+           {sound + "--starts 2 --type standard", "more than two screw"},
            {sound + "--write 400 x.yaml", "expected the number of a line, 1 to"}}) {
     const test::Outcome run = prs("configurations --json " + arguments);
     EXPECT_EQ(run.status, 2) << arguments;

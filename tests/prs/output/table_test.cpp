@@ -47,7 +47,9 @@ TEST(LoadCaseTable, ColumnsLineUpAndFit) {
   const std::string table = load_case_table(result);
   EXPECT_LE(widest_line(table), 100);
   const auto rows = lines(table);
-  EXPECT_EQ(width(rows.at(4)), width(rows.at(5)));
+  for (const char* cell : {"compression", "1:  7.7"})
+    EXPECT_EQ(width(rows.at(4).substr(0, rows.at(4).find(cell))),
+              width(rows.at(5).substr(0, rows.at(5).find(cell))));
 }
 
 TEST(ComparisonTable, HasTheUnitsOfTables) {
