@@ -305,7 +305,9 @@ std::string statistics(const StudyResult& result) {
       values.insert(values.end(),
                     {s.mean, s.standard_deviation, s.min, s.quantiles[1], s.quantiles[3], s.max});
     for (const std::optional<double>& value : values) {
-      const std::string cell = value ? significant(response.factor * *value) : std::string(kAbsent);
+      const double shown = response.factor * value.value_or(0.0);
+      const int digits = std::abs(shown) < 1e-4 ? 3 : 4;  // So that those with an exponent fit.
+      const std::string cell = value ? significant(shown, digits) : std::string(kAbsent);
       text += fmt::format(" {}", padded(cell, kStatistic, false));
     }
     text += '\n';
