@@ -32,7 +32,7 @@ std::vector<WarningGroup> warnings_of(const Findings& all) {
 
 /// By what was computed; `failures` of commands that found the case wrong.
 CaseVerdict verdict_of(const Findings& all, const input::CaseInput& in,
-                   std::vector<Attempt> failures = {}) {
+                       std::vector<Attempt> failures = {}) {
   for (const CommandAnswer& answer : all.answers)
     failures.push_back({answer.command, &answer.delivery});
   return verdict_by(in, failures);
