@@ -93,7 +93,9 @@ Found static_safety(const VerdictFacts& f) {
     if (m && m->solved_static_safety)
       found.take(*m->solved_static_safety, load.name, describe(*m->solved_static_safety_limit));
     else if (m && m->thread_static_safety)
-      found.take(*m->thread_static_safety, load.name, describe(*m->thread_static_safety_limit));
+      found.take(*m->thread_static_safety, load.name,
+                 (load.share == LoadCase::Share::equal ? "equal shares, " : "") +
+                     describe(*m->thread_static_safety_limit));
   }
   if (!found.value) found.why = "no load whose thread loads are known";
   return found;

@@ -93,7 +93,7 @@ TEST(Usage, ErrorsSayWhatWasFoundWhatIsAllowedAndWhereHelpIs) {
            {"completion csh", "SHELL: got csh; expected one of bash, zsh, fish"},
            {"list units x", "got x; expected no further word; see `prs help list`"},
            {"list inputs " + screw, "got " + screw + "; expected no further word"},
-           {"solve a --all", "expected an option of `prs solve`; `prs check` has it; see"},
+           {"solve a --influence", "expected an option of `prs solve`; `prs compare` has it; see"},
            {"solve a --threads 2", "; `prs study` or `prs optimize` has it; see `prs help solve`"},
            {"--json", "got --json; expected an option of `prs`; see `prs help`"},
            {"solve a --csv german", "--csv: got german; expected one of plain, european; see"},

@@ -120,6 +120,20 @@ TEST(Report, ShowsTextsOfTheCaseAsText) {
   EXPECT_THAT(report.html, HasSubstr("\\u003c/script>\\u003cimg"));
 }
 
+TEST(Report, EachCardNamesItsLimitAndWarningsStandBelowTheVerdict) {
+  const std::string page =
+      make_report(lesson_source("01_config_1_to_3.yaml", {"limits.stiffness=900 N/um"}),
+                  {.live = false})
+          .html;
+  EXPECT_THAT(page, AllOf(HasSubstr("data-tile=\"static_safety\" class=\"red\""),
+                          HasSubstr("at least 1, physical limit"),
+                          HasSubstr("at least 900.0 N/µm, limits.stiffness"),
+                          HasSubstr("temperature (add heat)")));
+  EXPECT_THAT(page, Not(HasSubstr(">1.59")));  // Of equal shares.
+  EXPECT_LT(page.find("id=\"verdict\""), page.find("id=\"warnings\""));
+  EXPECT_LT(page.find("id=\"warnings\""), page.find("id=\"mechanism\""));
+}
+
 TEST(Report, HasNumbersThatReadBack) {
   EXPECT_EQ(report_number(854.8137, "N/µm"), "854.8");
   EXPECT_EQ(report_number(1000.04, "N/µm"), "1000");
