@@ -95,6 +95,7 @@ TEST(CompareCases, CurvesOfTheSecondStandBehindThoseOfTheFirst) {
     }
   }
   EXPECT_THAT(overlaid, Contains(testing::Field(&Figure::name, HasSubstr("load_distribution"))));
+  EXPECT_THAT(overlaid, testing::Not(Contains(testing::Field(&Figure::name, "power_by_source"))));
 }
 
 TEST(CompareCases, TheProgramTakesTwoFilesAndNamesTheOneThatIsWrong) {
