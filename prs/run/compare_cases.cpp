@@ -159,7 +159,11 @@ void add_figures(const Figures& first, const Figures& second, const std::string&
     const auto of_name = [&](const Figure& f) { return f.name == figure.name; };
     const auto behind = std::ranges::find_if(second, of_name);
     if (behind == second.end() || std::ranges::any_of(overlaid, of_name)) continue;
-    if (const auto grey = add_behind(figure, *behind)) {
+    const auto grey = add_behind(figure, *behind);
+    const bool has_curves = std::ranges::any_of(figure.panels, [&](const Panel& panel) {
+      return std::ranges::any_of(panel.series, [&](const Series& s) { return s.style == grey; });
+    });
+    if (grey && has_curves) {
       figure.legend.push_back({other, *grey});
       overlaid.push_back(std::move(figure));
     }
