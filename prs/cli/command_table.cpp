@@ -86,6 +86,11 @@ void add_all_estimates(CLI::App& command, Options& options) {
       ->disable_flag_override();
 }
 
+void add_solver(CLI::App& command, Options& options) {
+  command.add_flag("--all", options.all, "Say which library factorized, too")
+      ->disable_flag_override();
+}
+
 void add_compare_options(CLI::App& compare, Options& options) {
   compare
       .add_option("other", options.other,
@@ -265,6 +270,8 @@ struct CaseRow {
 constexpr CaseRow kCaseRows[] = {
     {Command::check, kAnalyse, add_check_options, nullptr,
      "prs check case.yaml\nprs check case.yaml --all"},
+    {Command::solve, kAnalyse, add_solver, nullptr,
+     "prs solve case.yaml\nprs solve case.yaml --all"},
     {Command::compare, kAnalyse, add_compare_options, compare,
      "prs compare case.yaml\nprs compare before.yaml after.yaml\nprs compare case.yaml --influence "
      "--output results"},

@@ -2,6 +2,7 @@
 
 #include "fe/cholesky.h"
 #include "prs/loads/full_result.h"
+#include "prs/quantities/factorization.h"
 #include "prs/quantities/heat_quantities.h"
 #include "prs/quantities/measure_quantities.h"
 #include "prs/quantities/quantities.h"
@@ -10,6 +11,15 @@
 #include "prs/quantities/sources.h"
 
 namespace prs {
+// Methods without a sparse matrix know no energy.
+std::optional<std::string> factorization(const LoadCaseResult& r) {
+  if (!r.solve || r.solve->history.empty() || std::isnan(r.solve->history.back().energy))
+    return std::nullopt;
+  std::string name(fe::Cholesky::name());
+  if (r.solve->wide) name += "; then " + fe::eigen_factorization_name() + " of 113 binary digits";
+  return name;
+}
+
 namespace {
 
 constexpr Quantity<InterfaceLoads> kInterfaceLoads[] = {
@@ -53,15 +63,6 @@ template <auto get>
 constexpr auto of_solve = of<[](const LoadCaseResult& r) {
   return r.solve ? std::optional(std::invoke(get, *r.solve)) : std::nullopt;
 }>;
-
-/// Methods without a sparse matrix know no energy.
-std::optional<std::string> factorization(const LoadCaseResult& r) {
-  if (!r.solve || r.solve->history.empty() || std::isnan(r.solve->history.back().energy))
-    return std::nullopt;
-  std::string name(fe::Cholesky::name());
-  if (r.solve->wide) name += "; then " + fe::eigen_factorization_name() + " of 113 binary digits";
-  return name;
-}
 
 template <Interface i>
 constexpr auto of_loads =

@@ -613,7 +613,7 @@ std::string image(const Figure& figure, std::size_t index, const std::string& id
 }
 
 /// Axes, colours and texts in the units of tables.
-Figure in_table_units(Figure figure) {
+Figure with_table_units(Figure figure) {
   std::set<std::string> units = {figure.x.unit, figure.y.unit};
   if (figure.colours) units.insert(figure.colours->unit);
   figure.title = in_table_units(figure.title);
@@ -657,7 +657,7 @@ std::string html(std::string_view content) {
 }
 
 std::string svg(const Figure& drawn, const std::string& id) {
-  const Figure figure = with_true_legend(table_system() == UnitSystem::us ? in_table_units(drawn)
+  const Figure figure = with_true_legend(table_system() == UnitSystem::us ? with_table_units(drawn)
                                                                           : in_page_units(drawn));
   std::string all = "<div class=\"panels\">";
   for (std::size_t k = 0; k < figure.panels.size(); ++k) all += image(figure, k, id);

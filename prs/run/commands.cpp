@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -42,13 +43,16 @@
 #include "prs/output/table.h"
 #include "prs/output/warnings.h"
 #include "prs/preload/analyze_preload.h"
+#include "prs/quantities/case_groups.h"
 #include "prs/quantities/comparison_quantities.h"
+#include "prs/quantities/factorization.h"
 #include "prs/quantities/life_json.h"
 #include "prs/quantities/load_case_stream.h"
 #include "prs/quantities/measures_json.h"
 #include "prs/quantities/preload_json.h"
 #include "prs/quantities/verdict.h"
 #include "prs/sha256.h"
+#include "prs/text.h"
 #include "prs/threads/geometry_warnings.h"
 #include "prs/version.h"
 
@@ -327,6 +331,17 @@ std::string solve_text(const Result& result) {
   return text;
 }
 
+std::string full_solve_text(const Result& result) {
+  std::map<std::string, std::vector<std::string>> cases;
+  for (const LoadCaseResult& r : result.load_cases)
+    if (const auto name = factorization(r)) cases[*name].push_back(printable(r.load_case.name));
+  std::string text = solve_text(result) + "\n";
+  for (const auto& [name, names] : cases)
+    text += fmt::format("factorized by {}{}\n", name,
+                        cases.size() > 1 ? " in " + folded_names(names) : "");
+  return text;
+}
+
 std::vector<OutputFile> solve_files(const Result& result, const CsvStyle& style) {
   return {{"load_cases.csv", load_cases_csv(result, style)},
           {"load_distribution.csv", load_distribution_csv(result, style)}};
@@ -388,6 +403,7 @@ Forms<Result> forms_of_solve() {
           .document = to_json,
           .table = solve_text,
           .notes = summary,
+          .full_table = full_solve_text,
           .files = solve_files,
           .pictures = [](const Result& r,
                          const Case& c) { return with_drawings(solve_pictures(r), c, r); },
