@@ -138,6 +138,8 @@ class RingForce(Record):
 
     __slots__ = ()
     force_N: Array
+    moment_Nm: Array
+    at_mm: float
     roller_N: Array
 
 
@@ -375,6 +377,7 @@ class LoadMeasures(Record):
     root_bending_stress_screw_MPa: float
     root_bending_stress_roller_MPa: float
     root_bending_stress_nut_MPa: float
+    solved_static_safety: float
     static_safety: float
     thread_static_safety: float
     buckling_safety: float
@@ -384,6 +387,7 @@ class LoadMeasures(Record):
     drive_torque_Nm: float
     back_driving_efficiency_by_slip: float
     speed_safety: float
+    solved_static_safety_limit: str
     static_safety_limit: str
     thread_static_safety_limit: str
     yang_load_rate_percent: Array
@@ -401,6 +405,7 @@ class LoadCase(Record):
     status: str
     iterations: int
     relative_residual: float
+    factorization: str
     axial_displacement_um: float
     axial_stiffness_N_per_um: float
     tangent_stiffness_N_per_um: float
@@ -770,3 +775,28 @@ class Comparison(Record):
     __slots__ = ()
     models: list[str]
     load_cases: list[ComparedLoadCase]
+
+
+class Criterion(Record):
+    """A value, the limit that it is held against, and how it stands to it."""
+
+    __slots__ = ()
+    name: str
+    title: str
+    unit: str
+    sense: str
+    value: float
+    best: float
+    limit: float
+    limit_source: str
+    state: str
+    load_case: str
+    reason: str
+
+
+class Verdict(Record):
+    """Whether the case meets its limits."""
+
+    __slots__ = ()
+    state: str
+    criteria: list[Criterion]
