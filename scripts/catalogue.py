@@ -5,7 +5,8 @@
 
 Runs check, contact, solve, slip, measures and life on the case of every row and prints a table of
 ratios, computed over printed, and the static safety at the assumed load. Columns of the catalogue
-as in validation/standard_screws/screws.csv; lines that begin with # are skipped. Exit status 1 where a command fails.
+as in validation/standard_screws/screws.csv; lines that begin with # are skipped. Exit status 1
+where a command fails.
 """
 
 import argparse
