@@ -80,16 +80,13 @@ PrsCurves in_tension(const BranchTable& table) {
   return curves;
 }
 
-/// Where rollers take up the load one after the other, each brings a kink of the stiffness.
-constexpr std::size_t kMostNodes = 200;
-
 /// Where an interval is looked at and divided: there the slope of a cubic errs most, as
 /// t^2 (1 - t)^2 is steepest.
 constexpr double kPlace = 0.2113248654051871;
 
 /// An interval is done where it was missed by less than this many tolerances: threads and rollers
 /// that take up load or let go of it bend the stiffness between the places that are looked at.
-constexpr double kReserve = 1.0 / 3.0;
+constexpr double kReserve = 1.0 / 30.0;
 
 /// The open intervals, no more than `room` of them, those that were missed by most.
 std::vector<bool> to_look_at(const std::vector<Node>& nodes, std::size_t room) {

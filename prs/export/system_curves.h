@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,6 +55,8 @@ struct SystemCurves {
   std::vector<double> data() const;
 };
 
+/// Nodes of a curve in one sense, at the most.
+inline constexpr std::size_t kMostNodes = 800;
 /// Errors between nodes that the tables are refined to.
 inline constexpr double kForceTolerance = 1e-6, kStiffnessTolerance = 1e-4, kTorqueTolerance = 1e-4;
 

@@ -369,7 +369,7 @@ ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension)
     const Dimension* other = dimension_of(symbol);
     if (symbol.starts_with('\t'))
       return {std::nullopt, "there is a tab between number and unit; write a blank"};
-    const std::string meant = other ? "" : unit_meant(symbol, dimension);
+    const std::string meant = unit_meant(symbol, dimension);
     return {std::nullopt,
             fmt::format("`{}` is {}; {}", symbol.substr(0, 40),
                         other ? fmt::format("the unit of {}", other->name) : "not a known unit",

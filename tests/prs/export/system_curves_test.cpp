@@ -73,9 +73,9 @@ TEST(SystemCurves, OfAnEccentricForceAreThoseOfSolve) {
   Case c = lesson_case("25_side_load.yaml", Command::solve,
                        {"load_cases=[{axial_force: 45 kN, direction: tension, position: "
                         "29.1666667 mm, eccentricity: {y: 3 mm}}]",
-                        "mechanism.rollers=4", "mechanism.contacts_per_roller=4"});
+                        "mechanism.rollers=4", "mechanism.contacts_per_roller=8"});
   const SystemCurves curves = system_curves(c, {.force = 45e3});
-  for (const Direction d : kDirections) EXPECT_LE(curves.senses[d].at.size(), 200u);
+  for (const Direction d : kDirections) EXPECT_LE(curves.senses[d].at.size(), kMostNodes);
   const LoadCase pattern = c.load_cases.front();
   c.load_cases.clear();
   for (const double share : {0.03, 0.17, 0.29, 0.47, 0.61, 0.83, 0.97}) {
@@ -136,12 +136,14 @@ TEST(SystemCurves, OfAPreloadedNutAreThoseOfPreload) {
   Case c = lesson_case("12_preload.yaml", Command::preload);
   const SystemCurves curves = system_curves(c, {});
   const double largest = curves.senses.tension.force.back();
-  c.preload->load = {-0.97 * largest, 0.97 * largest, 24};
+  c.preload->load = {-0.97 * largest, 0.97 * largest, 98};
+  for (const Direction d : kDirections) EXPECT_LE(curves.senses[d].at.size(), kMostNodes);
+  const double stiffest = std::ranges::max(curves.senses.tension.slope);
   const PreloadResult preloaded = analyze_preload(c);
   for (const PreloadPoint& point : preloaded.curve.points) {
     const Evaluated e = at(curves, point.axial_displacement);
     EXPECT_NEAR(e.force, point.axial_force, kForceTolerance * largest);
-    EXPECT_NEAR(e.stiffness, *point.tangent_stiffness, 3.0 * kStiffnessTolerance * e.stiffness);
+    EXPECT_NEAR(e.stiffness, *point.tangent_stiffness, kStiffnessTolerance * stiffest);
   }
   EXPECT_NEAR(at(curves, 0.0).stiffness, *preloaded.at_rest.tangent_stiffness,
               1e-9 * *preloaded.at_rest.tangent_stiffness);

@@ -57,7 +57,7 @@ TEST(Sheets, GoFromTheAnswerToTheNumbers) {
   std::vector<std::string> ids;
   for (const ReportSection& section : report_parts(input::load_source(kLesson, {}), {}).sections)
     ids.push_back(section.id);
-  EXPECT_THAT(ids, ElementsAre("verdict", "mechanism", "warnings", "inputs", "loads", "pressures",
+  EXPECT_THAT(ids, ElementsAre("verdict", "warnings", "mechanism", "inputs", "loads", "pressures",
                                "stiffness", "life", "slip", "preload", "measures", "models",
                                "contacts", "studies", "data", "provenance"));
 }
