@@ -111,7 +111,7 @@ ScrewData data_of(const NewOptions& o, Mechanism::Type type, std::vector<std::st
       const bool travels = q.dimension.by_lead && is_travel_speed(*text);
       const double value = quantity_option(
           q.name, *text, travels ? unit::travel_speed : q.dimension, positive, "more than 0");
-      d.*q.value = travels ? rotation(value, d.lead) : value;
+      d.*q.value = travels ? std::abs(rotation(value, d.lead)) : value;
       d.as_written[member_of(q.name)] = spaced(*text);
       given.push_back(fmt::format("{} {}", q.meaning, shown(*text)));
     }

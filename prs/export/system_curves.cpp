@@ -628,7 +628,7 @@ SystemCurves system_curves(const Case& c, const CurveOptions& asked) {
   const double force = options.force.value_or(largest_force(c));
   curves.lead = contacts.threads.screw.lead;
   if (asked.speed && asked.speed_along_axis)
-    options.speed = input::rotation(*asked.speed, curves.lead);
+    options.speed = std::abs(input::rotation(*asked.speed, curves.lead));
   Errors errors;
   if (c.preload) {
     add_preloaded_branches(c, contacts, force, errors, curves);

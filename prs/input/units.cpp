@@ -397,9 +397,7 @@ bool is_travel_speed(std::string_view text) {
   return split && find_unit(split->unit, unit::travel_speed);
 }
 
-double rotation(double travel_speed, double lead) {
-  return 2.0 * pi * travel_speed / std::abs(lead);
-}
+double rotation(double travel_speed, double lead) { return 2.0 * pi * travel_speed / lead; }
 
 std::optional<double> parse_number(std::string_view text) {
   const Head head = split_number(text);

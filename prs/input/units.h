@@ -88,10 +88,10 @@ std::string format_quantity(double value, const Dimension& dimension);
 /// Whether a text is a speed along the axis: `200 mm/s`.
 bool is_travel_speed(std::string_view text);
 
-/// Speed of screw against nut [rad/s] of a speed along the axis v [m/s], with the sign of v in
-/// right- and left-handed screws:
+/// Speed of screw against nut [rad/s] of a speed along the axis v [m/s]. Force x v > 0 is then
+/// power of the screw, right- or left-handed:
 ///
-///     omega = 2 pi v/|lead|
+///     omega = 2 pi v/lead
 double rotation(double travel_speed, double lead);
 
 /// A whole text that is one finite decimal number, without unit.

@@ -99,11 +99,12 @@ std::optional<std::string> dynamic_above_static(double dynamic_capacity, double 
       dynamic_capacity * per_si::kilonewton, static_capacity * per_si::kilonewton);
 }
 
-std::optional<std::string> beyond_static_rating(double load, const StaticRating& rating) {
+std::optional<std::string> beyond_static_rating(double load, const StaticRating& rating,
+                                                std::string_view shares) {
   if (!(load > rating.force)) return std::nullopt;
-  return fmt::format("the load of {:.4g} kN is above the static limit of {:.4g} kN ({}); reduce it",
-                     load * per_si::kilonewton, rating.force * per_si::kilonewton,
-                     describe(rating.limit));
+  return fmt::format(
+      "{}the load of {:.4g} kN is above the static limit of {:.4g} kN ({}); reduce it", shares,
+      load * per_si::kilonewton, rating.force * per_si::kilonewton, describe(rating.limit));
 }
 
 std::string describe(StaticLimit limit) {

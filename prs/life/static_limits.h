@@ -99,6 +99,7 @@ std::optional<std::string> flank_edge_near(std::string_view reaches, double edge
 std::optional<std::string> dynamic_above_static(double dynamic_capacity, double static_capacity);
 
 /// A note where a force [N] exceeds its static rating.
-std::optional<std::string> beyond_static_rating(double load, const StaticRating& rating);
+std::optional<std::string> beyond_static_rating(double load, const StaticRating& rating,
+                                                std::string_view shares = {});
 
 }  // namespace prs

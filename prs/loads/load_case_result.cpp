@@ -55,10 +55,12 @@ void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& c
       pair_of(contacts.threads, i), contacts.interfaces[i].geometry,
       *std::max_element(loads.semi_major.begin(), loads.semi_major.end()),
       *std::max_element(loads.semi_minor.begin(), loads.semi_minor.end()));
+  constexpr double kUnseen = 1e-7;  // No flank ends that sharply [m].
   for (const contact::FlankViolation& v : violations)
-    warnings.push_back(
-        fmt::format("the largest {} ellipse reaches {:.4g} mm beyond the {} of the {}", label(i),
-                    v.by * 1e3, contact::name(v.end), v.of_roller ? "roller" : name(i)));
+    if (v.by > kUnseen)
+      warnings.push_back(
+          fmt::format("the largest {} ellipse reaches {:.4g} mm beyond the {} of the {}", label(i),
+                      v.by * 1e3, contact::name(v.end), v.of_roller ? "roller" : name(i)));
 }
 
 /// Of missing rollers.

@@ -338,10 +338,18 @@ std::vector<std::string> unusual_load_measures(const Conditions& c, const Measur
   };
   const double force = std::abs(result.load_case.axial_force);
   if (m.dynamic_capacity) add(beyond_life_formula(force, *m.dynamic_capacity));
-  if (const auto rating = equal_shares_static_rating(c, m))
-    add(beyond_static_rating(force, *rating));
+  const std::optional<double>& solved = load_measures.solved_static_safety;
+  if (solved) {
+    const StaticRating rating{*solved * force, *load_measures.solved_static_safety_limit};
+    add(beyond_static_rating(force, rating));
+    if (rating.limit == StaticLimit::flank_edge && m.static_capacity)
+      add(flank_edge_near("an ellipse reaches the end of a flank", rating.force, *m.static_capacity,
+                          force));
+  } else if (const auto rating = equal_shares_static_rating(c, m)) {
+    add(beyond_static_rating(force, *rating, "with equal shares, "));
+  }
   for (const Interface i : kInterfaces)
-    if (m.interface_flank_edge_load[i] && m.static_capacity)
+    if (!solved && m.interface_flank_edge_load[i] && m.static_capacity)
       add(flank_edge_near(
           fmt::format("with equal shares, the {} ellipse reaches the end of a flank", label(i)),
           *m.interface_flank_edge_load[i], *m.static_capacity, force));

@@ -9,6 +9,7 @@
 
 #include "prs/configurations/heat_estimate.h"
 #include "prs/configurations/roller_spacing.h"
+#include "prs/input/units.h"
 #include "prs/life/capacity.h"
 #include "prs/model/case_error.h"
 #include "prs/model/groove.h"
@@ -71,8 +72,12 @@ std::string lead_text(const ScrewData& d) { return written_or(d, "lead", exact(d
 std::string load_text(const CompleteScrew& s) {
   return written_or(s.data, "load", kilonewton(s.load));
 }
-std::string speed_text(const CompleteScrew& s, bool backwards) {
-  return (backwards ? "-" : "") + written_or(s.data, "speed", rpm(s.speed));
+/// At which the screw drives a load in tension or in compression. Against a speed along the axis
+/// the hand of the thread is of no account.
+std::string speed_text(const CompleteScrew& s, Direction direction) {
+  const std::string text = written_or(s.data, "speed", rpm(s.speed));
+  const bool turns_back = s.c.mechanism.lead < 0.0 && !input::is_travel_speed(text);
+  return (turns_back == (direction == Direction::tension) ? "-" : "") + text;
 }
 
 using ModelOf = ModelOptions::Mechanism;
@@ -293,14 +298,13 @@ std::string spatial_text(ModelOf model, std::string_view line) {
 
 std::string loads_text(const CompleteScrew& s, ModelOf model) {
   const ScrewData& d = s.data;
-  const bool left_handed = s.c.mechanism.lead < 0.0;
   const std::string force = fmt::format(", axial_force: {}", load_text(s));
   const auto load_case = [&](const char* name, const std::string& load, std::string_view line) {
     const bool is_tension = name == std::string_view("tension");
-    return fmt::format("{{name: {0}{1}, direction: {0}, position: {2}{3}{4}}}", name, load,
-                       mm(s.position),
-                       is_tension ? "" : fmt::format(", speed: {}", speed_text(s, !left_handed)),
-                       spatial_text(model, line));
+    return fmt::format(
+        "{{name: {0}{1}, direction: {0}, position: {2}{3}{4}}}", name, load, mm(s.position),
+        is_tension ? "" : fmt::format(", speed: {}", speed_text(s, Direction::compression)),
+        spatial_text(model, line));
   };
   const auto in_mark = [&](const char* name) {
     return load_case(name, d.load ? std::string() : force, " ");
@@ -323,7 +327,7 @@ std::string loads_text(const CompleteScrew& s, ModelOf model) {
                       : ""))) +
          "load_cases:\n  - " + in_file("tension") + "\n  - " + in_file("compression") + "\n\n" +
          case_line(
-             fmt::format("operation: {{speed: {}}}", speed_text(s, left_handed)),
+             fmt::format("operation: {{speed: {}}}", speed_text(s, Direction::tension)),
              origin_of(d.speed.has_value(),
                        "a half of 150,000 mm/min over the screw's diameter, which makers allow"));
 }

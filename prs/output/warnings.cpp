@@ -49,7 +49,7 @@ std::string warning_lines(const std::string& warning) {
 
 std::string WarningGroup::where() const {
   if (cases.empty()) return {};
-  const bool several = cases.size() > 1 && !worst.empty();
+  const bool several = cases.size() > 1 && differs && !worst.empty();
   return fmt::format("in {}{}{}", folded_names(cases), several ? "; worst in " : "",
                      several ? worst : "");
 }
@@ -62,14 +62,16 @@ void WarningGroups::add(std::string text, const std::string& load_case) {
   text.erase(0, length);
   auto group = std::ranges::find(groups_, pattern, &WarningGroup::pattern);
   if (group == groups_.end())
-    group = groups_.insert(group, {std::move(pattern), place, text, {}, {}});
+    group = groups_.insert(group, {std::move(pattern), place, text, {}, load_case});
   if (group->place != place) group->place = "load_cases[..]";
   if (group->text != text) {
-    if (group->worst.empty() && !group->cases.empty()) group->worst = group->cases.front();
+    group->differs = true;
     if (is_worse(text, group->text)) {
       group->text = std::move(text);
       group->worst = load_case;
     }
+  } else if (group->worst.empty()) {
+    group->worst = load_case;
   }
   if (!load_case.empty() && known_.emplace(group->pattern, load_case).second)
     group->cases.push_back(load_case);

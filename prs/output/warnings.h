@@ -15,7 +15,8 @@ struct WarningGroup {
   std::string place;               ///< Path of the load case, with which the text begins; or empty.
   std::string text;                ///< The rest, with the worst numbers of all.
   std::vector<std::string> cases;  ///< All load cases; none where it is about the whole case.
-  std::string worst;               ///< The load case of the text, where the texts differ.
+  std::string worst = {};          ///< The load case of the text.
+  bool differs = false;            ///< Not all cases have these numbers.
 
   std::string whole() const { return place + text; }
   /// `in a, b[0–44]; worst in b[44]`; empty where it is about the whole case.

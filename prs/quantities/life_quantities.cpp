@@ -313,7 +313,7 @@ constexpr Quantity<LifeResult> kLife[] = {
     {"catalogue", life_at<&LifeResult::catalogue_life>, "(C_a/F_m)^3", "",
      "life by the catalogue's formula"},
     {"static_safety", of<&LifeResult::static_safety, converged>, "the smaller of both directions",
-     "ISO 76"},
+     "ISO 76", "static safety under the loads of the life"},
     {"static_safety_limit", of<&LifeResult::static_safety_limit, converged>,
      "pressure | deformation | flank_edge | given"},
     {"weakest_thread",

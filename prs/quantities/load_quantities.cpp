@@ -11,10 +11,13 @@
 #include "prs/quantities/sources.h"
 
 namespace prs {
-// Methods without a sparse matrix know no energy.
 std::optional<std::string> factorization(const LoadCaseResult& r) {
-  if (!r.solve || r.solve->history.empty() || std::isnan(r.solve->history.back().energy))
-    return std::nullopt;
+  if (!r.solve || r.solve->history.empty()) return std::nullopt;
+  // `influence`, which knows no energy.
+  if (std::isnan(r.solve->history.back().energy)) {
+    const std::string eigen = fe::eigen_factorization_name();
+    return eigen.substr(0, eigen.find(',')) + ", dense LU";
+  }
   std::string name(fe::Cholesky::name());
   if (r.solve->wide) name += "; then " + fe::eigen_factorization_name() + " of 113 binary digits";
   return name;

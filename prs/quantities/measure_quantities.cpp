@@ -308,12 +308,13 @@ constexpr Quantity<LoadMeasures> kLoadMeasures[] = {
     {"buckling_safety", of<&LoadMeasures::buckling_safety>, "buckling load over F",
      "Euler; J. B. Johnson", "safety against buckling", kStrengthGroup,
      "in compression; that of the buckling load"},
-    {"l10_revolutions", of<&LoadMeasures::life>, "10^6 (C_a/F)^3", source::kLife, "life L10",
-     kLifeGroup, "equal shares, 90 % reliability, F up to about C_a/2; spectra: `prs life`"},
-    {"l10_hours", of<&LoadMeasures::life_hours>, "L10 over the speed", source::kLife, "life L10",
-     kLifeGroup, "needs a speed; that of L10"},
-    {"l10_travel_km", of<&LoadMeasures::life_travel>, "L10 |l|", source::kLife, "life L10",
-     kLifeGroup, "that of L10"},
+    {"l10_revolutions", of<&LoadMeasures::life>, "10^6 (C_a/F)^3", source::kLife,
+     "life L10 (estimate: equal shares)", kLifeGroup,
+     "equal shares, 90 % reliability, F up to about C_a/2; spectra: `prs life`"},
+    {"l10_hours", of<&LoadMeasures::life_hours>, "L10 over the speed", source::kLife,
+     "life L10 (estimate: equal shares)", kLifeGroup, "needs a speed; that of L10"},
+    {"l10_travel_km", of<&LoadMeasures::life_travel>, "L10 |l|", source::kLife,
+     "life L10 (estimate: equal shares)", kLifeGroup, "that of L10"},
     {"drive_torque_Nm", of<&LoadMeasures::drive_torque>, "F |l|/(2 pi eta)",
      "Jung 2017, (8.31), corrected, with (8.29)", "torque that drives against the load (estimate)",
      kDriveGroup, kEfficiencyValidity},
@@ -355,7 +356,8 @@ std::vector<std::string> estimates_beside(const Computed& computed) {
     if (is_computed) keys.insert(keys.end(), estimates.begin(), estimates.end());
   };
   add(computed.slip, {"efficiency", "back_driving_efficiency", "drive_torque_Nm"});
-  add(computed.life, {"static_capacity_N", "l10_revolutions", "l10_hours", "l10_travel_km"});
+  add(computed.life,
+      {"static_capacity_N", "flank_edge_load_N", "l10_revolutions", "l10_hours", "l10_travel_km"});
   add(computed.thread_safety, {"static_safety", "static_safety_limit"});
   add(computed.static_safety, {"thread_static_safety", "thread_static_safety_limit"});
   return keys;

@@ -93,9 +93,11 @@ Found static_safety(const VerdictFacts& f) {
     if (m && m->solved_static_safety)
       found.take(*m->solved_static_safety, load.name, describe(*m->solved_static_safety_limit));
     else if (m && m->thread_static_safety)
-      found.take(*m->thread_static_safety, load.name,
-                 (load.share == LoadCase::Share::equal ? "equal shares, " : "") +
-                     describe(*m->thread_static_safety_limit));
+      found.take(
+          *m->thread_static_safety, load.name,
+          (load.share == LoadCase::Share::equal ? "equal shares, "
+                                                : "estimate with the shares under this load, ") +
+              describe(*m->thread_static_safety_limit));
   }
   if (!found.value) found.why = "no load whose thread loads are known";
   return found;
@@ -182,10 +184,13 @@ Found speed_times_diameter(const VerdictFacts& f) {
   return found;
 }
 
+/// Of the body: room is left for flanges.
 template <double Structure::Nut::*size>
 Found of_nut(const VerdictFacts& f) {
   Found found{Sense::greatest};
-  if (f.c.structure) found.take(f.c.structure->nut.*size * per_si::millimetre, "");
+  if (f.c.structure)
+    found.take(f.c.structure->nut.*size * per_si::millimetre, "",
+               f.c.structure->nut.flanges.empty() ? "" : "without flanges");
   found.why = "add structure";
   return found;
 }
@@ -228,6 +233,9 @@ Found efficiency(const VerdictFacts& f) {
   for (const LoadCaseResult& r : f.slip->load_cases)
     if (r.slip && r.slip->converged() && r.slip->driven_by == DrivenBy::screw)
       found.take(r.slip->efficiency, r.load_case.name);
+  const auto& cycle = f.slip->heat_cycle;
+  if (found.value && cycle && cycle->converged() && cycle->efficiency)
+    found.take(*cycle->efficiency, "heat.duty", "over the cycle");
   found.applies = found.value.has_value();
   found.why = "the screw drives in no load case";
   return found;
@@ -555,7 +563,7 @@ constexpr Quantity<Criterion> kCriterion[] = {
     {"unit", of<&Criterion::unit>, "of value and limit; empty for ratios and fractions"},
     {"sense", of<&Criterion::sense>, "least | greatest: which the limit is"},
     {"value", of<&Criterion::value>, "the worst of all load cases, with the real thread loads"},
-    {"best", of<&Criterion::best>, "the other end of the values of all load cases"},
+    {"best", of<&Criterion::best>, "the best value of all load cases and places"},
     {"limit", of<&Criterion::limit>, "that it is held against"},
     {"limit_source", of<&Criterion::source>,
      "case | physics | recommended: `limits` of the case, what physics allows, or what is usual"},

@@ -309,16 +309,16 @@ struct AnswerView {
 
 /// Rows of a record of the document or, as in `life.system`, of one within it, under its title.
 std::string part_of_document(const Json& document, const std::string& path,
-                             const std::vector<std::string>& only) {
+                             const RecordChoice& choice) {
   const std::size_t dot = std::min(path.find('.'), path.size());
   const Json& outer = under(document, path.substr(0, dot));
   const RecordInfo* info = record_at(path.substr(0, dot));
   if (dot == path.size())
-    return outer.is_object() ? record_table(*info, {{"", &outer}}, {.only = only}) : std::string();
+    return outer.is_object() ? record_table(*info, {{"", &outer}}, choice) : std::string();
   const auto inner = std::ranges::find(info->quantities, path.substr(dot + 1), &QuantityInfo::key);
   if (inner == info->quantities.end() || !outer.contains(inner->key)) return {};
   const Json& record = outer[std::string(inner->key)];
-  const std::string table = record_table(inner->record(), {{"", &record}}, {.only = only});
+  const std::string table = record_table(inner->record(), {{"", &record}}, choice);
   return table.empty() ? table
                        : fmt::format("<h3>{}</h3>\n", html(capitalised(inner->title))) + table;
 }
@@ -332,11 +332,12 @@ std::string answer_html(Findings& all, const AnswerView& view) {
   std::string text =
       pictures_html(all, answer, [&](std::string_view name) { return !is_folded(name); });
   const std::vector<RecordColumn> cases = case_columns(answer->document);
+  const std::vector<std::string> estimates = estimates_in(all, *answer);
   for (const auto& [key, only] : view.in_cases)
     if (const RecordInfo* info = record_in(*record_at("load_cases[]"), key))
-      text += record_table(*info, columns_in(cases, key), {.only = only});
+      text += record_table(*info, columns_in(cases, key), {.only = only, .hidden = estimates});
   for (const auto& [key, only] : view.in_document)
-    text += part_of_document(answer->document, key, only);
+    text += part_of_document(answer->document, key, {.only = only, .hidden = estimates});
   const bool is_open = view.in_cases.empty() && view.in_document.empty();
   const std::string every = document_html(all, *answer);
   return text + folded_html("More pictures", pictures_html(all, answer, is_folded)) +
@@ -384,8 +385,9 @@ std::string measures_html(Findings& all) {
   return answer_html(
       all, {Command::measures,
             {{"measures",
-              {"static_safety", "thread_static_safety", "static_safety_limit", "buckling_safety",
-               "speed_safety", "drive_torque_Nm"}}},
+              {"solved_static_safety", "solved_static_safety_limit", "thread_static_safety",
+               "static_safety", "static_safety_limit", "buckling_safety", "speed_safety",
+               "drive_torque_Nm"}}},
             {{"measures",
               {"dynamic_capacity_N", "static_capacity_N", "flank_edge_load_N", "weight_kg",
                "screw_weight_kg_per_m", "equivalent_inertia_kg_mm2", "shaft_stiffness_N_per_um",

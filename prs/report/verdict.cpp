@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "prs/output/table_units.h"
@@ -50,7 +51,7 @@ void collect(const Json& json, std::string_view path, const std::string& where,
   collect(json[key], path, where, found);
 }
 
-enum class Pick { range, largest, above_one /* the largest, where it is not 1 */ };
+enum class Pick { largest, above_one /* the largest, where it is not 1 */ };
 
 /// A number beside the verdict, of which no case states a limit: the first of the paths that has
 /// any.
@@ -66,7 +67,7 @@ struct Headline {
 
 const std::vector<Headline>& headlines() {
   static const std::vector<Headline> all = {
-      {"Power lost", Pick::range, {{Command::slip, "load_cases[].slip.power_loss_W"}}},
+      {"Power lost", Pick::largest, {{Command::slip, "load_cases[].slip.power_loss_W"}}},
       {"Overload of a thread, screw",
        Pick::above_one,
        {{Command::solve, "load_cases[].screw.overload_factor"}}},
@@ -93,16 +94,9 @@ std::optional<Tile> tile_of(const Findings& all, const Headline& headline) {
     if (found.empty()) continue;
     const ReportUnit unit = report_unit(path, unit_in(path));
     for (Found& one : found) one.value *= unit.factor;
-    const auto [least, most] =
-        std::ranges::minmax_element(found, {}, [](const Found& f) { return f.value; });
-    const Found& one = *most;
+    const Found& one = *std::ranges::max_element(found, {}, &Found::value);
     Tile tile{report_number(one.value, unit.text), unit.text, one.where, command};
     if (headline.pick == Pick::above_one && tile.value == report_number(1.0, "")) return {};
-    if (headline.pick == Pick::range)
-      if (const std::string low = report_number(least->value, unit.text); low != tile.value) {
-        tile.value = low + " … " + tile.value;
-        tile.where = fmt::format("{} load cases", found.size());
-      }
     return tile;
   }
   return {};
@@ -144,31 +138,40 @@ std::string headline_html(const Findings& all, const Headline& headline) {
 
 // Cards of the verdict.
 
-/// The worst value; where it is held against no limit, the range over the load cases.
+/// In what the page shows value and limit.
+ReportUnit card_unit(const Criterion& c) {
+  const auto [unit, factor] = shown(c);
+  const ReportUnit of_page = report_unit("", unit);
+  return {of_page.text, factor * of_page.factor};
+}
+
 std::string value_html(const Criterion& c) {
   if (!c.value) return "–";
-  const auto [unit, factor] = shown(c);
-  const auto number = [&, unit = unit, factor = factor](double value) {
-    return report_number(value * factor, unit);
-  };
-  std::string text = number(*c.value);
-  if (c.standing == Standing::no_limit && c.best)
-    if (const std::string best = number(*c.best); best != text)
-      text = *c.best < *c.value ? best + " … " + text : text + " … " + best;
-  return number_html(text, unit);
+  const ReportUnit unit = card_unit(c);
+  return number_html(report_number(*c.value * unit.factor, unit.text), unit.text);
+}
+
+/// Where the worst value stands, and the best where that is another one.
+std::string place_of(const Criterion& c) {
+  constexpr double kSame = 0.01;
+  std::string where = c.load_case;
+  if (!c.reason.empty()) where += (where.empty() ? "" : ": ") + c.reason;
+  if (c.standing == Standing::no_limit && c.best &&
+      std::abs(*c.best - *c.value) > kSame * std::abs(*c.value)) {
+    const ReportUnit unit = card_unit(c);
+    where += fmt::format("; best {}", report_number(*c.best * unit.factor, unit.text));
+  }
+  return where;
 }
 
 std::string card_html(const Findings& all, const Criterion& c) {
-  const auto [unit, factor] = shown(c);
+  const auto [unit, factor] = card_unit(c);
   std::string below;
   if (c.limit)
     below += fmt::format("<div class=\"where\">{} {}{}{}, {}</div>",
                          c.sense == Sense::least ? "at least" : "at most",
                          report_number(*c.limit * factor, unit), unit.empty() ? "" : " ",
                          html(unit), html(origin(c)));
-  const bool in_range = c.standing == Standing::no_limit && c.best;
-  std::string where = in_range ? "over the load cases" : c.load_case;
-  if (!c.reason.empty()) where += (where.empty() ? "" : ": ") + c.reason;
   std::string before;
   if (all.before)
     for (const Criterion& other : all.before->verdict.criteria)
@@ -179,7 +182,7 @@ std::string card_html(const Findings& all, const Criterion& c) {
   if (c.limit)
     below += fmt::format("<div class=\"state {}\">{}</div>", name(c.standing), words(c.standing));
   return tile_html(c.name, name(c.standing), c.title, value_html(c), before,
-                   below + where_html(where));
+                   below + where_html(place_of(c)));
 }
 
 }  // namespace

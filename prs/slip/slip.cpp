@@ -194,9 +194,8 @@ void warn_of_film(const SlipModel& model, const SlipResult& slip,
     if (!follows && along_major > 0.5)
       warnings.push_back(fmt::format(
           "lubricant.film: the {} contacts roll {:.0f} deg off the major axis of their ellipse, "
-          "and "
-          "their central film is that of rolling along the minor one; for the true direction take "
-          "`film: {{direction: rolling}}`",
+          "and their central film is that of rolling along the minor one; for the true direction "
+          "take `film: {{direction: rolling}}`, another formula, which has some 20 % less there",
           label(i), off_major));
     if (follows && (ratio < contact::kLeastRollingRatio || ratio > contact::kGreatestRollingRatio))
       warnings.push_back(fmt::format(
@@ -221,7 +220,8 @@ std::optional<std::string> unknown_heat_flow(const Conditions& c, const Mechanis
   if (needed <= in_air) return std::nullopt;
   return fmt::format(
       "heat: missing, so that temperatures are not known: to stay at {:.0f} degC in {:.0f} degC, "
-      "the screw must pass its {:.3g} W on by {:.3g} W/K, and still air takes {:.2g} W/K from a "
+      "the mechanism must pass its {:.0f} W on by {:.3g} W/K, and still air takes {:.2g} W/K from "
+      "a "
       "bare nut; add `heat`",
       kWarmParts - 273.15, kSurroundings - 273.15, power, needed, in_air);
 }

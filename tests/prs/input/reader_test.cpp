@@ -174,7 +174,7 @@ TEST(ReadCase, TheLubricantMayFollowItsTemperature) {
   EXPECT_EQ(line.lubricant->walther->slope, 3.7);
 }
 
-/// n = v/|lead|, the sign that of v.
+/// n = v/lead.
 TEST(ReadCase, SpeedsMayBeAlongTheAxis) {
   const auto speed = [](const std::vector<std::string>& overrides) {
     return read(kAbevi, overrides).operation->speed;
@@ -182,7 +182,7 @@ TEST(ReadCase, SpeedsMayBeAlongTheAxis) {
   const double turn = 2.0 * std::numbers::pi;
   EXPECT_DOUBLE_EQ(speed({"operation={speed: 200 mm/s}"}), 40.0 * turn);
   EXPECT_DOUBLE_EQ(speed({"operation={speed: -1 in/s}"}), -25.4 / 5.0 * turn);
-  EXPECT_DOUBLE_EQ(speed({"operation={speed: 200 mm/s}", "mechanism.lead=-5 mm"}), 40.0 * turn);
+  EXPECT_DOUBLE_EQ(speed({"operation={speed: 200 mm/s}", "mechanism.lead=-5 mm"}), -40.0 * turn);
   for (const char* lead : {"mechanism.lead=4 mm", "mechanism.lead=0.004 m"})
     EXPECT_DOUBLE_EQ(speed({"operation={speed: 200 mm/s}", lead}), 50.0 * turn);
   const Case c = read(kAbevi, {"load_cases[0].speed=3 m/min"});

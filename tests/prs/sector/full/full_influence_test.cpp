@@ -148,7 +148,9 @@ double largest_of(const RollerThreads& loads) {
 }
 
 void expect_same(const FullDistribution& a, const FullDistribution& b, double share) {
-  ASSERT_TRUE(a.solve.converged() && b.solve.converged());
+  for (const FullDistribution* d : {&a, &b})
+    ASSERT_TRUE(d->solve.converged()) << fe::name(d->solve.status) << ", residual "
+                                      << d->solve.relative_residual << (d == &a ? "" : ", beams");
   for (const Interface i : kInterfaces)
     for (std::size_t j = 0; j < a.normal_load[i].size(); ++j)
       for (std::size_t k = 0; k < a.normal_load[i][j].size(); ++k)
