@@ -38,6 +38,12 @@ TEST(WarningGroups, EqualTextsHaveNoWorstAndCasesStandOnce) {
   EXPECT_EQ(grouped({{"about the whole case", ""}}).where(), "");
 }
 
+/// A command that names no load case has told it before.
+TEST(WarningGroups, TheWorstCaseIsThatOfTheWorstText) {
+  EXPECT_EQ(grouped({{"5.42 GPa", ""}, {"5.13 GPa", "pull"}, {"5.42 GPa", "push"}}).where(),
+            "in pull, push; worst in push");
+}
+
 /// Two commands tell other numbers of one load case, cold and warm.
 TEST(WarningGroups, OneCaseIsNotToldTwice) {
   const WarningGroup group = grouped({{"2.57 GPa", "pull"}, {"2.64 GPa", "pull"}});
