@@ -139,7 +139,7 @@ Figures roller_shares(const Result& result, const FigureOptions& options) {
   return {std::move(figure)};
 }
 
-/// Largest thread load of the first roller over a turn of the carrier.
+/// Largest thread load of the first roller that is there over a turn of the carrier.
 Figures carrier_turn(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_turn);
   if (!shown) return {};
@@ -163,8 +163,13 @@ Figures carrier_turn(const Result& result, const FigureOptions& options) {
   figure.x = {"Angle of the carrier", "°", start, start + kTurn};
   for (double turned = 0.0; turned <= kTurn; turned += 60.0)
     figure.x.ticks.push_back({start + turned});
-  figure.y = {"Largest normal load of the first roller", "N"};
+  // The first that is there.
+  const std::vector<int>& missing = shown->full->missing_rollers;
+  int roller = 1;
+  while (std::ranges::count(missing, roller) > 0) ++roller;
+  figure.y = {fmt::format("Largest normal load of roller {}", roller), "N"};
   fit_y_range(figure);
+  figure.y.from = 0.0;
   return {std::move(figure)};
 }
 

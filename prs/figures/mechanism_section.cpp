@@ -162,8 +162,16 @@ void add_body(Figure& figure, Panel& panel, Part part, std::vector<Polyline> par
 
 Polyline circle(double y, double z, double r) { return ellipse(y, z, r, r, 0.0); }
 
+/// How many there are: `11 rollers`, or `10 of 11 rollers` where some are missing.
+std::string rollers_text(const Case& c) {
+  const int places = c.mechanism.rollers;
+  const int missing = static_cast<int>(c.deviations.missing_rollers.size());
+  return missing == 0 ? fmt::format("{} rollers", places)
+                      : fmt::format("{} of {} rollers", places - missing, places);
+}
+
 /// What a drawing is read by: sizes in the bodies, the length of the nut between arrows. `top` is
-/// the nut's radius.
+/// the nut's radius with its flanges.
 void add_sizes(Figure& figure, Panel& panel, const Case& c, const Place& p, double axis,
                const contact::MechanismGeometry& threads, double top) {
   const double middle = 0.5 * p.nut_length;
@@ -176,12 +184,15 @@ void add_sizes(Figure& figure, Panel& panel, const Case& c, const Place& p, doub
   const double screw = 0.5 * diameter(threads.screw), roller = 0.5 * diameter(threads.roller);
   add(middle, 0.55 * screw,
       fmt::format("screw, pitch Ø{:.5g}, lead {:.5g}", 2.0 * screw, threads.screw.lead * kMm));
-  add(middle, axis + 0.4 * roller,
-      fmt::format("{} rollers, pitch Ø{:.5g}, {} threads", c.mechanism.rollers, 2.0 * roller,
-                  p.contacts));
+  add(0.5 * (p.first + p.last()), axis + 0.4 * roller,
+      fmt::format("{}, pitch Ø{:.5g}, {} threads", rollers_text(c), 2.0 * roller, p.contacts));
   if (!c.structure) return;
-  add(middle, 0.5 * (axis + roller + top),
-      fmt::format("nut Ø{:.5g}", c.structure->nut.outer_diameter * kMm));
+  const double body = 0.5 * c.structure->nut.outer_diameter * kMm;
+  add(middle, 0.5 * (axis + roller + body), fmt::format("nut Ø{:.5g}", 2.0 * body));
+  for (const Structure::Flange& flange : c.structure->nut.flanges)
+    if (const double outer = 0.5 * flange.outer_diameter * kMm; outer > body)
+      add(0.5 * (flange.from + flange.to) * kMm, 0.5 * (body + outer),
+          fmt::format("Ø{:.5g}", 2.0 * outer));
   const double above = 1.08 * top;
   panel.series.push_back(
       {figure.add(arrows_of(Colour::ink)),
@@ -189,9 +200,9 @@ void add_sizes(Figure& figure, Panel& panel, const Case& c, const Place& p, doub
   add(middle, 1.14 * top, fmt::format("{:.5g}", p.nut_length));
 }
 
-/// What holds the parts under this load.
+/// What holds the parts under this load. `roller` is the radius at its pitch.
 void add_supports(Figure& figure, Panel& panel, const Case& c, const Place& p, double axis,
-                  const LoadCaseResult* shown) {
+                  double roller, const LoadCaseResult* shown) {
   if (!c.structure) return;
   const Structure& s = *c.structure;
   const auto& direction = shown ? shown->load_case.direction : std::nullopt;
@@ -200,9 +211,10 @@ void add_supports(Figure& figure, Panel& panel, const Case& c, const Place& p, d
             *direction == Direction::tension ? s.nut.thrust.tension : s.nut.thrust.compression) {
       const double x = *thrust * kMm, r = 0.5 * nut_diameters_at(s.nut, *thrust).first * kMm;
       const double outer = std::max(r, 0.5 * s.nut.outer_diameter * kMm);
+      const double from = axis + roller;  // No line crosses the roller's words.
       panel.series.push_back({figure.add("section where the nut is held",
                                          line_of(Colour::ink, Dash::dashed, Weight::strong)),
-                              {{{x, axis}, {x, 1.04 * outer}}}});
+                              {{{x, from}, {x, 1.04 * outer}}}});
     }
   Style guide = points_of(Colour::purple, Mark::diamond);
   panel.series.push_back({figure.add("roller guided", guide),
@@ -217,7 +229,7 @@ void add_supports(Figure& figure, Panel& panel, const Case& c, const Place& p, d
 /// The force on the screw, at its loaded end.
 void add_load(Figure& figure, Panel& panel, const Place& p, const LoadCaseResult& shown,
               double top) {
-  const double room = 0.13 * (p.screw_to - p.screw_from), near = p.screw_from - 0.1 * room;
+  const double room = 0.19 * (p.screw_to - p.screw_from), near = p.screw_from - 0.1 * room;
   const double far = near - 0.9 * room, y = 0.15 * top;
   const bool pulls = shown.load_case.direction == Direction::tension;
   Style style = arrows_of(Colour::bad);
@@ -307,7 +319,7 @@ Figures mechanism_section(const Case& c, const Result& result, const FigureOptio
               p.screw_from - overhang, p.screw_to + overhang};
   figure.y = {"Radius", "mm", -0.06 * top, (c.structure ? 1.22 : 1.05) * top};
   add_sizes(figure, panel, c, p, axis, threads, top);
-  add_supports(figure, panel, c, p, axis, shown);
+  add_supports(figure, panel, c, p, axis, teeth.roller.radius, shown);
   if (shown && shown->load_case.direction) add_load(figure, panel, p, *shown, top);
   figure.aspect = (figure.y.to - figure.y.from) / (figure.x.to - figure.x.from);
   figure.to_scale = true;

@@ -197,6 +197,7 @@ nlohmann::ordered_json check_json(const CheckResult& result, const DocumentInfo&
   for (const input::EchoEntry& f : result.fields) {
     document["input"].push_back({{"path", f.path}, {"value", f.value}, {"default", f.is_default}});
     Json& entry = document["input"].back();
+    if (!f.written.empty()) entry["written"] = f.written;
     if (!f.origin.empty()) entry["origin"] = f.origin;
     const auto [basis, reason] = basis_of(f, result);
     entry["basis"] = basis;

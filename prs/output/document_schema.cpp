@@ -121,6 +121,7 @@ void put_check(Parts& d) {
   d.put("input", list(object({{"path", text()},
                               {"value", text()},
                               {"default", flag()},
+                              {"written", type("string", "As the file has it")},
                               {"origin", type("string", "Of a default that a name stands for")},
                               {"basis", type("string",
                                              "given, assumed (as a comment of the file "

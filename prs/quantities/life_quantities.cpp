@@ -162,9 +162,10 @@ constexpr Quantity<DirectionLife> kDirectionLife[] = {
        return rating ? std::optional(rating->limit) : std::nullopt;
      }>,
      "pressure | deformation | flank_edge | given"},
-    {"equilibria", of_flank<&FlankLife::solves>, "that were solved"},
+    {"equilibria", of_flank<&FlankLife::solves>, "that were solved", "",
+     "loads at which the threads were solved"},
     {"interpolation_error", of_flank<&FlankLife::interpolation_error>,
-     "of thread loads between the equilibria, relative"},
+     "of thread loads between the equilibria, relative", "", "error of thread loads between them"},
     {"screw", threads_of<Interface::screw>, "threads of one roller at the screw"},
     {"nut", threads_of<Interface::nut>, "threads of one roller at the nut"},
 };
@@ -200,7 +201,7 @@ constexpr Quantity<Capacity> kCapacity[] = {
      of<[](const Capacity& c) { return range_of(c.life->dynamic_capacity_range); }>, kFactorRange,
      "docs/life.md"},
     {"source", of<[](const Capacity& c) { return c.life->lemor ? "lemor" : "given"; }>,
-     "lemor | given", "", "dynamic capacity by Lemor's formula or given"},
+     "lemor | given", "", "origin of the dynamic capacity"},
     {"geometry_factor", of_lemor<&LemorCapacity::factor>, "f_c", kLemorCapacity},
     {"geometry_factor_range",
      of_lemor<[](const LemorCapacity& l) { return range_of(l.factor_range); }>, kFactorRange,
@@ -234,7 +235,7 @@ constexpr auto where_revolutions_are_known =
 
 constexpr Quantity<Loads> kLoads[] = {
     {"samples", of<[](const Loads& l) { return l.life->steps.size(); }>,
-     "of the history or the spectrum"},
+     "of the history or the spectrum", "", "load steps of one pass"},
     {"revolutions", where_revolutions_are_known<&LifeResult::revolutions>, "of one pass"},
     {"travel_m", where_revolutions_are_known<[](const LifeResult& r) {
        return r.revolutions * std::abs(r.contacts.mechanism.lead);
@@ -296,7 +297,7 @@ constexpr Quantity<LifeResult> kLife[] = {
     {"share", of<[](const LifeResult& r) {
        return r.life.share == LoadCase::Share::equal ? "equal" : "solved";
      }>,
-     "solved | equal: thread loads"},
+     "solved | equal: thread loads", "", "thread loads"},
     {"reliability_factor", of<&LifeResult::reliability_factor>,
      "a1 of the reliability that is asked for", kReliability},
     {"modification_factor", of<[](const LifeResult& r) { return r.life.modification_factor; }>,

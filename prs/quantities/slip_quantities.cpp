@@ -78,9 +78,10 @@ constexpr Quantity<RollerForces> kRollerForces[] = {
 };
 
 constexpr Quantity<SlipEstimates> kSlipEstimates[] = {
-    {"simple", of<&SlipEstimates::simple>, "contacts at the pitch points", "Sandu 2018, (2.21)"},
+    {"simple", of<&SlipEstimates::simple>, "contacts at the pitch points", "Sandu 2018, (2.21)",
+     "slip ratio by contacts at the pitch points"},
     {"jones", of<&SlipEstimates::jones>, "standard mechanisms only",
-     "Jones et al., in Sandu 2018, (2.20)"},
+     "Jones et al., in Sandu 2018, (2.20)", "slip ratio by Jones et al."},
 };
 
 constexpr Quantity<HottestThread> kHottestThread[] = {
@@ -126,7 +127,7 @@ constexpr Quantity<SlipResult> kSlip[] = {
     {"ideal_slip_ratio", found<&SlipResult::ideal_slip_ratio>, "epsilon* of least sliding",
      "Sandu 2018, (2.16), (2.17)"},
     {"optimality_percent", found<&SlipResult::optimality>, "100 % at the ideal slip ratio",
-     "Sandu 2018, (2.19)"},
+     "Sandu 2018, (2.19)", "nearness to the slip ratio of least sliding"},
     {"driven_by", found<&SlipResult::driven_by>, "screw | load: force x speed x lead > 0 or < 0"},
     {"efficiency", found<&SlipResult::efficiency>,
      "power out over power in: of the load over the shaft, or of the shaft over the load that "

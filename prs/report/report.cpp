@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -413,12 +414,58 @@ std::string contact_html(Findings& all) {
          folded_html("Points, curvatures and clearances of the contacts", folded);
 }
 
+/// A text whose numbers have no more digits than a reader takes in: `16.517 1/GPa`.
+std::string with_short_numbers(std::string_view text) {
+  constexpr std::ptrdiff_t kDigits = 5;
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string shown;
+  while (!text.empty()) {
+    const bool begins = is_digit(text.front()) &&
+                        (shown.empty() ||
+                         std::string_view(" -+[{(,:").find(shown.back()) != std::string_view::npos);
+    double value = 0.0;
+    std::size_t size = 1;
+    if (begins)
+      size = static_cast<std::size_t>(
+          std::from_chars(text.data(), text.data() + text.size(), value).ptr - text.data());
+    const std::string_view number = text.substr(0, size);
+    const bool is_long =
+        number.find('.') != number.npos && std::ranges::count_if(number, is_digit) > kDigits;
+    if (is_long && value < 1e5)
+      shown += fmt::format("{:.{}g}", value, kDigits);
+    else if (is_long && number.find('e') == number.npos)
+      shown += fmt::format("{:.0f}", value);
+    else
+      shown += number;
+    text.remove_prefix(size);
+  }
+  return shown;
+}
+
+/// A value as the file has it, or one that the file does not state.
+std::string input_shown(const Json& entry) {
+  const std::string value = entry["value"], written = entry.value("written", "");
+  return written.empty() || written == "~" ? with_short_numbers(value) : written;
+}
+
+/// A path that breaks where its keys end.
+std::string path_html(const std::string& path) {
+  std::string text;
+  for (const char c : html(path)) {
+    if (c == '[') text += "<wbr>";
+    text += c;
+    if (c == '.' || c == '_') text += "<wbr>";
+  }
+  return fmt::format("<code>{}</code>", text);
+}
+
 /// A row for each input that the file states, or for each that it does not.
 std::string input_table_html(const Findings& all, bool of_defaults, std::size_t& count) {
   constexpr std::size_t kMostOfBlock = 1000;
   std::vector<std::vector<std::string>> rows;
   std::string block, tables;
   std::size_t of_block = 0;
+  bool has_reasons = false;
   std::string told;  // A reason stands beside the first of the values that share it.
   const auto end_block = [&] {
     if (of_block > kMostOfBlock)
@@ -441,11 +488,12 @@ std::string input_table_html(const Findings& all, bool of_defaults, std::size_t&
     if (entry.contains("origin")) origin += " " + entry["origin"].get<std::string>();
     if (!reason.empty()) origin += reason == told ? ", as above" : ": " + reason;
     told = reason;
-    rows.push_back({fmt::format("<code>{}</code>", html(path)),
-                    html(entry["value"].get<std::string>()), html(origin)});
+    has_reasons = has_reasons || !reason.empty();
+    rows.push_back({path_html(path), html(input_shown(entry)), html(origin)});
   }
   end_block();
-  return tables.empty() ? tables : "<div class=\"blocks\">\n" + tables + "</div>\n";
+  if (tables.empty()) return {};
+  return fmt::format("<div class=\"blocks{}\">\n{}</div>\n", has_reasons ? " told" : "", tables);
 }
 
 std::string inputs_html(const Findings& all) {
@@ -455,8 +503,9 @@ std::string inputs_html(const Findings& all) {
   const auto assumed = std::ranges::count_if(
       all.check["input"], [](const Json& entry) { return entry["basis"] == "assumed"; });
   std::string text =
-      fmt::format("<p>{} values given, {} assumed as comments in the file say.</p>\n",
-                  static_cast<std::ptrdiff_t>(stated) - assumed, assumed);
+      fmt::format("<p>{} values given", static_cast<std::ptrdiff_t>(stated) - assumed);
+  if (assumed > 0) text += fmt::format(", {} assumed as comments in the file say", assumed);
+  text += ".</p>\n";
   text += of_file +
           folded_html(fmt::format("{} values that the file does not state: defaults", defaults),
                       others);
