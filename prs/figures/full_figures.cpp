@@ -170,6 +170,7 @@ Figures carrier_turn(const Result& result, const FigureOptions& options) {
   figure.y = {fmt::format("Largest normal load of roller {}", roller), "N"};
   fit_y_range(figure);
   figure.y.from = 0.0;
+  figure.y.to *= 1.1;
   return {std::move(figure)};
 }
 

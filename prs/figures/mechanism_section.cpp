@@ -184,8 +184,10 @@ void add_sizes(Figure& figure, Panel& panel, const Case& c, const Place& p, doub
   const double screw = 0.5 * diameter(threads.screw), roller = 0.5 * diameter(threads.roller);
   add(middle, 0.55 * screw,
       fmt::format("screw, pitch Ø{:.5g}, lead {:.5g}", 2.0 * screw, threads.screw.lead * kMm));
-  add(0.5 * (p.first + p.last()), axis + 0.4 * roller,
-      fmt::format("{}, pitch Ø{:.5g}, {} threads", rollers_text(c), 2.0 * roller, p.contacts));
+  const double of_roller = 0.5 * (p.first + p.last());
+  add(of_roller, axis + 0.45 * roller, rollers_text(c));
+  add(of_roller, axis - 0.45 * roller,
+      fmt::format("pitch Ø{:.5g}, {} threads", 2.0 * roller, p.contacts));
   if (!c.structure) return;
   const double body = 0.5 * c.structure->nut.outer_diameter * kMm;
   add(middle, 0.5 * (axis + roller + body), fmt::format("nut Ø{:.5g}", 2.0 * body));
@@ -229,7 +231,7 @@ void add_supports(Figure& figure, Panel& panel, const Case& c, const Place& p, d
 /// The force on the screw, at its loaded end.
 void add_load(Figure& figure, Panel& panel, const Place& p, const LoadCaseResult& shown,
               double top) {
-  const double room = 0.19 * (p.screw_to - p.screw_from), near = p.screw_from - 0.1 * room;
+  const double room = 0.17 * (p.screw_to - p.screw_from), near = p.screw_from - 0.1 * room;
   const double far = near - 0.9 * room, y = 0.15 * top;
   const bool pulls = shown.load_case.direction == Direction::tension;
   Style style = arrows_of(Colour::bad);

@@ -129,7 +129,7 @@ TEST(LessonPlots, TheSectionHasSizesSupportsAndTheLoad) {
   std::string texts, legend;
   for (const Label& label : pulled.panels[0].labels) texts += label.text + "; ";
   for (const LegendEntry& entry : pulled.legend) legend += entry.title + "; ";
-  for (const char* text : {"kN; tension", "screw, pitch Ø", "rollers, pitch Ø", "nut Ø"})
+  for (const char* text : {"kN; tension", "screw, pitch Ø", "10 rollers; pitch Ø10", "nut Ø"})
     EXPECT_THAT(texts, testing::HasSubstr(text));
   EXPECT_THAT(legend, testing::HasSubstr("section where the nut is held"));
 }
