@@ -147,7 +147,7 @@ std::string verdict_table(const CaseVerdict& verdict) {
     const auto [unit, factor] = shown(c);
     const auto* const documents = std::ranges::find(kShownUnits, unit, &ShownUnit::text);
     const bool is_known = documents != std::end(kShownUnits);
-    const auto number = [&](double value) {
+    const auto number = [&, factor = factor](double value) {
       const double shown = value * factor * (is_known ? table_factor(*documents) : 1.0);
       return std::abs(shown) < 1e4 ? fmt::format("{:.4g}", shown) : fmt::format("{:.0f}", shown);
     };
