@@ -30,7 +30,7 @@ std::vector<double> numbers_in(std::string_view text) {
 
 bool is_worse(std::string_view text, std::string_view than) {
   const std::vector<double> a = numbers_in(text), b = numbers_in(than);
-  const auto [x, y] = std::ranges::mismatch(a, b);
+  const auto [x, y] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
   if (x == a.end() || y == b.end()) return false;
   return text.find("at the least") == text.npos ? *x > *y : *x < *y;
 }
