@@ -69,12 +69,15 @@ std::map<Command, std::string> unmoved(const input::Source& report, const input:
         key);
   };
   std::map<Command, std::string> all;
-  if (std::ranges::equal(before.load_cases, now.load_cases, {}, &LoadCase::axial_force,
-                         &LoadCase::axial_force))
-    return all;
+  const auto same_force = [](const LoadCase& a, const LoadCase& b) {
+    return a.axial_force == b.axial_force;
+  };
+  const auto same_load = [](const SpectrumLoad& a, const SpectrumLoad& b) {
+    return a.force == b.force;
+  };
+  if (std::ranges::equal(before.load_cases, now.load_cases, same_force)) return all;
   if (now.life && before.life &&
-      std::ranges::equal(before.life->spectrum, now.life->spectrum, {}, &SpectrumLoad::force,
-                         &SpectrumLoad::force))
+      std::ranges::equal(before.life->spectrum, now.life->spectrum, same_load))
     all[Command::life] = told(now.life->history ? "life.history" : "life.spectrum");
   if (now.preload && before.preload && before.preload->load.from == now.preload->load.from &&
       before.preload->load.to == now.preload->load.to)
