@@ -97,7 +97,8 @@ std::vector<std::string> CaseSource::export_model(const std::string& file,
                                                   std::optional<std::string> load_case) const {
   const GilRelease released;
   const std::filesystem::path path(file);
-  SystemModel model = system_model(*source_, {force, speed, std::move(load_case)});
+  SystemModel model =
+      system_model(*source_, {.force = force, .speed = speed, .load_case = std::move(load_case)});
   model.text.name = model_name(file);
   StagedFile staged(path);
   staged.append(path.extension() == ".mo" ? modelica_package(model.curves, model.text)

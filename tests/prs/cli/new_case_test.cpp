@@ -41,11 +41,14 @@ class NewCase : public testing::Test {
     return all;
   }
 
-  /// What commands find unusual: nothing under the load that the case proposes.
+  /// What commands find unusual: nothing under the load that the case proposes, but that nothing is
+  /// known of its heat and how contacts roll.
   static std::vector<std::string> unusual(const nlohmann::json& documents) {
     std::vector<std::string> found;
     const auto note = [&](const nlohmann::json& warnings) {
-      for (const std::string text : warnings) found.push_back(text);
+      for (const std::string text : warnings)
+        if (!text.starts_with("heat: ") && !text.starts_with("lubricant.film: "))
+          found.push_back(text);
     };
     for (const auto& document : documents) {
       note(document["warnings"]);

@@ -20,7 +20,8 @@ TEST(Units, KnowsItsUnits) {
   for (const char* unit : {"mm", "kN", "deg", "GPa", "mPa s", "N/mm^1.5", "rpm", "1/GPa", "in",
                            "lbf", "lbf in", "psi", "ksi", "lb/in^3", "lb", "degF", "lbf/in"})
     EXPECT_TRUE(is_unit(unit)) << unit;
-  for (const char* unit : {"", " ", "lbs", "inches", "5", "Mm"}) EXPECT_FALSE(is_unit(unit)) << unit;
+  for (const char* unit : {"", " ", "lbs", "inches", "5", "Mm"})
+    EXPECT_FALSE(is_unit(unit)) << unit;
 }
 
 TEST(Units, EveryDimensionConvertsToSi) {
