@@ -26,6 +26,7 @@ from rollerscrew.records import (
     Measures,
     Preload,
     Threads,
+    Verdict,
 )
 
 if TYPE_CHECKING:
@@ -92,6 +93,10 @@ class InputValue(Record):
     path: str
     value: str
     default: bool
+    basis: str
+    reason: str
+    origin: str
+    written: str
 
 
 class CheckResult(Result):
@@ -104,6 +109,7 @@ class CheckResult(Result):
     derived: Values
     contact: Contacts
     threads: Threads
+    verdict: Verdict
 
     def to_frame(self) -> pd.DataFrame:
         """Path, value and whether it is a default, a row each."""
