@@ -202,6 +202,9 @@ def test_says_what_the_program_says(
     command = "solve" if program("solve", file, "--quiet").returncode in (0, 3) else "contact"
     native = json.loads(program(command, file, "--json").stdout)
     live = browser.ask({"command": command})["document"]
+    for document in (native, live):  # Pages have another library for it.
+        for load_case in document.get("load_cases", []):
+            load_case.pop("factorization", None)
     for key in ("load_cases", "contact"):
         if key in native:
             assert_close(live[key], native[key], key)
