@@ -575,7 +575,7 @@ def test_options_choose_what_is_drawn() -> None:
 
 
 def test_pictures_survive_in_json() -> None:
-    solved = result(1, "solve")
+    solved = result(3, "solve")
     document = json.loads(solved.to_json())
     with pytest.raises(ValueError, match="read from JSON has no picture stiffness"):
         rs.SolveResult.from_json(json.dumps(document)).plot_stiffness()
