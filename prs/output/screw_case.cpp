@@ -362,8 +362,8 @@ void require_capacity(const CompleteScrew& s) {
   throw CaseError(
       "starts",
       fmt::format(
-          "got {}; expected at most {:.0f}: rollers of {:.3g} mm are thinner beside the nut than "
-          "Lemor's capacity is known for, which `life` needs; take fewer starts",
+          "got {}; expected at most {:.0f}: rollers of {:.3g} mm are too thin for this nut: Lemor's "
+          "capacity, which `life` needs, is not known for this ratio of diameters; take fewer starts",
           starts, std::floor((starts + more) * factor_ratio(g) / kFactorRatios.least) - more,
           1e3 * s.pitch_diameter.roller));
 }

@@ -15,9 +15,10 @@
 /// Whether a case meets its limits: the one definition that `prs check`, the report and the page
 /// read. Each criterion has the worst value of all load cases, with the real thread loads.
 ///
-/// A limit that the case states (`limits`) is met, green, or missed, red. Without one a criterion
-/// is red beyond what physics allows, amber short of what is recommended, else green; one that has
-/// neither is a plain number. What cannot be computed is never met.
+/// Where the case states a limit (`limits`), the criterion is green if the limit is met and red if
+/// it is missed. Where it states none, the criterion is red if physics does not allow the value,
+/// amber if the value falls short of the recommended one, and green otherwise. A criterion without
+/// any of these limits is a plain number. A value that cannot be computed never meets a limit.
 namespace prs {
 
 /// Recommended where the case states nothing: makers ask for a static safety of 1 to 3, catalogues

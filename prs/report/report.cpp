@@ -466,7 +466,7 @@ std::string input_table_html(const Findings& all, bool of_defaults, std::size_t&
   std::string block, tables;
   std::size_t of_block = 0;
   bool has_reasons = false;
-  std::string told;  // A reason stands beside the first of the values that share it.
+  std::string told;  // The reason of the row above: not repeated.
   const auto end_block = [&] {
     if (of_block > kMostOfBlock)
       rows.push_back({fmt::format("… and {} more", of_block - kMostOfBlock),

@@ -53,8 +53,8 @@ void collect(const Json& json, std::string_view path, const std::string& where,
 
 enum class Pick { largest, above_one /* the largest, where it is not 1 */ };
 
-/// A number beside the verdict, of which no case states a limit: the first of the paths that has
-/// any.
+/// A number shown beside the verdict that has no limit. It is taken from the first of the places
+/// that holds one.
 struct Headline {
   const char* title;
   Pick pick;

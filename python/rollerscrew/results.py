@@ -112,7 +112,7 @@ class CheckResult(Result):
     verdict: Verdict
 
     def to_frame(self) -> pd.DataFrame:
-        """Path, value and whether it is a default, a row each."""
+        """Path, value, whether it is a default, and what the value rests on, a row each."""
         return pd.DataFrame([value.to_dict() for value in self.input])
 
     def plot_contact_points(self, ax: Axes | None = None) -> Axes:

@@ -360,8 +360,9 @@ def test_statistics_frame() -> None:
 def test_check_frame() -> None:
     result = answer(1, "check", rs.CheckResult)
     frame = result.to_frame()
-    assert list(frame.columns) == ["path", "value", "default"]
+    assert list(frame.columns) == ["path", "value", "default", "written", "basis"]
     assert frame.default.dtype == bool
+    assert (frame.basis == "default").equals(frame.default)
     values = dict(zip(frame.path, frame.value, strict=True))
     assert values["mechanism.lead"] == "5 mm"
 
