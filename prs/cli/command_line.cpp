@@ -74,7 +74,7 @@ std::string named(const CLI::ParseError& error) {
   return is_flag && !name.starts_with('-') ? "--" + name : name;
 }
 
-/// What nobody expected.
+/// For exceptions that are faults of the program.
 struct Extra {
   std::size_t depth = 0;  ///< Of the command that met it.
   std::string text;

@@ -131,6 +131,10 @@ class VariableReader {
                     fmt::format("got {}; expected a number with its unit as in the file; of words "
                                 "write a list `values: [.., ..]`",
                                 shown(from ? *item.to : *item.from)));
+    if (!from->unit.empty() && !is_unit(from->unit)) {
+      check_in_place(variable.path, *find_path(root_, path_ + ".from"), path_ + ".path");
+      return;
+    }
     if (from->unit != to->unit)
       return refuse(path_ + ".to",
                     fmt::format("got {}; expected the unit of `from`, {}; write both ends in the "

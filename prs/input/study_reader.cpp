@@ -237,6 +237,10 @@ class FactorReader {
                     fmt::format("got {}; expected a number with its unit as in the file; of words "
                                 "write a list `values: [.., ..]`",
                                 shown(from ? written_to : written_from)));
+    if (!from->unit.empty() && !is_unit(from->unit) && from->unit != to->unit)
+      return refuse("from", fmt::format("got {}; expected a number with its unit; `{}` is not a "
+                                        "known unit; write both ends in the same unit",
+                                        shown(written_from), from->unit));
     if (from->unit != to->unit)
       return refuse(
           "to", fmt::format("got {}; expected the unit of `from`, {}; write both ends in "

@@ -214,7 +214,13 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-/// `1 1/4 in`, `1-1/4 in`, `5/8 in`, of inches and feet alone. `rest` follows the first number.
+/// Of inches and feet alone, also where their names are misspelt.
+bool takes_fractions(std::string_view unit) {
+  constexpr std::string_view kUnits[] = {"in", "ft", "inch", "inches", "foot", "feet"};
+  return std::ranges::find(kUnits, unit) != std::end(kUnits);
+}
+
+/// `1 1/4 in`, `1-1/4 in`, `5/8 in`. `rest` follows the first number.
 std::optional<Head> split_fraction(std::string_view text, std::string_view rest) {
   if (rest.empty() || std::string_view(" -/").find(rest[0]) == std::string_view::npos)
     return std::nullopt;
@@ -232,7 +238,7 @@ std::optional<Head> split_fraction(std::string_view text, std::string_view rest)
   const std::optional<double> denominator = take_whole(text);
   const std::string_view unit = without_blanks(text);
   const bool is_proper = rest[0] == '/' || *numerator < denominator.value_or(0.0);
-  if (!(denominator > 0.0) || !is_proper || (unit != "in" && unit != "ft")) return std::nullopt;
+  if (!(denominator > 0.0) || !is_proper || !takes_fractions(unit)) return std::nullopt;
   const double number = *numerator / *denominator + (rest[0] == '/' ? 0.0 : *first);
   return Head{negative ? -number : number, true, text};
 }
@@ -366,6 +372,9 @@ ParsedQuantity parse_quantity(std::string_view text, const Dimension& dimension)
   const std::string_view symbol = without_blanks(head.rest);
   const Unit* u = find_unit(symbol, dimension);
   if (!u) {
+    if (dimension.by_lead && find_unit(symbol, *dimension.by_lead))
+      if (ParsedQuantity along_axis = parse_quantity(text, *dimension.by_lead); !along_axis.value)
+        return along_axis;
     const Dimension* other = dimension_of(symbol);
     if (symbol.starts_with('\t'))
       return {std::nullopt, "there is a tab between number and unit; write a blank"};

@@ -510,7 +510,7 @@ void warn_of_loads(LifeResult& r) {
         r.life.static_capacity ? r.life.static_capacity : r.flanks[d]->static_capacity;
     if (capacity && r.flanks[d]->flank_edge_load)
       if (const auto note =
-              flank_edge_near("an ellipse reaches the end of a flank",
+              flank_edge_near("an ellipse",
                               *r.flanks[d]->flank_edge_load, *capacity, r.flanks[d]->largest_force))
         r.warnings.push_back(fmt::format("{}: in {}, {}", loads, name(d), *note));
   }

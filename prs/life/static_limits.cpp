@@ -79,15 +79,16 @@ std::optional<StaticRating> smaller(const std::optional<StaticRating>& a,
   return b->force < a->force ? b : a;
 }
 
-std::optional<std::string> flank_edge_near(std::string_view reaches, double edge_load,
+std::optional<std::string> flank_edge_near(std::string_view ellipse, double edge_load,
                                            double static_capacity, double load) {
   if (!(edge_load < static_capacity && edge_load < kUsualStaticSafety * load && load <= edge_load))
     return std::nullopt;
   return fmt::format(
-      "{} at {:.4g} kN, {:.2f} times the load and below the static capacity of {:.4g} kN; expected "
-      "at least {:g} times; lower the load or the profile radius, or take a coarser pitch",
-      reaches, edge_load * per_si::kilonewton, edge_load / load,
-      static_capacity * per_si::kilonewton, kUsualStaticSafety);
+      "the load is {:.1f} % of the {:.4g} kN at which {} reaches the end of a flank, which is below "
+      "the static capacity of {:.4g} kN; expected at most {:.0f} %; lower the load or the profile "
+      "radius, or take a coarser pitch",
+      load / edge_load * per_si::percent, edge_load * per_si::kilonewton, ellipse,
+      static_capacity * per_si::kilonewton, per_si::percent / kUsualStaticSafety);
 }
 
 std::optional<std::string> dynamic_above_static(double dynamic_capacity, double static_capacity) {
@@ -103,8 +104,9 @@ std::optional<std::string> beyond_static_rating(double load, const StaticRating&
                                                 std::string_view shares) {
   if (!(load > rating.force)) return std::nullopt;
   return fmt::format(
-      "{}the load of {:.4g} kN is above the static limit of {:.4g} kN ({}); reduce it", shares,
-      load * per_si::kilonewton, rating.force * per_si::kilonewton, describe(rating.limit));
+      "{}the load is {:.3f} times the static limit ({}): {:.4g} kN above {:.4g} kN; reduce it", shares,
+      load / rating.force, describe(rating.limit), load * per_si::kilonewton,
+      rating.force * per_si::kilonewton);
 }
 
 std::string describe(StaticLimit limit) {

@@ -91,8 +91,8 @@ inline constexpr double kUsualStaticSafety = 1.5;
 
 /// A note where an ellipse reaches the end of a flank at a force [N] on the mechanism that is below
 /// its static capacity [N] and less than `kUsualStaticSafety` times the load [N], which is no
-/// greater. `reaches`: which ellipse reaches what.
-std::optional<std::string> flank_edge_near(std::string_view reaches, double edge_load,
+/// greater. `ellipse`: which of them.
+std::optional<std::string> flank_edge_near(std::string_view ellipse, double edge_load,
                                            double static_capacity, double load);
 
 /// A note where the dynamic capacity [N] exceeds the static one [N], which no maker's does.

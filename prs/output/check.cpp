@@ -159,8 +159,8 @@ std::string verdict_table(const CaseVerdict& verdict) {
     if (!c.reason.empty()) where += (where.empty() ? "" : ": ") + printable(c.reason);
     std::string line = padded("  " + std::string(c.title), kTitleWidth, true) +
                        padded(c.value ? number(*c.value) : "", 9, false) + ' ' +
-                       padded(std::string(is_known ? table_unit(*documents).text : unit), 7, true) +
-                       padded(limit, 26, true) + ' ' + padded(words(c.standing), 13, true);
+                       padded(std::string(is_known ? table_unit(*documents).text : unit), 9, true) +
+                       padded(limit, 33, true) + ' ' + padded(words(c.standing), 13, true);
     // What is too long for the line stands below it.
     if (width(line) + width(where) <= kTableWidth) line += std::exchange(where, "");
     line.erase(line.find_last_not_of(' ') + 1);

@@ -84,10 +84,7 @@ std::string lives(const LifeResult& r, bool all) {
   if (all && solved) text += life_row(r, "estimate: equal thread loads", r.equal_shares_life);
   if (all && !given) text += life_row(r, "estimate: (C_a/F_m)^3", r.catalogue_life);
   if (given && solved)
-    text += wrapped(
-        "A stated C_a comes from real screws, whose threads share unevenly: the life with real "
-        "thread loads counts that twice and is a lower bound.",
-        "  ", kTableWidth);
+    text += wrapped(kStatedCapacityNote, "  ", kTableWidth);
   if (r.weakest) text += life_row(r, weakest_thread(*r.weakest), r.weakest->life);
   return text;
 }
@@ -160,7 +157,7 @@ std::string loads(const LifeResult& r) {
           fmt::format("{}", name(d)),
           fmt::format("{:.1f} % of the revolutions, up to {} and {}",
                       100.0 * f->revolutions / r.revolutions, kilonewtons(f->largest_force),
-                      quantity(std::max(f->peak_pressure.screw, f->peak_pressure.nut), "MPa")));
+                      quantity(std::max(f->peak_pressure.screw, f->peak_pressure.nut), "GPa")));
   if (r.cycles)
     text += line("load cycles (rainflow)",
                  fmt::format("{:.1f}, equivalent range {} at slope {:g}, up to {}",

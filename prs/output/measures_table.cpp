@@ -158,9 +158,11 @@ std::string measures_table(const MeasuresResult& result) {
                                [&](const auto& m) { return m && (*m).*member; });
   };
   const bool solved = known(&LoadMeasures::solved_static_safety);
-  return table_without(result,
-                       estimates_beside({result.slips, result.lives, solved,
-                                         solved || known(&LoadMeasures::thread_static_safety)}));
+  const bool loaded = std::ranges::any_of(
+      result.analysis.load_cases, [](const LoadCaseResult& r) { return r.threads.has_value(); });
+  return table_without(
+      result, estimates_beside({result.slips, result.lives, solved,
+                                solved || known(&LoadMeasures::thread_static_safety), loaded}));
 }
 
 std::string full_measures_table(const MeasuresResult& result) { return table_without(result, {}); }

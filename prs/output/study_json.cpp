@@ -370,7 +370,7 @@ Json study_json(const StudyResult& result, const DocumentInfo& info) {
 
 std::string study_text(const Json& outline, const StudyResult& result, std::size_t threads) {
   std::string text = json_text(outline);
-  // Texts have no ends of lines in JSON: this is the key of the document.
+  // JSON escapes line ends in texts, so this line can only be the key of the document.
   constexpr std::string_view kEmpty = "\n  \"designs\": []";
   const std::size_t list = text.find(kEmpty);
   if (list == std::string::npos || result.rows.empty()) return text;

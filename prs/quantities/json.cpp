@@ -135,7 +135,7 @@ void write_with_load_cases(const Json& outline,
                            const std::function<std::optional<Json>(std::size_t)>& load_case,
                            const TextSink& sink) {
   const std::string text = json_text(outline);
-  // Texts have no ends of lines in JSON: this is the key of the document.
+  // JSON escapes line ends in texts, so this line can only be the key of the document.
   constexpr std::string_view kEmpty = "\n  \"load_cases\": []";
   const std::size_t list = text.find(kEmpty);
   std::optional<Json> next = list == text.npos ? std::nullopt : load_case(0);

@@ -359,7 +359,13 @@ std::vector<std::string> estimates_beside(const Computed& computed) {
   add(computed.life,
       {"static_capacity_N", "flank_edge_load_N", "l10_revolutions", "l10_hours", "l10_travel_km"});
   add(computed.thread_safety, {"static_safety", "static_safety_limit"});
-  add(computed.static_safety, {"thread_static_safety", "thread_static_safety_limit"});
+  add(computed.static_safety,
+      {"thread_static_safety", "thread_static_safety_limit", "static_capacity_N",
+       "deformation_capacity_screw_N", "deformation_capacity_nut_N", "pressure_capacity_screw_N",
+       "pressure_capacity_nut_N", "flank_edge_load_N", "flank_edge_load_screw_N",
+       "flank_edge_load_nut_N"});
+  add(computed.thread_loads,
+      {"mean_peak_pressure_screw_MPa", "mean_peak_pressure_nut_MPa", "yang_largest_load_rate_percent"});
   return keys;
 }
 

@@ -19,6 +19,7 @@ struct Computed {
   bool slip = false, life = false;  ///< By `prs slip` and `prs life`.
   bool static_safety = false;       ///< With the thread loads at the limit.
   bool thread_safety = false;       ///< With those under the load, or at the limit.
+  bool thread_loads = false;        ///< Of every load case, by `prs solve`.
 };
 
 /// Keys of the measures that are estimates of what is computed. People see them where they ask for

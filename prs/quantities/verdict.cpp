@@ -22,6 +22,7 @@ struct Found {
   Sense sense = Sense::least;
   std::optional<double> value = {}, best = {};
   std::string where = {}, note = {}, why = {};
+  std::string_view title = {};  ///< Where it is not that of the row.
   bool applies = true;
   bool asked = true;
 
@@ -67,7 +68,7 @@ Found life(const VerdictFacts& f) {
   const std::string note = fmt::format(
       "{:g} % reach it; {}", r.life.reliability * per_si::percent,
       r.lemor ? r.life.share == LoadCase::Share::solved ? "real thread loads" : "equal thread loads"
-              : "stated C_a, in which uneven sharing is");
+              : "stated C_a already includes uneven sharing");
   const bool as_travel = f.limits.life ? f.limits.life->travel.has_value() : !in.hours.has_value();
   if (as_travel)
     found.take(in.rated * in.travel * per_si::kilometre, loads_of(r), note);
@@ -216,6 +217,7 @@ Found stiffness(const VerdictFacts& f) {
     if (f.measures && f.measures->measures.shaft_stiffness) {
       shaft = 1.0 / *f.measures->measures.shaft_stiffness;
       note = "with the shaft";
+      found.title = "Stiffness with the shaft";
     }
   }
   for (const LoadCaseResult& r : f.loads->load_cases)
@@ -226,18 +228,29 @@ Found stiffness(const VerdictFacts& f) {
   return found;
 }
 
-/// Where the screw drives; where it does so nowhere, that of the load.
+/// Of the load cases where the screw drives, over the duty cycle where there is one.
 Found efficiency(const VerdictFacts& f) {
   if (!f.slip) return without(f, Command::slip, Sense::least);
   Found found;
-  for (const LoadCaseResult& r : f.slip->load_cases)
-    if (r.slip && r.slip->converged() && r.slip->driven_by == DrivenBy::screw)
-      found.take(r.slip->efficiency, r.load_case.name);
-  const auto& cycle = f.slip->heat_cycle;
-  if (found.value && cycle && cycle->converged() && cycle->efficiency)
-    found.take(*cycle->efficiency, "heat.duty", "over the cycle");
-  found.applies = found.value.has_value();
+  const auto drives = [](const LoadCaseResult& r) {
+    return r.slip && r.slip->driven_by == DrivenBy::screw;
+  };
+  found.applies = std::ranges::any_of(f.slip->load_cases, drives);
   found.why = "the screw drives in no load case";
+  if (const auto& cycle = f.slip->heat_cycle) {
+    if (found.applies && cycle->converged())
+      found.take(cycle->efficiency, "heat.duty", "over the cycle");
+    if (!cycle->converged()) found.why = "the duty cycle did not converge", found.applies = true;
+    return found;
+  }
+  for (const LoadCaseResult& r : f.slip->load_cases) {
+    if (!r.slip || !r.slip->converged()) {
+      Found failed;
+      failed.why = fmt::format("the slip of {} did not converge", r.load_case.name);
+      return failed;
+    }
+    if (drives(r)) found.take(r.slip->efficiency, r.load_case.name);
+  }
   return found;
 }
 
@@ -368,7 +381,7 @@ void hold_against_limit(Criterion& c, const Row& row) {
 
 void add(const Row& row, const VerdictFacts& f, CaseVerdict& verdict) {
   Found found = row.find(f);
-  Criterion c = criterion(row.name, row.title, row.unit);
+  Criterion c = criterion(row.name, found.title.empty() ? row.title : found.title, row.unit);
   c.sense = found.sense;
   c.limit = row.stated(f.limits);
   verdict.is_complete = verdict.is_complete && found.asked;
@@ -502,7 +515,7 @@ CaseVerdict verdict_of(const VerdictFacts& f) {
 
 std::string words(Standing standing) {
   if (standing == Standing::green) return "met";
-  if (standing == Standing::amber) return "short of it";
+  if (standing == Standing::amber) return "below recommended";
   if (standing == Standing::red) return "not met";
   std::string text(name(standing));
   std::ranges::replace(text, '_', ' ');
@@ -511,6 +524,7 @@ std::string words(Standing standing) {
 
 ShownCriterion shown(const Criterion& c) {
   if (c.name == "efficiency" || c.name == "critical_speed_share") return {"%", per_si::percent};
+  if (c.unit == "MPa") return {"GPa", 1e-3};
   return {c.unit == "N/um" ? "N/µm" : c.unit == "degC" ? "°C" : c.unit};
 }
 

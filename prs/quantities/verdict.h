@@ -77,7 +77,7 @@ CaseVerdict verdict_of(const VerdictFacts& facts);
 
 std::string words(Standing standing);  ///< `met`, `not computed`
 
-/// In what people read value and limit: shown = value * factor.
+/// How tables and pages show value and limit: shown = value * factor.
 struct ShownCriterion {
   std::string_view unit;
   double factor = 1.0;

@@ -13,6 +13,7 @@
 
 #include "prs/figures/figure_json.h"
 #include "prs/figures/pictures.h"
+#include "prs/output/life_table.h"
 #include "prs/output/table_units.h"
 #include "prs/quantities/case_groups.h"
 #include "prs/quantities/measure_quantities.h"
@@ -262,6 +263,10 @@ std::string models_html(Findings& all) {
          comparison_html(compare->document);
 }
 
+bool has_stated_capacity(const Json& life) {
+  return under(life, "capacity").value("source", "") == "given";
+}
+
 /// Keys of estimates of what the page has computed, in a document: each quantity has one headline.
 std::vector<std::string> estimates_in(const Findings& all, const CommandAnswer& answer) {
   const Json& cases = under(answer.document, "load_cases");
@@ -272,11 +277,12 @@ std::vector<std::string> estimates_in(const Findings& all, const CommandAnswer& 
   if (answer.command == Command::measures)
     return estimates_beside({all.answer(Command::slip) != nullptr,
                              all.answer(Command::life) != nullptr, known("solved_static_safety"),
-                             known("solved_static_safety") || known("thread_static_safety")});
+                             known("solved_static_safety") || known("thread_static_safety"),
+                             known("largest_peak_pressure_screw_MPa")});
   // Of a stated capacity, which is of real screws, the catalogue's life is the headline.
   const Json& life = under(answer.document, "life");
   if (answer.command == Command::life && life.value("share", "") == "solved")
-    return under(life, "capacity").value("source", "") == "given"
+    return has_stated_capacity(life)
                ? std::vector<std::string>{"equal_shares"}
                : std::vector<std::string>{"equal_shares", "catalogue"};
   if (answer.command == Command::slip) return {"equal_shares", "efficiency_fit"};
@@ -370,16 +376,22 @@ std::string life_html(Findings& all) {
   const bool is_basic =
       !life.is_object() ||
       life.value("reliability_factor", 1.0) * life.value("modification_factor", 1.0) == 1.0;
-  return answer_html(
-      all, {Command::life,
+  const bool of_catalogue = has_stated_capacity(life);
+  AnswerView view{Command::life,
             {},
             {{"life",
               {"status", "share", "reliability_factor", "modification_factor", "static_safety",
-               "static_safety_limit"}},
-             {"life.system", is_basic ? basic : rated},
-             {"life.weakest_thread",
-              {"direction", "interface", "part", "roller", "thread", "equivalent_load_N"}}},
-            {"thread_lives"}});
+               "static_safety_limit"}}},
+            {"thread_lives"}};
+  if (of_catalogue) view.in_document.push_back({"life.catalogue", is_basic ? basic : rated});
+  view.in_document.push_back({"life.system", is_basic ? basic : rated});
+  view.in_document.push_back(
+      {"life.weakest_thread",
+       {"direction", "interface", "part", "roller", "thread", "equivalent_load_N"}});
+  const bool is_told = of_catalogue && life.value("share", "") == "solved";
+  const std::string why =
+      is_told ? "<p>" + html(kStatedCapacityNote) + "</p>\n" : std::string();
+  return why + answer_html(all, view);
 }
 
 std::string measures_html(Findings& all) {

@@ -46,10 +46,11 @@ const std::vector<Headlines>& headlines() {
       {Command::preload, {}, {"preload.lost_motion_um"}},
       {Command::life,
        {},
-       {"life.static_safety", "life.system.l10_revolutions", "life.system.l10_hours"}},
+       {"life.static_safety", "life.system.l10_revolutions", "life.system.l10_hours",
+        "life.catalogue.l10_revolutions", "life.catalogue.l10_hours"}},
       {Command::measures,
-       {},
-       {"measures.dynamic_capacity_N", "measures.static_capacity_N", "measures.weight_kg"}},
+       {"measures.solved_static_safety"},
+       {"measures.dynamic_capacity_N", "measures.weight_kg"}},
   };
   return all;
 }
@@ -82,9 +83,10 @@ struct CaseComparison {
   bool converged = true;
 };
 
-/// From the first to the second, of the first: 0.02 is 2 % more.
+/// From the first to the second, of the first: 0.02 is 2 % more. Absent where the sign differs.
 std::optional<double> change(const Both<double>& value) {
-  if (!value[0] || !value[1] || *value[0] == 0.0) return std::nullopt;
+  if (!value[0] || !value[1] || *value[0] == 0.0 || *value[0] * *value[1] < 0.0)
+    return std::nullopt;
   return (*value[1] - *value[0]) / std::abs(*value[0]);
 }
 
@@ -92,6 +94,11 @@ std::optional<double> change(const input::EchoEntry& a, const input::EchoEntry& 
   if (a.dimension != b.dimension || (a.dimension && zero_depends_on_unit(*a.dimension)))
     return std::nullopt;
   return change({a.number, b.number});
+}
+
+/// As the file has it.
+std::string told(const input::EchoEntry& entry) {
+  return entry.written.empty() ? entry.value : entry.written;
 }
 
 std::vector<InputRow> differing_inputs(const std::vector<input::EchoEntry>& first,
@@ -102,13 +109,13 @@ std::vector<InputRow> differing_inputs(const std::vector<input::EchoEntry>& firs
   for (const input::EchoEntry& entry : first) {
     const auto other = others.extract(entry.path);
     if (!other)
-      rows.push_back({entry.path, {entry.value, std::nullopt}, {}});
+      rows.push_back({entry.path, {told(entry), std::nullopt}, {}});
     else if (other.mapped()->value != entry.value)
       rows.push_back(
-          {entry.path, {entry.value, other.mapped()->value}, change(entry, *other.mapped())});
+          {entry.path, {told(entry), told(*other.mapped())}, change(entry, *other.mapped())});
   }
   for (const input::EchoEntry& entry : second)
-    if (others.contains(entry.path)) rows.push_back({entry.path, {std::nullopt, entry.value}, {}});
+    if (others.contains(entry.path)) rows.push_back({entry.path, {std::nullopt, told(entry)}, {}});
   return rows;
 }
 
@@ -131,6 +138,16 @@ std::vector<std::pair<std::size_t, std::size_t>> paired(const Json& first, const
   return pairs;
 }
 
+/// With a stated capacity the life is that of the catalogue's formula, else that of the mechanism.
+bool is_life_in_use(const std::string& path, const std::array<Json, 2>& documents) {
+  const bool of_catalogue = path.starts_with("life.catalogue.");
+  if (!of_catalogue && !path.starts_with("life.system.")) return true;
+  return std::ranges::any_of(documents, [&](const Json& document) {
+    const Json& capacity = document.at("life").at("capacity");
+    return (capacity.value("source", "") == "given") == of_catalogue;
+  });
+}
+
 void add_results(const Headlines& of, std::array<Json, 2> documents, CaseComparison& c) {
   const auto add = [&](const std::string& load_case, const std::string& path, const Json& first,
                        const Json& second) {
@@ -150,7 +167,8 @@ void add_results(const Headlines& of, std::array<Json, 2> documents, CaseCompari
     for (const std::string& path : of.of_load_case)
       add(a == b ? a : a + " / " + b, path, loads[0][i], loads[1][k]);
   }
-  for (const std::string& path : of.of_whole) add("", path, documents[0], documents[1]);
+  for (const std::string& path : of.of_whole)
+    if (is_life_in_use(path, documents)) add("", path, documents[0], documents[1]);
 }
 
 void add_figures(const Figures& first, const Figures& second, const std::string& other,
@@ -250,7 +268,7 @@ std::string table(const CaseComparison& c) {
     const TableResponse shown = table_response(row.path);
     Both<std::string> value;
     for (std::size_t k = 0; k < 2; ++k)
-      if (row.value[k]) value[k] = fmt::format("{:.5g}", shown.factor * *row.value[k]);
+      if (row.value[k]) value[k] = significant(shown.factor * *row.value[k]);
     text += line(shown.text(), value, row.change);
   }
   if (!c.notes.empty()) text += '\n';

@@ -119,7 +119,7 @@ bool surely_regular(const Eigen::MatrixXd& r) {
   if (r.rows() < r.cols()) return false;
   const Eigen::MatrixXd inverse =
       r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(r.rows(), r.cols()));
-  return kNoResistance * r.norm() * inverse.norm() < 1.0;  // False where one is no number.
+  return kNoResistance * r.norm() * inverse.norm() < 1.0;  // False with NaN.
 }
 
 /// x >= 0 that minimises |A x - b| (Lawson and Hanson, Solving Least Squares Problems, 1974,

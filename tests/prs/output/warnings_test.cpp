@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "prs/life/static_limits.h"
+
 namespace prs {
 namespace {
 
@@ -29,6 +31,22 @@ TEST(WarningGroups, OfWhatIsToldAtTheLeastTheSmallestIsWorst) {
                {"film over roughness is 0.50 at the least; take 0.11", "c"}});
   EXPECT_EQ(group.whole(), "film over roughness is 0.07 at the least; take 0.11");
   EXPECT_EQ(group.worst, "b");
+}
+
+TEST(WarningGroups, TheLoadNearestToALimitIsWorst) {
+  const auto near = [](double load) { return *flank_edge_near("an ellipse", 42.84e3, 70e3, load); };
+  EXPECT_EQ(grouped({{near(40e3), "high"}, {near(30e3), "low"}}).where(),
+            "in high, low; worst in high");
+  const auto beyond = [](double load, double limit) {
+    return *beyond_static_rating(load, {limit, StaticLimit::flank_edge});
+  };
+  const WarningGroup group = grouped({{beyond(200e3, 42.84e3), "tension"},
+                                      {beyond(200e3, 38.8e3), "compression"},
+                                      {beyond(50e3, 40e3), "small"}});
+  EXPECT_EQ(group.worst, "compression");
+  EXPECT_EQ(group.whole(),
+            "the load is 5.155 times the static limit (ellipse at the edge of a flank): 200 kN "
+            "above 38.8 kN; reduce it");
 }
 
 /// The second command tells the same of the same load cases.

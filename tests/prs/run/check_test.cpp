@@ -155,7 +155,7 @@ TEST(Check, WarnsOfLoadsAsSolveAndLifeDo) {
   const std::vector<std::string> by_check = warned(source, Command::check);
   for (const auto& [command, text] :
        {std::pair{Command::life,
-                  "life.spectrum: in tension, an ellipse reaches the end of a flank"},
+                  "kN at which an ellipse reaches the end of a flank"},
         {Command::solve, "load_cases[0].axial_force: roller-screw peak pressure 4.0"}}) {
     const std::vector<std::string> own = warned(source, command);
     EXPECT_THAT(own, Contains(HasSubstr(text)));

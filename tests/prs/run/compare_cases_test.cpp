@@ -75,6 +75,7 @@ TEST(CompareCases, CurvesOfTheSecondStandBehindThoseOfTheFirst) {
   const Figures overlaid = figures(compare_cases(a, b).pictures()), own = drawn(a),
                 other = drawn(b);
   ASSERT_FALSE(own.empty());
+  ASSERT_FALSE(overlaid.empty());
   for (std::size_t f = 0; f < own.size(); ++f) {
     const auto both = std::ranges::find(overlaid, own[f].name, &Figure::name);
     if (both == overlaid.end()) continue;

@@ -306,13 +306,14 @@ TEST(DesignReader, SpeedsAlongTheAxisFollowTheLead) {
              "500 rpm]}]}");
   source.overrides = {"load_cases[1].speed=-40 mm/s"};
   const StudyInput input = read_study_input(source);
-  EXPECT_EQ(refused_of(input, 6), 0);
+  ASSERT_EQ(design_count(input.study), 7U);  // The first is that of the file.
+  EXPECT_EQ(refused_of(input, 7), 0);
   DesignReader reader(input);
   const double turn = 2.0 * std::numbers::pi;
   const double speeds[] = {0.1 / 5e-3 * turn, 0.0762 / 5e-3 * turn, 500.0 / 60.0 * turn,
                            0.1 / 8e-3 * turn, 0.0762 / 8e-3 * turn, 500.0 / 60.0 * turn};
   for (std::size_t k = 0; k < 6; ++k) {
-    const Case& c = reader.read(k);
+    const Case& c = reader.read(k + 1);
     EXPECT_DOUBLE_EQ(c.operation->speed, speeds[k]) << k;
     EXPECT_DOUBLE_EQ(*c.load_cases[1].speed, -0.04 / c.mechanism.lead * turn) << k;
   }
