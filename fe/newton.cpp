@@ -95,12 +95,13 @@ NewtonSolver::~NewtonSolver() = default;
 NewtonSolver::NewtonSolver(NewtonSolver&&) noexcept = default;
 NewtonSolver& NewtonSolver::operator=(NewtonSolver&&) noexcept = default;
 
-void NewtonSolver::equations_changed() { wide_.reset(); }
+void NewtonSolver::equations_changed() {
+  wide_.reset();
+  doubles_->method.numbers().forget();
+}
 
 WideNewton& NewtonSolver::wide() {
-  if (!wide_)
-    wide_ =
-        std::make_unique<WideNewton>(*equations_, doubles_->method.numbers().smallest_pivot_ratio);
+  if (!wide_) wide_ = std::make_unique<WideNewton>(*equations_, doubles_->method.numbers());
   return *wide_;
 }
 

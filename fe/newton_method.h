@@ -38,6 +38,9 @@ inline void continue_by(NewtonSummary further, NewtonSummary& summary) {
 ///
 /// - `energy_and_residual(q, f, r)`, `tangent(q)`, `shift_by(change)`, `factorize()`, `solve(b, x)`
 ///
+/// - `factorized_within(share)`: whether the last factorization is that of the last tangent but for
+/// this share of the springs
+///
 /// - `solved(b, x)`: whether x solves for b at all
 ///
 /// - `set_to_step(trial, q, length, step)`: trial = q - length * step
@@ -57,12 +60,15 @@ class NewtonMethod {
   using State = typename Numbers::State;
   using Vector = typename Numbers::Vector;
 
-  explicit NewtonMethod(const Equations& equations)
+  template <class... Arguments>
+  explicit NewtonMethod(const Equations& equations, Arguments&... arguments)
       : equations_(&equations),
-        numbers_(equations),
+        numbers_(equations, arguments...),
         residual_(equations.size()),
+        residual_of_full_step_(equations.size()),
         step_(equations.size()),
-        trial_(numbers_.zero_state()) {}
+        trial_(numbers_.zero_state()),
+        further_(numbers_.zero_state()) {}
 
   Numbers& numbers() { return numbers_; }
 
@@ -88,6 +94,10 @@ class NewtonMethod {
       fresh = !(fresh && !slow && summary.relative_residual <= options.reuse_factorization_below);
       if (fresh) {
         numbers_.tangent(q, options.least_tangent);
+        const bool must_be_same = slow || options.reuse_factorization_below == 0.0;
+        fresh = !numbers_.factorized_within(must_be_same ? kSameTangent : kSimilarTangent);
+      }
+      if (fresh) {
         if (factorize_shifted(options, iteration.shift) != FactorizationStatus::ok)
           return stop(NewtonStatus::not_positive_definite);
         if (iteration.shift > 0.0 && ++shifted > shifted_limit)
@@ -101,6 +111,10 @@ class NewtonMethod {
       iteration.relative_residual = relative_residual(options);
       summary.history.push_back(iteration);
       if (!descended) return stop(NewtonStatus::line_search_failed);
+      const double left = summary.history.back().relative_residual / summary.relative_residual;
+      if (iteration.step_length == 1.0 && left > kLeastLeft && left < kMostLeft &&
+          step_further(f, options, q, energy, iteration))
+        summary.history.back() = iteration;
 
       std::swap(q, trial_);
       if (numbers_.largest_approach(q) > options.largest_approach)
@@ -138,6 +152,15 @@ class NewtonMethod {
   /// Share of a residual that counts as no decrease: of digits that are lost, not of threads that
   /// close.
   static constexpr double kNoLess = 0.3;
+
+  /// Changes of the springs' tangents, relative to those in the last factorization, with which a
+  /// step still takes that one: a step costs a twentieth of a factorization of a large model. After
+  /// a step that left much only the same tangent does.
+  static constexpr double kSimilarTangent = 1e-2, kSameTangent = 1e-6;
+  /// A spring with force ~ w^1.5 that has to open, and nothing else at its end, goes from w to w/3,
+  /// which leaves 3^-1.5 = 0.19 of its force; a step of 1.5 times the length ends at zero, a little
+  /// more opens it.
+  static constexpr double kLeastLeft = 0.1, kMostLeft = 0.3, kOpeningStep = 1.6;
 
   double relative_residual(const NewtonOptions& options) const {
     double force = 0.0, moment = 0.0;
@@ -182,10 +205,30 @@ class NewtonMethod {
     return false;
   }
 
+  /// Opens springs that the full step to `trial_` leaves closed, where the residual falls by it.
+  bool step_further(const Eigen::VectorXd& f, const NewtonOptions& options, const State& q,
+                    Energy& energy, NewtonIteration& iteration) {
+    Numbers::set_to_step(further_, q, kOpeningStep, step_);
+    residual_.swap(residual_of_full_step_);
+    const Energy reached = numbers_.energy_and_residual(further_, f, residual_);
+    const double residual = relative_residual(options);
+    if (!(residual < 0.5 * iteration.relative_residual) ||
+        reached > energy + numbers_.energy_rounding(q, f, energy)) {
+      residual_.swap(residual_of_full_step_);
+      return false;
+    }
+    std::swap(trial_, further_);
+    energy = reached;
+    iteration.energy = static_cast<double>(reached);
+    iteration.relative_residual = residual;
+    iteration.step_length = kOpeningStep;
+    return true;
+  }
+
   const Equations* equations_;
   Numbers numbers_;
-  Vector residual_, step_;
-  State trial_;
+  Vector residual_, residual_of_full_step_, step_;
+  State trial_, further_;
 };
 
 }  // namespace fe

@@ -113,11 +113,12 @@ struct DoubleSteps : WideNumbers {
   static constexpr int kMostStalls = 3;
   static constexpr double kNoGain = 1e-3;
 
-  explicit DoubleSteps(const Equations& e) : WideNumbers(e), doubles(e) {}
+  DoubleSteps(const Equations& e, DoubleTangent& d) : WideNumbers(e), doubles(d) {}
 
   void tangent(const State& q, double least) { doubles.tangent(to_state(q), least); }
   void shift_by(double change) { doubles.shift_by(change); }
   FactorizationStatus factorize() { return doubles.factorize(); }
+  bool factorized_within(double share) const { return doubles.factorized_within(share); }
   void solve(const Vector& b, Vector& x) {
     doubles.solve(b.cast<double>(), step);
     x = step.cast<Wide>();
@@ -126,7 +127,7 @@ struct DoubleSteps : WideNumbers {
     return doubles.solved(b.cast<double>(), x.cast<double>());
   }
 
-  DoubleTangent doubles;
+  DoubleTangent& doubles;
   Eigen::VectorXd step;
 };
 
@@ -169,6 +170,7 @@ struct WideSteps : WideNumbers {
   }
 
   void solve(const Vector& b, Vector& x) const { x = factor.solve(b); }
+  static bool factorized_within(double) { return false; }
   bool solved(const Vector&, const Vector&) const { return true; }
 
   std::vector<Wide> linear;
@@ -186,10 +188,9 @@ struct WideNewton::Implementation {
   NewtonMethod<WideSteps>& wide() { return by_wide ? *by_wide : by_wide.emplace(equations); }
 };
 
-WideNewton::WideNewton(const Equations& equations, double smallest_pivot_ratio)
-    : implementation_(new Implementation{equations, NewtonMethod<DoubleSteps>(equations), {}}) {
-  implementation_->by_doubles.numbers().doubles.smallest_pivot_ratio = smallest_pivot_ratio;
-}
+WideNewton::WideNewton(const Equations& equations, DoubleTangent& doubles)
+    : implementation_(
+          new Implementation{equations, NewtonMethod<DoubleSteps>(equations, doubles), {}}) {}
 WideNewton::~WideNewton() = default;
 
 NewtonSummary WideNewton::solve(const Eigen::VectorXd& f, const NewtonOptions& options, int limit,

@@ -8,12 +8,14 @@
 
 namespace fe {
 
+class DoubleTangent;
+
 /// Newton's method in numbers of 113 binary digits, for models whose stiffnesses are so far apart
 /// that doubles lose the softest of them: stiffnesses 17 decades apart keep 16 digits.
 class WideNewton {
  public:
-  /// As NewtonSolver has them.
-  WideNewton(const Equations& equations, double smallest_pivot_ratio);
+  /// `doubles`: what steps in doubles are solved with.
+  WideNewton(const Equations& equations, DoubleTangent& doubles);
   ~WideNewton();
 
   /// As NewtonSolver::solve, in at most `limit` linear solves: forces are those of wide numbers,

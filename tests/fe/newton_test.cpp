@@ -78,6 +78,21 @@ TEST(Newton, TailIsQuadratic) {
   EXPECT_GE(checked, 1);
 }
 
+/// Newton's method alone leaves a third of the approach in each step.
+TEST(Newton, OpensWhatNothingLoadsInFewSteps) {
+  Model m = pushed_node({{2e10, 0.0, 0.0}});
+  const int idle = m.add_node(), ground = m.add_node();
+  m.fixed_supports.push_back({ground, Dof::u});
+  m.springs.push_back({{idle}, {ground}, 1.0, 0.0, {2e10, 0.0, 0.0}});
+  NewtonOptions options;
+  options.least_tangent = 1.0;
+  double u = 0.0;
+  const NewtonSummary summary = push(m, 1e3, 1e-4, u, options);
+  ASSERT_TRUE(summary.converged());
+  EXPECT_NEAR(u, std::pow(1e3 / 2e10, 2.0 / 3.0), 1e-11 * u);
+  EXPECT_LE(summary.iterations(), 8);
+}
+
 TEST(Newton, ReportsIterationLimit) {
   NewtonOptions options;
   options.max_iterations = 1;

@@ -277,9 +277,27 @@ FullStructure with_pinned(const FullModel& f, const std::vector<int>& idle_rolle
   return s;
 }
 
+/// Equations with their solver, for one model after the other.
+struct Assembled {
+  explicit Assembled(const fe::Model& model) : equations(model), newton(equations, 0.0) {}
+
+  fe::Equations equations;
+  fe::NewtonSolver newton;
+};
+
+/// Keeps numbering, pattern and its symbolic factorization where only numbers differ.
+Assembled& take(const fe::Model& model, std::unique_ptr<Assembled>& kept) {
+  if (kept && kept->equations.take(model))
+    kept->newton.equations_changed();
+  else
+    kept = std::make_unique<Assembled>(model);
+  return *kept;
+}
+
 /// Nothing where the loaded threads alone leave a motion free.
 void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equations& equations,
-                    fe::NewtonSolver& solver, FullDistribution& d) {
+                    fe::NewtonSolver& solver, std::unique_ptr<Assembled>& kept_pinned,
+                    FullDistribution& d) {
   const Linearised linear = linearised(f, d);
   if (linear.all_closed()) return condense(f, s, equations, solver, linear, d);
   const FullStructure pinned = with_pinned(f, d.idle_rollers);
@@ -288,9 +306,8 @@ void add_compliance(const FullModel& f, const FullStructure& s, const fe::Equati
     return;
   }
   if (d.idle_rollers.empty()) return condense(f, s, equations, solver, linear, d);
-  const fe::Equations of_pinned(pinned.model);
-  fe::NewtonSolver solver_of_pinned(of_pinned, 0.0);
-  condense(f, pinned, of_pinned, solver_of_pinned, linear, d);
+  Assembled& of_pinned = take(pinned.model, kept_pinned);
+  condense(f, pinned, of_pinned.equations, of_pinned.newton, linear, d);
 }
 
 }  // namespace
@@ -314,31 +331,45 @@ std::optional<FullDistribution> mechanism(const FullModel& f, const FullStructur
 }
 
 struct FullSolver::Parts {
-  explicit Parts(const fe::Model& model) : equations(model), newton(equations, 0.0) {}
+  struct Solved {
+    double force;  ///< Along the axis, tension < 0 [N].
+    fe::State state;
+  };
 
-  fe::Equations equations;
-  fe::NewtonSolver newton;
-  std::vector<fe::State> last = {};  ///< Solved before, the latest at the end.
+  std::unique_ptr<Assembled> assembled = {};
+  std::unique_ptr<Assembled> pinned = {};  ///< The same with idle rollers pinned, of the last load.
+  std::vector<Solved> last = {};           ///< Solved before, the latest at the end.
 
-  /// The solved state that leaves least of the load, null where there is none.
-  const fe::State* nearest(const Eigen::VectorXd& load) const {
-    const fe::State* best = nullptr;
-    double least = std::numeric_limits<double>::infinity();
-    Eigen::VectorXd residual(equations.size());
-    for (const fe::State& state : last) {
-      equations.energy_and_residual(state, load, residual);
-      const double left = residual.cwiseAbs().maxCoeff();
-      if (left < least) {
-        least = left;
-        best = &state;
-      }
+  /// Of the latest state, of those with the next forces below and above and of what lies between
+  /// these, the one that leaves least of the load. Nothing where there is none.
+  std::optional<fe::State> nearest(double force, const Eigen::VectorXd& load) const {
+    if (last.empty()) return std::nullopt;
+    const Solved *below = nullptr, *above = nullptr;
+    for (const Solved& s : last) {
+      if (s.force <= force && (!below || s.force > below->force)) below = &s;
+      if (s.force > force && (!above || s.force < above->force)) above = &s;
     }
-    return best;
+    std::vector<fe::State> candidates{last.back().state};
+    for (const Solved* s : {below, above})
+      if (s) candidates.push_back(s->state);
+    if (below && above) {
+      const double share = (force - below->force) / (above->force - below->force);
+      candidates.push_back(below->state);
+      candidates.back().set_to_step(below->state, share, below->state.head - above->state.head);
+    }
+    const fe::Equations& equations = assembled->equations;
+    Eigen::VectorXd residual(equations.size());
+    const auto left = [&](const fe::State& state) {
+      equations.energy_and_residual(state, load, residual);
+      return residual.cwiseAbs().maxCoeff();
+    };
+    return std::move(*std::ranges::min_element(candidates, {}, left));
   }
-  void keep(const fe::State& state) {
-    constexpr std::size_t kMost = 8;
-    if (last.size() == kMost) last.erase(last.begin());
-    last.push_back(state);
+  void keep(double force, const fe::State& state) {
+    constexpr std::size_t kFewest = 8, kNumbers = 4'000'000;
+    const auto size = static_cast<std::size_t>(std::max(1, assembled->equations.size()));
+    if (last.size() >= std::max(kFewest, kNumbers / size)) last.erase(last.begin());
+    last.push_back({force, state});
   }
 };
 
@@ -353,17 +384,18 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   const FullStructure s = full_structure(f);
   if (std::optional<FullDistribution> d = mechanism(f, s)) return *d;
   FullDistribution d;
-  if (parts_ && parts_->equations.take(s.model))
-    parts_->newton.equations_changed();
-  else
-    parts_ = std::make_unique<Parts>(s.model);
-  const fe::Equations& equations = parts_->equations;
-  fe::NewtonSolver& solver = parts_->newton;
+  if (!parts_) parts_ = std::make_unique<Parts>();
+  const Assembled* before = parts_->assembled.get();
+  take(s.model, parts_->assembled);
+  if (parts_->assembled.get() != before) parts_->last.clear();
+  const fe::Equations& equations = parts_->assembled->equations;
+  fe::NewtonSolver& solver = parts_->assembled->newton;
   d.freedoms = equations.size();
   fe::State q;
   const Eigen::VectorXd load = equations.load_vector(s.loads);
-  if (const fe::State* near = parts_->nearest(load))
-    q = *near;
+  const double force = f.sense() * f.axial_force;
+  if (std::optional<fe::State> near = parts_->nearest(force, load))
+    q = std::move(*near);
   else if (!solver.start(load, for_each_spring(f, equal_share_secant(f)), q))
     q = fe::State(Eigen::VectorXd::Zero(equations.size()));  // The solver has more digits.
   fe::NewtonOptions options = newton_options(f);
@@ -380,9 +412,9 @@ FullDistribution FullSolver::solve(const FullModel& f, Detail detail) {
   add_offset_energy(d.solve, f.offset_compliance(), f.axial_force);
   if (d.solve.status == fe::NewtonStatus::no_equilibrium) d.reason = why_not_held(f, s);
   if (!d.solve.converged()) return d;
-  if (start_ == FullStart::neighbour) parts_->keep(q);
+  if (start_ == FullStart::neighbour) parts_->keep(force, q);
   Solution(f, s, equations, q).read(d);
-  if (detail == Detail::complete) add_compliance(f, s, equations, solver, d);
+  if (detail == Detail::complete) add_compliance(f, s, equations, solver, parts_->pinned, d);
   return d;
 }
 
