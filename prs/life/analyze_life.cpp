@@ -509,9 +509,8 @@ void warn_of_loads(LifeResult& r) {
     const std::optional<double> capacity =
         r.life.static_capacity ? r.life.static_capacity : r.flanks[d]->static_capacity;
     if (capacity && r.flanks[d]->flank_edge_load)
-      if (const auto note =
-              flank_edge_near("an ellipse",
-                              *r.flanks[d]->flank_edge_load, *capacity, r.flanks[d]->largest_force))
+      if (const auto note = flank_edge_near("an ellipse", *r.flanks[d]->flank_edge_load, *capacity,
+                                            r.flanks[d]->largest_force))
         r.warnings.push_back(fmt::format("{}: in {}, {}", loads, name(d), *note));
   }
   if (const auto note = beyond_life_formula(r.mean_load, r.dynamic_capacity))

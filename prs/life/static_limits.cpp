@@ -84,7 +84,8 @@ std::optional<std::string> flank_edge_near(std::string_view ellipse, double edge
   if (!(edge_load < static_capacity && edge_load < kUsualStaticSafety * load && load <= edge_load))
     return std::nullopt;
   return fmt::format(
-      "the load is {:.1f} % of the {:.4g} kN at which {} reaches the end of a flank, which is below "
+      "the load is {:.1f} % of the {:.4g} kN at which {} reaches the end of a flank, which is "
+      "below "
       "the static capacity of {:.4g} kN; expected at most {:.0f} %; lower the load or the profile "
       "radius, or take a coarser pitch",
       load / edge_load * per_si::percent, edge_load * per_si::kilonewton, ellipse,
@@ -104,8 +105,8 @@ std::optional<std::string> beyond_static_rating(double load, const StaticRating&
                                                 std::string_view shares) {
   if (!(load > rating.force)) return std::nullopt;
   return fmt::format(
-      "{}the load is {:.3f} times the static limit ({}): {:.4g} kN above {:.4g} kN; reduce it", shares,
-      load / rating.force, describe(rating.limit), load * per_si::kilonewton,
+      "{}the load is {:.3f} times the static limit ({}): {:.4g} kN above {:.4g} kN; reduce it",
+      shares, load / rating.force, describe(rating.limit), load * per_si::kilonewton,
       rating.force * per_si::kilonewton);
 }
 

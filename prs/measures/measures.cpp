@@ -343,16 +343,14 @@ std::vector<std::string> unusual_load_measures(const Conditions& c, const Measur
     const StaticRating rating{*solved * force, *load_measures.solved_static_safety_limit};
     add(beyond_static_rating(force, rating));
     if (rating.limit == StaticLimit::flank_edge && m.static_capacity)
-      add(flank_edge_near("an ellipse", rating.force, *m.static_capacity,
-                          force));
+      add(flank_edge_near("an ellipse", rating.force, *m.static_capacity, force));
   } else if (const auto rating = equal_shares_static_rating(c, m)) {
     add(beyond_static_rating(force, *rating, "with equal shares, "));
   }
   for (const Interface i : kInterfaces)
     if (!solved && m.interface_flank_edge_load[i] && m.static_capacity)
-      add(flank_edge_near(
-          fmt::format("with equal shares, the {} ellipse", label(i)),
-          *m.interface_flank_edge_load[i], *m.static_capacity, force));
+      add(flank_edge_near(fmt::format("with equal shares, the {} ellipse", label(i)),
+                          *m.interface_flank_edge_load[i], *m.static_capacity, force));
   if (runs(c, result.load_case))
     for (const Interface i : kInterfaces)
       if (load_measures.largest_peak_pressure[i])

@@ -83,8 +83,7 @@ std::string lives(const LifeResult& r, bool all) {
       text += life_row(r, fmt::format("  {} flanks alone", name(d)), r.flanks[d]->life);
   if (all && solved) text += life_row(r, "estimate: equal thread loads", r.equal_shares_life);
   if (all && !given) text += life_row(r, "estimate: (C_a/F_m)^3", r.catalogue_life);
-  if (given && solved)
-    text += wrapped(kStatedCapacityNote, "  ", kTableWidth);
+  if (given && solved) text += wrapped(kStatedCapacityNote, "  ", kTableWidth);
   if (r.weakest) text += life_row(r, weakest_thread(*r.weakest), r.weakest->life);
   return text;
 }

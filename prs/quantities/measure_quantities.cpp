@@ -364,8 +364,8 @@ std::vector<std::string> estimates_beside(const Computed& computed) {
        "deformation_capacity_screw_N", "deformation_capacity_nut_N", "pressure_capacity_screw_N",
        "pressure_capacity_nut_N", "flank_edge_load_N", "flank_edge_load_screw_N",
        "flank_edge_load_nut_N"});
-  add(computed.thread_loads,
-      {"mean_peak_pressure_screw_MPa", "mean_peak_pressure_nut_MPa", "yang_largest_load_rate_percent"});
+  add(computed.thread_loads, {"mean_peak_pressure_screw_MPa", "mean_peak_pressure_nut_MPa",
+                              "yang_largest_load_rate_percent"});
   return keys;
 }
 

@@ -13,6 +13,7 @@
 
 #include "prs/figures/figure_json.h"
 #include "prs/figures/pictures.h"
+#include "prs/input/units.h"
 #include "prs/output/life_table.h"
 #include "prs/output/table_units.h"
 #include "prs/quantities/case_groups.h"
@@ -149,12 +150,13 @@ std::string mark_of_sheets(const Findings& all) {
 /// Title block: what the file says of the report, and what it was made from.
 std::string head_html(const Findings& all) {
   const Json& diameters = all.check["contact"]["pitch_diameter_mm"];
-  const auto diameter = [&](const char* part) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const auto length = [](double millimetres) {
     const ReportUnit unit = report_unit("", "mm");
-    const double shown =
-        unit.factor * diameters.value(part, std::numeric_limits<double>::quiet_NaN());
-    return fmt::format("{} {}", report_number(shown, unit.text), unit.text);
+    return fmt::format("{} {}", report_number(unit.factor * millimetres, unit.text), unit.text);
   };
+  const auto diameter = [&](const char* part) { return length(diameters.value(part, kNone)); };
+  const auto lead = input::number_in(input_value(all, "mechanism.lead"), "mm");
   const std::string starts = input_value(all, "mechanism.starts.screw");
   std::string block;
   const auto add = [&](const char* title, const std::string& text) {
@@ -174,8 +176,8 @@ std::string head_html(const Findings& all) {
       "Lead {}, {} start{} on the screw. Pitch diameters: screw {}, roller {}, nut {}.</p>\n",
       html(title_of(all)), block, html(capitalised(input_value(all, "mechanism.type"))),
       html(rollers_of(all)), html(input_value(all, "mechanism.contacts_per_roller")),
-      html(input_value(all, "mechanism.lead")), html(starts), starts == "1" ? "" : "s",
-      diameter("screw"), diameter("roller"), diameter("nut"));
+      length(lead.value_or(kNone)), html(starts), starts == "1" ? "" : "s", diameter("screw"),
+      diameter("roller"), diameter("nut"));
 }
 
 namespace {
@@ -282,11 +284,23 @@ std::vector<std::string> estimates_in(const Findings& all, const CommandAnswer& 
   // Of a stated capacity, which is of real screws, the catalogue's life is the headline.
   const Json& life = under(answer.document, "life");
   if (answer.command == Command::life && life.value("share", "") == "solved")
-    return has_stated_capacity(life)
-               ? std::vector<std::string>{"equal_shares"}
-               : std::vector<std::string>{"equal_shares", "catalogue"};
+    return has_stated_capacity(life) ? std::vector<std::string>{"equal_shares"}
+                                     : std::vector<std::string>{"equal_shares", "catalogue"};
   if (answer.command == Command::slip) return {"equal_shares", "efficiency_fit"};
   return {};
+}
+
+constexpr const char* kOfSteadyStates = "Steady: each load case running without pause";
+constexpr const char* kOfCycle = "Over the duty cycle";
+
+std::string heading_html(std::string_view title) {
+  return title.empty() ? std::string() : fmt::format("<h3>{}</h3>\n", html(title));
+}
+
+/// Whether temperatures follow from the losses of each load case.
+bool has_temperatures(const CommandAnswer& answer) {
+  return std::ranges::any_of(under(answer.document, "load_cases"),
+                             [](const Json& load_case) { return load_case.contains("heat"); });
 }
 
 /// The records of a document that are its own, and what its load cases have besides those of
@@ -297,20 +311,28 @@ std::string document_html(const Findings& all, const CommandAnswer& answer) {
   for (const auto& [key, value] : answer.document.items())
     if (const RecordInfo* info = record_at(key);
         info && value.is_object() && !is_one_of(key, {"contact", "threads", "comparison"}))
-      text += record_table(*info, {{"", &value}}, {.hidden = estimates});
+      text += heading_html(key == "heat_cycle" ? kOfCycle : "") +
+              record_table(*info, {{"", &value}}, {.hidden = estimates});
   RecordChoice choice{.without = {"name"}, .hidden = estimates};
   const CommandAnswer* solve = all.answer(Command::solve);
   static const Json none;
   if (const Json& known = solve ? under(solve->document, "load_cases") : none; !known.empty())
     for (const auto& [key, value] : known.front().items()) choice.without.push_back(key);
-  return case_table_html(answer.document, choice) + text;
+  return heading_html(has_temperatures(answer) ? kOfSteadyStates : "") +
+         case_table_html(answer.document, choice) + text;
 }
+
+/// Rows of a record that stand open, under a heading where one is needed.
+struct OpenRows {
+  std::string record;
+  std::vector<std::string> rows;
+  std::string heading = {};
+};
 
 /// How a section shows the answer of a command: what a reader asks for first, and what folds.
 struct AnswerView {
   Command command;
-  /// Records of the load cases and of the document, and the rows of each that stand open.
-  std::vector<std::pair<std::string, std::vector<std::string>>> in_cases = {}, in_document = {};
+  std::vector<OpenRows> in_cases = {}, in_document = {};
   std::vector<std::string> folded = {};  ///< Pictures.
 };
 
@@ -326,8 +348,7 @@ std::string part_of_document(const Json& document, const std::string& path,
   if (inner == info->quantities.end() || !outer.contains(inner->key)) return {};
   const Json& record = outer[std::string(inner->key)];
   const std::string table = record_table(inner->record(), {{"", &record}}, choice);
-  return table.empty() ? table
-                       : fmt::format("<h3>{}</h3>\n", html(capitalised(inner->title))) + table;
+  return table.empty() ? table : heading_html(capitalised(inner->title)) + table;
 }
 
 std::string answer_html(Findings& all, const AnswerView& view) {
@@ -340,11 +361,15 @@ std::string answer_html(Findings& all, const AnswerView& view) {
       pictures_html(all, answer, [&](std::string_view name) { return !is_folded(name); });
   const std::vector<RecordColumn> cases = case_columns(answer->document);
   const std::vector<std::string> estimates = estimates_in(all, *answer);
-  for (const auto& [key, only] : view.in_cases)
+  const auto add = [&](const std::string& heading, const std::string& table) {
+    if (!table.empty()) text += heading_html(heading) + table;
+  };
+  for (const auto& [key, only, heading] : view.in_cases)
     if (const RecordInfo* info = record_in(*record_at("load_cases[]"), key))
-      text += record_table(*info, columns_in(cases, key), {.only = only, .hidden = estimates});
-  for (const auto& [key, only] : view.in_document)
-    text += part_of_document(answer->document, key, {.only = only, .hidden = estimates});
+      add(heading,
+          record_table(*info, columns_in(cases, key), {.only = only, .hidden = estimates}));
+  for (const auto& [key, only, heading] : view.in_document)
+    add(heading, part_of_document(answer->document, key, {.only = only, .hidden = estimates}));
   const bool is_open = view.in_cases.empty() && view.in_document.empty();
   const std::string every = document_html(all, *answer);
   return text + folded_html("More pictures", pictures_html(all, answer, is_folded)) +
@@ -352,14 +377,19 @@ std::string answer_html(Findings& all, const AnswerView& view) {
 }
 
 std::string slip_html(Findings& all) {
+  const CommandAnswer* answer = all.answer(Command::slip);
   return answer_html(
       all,
       {Command::slip,
        {{"slip",
          {"status", "speed_rpm", "driven_by", "efficiency", "power_loss_W", "torque_screw_Nm",
-          "torque_nut_Nm", "self_locking", "holding_torque_Nm", "slip_ratio", "viscosity_mPas"}},
+          "torque_nut_Nm", "self_locking", "holding_torque_Nm", "slip_ratio", "viscosity_mPas"},
+         answer && has_temperatures(*answer) ? kOfSteadyStates : ""},
         {"heat", {"status", "reason", "temperature_degC", "oil_degC"}}},
-       {{"heat_cycle", {"status", "reason", "period_s", "peak_degC", "mean_degC"}}},
+       {{"heat_cycle",
+         {"status", "reason", "period_s", "peak_degC", "mean_degC", "energy_in_J", "energy_lost_J",
+          "efficiency"},
+         kOfCycle}},
        {"slip_patches", "slip_residue", "roller_friction"}});
 }
 
@@ -378,19 +408,18 @@ std::string life_html(Findings& all) {
       life.value("reliability_factor", 1.0) * life.value("modification_factor", 1.0) == 1.0;
   const bool of_catalogue = has_stated_capacity(life);
   AnswerView view{Command::life,
-            {},
-            {{"life",
-              {"status", "share", "reliability_factor", "modification_factor", "static_safety",
-               "static_safety_limit"}}},
-            {"thread_lives"}};
+                  {},
+                  {{"life",
+                    {"status", "share", "reliability_factor", "modification_factor",
+                     "static_safety", "static_safety_limit"}}},
+                  {"thread_lives"}};
   if (of_catalogue) view.in_document.push_back({"life.catalogue", is_basic ? basic : rated});
   view.in_document.push_back({"life.system", is_basic ? basic : rated});
   view.in_document.push_back(
       {"life.weakest_thread",
        {"direction", "interface", "part", "roller", "thread", "equivalent_load_N"}});
   const bool is_told = of_catalogue && life.value("share", "") == "solved";
-  const std::string why =
-      is_told ? "<p>" + html(kStatedCapacityNote) + "</p>\n" : std::string();
+  const std::string why = is_told ? "<p>" + html(kStatedCapacityNote) + "</p>\n" : std::string();
   return why + answer_html(all, view);
 }
 
@@ -405,7 +434,7 @@ std::string measures_html(Findings& all) {
               {"dynamic_capacity_N", "static_capacity_N", "flank_edge_load_N", "weight_kg",
                "screw_weight_kg_per_m", "equivalent_inertia_kg_mm2", "shaft_stiffness_N_per_um",
                "buckling_load_N", "critical_speed_rpm"}}},
-            {"yang"}});
+            {"yang", "stiffness_terms"}});
 }
 
 std::string contact_html(Findings& all) {

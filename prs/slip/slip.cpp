@@ -195,7 +195,8 @@ void warn_of_film(const SlipModel& model, const SlipResult& slip,
       warnings.push_back(fmt::format(
           "lubricant.film: the {} contacts roll {:.0f} deg off the major axis of their ellipse, "
           "and their central film is that of rolling along the minor one; for the true direction "
-          "take `film: {{direction: rolling}}`, another formula, whose films are about 20 % thinner at this contact",
+          "take `film: {{direction: rolling}}`, another formula, whose films are about 20 % "
+          "thinner at this contact",
           label(i), off_major));
     if (follows && (ratio < contact::kLeastRollingRatio || ratio > contact::kGreatestRollingRatio))
       warnings.push_back(fmt::format(

@@ -154,8 +154,7 @@ TEST(Check, WarnsOfLoadsAsSolveAndLifeDo) {
                           "load_cases[1].axial_force=140 kN"});
   const std::vector<std::string> by_check = warned(source, Command::check);
   for (const auto& [command, text] :
-       {std::pair{Command::life,
-                  "kN at which an ellipse reaches the end of a flank"},
+       {std::pair{Command::life, "kN at which an ellipse reaches the end of a flank"},
         {Command::solve, "load_cases[0].axial_force: roller-screw peak pressure 4.0"}}) {
     const std::vector<std::string> own = warned(source, command);
     EXPECT_THAT(own, Contains(HasSubstr(text)));
