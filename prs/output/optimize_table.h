@@ -6,7 +6,7 @@
 
 namespace prs {
 
-/// Result of an optimization within 110 columns: variables, objectives and constrained responses of
+/// Result of an optimization within 100 columns: variables, objectives and constrained responses of
 /// the file's own design and of the compromise, then the constraints and the check.
 std::string optimize_table(const OptimizationResult& result);
 

@@ -6,7 +6,7 @@
 
 namespace prs {
 
-/// The preload and the curve through zero, within 110 columns. Of many loads, an evenly spaced few
+/// The preload and the curve through zero, within 100 columns. Of many loads, an evenly spaced few
 /// are shown.
 std::string preload_table(const PreloadResult& result);
 

@@ -7,7 +7,7 @@
 namespace prs {
 
 /// Slip at a glance, the warnings below: up to four load cases at length, more as one row per case.
-/// Within 110 columns. `all`: with the estimates beside what is computed, by equal thread loads and
+/// Within 100 columns. `all`: with the estimates beside what is computed, by equal thread loads and
 /// by a fit.
 std::string slip_table(const Result& result, bool all = false);
 

@@ -7,7 +7,7 @@
 
 namespace prs {
 
-/// A study within 110 columns. Where designs differ in one value: their rows, one table per factor
+/// A study within 100 columns. Where designs differ in one value: their rows, one table per factor
 /// with the base case in it. Otherwise what matters most to each response, by shares of its
 /// variance or contributions to its linear surface, then statistics and, of a grid, the extremes.
 /// What has no room stands in study.csv and study.json. Last come the designs without an answer.
