@@ -46,17 +46,32 @@ void without_missing(Panel& panel, const FullLoads& full) {
   }
 }
 
-/// A map of all rollers for each interface.
-Figure map_of_rollers(Figure figure, const LoadCaseResult& shown, ColourScale colours,
-                      const PerInterface<const std::vector<double>*>& values) {
-  const int threads = shown.threads->screw.threads_per_roller;
+/// A quantity of every thread of every roller, in shown units, and which load cases have it.
+struct OfThreads {
+  bool (*has)(const LoadCaseResult&);
+  const std::vector<double>& (*values)(const LoadCaseResult&, Interface);
+};
+
+/// From the least to the largest value of all load cases, so that their pictures compare.
+Range range_of(const Result& result, const OfThreads& of) {
   Range range;
+  for (const LoadCaseResult& load_case : result.load_cases)
+    for (const Interface i : kInterfaces)
+      if (of.has(load_case))
+        for (const double value : of.values(load_case, i)) range.include(value);
+  return range;
+}
+
+/// A map of all rollers for each interface.
+Figure map_of_rollers(Figure figure, const Result& result, const LoadCaseResult& shown,
+                      ColourScale colours, const OfThreads& of) {
+  const int threads = shown.threads->screw.threads_per_roller;
+  const Range range = range_of(result, of);
   for (const Interface i : kInterfaces) {
     Panel& panel = figure.panels.emplace_back();
     panel.title = interface_title(i);
-    panel.map = {unrolled(*values[i], threads), true};
+    panel.map = {unrolled(of.values(shown, i), threads), true};
     without_missing(panel, *shown.full);
-    for (const double value : panel.map.grid.values) range.include(value);
   }
   figure.x = thread_axis(static_cast<std::size_t>(threads));
   figure.y = roller_axis(shown.full->rollers);
@@ -77,31 +92,39 @@ std::array<double, 2> towards(double radius, double azimuth) {
 Figures roller_loads(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_rollers);
   if (!shown) return {};
-  const PerInterface<InterfaceLoads>& threads = *shown->threads;
+  constexpr OfThreads kNormalLoads{
+      has_rollers, [](const LoadCaseResult& r, Interface i) -> const std::vector<double>& {
+        return (*r.threads)[i].normal_load;
+      }};
   return {map_of_rollers(
       {"roller_loads", fmt::format("Loads of all rollers, {}", shown_name(shown->load_case.name))},
-      *shown, {"Normal load", "N"}, {&threads.screw.normal_load, &threads.nut.normal_load})};
+      result, *shown, {"Normal load", "N"}, kNormalLoads)};
 }
 
 /// Power lost at every thread of every roller, at both interfaces.
 Figures roller_power(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_power_of_rollers);
   if (!shown) return {};
-  const PerInterface<InterfaceSlip>& threads = shown->slip->threads;
+  constexpr OfThreads kPowers{
+      has_power_of_rollers, [](const LoadCaseResult& r, Interface i) -> const std::vector<double>& {
+        return r.slip->threads[i].power;
+      }};
   return {map_of_rollers({"roller_power", fmt::format("Power lost at all rollers, {}",
                                                       shown_name(shown->load_case.name))},
-                         *shown, {"Power lost", "W"}, {&threads.screw.power, &threads.nut.power})};
+                         result, *shown, {"Power lost", "W"}, kPowers)};
 }
 
 /// Friction coefficient at every thread of every roller, at both interfaces.
 Figures roller_friction(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_power_of_rollers);
   if (!shown) return {};
-  const PerInterface<InterfaceSlip>& threads = shown->slip->threads;
+  constexpr OfThreads kCoefficients{
+      has_power_of_rollers, [](const LoadCaseResult& r, Interface i) -> const std::vector<double>& {
+        return r.slip->threads[i].friction_coefficient;
+      }};
   return {map_of_rollers({"roller_friction", fmt::format("Friction at all rollers, {}",
                                                          shown_name(shown->load_case.name))},
-                         *shown, {"Friction coefficient"},
-                         {&threads.screw.friction_coefficient, &threads.nut.friction_coefficient})};
+                         result, *shown, {"Friction coefficient"}, kCoefficients)};
 }
 
 /// Share of each roller at its azimuth, over that of equal shares, seen along the axis.
@@ -116,13 +139,15 @@ Figures roller_shares(const Result& result, const FigureOptions& options) {
   };
   Panel& panel = figure.panels.emplace_back();
   panel.series.push_back({figure.add("equal shares", kMeanStyle), {ellipse(0, 0, 1, 1, 0)}});
-  double reach = 1.0;
+  double reach = 1.0;  // The same in all load cases.
+  for (const LoadCaseResult& load_case : result.load_cases)
+    if (has_rollers(load_case))
+      reach = std::max(reach, rollers * std::ranges::max(load_case.threads->screw.rollers->share));
   const std::vector<double>& share = shown->threads->screw.rollers->share;
   Polyline line;
   for (int j = 0; j <= rollers; ++j) {
     const double relative = share[static_cast<std::size_t>(j % rollers)] * rollers;
     line.push_back(towards(relative, azimuth(j % rollers)));
-    reach = std::max(reach, relative);
   }
   Style style = line_of(colour_of(Part::roller));
   style.mark = Mark::circle;

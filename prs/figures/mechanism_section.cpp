@@ -359,8 +359,11 @@ Figures mechanism_end(const Case& c, const Result& result, const FigureOptions& 
     panel.labels.push_back({fmt::to_string(j + 1), y, z, false, Label::Anchor::centre});
     if (!all) continue;
     shares.push_back(shown->threads->screw.rollers->share[static_cast<std::size_t>(j)] * rollers);
-    range.include(shares.back());
   }
+  for (const LoadCaseResult& load_case : result.load_cases)  // One scale for their pictures.
+    if (load_case.full && load_case.threads)
+      for (const double share : load_case.threads->screw.rollers->share)
+        range.include(share * rollers);
   if (all) {
     panel.series.push_back({figure.add(area_of(colour_of(Part::roller))), circles, shares});
     figure.colours = scale_of(range);

@@ -108,6 +108,29 @@ TEST(LessonPlots, ATurnOfTheCarrierEndsWhereItBegan) {
   EXPECT_DOUBLE_EQ(turn->x.to - turn->x.from, 360.0);
 }
 
+TEST(LessonPlots, LoadCasesHaveOneScale) {
+  const auto source = input::load_source(PRS_SOURCE_DIR "/configs/24_misalignment.yaml", {});
+  const Delivery delivery = run(row_of(Command::solve), source);
+  const Pictures pictures = delivery.pictures();
+  for (const char* name : {"roller_loads", "end_view"}) {
+    const Figure first = figure(pictures, name, {.load_case = 0}),
+                 second = figure(pictures, name, {.load_case = 1});
+    EXPECT_NE(first.title, second.title);
+    EXPECT_EQ(first.colours->from, second.colours->from) << name;
+    EXPECT_EQ(first.colours->to, second.colours->to) << name;
+    EXPECT_EQ(first.colours->unit, second.colours->unit) << name;
+  }
+  EXPECT_EQ(figure(pictures, "roller_shares", {.load_case = 0}).x.to,
+            figure(pictures, "roller_shares", {.load_case = 1}).x.to);
+}
+
+TEST(LessonPlots, LoadCasesHaveColoursOfTheirOwn) {
+  std::set<Colour> colours;
+  for (std::size_t k = 0; k < 7; ++k) colours.insert(case_colour(k));
+  EXPECT_EQ(colours.size(), 7u);
+  EXPECT_FALSE(colours.contains(Colour::grey));
+}
+
 TEST(LessonPlots, TheSectionHasSizesSupportsAndTheLoad) {
   const auto source = input::load_source(PRS_SOURCE_DIR "/configs/05_standard_screw.yaml", {});
   const auto drawn = [&](const char* direction) {
