@@ -23,10 +23,10 @@ inline constexpr std::size_t kMinSweepPoints = 3;
 Style marked_line(std::size_t k);
 
 /// The k-th of several load cases or models, in other colours than those of the parts as far as
-/// there are any.
+/// there are any; grey is what stands behind, or belongs to all of them.
 constexpr Colour case_colour(std::size_t k) {
-  constexpr Colour kOrder[] = {Colour::ink,  Colour::orange, Colour::purple, Colour::sky,
-                               Colour::grey, Colour::green,  Colour::blue,   Colour::vermillion};
+  constexpr Colour kOrder[] = {Colour::ink,   Colour::orange, Colour::purple,    Colour::sky,
+                               Colour::green, Colour::blue,   Colour::vermillion};
   return kOrder[k % std::size(kOrder)];
 }
 Style case_line(std::size_t k);
