@@ -211,8 +211,8 @@ void add_supports(Figure& figure, Panel& panel, const Case& c, const Place& p, d
   if (direction)
     if (const auto& thrust =
             *direction == Direction::tension ? s.nut.thrust.tension : s.nut.thrust.compression) {
-      const double x = *thrust * kMm, r = 0.5 * nut_diameters_at(s.nut, *thrust).first * kMm;
-      const double outer = std::max(r, 0.5 * s.nut.outer_diameter * kMm);
+      const auto [before, behind] = nut_diameters_at(s.nut, *thrust);
+      const double x = *thrust * kMm, outer = 0.5 * std::max(before, behind) * kMm;
       const double from = axis + roller;  // No line crosses the roller's words.
       panel.series.push_back({figure.add("section where the nut is held",
                                          line_of(Colour::ink, Dash::dashed, Weight::strong)),
@@ -228,22 +228,32 @@ void add_supports(Figure& figure, Panel& panel, const Case& c, const Place& p, d
   panel.series.push_back(std::move(bearings));
 }
 
-/// The force on the screw, at its loaded end.
+/// An arrow along x with a head that is seen in a small print. `point` is a pixel of the screen.
+Polyline arrow(double from, double to, double y, double point) {
+  const double shaft = 1.3 * point, head = 6.0 * point;
+  const double base = to + std::copysign(18.0 * point, from - to);
+  return {{from, y - shaft}, {base, y - shaft}, {base, y - head}, {to, y},
+          {base, y + head},  {base, y + shaft}, {from, y + shaft}};
+}
+
+/// The force on the screw, at its loaded end, with room for its words.
 void add_load(Figure& figure, Panel& panel, const Place& p, const LoadCaseResult& shown,
               double top) {
-  const double room = 0.17 * (p.screw_to - p.screw_from), near = p.screw_from - 0.1 * room;
-  const double far = near - 0.9 * room, y = 0.15 * top;
+  const double span = p.screw_to - p.screw_from, height = figure.y.to - figure.y.from;
+  const bool is_short = 2.0 * height > 1.17 * span;  // Pages draw it half as wide then.
+  const double room = (is_short ? 0.45 : 0.17) * span, near = p.screw_from - 0.1 * room;
+  const double far = near - 0.9 * room, point = (span + room) / (is_short ? 350.0 : 790.0);
+  const double above = std::max(0.09 * top, 14.0 * point);
+  const double y = std::max(0.15 * top, figure.y.from + above + 10.0 * point);
   const bool pulls = shown.load_case.direction == Direction::tension;
-  Style style = arrows_of(Colour::bad);
-  style.weight = Weight::strong;
-  panel.series.push_back(
-      {figure.add(style), {pulls ? Polyline{{near, y}, {far, y}} : Polyline{{far, y}, {near, y}}}});
+  panel.series.push_back({figure.add(area_of(Colour::bad)),
+                          {pulls ? arrow(near, far, y, point) : arrow(far, near, y, point)}});
   const double middle = 0.5 * (near + far);
   panel.labels.push_back(
       {fmt::format("{:.4g} kN", shown.load_case.axial_force * per_si::kilonewton), middle,
-       y + 0.09 * top, false, Label::Anchor::centre});
-  panel.labels.push_back({std::string(name(*shown.load_case.direction)), middle, y - 0.09 * top,
-                          false, Label::Anchor::centre});
+       y + above, false, Label::Anchor::centre});
+  panel.labels.push_back({std::string(name(*shown.load_case.direction)), middle, y - above, false,
+                          Label::Anchor::centre});
   figure.x.from = far - 0.1 * room;
 }
 

@@ -8,11 +8,13 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "prs/figures/figure_parts.h"
 #include "prs/output/gnuplot_script.h"
 #include "prs/run/commands.h"
 #include "support/shown.h"
@@ -139,11 +141,11 @@ TEST(LessonPlots, TheSectionHasSizesSupportsAndTheLoad) {
     const Delivery delivery = run(row_of(Command::solve), turned);
     return figure(delivery.pictures(), "section", {.load_case = 0});
   };
-  const auto arrow_of = [](const Figure& section) {
+  const auto arrow_of = [](const Figure& section) {  // From its tail to its tip.
     for (const Series& series : section.panels[0].series)
       if (const Style& s = section.styles[series.style];
-          s.shape == Shape::arrows && s.colour == Colour::bad)
-        return series.parts.at(0);
+          s.shape == Shape::area && s.colour == Colour::bad)
+        return Polyline{series.parts.at(0).at(0), series.parts.at(0).at(3)};
     return Polyline{{0.0, 0.0}, {0.0, 0.0}};
   };
   const Figure pulled = drawn("tension"), pushed = drawn("compression");
@@ -155,6 +157,23 @@ TEST(LessonPlots, TheSectionHasSizesSupportsAndTheLoad) {
   for (const char* text : {"kN; tension", "screw, pitch Ø", "10 rollers; pitch Ø10", "nut Ø"})
     EXPECT_THAT(texts, testing::HasSubstr(text));
   EXPECT_THAT(legend, testing::HasSubstr("section where the nut is held"));
+}
+
+/// Where the mark of the section that holds the nut ends [mm].
+double top_of_mark(const Figure& section) {
+  for (const LegendEntry& entry : section.legend)
+    for (const Series& series : section.panels[0].series)
+      if (entry.title.starts_with("section where") && series.style == entry.style)
+        return series.parts.at(0).at(1)[1];
+  return 0.0;
+}
+
+TEST(LessonPlots, TheMarkOfAHeldSectionReachesTheLargerDiameterAtAFlange) {
+  const auto source = input::load_source(PRS_SOURCE_DIR "/configs/05_standard_screw.yaml", {});
+  const Delivery delivery = run(row_of(Command::solve), source);
+  const Pictures pictures = delivery.pictures();
+  for (const std::size_t load_case : {0U, 1U})  // Held at 40 mm and at 60 mm: a flange's two ends.
+    EXPECT_GT(top_of_mark(figure(pictures, "section", {.load_case = load_case})), 49.0);
 }
 
 TEST(LessonPlots, PreloadHasItsStiffness) {
