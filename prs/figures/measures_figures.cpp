@@ -81,9 +81,11 @@ Figures yang(const MeasuresResult& result) {
   return {std::move(figure)};
 }
 
-/// Compliances: contacts under each load, teeth, body sections of one pitch, the screw's shaft.
+/// Compliances: contacts that share each load equally, teeth, body sections of one pitch, the
+/// screw's shaft. They do not add up to that of the screw.
 Figures stiffness_terms(const MeasuresResult& result) {
-  Figure figure{"stiffness_terms", "What the stiffness is made of"};
+  Figure figure{"stiffness_terms",
+                "Stiffness terms: contacts with equal shares, bodies over one pitch"};
   std::vector<std::size_t> cases = cases_with_contacts(result);
   keep_first(cases, kMostBarCases, figure.title);
   const std::vector<Compliance> bodies = body_compliances(result);

@@ -393,7 +393,7 @@ std::string measures_html(Findings& all) {
               {"dynamic_capacity_N", "static_capacity_N", "flank_edge_load_N", "weight_kg",
                "screw_weight_kg_per_m", "equivalent_inertia_kg_mm2", "shaft_stiffness_N_per_um",
                "buckling_load_N", "critical_speed_rpm"}}},
-            {"yang"}});
+            {"yang", "stiffness_terms"}});
 }
 
 std::string contact_html(Findings& all) {
