@@ -7,7 +7,9 @@
 #include <optional>
 #include <tuple>
 
+#include "prs/input/units.h"
 #include "prs/model/void_inputs.h"
+#include "prs/output/table_units.h"
 #include "prs/report/findings.h"
 #include "prs/report/svg.h"
 
@@ -136,16 +138,17 @@ std::string any_item(const std::string& path) {
 /// Inputs of one value, which one slider moves.
 struct Slider {
   const Control* control = nullptr;
-  std::string value;
+  std::string value;  ///< In the unit that `ends_of` goes by.
+  std::string shown;  ///< In that of the page.
   std::vector<std::string> paths;
   std::vector<std::string> cases;  ///< Names of their load cases.
 };
 
 /// Two digits, so that the ends of a slider are round.
 double rounded(double value) {
-  if (value == 0.0) return 0.0;
-  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
-  return std::round(value / unit) * unit;
+  const std::string text = fmt::format("{:.1e}", value);
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
 }
 
 double largest_force(const Findings& all) {
@@ -175,6 +178,17 @@ std::pair<double, double> ends_of(const Findings& all, const Control& control, d
   return std::minmax({rounded(from), rounded(to)});
 }
 
+/// As the file has it; on a page in US units in these.
+std::string shown_text(const std::string& value, const std::string& of_file) {
+  const std::string own = number_and_unit(value)->unit, of_table(table_unit(own).text);
+  const std::optional<Written> written = number_and_unit(of_file);
+  const bool is_other = !of_table.empty() && of_table != own;
+  if (const auto number = input::number_in(value, of_table);
+      is_other && number && !(written && written->unit == of_table))
+    return fmt::format("{:.6g} {}", *number, of_table);
+  return written && input::number_in(value, written->unit) ? of_file : value;
+}
+
 /// As a field has room for it.
 std::string short_text(const std::string& value, const Written& written) {
   constexpr std::size_t kRoom = 12;
@@ -184,8 +198,13 @@ std::string short_text(const std::string& value, const Written& written) {
 
 std::string slider_html(const Findings& all, const Slider& slider, int index) {
   const Control& control = *slider.control;
-  const Written written = *number_and_unit(slider.value);
-  const auto [least, most] = ends_of(all, control, written.number);
+  const Written own = *number_and_unit(slider.value), shown = *number_and_unit(slider.shown);
+  const auto [least, most] = ends_of(all, control, own.number);
+  const auto in_shown_unit = [&](double end) {
+    if (shown.unit == own.unit) return end;
+    const auto number = input::number_in(fmt::format("{} {}", end, own.unit), shown.unit);
+    return number ? rounded(*number) : end;
+  };
   std::string title = control.title;
   if (!slider.cases.empty()) {
     title += ", " + slider.cases.front();
@@ -196,9 +215,9 @@ std::string slider_html(const Findings& all, const Slider& slider, int index) {
       "<input id=\"v{2}\" type=\"text\" value=\"{1}\" autocomplete=\"off\" spellcheck=\"false\">"
       "<input type=\"range\" aria-label=\"{3}, slider\" min=\"{4}\" max=\"{5}\" step=\"{6}\" "
       "value=\"{7}\" data-unit=\"{8}\"></div>\n",
-      html(fmt::format("{}", fmt::join(slider.paths, " "))),
-      html(short_text(slider.value, written)), index, html(title), least, most,
-      control.kind == Span::whole ? "1" : "any", written.number, html(written.unit));
+      html(fmt::format("{}", fmt::join(slider.paths, " "))), html(short_text(slider.shown, shown)),
+      index, html(title), in_shown_unit(least), in_shown_unit(most),
+      control.kind == Span::whole ? "1" : "any", shown.number, html(shown.unit));
 }
 
 /// The item of a list that an input belongs to, `load_cases[0]`; empty where there is none.
@@ -266,22 +285,29 @@ std::string controls_html(const Findings& all) {
         control.kind == Span::about && wanted.starts_with("load_cases[].");  // Full alone.
     if ((is_of_all && !full) || (wanted == kSpectrum && !own_loads)) continue;
     std::vector<Slider> own;
-    for (const Json& entry : all.check["input"])
-      for (const auto& [path, value] :
-           values_in(entry["path"].get<std::string>(), entry["value"].get<std::string>())) {
+    for (const Json& entry : all.check["input"]) {
+      const std::string of_entry = entry["path"];
+      const auto of_file = values_in(of_entry, entry.value("written", ""));
+      for (const auto& [path, value] : values_in(of_entry, entry["value"].get<std::string>())) {
         if (any_item(path) != wanted || !number_and_unit(value)) continue;
         const bool is_default = entry.value("default", false);
         if (is_default && control.kind != Span::about) continue;
         if (number_and_unit(value)->number == 0.0 && control.kind != Span::about) continue;
         if (std::ranges::find(all.void_paths, path) != all.void_paths.end()) continue;
         auto same = std::ranges::find(own, value, &Slider::value);
-        if (same == own.end()) same = own.insert(own.end(), {&control, value, {}, {}});
+        if (same == own.end()) {
+          const auto written =
+              std::ranges::find(of_file, path, &std::pair<std::string, std::string>::first);
+          const std::string text = written == of_file.end() ? "" : written->second;
+          same = own.insert(own.end(), {&control, value, shown_text(value, text), {}, {}});
+        }
         same->paths.push_back(path);
         if (std::string name = name_of_item(all, path); !name.empty())
           same->cases.push_back(std::move(name));
         for (const auto& [follower, leader] : led)
           if (leader == path) same->paths.push_back(follower);
       }
+    }
     if (own.size() == 1 && (own.front().cases.size() >= cases || !wanted.starts_with("load_cases")))
       own.front().cases.clear();  // All have the same.
     if (own.size() > kMostAlike) own.resize(kMostAlike);

@@ -13,6 +13,7 @@
 
 #include "prs/figures/figure_json.h"
 #include "prs/figures/pictures.h"
+#include "prs/input/units.h"
 #include "prs/output/table_units.h"
 #include "prs/quantities/case_groups.h"
 #include "prs/quantities/measure_quantities.h"
@@ -148,12 +149,13 @@ std::string mark_of_sheets(const Findings& all) {
 /// Title block: what the file says of the report, and what it was made from.
 std::string head_html(const Findings& all) {
   const Json& diameters = all.check["contact"]["pitch_diameter_mm"];
-  const auto diameter = [&](const char* part) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const auto length = [](double millimetres) {
     const ReportUnit unit = report_unit("", "mm");
-    const double shown =
-        unit.factor * diameters.value(part, std::numeric_limits<double>::quiet_NaN());
-    return fmt::format("{} {}", report_number(shown, unit.text), unit.text);
+    return fmt::format("{} {}", report_number(unit.factor * millimetres, unit.text), unit.text);
   };
+  const auto diameter = [&](const char* part) { return length(diameters.value(part, kNone)); };
+  const auto lead = input::number_in(input_value(all, "mechanism.lead"), "mm");
   const std::string starts = input_value(all, "mechanism.starts.screw");
   std::string block;
   const auto add = [&](const char* title, const std::string& text) {
@@ -173,8 +175,8 @@ std::string head_html(const Findings& all) {
       "Lead {}, {} start{} on the screw. Pitch diameters: screw {}, roller {}, nut {}.</p>\n",
       html(title_of(all)), block, html(capitalised(input_value(all, "mechanism.type"))),
       html(rollers_of(all)), html(input_value(all, "mechanism.contacts_per_roller")),
-      html(input_value(all, "mechanism.lead")), html(starts), starts == "1" ? "" : "s",
-      diameter("screw"), diameter("roller"), diameter("nut"));
+      length(lead.value_or(kNone)), html(starts), starts == "1" ? "" : "s", diameter("screw"),
+      diameter("roller"), diameter("nut"));
 }
 
 namespace {

@@ -132,7 +132,10 @@ TEST(LiveReport, ShowsOneThread) {
 TEST(LiveReport, MovesInputsThatMatter) {
   const std::string controls = report_parts(live_lesson("24_misalignment.yaml"), {}).controls;
   EXPECT_THAT(controls, HasSubstr("data-paths=\"load_cases[0].axial_force "
-                                  "load_cases[1].axial_force\" data-value=\"45000 N\""));
+                                  "load_cases[1].axial_force\" data-value=\"45 kN\""));
+  EXPECT_THAT(controls, HasSubstr("min=\"2.2\" max=\"90\" step=\"any\" value=\"45\" "
+                                  "data-unit=\"kN\""));
+  EXPECT_THAT(controls, HasSubstr("data-value=\"209 GPa\""));
   EXPECT_THAT(controls, HasSubstr("misalignment.nut_tilt.z"));
   // The file overrides what the flank angle would change.
   EXPECT_THAT(controls, Not(HasSubstr("mechanism.flank_angle")));
@@ -145,8 +148,26 @@ TEST(Controls, LongValuesAreShortened) {
   source.overrides.push_back("structure.nut.outer_diameter=2.1 in");  // 53.339999999999996 mm
   source.overrides.push_back("load_cases[0].axial_force=1234.56789012 N");
   const std::string controls = report_parts(source, {}).controls;
-  EXPECT_THAT(controls, HasSubstr("data-value=\"53.34 mm\""));
+  EXPECT_THAT(controls, HasSubstr("data-value=\"2.1 in\""));
   EXPECT_THAT(controls, HasSubstr("data-value=\"1234.57 N\""));
+}
+
+TEST(Controls, AddTheirRangeInTheUnitOfTheFile) {
+  const std::string controls =
+      report_parts(live_lesson("11_real_parts.yaml"), {}).controls;
+  EXPECT_THAT(controls, HasSubstr("data-value=\"2 um\""));
+  EXPECT_THAT(controls, HasSubstr("min=\"-2\" max=\"6\" step=\"any\" value=\"2\" "
+                                  "data-unit=\"um\""));
+}
+
+TEST(Controls, AreInUsUnitsOnSuchAPage) {
+  const TableUnits units(UnitSystem::us);
+  const std::string controls =
+      report_parts(live_lesson("04_contacts_from_geometry.yaml"), {}).controls;
+  for (const char* us : {"data-value=\"0.19685 in\"", "data-unit=\"lbf\"", "data-unit=\"ksi\""})
+    EXPECT_THAT(controls, HasSubstr(us));
+  for (const char* si : {"data-unit=\"mm\"", "data-unit=\"N\"", "data-unit=\"kN\""})
+    EXPECT_THAT(controls, Not(HasSubstr(si)));
 }
 
 TEST(LivePage, CarriesTheEngineUnlessStatic) {
