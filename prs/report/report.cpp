@@ -285,6 +285,19 @@ std::vector<std::string> estimates_in(const Findings& all, const CommandAnswer& 
   return {};
 }
 
+constexpr const char* kOfSteadyStates = "Steady: each load case running without pause";
+constexpr const char* kOfCycle = "Over the duty cycle";
+
+std::string heading_html(std::string_view title) {
+  return title.empty() ? std::string() : fmt::format("<h3>{}</h3>\n", html(title));
+}
+
+/// Whether temperatures follow from the losses of each load case.
+bool has_temperatures(const CommandAnswer& answer) {
+  return std::ranges::any_of(under(answer.document, "load_cases"),
+                             [](const Json& load_case) { return load_case.contains("heat"); });
+}
+
 /// The records of a document that are its own, and what its load cases have besides those of
 /// `solve`.
 std::string document_html(const Findings& all, const CommandAnswer& answer) {
@@ -293,20 +306,28 @@ std::string document_html(const Findings& all, const CommandAnswer& answer) {
   for (const auto& [key, value] : answer.document.items())
     if (const RecordInfo* info = record_at(key);
         info && value.is_object() && !is_one_of(key, {"contact", "threads", "comparison"}))
-      text += record_table(*info, {{"", &value}}, {.hidden = estimates});
+      text += heading_html(key == "heat_cycle" ? kOfCycle : "") +
+              record_table(*info, {{"", &value}}, {.hidden = estimates});
   RecordChoice choice{.without = {"name"}, .hidden = estimates};
   const CommandAnswer* solve = all.answer(Command::solve);
   static const Json none;
   if (const Json& known = solve ? under(solve->document, "load_cases") : none; !known.empty())
     for (const auto& [key, value] : known.front().items()) choice.without.push_back(key);
-  return case_table_html(answer.document, choice) + text;
+  return heading_html(has_temperatures(answer) ? kOfSteadyStates : "") +
+         case_table_html(answer.document, choice) + text;
 }
+
+/// Rows of a record that stand open, under a heading where one is needed.
+struct OpenRows {
+  std::string record;
+  std::vector<std::string> rows;
+  std::string heading = {};
+};
 
 /// How a section shows the answer of a command: what a reader asks for first, and what folds.
 struct AnswerView {
   Command command;
-  /// Records of the load cases and of the document, and the rows of each that stand open.
-  std::vector<std::pair<std::string, std::vector<std::string>>> in_cases = {}, in_document = {};
+  std::vector<OpenRows> in_cases = {}, in_document = {};
   std::vector<std::string> folded = {};  ///< Pictures.
 };
 
@@ -322,8 +343,7 @@ std::string part_of_document(const Json& document, const std::string& path,
   if (inner == info->quantities.end() || !outer.contains(inner->key)) return {};
   const Json& record = outer[std::string(inner->key)];
   const std::string table = record_table(inner->record(), {{"", &record}}, choice);
-  return table.empty() ? table
-                       : fmt::format("<h3>{}</h3>\n", html(capitalised(inner->title))) + table;
+  return table.empty() ? table : heading_html(capitalised(inner->title)) + table;
 }
 
 std::string answer_html(Findings& all, const AnswerView& view) {
@@ -336,11 +356,15 @@ std::string answer_html(Findings& all, const AnswerView& view) {
       pictures_html(all, answer, [&](std::string_view name) { return !is_folded(name); });
   const std::vector<RecordColumn> cases = case_columns(answer->document);
   const std::vector<std::string> estimates = estimates_in(all, *answer);
-  for (const auto& [key, only] : view.in_cases)
+  const auto add = [&](const std::string& heading, const std::string& table) {
+    if (!table.empty()) text += heading_html(heading) + table;
+  };
+  for (const auto& [key, only, heading] : view.in_cases)
     if (const RecordInfo* info = record_in(*record_at("load_cases[]"), key))
-      text += record_table(*info, columns_in(cases, key), {.only = only, .hidden = estimates});
-  for (const auto& [key, only] : view.in_document)
-    text += part_of_document(answer->document, key, {.only = only, .hidden = estimates});
+      add(heading,
+          record_table(*info, columns_in(cases, key), {.only = only, .hidden = estimates}));
+  for (const auto& [key, only, heading] : view.in_document)
+    add(heading, part_of_document(answer->document, key, {.only = only, .hidden = estimates}));
   const bool is_open = view.in_cases.empty() && view.in_document.empty();
   const std::string every = document_html(all, *answer);
   return text + folded_html("More pictures", pictures_html(all, answer, is_folded)) +
@@ -348,14 +372,19 @@ std::string answer_html(Findings& all, const AnswerView& view) {
 }
 
 std::string slip_html(Findings& all) {
+  const CommandAnswer* answer = all.answer(Command::slip);
   return answer_html(
       all,
       {Command::slip,
        {{"slip",
          {"status", "speed_rpm", "driven_by", "efficiency", "power_loss_W", "torque_screw_Nm",
-          "torque_nut_Nm", "self_locking", "holding_torque_Nm", "slip_ratio", "viscosity_mPas"}},
+          "torque_nut_Nm", "self_locking", "holding_torque_Nm", "slip_ratio", "viscosity_mPas"},
+         answer && has_temperatures(*answer) ? kOfSteadyStates : ""},
         {"heat", {"status", "reason", "temperature_degC", "oil_degC"}}},
-       {{"heat_cycle", {"status", "reason", "period_s", "peak_degC", "mean_degC"}}},
+       {{"heat_cycle",
+         {"status", "reason", "period_s", "peak_degC", "mean_degC", "energy_in_J", "energy_lost_J",
+          "efficiency"},
+         kOfCycle}},
        {"slip_patches", "slip_residue", "roller_friction"}});
 }
 

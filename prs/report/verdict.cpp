@@ -80,6 +80,20 @@ const std::vector<Headline>& headlines() {
   return all;
 }
 
+/// What a document has at a path. A duty cycle has temperatures of its own, and with them losses:
+/// the power lost is then the mean over the cycle.
+std::vector<Found> found_at(const Json& document, std::string_view path) {
+  std::vector<Found> found;
+  const Json& cycle = under(document, "heat_cycle");
+  if (!path.ends_with("power_loss_W") || cycle.is_null()) {
+    collect(document, path, "", found);
+  } else if (cycle.contains("energy_lost_J")) {
+    found.push_back({cycle["energy_lost_J"].get<double>() / cycle["period_s"].get<double>(),
+                     "heat.duty: mean over the cycle"});
+  }
+  return found;
+}
+
 /// A number as it is shown, in HTML.
 struct Tile {
   std::string value, unit, where;
@@ -90,7 +104,7 @@ std::optional<Tile> tile_of(const Findings& all, const Headline& headline) {
   for (const auto& [command, path] : headline.places) {
     const CommandAnswer* answer = all.answer(command);
     std::vector<Found> found;
-    if (answer) collect(answer->document, path, "", found);
+    if (answer) found = found_at(answer->document, path);
     if (found.empty()) continue;
     const ReportUnit unit = report_unit(path, unit_in(path));
     for (Found& one : found) one.value *= unit.factor;
@@ -151,11 +165,18 @@ std::string value_html(const Criterion& c) {
   return number_html(report_number(*c.value * unit.factor, unit.text), unit.text);
 }
 
-/// Where the worst value stands, and the best where that is another one.
-std::string place_of(const Criterion& c) {
+bool has_cycle(const Findings& all) {
+  const CommandAnswer* slip = all.answer(Command::slip);
+  return slip && slip->document.contains("heat_cycle");
+}
+
+/// Where the worst value stands, and the best where that is another one; none of efficiencies at
+/// temperatures that a duty cycle does not reach.
+std::string place_of(const Findings& all, const Criterion& c) {
   constexpr double kSame = 0.01;
   std::string where = c.load_case;
   if (!c.reason.empty()) where += (where.empty() ? "" : ": ") + c.reason;
+  if (c.name == "efficiency" && has_cycle(all)) return where;
   if (c.standing == Standing::no_limit && c.best &&
       std::abs(*c.best - *c.value) > kSame * std::abs(*c.value)) {
     const ReportUnit unit = card_unit(c);
@@ -182,7 +203,7 @@ std::string card_html(const Findings& all, const Criterion& c) {
   if (c.limit)
     below += fmt::format("<div class=\"state {}\">{}</div>", name(c.standing), words(c.standing));
   return tile_html(c.name, name(c.standing), c.title, value_html(c), before,
-                   below + where_html(place_of(c)));
+                   below + where_html(place_of(all, c)));
 }
 
 }  // namespace
