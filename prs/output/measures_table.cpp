@@ -14,6 +14,7 @@
 #include "prs/output/table_units.h"
 #include "prs/output/warnings.h"
 #include "prs/quantities/measure_quantities.h"
+#include "prs/quantities/text_words.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -41,7 +42,8 @@ std::optional<std::string> measure_cell(const Quantity<Owner>& q,
                  : std::nullopt;
   }
   const auto json = q.value.json(*measures, q.unit);
-  return json.is_null() ? std::nullopt : std::optional(json.template get<std::string>());
+  return json.is_null() ? std::nullopt
+                        : std::optional(words_of_text(json.template get<std::string>()));
 }
 
 /// The headings in the order of the table.

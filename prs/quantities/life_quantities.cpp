@@ -154,14 +154,15 @@ constexpr Quantity<DirectionLife> kDirectionLife[] = {
      "force at which the first thread has a peak pressure of 4.0 GPa", "ISO 76:2006",
      "static capacity, real thread loads"},
     {"flank_edge_load_N", of_flank<&FlankLife::flank_edge_load>,
-     "force at which the first ellipse reaches a crest or root", source::kHertz},
+     "force at which the first ellipse reaches a crest or root", source::kHertz,
+     "load at the edge of a flank, real thread loads"},
     {"static_safety", of_flank<&FlankLife::static_safety>,
      "force at which the first thread reaches a limit over the largest force", "ISO 76"},
     {"static_safety_limit", of<[](const DirectionLife& d) {
        const auto& rating = d.flank->static_rating;
        return rating ? std::optional(rating->limit) : std::nullopt;
      }>,
-     "pressure | deformation | flank_edge | given"},
+     "pressure | deformation | flank_edge | given", "", "what limits the static safety"},
     {"equilibria", of_flank<&FlankLife::solves>, "that were solved", "",
      "loads at which the threads were solved"},
     {"interpolation_error", of_flank<&FlankLife::interpolation_error>,
@@ -201,7 +202,7 @@ constexpr Quantity<Capacity> kCapacity[] = {
      of<[](const Capacity& c) { return range_of(c.life->dynamic_capacity_range); }>, kFactorRange,
      "docs/life.md"},
     {"source", of<[](const Capacity& c) { return c.life->lemor ? "lemor" : "given"; }>,
-     "lemor | given", "", "origin of the dynamic capacity"},
+     "lemor | given", "", "where the dynamic capacity comes from"},
     {"geometry_factor", of_lemor<&LemorCapacity::factor>, "f_c", kLemorCapacity},
     {"geometry_factor_range",
      of_lemor<[](const LemorCapacity& l) { return range_of(l.factor_range); }>, kFactorRange,
@@ -219,10 +220,12 @@ constexpr Quantity<Capacity> kCapacity[] = {
      "Lundberg and Palmgren"},
     {"static_capacity_equal_shares_N",
      of<[](const Capacity& c) { return c.life->equal_shares_static_capacity; }>,
-     "force at which equal thread loads have a peak pressure of 4.0 GPa", "ISO 76:2006"},
+     "force at which equal thread loads have a peak pressure of 4.0 GPa", "ISO 76:2006",
+     "static capacity, equal thread loads"},
     {"flank_edge_load_equal_shares_N",
      of<[](const Capacity& c) { return c.life->equal_shares_flank_edge_load; }>,
-     "force at which ellipses of equal loads reach a crest or root", source::kHertz},
+     "force at which ellipses of equal loads reach a crest or root", source::kHertz,
+     "load at the edge of a flank, equal thread loads"},
     {"static_capacity_given_N", of<[](const Capacity& c) { return c.life->life.static_capacity; }>,
      "life.static_capacity"},
 }
@@ -316,7 +319,7 @@ constexpr Quantity<LifeResult> kLife[] = {
     {"static_safety", of<&LifeResult::static_safety, converged>, "the smaller of both directions",
      "ISO 76", "static safety under the loads of the life"},
     {"static_safety_limit", of<&LifeResult::static_safety_limit, converged>,
-     "pressure | deformation | flank_edge | given"},
+     "pressure | deformation | flank_edge | given", "", "what limits the static safety"},
     {"weakest_thread",
      of<[](const LifeResult& r) {
        return r.weakest ? std::optional(WeakestLife{&r}) : std::nullopt;

@@ -79,9 +79,9 @@ constexpr Quantity<RollerForces> kRollerForces[] = {
 
 constexpr Quantity<SlipEstimates> kSlipEstimates[] = {
     {"simple", of<&SlipEstimates::simple>, "contacts at the pitch points", "Sandu 2018, (2.21)",
-     "slip ratio by contacts at the pitch points"},
+     "slip ratio, estimate by contacts at the pitch points"},
     {"jones", of<&SlipEstimates::jones>, "standard mechanisms only",
-     "Jones et al., in Sandu 2018, (2.20)", "slip ratio by Jones et al."},
+     "Jones et al., in Sandu 2018, (2.20)", "slip ratio, estimate by the formula of Jones et al."},
 };
 
 constexpr Quantity<HottestThread> kHottestThread[] = {

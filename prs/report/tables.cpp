@@ -9,6 +9,7 @@
 
 #include "prs/output/case_table.h"
 #include "prs/output/table_units.h"
+#include "prs/quantities/text_words.h"
 #include "prs/report/svg.h"
 #include "prs/text.h"
 
@@ -174,11 +175,7 @@ std::string report_value(const Json& value, const ReportUnit& unit, bool is_rang
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_number_integer()) return report_number(value.get<double>(), "");
   if (value.is_number()) return report_number(value.get<double>() * unit.factor, unit.text);
-  if (value.is_string()) {
-    std::string words = value.get<std::string>();
-    std::ranges::replace(words, '_', ' ');
-    return html(words);
-  }
+  if (value.is_string()) return html(words_of_text(value.get<std::string>()));
   if (!value.is_array() || value.empty()) return {};
   const auto is_number = [](const Json& entry) { return entry.is_number(); };
   if (value.size() <= kLongestList && std::ranges::all_of(value, is_number)) {

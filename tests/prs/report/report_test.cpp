@@ -64,6 +64,23 @@ std::string malformed(const std::string& page) {
   return open.empty() ? "" : "<" + open.back() + ">";
 }
 
+/// The legends whose entries do not all have symbols of their own.
+std::vector<std::string> ambiguous_legends(const std::string& page) {
+  constexpr std::string_view kLegend = "<ul class=\"legend\">", kEntry = "<li>", kEnd = "</svg>";
+  std::vector<std::string> found;
+  for (std::size_t at = page.find(kLegend); at != page.npos; at = page.find(kLegend, at + 1)) {
+    const std::string legend = page.substr(at, page.find("</ul>", at) - at);
+    std::set<std::string> symbols;
+    std::size_t count = 0;
+    for (std::size_t k = legend.find(kEntry); k != legend.npos; k = legend.find(kEntry, k + 1)) {
+      symbols.insert(legend.substr(k, legend.find(kEnd, k) - k));
+      ++count;
+    }
+    if (symbols.size() < count) found.push_back(legend);
+  }
+  return found;
+}
+
 struct LessonReport : testing::TestWithParam<std::string> {};
 
 TEST_P(LessonReport, IsOnePageThatAsksForNothingAndSaysWhatTheCommandsSay) {
@@ -82,6 +99,9 @@ TEST_P(LessonReport, IsOnePageThatAsksForNothingAndSaysWhatTheCommandsSay) {
   for (const char* none : {">nan", " nan", "Lnan", "inf ", ">inf"})
     EXPECT_EQ(report.html.find(none), std::string::npos) << none;
   EXPECT_TRUE(report.converged);
+  EXPECT_THAT(ambiguous_legends(report.html), testing::IsEmpty());
+  for (const char* raw : {">lemor<", ">flank edge<", ">Static safety limit<"})
+    EXPECT_EQ(report.html.find(raw), std::string::npos) << raw;
 
   const input::CaseInput in = input::read_case_input(source, Command::check);
   if (!input::missing(in, Command::solve).empty()) return;
@@ -134,6 +154,45 @@ TEST(Report, EachCardNamesItsLimitAndWarningsStandBelowTheVerdict) {
   EXPECT_LT(page.find("id=\"warnings\""), page.find("id=\"mechanism\""));
 }
 
+/// What stands between two texts; empty where they do not.
+std::string between(const std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t begin = text.find(from);
+  if (begin == text.npos) return {};
+  return text.substr(begin, text.find(to, begin + from.size()) - begin);
+}
+
+TEST(Report, ADutyCycleIsToldApartFromSteadyStates) {
+  const Report report = make_report(lesson_source("30_duty_cycle.yaml"), {.live = false});
+  const auto& cycle = report.data["results"]["slip"]["heat_cycle"];
+  const std::string power =
+      report_number(cycle["energy_lost_J"].get<double>() / cycle["period_s"].get<double>(), "W");
+  EXPECT_THAT(between(report.html, "data-tile=\"Power lost\"", "</dl>"),
+              AllOf(HasSubstr(power + " <small>W"), HasSubstr("mean over the cycle")));
+  EXPECT_THAT(between(report.html, "data-tile=\"efficiency\"", "data-tile=\"temperature"),
+              AllOf(HasSubstr("over the cycle"), Not(HasSubstr("best"))));
+  const std::string slip = between(report.html, "<section id=\"slip\"", "<details>");
+  const std::size_t steady = slip.find("<h3>Steady: each load case running without pause</h3>"),
+                    cyclic = slip.find("<h3>Over the duty cycle</h3>");
+  ASSERT_NE(cyclic, std::string::npos);
+  EXPECT_LT(steady, slip.find("Power lost</th>"));
+  EXPECT_LT(slip.find("Temperature, rollers"), cyclic);
+  EXPECT_LT(cyclic, slip.find("Peak, rollers"));
+}
+
+TEST(Report, StiffnessTermsThatDoNotAddUpFold) {
+  const std::string page =
+      make_report(lesson_source("18_design_measures.yaml"), {.live = false}).html;
+  const std::string open = between(page, "<section id=\"measures\"", "<details>");
+  EXPECT_THAT(open, Not(HasSubstr("stiffness_terms")));
+  EXPECT_THAT(page, HasSubstr("<figcaption>Stiffness terms: contacts with equal shares"));
+}
+
+TEST(Report, HasWordsForTexts) {
+  EXPECT_EQ(report_value("flank_edge", {}), "flank&#39;s edge");
+  EXPECT_EQ(report_value("lemor", {}), "Lemor&#39;s formula");
+  EXPECT_EQ(report_value("iteration_limit", {}), "iteration limit");
+}
+
 TEST(Report, HasNumbersThatReadBack) {
   EXPECT_EQ(report_number(854.8137, "N/µm"), "854.8");
   EXPECT_EQ(report_number(1000.04, "N/µm"), "1000.0");
@@ -151,6 +210,7 @@ TEST(Report, MayBeInInchesAndPounds) {
   std::string page = make_report(source, {.live = false}).html;
   page.erase(page.find("<script"));  // Documents are always SI.
   EXPECT_THAT(page, HasSubstr("Pitch diameters: screw 0.82677 in"));
+  EXPECT_THAT(page, HasSubstr("Lead 0.19685 in, 3 starts"));
   for (const char* si : {">N/µm<", ">kN<", ">N<", ">MPa<", ">mm<", ">µm<", "(kN)", "(N/µm)",
                          "Stiffness, N/µm", " GPa "})
     EXPECT_EQ(page.find(si), std::string::npos) << si;
