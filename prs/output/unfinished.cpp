@@ -1,6 +1,5 @@
 #include "prs/output/unfinished.h"
 
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -12,7 +11,6 @@ namespace {
 
 /// More at once are not in the list, and left where a signal ends the program.
 std::array<std::atomic<const char*>, 512> paths;
-std::array<std::atomic<pid_t>, 256> children;
 std::atomic<bool> ending;
 
 template <class Slots, class Value>
@@ -33,13 +31,6 @@ void take_out(Slots& slots, Value value) {
 
 void remove_path(const char* path) {
   if (::unlink(path) != 0) ::rmdir(path);
-}
-
-/// Only of a child that has not been waited for: its number may be another's by then.
-void kill_child(pid_t child) {
-  if (::waitpid(child, nullptr, WNOHANG) != 0) return;
-  ::kill(child, SIGKILL);
-  ::waitpid(child, nullptr, 0);
 }
 
 /// Who removes paths reads them until the end.
@@ -77,29 +68,8 @@ UnfinishedPath::~UnfinishedPath() {
   wait_if_ending();
 }
 
-UnfinishedProcess::UnfinishedProcess(pid_t child) : child_(child) {
-  if (child_ <= 0) return;
-  put(children, child_);
-  if (ending) kill_child(child_);
-  wait_if_ending();
-}
-
-UnfinishedProcess::UnfinishedProcess(UnfinishedProcess&& other) noexcept
-    : child_(std::exchange(other.child_, -1)) {}
-
-UnfinishedProcess& UnfinishedProcess::operator=(UnfinishedProcess&& other) noexcept {
-  std::swap(child_, other.child_);
-  return *this;
-}
-
-UnfinishedProcess::~UnfinishedProcess() {
-  if (child_ > 0) take_out(children, child_);
-}
-
 void remove_unfinished() noexcept {
   ending = true;
-  for (auto& child : children)
-    if (const pid_t number = child; number > 0) kill_child(number);
   for (const auto remove : {::unlink, ::rmdir})  // Folders when they are empty.
     for (const auto& path : paths)
       if (const char* name = path) remove(name);
