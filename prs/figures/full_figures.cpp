@@ -141,8 +141,9 @@ Figures roller_shares(const Result& result, const FigureOptions& options) {
     range.include(percent);
   }
   panel.series.push_back(std::move(rollers));
-  if (!(range.from < range.to)) range.widen(0.05);
-  figure.colours = ColourScale{"Share of the roller", "% of equal shares", range.from, range.to};
+  constexpr double kUsual = 150.0;  // So that equal shares do not look like a peak.
+  figure.colours = ColourScale{"Share of the roller", "% of equal shares",
+                               std::min(0.0, range.from), std::max(kUsual, range.to)};
   const double reach = 1.25 * nut;
   figure.x = {"y", {}, -reach, reach};
   figure.y = {"z", {}, -reach, reach};

@@ -13,22 +13,6 @@ namespace {
 std::array<std::atomic<const char*>, 512> paths;
 std::atomic<bool> ending;
 
-template <class Slots, class Value>
-void put(Slots& slots, Value value) {
-  for (auto& slot : slots) {
-    Value free{};
-    if (slot.compare_exchange_strong(free, value)) return;
-  }
-}
-
-template <class Slots, class Value>
-void take_out(Slots& slots, Value value) {
-  for (auto& slot : slots) {
-    Value known = value;
-    if (slot.compare_exchange_strong(known, Value{})) return;
-  }
-}
-
 void remove_path(const char* path) {
   if (::unlink(path) != 0) ::rmdir(path);
 }
@@ -50,7 +34,10 @@ SignalsHeld::~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 
 UnfinishedPath::UnfinishedPath(const std::filesystem::path& path)
     : path_(std::make_unique<std::string>(path.string())) {
-  put(paths, path_->c_str());
+  for (auto& slot : paths) {
+    const char* free = nullptr;
+    if (slot.compare_exchange_strong(free, path_->c_str())) break;
+  }
   if (ending) remove_path(path_->c_str());
   wait_if_ending();
 }
@@ -64,7 +51,10 @@ UnfinishedPath& UnfinishedPath::operator=(UnfinishedPath&& other) noexcept {
 
 UnfinishedPath::~UnfinishedPath() {
   if (!path_) return;
-  take_out(paths, path_->c_str());
+  for (auto& slot : paths) {
+    const char* known = path_->c_str();
+    if (slot.compare_exchange_strong(known, nullptr)) break;
+  }
   wait_if_ending();
 }
 

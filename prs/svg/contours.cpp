@@ -117,17 +117,4 @@ std::vector<Polyline> contour_lines(const GridData& grid, double level) {
   return links.lines();
 }
 
-Polyline part_above(const GridData& grid, std::size_t i, std::size_t j, double level) {
-  const std::array<Node, 4> at = corners(i, j);
-  Polyline part;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Node a = at[k], b = at[(k + 1) % 4];
-    const double here = grid.at(a.i, a.j), there = grid.at(b.i, b.j);
-    if (!std::isfinite(here)) return {};
-    if (here >= level) part.push_back({grid.x[a.i], grid.y[a.j]});
-    if ((here >= level) != (there >= level)) part.push_back(crossing(grid, a, b, level));
-  }
-  return part;
-}
-
 }  // namespace prs

@@ -10,7 +10,4 @@ namespace prs {
 /// Cells with a node without a number have none.
 std::vector<Polyline> contour_lines(const GridData& grid, double level);
 
-/// What of a cell lies at that value or above it, its lower left node being (i, j).
-Polyline part_above(const GridData& grid, std::size_t i, std::size_t j, double level);
-
 }  // namespace prs

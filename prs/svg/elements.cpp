@@ -83,8 +83,9 @@ std::string texts(double x, double y, std::string_view classes,
                   const std::vector<std::string>& lines, std::string_view more) {
   std::string all;
   for (std::size_t k = 0; k < lines.size(); ++k)
-    all += text(x, y - kLineHeight * static_cast<double>(lines.size() - 1 - k), classes, lines[k],
-                more);
+    if (!lines[k].empty())
+      all += text(x, y - kLineHeight * static_cast<double>(lines.size() - 1 - k), classes, lines[k],
+                  more);
   return all;
 }
 

@@ -1,9 +1,7 @@
 #include "prs/svg/map.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -16,8 +14,7 @@
 namespace prs {
 namespace {
 
-constexpr std::size_t kManyNodes = 2500;  // More are drawn as an image.
-constexpr int kPixels = 2;                // Of an image, across a pixel of the picture.
+constexpr std::size_t kManyNodes = 2500;  // More cells are drawn as an image.
 
 /// Half the way to the neighbours of a node, in pixels.
 std::pair<double, double> cell(const std::vector<double>& nodes, std::size_t k,
@@ -32,20 +29,6 @@ std::pair<double, double> cell(const std::vector<double>& nodes, std::size_t k,
   if (before > behind) std::swap(before, behind);
   const auto [least, most] = std::minmax(ruler.start, ruler.end);
   return {std::clamp<double>(before, least, most), std::clamp<double>(behind, least, most)};
-}
-
-/// A rectangle of a path, from tenths of a pixel.
-void append_rectangle(std::string& d, long left, long right, long top, long bottom) {
-  d += 'M';
-  append_tenths(d, left, true);
-  append_tenths(d, top, false);
-  d += 'h';
-  append_tenths(d, right - left, true);
-  d += 'v';
-  append_tenths(d, bottom - top, true);
-  d += 'h';
-  append_tenths(d, left - right, true);
-  d += 'z';
 }
 
 /// A path of rectangles for each colour, runs of one colour along y as one.
@@ -64,54 +47,20 @@ std::string cells_svg(const GridData& grid, const ColourScale& scale, const Fram
         const std::pair<long, long> more = tenths(cell(grid.y, j, f.up));
         ends = {std::min(ends.first, more.first), std::max(ends.second, more.second)};
       }
-      if (step >= 0)
-        append_rectangle(paths[static_cast<std::size_t>(step)], sides.first, sides.second,
-                         ends.first, ends.second);
+      if (step < 0) continue;
+      std::string& d = paths[static_cast<std::size_t>(step)] += 'M';
+      append_tenths(d, sides.first, true);
+      append_tenths(d, ends.first, false);
+      append_tenths(d += 'h', sides.second - sides.first, true);
+      append_tenths(d += 'v', ends.second - ends.first, true);
+      append_tenths(d += 'h', sides.first - sides.second, true);
+      d += 'z';
     }
   }
   std::string all;
   for (std::size_t k = 0; k < paths.size(); ++k)
     if (!paths[k].empty())
       all += "<path d=\"" + paths[k] + "\" class=\"c\" fill=\"" + steps.colours()[k] + "\"/>";
-  return all;
-}
-
-/// Filled contours, each band over all lower ones. Lines of the same colour close the seams between
-/// cells.
-std::string bands_svg(const GridData& grid, const ColourScale& scale, const Frame& f) {
-  const ScaleSteps steps(scale);
-  std::string all;
-  for (std::size_t k = 0; k < steps.colours().size(); ++k) {
-    const double level = k == 0 ? -std::numeric_limits<double>::infinity() : scale.levels[k];
-    std::string d;
-    for (std::size_t i = 0; i + 1 < grid.x.size(); ++i)
-      for (std::size_t j = 0; j + 1 < grid.y.size(); ++j) {
-        const auto is_whole = [&](std::size_t up) {
-          for (const std::size_t node : {i, i + 1})
-            for (const double value : {grid.at(node, up), grid.at(node, up + 1)})
-              if (!(std::isfinite(value) && value >= level)) return false;
-          return true;
-        };
-        std::size_t last = j;
-        while (last + 1 < grid.y.size() && is_whole(last)) ++last;
-        Polyline part;
-        if (last > j) {  // Whole cells, as one.
-          part = {{grid.x[i], grid.y[j]},
-                  {grid.x[i + 1], grid.y[j]},
-                  {grid.x[i + 1], grid.y[last]},
-                  {grid.x[i], grid.y[last]}};
-          j = last - 1;
-        } else {
-          part = part_above(grid, i, j, level);
-        }
-        d += way(part, f, true);
-      }
-    if (!d.empty()) {
-      const std::string& colour = steps.colours()[k];
-      all += "<path d=\"" + d + "\" fill=\"" + colour + "\" stroke=\"" + colour +
-             "\" stroke-width=\".6\"/>";
-    }
-  }
   return all;
 }
 
@@ -134,12 +83,12 @@ std::optional<Place> place_of(const std::vector<double>& nodes, double at, bool 
 
 /// For each pixel along one side.
 std::vector<std::optional<Place>> places_of(const std::vector<double>& nodes, const Ruler& ruler,
-                                            bool is_cell) {
+                                            int fineness, bool is_cell) {
   std::vector<std::optional<Place>> places;
-  const int length = kPixels * std::abs(ruler.end - ruler.start);
+  const int length = fineness * std::abs(ruler.end - ruler.start);
   const double start = std::min(ruler.start, ruler.end);
   for (int k = 0; k < length; ++k)
-    places.push_back(place_of(nodes, ruler.value_at(start + (k + 0.5) / kPixels), is_cell));
+    places.push_back(place_of(nodes, ruler.value_at(start + (k + 0.5) / fineness), is_cell));
   return places;
 }
 
@@ -152,9 +101,11 @@ double between(const GridData& grid, const Place& x, const Place& y, bool neares
 
 /// An image over the panel.
 std::string image_svg(const Map& map, const ColourScale& scale, const Frame& f) {
+  // Pixels of it across one of the picture.
+  const int fineness = map.grid.values.size() > kManyNodes ? 1 : 2;
   const ScaleSteps steps(scale);
-  const auto across = places_of(map.grid.x, f.across, map.cells);
-  const auto up = places_of(map.grid.y, f.up, map.cells);
+  const auto across = places_of(map.grid.x, f.across, fineness, map.cells);
+  const auto up = places_of(map.grid.y, f.up, fineness, map.cells);
   Image image{across.size(), up.size(), steps.colours(), {}};
   for (const std::optional<Place>& y : up)
     for (const std::optional<Place>& x : across)
@@ -168,37 +119,37 @@ std::string image_svg(const Map& map, const ColourScale& scale, const Frame& f) 
          png_address(image) + "\"/>";
 }
 
-/// The levels that lines can follow.
-std::vector<double> inner_levels(const Map& map, const ColourScale& scale) {
-  if (map.cells || scale.levels.size() < 3) return {};
-  return {scale.levels.begin() + 1, scale.levels.end() - 1};
-}
-
 }  // namespace
 
 std::string map_svg(const Map& map, const ColourScale& scale, const Frame& f) {
   const GridData& grid = map.grid;
-  const bool banded = !map.cells && scale.levels.size() > 2;
   const bool flat = grid.x.size() < 2 || grid.y.size() < 2;
-  if (!flat && (grid.values.size() > kManyNodes || (!map.cells && !banded)))
-    return image_svg(map, scale, f);
-  return flat || map.cells ? cells_svg(grid, scale, f) : bands_svg(grid, scale, f);
+  const bool few = map.cells && grid.values.size() <= kManyNodes;
+  return flat || few ? cells_svg(grid, scale, f) : image_svg(map, scale, f);
 }
 
-std::string contours_svg(const Map& map, const ColourScale& scale, const Frame& f) {
+std::vector<Contours> contours_of(const Map& map, const ColourScale& scale) {
+  std::vector<Contours> all;
+  if (!map.cells)
+    for (std::size_t k = 1; k + 1 < scale.levels.size(); ++k)
+      all.push_back({scale.levels[k], contour_lines(map.grid, scale.levels[k])});
+  return all;
+}
+
+std::string contours_svg(const std::vector<Contours>& contours, const Frame& f) {
   std::string d;
-  for (const double level : inner_levels(map, scale))
-    for (const Polyline& line : contour_lines(map.grid, level)) d += way(line, f, false);
+  for (const Contours& at : contours)
+    for (const Polyline& line : at.lines) d += way(line, f, false);
   return d.empty() ? d : "<path d=\"" + d + "\" class=\"l\"/>";
 }
 
-std::string contour_numbers(const Map& map, const ColourScale& scale, const Frame& f,
+std::string contour_numbers(const std::vector<Contours>& contours, const Frame& f,
                             std::vector<TextBox>& taken) {
   constexpr double kMargin = 4.0, kShortest = 60.0;  // Pixels.
   std::string all;
-  for (const double level : inner_levels(map, scale)) {
+  for (const auto& [level, lines] : contours) {
     const std::string number = tick_text(level, 0.0);
-    for (const Polyline& line : contour_lines(map.grid, level)) {
+    for (const Polyline& line : lines) {
       double length = 0.0;
       for (std::size_t k = 1; k < line.size(); ++k)
         length += std::hypot(f.across(line[k][0]) - f.across(line[k - 1][0]),

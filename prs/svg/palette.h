@@ -35,7 +35,8 @@ class ScaleSteps {
   /// Which of the colours a value has, from 0; -1 where there is none.
   int step(double value) const;
   std::string colour(double value) const {
-    return step(value) < 0 ? "none" : colours_[step(value)];
+    const int at = step(value);
+    return at < 0 ? "none" : colours_[static_cast<std::size_t>(at)];
   }
   const std::vector<std::string>& colours() const { return colours_; }
 

@@ -74,7 +74,15 @@ std::string label_svg(const Label& label, const Frame& f, std::vector<TextBox>& 
   const double x = label.in_panel ? std::lerp(f.box.left, f.box.right, label.x) : f.across(label.x);
   const double y = label.in_panel ? std::lerp(f.box.bottom, f.box.top, label.y) : f.up(label.y);
   if (!std::isfinite(x + y)) return {};
-  return placed_text(label.text, x, y + 5, look(kShares, label.anchor), f.box, taken);
+  // Blanks at an end hold a text off its place, and are not drawn.
+  const std::string_view content = label.text;
+  const std::size_t from = content.find_first_not_of(' ');
+  if (from == content.npos) return {};
+  const std::size_t to = content.find_last_not_of(' ') + 1;
+  const double share = look(kShares, label.anchor);
+  const double shift =
+      (1.0 - share) * text_width(content.substr(0, from)) - share * text_width(content.substr(to));
+  return placed_text(content.substr(from, to - from), x + shift, y + 5, share, f.box, taken);
 }
 
 }  // namespace
@@ -123,14 +131,18 @@ std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t in
   const bool mapped = !panel.map.grid.empty() && figure.colours;
   const bool boxed = figure.to_scale || mapped, bare = f.x.hidden && f.y.hidden;
   const std::string clip = fmt::format("{}-{}", id, index);
+  const int margin = figure.to_scale && !mapped ? 0 : 7;  // Marks at an edge are drawn whole.
   all += fmt::format(
       "<clipPath id=\"{}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>", clip,
-      b.left - 7, b.top - 7, b.width() + 14, b.height() + 14);
+      b.left - margin, b.top - margin, b.width() + 2 * margin, b.height() + 2 * margin);
   all += x_axis_svg(f, panel.x || layout.is_lowest(index)) +
          y_axis_svg(f, panel.y || layout.is_leftmost(index), !boxed);
   all += fmt::format("<g clip-path=\"url(#{})\">", clip);
-  if (mapped)
-    all += map_svg(panel.map, *figure.colours, f) + contours_svg(panel.map, *figure.colours, f);
+  std::vector<Contours> contours;
+  if (mapped) {
+    contours = contours_of(panel.map, *figure.colours);
+    all += map_svg(panel.map, *figure.colours, f) + contours_svg(contours, f);
+  }
   for (const ReferenceLine& r : panel.references)
     all += r.vertical
                ? segment(f.across(r.at), b.bottom, f.across(r.at), b.top,
@@ -144,8 +156,7 @@ std::string panel_svg(const Figure& figure, const Layout& layout, std::size_t in
                              : fmt::format("V{}H{}", b.bottom, b.right));
   std::vector<TextBox> taken;
   for (const Label& label : panel.labels) all += label_svg(label, f, taken);
-  if (mapped) all += contour_numbers(panel.map, *figure.colours, f, taken);
-  return all;
+  return all + contour_numbers(contours, f, taken);
 }
 
 std::string colour_bar_svg(const ColourScale& scale, const Box& b) {

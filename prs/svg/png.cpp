@@ -86,7 +86,7 @@ std::string png(const Image& image) {
   put32(header, static_cast<std::uint32_t>(image.height));
   header.append("\x08\x03\0\0\0", 5);  // A byte per pixel, a palette, nothing special.
   for (const std::string& colour : image.colours)
-    for (const std::size_t channel : {1, 3, 5}) {
+    for (const std::size_t channel : {1u, 3u, 5u}) {
       int level = 0;
       std::from_chars(&colour[channel], &colour[channel] + 2, level, 16);
       palette += static_cast<char>(level);

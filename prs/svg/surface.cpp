@@ -21,12 +21,12 @@ using Pixels = std::array<double, 2>;
 class View {
  public:
   View(const Frame& f, const Axis& z) : x_(f.x), y_(f.y), z_(z) {
-    constexpr double kRoomLeft = 76.0, kRoomBelow = 64.0, kRoomAbove = 4.0;
+    constexpr double kRoomLeft = 76.0, kRoomRight = 34.0, kRoomBelow = 30.0;
     const double width = 2.0 * kReach, height = 2.0 * kReach * kTilt + kHeight * kRise;
-    scale_ = std::min((f.box.width() - kRoomLeft) / width,
-                      (f.box.height() + kRoomBelow - 30.0 - kRoomAbove) / height);
-    left_ = 0.5 * (f.box.left + kRoomLeft + f.box.right);
-    bottom_ = f.box.bottom + kRoomBelow - 30.0 - kReach * kTilt * scale_;
+    const double room = f.box.height() - kRoomBelow;
+    scale_ = std::min((f.box.width() - kRoomLeft - kRoomRight) / width, room / height);
+    left_ = 0.5 * (f.box.left + kRoomLeft + f.box.right - kRoomRight);
+    bottom_ = f.box.top + 0.5 * (room + height * scale_) - kReach * kTilt * scale_;
   }
 
   Pixels operator()(double x, double y, double z) const {
@@ -80,7 +80,7 @@ std::string surface_svg(const Surface& surface, const ColourScale& colours, cons
     const double turn = std::atan2(b[1] - a[1], b[0] - a[0]);
     const double x = 0.5 * (a[0] + b[0]) - away * std::sin(turn);
     const double y = 0.5 * (a[1] + b[1]) + away * std::cos(turn);
-    const int length = static_cast<int>(std::hypot(b[0] - a[0], b[1] - a[1])) + 40;
+    const int length = static_cast<int>(std::hypot(b[0] - a[0], b[1] - a[1]));
     const auto lines = fitted_lines(text_of(axis), length);
     all += text(x, y, "m", lines.size() > 1 ? lines.front() + "…" : lines.front(),
                 turned(x, y, static_cast<int>(std::lround(turn * 57.29578))));
@@ -91,7 +91,7 @@ std::string surface_svg(const Surface& surface, const ColourScale& colours, cons
     const Pixels at = view.at(s, 0.0, 0.0);
     all += line(at, view.at(s, 1.0, 0.0), "class=\"g\"");
     all += line(view.at(s, 1.0, 0.0), view.at(s, 1.0, 1.0), "class=\"g\"");
-    all += text(at[0] - 4, at[1] + 15, "q e", tick.text);
+    all += text(at[0] - 4, at[1] + 20, "q e", tick.text);
   }
   for (const Tick& tick : shown_ticks(f.y, 200, true)) {
     const double s = View::share(f.y, tick.at);

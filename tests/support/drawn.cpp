@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <regex>
+#include <sstream>
 
 #include "prs/svg/file.h"
 #include "prs/svg/text_width.h"
@@ -83,13 +84,15 @@ std::vector<DrawnText> drawn_texts(const std::string& svg) {
                                                                : 0.0;
     const prs::TextBox box = prs::text_box(drawn.content, x, y, share);
     const std::string turn = attribute(tag, "transform");
-    const double angle = turn.empty() ? 0.0 : std::stod(turn.substr(7)) * 0.017453292519943295;
+    double angle = 0.0, centre_x = x, centre_y = y;
+    if (!turn.empty()) std::istringstream(turn.substr(7)) >> angle >> centre_x >> centre_y;
+    angle *= 0.017453292519943295;
     const double corners[4][2] = {
         {box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}};
     for (int k = 0; k < 4; ++k) {
-      const double dx = corners[k][0] - x, dy = corners[k][1] - y;
-      drawn.corners[k][0] = x + std::cos(angle) * dx - std::sin(angle) * dy;
-      drawn.corners[k][1] = y + std::sin(angle) * dx + std::cos(angle) * dy;
+      const double dx = corners[k][0] - centre_x, dy = corners[k][1] - centre_y;
+      drawn.corners[k][0] = centre_x + std::cos(angle) * dx - std::sin(angle) * dy;
+      drawn.corners[k][1] = centre_y + std::sin(angle) * dx + std::cos(angle) * dy;
     }
     all.push_back(drawn);
   }

@@ -79,7 +79,7 @@ TEST(StudyFigures, ShowPowerBySourceWhereItIsRecorded) {
   EXPECT_THAT(screw,
               ElementsAre(ElementsAre(1.0, 0.0), ElementsAre(2.0, 0.0), ElementsAre(4.0, 0.0),
                           ElementsAre(4.0, 150.0), ElementsAre(2.0, 75.0), ElementsAre(1.0, 37.5)));
-  EXPECT_THAT(svg_file(figure), AllOf(HasSubstr(">as in the file<"), HasSubstr(">3.55<")));
+  EXPECT_THAT(svg_file(figure), AllOf(HasSubstr(">as in the file<"), HasSubstr("(3.55)<")));
 
   Study less = slip_study();
   less.responses = {"slip.efficiency"};
