@@ -72,8 +72,6 @@ void note(const OutputOptions& options, const std::string& text) {
   if (!options.quiet) say(text + '\n');
 }
 
-int exit_status(bool converged) {
-  return converged ? kDone : kNotConverged;
-}
+int exit_status(bool converged) { return converged ? kDone : kNotConverged; }
 
 }  // namespace prs::cli

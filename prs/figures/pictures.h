@@ -64,8 +64,8 @@ Pictures study_pictures(const StudyResult& result);
 Pictures derivatives_pictures(const CaseDerivatives& result);
 Pictures optimization_pictures(const OptimizationResult& result);
 
-/// All that the result has data for, as a command writes them; with `all` (`--all`), also those that
-/// few readers want.
+/// All that the result has data for, as a command writes them; with `all` (`--all`), also those
+/// that few readers want.
 Figures figures(const Pictures& pictures, bool all = false);
 
 /// One of them, the first where the options leave several, in one panel if they ask for it. Throws

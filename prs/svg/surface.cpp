@@ -80,7 +80,8 @@ std::string surface_svg(const Surface& surface, const ColourScale& colours, cons
     const double turn = std::atan2(b[1] - a[1], b[0] - a[0]);
     const double x = 0.5 * (a[0] + b[0]) - away * std::sin(turn);
     const double y = 0.5 * (a[1] + b[1]) + away * std::cos(turn);
-    const int length = static_cast<int>(std::hypot(b[0] - a[0], b[1] - a[1]));
+    const int length = static_cast<int>(std::hypot(b[0] - a[0], b[1] - a[1])) +
+                       (away < 0.0 ? 90 : 0);  // Above the axis of z there is room.
     const auto lines = fitted_lines(text_of(axis), length);
     all += text(x, y, "m", lines.size() > 1 ? lines.front() + "…" : lines.front(),
                 turned(x, y, static_cast<int>(std::lround(turn * 57.29578))));
