@@ -22,10 +22,11 @@ cp build/release/packages/*.deb dist
 python -m build --sdist --no-isolation -o dist
 pip wheel . --disable-pip-version-check --no-deps --no-build-isolation \
   -C build-dir=build/release -C cmake.define.PRS_BUILD_TESTS=ON -w build/wheel
-# Not bundled: the GPL's CHOLMOD, an MPI that would not be that of the cluster, and netCDF with its
-# forty libraries. Their modules use the ones of the system.
+# Not bundled: the GPL's CHOLMOD, an MPI that would not be that of the cluster, and librsvg and
+# netCDF with their forty libraries. Their modules use the ones of the system.
 auditwheel repair build/wheel/*.whl -w dist \
-  --exclude 'libcholmod.so.*' --exclude 'libmpi.so.*' --exclude 'libnetcdf.so.*'
+  --exclude 'libcholmod.so.*' --exclude 'libmpi.so.*' --exclude 'libnetcdf.so.*' --exclude 'librsvg-2.so.*' \
+  --exclude 'libcairo.so.*' --exclude 'libg*-2.0.so.*'
 scripts/wheel_licences.py dist/*.whl
 scripts/sbom.py >dist/prs.cdx.json
 ls -l dist

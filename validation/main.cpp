@@ -33,18 +33,15 @@ const prs::DocumentInfo kInfo{prs::kVersion, prs::kSchemaVersion, "", {}, "valid
 
 using Options = ValidateOptions;
 
-/// The document, and below the name of each source what its code wrote and drew; false where a
-/// picture is missing.
-bool write(const std::vector<prs::SourceReport>& reports, const std::string& document,
+/// The document, and below the name of each source what its code wrote and drew.
+void write(const std::vector<prs::SourceReport>& reports, const std::string& document,
            const Options& options) {
-  bool written = true;
   prs::write_files(*options.output, {{"validation.json", document}});
   for (const prs::SourceReport& source : reports) {
     const std::filesystem::path folder = *options.output / source.name;
     if (!source.files.empty()) prs::write_files(folder, source.files);
-    written &= report(prs::draw_figures(source.figures, folder), options);
+    prs::draw_figures(source.figures, folder, options.png);
   }
-  return written;
 }
 
 int wrong_input(const std::string& message) {
@@ -72,7 +69,7 @@ int validate(const Options& options) {
         "prs: error: {}: no folder with a reference.yaml; give the folder of the sources as DIR\n",
         options.file));
   const std::string document = prs::json_text(prs::validation_json(reports, kInfo));
-  const bool written = !options.output || write(reports, document, options);
+  if (options.output) write(reports, document, options);
   if (options.json) {
     print(document);
   } else if (!options.quiet) {
@@ -82,7 +79,7 @@ int validate(const Options& options) {
   for (const prs::SourceReport& report : reports)
     for (const prs::Comparison& comparison : report.comparisons)
       if (comparison.unexpected()) return kFailed;
-  return exit_status(written, true);
+  return exit_status(true);
 }
 
 /// A source's formulas for diameters of the user.

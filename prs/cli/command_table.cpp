@@ -62,6 +62,7 @@ void add_case_options(CLI::App& command, Options& options) {
   add_output_options(command, options);
   add_units_option(command, options);
   add_csv_options(command, options.csv);
+  add_png(command, options);
   command.add_flag("--figures", options.figures, "Put the pictures into the document, as data")
       ->disable_flag_override();
 }
@@ -381,6 +382,7 @@ void add_merge(Program& program) {
       ->type_name("DIR");
   add_threads(*merge, program.options);
   add_output_options(*merge, program.options);
+  add_png(*merge, program.options);
   add_csv_options(*merge, program.options.csv);
 }
 

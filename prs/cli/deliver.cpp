@@ -20,8 +20,7 @@ namespace {
 
 using WriteText = std::function<void(const TextSink&)>;
 
-/// False where a picture is missing.
-bool write(const Delivery& delivery, const WriteText& document, const Figures& shown,
+void write(const Delivery& delivery, const WriteText& document, const Figures& shown,
            const OutputOptions& options) {
   const Interruption after_the_files;  // What is written is listed, whatever ends the run.
   std::error_code told_by_the_file;
@@ -38,10 +37,9 @@ bool write(const Delivery& delivery, const WriteText& document, const Figures& s
   write_files(*options.output, files);
   staged.publish();
   record_written(path);
-  Undrawn undrawn = draw_figures(shown, *options.output);
+  draw_figures(shown, *options.output, options.png);
   if (Interruption::asked()) throw Interrupted();
-  for (const std::string& note : delivery.without_figure) undrawn.notes.push_back(note);
-  return report(undrawn, options);
+  for (const std::string& text : delivery.without_figure) note(options, text);
 }
 
 }  // namespace
@@ -58,7 +56,7 @@ int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOpti
     note(options, "--figures has no effect without a document; add --json or --output DIR");
   Figures shown;
   if (delivery.pictures && (options.output || (options.figures && options.json)))
-    shown = figures(delivery.pictures());
+    shown = figures(delivery.pictures(), options.all);
   nlohmann::ordered_json json;
   if (has_document) {
     json = delivery.outline ? delivery.outline(info) : delivery.document(info);
@@ -67,7 +65,7 @@ int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOpti
   const WriteText document = [&](const TextSink& sink) {
     delivery.write ? delivery.write(json, sink) : sink(json_text(json));
   };
-  const bool written = !options.output || write(delivery, document, shown, options);
+  if (options.output) write(delivery, document, shown, options);
   if (options.json) {
     document([](std::string_view text) { print(text); });
     for (const std::string& text : delivery.notes) note(options, text);
@@ -78,7 +76,7 @@ int deliver(const Delivery& delivery, const DocumentInfo& info, const OutputOpti
     if (options.output && more_than_document)
       print(fmt::format("\nFiles: {}\n", options.output->string()));
   }
-  return exit_status(written, delivery.converged);
+  return exit_status(delivery.converged);
 }
 
 }  // namespace prs::cli

@@ -72,15 +72,6 @@ void note(const OutputOptions& options, const std::string& text) {
   if (!options.quiet) say(text + '\n');
 }
 
-bool report(const Undrawn& undrawn, const OutputOptions& options) {
-  for (const std::string& text : undrawn.notes) note(options, text);
-  for (const std::string& text : undrawn.errors) say(fmt::format("prs: error: {}\n", text));
-  return undrawn.errors.empty();
-}
-
-int exit_status(bool written, bool converged) {
-  if (!written) return kFailed;
-  return converged ? kDone : kNotConverged;
-}
+int exit_status(bool converged) { return converged ? kDone : kNotConverged; }
 
 }  // namespace prs::cli

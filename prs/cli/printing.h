@@ -21,6 +21,7 @@ struct OutputOptions {
   bool quiet = false;
   bool all = false;                   ///< The table with all that there is.
   bool figures = false;               ///< The document holds the pictures as data.
+  bool png = false;                   ///< Pictures are written as PNG files, too.
   UnitSystem units = UnitSystem::si;  ///< Of tables.
   std::optional<std::filesystem::path> output;
   CsvStyle csv;
@@ -54,10 +55,7 @@ void control_terminal(std::string_view sequence) noexcept;
 /// Prints a line on standard error, unless quiet.
 void note(const OutputOptions& options, const std::string& text);
 
-/// Says which pictures are missing; false where one of them could not be written.
-[[nodiscard]] bool report(const Undrawn& undrawn, const OutputOptions& options);
-
 /// Exit status of a command that has delivered its results.
-int exit_status(bool written, bool converged);
+int exit_status(bool converged);
 
 }  // namespace prs::cli

@@ -18,6 +18,7 @@
 #include "prs/cli/interruption.h"
 #include "prs/cli/progress_line.h"
 #include "prs/cli/usage_error.h"
+#include "prs/components/picture.h"
 #include "prs/input/source.h"
 #include "prs/output/run_files.h"
 #include "prs/output/unfinished.h"
@@ -84,6 +85,12 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
   add_quiet(command, options);
 }
 
+void add_png(CLI::App& command, OutputOptions& options) {
+  command.add_flag("--png", options.png, "Write the pictures as PNG files, too")
+      ->disable_flag_override()
+      ->needs(command.get_option("--output"));
+}
+
 void add_units_option(CLI::App& command, OutputOptions& options) {
   take_one_of(
       command.add_option_function<std::string>(
@@ -119,6 +126,7 @@ int run_recorded(const std::function<int()>& run, const OutputOptions& options,
     else
       line->clear();
   });
+  if (options.png) modules::loaded<PictureModule>();  // Says early that it is missing.
   std::optional<RunFiles> files;
   if (options.output) require_folder(*options.output);
   if (options.output) files.emplace(*options.output, command, case_file, overrides);

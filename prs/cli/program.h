@@ -16,6 +16,8 @@ void add_json(CLI::App& command, OutputOptions& options);
 void add_quiet(CLI::App& command, OutputOptions& options);
 /// `--json`, `--output` and `--quiet`.
 void add_output_options(CLI::App& command, OutputOptions& options);
+/// For those with pictures, after the options of output.
+void add_png(CLI::App& command, OutputOptions& options);
 
 /// `--units`, for commands that print quantities.
 void add_units_option(CLI::App& command, OutputOptions& options);

@@ -131,7 +131,7 @@ int report(const Options& options) {
   else if (!options.quiet)
     print(fmt::format("{}: {:.0f} kB\n", options.report->string(),
                       static_cast<double>(report.html.size()) / 1000.0));
-  return exit_status(true, report.converged);
+  return exit_status(report.converged);
 }
 
 int explore(const Options& options) {
@@ -146,7 +146,7 @@ int explore(const Options& options) {
   if (!options.quiet) print(at.report->string() + "\n");
   if (!open_in_browser(*at.report))
     note(options, "prs: xdg-open is missing; open the page in a browser yourself");
-  return exit_status(true, report.converged);
+  return exit_status(report.converged);
 }
 
 }  // namespace prs::cli

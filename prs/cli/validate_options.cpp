@@ -28,6 +28,7 @@ void add_validate_options(CLI::App& command, ValidateOptions& options) {
       ->allow_extra_args(false)
       ->needs(recipe);
   add_output_options(command, options);
+  add_png(command, options);
 }
 
 }  // namespace prs::cli

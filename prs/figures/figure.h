@@ -10,7 +10,7 @@
 namespace prs {
 
 // A picture as data: what it shows, not how it is drawn. Renderers draw it, each in its own style:
-// prs/output by gnuplot, python/rollerscrew/plots by matplotlib.
+// prs/svg for files and pages, python/rollerscrew/plots by matplotlib.
 
 using Polyline = std::vector<std::array<double, 2>>;
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "contact/thread_surface.h"
 #include "prs/figures/figure_parts.h"
 #include "prs/loads/full_result.h"
 #include "prs/model/units.h"
@@ -127,40 +128,54 @@ Figures roller_friction(const Result& result, const FigureOptions& options) {
                          result, *shown, {"Friction coefficient"}, kCoefficients)};
 }
 
-/// Share of each roller at its azimuth, over that of equal shares, seen along the axis.
+/// Share of each roller in % of equal shares, at its place around the axis, between screw and nut.
 Figures roller_shares(const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = chosen_case(result, options, has_rollers);
   if (!shown) return {};
-  const int rollers = shown->full->rollers;
   Figure figure{"roller_shares",
                 fmt::format("Shares of the rollers, {}", shown_name(shown->load_case.name))};
-  const auto azimuth = [&](int j) {
-    return shown->full->carrier_angle + 2.0 * std::numbers::pi * j / rollers;
+  const contact::MechanismGeometry& threads = result.contacts.threads;
+  const auto circle = [](double y, double z, double radius) {
+    return ellipse(y, z, radius, radius, 0.0);
   };
+  const double nut = contact::ThreadSurface(threads.nut).pitch_radius;
+  const double screw = contact::ThreadSurface(threads.screw).pitch_radius;
   Panel& panel = figure.panels.emplace_back();
-  panel.series.push_back({figure.add("equal shares", kMeanStyle), {ellipse(0, 0, 1, 1, 0)}});
-  double reach = 1.0;  // The same in all load cases.
+  panel.series.push_back(
+      {figure.add("screw, pitch circle", line_of(colour_of(Part::screw))), {circle(0, 0, screw)}});
+  panel.series.push_back(
+      {figure.add("nut, pitch circle", line_of(colour_of(Part::nut))), {circle(0, 0, nut)}});
+  Series rollers{figure.add(area_of(colour_of(Part::roller)))};
+  const std::vector<double>& share = shown->threads->screw.rollers->share;
+  const int count = shown->full->rollers;
+  Range range;  // The same in all load cases.
   for (const LoadCaseResult& load_case : result.load_cases)
     if (has_rollers(load_case))
-      reach = std::max(reach, rollers * std::ranges::max(load_case.threads->screw.rollers->share));
-  const std::vector<double>& share = shown->threads->screw.rollers->share;
-  Polyline line;
-  for (int j = 0; j <= rollers; ++j) {
-    const double relative = share[static_cast<std::size_t>(j % rollers)] * rollers;
-    line.push_back(towards(relative, azimuth(j % rollers)));
+      for (const double part : load_case.threads->screw.rollers->share)
+        range.include(part * load_case.full->rollers * per_si::percent);
+  for (int j = 0; j < count; ++j) {
+    const double azimuth = shown->full->carrier_angle + 2.0 * std::numbers::pi * j / count;
+    const auto [y, z] = towards(threads.centre_distance, azimuth);
+    const auto [at_y, at_z] = towards(1.13 * nut, azimuth);
+    const bool missing = std::ranges::count(shown->full->missing_rollers, j + 1) > 0;
+    const double percent = share[static_cast<std::size_t>(j)] * count * per_si::percent;
+    panel.labels.push_back({missing ? "missing" : number(percent, 0) + " %", at_y, at_z, false,
+                            Label::Anchor::centre});
+    if (missing) continue;
+    panel.labels.push_back({fmt::to_string(j + 1), y, z, false, Label::Anchor::centre});
+    rollers.parts.push_back(circle(y, z, contact::ThreadSurface(threads.roller).pitch_radius));
+    rollers.values.push_back(percent);
   }
-  Style style = line_of(colour_of(Part::roller));
-  style.mark = Mark::circle;
-  panel.series.push_back({figure.add("share of each roller", style), {std::move(line)}});
-  reach *= 1.25;
-  for (int j = 0; j < rollers; ++j) {
-    const auto [x, y] = towards(0.93 * reach, azimuth(j));
-    panel.labels.push_back({fmt::to_string(j + 1), x, y, false, Label::Anchor::centre});
-  }
-  figure.x = {"Share over that of equal shares, along y", {}, -reach, reach};
-  figure.y = {"Along z", {}, -reach, reach};
+  panel.series.push_back(std::move(rollers));
+  constexpr double kUsual = 150.0;  // So that equal shares do not look like a peak.
+  figure.colours = ColourScale{"Share of the roller", "% of equal shares",
+                               std::min(0.0, range.from), std::max(kUsual, range.to)};
+  const double reach = 1.25 * nut;
+  figure.x = {"y", {}, -reach, reach};
+  figure.y = {"z", {}, -reach, reach};
+  figure.x.hidden = figure.y.hidden = true;
   figure.to_scale = true;
-  figure.aspect = 1.0;
+  figure.aspect = 0.7;
   return {std::move(figure)};
 }
 

@@ -132,7 +132,7 @@ Figures stiffness(const Result& result, const FigureOptions&) {
   figure.y = {"Axial stiffness", "N/µm"};
   for (std::size_t c = 0; c < sweeps.size(); ++c) {
     figure.add(sweeps[c].name, case_line(c));
-    Style tangent = marked_line(c);
+    Style tangent = case_line(c);
     tangent.dash = Dash::dashed;
     tangent.open = true;
     if (sweeps[c].groups.front().cases.size() >= kMinSweepPoints) tangent.mark = Mark::none;

@@ -58,6 +58,8 @@ Figures pareto_front(const OptimizationResult& result);
 
 namespace {
 
+using enum Picture::Drawn;
+
 constexpr const char* kContactPoints = "a contact point at both interfaces";
 constexpr const char* kMechanism = "a mechanism";
 constexpr const char* kLoads = "a load case that converged, or equal shares";
@@ -93,7 +95,7 @@ auto of(const Result_& result, Figures (*make)(const Result_&)) {
 /// Those of another command, asked for by their names alone.
 Pictures with(Pictures own, Pictures others) {
   for (Picture& picture : others) {
-    picture.is_drawn = false;
+    picture.drawn = by_name;
     own.push_back(std::move(picture));
   }
   return own;
@@ -119,6 +121,13 @@ auto of_slip(const Result& result, std::function<Figure(std::size_t)> make) {
   };
 }
 
+Picture::Drawn drawn_if(bool suitable) { return suitable ? always : by_name; }
+
+/// Some solve has not converged: how it went is then the answer.
+bool has_failed(const Result& r) {
+  return std::ranges::any_of(r.load_cases, [](const LoadCaseResult& c) { return !c.converged(); });
+}
+
 Pictures load_pictures(const Result& r) {
   return {
       {"load_distribution", kLoads, of(r, load_distribution)},
@@ -131,7 +140,8 @@ Pictures load_pictures(const Result& r) {
       {"roller_loads", kAllRollers, of(r, roller_loads)},
       {"roller_shares", kAllRollers, of(r, roller_shares)},
       {"carrier_turn", "`orbit` in a load case of the full mechanism", of(r, carrier_turn)},
-      {"convergence", "at most a few load cases, not of equal shares", of(r, convergence)},
+      {"convergence", "at most a few load cases, not of equal shares", of(r, convergence),
+       has_failed(r) ? always : with_all},
   };
 }
 
@@ -150,10 +160,10 @@ Pictures drawings(const Case& c, const Result& r) {
   const auto draw = [&c, &r](Figures (*make)(const Case&, const Result&, const FigureOptions&)) {
     return [&c, &r, make](const FigureOptions& options) { return make(c, r, options); };
   };
-  return {{"section", kMechanism, draw(mechanism_section), false},
-          {"end_view", kMechanism, draw(mechanism_end), false},
-          {"thread_pressure", kEllipses, of(r, thread_pressure), false},
-          {"thread_stress", kEllipses, draw(thread_stress), false}};
+  return {{"section", kMechanism, draw(mechanism_section), by_name},
+          {"end_view", kMechanism, draw(mechanism_end), by_name},
+          {"thread_pressure", kEllipses, of(r, thread_pressure), by_name},
+          {"thread_stress", kEllipses, draw(thread_stress), by_name}};
 }
 
 Pictures slip_pictures(const Case& c, const Result& r) {
@@ -177,11 +187,11 @@ Pictures slip_pictures(const Case& c, const Result& r) {
                 [&c, &r](std::size_t k) {
                   return stribeck_figure(r.load_cases[k], stribeck_curve(c, r, k));
                 }),
-        mixed},
+        drawn_if(mixed)},
        {"slip_patches", kSlip, of_fields(slip_patch_figure)},
        {"slip_residue", kSlip, of_fields(slip_residue_figure)},
        {"thread_friction", kSlip,
-        [&c, &r](const FigureOptions& options) { return thread_friction(c, r, options); }, false},
+        [&c, &r](const FigureOptions& options) { return thread_friction(c, r, options); }, by_name},
        {"heat_cycle", "a `duty` in `heat` that comes to repeat itself", of(r, heat_cycle)}},
       solve_pictures(r));
 }
@@ -217,12 +227,12 @@ Pictures study_pictures(const StudyResult& r) {
   const bool power = varies_one_at_a_time(study) && has_power(r);
   return {
       {"envelope", "`study.envelope` in the case", of(r, study_envelope)},
-      {"map", "`plan: grid` with two factors of numbers", of(r, study_maps), map},
+      {"map", "`plan: grid` with two factors of numbers", of(r, study_maps), drawn_if(map)},
       {"power", "`plan: one_at_a_time` of slip", of(r, study_power)},
       {"contributions", "a plan that draws samples, and a response that varies",
        of(r, contributions)},
-      {"lines", "designs with an answer", of(r, lines), sampled || (!map && !power)},
-      {"histogram", "several designs whose responses differ", of(r, histograms), sampled},
+      {"lines", "designs with an answer", of(r, lines), drawn_if(sampled || (!map && !power))},
+      {"histogram", "several designs whose responses differ", of(r, histograms), drawn_if(sampled)},
   };
 }
 
@@ -235,12 +245,12 @@ Pictures optimization_pictures(const OptimizationResult& r) {
           {"front", "several objectives", of(r, pareto_front)}};
 }
 
-Figures figures(const Pictures& pictures) {
-  Figures all;
+Figures figures(const Pictures& pictures, bool all) {
+  Figures drawn;
   for (const Picture& picture : pictures)
-    if (picture.is_drawn)
-      for (Figure& figure : picture.make({})) all.push_back(std::move(figure));
-  return all;
+    if (picture.drawn == always || (all && picture.drawn == with_all))
+      for (Figure& figure : picture.make({})) drawn.push_back(std::move(figure));
+  return drawn;
 }
 
 Figure figure(const Pictures& pictures, std::string_view name, const FigureOptions& options) {

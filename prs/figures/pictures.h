@@ -45,7 +45,8 @@ struct Picture {
   std::string_view name;
   std::string_view needs;  ///< What the result must have.
   std::function<Figures(const FigureOptions&)> make;
-  bool is_drawn = true;  ///< Among those that a command writes.
+  /// When a command writes it.
+  enum class Drawn { always, with_all, by_name } drawn = Drawn::always;
 };
 using Pictures = std::vector<Picture>;
 
@@ -63,8 +64,9 @@ Pictures study_pictures(const StudyResult& result);
 Pictures derivatives_pictures(const CaseDerivatives& result);
 Pictures optimization_pictures(const OptimizationResult& result);
 
-/// All that the result has data for, as a command writes them.
-Figures figures(const Pictures& pictures);
+/// All that the result has data for, as a command writes them; with `all` (`--all`), also those
+/// that few readers want.
+Figures figures(const Pictures& pictures, bool all = false);
 
 /// One of them, the first where the options leave several, in one panel if they ask for it. Throws
 /// NoFigure.

@@ -1,6 +1,5 @@
 #include "prs/output/unfinished.h"
 
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -12,34 +11,10 @@ namespace {
 
 /// More at once are not in the list, and left where a signal ends the program.
 std::array<std::atomic<const char*>, 512> paths;
-std::array<std::atomic<pid_t>, 256> children;
 std::atomic<bool> ending;
-
-template <class Slots, class Value>
-void put(Slots& slots, Value value) {
-  for (auto& slot : slots) {
-    Value free{};
-    if (slot.compare_exchange_strong(free, value)) return;
-  }
-}
-
-template <class Slots, class Value>
-void take_out(Slots& slots, Value value) {
-  for (auto& slot : slots) {
-    Value known = value;
-    if (slot.compare_exchange_strong(known, Value{})) return;
-  }
-}
 
 void remove_path(const char* path) {
   if (::unlink(path) != 0) ::rmdir(path);
-}
-
-/// Only of a child that has not been waited for: its number may be another's by then.
-void kill_child(pid_t child) {
-  if (::waitpid(child, nullptr, WNOHANG) != 0) return;
-  ::kill(child, SIGKILL);
-  ::waitpid(child, nullptr, 0);
 }
 
 /// Who removes paths reads them until the end.
@@ -59,7 +34,10 @@ SignalsHeld::~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 
 UnfinishedPath::UnfinishedPath(const std::filesystem::path& path)
     : path_(std::make_unique<std::string>(path.string())) {
-  put(paths, path_->c_str());
+  for (auto& slot : paths) {
+    const char* free = nullptr;
+    if (slot.compare_exchange_strong(free, path_->c_str())) break;
+  }
   if (ending) remove_path(path_->c_str());
   wait_if_ending();
 }
@@ -73,33 +51,15 @@ UnfinishedPath& UnfinishedPath::operator=(UnfinishedPath&& other) noexcept {
 
 UnfinishedPath::~UnfinishedPath() {
   if (!path_) return;
-  take_out(paths, path_->c_str());
+  for (auto& slot : paths) {
+    const char* known = path_->c_str();
+    if (slot.compare_exchange_strong(known, nullptr)) break;
+  }
   wait_if_ending();
-}
-
-UnfinishedProcess::UnfinishedProcess(pid_t child) : child_(child) {
-  if (child_ <= 0) return;
-  put(children, child_);
-  if (ending) kill_child(child_);
-  wait_if_ending();
-}
-
-UnfinishedProcess::UnfinishedProcess(UnfinishedProcess&& other) noexcept
-    : child_(std::exchange(other.child_, -1)) {}
-
-UnfinishedProcess& UnfinishedProcess::operator=(UnfinishedProcess&& other) noexcept {
-  std::swap(child_, other.child_);
-  return *this;
-}
-
-UnfinishedProcess::~UnfinishedProcess() {
-  if (child_ > 0) take_out(children, child_);
 }
 
 void remove_unfinished() noexcept {
   ending = true;
-  for (auto& child : children)
-    if (const pid_t number = child; number > 0) kill_child(number);
   for (const auto remove : {::unlink, ::rmdir})  // Folders when they are empty.
     for (const auto& path : paths)
       if (const char* name = path) remove(name);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <signal.h>
-#include <sys/types.h>
 
 #include <filesystem>
 #include <memory>
@@ -35,19 +34,7 @@ class UnfinishedPath {
   std::unique_ptr<std::string> path_;  ///< Stays where it is.
 };
 
-/// A child that writes such files, from its start until it has been waited for.
-class UnfinishedProcess {
- public:
-  explicit UnfinishedProcess(pid_t child = -1);
-  UnfinishedProcess(UnfinishedProcess&& other) noexcept;
-  UnfinishedProcess& operator=(UnfinishedProcess&& other) noexcept;
-  ~UnfinishedProcess();
-
- private:
-  pid_t child_;
-};
-
-/// Kills these children and removes these paths, for a handler of signals that ends the program.
+/// Removes these paths, for a handler of signals that ends the program.
 /// Threads that make or forget one from then on wait for the end.
 void remove_unfinished() noexcept;
 

@@ -82,7 +82,7 @@ std::string pictures_html(Findings& all, const CommandAnswer* answer, const Choo
   std::string text;
   if (!answer) return text;
   for (const Picture& picture : answer->pictures)
-    if (picture.is_drawn && choose(picture.name))
+    if (picture.drawn != Picture::Drawn::by_name && choose(picture.name))
       for (const Figure& figure : picture.make({})) text += figure_html(all, figure);
   return text;
 }

@@ -423,7 +423,7 @@ Forms<CheckResult> forms_of_check() {
       .pictures =
           [](const CheckResult& r, const Case&) {
             Pictures pictures = contact_pictures(r.geometry);
-            for (Picture& picture : pictures) picture.is_drawn = false;
+            for (Picture& picture : pictures) picture.drawn = Picture::Drawn::by_name;
             return pictures;
           },
       .facts = [](const CheckResult& r, VerdictFacts& f) { f.contacts = &r.geometry.contacts; }};

@@ -89,11 +89,10 @@ FileDescriptor locked(const fs::path& path, int kind, const FolderLock::Run& run
   }
 }
 
-/// Removes files that processes wrote under temporary names when they died, and folders of pictures
-/// that gnuplot was at.
+/// Removes files that processes wrote under temporary names when they died.
 void remove_unfinished(const fs::path& folder) {
   // Those of a study and of pictures are made under the lock alone.
-  static const std::regex kOwn(R"((study(_figures)?\..*|.*\.gp|pictures)\.\d+-\d+\.tmp)");
+  static const std::regex kOwn(R"((study(_figures)?\..*|.*\.(svg|png))\.\d+-\d+\.tmp)");
   static const std::regex kAny(R"(.+\.(\d{1,9})-\d+\.tmp)");
   for (const fs::path& directory : {folder, folder / "plots"}) {
     std::error_code error;

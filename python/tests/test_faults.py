@@ -172,11 +172,10 @@ def assert_in_order(
     out: Path,
     run: subprocess.CompletedProcess[str],
     *more: int,
-    but: tuple[str, ...] = (),
     scarce_memory: bool = False,
 ) -> None:
-    """Status, message and files of a run; of files that end as `but` says, not their content.
-    Where memory is scarce, files may also be those of Eigen's factorization."""
+    """Status, message and files of a run; where memory is scarce, files may be those of Eigen's
+    factorization."""
     assert run.returncode in {0, 1, *more}, (run.returncode, run.stderr)
     assert run.returncode == 0 or told(run), run.stderr
     assert [str(left) for left in out.rglob("*.tmp")] == []
@@ -186,7 +185,7 @@ def assert_in_order(
         expected.append(bench.undisturbed(name, bench.program_without_cholmod()))
     for path, content in written.items():
         # Archives have a time; the next run goes on with a journal and takes the lock again.
-        if path == FILE_LIST or path.endswith((".journal", ".lock", ".fmu", *but)):
+        if path == FILE_LIST or path.endswith((".journal", ".lock", ".fmu")):
             continue
         assert content in [files.get(path) for files in expected], path
 
@@ -244,9 +243,7 @@ def test_limits_are_told_and_leave_whole_files(bench: Bench, name: str, limit: s
         run = bench.run(name, out, "prlimit", f"--{limit.lower()}={number}")
         if run.returncode == 127:  # The loader's: libraries of the program itself.
             continue
-        # gnuplot draws without its fonts where it can open few files.
-        but = (".png",) if limit == "NOFILE" else ()
-        assert_in_order(bench, name, out, run, 3, but=but, scarce_memory=limit == "AS")
+        assert_in_order(bench, name, out, run, 3, scarce_memory=limit == "AS")
         if limit == "FSIZE" and run.returncode == 0:
             assert max(map(len, contents(out).values())) <= value
 
@@ -348,7 +345,7 @@ def test_what_stands_in_place_of_a_file_is_replaced_or_told(
     bench: Bench, name: str, kind: str
 ) -> None:
     for path in sorted(bench.undisturbed(name)):
-        if not THOROUGH and path.endswith((".gp", ".svg", ".png")):
+        if not THOROUGH and path.endswith(".svg"):
             continue
         around = bench.output()
         out = around / "out"
@@ -459,17 +456,13 @@ def test_signals_leave_nothing_unfinished(bench: Bench, name: str, signals: str)
 # Names, locks and leftovers
 
 
-#: Where no picture is asked for: it takes longest.
-WITHOUT_GNUPLOT = {"PATH": "/nowhere"}
-
-
 def run_prs(
     folder: Path, *words: str, before: tuple[str, ...] = (), env: dict[str, str] | None = None
 ) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [*before, program(), *words],
         cwd=folder,
-        env={**os.environ, "PRS_CACHE_DIR": "", **(WITHOUT_GNUPLOT if env is None else env)},
+        env={**os.environ, "PRS_CACHE_DIR": "", **(env or {})},
         capture_output=True,
         text=True,
         check=False,
@@ -477,13 +470,12 @@ def run_prs(
     )
 
 
-@pytest.mark.skipif(not THOROUGH, reason="GnuplotTicks.KeepPercentSigns draws none")
 def test_a_percent_sign_in_a_name_is_drawn(bench: Bench) -> None:
     out = bench.output()
     name = "load_cases[0].name=pull 50 %"
     lesson = "09_slip_and_dissipation.yaml"
     words = ("slip", lesson, "--set", name, "--output", str(out), "--quiet")
-    run = run_prs(bench.folder, *words, env={})
+    run = run_prs(bench.folder, *words)
     assert (run.returncode, run.stderr) == (0, "")
     assert "pull 50 %<" in (out / "plots" / "power_by_source.svg").read_text()
 
@@ -496,7 +488,7 @@ def dead_process() -> int:
 
 def test_a_folder_in_use_is_told_and_left_alone(bench: Bench) -> None:
     out = bench.output()
-    assert bench.run("solve", out, env=WITHOUT_GNUPLOT).returncode == 0
+    assert bench.run("solve", out).returncode == 0
     before = contents(out)
     words = ("contact", "05_standard_screw.yaml", "--output", str(out), "--quiet")
     with open(out / "study.lock", "w+") as lock:
@@ -517,14 +509,12 @@ def test_a_folder_in_use_is_told_and_left_alone(bench: Bench) -> None:
 
 def test_what_killed_runs_left_goes_and_other_files_stay(bench: Bench) -> None:
     out = bench.output()
-    pictures = out / "plots" / f"pictures.{dead_process()}-0.tmp"
-    pictures.mkdir(parents=True)
-    (pictures / "power.svg").write_text("<svg>")
-    left = [pictures, out / f"slip.csv.{dead_process()}-0.tmp"]
+    (out / "plots").mkdir(parents=True)
+    left = [out / f"{name}.{dead_process()}-0.tmp" for name in ("plots/power.svg", "slip.csv")]
     mine = [out / f"slip.csv.{os.getpid()}-0.tmp", out / "my.tmp", out / "a.1-x.tmp"]
-    for file in (left[1], *mine):
+    for file in (*left, *mine):
         file.write_text("x")
-    assert bench.run("solve", out, env=WITHOUT_GNUPLOT).returncode == 0
+    assert bench.run("solve", out).returncode == 0
     assert [file for file in left if file.exists()] == []
     assert [file for file in mine if not file.exists()] == []
 

@@ -41,10 +41,10 @@ optimize:
 )";
   }
 
-  /// Runs `prs ARGUMENTS` without gnuplot.
+  /// Runs `prs ARGUMENTS`.
   test::Outcome prs(const std::string& arguments, const std::string& environment) const {
     return test::run_prs(arguments, folder,
-                         "PATH=/nowhere PRS_CACHE_DIR='" + cache.string() + "' " + environment);
+                         "PRS_CACHE_DIR='" + cache.string() + "' " + environment);
   }
 
   /// What is written and printed is the same with and without jumps, but for a journal: how many

@@ -54,7 +54,7 @@ std::vector<Streams> all_streams() {
 
 class StandardStreams : public testing::Test {
  protected:
-  /// Runs `prs ARGUMENTS` from the repository's root, without gnuplot.
+  /// Runs `prs ARGUMENTS` from the repository's root.
   test::Outcome prs(const std::string& arguments, const Streams& streams = {}) const {
     const fs::path fifo = temporary.path() / "fifo";
     const auto redirection = [&](int number, Stream stream, const fs::path& file) {
@@ -74,7 +74,7 @@ class StandardStreams : public testing::Test {
     for (const fs::path& file : {out, err, fifo}) fs::remove(file);
     // A pipe opens for its writer while there is a reader.
     std::string command = "cd '" PRS_SOURCE_DIR "' && mkfifo '" + fifo.string() + "' && exec 8<>'" +
-                          fifo.string() + "' 9>'" + fifo.string() + "' 8>&-; PATH=/nowhere '";
+                          fifo.string() + "' 9>'" + fifo.string() + "' 8>&-; '";
     command += std::string(test::program()) + "' " + arguments;
     command += redirection(1, streams.out, out) + redirection(2, streams.err, err);
     if (!streams.in) command += " <&-";

@@ -237,8 +237,8 @@ TEST_F(CommandLine, OutputWritesWhatOtherToolsOpen) {
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.out, "");
   for (const char* name :
-       {"result.json", "load_cases.csv", "load_distribution.csv", "plots/load_distribution.gp",
-        "plots/stiffness.gp", "plots/butterfly.gp"})
+       {"result.json", "load_cases.csv", "load_distribution.csv", "plots/load_distribution.svg",
+        "plots/stiffness.svg", "plots/butterfly.svg"})
     EXPECT_TRUE(fs::exists(files / name)) << name;
   std::ifstream csv(files / "load_cases.csv");
   std::string line;
@@ -283,7 +283,7 @@ TEST_F(CommandLine, StudyWritesARowADesign) {
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");  // No progress but on a terminal.
   EXPECT_NE(run.out.find("* as in the file"), std::string::npos);
-  for (const char* name : {"study.csv", "study.json", "plots/01_screw_diameter.gp"})
+  for (const char* name : {"study.csv", "study.json", "plots/01_screw_diameter.svg"})
     EXPECT_TRUE(fs::exists(files / name)) << name;
   const auto json = nlohmann::json::parse(prs("study configs/10_parametric_study.yaml --json").out);
   EXPECT_EQ(json, nlohmann::json::parse(slurp(files / "study.json")));
@@ -315,7 +315,7 @@ TEST_F(CommandLine, PreloadPrintsTheCurveThroughZero) {
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");
   EXPECT_NE(run.out.find("a side opens at"), std::string::npos);
-  for (const char* name : {"preload.csv", "preload.json", "plots/preload.gp"})
+  for (const char* name : {"preload.csv", "preload.json", "plots/preload.svg"})
     EXPECT_TRUE(fs::exists(files / name)) << name;
   const auto json = nlohmann::json::parse(prs("preload configs/12_preload.yaml --json").out);
   EXPECT_EQ(json, nlohmann::json::parse(slurp(files / "preload.json")));
@@ -363,7 +363,7 @@ TEST_F(CommandLine, AFolderHoldsTheResultsOfOneCase) {
   const std::string lesson = " configs/04_contacts_from_geometry.yaml --output ";
   ASSERT_EQ(prs("solve configs/03_load_sweep.yaml --output " + used).status, 0);
   ASSERT_EQ(prs("contact configs/03_load_sweep.yaml --output " + used).status, 0);
-  ASSERT_TRUE(fs::exists(folder / "used/plots/butterfly.gp"));
+  ASSERT_TRUE(fs::exists(folder / "used/plots/butterfly.svg"));
   std::ofstream(folder / "used/notes.txt") << "mine";
   const Outcome run = prs("solve" + lesson + used);
   EXPECT_EQ(run.status, 0);

@@ -264,23 +264,6 @@ TEST(Interrupt, EndsEveryCommandWithStatus130) {
   EXPECT_EQ(process.wait(), 130);
 }
 
-TEST(Interrupt, WhilePicturesAreDrawnLeavesAListOfTheFiles) {
-  const test::TemporaryDirectory folder;
-  const auto gnuplot = folder.path() / "gnuplot";
-  std::ofstream(gnuplot) << "#!/bin/sh\nmkdir '" << folder.path().string()
-                         << "/told' 2>&- && kill -INT $PPID\nexit 0\n";
-  std::filesystem::permissions(gnuplot, std::filesystem::perms::owner_all);
-  const std::filesystem::path out = folder.path() / "out";
-  test::Process process({"sh", "-c",
-                         "cd '" PRS_SOURCE_DIR "' && PATH='" + folder.path().string() +
-                             "':$PATH exec '" + std::string(test::program()) + "' solve " + kScrew +
-                             " --quiet -o '" + out.string() + "'"});
-  EXPECT_EQ(process.wait(), 130);
-  const auto list = nlohmann::json::parse(test::content_of(out / ".prs-files.json"));
-  EXPECT_TRUE(list["runs"][0]["files"].contains("result.json"));
-  EXPECT_TRUE(nlohmann::json::accept(test::content_of(out / "result.json")));
-}
-
 TEST(Explain, SaysWhatAMeasureOrAResultIs) {
   const Outcome by_name = run_prs("measures --explain critical_speed_rpm");
   EXPECT_EQ(by_name.status, 0);

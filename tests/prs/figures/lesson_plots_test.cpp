@@ -2,12 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <optional>
+#include <regex>
 #include <set>
 #include <string>
 #include <string_view>
@@ -15,8 +13,8 @@
 #include <vector>
 
 #include "prs/figures/figure_parts.h"
-#include "prs/output/gnuplot_script.h"
 #include "prs/run/commands.h"
+#include "support/drawn.h"
 #include "support/shown.h"
 #include "support/temporary_directory.h"
 #include "tests/support/sample_study.h"
@@ -24,30 +22,7 @@
 namespace prs {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// What a command says on standard error.
-std::string said_by(const std::string& command) {
-  std::string all;
-  std::array<char, 256> buffer;
-  std::FILE* pipe = ::popen((command + " 2>&1 >/dev/null").c_str(), "r");
-  while (pipe && std::fgets(buffer.data(), buffer.size(), pipe)) all += buffer.data();
-  if (pipe) ::pclose(pipe);
-  return all;
-}
-
-/// Gnuplot draws them and has nothing to say.
-void expect_silent(const Figures& all) {
-  ASSERT_FALSE(all.empty());
-  const test::TemporaryDirectory temporary;
-  const std::string folder = temporary.path();
-  for (const Figure& figure : all) {
-    std::ofstream(temporary.path() / "script.gp") << gnuplot_script(figure);
-    EXPECT_EQ(said_by("cd " + folder + " && gnuplot -d script.gp"), "") << figure.name;
-    EXPECT_TRUE(fs::exists(temporary.path() / (figure.name + ".svg"))) << figure.name;
-    EXPECT_TRUE(fs::exists(temporary.path() / (figure.name + ".png"))) << figure.name;
-  }
-}
+using test::expect_drawn;
 
 Figures of_lesson(const char* file, Command command, std::vector<std::string> overrides = {}) {
   const auto source =
@@ -56,11 +31,25 @@ Figures of_lesson(const char* file, Command command, std::vector<std::string> ov
   return figures(delivery.pictures());
 }
 
-TEST(LessonPlots, GnuplotDrawsAndSaysNothing) {
-  expect_silent(of_lesson("03_load_sweep.yaml", Command::solve));
-  expect_silent(of_lesson("07_contact_geometry.yaml", Command::contact));
-  expect_silent(of_lesson("09_slip_and_dissipation.yaml", Command::slip));
-  expect_silent(of_lesson("18_design_measures.yaml", Command::measures));
+Command command_of(std::string_view shown) {
+  const auto found = std::ranges::find(kCommandNames, shown);
+  return static_cast<Command>(found - std::begin(kCommandNames));
+}
+
+/// As its file says that it is run first.
+TEST(LessonPlots, TextsStandApart) {
+  static const std::regex line(
+      R"(#\s+prs (solve|contact|slip|measures|preload|life) configs/(\S+\.yaml))");
+  std::size_t lessons = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(PRS_SOURCE_DIR "/configs")) {
+    const std::string text = test::content_of(entry.path());
+    std::smatch found;
+    if (!std::regex_search(text, found, line)) continue;
+    SCOPED_TRACE(found[0]);
+    expect_drawn(of_lesson(found[2].str().c_str(), command_of(found[1].str())));
+    ++lessons;
+  }
+  EXPECT_GT(lessons, 15u);
 }
 
 std::optional<Figure> one_of(const Figures& figures, std::string_view name) {
@@ -78,7 +67,7 @@ TEST(LessonPlots, MixedFrictionHasStribecksCurve) {
     EXPECT_NEAR(panel.references.back().at, 200.0, 1e-9);  // the speed of the case
     EXPECT_EQ(panel.series.front().parts.front().size(), 41u);
   }
-  expect_silent({*shown});
+  expect_drawn(*shown);
   EXPECT_FALSE(one_of(of_lesson("09_slip_and_dissipation.yaml", Command::slip), "stribeck"));
 }
 
@@ -95,7 +84,7 @@ TEST(LessonPlots, SlipOfAllRollersHasMaps) {
   EXPECT_TRUE(std::isnan(grid.at(3, 0)));  // the missing one
   EXPECT_EQ(power->panels[1].labels.at(0).text, "missing");
   EXPECT_GT(grid.at(3, 1), grid.at(3, 5));
-  expect_silent({*power, *one_of(shown, "roller_friction")});
+  expect_drawn(Figures{*power, *one_of(shown, "roller_friction")});
 }
 
 TEST(LessonPlots, ATurnOfTheCarrierEndsWhereItBegan) {
@@ -180,7 +169,7 @@ TEST(LessonPlots, PreloadHasItsStiffness) {
   const Figures shown = of_lesson("12_preload.yaml", Command::preload);
   ASSERT_EQ(shown.front().panels.size(), 3);
   EXPECT_EQ(shown.front().panels[1].y->unit, "N/µm");
-  expect_silent(shown);
+  expect_drawn(shown);
 }
 
 TEST(LessonPlots, PicturesOfSeveralLoadCasesAreNumbered) {
@@ -191,11 +180,11 @@ TEST(LessonPlots, PicturesOfSeveralLoadCasesAreNumbered) {
       EXPECT_THAT(names, testing::Contains(std::string(kind) + number));
 }
 
-TEST(LessonPlots, GnuplotDrawsStudiesAndSaysNothing) {
+TEST(LessonPlots, TextsOfStudiesStandApart) {
   const StudyResult sampled = sample::sampled(Plan::latin_hypercube);
-  expect_silent(figures(study_pictures(sampled)));
+  expect_drawn(figures(study_pictures(sampled)));
   const StudyResult counting = sample::counting();
-  expect_silent(figures(study_pictures(counting)));
+  expect_drawn(figures(study_pictures(counting)));
   std::vector<double> many;
   for (int k = 0; k < 12; ++k) many.push_back(1.0 + 0.5 * k);
   Study study;
@@ -206,7 +195,7 @@ TEST(LessonPlots, GnuplotDrawsStudiesAndSaysNothing) {
   study.envelope = Envelope{.measures = {{"y", 2.0}}, .points = {{"A", {{1.25, 3.0}}, {}}}};
   const StudyResult maps =
       sample::run(study, [](const std::vector<double>& x) { return std::vector{x[0] * x[1]}; });
-  expect_silent(figures(study_pictures(maps)));
+  expect_drawn(figures(study_pictures(maps)));
 }
 
 }  // namespace

@@ -1,17 +1,20 @@
 #include "prs/output/plots.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <system_error>
 
 #include "prs/figures/figure_json.h"
 #include "prs/figures/figure_parts.h"
-#include "prs/output/files.h"
-#include "prs/output/gnuplot_script.h"
+#include "prs/svg/file.h"
 #include "support/drawn.h"
 #include "support/sample_result.h"
 #include "support/shown.h"
@@ -29,20 +32,6 @@ using test::failed_case;
 using test::solved_case;
 using test::TemporaryDirectory;
 
-/// The environment's PATH while the object lives.
-class Path {
- public:
-  explicit Path(const std::string& value) : before_(std::getenv("PATH")) {
-    ::setenv("PATH", value.c_str(), 1);
-  }
-  Path(const Path&) = delete;
-  Path& operator=(const Path&) = delete;
-  ~Path() { ::setenv("PATH", before_.c_str(), 1); }
-
- private:
-  std::string before_;
-};
-
 Result sweeps() { return test::sweeps({"config1", "config2"}); }
 
 std::optional<Figure> picture(const Result& result, const char* name,
@@ -54,20 +43,11 @@ Figure figure_of(const Result& result, const char* name, const FigureOptions& op
   return figure(solve_pictures(result), name, options);
 }
 
-Undrawn draw_plots(const Result& result, const std::filesystem::path& folder) {
-  return draw_figures(figures(solve_pictures(result)), folder);
-}
-
-/// As many as `single_case` gives rise to.
-std::size_t pictures_of_one_case();
-
 Result single_case(std::string name) {
   Result result;
   result.load_cases = {solved_case(std::move(name), 45e3, Direction::tension)};
   return result;
 }
-
-std::size_t pictures_of_one_case() { return figures(solve_pictures(single_case("a"))).size(); }
 
 TEST(Figures, DirectionsOfOneConfigurationShareALine) {
   const auto figure = picture(sweeps(), "load_distribution");
@@ -137,7 +117,7 @@ TEST(Figures, LinesUnderOthersAreNamed) {
   EXPECT_EQ(named.legend[0].title, "a, under b");
   EXPECT_EQ(named.legend[1].title, "b");
   EXPECT_EQ(named.legend[2].title, "c");
-  EXPECT_NE(gnuplot_script(figure).find("a, under b"), std::string::npos);
+  EXPECT_NE(svg_file(figure).find(">a, under b<"), std::string::npos);
 }
 
 TEST(Figures, OfStiffnessNeedRangesOfLoads) {
@@ -232,10 +212,7 @@ TEST(Figures, MoreConfigurationsThanStylesAreLimited) {
   EXPECT_NE(figure->title.find("first 8 of 12"), std::string::npos);
 }
 
-TEST(Plots, EveryFigureIsDrawnBesideItsScript) {
-  expect_drawn(figures(solve_pictures(sweeps())),
-               {"load_distribution", "peak_pressure", "stiffness", "displacement", "butterfly"});
-}
+TEST(Plots, EveryFigureIsDrawn) { expect_drawn(figures(solve_pictures(sweeps()))); }
 
 TEST(Plots, FewThreadsAndAbsentTangentsAreDrawn) {
   Result result;
@@ -247,123 +224,79 @@ TEST(Plots, FewThreadsAndAbsentTangentsAreDrawn) {
       result.load_cases.back().tangent_stiffness.reset();
     }
   }
-  const TemporaryDirectory temporary;
-  expect_drawn(draw_plots(result, temporary.path()));
+  expect_drawn(figures(solve_pictures(result)));
 }
 
-/// The text as gnuplot's SVG holds it.
+/// The text as an SVG file holds it.
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+  for (const char c : text)
+    result += c == '&'    ? "&amp;"
+              : c == '<'  ? "&lt;"
+              : c == '>'  ? "&gt;"
+              : c == '\'' ? "&#39;"
+              : c == '"'  ? "&quot;"
+                          : std::string(1, c);
   return result;
 }
 
 /// Each by itself in one picture, and some at a time in all of them.
-TEST(Plots, NamesAreDrawnAsTheyStandAndNeverRun) {
+TEST(Plots, NamesAreDrawnAsTheyStand) {
   std::vector<Result> together(2);
-  for (const std::string name :
-       {"'; system('touch ../run'); '", "''", "\"; system('touch ../run'); \"", "`touch ../run`",
-        "\\140touch ../run\\140", "$(touch ../run) $panel_1 @x # {", "}", "!touch ../run", "\\",
-        "%s %d", "<b>&amp;</b>", "a_{b}^c"}) {
+  for (const std::string name : {"'", "''", "\"", "`touch run`", "$(touch run) @x # {", "}", "\\",
+                                 "%s %d", "pull 50 %", "<b>&amp;</b>", "a_{b}^c", "]]>"}) {
     std::vector<LoadCaseResult>& few =
         together[together[0].load_cases.size() < 6 ? 0 : 1].load_cases;
     few.push_back(solved_case(name, 45e3, Direction::tension));
-    const TemporaryDirectory temporary;
     const auto figure = test::shown(solve_pictures(single_case(name)), "load_distribution");
     ASSERT_TRUE(figure);
-    ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_figures({*figure}, temporary.path())));
-    if (IsSkipped()) return;
-    const fs::path plots = temporary.path() / "plots";
-    EXPECT_FALSE(fs::exists(plots / "run")) << name;
-    EXPECT_NE(content_of(plots / "load_distribution.svg").find(escaped(name)), std::string::npos)
-        << name;
+    expect_drawn(*figure);
+    EXPECT_NE(svg_file(*figure).find(escaped(name)), std::string::npos) << name;
   }
-  for (const Result& result : together) {
-    const TemporaryDirectory temporary;
-    expect_drawn(draw_plots(result, temporary.path()));
-    EXPECT_FALSE(fs::exists(temporary.path() / "plots" / "run"));
-  }
+  for (const Result& result : together) expect_drawn(figures(solve_pictures(result)));
 }
 
 TEST(Plots, MalformedNamesAreDrawn) {
-  for (const std::string name : {"\xff\x01 \xEF\xBF\xBF", "}\n!touch ../run\n", ""}) {
-    const TemporaryDirectory temporary;
-    ASSERT_NO_FATAL_FAILURE(expect_drawn(draw_plots(single_case(name), temporary.path())));
-    if (IsSkipped()) return;
-    EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "load_distribution.png"));
-    EXPECT_FALSE(fs::exists(temporary.path() / "plots" / "run"));
-  }
+  for (const std::string name : {"\xff\x01 \xEF\xBF\xBF", "}\n!touch ../run\n", ""})
+    expect_drawn(figures(solve_pictures(single_case(name))));
 }
 
-TEST(Plots, MissingGnuplotLeavesScriptsAndANote) {
+TEST(Plots, AreFilesOfTheirNames) {
   const TemporaryDirectory temporary;
-  const Path nowhere((temporary.path() / "nowhere").string());
-  const Undrawn undrawn = draw_plots(single_case("a"), temporary.path());
-  ASSERT_EQ(undrawn.notes.size(), 1);
-  EXPECT_NE(undrawn.notes[0].find("gnuplot: No such file or directory"), std::string::npos)
-      << undrawn.notes[0];
-  EXPECT_TRUE(undrawn.errors.empty());
-  EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "load_distribution.gp"));
+  const Figures all = figures(solve_pictures(single_case("a")));
+  draw_figures(all, temporary.path());
+  std::size_t files = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(temporary.path() / "plots"))
+    files += entry.path().extension() == ".svg" ? 1 : 0;
+  EXPECT_EQ(files, all.size());
+  EXPECT_FALSE(fs::exists(temporary.path() / "plots" / "load_distribution.png"));
+  draw_figures(all, temporary.path(), true);
+  EXPECT_EQ(content_of(temporary.path() / "plots" / "load_distribution.png").substr(1, 3), "PNG");
 }
 
-/// Draws with a shell script for gnuplot; `$name` is that of the figure.
-Undrawn drawn_by(const std::string& script, const TemporaryDirectory& temporary) {
-  write_files(temporary.path(),
-              {{"gnuplot", "#!/bin/sh\nname=${2##*/}; name=${name%.gp}\n" + script}});
-  fs::permissions(temporary.path() / "gnuplot", fs::perms::owner_all);
-  const Path fake(temporary.path().string());
-  return draw_plots(single_case("a"), temporary.path());
-}
-
-void expect_scripts_only(const fs::path& plots) {
-  for (const fs::directory_entry& entry : fs::directory_iterator(plots))
-    EXPECT_EQ(entry.path().extension(), ".gp") << entry.path();
-}
-
-TEST(Plots, FailingGnuplotIsAnErrorAndLeavesNoImage) {
+TEST(Plots, ThatCannotBeWrittenAreAnErrorAndLeaveNone) {
   const TemporaryDirectory temporary;
-  const Undrawn undrawn = drawn_by(": > \"$name.png\"\necho out of order >&2\nexit 3\n", temporary);
-  ASSERT_EQ(undrawn.errors.size(), pictures_of_one_case());
-  EXPECT_NE(undrawn.errors[0].find("out of order"), std::string::npos) << undrawn.errors[0];
-  EXPECT_TRUE(undrawn.notes.empty());
-  expect_scripts_only(temporary.path() / "plots");
+  const fs::path plots = temporary.path() / "plots";
+  fs::create_directories(temporary.path());
+  std::ofstream(plots) << "in the way";
+  EXPECT_THROW(draw_figures(figures(solve_pictures(single_case("a"))), temporary.path()),
+               std::system_error);
+  EXPECT_TRUE(fs::is_regular_file(plots));
 }
 
-TEST(Plots, GnuplotThatIsKilledIsAnError) {
-  const TemporaryDirectory temporary;
-  const Undrawn undrawn = drawn_by("kill -9 $$\n", temporary);
-  ASSERT_EQ(undrawn.errors.size(), pictures_of_one_case());
-  EXPECT_NE(undrawn.errors[0].find("signal 9"), std::string::npos) << undrawn.errors[0];
-}
-
-TEST(Plots, HalfAPictureIsAnErrorAlthoughGnuplotSaysNothing) {
-  const std::string svg = "echo '<svg></svg>' > $name.svg\n";
-  const std::string png = "printf '\\0\\0\\0\\0IEND\\256B`\\202' > $name.png\n";
-  for (const std::string& script :
-       {svg, png, png + "echo '<svg>' > $name.svg\n", png + ": > $name.svg\n",
-        svg + "printf '\\0\\0\\0\\0IEND\\256B`' > $name.png\n"}) {
-    const TemporaryDirectory temporary;
-    const Undrawn undrawn = drawn_by(script, temporary);
-    ASSERT_EQ(undrawn.errors.size(), pictures_of_one_case()) << script;
-    EXPECT_NE(undrawn.errors[0].find("/plots/load_distribution."), std::string::npos)
-        << undrawn.errors[0];
-    expect_scripts_only(temporary.path() / "plots");
-  }
-  const TemporaryDirectory temporary;
-  expect_drawn(drawn_by(svg + png, temporary));
-  EXPECT_TRUE(fs::exists(temporary.path() / "plots" / "load_distribution.png"));
-}
-
-TEST(Plots, ResultWithoutAnswersShowsHowItsSolvesWentAlone) {
-  Result result;
-  result.load_cases = {failed_case("hopeless")};
-  EXPECT_EQ(test::names(figures(solve_pictures(result))), std::vector<std::string>{"convergence"});
+TEST(Plots, ConvergenceIsDrawnWhereItIsAskedForOrFailed) {
+  const Result solved = single_case("a");
+  EXPECT_THAT(test::names(figures(solve_pictures(solved))),
+              testing::Not(testing::Contains("convergence")));
+  EXPECT_THAT(test::names(figures(solve_pictures(solved), true)), testing::Contains("convergence"));
+  Result failed;
+  failed.load_cases = {failed_case("hopeless")};
+  EXPECT_EQ(test::names(figures(solve_pictures(failed))), std::vector<std::string>{"convergence"});
 }
 
 TEST(Plots, NoPicturesMakeNoFolder) {
   const TemporaryDirectory temporary;
-  const Undrawn undrawn = draw_figures({}, temporary.path());
-  EXPECT_TRUE(undrawn.notes.empty() && undrawn.errors.empty());
+  draw_figures({}, temporary.path());
   EXPECT_FALSE(fs::exists(temporary.path() / "plots"));
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/output/gnuplot_script.h"
+#include "prs/svg/file.h"
 #include "support/shown.h"
 #include "tests/support/sample_study.h"
 
@@ -79,7 +79,7 @@ TEST(StudyFigures, ShowPowerBySourceWhereItIsRecorded) {
   EXPECT_THAT(screw,
               ElementsAre(ElementsAre(1.0, 0.0), ElementsAre(2.0, 0.0), ElementsAre(4.0, 0.0),
                           ElementsAre(4.0, 150.0), ElementsAre(2.0, 75.0), ElementsAre(1.0, 37.5)));
-  EXPECT_THAT(gnuplot_script(figure), AllOf(HasSubstr("\"as in the file\""), HasSubstr("(3.55)")));
+  EXPECT_THAT(svg_file(figure), AllOf(HasSubstr(">as in the file<"), HasSubstr("(3.55)<")));
 
   Study less = slip_study();
   less.responses = {"slip.efficiency"};
@@ -218,8 +218,6 @@ TEST(StudyFigures, EnvelopeIsAMapAndASurfaceWithItsPoints) {
   EXPECT_NEAR(y.panels[1].surface->points[0].z, 3.75, 1e-12);
   EXPECT_NEAR(figures[0].panels[1].surface->points[0].z, 3.75 * 3.75, 1e-12);
   EXPECT_EQ(y.panels[1].surface->grid.at(11, 0), 6.5);
-  const std::string script = gnuplot_script(y);
-  EXPECT_THAT(script, HasSubstr("set label \"A\" at 1.25,3,3.75"));
   EXPECT_EQ(y.panels[1].surface->z.label, "y");
 }
 

@@ -36,8 +36,8 @@ TEST_F(LifeCommand, WritesWhatItPrints) {
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("mechanism, real thread loads"));
   for (const char* name :
-       {"life.json", "life_threads.csv", "cycles.csv", "cycle_matrix.csv", "plots/loads.gp",
-        "plots/rainflow.gp", "plots/thread_lives.gp", "plots/thread_loads.gp"})
+       {"life.json", "life_threads.csv", "cycles.csv", "cycle_matrix.csv", "plots/loads.svg",
+        "plots/rainflow.svg", "plots/thread_lives.svg", "plots/thread_loads.svg"})
     EXPECT_TRUE(fs::exists(files / name)) << name;
   const Outcome json = prs("life configs/14_flight_spectrum.yaml --json --quiet");
   EXPECT_EQ(json.err, "");

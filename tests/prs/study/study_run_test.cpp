@@ -198,14 +198,14 @@ TEST(StudyFolder, IsOfOneStudyOrOfShards) {
 
 TEST(StudyFolder, RemovesWhatDeadProcessesLeft) {
   const test::TemporaryDirectory temporary;
-  fs::create_directories(temporary.path() / "plots" / "pictures.9-0.tmp");
+  fs::create_directory(temporary.path() / "plots");
   const pid_t dead = ::fork();
   if (dead == 0) ::_exit(0);
   ::waitpid(dead, nullptr, 0);
   const std::vector<fs::path> left{"study.csv.123-0.tmp", "study.nc.77-1.tmp",
                                    fmt::format("slip.csv.{}-3.tmp", dead),
-                                   "plots/01_screw.gp.9-12.tmp", "plots/pictures.9-0.tmp/a.svg"};
-  const std::vector<fs::path> others{"study.csv", "my-1.tmp", "my.csv.1-0.tmp", "plots/01.gp",
+                                   "plots/01_screw.svg.9-12.tmp", "plots/01_screw.png.9-0.tmp"};
+  const std::vector<fs::path> others{"study.csv", "my-1.tmp", "my.csv.1-0.tmp", "plots/01.svg",
                                      fmt::format("slip.csv.{}-0.tmp", ::getpid())};
   for (const auto& names : {left, others})
     for (const fs::path& name : names) std::ofstream(temporary.path() / name) << "x";

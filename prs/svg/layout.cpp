@@ -1,4 +1,4 @@
-#include "prs/output/figure_layout.h"
+#include "prs/svg/layout.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "prs/figures/figure_parts.h"
+#include "prs/svg/elements.h"
+#include "prs/svg/text_width.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -14,10 +16,10 @@ namespace {
 
 constexpr int kRight = 34, kTop = 70, kRowGap = 46, kTitleGap = 34, kBottom = 34, kLabel = 44;
 constexpr int kTickHeight = 36, kMostTicks = 9;
-constexpr int kLegendRow = 25, kLegendMargin = 14, kLegendSymbol = 75;
+constexpr int kLegendRow = 25, kLegendMargin = 14, kLegendSymbol = 70;
 constexpr int kColourBarHeight = 14, kColourBarRoom = 78;  // The room with numbers and label.
 constexpr double kColourBarWidth = 0.5;                    // Share of the image.
-constexpr double kFreeCharacters = 6.0;
+constexpr double kBetweenTicks = 14.0;                     // Pixels, at least.
 
 /// At which at most `count` ticks fit in the length.
 double tick_distance(double length, int count, bool whole) {
@@ -25,18 +27,16 @@ double tick_distance(double length, int count, bool whole) {
   return whole ? std::max(1.0, std::round(distance)) : distance;
 }
 
-int characters(double number) { return static_cast<int>(fmt::format("{:g}", number).size()); }
-
-/// Characters of the numbers at both ends.
-int longest_number(const Axis& axis, double distance) {
-  return std::max(characters(distance * std::round(axis.from / distance)),
-                  characters(distance * std::round(axis.to / distance)));
+/// Pixels of the numbers at both ends.
+double longest_number(const Axis& axis, double distance) {
+  return std::max(text_width(tick_text(distance * std::round(axis.from / distance), distance)),
+                  text_width(tick_text(distance * std::round(axis.to / distance), distance)));
 }
 
 /// 1, 2 and 5 of each decade, or fewer.
 std::vector<double> logarithmic_ticks(const Axis& axis, int pixels, bool is_horizontal) {
   const std::size_t most = std::max<std::size_t>(
-      2, static_cast<std::size_t>(pixels / (is_horizontal ? 6 * kCharacter : kTickHeight)));
+      2, static_cast<std::size_t>(pixels / (is_horizontal ? 48 : kTickHeight)));
   std::vector<double> ticks;
   const double first = std::floor(std::log10(axis.from)), last = std::ceil(std::log10(axis.to));
   for (const std::vector<double>& digits : {std::vector{1.0, 2.0, 5.0}, std::vector{1.0}})
@@ -53,27 +53,17 @@ std::vector<double> logarithmic_ticks(const Axis& axis, int pixels, bool is_hori
   return ticks;
 }
 
-template <class AxisOf>
-int room_left(const Figure& figure, int image, AxisOf axis_of, bool first_column, bool labelled) {
-  int room = 0;
-  for (std::size_t k = 0; k < figure.panels.size(); ++k) {
-    if ((k % figure.columns == 0) != first_column) continue;
-    const Axis& axis = axis_of(figure, figure.panels[k]);
-    if (axis.hidden) continue;
-    const bool has_label = (labelled || figure.panels[k].y) && !axis.label.empty();
-    // Two lines where the panel is too low for one.
-    const int height = image < kImageWidth   ? 220
-                       : figure.columns == 1 ? 400
-                       : figure.columns == 2 ? 270
-                                             : 180;
-    const bool wraps = kCharacter * static_cast<int>(width(text_of(axis))) > height;
-    const int label = !has_label ? 18 : wraps ? 82 : 62;
-    room = std::max(room, kCharacter * longest_tick(axis, 240, false) + label);
-  }
-  return room;
+/// What ticks and label take beside a panel.
+int room_left(const Figure& figure, const Panel& panel, int height, bool labelled) {
+  const Axis& axis = y_axis(figure, panel);
+  if (axis.hidden || panel.surface) return 0;
+  const bool has_label = (labelled || panel.y) && !axis.label.empty();
+  const std::size_t lines = has_label ? fitted_lines(text_of(axis), height).size() : 0;
+  return static_cast<int>(longest_tick(axis, height, false)) + (has_label ? 28 : 14) +
+         kLineHeight * static_cast<int>(lines);
 }
 
-/// A little more about its middle where gnuplot would see no range.
+/// A little more about its middle where there is no range to see.
 Axis with_length(Axis axis) {
   constexpr double kLeast = 2e-6;  // Of the numbers, which are written with seven digits.
   if (!(std::isfinite(axis.from) && std::isfinite(axis.to)) || axis.logarithmic) return axis;
@@ -102,16 +92,18 @@ double tick_step(const Axis& axis, int pixels, bool is_horizontal) {
     return tick_distance(length, std::min(kMostTicks, pixels / kTickHeight), axis.whole);
   for (int count = kMostTicks; count > 1; --count) {
     const double distance = tick_distance(length, count, axis.whole);
-    if (length / distance * kCharacter * (longest_number(axis, distance) + 1.5) <= pixels)
+    if (length / distance * (longest_number(axis, distance) + kBetweenTicks) <= pixels)
       return distance;
   }
   return tick_distance(length, 1, axis.whole);
 }
 
-std::vector<std::string> fitted_lines(std::string_view text, int pixels) {
-  const auto most = static_cast<std::size_t>(std::max(8, pixels / kCharacter));
-  const std::string whole = printable(text);
-  if (width(whole) <= most) return {whole};
+std::vector<std::string> fitted_lines(std::string_view content, int pixels) {
+  const std::string whole = printable(content);
+  const double all = text_width(whole);
+  if (all <= pixels) return {whole};
+  const auto letters = static_cast<double>(width(whole));
+  const auto most = static_cast<std::size_t>(std::max(8.0, 0.97 * letters * pixels / all));
   const std::string lines = wrapped(whole, "", most);
   const std::string first = lines.substr(0, lines.find('\n'));
   if (first.size() + 1 >= whole.size()) return {shortened(whole, most)};
@@ -128,29 +120,30 @@ std::vector<double> ticks_of(const Axis& axis, int pixels, bool is_horizontal) {
   return ticks;
 }
 
-std::size_t longest_text(const Axis& axis) {
-  std::size_t longest = 0;
-  for (const Tick& tick : axis.ticks) longest = std::max(longest, width(tick.text));
+double longest_text(const Axis& axis) {
+  double longest = 0.0;
+  for (const Tick& tick : axis.ticks) longest = std::max(longest, text_width(tick.text));
   return longest;
 }
 
 bool is_crowded(const Axis& axis, int pixels) {
-  const auto count = static_cast<int>(axis.ticks.size());
-  return count > 0 && longest_text(axis) > 0 &&
-         count * kCharacter * (static_cast<int>(longest_text(axis)) + 1) > pixels;
+  const auto count = static_cast<double>(axis.ticks.size());
+  return longest_text(axis) > 0.0 && count * (longest_text(axis) + 8.0) > pixels;
 }
 
-int longest_tick(const Axis& axis, int pixels, bool is_horizontal) {
-  if (axis.hidden) return 0;
-  if (const std::size_t text = longest_text(axis); text > 0) return static_cast<int>(text);
-  if (!has_range(axis)) return static_cast<int>(kFreeCharacters);
-  if (axis.logarithmic) {
-    std::size_t longest = 1;
+double longest_tick(const Axis& axis, int pixels, bool is_horizontal) {
+  if (axis.hidden) return 0.0;
+  double longest = longest_text(axis);
+  if (!axis.ticks.empty()) {
+    for (const Tick& tick : axis.ticks)
+      if (tick.text.empty()) longest = std::max(longest, text_width(tick_text(tick.at, 0.0)));
+  } else if (!axis.logarithmic) {
+    longest = longest_number(axis, tick_step(axis, pixels, is_horizontal));
+  } else {
     for (const double tick : logarithmic_ticks(axis, pixels, is_horizontal))
-      longest = std::max(longest, fmt::format("{:g}", tick).size());
-    return static_cast<int>(longest);
+      longest = std::max(longest, text_width(tick_text(tick, 0.0)));
   }
-  return longest_number(axis, tick_step(axis, pixels, is_horizontal));
+  return longest;
 }
 
 const Axis& x_axis(const Figure& figure, const Panel& panel) {
@@ -172,35 +165,44 @@ Layout::Layout(const Figure& figure, int image_width)
       std::ranges::any_of(figure.panels, [](const Panel& p) { return p.x.has_value(); });
   const bool titled =
       std::ranges::any_of(figure.panels, [](const Panel& p) { return !p.title.empty(); });
-  left_ = std::max(40, room_left(figure, width_, y_axis, true, true));
-  gap_ = columns_ > 1 ? std::max(34, room_left(figure, width_, y_axis, false, false) + 12) : 0;
-  if (std::ranges::any_of(figure.panels, [](const Panel& p) { return p.surface.has_value(); }))
-    gap_ += 40;  // A title of z.
   const double first = overview_ ? figure.overview : 1.0;
-  const double widths = width_ - left_ - kRight - (columns_ - 1) * gap_;
-  other_width_ = static_cast<int>(widths / (first + columns_ - 1));
-  first_width_ = static_cast<int>(other_width_ * first);
   const double usual = overview_                                ? 0.75
                        : columns_ == 1 && width_ == kImageWidth ? 0.5
                        : columns_ <= 2                          ? 0.65
                                                                 : 0.8;
-  panel_height_ = static_cast<int>(other_width_ * (figure.aspect > 0.0 ? figure.aspect : usual));
+  const double aspect = figure.aspect > 0.0 ? figure.aspect : usual;
+  // The height of a panel follows from its width, and how labels break from that height.
+  for (int pass = 0; pass < 2; ++pass) {
+    const int height = pass == 0 ? 240 : panel_height_;
+    left_ = 40;
+    gap_ = columns_ > 1 ? 34 : 0;
+    for (std::size_t k = 0; k < figure.panels.size(); ++k)
+      if (column(k) == 0)
+        left_ = std::max(left_, room_left(figure, figure.panels[k], height, true));
+      else
+        gap_ = std::max(gap_, room_left(figure, figure.panels[k], height, false) + 14);
+    const double widths = width_ - left_ - kRight - (columns_ - 1) * gap_;
+    other_width_ = static_cast<int>(widths / (first + columns_ - 1));
+    panel_height_ = static_cast<int>(other_width_ * aspect);
+  }
+  first_width_ = static_cast<int>(other_width_ * first);
   int slanted = 0;
   for (const Panel& panel : figure.panels)
     if (const Axis& x = x_axis(figure, panel); is_crowded(x, other_width_))
-      slanted =
-          std::max(slanted, static_cast<int>(0.6 * kCharacter) * static_cast<int>(longest_text(x)));
+      slanted = std::max(slanted, static_cast<int>(kSlope * longest_text(x)));
   row_gap_ = kRowGap + (titled ? kTitleGap : 0) + (own_x ? kLabel + slanted : 0);
   const bool bare =
       std::ranges::all_of(figure.panels, [&](const Panel& p) { return x_axis(figure, p).hidden; });
   bottom_ = bare ? kLegendMargin : kBottom + kLabel + slanted;
-  std::size_t longest = 0;
+  double longest = 0.0;
   for (const LegendEntry& entry : figure.legend)
-    longest = std::max(longest, prs::width(entry.title));
-  const int entry_width = kLegendSymbol + (kCharacter + 1) * static_cast<int>(longest);
+    longest = std::max(longest, text_width(entry.title));
+  legend_entry_ = std::min(width_ - 40, kLegendSymbol + static_cast<int>(longest));
   const int entries = static_cast<int>(figure.legend.size());
-  legend_columns_ = std::clamp((width_ - 40) / entry_width, 1, std::max(1, entries));
-  legend_height_ = (entries + legend_columns_ - 1) / legend_columns_ * kLegendRow + kLegendMargin;
+  legend_columns_ = std::clamp((width_ - 40) / legend_entry_, 1, std::max(1, entries));
+  legend_height_ =
+      entries == 0 ? kLegendMargin
+                   : (entries + legend_columns_ - 1) / legend_columns_ * kLegendRow + kLegendMargin;
   colour_bar_room_ = figure.colours ? kColourBarRoom : 0;
   const int below = kTop + rows_ * panel_height_ + (rows_ - 1) * row_gap_ + bottom_;
   height_ = below + colour_bar_room_ + legend_height_;
@@ -227,6 +229,13 @@ Box Layout::panel(std::size_t index) const {
       left_ + (c > 0 ? first_width_ + gap_ : 0) + std::max(0, c - 1) * (other_width_ + gap_);
   return {left, left + (c == 0 ? first_width_ : other_width_), top_of(row(index)),
           top_of(last_row) + panel_height_};
+}
+
+Box Layout::legend_entry(std::size_t index) const {
+  const int columns = legend_columns_, k = static_cast<int>(index);
+  const int left = (width_ - columns * legend_entry_) / 2 + k % columns * legend_entry_ + 12;
+  const int top = height_ - legend_height_ + k / columns * kLegendRow;
+  return {left, left + legend_entry_ - 24, top, top + kLegendRow};
 }
 
 Box Layout::colour_bar() const {

@@ -1,0 +1,103 @@
+#include "prs/svg/elements.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <string>
+
+#include "prs/text.h"
+
+namespace prs {
+
+std::string html(std::string_view content) {
+  if (is_plain_lines(content) && content.find_first_of("<>&\"'\n") == content.npos)
+    return std::string(content);
+  std::string escaped;
+  for (const char c : printable(content)) switch (c) {
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        escaped += c;
+    }
+  return escaped;
+}
+
+std::string tenth_of(double value) {
+  char digits[24];
+  const long tenths = std::lround(10.0 * std::clamp(value, -1e7, 1e7));
+  char* end = digits;
+  if (tenths < 0) *end++ = '-';
+  end = std::to_chars(end, std::end(digits), std::abs(tenths) / 10).ptr;
+  *end++ = '.';
+  *end++ = static_cast<char>('0' + std::abs(tenths) % 10);
+  return {digits, end};
+}
+
+void append_tenths(std::string& d, long n, bool first) {
+  char digits[24];
+  char* end = digits;
+  if (n < 0)
+    *end++ = '-';
+  else if (!first)
+    *end++ = ' ';
+  const long size = std::abs(n);
+  if (size >= 10 || size == 0) end = std::to_chars(end, std::end(digits), size / 10).ptr;
+  if (size % 10 != 0) {
+    *end++ = '.';
+    *end++ = static_cast<char>('0' + size % 10);
+  }
+  d.append(digits, end);
+}
+
+std::string tick_text(double value, double step) {
+  const double size = std::abs(value);
+  if (step > 0.0 && size < 1e-9 * step) value = 0.0;
+  std::string shown = fmt::format("{:.6g}", value);
+  if (shown.starts_with('-')) shown.replace(0, 1, "\u2212");
+  return shown;
+}
+
+std::string text(double x, double y, std::string_view classes, std::string_view content,
+                 std::string_view more) {
+  std::string all = "<text x=\"" + tenth_of(x) + "\" y=\"" + tenth_of(y) + "\" class=\"";
+  return all.append(classes).append("\"").append(more).append(">") + html(content) + "</text>";
+}
+
+std::string texts(double x, double y, std::string_view classes,
+                  const std::vector<std::string>& lines, std::string_view more) {
+  std::string all;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    if (!lines[k].empty())
+      all += text(x, y - kLineHeight * static_cast<double>(lines.size() - 1 - k), classes, lines[k],
+                  more);
+  return all;
+}
+
+std::string turned(double x, double y, int angle) {
+  return " transform=\"rotate(" + std::to_string(angle) + " " + tenth_of(x) + " " + tenth_of(y) +
+         ")\"";
+}
+
+std::string segment(double x1, double y1, double x2, double y2, std::string_view attributes) {
+  std::string all = "<path d=\"M" + tenth_of(x1) + " " + tenth_of(y1) + "L" + tenth_of(x2) + " " +
+                    tenth_of(y2) + "\" ";
+  return all.append(attributes).append("/>");
+}
+
+}  // namespace prs

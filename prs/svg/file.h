@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "prs/figures/figure.h"
+
+namespace prs {
+
+/// A figure as an SVG file of its own: all panels, the scale of colours and the legend, on white
+/// paper.
+std::string svg_file(const Figure& figure);
+
+}  // namespace prs

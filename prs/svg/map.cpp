@@ -1,0 +1,181 @@
+#include "prs/svg/map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "prs/svg/contours.h"
+#include "prs/svg/elements.h"
+#include "prs/svg/palette.h"
+#include "prs/svg/png.h"
+#include "prs/svg/series.h"
+
+namespace prs {
+namespace {
+
+constexpr std::size_t kManyNodes = 2500;  // More cells are drawn as an image.
+
+/// Half the way to the neighbours of a node, in pixels.
+std::pair<double, double> cell(const std::vector<double>& nodes, std::size_t k,
+                               const Ruler& ruler) {
+  const auto middle = [&](std::size_t a, std::size_t b) {
+    return ruler(0.5 * (nodes[a] + nodes[b]));
+  };
+  const double at = ruler(nodes[k]);
+  const bool single = nodes.size() < 2;
+  double before = k > 0 ? middle(k - 1, k) : single ? ruler.start : 2.0 * at - middle(k, k + 1);
+  double behind = k + 1 < nodes.size() ? middle(k, k + 1) : single ? ruler.end : 2.0 * at - before;
+  if (before > behind) std::swap(before, behind);
+  const auto [least, most] = std::minmax(ruler.start, ruler.end);
+  return {std::clamp<double>(before, least, most), std::clamp<double>(behind, least, most)};
+}
+
+/// A path of rectangles for each colour, runs of one colour along y as one.
+std::string cells_svg(const GridData& grid, const ColourScale& scale, const Frame& f) {
+  const ScaleSteps steps(scale);
+  std::vector<std::string> paths(steps.colours().size());
+  const auto tenths = [](std::pair<double, double> ends) {
+    return std::pair{std::lround(10.0 * ends.first), std::lround(10.0 * ends.second)};
+  };
+  for (std::size_t i = 0; i < grid.x.size(); ++i) {
+    const std::pair<long, long> sides = tenths(cell(grid.x, i, f.across));
+    for (std::size_t j = 0; j < grid.y.size();) {
+      const int step = steps.step(grid.at(i, j));
+      std::pair<long, long> ends = tenths(cell(grid.y, j, f.up));
+      while (++j < grid.y.size() && steps.step(grid.at(i, j)) == step) {
+        const std::pair<long, long> more = tenths(cell(grid.y, j, f.up));
+        ends = {std::min(ends.first, more.first), std::max(ends.second, more.second)};
+      }
+      if (step < 0) continue;
+      std::string& d = paths[static_cast<std::size_t>(step)] += 'M';
+      append_tenths(d, sides.first, true);
+      append_tenths(d, ends.first, false);
+      append_tenths(d += 'h', sides.second - sides.first, true);
+      append_tenths(d += 'v', ends.second - ends.first, true);
+      append_tenths(d += 'h', sides.first - sides.second, true);
+      d += 'z';
+    }
+  }
+  std::string all;
+  for (std::size_t k = 0; k < paths.size(); ++k)
+    if (!paths[k].empty())
+      all += "<path d=\"" + paths[k] + "\" class=\"c\" fill=\"" + steps.colours()[k] + "\"/>";
+  return all;
+}
+
+/// Between which nodes a coordinate lies, and how far from the lower one.
+struct Place {
+  std::size_t node = 0;
+  double share = 0.0;
+};
+std::optional<Place> place_of(const std::vector<double>& nodes, double at, bool is_cell) {
+  if (is_cell && nodes.size() > 1) {  // The outer ones reach beyond their nodes.
+    const double first = 1.5 * nodes[0] - 0.5 * nodes[1];
+    const double last = 1.5 * nodes.back() - 0.5 * nodes[nodes.size() - 2];
+    if (at >= first && at <= last) at = std::clamp(at, nodes.front(), nodes.back());
+  }
+  if (!(at >= nodes.front() && at <= nodes.back())) return std::nullopt;
+  const auto above = std::ranges::upper_bound(nodes, at) - nodes.begin();
+  const std::size_t node = std::min(static_cast<std::size_t>(above), nodes.size() - 1) - 1;
+  return Place{node, (at - nodes[node]) / (nodes[node + 1] - nodes[node])};
+}
+
+/// For each pixel along one side.
+std::vector<std::optional<Place>> places_of(const std::vector<double>& nodes, const Ruler& ruler,
+                                            int fineness, bool is_cell) {
+  std::vector<std::optional<Place>> places;
+  const int length = fineness * std::abs(ruler.end - ruler.start);
+  const double start = std::min(ruler.start, ruler.end);
+  for (int k = 0; k < length; ++k)
+    places.push_back(place_of(nodes, ruler.value_at(start + (k + 0.5) / fineness), is_cell));
+  return places;
+}
+
+double between(const GridData& grid, const Place& x, const Place& y, bool nearest) {
+  if (nearest) return grid.at(x.node + (x.share > 0.5 ? 1 : 0), y.node + (y.share > 0.5 ? 1 : 0));
+  return std::lerp(std::lerp(grid.at(x.node, y.node), grid.at(x.node + 1, y.node), x.share),
+                   std::lerp(grid.at(x.node, y.node + 1), grid.at(x.node + 1, y.node + 1), x.share),
+                   y.share);
+}
+
+/// An image over the panel.
+std::string image_svg(const Map& map, const ColourScale& scale, const Frame& f) {
+  // Pixels of it across one of the picture.
+  const int fineness = map.grid.values.size() > kManyNodes ? 1 : 2;
+  const ScaleSteps steps(scale);
+  const auto across = places_of(map.grid.x, f.across, fineness, map.cells);
+  const auto up = places_of(map.grid.y, f.up, fineness, map.cells);
+  Image image{across.size(), up.size(), steps.colours(), {}};
+  for (const std::optional<Place>& y : up)
+    for (const std::optional<Place>& x : across)
+      image.pixels +=
+          static_cast<char>(x && y ? 1 + steps.step(between(map.grid, *x, *y, map.cells)) : 0);
+  return "<image x=\"" + std::to_string(f.box.left) + "\" y=\"" + std::to_string(f.box.top) +
+         "\" width=\"" + std::to_string(f.box.width()) + "\" height=\"" +
+         std::to_string(f.box.height()) +
+         "\" preserveAspectRatio=\"none\" "
+         "xmlns:xlink=\"http://www.w3.org/1999/xlink\" xlink:href=\"" +
+         png_address(image) + "\"/>";
+}
+
+}  // namespace
+
+std::string map_svg(const Map& map, const ColourScale& scale, const Frame& f) {
+  const GridData& grid = map.grid;
+  const bool flat = grid.x.size() < 2 || grid.y.size() < 2;
+  const bool few = map.cells && grid.values.size() <= kManyNodes;
+  return flat || few ? cells_svg(grid, scale, f) : image_svg(map, scale, f);
+}
+
+std::vector<Contours> contours_of(const Map& map, const ColourScale& scale) {
+  std::vector<Contours> all;
+  if (!map.cells)
+    for (std::size_t k = 1; k + 1 < scale.levels.size(); ++k)
+      all.push_back({scale.levels[k], contour_lines(map.grid, scale.levels[k])});
+  return all;
+}
+
+std::string contours_svg(const std::vector<Contours>& contours, const Frame& f) {
+  std::string d;
+  for (const Contours& at : contours)
+    for (const Polyline& line : at.lines) d += way(line, f, false);
+  return d.empty() ? d : "<path d=\"" + d + "\" class=\"l\"/>";
+}
+
+std::string contour_numbers(const std::vector<Contours>& contours, const Frame& f,
+                            std::vector<TextBox>& taken) {
+  constexpr double kMargin = 4.0, kShortest = 60.0;  // Pixels.
+  std::string all;
+  for (const auto& [level, lines] : contours) {
+    const std::string number = tick_text(level, 0.0);
+    for (const Polyline& line : lines) {
+      double length = 0.0;
+      for (std::size_t k = 1; k < line.size(); ++k)
+        length += std::hypot(f.across(line[k][0]) - f.across(line[k - 1][0]),
+                             f.up(line[k][1]) - f.up(line[k - 1][1]));
+      if (length < kShortest) continue;
+      // From the middle of the line outwards, where it is free.
+      for (std::size_t k = 0; k < line.size(); ++k) {
+        const std::size_t half = (k + 1) / 2, middle = line.size() / 2;
+        const std::size_t at =
+            k % 2 ? middle - std::min(middle, half) : std::min(middle + half, line.size() - 1);
+        const double x = f.across(line[at][0]), y = f.up(line[at][1]) + 4.5;
+        const TextBox box = text_box(number, x, y, 0.5);
+        const TextBox wide{box.left - kMargin, box.right + kMargin, box.top - kMargin,
+                           box.bottom + kMargin};
+        const bool inside = wide.left > f.box.left && wide.right < f.box.right &&
+                            wide.top > f.box.top && wide.bottom < f.box.bottom;
+        if (!inside ||
+            std::ranges::any_of(taken, [&](const TextBox& other) { return wide.overlaps(other); }))
+          continue;
+        taken.push_back(box);
+        all += text(x, y, "n", number);
+        break;
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace prs

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string_view>
+
+namespace prs {
+
+/// Pixels that a text takes in Helvetica, or in Arial, which is as wide.
+double text_width(std::string_view text);
+
+/// A text's rectangle in a picture, pixels from the upper left.
+struct TextBox {
+  double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
+
+  bool overlaps(const TextBox& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+};
+
+/// Of a line that ends, begins or has its middle at x: `share` 1, 0 or 0.5 of it lie left of x.
+TextBox text_box(std::string_view text, double x, double baseline, double share);
+
+}  // namespace prs
