@@ -361,11 +361,13 @@ void require_capacity(const CompleteScrew& s) {
   const int starts = s.c.mechanism.starts.screw, more = is_standard(s) ? 0 : 2;
   throw CaseError(
       "starts",
-      fmt::format(
-          "got {}; expected at most {:.0f}: rollers of {:.3g} mm are too thin for this nut: Lemor's "
-          "capacity, which `life` needs, is not known for this ratio of diameters; take fewer starts",
-          starts, std::floor((starts + more) * factor_ratio(g) / kFactorRatios.least) - more,
-          1e3 * s.pitch_diameter.roller));
+      fmt::format("got {}; expected at most {:.0f}: rollers of {:.3g} mm are too thin for this "
+                  "nut: Lemor's "
+                  "capacity, which `life` needs, is not known for this ratio of diameters; take "
+                  "fewer starts",
+                  starts,
+                  std::floor((starts + more) * factor_ratio(g) / kFactorRatios.least) - more,
+                  1e3 * s.pitch_diameter.roller));
 }
 
 /// Proposed length of the shaft between its supports [m].
