@@ -266,7 +266,8 @@ std::string models_html(Findings& all) {
 }
 
 bool has_stated_capacity(const Json& life) {
-  return under(life, "capacity").value("source", "") == "given";
+  const Json& capacity = under(life, "capacity");
+  return capacity.is_object() && capacity.value("source", "") == "given";
 }
 
 /// Keys of estimates of what the page has computed, in a document: each quantity has one headline.
