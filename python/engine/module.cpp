@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "fe/cholesky.h"
 #include "prs/input/schema.h"
 #include "prs/input/source.h"
 #include "prs/input/units.h"
@@ -26,6 +27,7 @@ NB_MODULE(_engine, module) {
   using namespace prs::python;
   module.doc() = "The engine of rollerscrew: cases, studies and documents as the program has them.";
   module.attr("version") = kVersion;
+  fe::Cholesky::name();  // Loads its library: a fork must not find a thread that is about to.
   nb::exception<input::InputError>(module, "InputError", PyExc_ValueError);
   module.def(
       "schema", [] { return json_text(input::schema()); },
