@@ -95,7 +95,8 @@ class NewtonMethod {
       if (fresh) {
         numbers_.tangent(q, options.least_tangent);
         const bool must_be_same = slow || options.reuse_factorization_below == 0.0;
-        fresh = !numbers_.factorized_within(must_be_same ? kSameTangent : kSimilarTangent);
+        fresh = residual_.size() < kFewUnknowns ||
+                !numbers_.factorized_within(must_be_same ? kSameTangent : kSimilarTangent);
       }
       if (fresh) {
         if (factorize_shifted(options, iteration.shift) != FactorizationStatus::ok)
@@ -157,6 +158,8 @@ class NewtonMethod {
   /// step still takes that one: a step costs a twentieth of a factorization of a large model. After
   /// a step that left much only the same tangent does.
   static constexpr double kSimilarTangent = 1e-2, kSameTangent = 1e-6;
+  static constexpr int kFewUnknowns =
+      800;  ///< Below, a new factorization costs no more than a step.
   /// A spring with force ~ w^1.5 that has to open, and nothing else at its end, goes from w to w/3,
   /// which leaves 3^-1.5 = 0.19 of its force; a step of 1.5 times the length ends at zero, a little
   /// more opens it.
