@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <regex>
 #include <stdexcept>
@@ -25,7 +27,14 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestHolder = 1000;
 
-bool is_alive(pid_t process) { return ::kill(process, 0) == 0 || errno == EPERM; }
+/// A process that has ended and that nobody has waited for does not live.
+bool is_alive(pid_t process) {
+  if (::kill(process, 0) != 0) return errno == EPERM;
+  std::ifstream file(fmt::format("/proc/{}/stat", process));
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t name_end = text.rfind(')');
+  return name_end == text.npos || !text.substr(name_end).starts_with(") Z");
+}
 
 /// What the holder of a lock wrote into its file; nothing where it has not come that far.
 struct Holder {

@@ -20,6 +20,9 @@
 #include "support/shown.h"
 #include "support/temporary_directory.h"
 
+// Fontconfig, by which librsvg finds the letters of PNG files, keeps what it read.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
+
 namespace prs {
 namespace {
 

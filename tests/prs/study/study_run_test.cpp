@@ -201,7 +201,8 @@ TEST(StudyFolder, RemovesWhatDeadProcessesLeft) {
   fs::create_directory(temporary.path() / "plots");
   const pid_t dead = ::fork();
   if (dead == 0) ::_exit(0);
-  ::waitpid(dead, nullptr, 0);
+  siginfo_t ended;
+  ::waitid(P_PID, static_cast<id_t>(dead), &ended, WEXITED | WNOWAIT);  // A zombie until the end.
   const std::vector<fs::path> left{"study.csv.123-0.tmp", "study.nc.77-1.tmp",
                                    fmt::format("slip.csv.{}-3.tmp", dead),
                                    "plots/01_screw.svg.9-12.tmp", "plots/01_screw.png.9-0.tmp"};
@@ -212,6 +213,7 @@ TEST(StudyFolder, RemovesWhatDeadProcessesLeft) {
   const StudyFolder folder(temporary.path(), Use::alone);
   for (const fs::path& name : left) EXPECT_FALSE(fs::exists(temporary.path() / name)) << name;
   for (const fs::path& name : others) EXPECT_TRUE(fs::exists(temporary.path() / name)) << name;
+  ::waitpid(dead, nullptr, 0);
 }
 
 TEST(Shards, TogetherAreTheStudy) {
