@@ -10,7 +10,7 @@
 namespace {
 
 void measure(benchmark::State& state, prs::Command command, const char* file) {
-  const prs::CommandRow& row = prs::row_of(command);
+  const prs::AnyAnalysis& row = prs::analysis_of(command);
   const prs::input::Source source = prs::input::load_source(file, {});
   const prs::input::CaseInput in = prs::input::read_case_input(source, command);
   for (auto _ : state) benchmark::DoNotOptimize(row.run(source, in));

@@ -10,11 +10,11 @@
 #include <string>
 
 #include "prs/input/optimize_reader.h"
-#include "prs/output/study_files.h"
 #include "prs/run/optimization.h"
 #include "prs/study/analysis.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/schedule.h"
+#include "prs/study/study_files.h"
 #include "prs/study/study_folder.h"
 #include "prs/study/study_run.h"
 #include "tests/prs/input/abevi.h"

@@ -18,27 +18,52 @@ function(share_headers target folder)
   target_include_directories(${target} ${scope}
     $<BUILD_INTERFACE:${include}> $<INSTALL_INTERFACE:include/prs>)
   install(FILES ${headers} DESTINATION include/prs/${folder} COMPONENT development)
+  install_room(${target})
+endfunction()
+
+function(install_room target)
   string(REGEX REPLACE "^prs_" "" name ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT prs ARCHIVE DESTINATION lib/prs COMPONENT development)
 endfunction()
 
-# add_room(NAME FOLDER [USES ROOM..] [PUBLIC LIBRARY..] [PRIVATE LIBRARY..] [SOURCES ..]): the library
-# prs_NAME of sources in prs/FOLDER, all that lie there unless they are named.
+# Sources that show a result: its record, tables, files and pictures, and the object of the analysis.
+set(PRS_SHOWN "_(record|json|table|csv|netcdf|columns|files|figures|pictures|parts|case|analysis)\\.cpp$")
+
+# add_room(NAME FOLDER [USES ROOM..] [PUBLIC LIBRARY..] [PRIVATE LIBRARY..] [SHOWN ROOM..]
+# [SOURCES ..]): the library prs_NAME of sources in prs/FOLDER, all that lie there unless they are
+# named. With SHOWN, what shows the results is a library of its own, prs_NAME_shown, which sees the
+# rooms of SHOWN as well.
 function(add_room name folder)
-  cmake_parse_arguments(PARSE_ARGV 2 room "" "" "USES;PUBLIC;PRIVATE;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 2 room "" "" "USES;PUBLIC;PRIVATE;SHOWN;SOURCES")
   list(TRANSFORM room_USES PREPEND prs_)
+  list(TRANSFORM room_SHOWN PREPEND prs_)
   list(TRANSFORM room_SOURCES PREPEND ${folder}/)
+  string(REGEX REPLACE "/\\.$" "" path prs/${folder})
   if(name IN_LIST PRS_ROOMS_OF_HEADERS)
     add_library(prs_${name} INTERFACE)
     target_link_libraries(prs_${name} INTERFACE ${room_USES} ${room_PUBLIC})
-    share_headers(prs_${name} prs/${folder})
+    share_headers(prs_${name} ${path})
+    if(room_SHOWN)
+      add_library(prs_${name}_shown INTERFACE)
+      target_link_libraries(prs_${name}_shown INTERFACE prs_${name} ${room_SHOWN})
+    endif()
     return()
   endif()
   if(NOT room_SOURCES)
     file(GLOB room_SOURCES RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS ${folder}/*.cpp)
   endif()
-  string(REGEX REPLACE "/\\.$" "" path prs/${folder})
+  if(room_SHOWN)
+    set(shown ${room_SOURCES})
+    list(FILTER shown INCLUDE REGEX ${PRS_SHOWN})
+    list(FILTER room_SOURCES EXCLUDE REGEX ${PRS_SHOWN})
+    add_library(prs_${name}_shown STATIC ${shown})
+    target_link_libraries(prs_${name}_shown
+      PUBLIC $<BUILD_INTERFACE:prs_options> prs_${name} ${room_SHOWN}
+      PRIVATE ${room_PRIVATE})
+    install_room(prs_${name}_shown)
+    batch_sources(prs_${name}_shown)
+  endif()
   add_library(prs_${name} STATIC ${room_SOURCES})
   target_link_libraries(prs_${name}
     PUBLIC $<BUILD_INTERFACE:prs_options> ${room_USES} ${room_PUBLIC}

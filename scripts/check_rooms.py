@@ -15,21 +15,28 @@ CONTRIBUTING = ROOT / "docs/CONTRIBUTING.md"
 MOST_LOOSE_FILES = 12
 
 
+# Sources of a room with SHOWN that show its results, in a library of their own (cmake/rooms.cmake).
+SHOWN = re.compile(r"_(record|json|table|csv|netcdf|columns|files|figures|pictures|parts|case|analysis)$")
+
+
 class Room(NamedTuple):
     folder: str
     uses: list[str]  # names of rooms
     hidden: list[str]  # those that rooms above do not see
     purpose: str
+    shown: list[str]  # what those sources see besides; empty where there are none
 
 
 def add_links(room: Room, words: list[str]) -> None:
     """Adds what the room's library links, as far as it belongs to the project."""
     scope = "PUBLIC"
     for word in words:
-        if word in ("USES", "PUBLIC", "INTERFACE", "PRIVATE", "SOURCES"):
+        if word in ("USES", "PUBLIC", "INTERFACE", "PRIVATE", "SOURCES", "SHOWN"):
             scope = word
         elif scope == "USES":
             room.uses.append(word)
+        elif scope == "SHOWN":
+            room.shown.append(word)
         elif scope != "SOURCES" and (match := re.fullmatch(r"prs(?:_|::)(\w+)", word)):
             (room.hidden if scope == "PRIVATE" else room.uses).append(match[1])
 
@@ -48,14 +55,23 @@ def read_rooms() -> dict[str, Room]:
         purpose = purposes[name] = text or purposes.get(name, "")
         if verb == "add_room":
             folder = "prs" if words[0] == "." else f"prs/{words[0]}"
-            rooms[name] = Room(folder, [], [], purpose)
+            rooms[name] = Room(folder, [], [], purpose, [])
             add_links(rooms[name], words[1:])
         elif verb == "share_headers":
-            rooms[name] = Room(words[0], [], [], purpose)
+            rooms[name] = Room(words[0], [], [], purpose, [])
     for _, verb, name, words in calls:
         if verb == "target_link_libraries" and name in rooms:
             add_links(rooms[name], words)
+    for name, room in list(rooms.items()):
+        if room.shown:
+            rooms[f"{name}_shown"] = Room(room.folder, [name, *room.shown], [], room.purpose, [])
     return rooms
+
+
+def room_of(file: Path, rooms: dict[str, Room]) -> str | None:
+    """The name of the room that a file of the repository belongs to."""
+    found = next((name for name, room in rooms.items() if room.folder == str(file.parent)), None)
+    return f"{found}_shown" if found and rooms[found].shown and SHOWN.search(file.stem) else found
 
 
 def seen_by(name: str, rooms: dict[str, Room]) -> list[str]:
@@ -70,19 +86,19 @@ def seen_by(name: str, rooms: dict[str, Room]) -> list[str]:
 
 
 def faults_of_file(file: Path, rooms: dict[str, Room], graph: dict[str, set[str]]) -> Iterator[str]:
-    by_folder = {room.folder: name for name, room in rooms.items()}
     place = file.relative_to(ROOT)
-    name = by_folder[str(place.parent)]
+    name = room_of(place, rooms)
+    assert name
     seen = seen_by(name, rooms)
     for number, line in enumerate(file.read_text().splitlines(), 1):
         match = re.match(r'\s*#\s*include\s+"([^"]+)"', line)
         if not match:
             continue
         folder = str(Path(match[1]).parent)
-        target = by_folder.get(folder)
+        target = room_of(Path(match[1]), rooms)
         if target == name:
             continue
-        if target:
+        if target and folder != rooms[name].folder:
             graph[rooms[name].folder].add(folder)
         if target not in seen:
             where = f"of room {target}" if target else "of no room"
@@ -105,8 +121,8 @@ def faults(rooms: dict[str, Room]) -> Iterator[str]:
                 continue
             yield from faults_of_file(file, rooms, graph)
     for room in rooms.values():
-        used = [rooms[name].folder for name in room.uses + room.hidden if name in rooms]
-        graph[room.folder].update(used)
+        used = {rooms[name].folder for name in room.uses + room.hidden if name in rooms}
+        graph[room.folder].update(used - {room.folder})
     try:
         TopologicalSorter(graph).prepare()
     except CycleError as error:
@@ -119,8 +135,10 @@ def faults(rooms: dict[str, Room]) -> Iterator[str]:
 def table(rooms: dict[str, Room]) -> str:
     lines = ["| room | holds | uses |", "| --- | --- | --- |"]
     for name, room in rooms.items():
-        if room.folder.startswith("prs"):
-            uses = ", ".join(used for used in room.uses + room.hidden if used in rooms) or "nothing"
+        if room.folder.startswith("prs") and not name.endswith("_shown"):
+            shown = [used for used in room.shown if used not in room.uses]
+            uses = ", ".join(used for used in room.uses + room.hidden + shown if used in rooms)
+            uses = uses or "nothing"
             lines.append(f"| `{room.folder}/` ({name}) | {room.purpose} | {uses} |")
     return "\n".join(lines) + "\n"
 

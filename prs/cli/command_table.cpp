@@ -15,9 +15,9 @@
 #include "prs/cli/usage_error.h"
 #include "prs/cli/validate_options.h"
 #include "prs/input/source.h"
-#include "prs/output/document_schema.h"
+#include "prs/loads/load_json.h"
 #include "prs/output/files.h"
-#include "prs/quantities/json.h"
+#include "prs/run/document_schema.h"
 #include "prs/version.h"
 
 namespace prs::cli {
@@ -259,7 +259,7 @@ void add_validate(CLI::App& command, Options&) {
   add_validate_options(command, unused);
 }
 
-/// A command of a case next to its row of `prs::commands()`.
+/// A command of a case next to its row of `prs::analyses()`.
 struct CaseRow {
   Command command;
   const char* group;
@@ -350,7 +350,7 @@ void add_own(Program& program, std::string_view group) {
 }
 
 void add_case_commands(Program& program) {
-  for (const CommandRow& row : commands()) {
+  for (const AnyAnalysis& row : analyses()) {
     const auto* more = std::ranges::find(kCaseRows, row.command, &CaseRow::command);
     if (more == std::end(kCaseRows)) more = nullptr;
     const std::string word(name(row.command));

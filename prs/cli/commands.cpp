@@ -9,12 +9,12 @@
 #include "prs/cli/deliver.h"
 #include "prs/cli/explain.h"
 #include "prs/cli/usage_error.h"
-#include "prs/figures/figure_json.h"
 #include "prs/input/schema.h"
-#include "prs/output/document_schema.h"
 #include "prs/output/run_files.h"
-#include "prs/quantities/results_schema.h"
+#include "prs/record/figure_json.h"
 #include "prs/run/compare_cases.h"
+#include "prs/run/document_schema.h"
+#include "prs/run/results_schema.h"
 
 namespace prs::cli {
 
@@ -35,14 +35,14 @@ input::Source case_source(const Options& options) {
   return source;
 }
 
-int run_case(const CommandRow& row, const Options& options) {
+int run_case(const AnyAnalysis& row, const Options& options) {
   if (options.explain) return explain(options);
   const input::Source source = case_source(options);
   return deliver(run(row, source), document_info(source, row.command), options);
 }
 
 int compare(const Options& options) {
-  if (options.other.empty()) return run_case(row_of(Command::compare), options);
+  if (options.other.empty()) return run_case(analysis_of(Command::compare), options);
   if (options.other == kStandardInput)
     throw UsageError("OTHER: got -; expected a file; standard input may be the first of the two");
   const input::Source source = case_source(options);

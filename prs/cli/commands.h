@@ -74,7 +74,7 @@ std::string case_name(const Options& options);
 input::Source case_source(const Options& options);
 
 /// Runs a command that computes a case and writes its results.
-int run_case(const CommandRow& row, const Options& options);
+int run_case(const AnyAnalysis& row, const Options& options);
 /// Compares the models of the bodies on a case, or two cases.
 int compare(const Options& options);
 int study(const Options& options);

@@ -10,13 +10,13 @@
 #include "prs/cli/commands.h"
 #include "prs/cli/deliver.h"
 #include "prs/cli/quantity_option.h"
+#include "prs/configurations/configurations_csv.h"
+#include "prs/configurations/configurations_json.h"
+#include "prs/configurations/configurations_table.h"
+#include "prs/configurations/screw_case.h"
 #include "prs/input/source.h"
 #include "prs/model/case_error.h"
-#include "prs/output/configurations_files.h"
-#include "prs/output/configurations_table.h"
 #include "prs/output/files.h"
-#include "prs/output/screw_case.h"
-#include "prs/quantities/configurations_json.h"
 #include "prs/version.h"
 
 namespace prs::cli {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "prs/cli/interruption.h"
-#include "prs/figures/figure_json.h"
 #include "prs/output/run_files.h"
 #include "prs/output/staged_file.h"
+#include "prs/record/figure_json.h"
 
 namespace prs::cli {
 namespace {

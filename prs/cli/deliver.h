@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "prs/cli/printing.h"
-#include "prs/run/delivery.h"
+#include "prs/record/delivery.h"
 
 namespace prs::cli {
 

@@ -13,10 +13,10 @@
 #include "prs/cli/usage_error.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/source.h"
-#include "prs/output/measures_table.h"
-#include "prs/quantities/json.h"
-#include "prs/quantities/measures_json.h"
-#include "prs/quantities/results_schema.h"
+#include "prs/loads/load_json.h"
+#include "prs/measures/measures_analysis.h"
+#include "prs/measures/measures_table.h"
+#include "prs/run/results_schema.h"
 #include "prs/text.h"
 
 namespace prs::cli {

@@ -7,8 +7,8 @@
 #include "prs/cli/quantity_option.h"
 #include "prs/cli/usage_error.h"
 #include "prs/export/system_model.h"
+#include "prs/loads/load_json.h"
 #include "prs/output/files.h"
-#include "prs/quantities/json.h"
 #include "prs/sha256.h"
 #include "prs/text.h"
 

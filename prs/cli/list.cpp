@@ -10,9 +10,9 @@
 #include "prs/cli/usage_error.h"
 #include "prs/input/schema.h"
 #include "prs/input/source.h"
-#include "prs/output/case_table.h"
-#include "prs/output/lists.h"
-#include "prs/quantities/json.h"
+#include "prs/loads/case_table.h"
+#include "prs/loads/load_json.h"
+#include "prs/run/lists.h"
 #include "prs/run/responses.h"
 #include "prs/text.h"
 
@@ -28,7 +28,7 @@ std::vector<Item> command_items(const Options& options) {
   std::optional<input::CaseInput> in;
   if (!options.file.empty()) in = input::read_case_input(case_source(options), Command::check);
   std::vector<Item> items;
-  for (const CommandRow& row : commands())
+  for (const AnyAnalysis& row : analyses())
     if (!in || input::missing(*in, row.command).empty())
       items.push_back({std::string(name(row.command)), std::string(row.help)});
   return items;

@@ -10,14 +10,14 @@
 #include "prs/cli/lessons.h"
 #include "prs/cli/quantity_option.h"
 #include "prs/cli/usage_error.h"
+#include "prs/configurations/configurations_json.h"
+#include "prs/configurations/screw_case.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/source.h"
 #include "prs/model/case_error.h"
 #include "prs/model/named_lubricants.h"
 #include "prs/model/quantity_text.h"
 #include "prs/output/files.h"
-#include "prs/output/screw_case.h"
-#include "prs/quantities/configurations_json.h"
 
 namespace prs::cli {
 namespace {

@@ -11,8 +11,8 @@
 #include <system_error>
 
 #include "prs/file_descriptor.h"
+#include "prs/loads/load_json.h"
 #include "prs/printable.h"
-#include "prs/quantities/json.h"
 #include "prs/text.h"
 
 namespace prs::cli {

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "prs/output/csv_style.h"
 #include "prs/output/plots.h"
-#include "prs/output/table_units.h"
+#include "prs/record/csv_style.h"
+#include "prs/record/table_units.h"
 #include "prs/run/exit_status.h"
 
 namespace prs::cli {

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "prs/cli/printing.h"
-#include "prs/output/study_table.h"
+#include "prs/study/study_table.h"
 
 namespace prs::cli {
 namespace {

@@ -15,9 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "prs/figures/figure_json.h"
 #include "prs/input/reader.h"
 #include "prs/input/written_case.h"
+#include "prs/record/figure_json.h"
 #include "prs/report/live.h"
 #include "prs/run/commands.h"
 #include "prs/run/exit_status.h"
@@ -68,9 +68,9 @@ T value_of(const Json& question, const char* key, T absent, const char* expected
   }
 }
 
-const CommandRow& row_named(const std::string& name) {
+const AnyAnalysis& analysis_named(const std::string& name) {
   std::vector<std::string_view> known;
-  for (const CommandRow& row : commands()) {
+  for (const AnyAnalysis& row : analyses()) {
     if (!row.run) continue;
     if (prs::name(row.command) == name) return row;
     known.push_back(prs::name(row.command));
@@ -108,7 +108,7 @@ Question parsed(std::string_view text) {
 
   Question question;
   question.name = value_of<std::string>(json, "command", "", "a text");
-  if (question.name != kReport && question.name != kWrite) row_named(question.name);
+  if (question.name != kReport && question.name != kWrite) analysis_named(question.name);
   question.report = live_question(value_of<Json>(json, "report", Json::object(), "an object"));
   std::vector<std::string> overrides;
   for (const Json& pair : value_of<std::vector<Json>>(json, "set", {}, "a list of pairs")) {
@@ -130,9 +130,7 @@ Question parsed(std::string_view text) {
 
 /// Leaves the load cases of these names; a range has its name before the `[`.
 void choose(const std::vector<std::string>& names, Command command, Case& c) {
-  constexpr Command kOneByOne[] = {Command::contact, Command::solve, Command::compare,
-                                   Command::slip, Command::measures};
-  if (std::ranges::find(kOneByOne, command) == std::end(kOneByOne))
+  if (!analysis_of(command).takes_load_cases_apart)
     throw QuestionError("load_cases", fmt::format("a choice for `{}`", name(command)),
                         "none: it takes all load cases together; leave `load_cases` out");
   const auto is_called = [](const LoadCase& load, const std::string& name) {
@@ -205,7 +203,7 @@ void put_lines(std::vector<std::string>& messages, std::string_view text,
 Answer answer_to(const Question& question) {
   if (question.name == kReport) return report_answer(question);
   if (question.name == kWrite) return written_answer(question);
-  const CommandRow& row = row_named(question.name);
+  const AnyAnalysis& row = analysis_named(question.name);
   input::CaseInput in = input::read_case_input(question.source, row.command);
   if (!question.load_cases.empty()) choose(question.load_cases, row.command, in.values);
   const Delivery delivery = row.run(question.source, in);

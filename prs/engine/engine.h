@@ -9,7 +9,7 @@ namespace prs {
 ///
 /// The question; all but `command` and `yaml` may be absent:
 ///
-///     {"command": "solve",                        // one of `commands()` that one case answers
+///     {"command": "solve",                        // one of `analyses()` that one case answers
 ///      "yaml": "mechanism: ..",                   // the case
 ///      "file": "case.yaml",                       // stands for it in messages and documents
 ///      "set": [["mechanism.rollers", "9"], ..],   // as `--set mechanism.rollers=9`, in this order

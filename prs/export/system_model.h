@@ -5,7 +5,7 @@
 
 #include "prs/export/system_curves.h"
 #include "prs/input/source.h"
-#include "prs/quantities/json.h"
+#include "prs/loads/load_json.h"
 
 namespace prs {
 

@@ -14,7 +14,7 @@ namespace prs {
 
 /// Design measures of a mechanism that no load case changes. SI units; absent where the case does
 /// not state what a measure needs. Formulas, validity and sources stand with the keys under which
-/// documents show them, see prs/quantities/measure_quantities.cpp.
+/// documents show them, see prs/measures/measures_record.cpp.
 struct Measures {
   // Transmission
   std::optional<double> velocity_ratio;  ///< Travel per angle of the screw against the nut [m/rad].

@@ -1,30 +1,49 @@
 #pragma once
 
+#include <compare>
 #include <string_view>
 
 namespace prs {
 
-/// Commands that the program can run on a case.
-enum class Command {
-  check,
-  contact,
-  solve,
-  compare,
-  slip,
-  preload,
-  life,
-  measures,
-  study,
-  optimize
+struct Case;
+class Problems;
+
+/// A command that the program runs on a case: its word on the command line and in studies, and what
+/// a case must state for it.
+struct Command {
+  std::string_view word;
+  /// Adds what the case lacks: each with the block to add and an example of it.
+  void (*needs)(const Case&, Problems&) = nullptr;
+
+  // Those of which other parts of the program know. `check` needs nothing.
+  static const Command check, contact, solve, compare, slip, preload, life, measures, study,
+      optimize;
+
+  friend constexpr bool operator==(const Command& a, const Command& b) { return a.word == b.word; }
+  friend constexpr auto operator<=>(const Command& a, const Command& b) {
+    return a.word <=> b.word;
+  }
 };
 
-inline constexpr std::string_view kCommandNames[] = {"check", "contact", "solve", "compare",
-                                                     "slip",  "preload", "life",  "measures",
-                                                     "study", "optimize"};
+// What a case must state, see requirements.cpp.
+void need_solve(const Case& c, Problems& problems);
+void need_compare(const Case& c, Problems& problems);
+void need_slip(const Case& c, Problems& problems);
+void need_preload(const Case& c, Problems& problems);
+void need_life(const Case& c, Problems& problems);
+void need_measures(const Case& c, Problems& problems);
 
-/// As it stands on the command line and in studies.
-constexpr std::string_view name(Command command) {
-  return kCommandNames[static_cast<int>(command)];
-}
+inline constexpr Command Command::check{"check"};
+inline constexpr Command Command::contact{"contact"};
+inline constexpr Command Command::solve{"solve", need_solve};
+inline constexpr Command Command::compare{"compare", need_compare};
+inline constexpr Command Command::slip{"slip", need_slip};
+inline constexpr Command Command::preload{"preload", need_preload};
+inline constexpr Command Command::life{"life", need_life};
+inline constexpr Command Command::measures{"measures", need_measures};
+inline constexpr Command Command::study{"study"};
+inline constexpr Command Command::optimize{"optimize"};
+
+constexpr std::string_view name(Command command) { return command.word; }
 
 }  // namespace prs

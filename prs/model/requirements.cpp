@@ -30,20 +30,34 @@ void require_load_cases(const Case& c, Command command, Problems& problems) {
 
 }  // namespace
 
-std::vector<Problem> missing(const Case& c, Command command) {
-  Problems problems;
-  const bool loads = command == Command::solve || command == Command::slip ||
-                     (command == Command::measures && !c.load_cases.empty());
-  if (loads || command == Command::compare) require_load_cases(c, command, problems);
-  if (command == Command::compare && !c.load_cases.empty() &&
-      std::ranges::none_of(c.load_cases, is_solved))
+void need_solve(const Case& c, Problems& problems) {
+  require_load_cases(c, Command::solve, problems);
+}
+
+void need_compare(const Case& c, Problems& problems) {
+  require_load_cases(c, Command::compare, problems);
+  if (!c.load_cases.empty() && std::ranges::none_of(c.load_cases, is_solved))
     problems.add("load_cases",
                  "got equal shares in each; expected one that the models solve; add a load case "
                  "without `share: equal` for `compare`");
-  if (command == Command::slip) require_slip(c, problems);
-  if (command == Command::slip && c.heat) require_heat(c, problems);
-  if (command == Command::preload) require_preload(c, problems);
-  if (command == Command::life) require_life(c, problems);
+}
+
+void need_slip(const Case& c, Problems& problems) {
+  require_load_cases(c, Command::slip, problems);
+  require_slip(c, problems);
+  if (c.heat) require_heat(c, problems);
+}
+
+void need_preload(const Case& c, Problems& problems) { require_preload(c, problems); }
+void need_life(const Case& c, Problems& problems) { require_life(c, problems); }
+
+void need_measures(const Case& c, Problems& problems) {
+  if (!c.load_cases.empty()) require_load_cases(c, Command::measures, problems);
+}
+
+std::vector<Problem> missing(const Case& c, Command command) {
+  Problems problems;
+  if (command.needs) command.needs(c, problems);
   return std::move(problems).take();
 }
 

@@ -81,4 +81,18 @@ std::vector<std::string> void_input_notes(const Case& c) {
   return notes;
 }
 
+void add_preload_note(const Case& c, std::vector<std::string>& warnings) {
+  if (c.preload)
+    warnings.emplace_back(
+        "preload: the load cases are solved without preload; `prs preload` takes the block "
+        "`preload`");
+}
+
+void add_heat_note(const Case& c, std::vector<std::string>& warnings) {
+  if (c.heat)
+    warnings.emplace_back(
+        "heat: the load cases are solved with all parts at the reference temperature; `prs slip` "
+        "takes the block `heat`");
+}
+
 }  // namespace prs

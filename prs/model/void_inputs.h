@@ -31,4 +31,9 @@ const VoidInput* find_void(const std::vector<VoidInput>& inputs, std::string_vie
 /// Sentences for `prs check`: which inputs are void, why, and how they are not.
 std::vector<std::string> void_input_notes(const Case& c);
 
+/// Adds that the load cases are solved one by one, each on the contacts that it closes.
+void add_preload_note(const Case& c, std::vector<std::string>& warnings);
+/// Adds that the load cases are solved with all parts at the reference temperature.
+void add_heat_note(const Case& c, std::vector<std::string>& warnings);
+
 }  // namespace prs

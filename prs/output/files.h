@@ -4,12 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace prs {
+#include "prs/record/output_file.h"
 
-struct OutputFile {
-  std::string name;  ///< Inside the output directory.
-  std::string content;
-};
+namespace prs {
 
 /// Writes the files into `directory`, which is created where it is missing. All of them are written
 /// under temporary names first and renamed at the end, so no reader meets half a file and a full

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "prs/figures/figure.h"
+#include "prs/record/figure.h"
 
 namespace prs {
 

@@ -15,10 +15,10 @@
 #include <utility>
 
 #include "prs/input/source.h"
+#include "prs/output/file_lock.h"
 #include "prs/output/staged_file.h"
 #include "prs/regular_file.h"
 #include "prs/sha256.h"
-#include "prs/study/file_lock.h"
 
 namespace prs {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "prs/input/source.h"
+#include "prs/output/file_lock.h"
 #include "prs/output/files.h"
 #include "prs/output/unfinished.h"
-#include "prs/study/file_lock.h"
 
 namespace prs {
 

@@ -9,7 +9,7 @@
 
 #include "prs/input/units.h"
 #include "prs/model/void_inputs.h"
-#include "prs/output/table_units.h"
+#include "prs/record/table_units.h"
 #include "prs/report/findings.h"
 #include "prs/report/svg.h"
 

@@ -7,11 +7,11 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "prs/figures/figure_behind.h"
-#include "prs/figures/pictures.h"
 #include "prs/model/void_inputs.h"
 #include "prs/output/run_files.h"
-#include "prs/output/table_units.h"
+#include "prs/record/figure_behind.h"
+#include "prs/record/pictures.h"
+#include "prs/record/table_units.h"
 #include "prs/report/svg.h"
 
 namespace prs {
@@ -101,7 +101,7 @@ Findings findings_of(input::Source source, ReportOptions options,
   for (const Command command : commands) {
     if (!input::missing(in, command).empty()) continue;
     try {
-      add_answer(all, command, row_of(command).run(all.source, in));
+      add_answer(all, command, analysis_of(command).run(all.source, in));
     } catch (const input::InputError& error) {
       all.notes.push_back(fmt::format("{} was not computed: {}", name(command), error.what()));
       failures.push_back({command, nullptr, error.what()});
@@ -129,7 +129,7 @@ Findings quick_findings_of(input::Source source, FullSolver& full) {
   if (input::missing(in, Command::solve).empty())
     add_answer(all, Command::solve, run_solve(all.source, in, {.full = &full}));
   else
-    add_answer(all, Command::contact, row_of(Command::contact).run(all.source, in));
+    add_answer(all, Command::contact, analysis_of(Command::contact).run(all.source, in));
   all.warnings = warnings_of(all);
   all.verdict = verdict_of(all, in);
   return all;

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "prs/input/source.h"
+#include "prs/loads/warnings.h"
 #include "prs/model/command.h"
-#include "prs/output/warnings.h"
-#include "prs/quantities/verdict.h"
 #include "prs/report/report.h"
+#include "prs/run/check_analysis.h"
 #include "prs/run/commands.h"
 
 namespace prs {
@@ -60,6 +60,12 @@ struct Findings {
   std::map<FigurePlace, Figure> figures = {};
 
   const CommandAnswer* answer(Command command) const;
+  /// What a command found; null where it was not run.
+  template <class R>
+  const R* result(Command command) const {
+    const CommandAnswer* of = answer(command);
+    return of ? of->delivery.result<R>() : nullptr;
+  }
   /// The load cases, solved where the case has all for it.
   const CommandAnswer* most_complete() const;
 };

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "prs/input/source.h"
-#include "prs/output/table_units.h"
+#include "prs/record/table_units.h"
 #include "prs/report/report.h"
 
 namespace prs {

@@ -11,19 +11,19 @@
 #include <optional>
 #include <set>
 
-#include "prs/figures/figure_json.h"
-#include "prs/figures/pictures.h"
 #include "prs/input/units.h"
-#include "prs/output/life_table.h"
-#include "prs/output/table_units.h"
-#include "prs/quantities/case_groups.h"
-#include "prs/quantities/measure_quantities.h"
-#include "prs/quantities/results_schema.h"
+#include "prs/life/life_table.h"
+#include "prs/loads/case_groups.h"
+#include "prs/measures/measures_record.h"
+#include "prs/record/figure_json.h"
+#include "prs/record/pictures.h"
+#include "prs/record/table_units.h"
 #include "prs/report/findings.h"
 #include "prs/report/sections.h"
 #include "prs/report/svg.h"
 #include "prs/report/tables.h"
 #include "prs/run/commands.h"
+#include "prs/run/results_schema.h"
 #include "prs/text.h"
 #include "prs/version.h"
 

@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "prs/figures/figure_parts.h"
-#include "prs/output/table_units.h"
+#include "prs/record/figure_parts.h"
+#include "prs/record/table_units.h"
 #include "prs/svg/palette.h"
 #include "prs/svg/panel.h"
 #include "prs/svg/series.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "prs/figures/figure.h"
+#include "prs/record/figure.h"
 #include "prs/svg/elements.h"
 
 namespace prs {

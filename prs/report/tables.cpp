@@ -7,9 +7,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "prs/output/case_table.h"
-#include "prs/output/table_units.h"
-#include "prs/quantities/text_words.h"
+#include "prs/loads/case_table.h"
+#include "prs/record/table_units.h"
+#include "prs/record/text_words.h"
 #include "prs/report/svg.h"
 #include "prs/text.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "prs/quantities/record.h"
+#include "prs/record/record.h"
 
 namespace prs {
 

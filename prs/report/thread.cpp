@@ -4,10 +4,10 @@
 #include <cmath>
 #include <iterator>
 
-#include "prs/quantities/results_schema.h"
 #include "prs/report/findings.h"
 #include "prs/report/svg.h"
 #include "prs/report/tables.h"
+#include "prs/run/results_schema.h"
 #include "prs/text.h"
 
 namespace prs {

@@ -13,13 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include "prs/figures/figure_behind.h"
 #include "prs/input/reader.h"
 #include "prs/input/units.h"
-#include "prs/output/case_table.h"
-#include "prs/output/csv_writer.h"
-#include "prs/output/table_units.h"
+#include "prs/loads/case_table.h"
 #include "prs/printable.h"
+#include "prs/record/csv_writer.h"
+#include "prs/record/figure_behind.h"
+#include "prs/record/table_units.h"
 #include "prs/run/commands.h"
 #include "prs/study/response.h"
 #include "prs/text.h"
@@ -195,7 +195,7 @@ CaseComparison compared(const input::Source& first, const input::Source& second)
   for (std::size_t k = 0; k < 2; ++k) {
     in[k] = input::read_case_input(*sources[k], Command::check);
     c.info[k] = document_info(*sources[k], Command::compare);
-    c.warnings[k] = row_of(Command::check).run(*sources[k], in[k]).warnings;
+    c.warnings[k] = analysis_of(Command::check).run(*sources[k], in[k]).warnings;
   }
   c.inputs = differing_inputs(in[0].fields, in[1].fields);
   for (const Headlines& of : headlines()) {
@@ -208,7 +208,7 @@ CaseComparison compared(const input::Source& first, const input::Source& second)
     std::array<Json, 2> documents;
     std::array<Figures, 2> drawn;
     for (std::size_t k = 0; k < 2; ++k) {
-      const Delivery d = row_of(of.command).run(*sources[k], in[k]);
+      const Delivery d = analysis_of(of.command).run(*sources[k], in[k]);
       documents[k] = d.document({});
       if (d.pictures) drawn[k] = figures(d.pictures());
       c.converged = c.converged && d.converged;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "prs/input/source.h"
-#include "prs/run/delivery.h"
+#include "prs/record/delivery.h"
 
 namespace prs {
 

@@ -1,24 +1,25 @@
 #include "prs/run/responses.h"
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <utility>
 
-#include "prs/quantities/contact_quantities.h"
-#include "prs/quantities/life_quantities.h"
-#include "prs/quantities/measure_quantities.h"
-#include "prs/quantities/quantities.h"
-#include "prs/quantities/record_table.h"
 #include "prs/run/commands.h"
 #include "prs/study/response.h"
 
 namespace prs {
 namespace {
 
+/// Of the load cases; a response without it is that of the first.
+constexpr std::string_view kLoadCases = "load_cases[].";
+
 void add_numbers(const RecordInfo& record, const std::string& before,
                  std::vector<std::string>& paths) {
   for (const QuantityInfo& q : record.quantities) {
+    if (q.delivery == Reach::document) continue;
     const std::string path = before + std::string(q.key);
     if (q.kind == Kind::number || q.kind == Kind::count) paths.push_back(path);
     if (q.kind == Kind::series) paths.push_back(path + ".max");
@@ -26,27 +27,34 @@ void add_numbers(const RecordInfo& record, const std::string& before,
   }
 }
 
-constexpr Command kOfStudies[] = {Command::contact, Command::solve, Command::slip, Command::life,
-                                  Command::measures};
-
 }  // namespace
 
 std::vector<std::string> known_responses() {
-  std::vector<std::string> paths;
-  add_numbers(describe<LoadCaseResult>(), "", paths);
-  add_numbers(describe<Contacts>(), "contact.", paths);
-  add_numbers(describe<contact::MechanismGeometry>(), "threads.", paths);
-  add_numbers(describe<Measures>(), "measures.", paths);
-  add_numbers(describe<LifeResult>(), "life.", paths);
-  return paths;
+  std::vector<std::string> of_load_cases, others;
+  std::set<std::string_view> known;
+  for (const AnyAnalysis& analysis : analyses()) {
+    if (analysis.responses.empty()) continue;
+    for (const Place& place : analysis.places) {
+      if (!known.insert(place.path).second) continue;
+      const std::string before = std::string(place.path) + '.';
+      if (before.starts_with(kLoadCases))
+        add_numbers(place.record(), before.substr(kLoadCases.size()), of_load_cases);
+      else
+        add_numbers(place.record(), before, others);
+    }
+  }
+  std::ranges::move(others, std::back_inserter(of_load_cases));
+  return of_load_cases;
 }
 
 std::vector<std::string> responses_of(const input::Source& source) {
   const input::CaseInput in = input::read_case_input(source, Command::check);
   std::vector<std::string> paths;
-  for (const Command command : kOfStudies) {
+  for (const AnyAnalysis& analysis : analyses()) {
+    const Command command = analysis.command;
+    if (analysis.responses.empty()) continue;
     if (in.study ? *in.study != command : !input::missing(in, command).empty()) continue;
-    const nlohmann::ordered_json document = run(row_of(command), source).document({});
+    const nlohmann::ordered_json document = run(analysis, source).document({});
     for (std::string& path : response_paths(document))
       if (std::ranges::find(paths, path) == paths.end()) paths.push_back(std::move(path));
   }

@@ -16,14 +16,15 @@
 #include "prs/input/did_you_mean.h"
 #include "prs/input/force_history.h"
 #include "prs/life/analyze_life.h"
+#include "prs/life/life_analysis.h"
 #include "prs/loads/analyze.h"
+#include "prs/loads/load_analysis.h"
 #include "prs/loads/load_case_result.h"
+#include "prs/losses/slip_analysis.h"
+#include "prs/losses/slip_record.h"
 #include "prs/measures/analyze_measures.h"
+#include "prs/measures/measures_analysis.h"
 #include "prs/model/case_error.h"
-#include "prs/quantities/json.h"
-#include "prs/quantities/life_json.h"
-#include "prs/quantities/measures_json.h"
-#include "prs/quantities/slip_quantities.h"
 #include "prs/sector/chain/bar_designs.h"
 #include "prs/sector/chain/fallback_solver.h"
 #include "prs/sector/chain/refined_designs.h"
@@ -376,14 +377,16 @@ struct DesignEngine::Parts {
   /// The chain of the command on one case, the whole document.
   DesignStatus by_document(const Case& c, Json& document) const {
     if (study.command == Command::life)
-      return with_lives(c, [&](const LifeResult& lives) { document = life_json(lives, {}); });
+      return with_lives(
+          c, [&](const LifeResult& lives) { document = document_of(life_analysis(), lives, {}); });
     if (measures()) {
       const MeasuresResult result = analyze_measures(c);
-      document = measures_json(result, {});
+      document = document_of(measures_analysis(), result, {});
       return status_of(result.analysis);
     }
     const Result result = analyze_for(study.command, c, checked_contacts(c, Detail::complete), {});
-    document = to_json(result, {});
+    document = document_of(study.command == Command::slip ? slip_analysis() : solve_analysis(),
+                           result, {});
     return status_of(result);
   }
 

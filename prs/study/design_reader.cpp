@@ -50,7 +50,7 @@ Values values_of(const DrawnInput& input, input::CaseFile& file) {
 }
 
 /// How an input's value comes into the case: designs that agree in this differ in numbers only.
-using Shape = std::vector<std::uint32_t>;
+using FrameShape = std::vector<std::uint32_t>;
 constexpr std::uint32_t kAsInFile = 0;
 constexpr std::uint32_t kNumber = 1;
 constexpr std::uint32_t kFirstLevel = 2;
@@ -121,22 +121,22 @@ std::optional<std::size_t> load_case_item(std::string_view path) {
 struct DesignReader::Parts {
   const input::StudyInput& input;
   std::vector<Values> values = {};  ///< One per drawn input (`drawn_inputs`).
-  std::map<Shape, std::unique_ptr<Frame>> frames = {};
-  Shape shape = {};
+  std::map<FrameShape, std::unique_ptr<Frame>> frames = {};
+  FrameShape shape = {};
   Frame* frame = nullptr;  ///< Frame of the last shape.
-  Shape wanted = {};       ///< Shape of the design that is read.
+  FrameShape wanted = {};  ///< FrameShape of the design that is read.
   std::vector<Draw> drawn = {};
   Case read_in_full = {};
 
   /// The shape of a design; false where a number must be read.
-  bool find_shape(const std::vector<Draw>& draws, Shape& found) const;
+  bool find_shape(const std::vector<Draw>& draws, FrameShape& found) const;
   Frame* frame_of(const std::vector<Draw>& draws);
-  std::unique_ptr<Frame> make_frame(const Shape& of, const std::vector<Draw>& draws) const;
+  std::unique_ptr<Frame> make_frame(const FrameShape& of, const std::vector<Draw>& draws) const;
   bool set_numbers(const std::vector<Draw>& draws);
   std::vector<Problem> problems();
 };
 
-bool DesignReader::Parts::find_shape(const std::vector<Draw>& draws, Shape& found) const {
+bool DesignReader::Parts::find_shape(const std::vector<Draw>& draws, FrameShape& found) const {
   found.resize(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Draw& draw = draws[values[i].factor];
@@ -154,7 +154,7 @@ bool DesignReader::Parts::find_shape(const std::vector<Draw>& draws, Shape& foun
 }
 
 /// Null where the design's document cannot be read, or has no number in an input's place.
-std::unique_ptr<Frame> DesignReader::Parts::make_frame(const Shape& of,
+std::unique_ptr<Frame> DesignReader::Parts::make_frame(const FrameShape& of,
                                                        const std::vector<Draw>& draws) const {
   auto made = std::make_unique<Frame>();
   try {
@@ -186,7 +186,7 @@ std::unique_ptr<Frame> DesignReader::Parts::make_frame(const Shape& of,
 }
 
 Frame* DesignReader::Parts::frame_of(const std::vector<Draw>& draws) {
-  Shape& of = wanted;
+  FrameShape& of = wanted;
   if (!find_shape(draws, of)) return nullptr;
   if (frame && of == shape) return frame;
   auto known = frames.find(of);

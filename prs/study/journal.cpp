@@ -12,9 +12,9 @@
 #include <system_error>
 
 #include "prs/bytes.h"
+#include "prs/output/file_lock.h"
 #include "prs/regular_file.h"
 #include "prs/sha256.h"
-#include "prs/study/file_lock.h"
 #include "prs/study/temporary_folder.h"
 
 namespace prs {
@@ -171,20 +171,6 @@ FileDescriptor open_temporary() {
 }
 
 }  // namespace
-
-FileDescriptor open_study_file(const fs::path& path, int flags) {
-  RegularFile opened = open_regular(path.c_str(), flags, 0666);
-  if (!opened.obstacle.empty())
-    throw StudyFolderError(fmt::format(
-        "{}: error: got {}; expected the file itself; remove it, or put the file in its place",
-        path.string(), opened.obstacle));
-  if (!opened.file.is_open())
-    throw std::system_error(
-        opened.error, std::generic_category(),
-        fmt::format("cannot {} '{}'", (flags & O_ACCMODE) == O_RDONLY ? "read" : "write",
-                    path.string()));
-  return std::move(opened.file);
-}
 
 std::string study_key(std::string_view version, const input::Source& source,
                       std::span<const std::string> referred) {

@@ -11,20 +11,11 @@
 
 #include "prs/file_descriptor.h"
 #include "prs/input/source.h"
+#include "prs/output/file_lock.h"
 #include "prs/study/design_range.h"
 #include "prs/study/row_block.h"
 
 namespace prs {
-
-/// A journal, or the folder of a study, does not fit the command. The message says how to fix it.
-class StudyFolderError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Opens a file that a study keeps in its folder, as ::open does. Throws StudyFolderError where a
-/// symbolic link, a pipe or a folder stands in its place, and std::system_error.
-FileDescriptor open_study_file(const std::filesystem::path& path, int flags);
 
 /// What the rows of a study depend on: one hash of program, file, overrides and what the file
 /// refers to, given as SHA-256 of the contents, and behind it these.

@@ -7,6 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "prs/life/life_analysis.h"
+#include "prs/loads/load_analysis.h"
+#include "prs/losses/slip_analysis.h"
+#include "prs/measures/measures_analysis.h"
+
 namespace prs {
 namespace {
 
@@ -95,39 +100,11 @@ std::vector<std::string> response_paths(const Json& document) {
 }
 
 std::vector<std::string> default_responses(Command command) {
-  switch (command) {
-    case Command::contact:
-      return {"contact.screw.normal_angle_deg",
-              "contact.nut.normal_angle_deg",
-              "contact.screw.hertz_constant_N_per_mm1_5",
-              "contact.nut.hertz_constant_N_per_mm1_5",
-              "screw.peak_pressure_MPa.max",
-              "nut.peak_pressure_MPa.max"};
-    case Command::solve:
-      return {"axial_displacement_um",       "axial_stiffness_N_per_um",
-              "screw.load_rate_percent.max", "nut.load_rate_percent.max",
-              "screw.peak_pressure_MPa.max", "nut.peak_pressure_MPa.max"};
-    case Command::measures:
-      return {"measures.dynamic_capacity_N",  "measures.static_capacity_N",
-              "measures.weight_kg",           "measures.force_density_kN_per_kg",
-              "measures.envelope_volume_cm3", "measures.thread_stiffness_N_per_um"};
-    case Command::life:
-      return {"life.system.l10_revolutions", "life.catalogue.l10_revolutions",
-              "life.weakest_thread.equivalent_load_N", "life.capacity.dynamic_capacity_N",
-              "life.static_safety"};
-    default:
-      return {"slip.efficiency",
-              "slip.efficiency_fit",
-              "slip.power_loss_W",
-              "slip.torque_screw_Nm",
-              "slip.slip_ratio",
-              "slip.optimality_percent",
-              "slip.share_percent.screw",
-              "slip.share_percent.nut",
-              "slip.share_percent.carrier_roller",
-              "slip.share_percent.carrier_screw",
-              "slip.share_percent.carrier_nut"};
-  }
+  for (const AnyAnalysis& analysis :
+       {any(contact_analysis()), any(solve_analysis()), any(slip_analysis()), any(life_analysis()),
+        any(measures_analysis())})
+    if (analysis.command == command) return {analysis.responses.begin(), analysis.responses.end()};
+  return {};
 }
 
 }  // namespace prs

@@ -4,12 +4,12 @@
 #include <initializer_list>
 #include <utility>
 
-#include "prs/quantities/contact_quantities.h"
-#include "prs/quantities/heat_quantities.h"
-#include "prs/quantities/life_quantities.h"
-#include "prs/quantities/measure_quantities.h"
-#include "prs/quantities/quantities.h"
-#include "prs/quantities/record_table.h"
+#include "prs/life/life_record.h"
+#include "prs/loads/contact_record.h"
+#include "prs/loads/load_record.h"
+#include "prs/losses/heat_record.h"
+#include "prs/measures/measures_record.h"
+#include "prs/record/record_table.h"
 
 namespace prs {
 namespace {
@@ -137,6 +137,14 @@ std::optional<ResultNumber> result_number(std::string_view path) {
   if (take(rest, "measures."))
     return number_of<LoadMeasures>(rest, load_case,
                                    [](const Answer& a) { return a.load_measures; });
+  if (std::string_view key = rest; take(key, "slip."))
+    return number_of<SlipResult>(key, load_case, [](const Answer& a) {
+      return a.load_case && a.load_case->slip ? &*a.load_case->slip : nullptr;
+    });
+  if (std::string_view key = rest; take(key, "heat."))
+    return number_of<HeatResult>(key, load_case, [](const Answer& a) {
+      return a.load_case && a.load_case->heat ? &*a.load_case->heat : nullptr;
+    });
   if (std::string_view key = rest; take(key, "screw."))
     if (auto number = number_of_threads(key, Interface::screw, *load_case)) return number;
   if (std::string_view key = rest; take(key, "nut."))

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/study/file_lock.h"
+#include "prs/output/file_lock.h"
 #include "prs/study/journal.h"
 
 namespace prs {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "prs/figures/figure_parts.h"
+#include "prs/record/figure_parts.h"
 #include "prs/svg/elements.h"
 #include "prs/svg/palette.h"
 #include "prs/svg/panel.h"

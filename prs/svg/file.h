@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "prs/figures/figure.h"
+#include "prs/record/figure.h"
 
 namespace prs {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "prs/figures/figure_parts.h"
+#include "prs/record/figure_parts.h"
 #include "prs/svg/elements.h"
 #include "prs/svg/text_width.h"
 #include "prs/text.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "prs/figures/figure.h"
+#include "prs/record/figure.h"
 
 // Texts, ticks and places of a drawn figure. Pixels are those of the SVG; a PNG has twice as many.
 // Printed 170 mm wide, the text has 8 pt.

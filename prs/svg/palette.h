@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "prs/figures/figure.h"
+#include "prs/record/figure.h"
 
 namespace prs {
 

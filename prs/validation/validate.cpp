@@ -10,11 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "prs/heat/analyze_heat.h"
-#include "prs/input/compute_from.h"
-#include "prs/input/reader.h"
-#include "prs/loads/analyze.h"
-#include "prs/quantities/json.h"
+#include "prs/input/source.h"
+#include "prs/loads/result.h"
+#include "prs/run/commands.h"
 #include "prs/text.h"
 
 namespace prs {
@@ -34,20 +32,12 @@ std::optional<double> number_at(const Json& document, std::string path) {
   return document.at(place).get<double>();
 }
 
-Result result_of(const input::Source& source, Command command) {
-  const Case c = input::read_case_input(source, command).values;
-  return input::compute_from(source, [&] {
-    if (command == Command::slip) return analyze_heat(c);
-    return command == Command::contact ? analyze_contacts(c) : analyze(c);
-  });
-}
-
 Json document_of(const ReferenceCase& reference, const SourceExtension& code) {
   if (reference.file.empty()) return code.formulas ? code.formulas() : Json::object();
-  const Result result =
-      result_of(input::load_source(reference.file.string(), {}), reference.command);
-  Json document = to_json(result, {});
-  if (code.derived) document["derived"] = code.derived(result);
+  const Delivery found =
+      run(analysis_of(reference.command), input::load_source(reference.file.string(), {}));
+  Json document = found.document({});
+  if (code.derived) document["derived"] = code.derived(*found.result<Result>());
   return document;
 }
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "prs/figures/figure.h"
+#include "prs/loads/load_json.h"
 #include "prs/loads/result.h"
 #include "prs/model/case.h"
 #include "prs/output/files.h"
-#include "prs/quantities/json.h"
+#include "prs/record/figure.h"
 #include "prs/validation/reference.h"
 #include "prs/validation/statement.h"
 #include "prs/validation/table.h"

@@ -45,7 +45,7 @@ std::shared_ptr<const input::CaseInput> CaseSource::input(Command command) const
   return inputs_.try_emplace(command, read()).first->second;
 }
 
-std::shared_ptr<Document> CaseSource::run(const CommandRow& row) const {
+std::shared_ptr<Document> CaseSource::run(const AnyAnalysis& row) const {
   const std::shared_ptr<const input::CaseInput> input = this->input(row.command);
   const GilRelease released;
   const auto delivery = std::make_shared<const Delivery>(row.run(*source_, *input));
@@ -144,7 +144,7 @@ void bind_case(nb::module_& module) {
            nb::arg("speed").none(), nb::arg("load_case").none(),
            "Writes a model of the screw by the file's ending, .fmu or .mo; its warnings.")
       .def_prop_ro("source", &CaseSource::source, nb::rv_policy::copy);
-  for (const CommandRow& row : commands())
+  for (const AnyAnalysis& row : analyses())
     if (row.run)
       bound.def(name(row.command).data(), [&row](const CaseSource& c) { return c.run(row); });
 }

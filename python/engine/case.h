@@ -25,7 +25,7 @@ class CaseSource {
 
   /// The document of a command that delivers one, once it is looked at. Throws InputError where it
   /// needs what the case lacks.
-  std::shared_ptr<Document> run(const CommandRow& row) const;
+  std::shared_ptr<Document> run(const AnyAnalysis& row) const;
 
   /// Writes the page of `prs report`, with the studies that folders hold; whether all converged.
   bool report(const std::string& file, const std::vector<std::string>& results) const;

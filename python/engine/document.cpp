@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "prs/figures/figure_json.h"
-#include "prs/quantities/json.h"
+#include "prs/loads/load_json.h"
+#include "prs/record/figure_json.h"
 #include "prs/study/row_block.h"
 #include "python/engine/interpreter_guard.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/figures/pictures.h"
+#include "prs/record/pictures.h"
 
 namespace prs::python {
 
@@ -31,7 +31,7 @@ class Document : public std::enable_shared_from_this<Document> {
   /// As `--json` prints it.
   std::string text() const;
 
-  /// Description of one picture as JSON text, see prs/figures/pictures.h; of a document that was
+  /// Description of one picture as JSON text, see prs/record/pictures.h; of a document that was
   /// read, one of those that it holds. Throws std::invalid_argument where there is none.
   std::string figure(const std::string& name, const std::string& options, bool one_panel) const;
 

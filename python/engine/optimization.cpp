@@ -9,7 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "prs/output/optimize_json.h"
+#include "prs/optimize/optimize_json.h"
+#include "prs/optimize/optimize_pictures.h"
 #include "prs/run/commands.h"
 #include "prs/run/optimization.h"
 #include "python/engine/document.h"

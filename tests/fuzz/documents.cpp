@@ -10,22 +10,24 @@
 #include "modules/module.h"
 #include "prs/engine/engine.h"
 #include "prs/export/system_model.h"
-#include "prs/figures/figure_json.h"
-#include "prs/figures/pictures.h"
 #include "prs/input/optimize_reader.h"
 #include "prs/input/resolved_input.h"
 #include "prs/input/study_reader.h"
-#include "prs/output/derivatives_files.h"
-#include "prs/output/optimize_csv.h"
-#include "prs/output/optimize_json.h"
-#include "prs/output/optimize_table.h"
-#include "prs/output/study_json.h"
-#include "prs/output/study_table.h"
+#include "prs/optimize/optimize_csv.h"
+#include "prs/optimize/optimize_json.h"
+#include "prs/optimize/optimize_pictures.h"
+#include "prs/optimize/optimize_table.h"
+#include "prs/record/figure_json.h"
+#include "prs/record/pictures.h"
 #include "prs/run/commands.h"
 #include "prs/run/optimization.h"
 #include "prs/run/study.h"
+#include "prs/study/derivatives_files.h"
 #include "prs/study/designs.h"
 #include "prs/study/response.h"
+#include "prs/study/study_json.h"
+#include "prs/study/study_pictures.h"
+#include "prs/study/study_table.h"
 #include "tests/fuzz/bounds.h"
 #include "tests/fuzz/documents.h"
 #include "tests/fuzz/targets.h"
@@ -178,7 +180,7 @@ void expect_stable_echo(const Json& resolved) {
   expect(second == resolved, "the echo of the echo is another one");
 }
 
-void run_command(const CommandRow& row, const input::Source& source) {
+void run_command(const AnyAnalysis& row, const input::Source& source) {
   const input::CaseInput in = input::read_case_input(source, row.command);
   const Delivery delivery = row.run(source, in);
   const Json document = delivery.document(document_info(source, row.command));
@@ -392,7 +394,7 @@ bool documents(std::string_view input) {
     if (command == "export") return run_export(source);
     for (const char* page : {"report", "write"})
       if (command == page) return run_on_engine(page, source);
-    for (const CommandRow& row : commands())
+    for (const AnyAnalysis& row : analyses())
       if (row.run && name(row.command) == command) {
         run_command(row, source);
         return true;

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "prs/figures/pictures.h"
-#include "prs/quantities/json.h"
+#include "prs/loads/load_json.h"
+#include "prs/record/pictures.h"
 #include "prs/study/study_result.h"
 
 namespace prs::fuzz {

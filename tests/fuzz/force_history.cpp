@@ -36,7 +36,7 @@ std::optional<Json> life_under(const std::string& history) {
   input::Source source = input::source_of_text("case.yaml", kFlownCase, {});
   source.files.emplace().emplace("flight.csv", history);
   try {
-    const Delivery delivery = run(row_of(Command::life), source);
+    const Delivery delivery = run(analysis_of(Command::life), source);
     delivery.table();
     delivery.files({});
     return delivery.document(document_info(source, Command::life));

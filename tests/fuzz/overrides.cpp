@@ -76,7 +76,7 @@ bool overrides(std::string_view input) {
   }
   if (asks_for_much(source)) return true;
   try {
-    const Delivery delivery = run(row_of(Command::check), source);
+    const Delivery delivery = run(analysis_of(Command::check), source);
     expect_finite(delivery.document(document_info(source, Command::check)), "check");
     delivery.table();
   } catch (const input::InputError&) {  // What the values contradict.

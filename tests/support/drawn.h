@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/figures/figure.h"
+#include "prs/record/figure.h"
 
 namespace test {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/figures/pictures.h"
+#include "prs/record/pictures.h"
 
 namespace test {
 

@@ -13,7 +13,7 @@
 #include "prs/input/units.h"
 #include "prs/life/capacity.h"
 #include "prs/model/units.h"
-#include "prs/output/csv_writer.h"
+#include "prs/record/csv_writer.h"
 #include "prs/validation/csv_table.h"
 
 namespace prs::jung_2017 {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "prs/output/csv_style.h"
-#include "prs/quantities/json.h"
+#include "prs/loads/load_json.h"
+#include "prs/record/csv_style.h"
 #include "validation/jung_2017/measures.h"
 
 namespace prs::jung_2017 {

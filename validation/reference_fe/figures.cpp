@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "prs/figures/figure_parts.h"
 #include "prs/model/units.h"
+#include "prs/record/figure_parts.h"
 
 namespace prs::reference_fe {
 namespace {

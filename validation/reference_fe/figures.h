@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "prs/figures/figure.h"
+#include "prs/record/figure.h"
 #include "validation/reference_fe/comparison.h"
 
 namespace prs::reference_fe {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "prs/model/units.h"
-#include "prs/output/csv_writer.h"
+#include "prs/record/csv_writer.h"
 
 namespace prs::reference_fe {
 namespace {

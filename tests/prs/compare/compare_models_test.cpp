@@ -1,14 +1,15 @@
 #include "prs/compare/compare_models.h"
+#include "prs/compare/compare_analysis.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "prs/compare/comparison_record.h"
+#include "prs/compare/comparison_table.h"
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
-#include "prs/output/comparison.h"
-#include "prs/quantities/comparison_quantities.h"
 #include "prs/sector/influence/matrix_cache.h"
 #include "support/sanitized.h"
 
@@ -77,7 +78,7 @@ TEST(CompareModels, TellsWhatIsUnusualAboutALoadAsSolveDoes) {
   const std::vector<std::string>& expected = comparison.best().load_cases[0].warnings;
   ASSERT_THAT(expected, testing::Contains(testing::HasSubstr("exceeds")));
   const nlohmann::ordered_json load =
-      comparison_json(comparison, {})["comparison"]["load_cases"][0];
+      document_of(compare_analysis(), comparison, {})["comparison"]["load_cases"][0];
   EXPECT_EQ(load["warnings"], nlohmann::ordered_json(expected));
   EXPECT_THAT(comparison_table(comparison), testing::HasSubstr("exceeds"));
 }

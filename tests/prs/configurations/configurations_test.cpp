@@ -11,9 +11,9 @@
 #include <numbers>
 
 #include "prs/configurations/roller_spacing.h"
+#include "prs/configurations/screw_case.h"
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
-#include "prs/output/screw_case.h"
 #include "prs/threads/contacts.h"
 #include "prs/threads/geometry_warnings.h"
 #include "prs/threads/threads.h"

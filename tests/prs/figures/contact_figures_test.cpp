@@ -6,6 +6,7 @@
 
 #include "contact/mechanism_geometry.h"
 #include "prs/loads/analyze.h"
+#include "prs/loads/load_pictures.h"
 #include "prs/svg/layout.h"
 #include "support/contact_cases.h"
 #include "support/count.h"

@@ -12,8 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "prs/figures/figure_parts.h"
+#include "prs/record/figure_parts.h"
 #include "prs/run/commands.h"
+#include "prs/study/study_pictures.h"
 #include "support/drawn.h"
 #include "support/shown.h"
 #include "support/temporary_directory.h"
@@ -27,13 +28,13 @@ using test::expect_drawn;
 Figures of_lesson(const char* file, Command command, std::vector<std::string> overrides = {}) {
   const auto source =
       input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + file, std::move(overrides));
-  const Delivery delivery = run(row_of(command), source);
+  const Delivery delivery = run(analysis_of(command), source);
   return figures(delivery.pictures());
 }
 
 Command command_of(std::string_view shown) {
-  const auto found = std::ranges::find(kCommandNames, shown);
-  return static_cast<Command>(found - std::begin(kCommandNames));
+  return std::ranges::find(analyses(), shown, [](const AnyAnalysis& a) { return name(a.command); })
+      ->command;
 }
 
 /// As its file says that it is run first.
@@ -101,7 +102,7 @@ TEST(LessonPlots, ATurnOfTheCarrierEndsWhereItBegan) {
 
 TEST(LessonPlots, LoadCasesHaveOneScale) {
   const auto source = input::load_source(PRS_SOURCE_DIR "/configs/24_misalignment.yaml", {});
-  const Delivery delivery = run(row_of(Command::solve), source);
+  const Delivery delivery = run(analysis_of(Command::solve), source);
   const Pictures pictures = delivery.pictures();
   for (const char* name : {"roller_loads", "end_view"}) {
     const Figure first = figure(pictures, name, {.load_case = 0}),
@@ -127,7 +128,7 @@ TEST(LessonPlots, TheSectionHasSizesSupportsAndTheLoad) {
   const auto drawn = [&](const char* direction) {
     input::Source turned = source;
     turned.overrides = {std::string("load_cases[0].direction=") + direction};
-    const Delivery delivery = run(row_of(Command::solve), turned);
+    const Delivery delivery = run(analysis_of(Command::solve), turned);
     return figure(delivery.pictures(), "section", {.load_case = 0});
   };
   const auto arrow_of = [](const Figure& section) {  // From its tail to its tip.
@@ -159,7 +160,7 @@ double top_of_mark(const Figure& section) {
 
 TEST(LessonPlots, TheMarkOfAHeldSectionReachesTheLargerDiameterAtAFlange) {
   const auto source = input::load_source(PRS_SOURCE_DIR "/configs/05_standard_screw.yaml", {});
-  const Delivery delivery = run(row_of(Command::solve), source);
+  const Delivery delivery = run(analysis_of(Command::solve), source);
   const Pictures pictures = delivery.pictures();
   for (const std::size_t load_case : {0U, 1U})  // Held at 40 mm and at 60 mm: a flange's two ends.
     EXPECT_GT(top_of_mark(figure(pictures, "section", {.load_case = load_case})), 49.0);

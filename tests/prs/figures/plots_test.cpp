@@ -1,4 +1,5 @@
 #include "prs/output/plots.h"
+#include "prs/loads/load_pictures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +13,8 @@
 #include <regex>
 #include <system_error>
 
-#include "prs/figures/figure_json.h"
-#include "prs/figures/figure_parts.h"
+#include "prs/record/figure_json.h"
+#include "prs/record/figure_parts.h"
 #include "prs/svg/file.h"
 #include "support/drawn.h"
 #include "support/sample_result.h"

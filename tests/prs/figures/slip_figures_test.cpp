@@ -1,4 +1,5 @@
-#include "prs/figures/slip_parts.h"
+#include "prs/losses/slip_parts.h"
+#include "prs/losses/slip_pictures.h"
 
 #include <gtest/gtest.h>
 

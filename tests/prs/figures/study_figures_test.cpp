@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "prs/study/study_pictures.h"
 #include "prs/svg/file.h"
 #include "support/shown.h"
 #include "tests/support/sample_study.h"

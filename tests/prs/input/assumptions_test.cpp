@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "prs/configurations/complete_screw.h"
+#include "prs/configurations/screw_case.h"
 #include "prs/input/reader.h"
-#include "prs/output/screw_case.h"
 
 namespace prs::input {
 namespace {

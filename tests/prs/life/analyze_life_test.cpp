@@ -11,14 +11,14 @@
 #include <numeric>
 #include <random>
 
-#include "prs/figures/pictures.h"
 #include "prs/input/reader.h"
+#include "prs/life/life_analysis.h"
+#include "prs/life/life_csv.h"
+#include "prs/life/life_table.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/model/case_error.h"
-#include "prs/output/life_files.h"
-#include "prs/output/life_table.h"
-#include "prs/quantities/life_json.h"
+#include "prs/record/pictures.h"
 #include "prs/text.h"
 #include "tests/prs/input/abevi.h"
 #include "tests/support/parsed_csv.h"
@@ -240,8 +240,8 @@ TEST(AnalyzeLife, LoadsAtRestAloneWearNothing) {
   EXPECT_TRUE(std::isinf(r.system_life));
   EXPECT_FALSE(r.weakest);
   EXPECT_GT(*r.static_safety(), 1.0);
-  EXPECT_FALSE(life_json(r, {})["life"]["system"].contains("l10_revolutions"));
-  EXPECT_EQ(figures(life_pictures(r)).size(), 2u);
+  EXPECT_FALSE(document_of(life_analysis(), r, {})["life"]["system"].contains("l10_revolutions"));
+  EXPECT_EQ(figures(life_analysis().pictures(r, Case{})).size(), 2u);
 }
 
 TEST(AnalyzeLife, EquivalentRangesAreThoseOfTheThreadLoads) {
@@ -363,7 +363,7 @@ TEST(LifeInput, SaysWhatAHistoryLacks) {
 TEST(LifeOutput, SaysTheSameInEveryForm) {
   const LifeResult r =
       analyze_life(history_case(), history({1e3, 15e3, -4e3, 9e3, 2e3, 12e3, -8e3, 0.0}));
-  const auto json = life_json(r, {})["life"];
+  const auto json = document_of(life_analysis(), r, {})["life"];
   EXPECT_NEAR(json["system"]["l10_revolutions"].get<double>(), r.system_life, 1.0);
   EXPECT_NEAR(json["system"]["l10_travel_km"].get<double>(), r.system_life * kLead * 1e-3, 1e-6);
   EXPECT_NEAR(json["system"]["l10_passes"].get<double>(), r.system_life / 1.4, 1e-3);
@@ -387,12 +387,12 @@ TEST(LifeOutput, SaysTheSameInEveryForm) {
     EXPECT_LE(width(table.substr(begin, end - begin)), 110u);
     begin = end + 1;
   }
-  EXPECT_EQ(figures(life_pictures(r)).size(), 4u);
+  EXPECT_EQ(figures(life_analysis().pictures(r, Case{})).size(), 4u);
 }
 
 TEST(AnalyzeLife, StaticSafetyNamesItsLimit) {
   const LifeResult r = analyze_life(life_case(spectrum(kMixed)));
-  const auto json = life_json(r, {})["life"];
+  const auto json = document_of(life_analysis(), r, {})["life"];
   EXPECT_EQ(json["static_safety_limit"], name(*r.static_safety_limit()));
   for (const Direction d : kDirections) {
     const FlankLife& flank = *r.flanks[d];
@@ -403,7 +403,7 @@ TEST(AnalyzeLife, StaticSafetyNamesItsLimit) {
   // A stated capacity rules both directions as it rules the whole.
   const LifeResult given = analyze_life(life_case(
       spectrum("{force: 10 kN, direction: tension, share: 1}", ", static_capacity: 20 kN")));
-  EXPECT_EQ(life_json(given, {})["life"]["tension"]["static_safety"], 2.0);
+  EXPECT_EQ(document_of(life_analysis(), given, {})["life"]["tension"]["static_safety"], 2.0);
   EXPECT_EQ(given.static_safety_limit(), StaticLimit::given);
 }
 
@@ -438,13 +438,14 @@ void expect_rated(const nlohmann::ordered_json& object, double factor, int& foun
 TEST(LifeOutput, HasTheRatedLifeNextToEachL10) {
   const std::string more = ", reliability: 97 %, modification_factor: 3";
   const Case c = life_case(spectrum(kMixed, more), {"operation={speed: 100 rpm}"});
-  const auto json = life_json(analyze_life(c), {})["life"];
+  const auto json = document_of(life_analysis(), analyze_life(c), {})["life"];
   EXPECT_EQ(json["reliability_factor"], 0.47);
   EXPECT_EQ(json["modification_factor"], 3.0);
   int found = 0;
   expect_rated(json, 0.47 * 3.0, found);
   EXPECT_GT(found, 25);
-  const auto plain = life_json(analyze_life(life_case(spectrum(kMixed))), {})["life"];
+  const auto plain =
+      document_of(life_analysis(), analyze_life(life_case(spectrum(kMixed))), {})["life"];
   EXPECT_EQ(plain["reliability_factor"], 1.0);
   EXPECT_EQ(plain["system"]["rated_revolutions"], plain["system"]["l10_revolutions"]);
   EXPECT_EQ(plain["system"]["l10_revolutions"], json["system"]["l10_revolutions"]);

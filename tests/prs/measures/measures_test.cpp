@@ -14,8 +14,8 @@
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
 #include "prs/measures/analyze_measures.h"
-#include "prs/quantities/measure_quantities.h"
-#include "prs/quantities/record_table.h"
+#include "prs/measures/measures_record.h"
+#include "prs/record/record_table.h"
 #include "support/plain_contact.h"
 #include "tests/prs/input/abevi.h"
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "prs/measures/analyze_measures.h"
-#include "prs/quantities/measure_quantities.h"
+#include "prs/measures/measures_record.h"
 #include "prs/slip/slip.h"
 #include "tests/support/slips.h"
 

@@ -7,11 +7,12 @@
 #include <sstream>
 
 #include "known_problems.h"
-#include "prs/figures/pictures.h"
-#include "prs/output/optimize_csv.h"
-#include "prs/output/optimize_json.h"
-#include "prs/output/optimize_table.h"
-#include "prs/output/table_units.h"
+#include "prs/optimize/optimize_csv.h"
+#include "prs/optimize/optimize_json.h"
+#include "prs/optimize/optimize_pictures.h"
+#include "prs/optimize/optimize_table.h"
+#include "prs/record/pictures.h"
+#include "prs/record/table_units.h"
 #include "prs/text.h"
 #include "tests/support/text_lines.h"
 

@@ -1,4 +1,4 @@
-#include "prs/output/contact_table.h"
+#include "prs/loads/contact_table.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "prs/loads/analyze.h"
-#include "prs/output/table_units.h"
+#include "prs/record/table_units.h"
 #include "prs/text.h"
 #include "support/contact_cases.h"
 

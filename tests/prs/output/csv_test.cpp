@@ -1,4 +1,4 @@
-#include "prs/output/csv.h"
+#include "prs/loads/load_csv.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/output/csv_writer.h"
+#include "prs/record/csv_writer.h"
 
 #include "support/parsed_csv.h"
 #include "support/sample_result.h"

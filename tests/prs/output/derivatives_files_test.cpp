@@ -1,12 +1,13 @@
-#include "prs/output/derivatives_files.h"
+#include "prs/study/derivatives_files.h"
+#include "prs/study/study_pictures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "prs/figures/pictures.h"
-#include "prs/output/table_units.h"
+#include "prs/record/pictures.h"
+#include "prs/record/table_units.h"
 
 namespace prs {
 namespace {

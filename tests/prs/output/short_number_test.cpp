@@ -1,4 +1,4 @@
-#include "prs/output/short_number.h"
+#include "prs/record/short_number.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

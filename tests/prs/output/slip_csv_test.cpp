@@ -1,4 +1,4 @@
-#include "prs/output/slip_csv.h"
+#include "prs/losses/slip_csv.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "prs/output/slip_table.h"
+#include "prs/losses/slip_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "prs/output/study_csv.h"
+#include "prs/study/study_csv.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "../study/synthetic_study.h"
-#include "prs/output/study_files.h"
 #include "prs/study/designs.h"
+#include "prs/study/study_files.h"
 #include "prs/study/study_run.h"
 #include "support/parsed_csv.h"
 #include "support/temporary_directory.h"

@@ -1,4 +1,4 @@
-#include "prs/output/study_netcdf.h"
+#include "prs/study/study_netcdf.h"
 #include "prs/study/designs.h"
 
 #include <gmock/gmock.h>

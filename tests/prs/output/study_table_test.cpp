@@ -1,4 +1,4 @@
-#include "prs/output/study_table.h"
+#include "prs/study/study_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "prs/output/table_units.h"
+#include "prs/record/table_units.h"
 #include "prs/study/study_text.h"
 #include "prs/text.h"
 #include "tests/support/sample_study.h"

@@ -1,10 +1,11 @@
-#include "prs/output/table.h"
+#include "prs/loads/load_table.h"
+#include "prs/record/table_text.h"
 
 #include <gtest/gtest.h>
 
-#include "prs/output/case_table.h"
-#include "prs/output/comparison.h"
-#include "prs/output/table_units.h"
+#include "prs/compare/comparison_table.h"
+#include "prs/loads/case_table.h"
+#include "prs/record/table_units.h"
 #include "support/sample_result.h"
 #include "support/text_lines.h"
 

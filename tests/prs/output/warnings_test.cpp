@@ -1,4 +1,4 @@
-#include "prs/output/warnings.h"
+#include "prs/loads/warnings.h"
 
 #include <gtest/gtest.h>
 

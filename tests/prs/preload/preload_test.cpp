@@ -8,10 +8,10 @@
 
 #include "prs/input/reader.h"
 #include "prs/model/case_error.h"
-#include "prs/output/preload_files.h"
 #include "prs/preload/analyze_preload.h"
+#include "prs/preload/preload_analysis.h"
+#include "prs/preload/preload_csv.h"
 #include "prs/preload/preload_solver.h"
-#include "prs/quantities/preload_json.h"
 #include "prs/sector/load_distribution.h"
 #include "support/count.h"
 #include "support/sanitized.h"
@@ -515,12 +515,13 @@ TEST(AnalyzePreload, AForceThatNoFitGivesIsRefused) {
 
 TEST(PreloadJson, HasUnitsInItsKeysAndNothingThatIsNotDefined) {
   const auto document = [](const std::string& fit) {
-    return preload_json(analyze_preload(with_preload(
-                            "{arrangement: double_nut, position: 29 mm, spacer: {length: 10 mm, "
-                            "inner_diameter: 37 mm, outer_diameter: 46 mm}, distance: 68 mm, load: "
-                            "{from: -9 kN, to: 9 kN, steps: 3}, " +
-                            fit + "}")),
-                        {})["preload"];
+    return document_of(preload_analysis(),
+                       analyze_preload(with_preload(
+                           "{arrangement: double_nut, position: 29 mm, spacer: {length: 10 mm, "
+                           "inner_diameter: 37 mm, outer_diameter: 46 mm}, distance: 68 mm, load: "
+                           "{from: -9 kN, to: 9 kN, steps: 3}, " +
+                           fit + "}")),
+                       {})["preload"];
   };
   const auto json = document("force: 3 kN");
   EXPECT_NEAR(json["preload_force_N"].get<double>(), 3e3, 1e-6);

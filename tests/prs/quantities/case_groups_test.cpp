@@ -1,4 +1,4 @@
-#include "prs/quantities/case_groups.h"
+#include "prs/loads/case_groups.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/input/reader.h"
-#include "prs/quantities/life_json.h"
-#include "prs/quantities/measures_json.h"
-#include "prs/quantities/preload_json.h"
+#include "prs/life/life_analysis.h"
+#include "prs/loads/load_analysis.h"
+#include "prs/losses/slip_analysis.h"
+#include "prs/measures/measures_analysis.h"
+#include "prs/preload/preload_analysis.h"
 #include "prs/slip/slip.h"
 #include "tests/prs/input/abevi.h"
 
@@ -44,9 +46,12 @@ life:
 /// Documents of all analyses on conditions and contacts, or on a whole case.
 template <class... Given>
 std::vector<nlohmann::ordered_json> documents(const Given&... given) {
-  return {to_json(analyze_contacts(given...), {}), to_json(analyze(given...), {}),
-          to_json(analyze_slip(given...), {}),     preload_json(analyze_preload(given...), {}),
-          life_json(analyze_life(given...), {}),   measures_json(analyze_measures(given...), {})};
+  return {document_of(contact_analysis(), analyze_contacts(given...), {}),
+          document_of(solve_analysis(), analyze(given...), {}),
+          document_of(slip_analysis(), analyze_slip(given...), {}),
+          document_of(preload_analysis(), analyze_preload(given...), {}),
+          document_of(life_analysis(), analyze_life(given...), {}),
+          document_of(measures_analysis(), analyze_measures(given...), {})};
 }
 
 TEST(GivenContacts, TellAnAnalysisAllThatItKnowsOfTheMechanism) {

@@ -1,4 +1,5 @@
-#include "prs/quantities/load_case_stream.h"
+#include "prs/loads/load_analysis.h"
+#include "prs/record/document.h"
 
 #include <gtest/gtest.h>
 
@@ -18,13 +19,13 @@ const DocumentInfo kInfo{"1.2.3", "1", "abc"};
 nlohmann::ordered_json case_json(LoadCaseResult load_case) {
   Result result;
   result.load_cases = {std::move(load_case)};
-  return to_json(result, kInfo).at("load_cases").at(0);
+  return document_of(solve_analysis(), result, kInfo).at("load_cases").at(0);
 }
 
 TEST(Json, EveryDocumentSaysItsOrigin) {
   Result result;
   result.warnings = {"negative backlash"};
-  const auto json = to_json(result, kInfo);
+  const auto json = document_of(solve_analysis(), result, kInfo);
   EXPECT_EQ(json.at("prs_version"), "1.2.3");
   EXPECT_EQ(json.at("schema_version"), "1");
   EXPECT_EQ(json.at("input_sha256"), "abc");
@@ -43,7 +44,7 @@ TEST(Json, InterfaceOfTheGeometryWithoutContactIsAbsent) {
   nut.geometry.point.normal = {std::numbers::sqrt2 / 2, 0.0, std::numbers::sqrt2 / 2};
   nut.hertz.status = contact::HertzStatus::ok;
   nut.hertz.hertz_constant = 1e10;
-  const auto json = to_json(result, kInfo).at("contact");
+  const auto json = document_of(solve_analysis(), result, kInfo).at("contact");
   EXPECT_FALSE(json.contains("screw"));
   EXPECT_DOUBLE_EQ(json.at("nut").at("relative_curvatures_per_mm").at(1), 0.3);
   EXPECT_DOUBLE_EQ(json.at("nut").at("curvature_sum_per_mm"), 0.4);
@@ -128,7 +129,8 @@ TEST(Json, TextSurvivesMalformedNames) {
 std::string written(const Result& result) {
   std::string text;
   write_with_load_cases(
-      outline_json(result, kInfo), [&](std::size_t k) { return load_case_json(result, k); },
+      document_of(solve_analysis(), result, kInfo, false),
+      [&](std::size_t k) { return load_case_json(result, k); },
       [&](std::string_view piece) { text += piece; });
   return text;
 }
@@ -136,13 +138,13 @@ std::string written(const Result& result) {
 TEST(Json, WrittenLoadCaseByLoadCaseIsTheSameText) {
   Result result;
   result.warnings = {"\"load_cases\": []\n"};
-  EXPECT_EQ(written(result), json_text(to_json(result, kInfo)));
+  EXPECT_EQ(written(result), json_text(document_of(solve_analysis(), result, kInfo)));
   result.load_cases = {solved_case("a", 12345.678, Direction::compression),
                        failed_case("\xff\"\n\u202e"), equal_share_case("equal")};
   result.heat_cycle.emplace();
-  EXPECT_EQ(written(result), json_text(to_json(result, kInfo)));
+  EXPECT_EQ(written(result), json_text(document_of(solve_analysis(), result, kInfo)));
   result.load_cases.resize(101, failed_case("many"));
-  EXPECT_EQ(written(result), json_text(to_json(result, kInfo)));
+  EXPECT_EQ(written(result), json_text(document_of(solve_analysis(), result, kInfo)));
 }
 
 }  // namespace

@@ -1,13 +1,14 @@
-#include "prs/quantities/record.h"
+#include "prs/record/record.h"
+#include "prs/losses/slip_analysis.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "prs/quantities/json.h"
-#include "prs/quantities/record_table.h"
-#include "prs/quantities/results_schema.h"
-#include "prs/quantities/slip_quantities.h"
+#include "prs/loads/load_json.h"
+#include "prs/losses/slip_record.h"
+#include "prs/record/record_table.h"
+#include "prs/run/results_schema.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
 #include "support/sample_result.h"
@@ -118,7 +119,7 @@ TEST(Record, ResponsesWithoutADocumentAreThoseOfTheDocument) {
   load_case.slip = test::sample_slip(load_case);
   Result result;
   result.load_cases = {load_case};
-  const auto document = to_json(result, {});
+  const auto document = document_of(slip_analysis(), result, {});
   std::size_t read = 0;
   for (const std::string& path : response_paths(document)) {
     const std::optional<ResultNumber> number = result_number(path);

@@ -1,8 +1,8 @@
-#include "prs/quantities/response_title.h"
+#include "prs/record/response_title.h"
 
 #include <gtest/gtest.h>
 
-#include "prs/quantities/shown_unit.h"
+#include "prs/record/shown_unit.h"
 
 namespace prs {
 namespace {

@@ -1,12 +1,13 @@
-#include "prs/quantities/slip_quantities.h"
+#include "prs/losses/slip_analysis.h"
+#include "prs/losses/slip_record.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "prs/quantities/json.h"
-#include "prs/quantities/record_table.h"
+#include "prs/loads/load_json.h"
+#include "prs/record/record_table.h"
 #include "tests/support/sample_slip.h"
 
 namespace prs {
@@ -160,7 +161,7 @@ TEST(SlipJson, StandsInTheLoadCaseWhereItWasAskedFor) {
   Result result;
   result.load_cases = {with_slip(solved_case("a", 45e3, Direction::tension)), equal_share_case("b"),
                        failed_case("c")};
-  const auto cases = to_json(result, {"1", "1", ""}).at("load_cases");
+  const auto cases = document_of(slip_analysis(), result, {"1", "1", ""}).at("load_cases");
   EXPECT_EQ(cases.at(0).at("slip").at("slip_ratio"), 0.372956);
   EXPECT_TRUE(cases.at(0).contains("screw"));
   EXPECT_FALSE(cases.at(1).contains("slip"));

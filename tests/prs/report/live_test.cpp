@@ -5,7 +5,7 @@
 #include <regex>
 
 #include "prs/configurations/complete_screw.h"
-#include "prs/output/screw_case.h"
+#include "prs/configurations/screw_case.h"
 #include "prs/page/page.h"
 #include "support/sanitized.h"
 

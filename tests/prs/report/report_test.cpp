@@ -6,8 +6,8 @@
 #include <regex>
 #include <set>
 
-#include "prs/output/table_units.h"
 #include "prs/page/page.h"
+#include "prs/record/table_units.h"
 #include "prs/report/svg.h"
 #include "prs/report/tables.h"
 #include "prs/run/commands.h"
@@ -105,7 +105,7 @@ TEST_P(LessonReport, IsOnePageThatAsksForNothingAndSaysWhatTheCommandsSay) {
   const input::CaseInput in = input::read_case_input(source, Command::check);
   if (!input::missing(in, Command::solve).empty()) return;
   const auto document =
-      run(row_of(Command::solve), source).document(document_info(source, Command::solve));
+      run(analysis_of(Command::solve), source).document(document_info(source, Command::solve));
   EXPECT_EQ(report.data["results"]["solve"]["load_cases"], document["load_cases"]);
   const auto& first = document["load_cases"].front();
   if (first.contains("axial_stiffness_N_per_um")) {

@@ -20,7 +20,7 @@ using testing::StartsWith;
 Json checked(const std::string& lesson, std::vector<std::string> overrides = {}) {
   const input::Source source =
       input::load_source(PRS_SOURCE_DIR "/configs/" + lesson, std::move(overrides));
-  return run(row_of(Command::check), source).document(document_info(source, Command::check));
+  return run(analysis_of(Command::check), source).document(document_info(source, Command::check));
 }
 
 std::vector<std::string> warnings_of(const std::string& lesson, const std::string& override) {
@@ -33,7 +33,7 @@ TEST(Check, SaysForEachCommandWhetherItIsReadyAndWhatToAdd) {
   EXPECT_EQ(commands["compare"].dump(), R"({"ready":true})");
   EXPECT_EQ(commands["slip"].dump(), R"({"ready":false,"missing":["friction","operation"]})");
   EXPECT_EQ(commands["study"].dump(), R"({"ready":false,"missing":["study"]})");
-  EXPECT_EQ(commands.size(), prs::commands().size());
+  EXPECT_EQ(commands.size(), prs::analyses().size());
   const Json influence =
       checked("12_preload.yaml", {"model.bodies=influence"})["commands"]["preload"];
   EXPECT_EQ(influence.dump(), R"({"ready":false,"wrong":["model.bodies"]})");
@@ -46,9 +46,9 @@ TEST(Check, ReadinessIsWhetherTheCommandReadsTheCase) {
         input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson, {});
     const Json readiness = checked(lesson)["commands"];
     for (const auto& [command, state] : readiness.items()) {
-      const CommandRow& row = *std::ranges::find_if(
-          commands(),
-          [&, &named = command](const CommandRow& r) { return name(r.command) == named; });
+      const AnyAnalysis& row = *std::ranges::find_if(
+          analyses(),
+          [&, &named = command](const AnyAnalysis& r) { return name(r.command) == named; });
       if (!row.run) continue;
       bool reads = true;
       try {
@@ -78,7 +78,7 @@ TEST(Check, SaysWhatEachValueRestsOn) {
   const std::size_t at = source.text.find("  rollers: 10");
   ASSERT_NE(at, std::string::npos);
   source.text.insert(at, "  # assumed 10: as\n  # drawn\n");
-  const Delivery check = run(row_of(Command::check), source);
+  const Delivery check = run(analysis_of(Command::check), source);
   const Json document = check.document(document_info(source, Command::check));
   const auto entry = [&](const char* path) {
     return *std::ranges::find_if(document["input"],
@@ -139,7 +139,7 @@ TEST(Check, ASmallInterferenceIsToldFromALargeOne) {
 }
 
 std::vector<std::string> warned(const input::Source& source, Command command) {
-  const Json document = run(row_of(command), source).document(document_info(source, command));
+  const Json document = run(analysis_of(command), source).document(document_info(source, command));
   std::vector<std::string> warnings = document["warnings"];
   for (const Json& load_case : document.value("load_cases", Json::array()))
     for (const Json& warning : load_case["warnings"]) warnings.push_back(warning);
@@ -196,7 +196,7 @@ TEST(Check, OddValuesAreToldByEveryCommand) {
                                                   {"materials.poisson_ratio=0.45"});
   for (const Command command :
        {Command::contact, Command::solve, Command::compare, Command::measures})
-    EXPECT_THAT(run(row_of(command), source)
+    EXPECT_THAT(run(analysis_of(command), source)
                     .document(document_info(source, command))["warnings"][0]
                     .get<std::string>(),
                 StartsWith("materials.poisson_ratio: got 0.45; usual is 0.15 to 0.44"))
@@ -211,7 +211,7 @@ TEST(Check, WarningsNameTheKey) {
     const input::Source source =
         input::load_source(std::string(PRS_SOURCE_DIR "/configs/") + lesson, {});
     const input::CaseInput in = input::read_case_input(source, Command::check);
-    for (const CommandRow& row : commands()) {
+    for (const AnyAnalysis& row : analyses()) {
       if (!row.run || !input::missing(in, row.command).empty()) continue;
       const Json document = run(row, source).document(document_info(source, row.command));
       std::vector<std::string> warnings = document["warnings"];

@@ -34,11 +34,11 @@ bool accepts(const input::Source& source, Command command) {
 
 TEST(Commands, EachStandsOnceInTheTable) {
   std::set<std::string_view> names;
-  for (const CommandRow& row : commands()) {
+  for (const AnyAnalysis& row : analyses()) {
     names.insert(name(row.command));
-    EXPECT_EQ(&row_of(row.command), &row);
+    EXPECT_EQ(&analysis_of(row.command), &row);
   }
-  EXPECT_EQ(names.size(), std::size(kCommandNames));
+  EXPECT_EQ(names.size(), analyses().size());
 }
 
 TEST(Commands, LackNothingWhereTheyReadTheCase) {
@@ -46,7 +46,7 @@ TEST(Commands, LackNothingWhereTheyReadTheCase) {
     if (file.path().extension() != ".yaml") continue;
     const input::Source source = lesson(file.path().filename());
     const input::CaseInput in = read(source);
-    for (const CommandRow& row : commands()) {
+    for (const AnyAnalysis& row : analyses()) {
       if (!row.run) continue;
       EXPECT_EQ(input::missing(in, row.command).empty(), accepts(source, row.command))
           << file.path() << ' ' << name(row.command);
@@ -112,7 +112,7 @@ TEST(Delivery, OutlivesWhatItWasMadeOf) {
   DocumentInfo info;
   {
     const input::Source source = lesson("05_standard_screw.yaml");
-    delivery = run(row_of(Command::contact), source);
+    delivery = run(analysis_of(Command::contact), source);
     info = document_info(source, Command::contact);
   }
   EXPECT_EQ(delivery.file, "contact.json");

@@ -27,7 +27,7 @@ Json compared(const input::Source& a, const input::Source& b) {
 }
 
 Json solved(const input::Source& source) {
-  return run(row_of(Command::solve), source).document(document_info(source, Command::solve));
+  return run(analysis_of(Command::solve), source).document(document_info(source, Command::solve));
 }
 
 const Json& row(const Json& rows, const std::string& path, const std::string& load_case = "") {
@@ -70,7 +70,7 @@ TEST(CompareCases, ACaseDoesNotDifferFromItself) {
 TEST(CompareCases, CurvesOfTheSecondStandBehindThoseOfTheFirst) {
   const input::Source a = slip_lesson(), b = slip_lesson({"structure.nut.outer_diameter=60 mm"});
   const auto drawn = [](const input::Source& source) {
-    return figures(run(row_of(Command::solve), source).pictures());
+    return figures(run(analysis_of(Command::solve), source).pictures());
   };
   const Figures overlaid = figures(compare_cases(a, b).pictures()), own = drawn(a),
                 other = drawn(b);

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "fe/cholesky.h"
-#include "prs/output/document_schema.h"
 #include "prs/run/commands.h"
+#include "prs/run/document_schema.h"
 #include "support/program.h"
 #include "support/sanitized.h"
 #include "support/temporary_directory.h"
@@ -32,7 +32,7 @@ std::vector<std::filesystem::path> all_lessons() {
   return files;
 }
 
-Json document_of(const CommandRow& row, const input::Source& source) {
+Json document_of(const AnyAnalysis& row, const input::Source& source) {
   return run(row, source).document(document_info(source, row.command));
 }
 
@@ -41,7 +41,7 @@ void for_each_run(const auto& use) {
   for (const std::filesystem::path& file : all_lessons()) {
     const input::Source source = input::load_source(file.string(), {});
     const input::CaseInput in = input::read_case_input(source, Command::check);
-    for (const CommandRow& row : commands())
+    for (const AnyAnalysis& row : analyses())
       if (row.run && input::missing(in, row.command).empty()) use(row, source);
   }
 }
@@ -150,7 +150,7 @@ TEST(Documents, OfEveryLessonAndCommandAreAsTheirSchemaSaysAndComeAgainFromTheir
   SKIP_UNDER_SANITIZERS();  // There `LessonReport` takes all lessons.
   std::vector<std::pair<std::string, Json>> documents;
   int factorized = 0;
-  for_each_run([&](const CommandRow& row, const input::Source& source) {
+  for_each_run([&](const AnyAnalysis& row, const input::Source& source) {
     Json document = document_of(row, source);
     const std::string text = document["resolved_input"].dump();
     Json again = document_of(row, input::source_of_text("again", text, {}, kConfigs));
@@ -190,7 +190,7 @@ TEST(Documents, OfEveryLessonAndCommandAreAsTheirSchemaSaysAndComeAgainFromTheir
 TEST(Documents, TheirSchemasKnowEveryKeyAndTheTypeOfItsValue) {
   const input::Source source =
       input::load_source((kConfigs / "09_slip_and_dissipation.yaml").string(), {});
-  const Json document = document_of(row_of(Command::slip), source);
+  const Json document = document_of(analysis_of(Command::slip), source);
   const auto with = [&](const char* pointer, Json value) {
     Json changed = document;
     changed[Json::json_pointer(pointer)] = std::move(value);

@@ -1,4 +1,4 @@
-#include "prs/quantities/verdict.h"
+#include "prs/run/verdict.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ using Overrides = std::vector<std::string>;
 Json document(Command command, const std::string& lesson, const Overrides& overrides = {}) {
   const input::Source source =
       input::load_source(PRS_SOURCE_DIR "/configs/" + lesson, Overrides(overrides));
-  return run(row_of(command), source).document(document_info(source, command));
+  return run(analysis_of(command), source).document(document_info(source, command));
 }
 
 Json verdict(const std::string& lesson, const Overrides& overrides = {}) {

@@ -1,4 +1,6 @@
 #include "prs/study/design_engine.h"
+#include "prs/loads/load_analysis.h"
+#include "prs/losses/slip_analysis.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -18,11 +20,11 @@
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
 #include "prs/life/analyze_life.h"
+#include "prs/life/life_analysis.h"
 #include "prs/loads/analyze.h"
+#include "prs/loads/load_json.h"
 #include "prs/measures/analyze_measures.h"
-#include "prs/quantities/json.h"
-#include "prs/quantities/life_json.h"
-#include "prs/quantities/measures_json.h"
+#include "prs/measures/measures_analysis.h"
 #include "prs/slip/slip.h"
 #include "prs/study/designs.h"
 #include "prs/study/response.h"
@@ -62,7 +64,7 @@ Said said_by(Command command, const Case& c, const input::Source& source) {
     std::optional<LoadHistory> history;
     if (c.life->history) history = input::read_force_history(*c.life->history, source);
     const auto lives = std::make_shared<LifeResult>(analyze_life(c, history));
-    return {life_json(*lives, {}), [lives](const ResultNumber& number) {
+    return {document_of(life_analysis(), *lives, {}), [lives](const ResultNumber& number) {
               return number.value({.contacts = lives->contacts, .life = &*lives});
             }};
   }
@@ -74,7 +76,9 @@ Said said_by(Command command, const Case& c, const input::Source& source) {
                        : command == Command::slip  ? analyze_heat(c)
                                                    : analyze(c);
   const bool measures = command == Command::measures;
-  return {measures ? measures_json(*result, {}) : to_json(result->analysis, {}),
+  return {measures ? document_of(measures_analysis(), *result, {})
+                   : document_of(command == Command::slip ? slip_analysis() : solve_analysis(),
+                                 result->analysis, {}),
           [result, measures](const ResultNumber& number) {
             const Result& analysis = result->analysis;
             Answer answer{.contacts = analysis.contacts};
@@ -189,7 +193,7 @@ TEST(ResultNumber, SaysWhatTheDocumentSays) {
     const bool slips = lesson[0] == '0' && lesson[1] == '9';
     const Case c = input::read_case(file, {}, slips ? Command::slip : Command::solve);
     const Result result = slips ? analyze_slip(c) : analyze(c);
-    const auto document = to_json(result, {});
+    const auto document = document_of(slips ? slip_analysis() : solve_analysis(), result, {});
     std::vector<std::string> paths = response_paths(document);
     for (const char* more : {"nut.peak_pressure_MPa.min", "screw.approach_um.mean",
                              "nut.load_rate_percent[3]", "load_cases[1].axial_displacement_um"})

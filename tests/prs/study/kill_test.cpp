@@ -10,7 +10,7 @@
 #include <functional>
 #include <random>
 
-#include "prs/output/study_files.h"
+#include "prs/study/study_files.h"
 #include "prs/study/study_run.h"
 #include "study_file.h"
 #include "support/count.h"

@@ -1,4 +1,5 @@
 #include "prs/threads/thread_clearance.h"
+#include "prs/loads/load_analysis.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,8 +12,8 @@
 
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
+#include "prs/loads/load_json.h"
 #include "prs/model/case_error.h"
-#include "prs/quantities/json.h"
 #include "prs/study/result_number.h"
 #include "prs/threads/contacts.h"
 #include "tests/contact/units.h"
@@ -337,7 +338,7 @@ TEST(YaosConstraints, AreNumbersOfDocumentsAndResponses) {
                Command::contact)
                .values;
   const Result result = analyze(c);
-  const auto json = to_json(result, {"1", "1", ""});
+  const auto json = document_of(solve_analysis(), result, {"1", "1", ""});
   EXPECT_NEAR(json.at("threads").at("screw").at("crest_width_mm"), 0.57, 1e-12);
   EXPECT_NEAR(json.at("threads").at("nut").at("root_width_mm"), 4.62, 1e-12);
   for (const std::string key :
@@ -348,7 +349,7 @@ TEST(YaosConstraints, AreNumbersOfDocumentsAndResponses) {
               json.at("contact").at("screw").at(key));
   }
   c.mechanism.thread = {};
-  const auto bare = to_json(analyze(c), {"1", "1", ""});
+  const auto bare = document_of(solve_analysis(), analyze(c), {"1", "1", ""});
   EXPECT_FALSE(bare.contains("threads"));
   EXPECT_FALSE(bare.at("contact").at("screw").contains("flank_clearance_mm"));
 }

@@ -12,7 +12,8 @@
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/full_result.h"
-#include "prs/quantities/json.h"
+#include "prs/loads/load_analysis.h"
+#include "prs/loads/load_json.h"
 #include "prs/sector/full/orbit.h"
 #include "prs/sector/full/rigid_motions.h"
 #include "prs/sector/load_distribution.h"
@@ -80,7 +81,7 @@ TEST(FullMechanism, AgreesWithAnIndependentProgram) {
       wanted["tangent_stiffness_N_per_um"] =
           1e-6 / (row[0].get<double>() + e.z * row[3].get<double>() - e.y * row[4].get<double>());
     }
-    const json document = json::parse(to_json(analyze(c), {}).dump());
+    const json document = json::parse(document_of(solve_analysis(), analyze(c), {}).dump());
     expect_near(wanted, document.at("load_cases").at(0), 1e-8, "");
   }
 }
@@ -262,7 +263,7 @@ TEST(FullMechanism, ADocumentClosesItsBalance) {
         {std::string("structure.roller.rings=") + rings, "structure.roller.guidance=outer_node",
          "load_cases[0].carrier_angle=20 deg"},
         Command::solve);
-    const json document = json::parse(to_json(analyze(c), {}).dump());
+    const json document = json::parse(document_of(solve_analysis(), analyze(c), {}).dump());
     for (const json& load_case : document.at("load_cases"))
       EXPECT_LT(imbalance_of(load_case, -45e3, c), 1e-9) << rings;
   }

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "prs/configurations/configurations.h"
+#include "prs/record/document.h"
+
+namespace prs {
+
+/// The document of `prs configurations --json`; `number` is what `--write` takes.
+nlohmann::ordered_json configurations_json(const Configurations& all, const DocumentInfo& info);
+
+/// `standard` or `inverted`.
+std::string_view type_name(Mechanism::Type type);
+
+}  // namespace prs

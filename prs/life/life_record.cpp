@@ -1,0 +1,407 @@
+#include "prs/life/life_record.h"
+
+#include <cmath>
+
+#include "prs/loads/contact_record.h"
+#include "prs/model/units.h"
+#include "prs/record/record_table.h"
+#include "prs/record/sources.h"
+
+namespace prs {
+namespace {
+
+/// What is told together with the whole result.
+struct InterfaceLife {
+  const ThreadLives* threads = nullptr;
+  std::optional<double> peak_pressure;
+};
+
+struct DirectionLife {
+  const LifeResult* life = nullptr;
+  const FlankLife* flank = nullptr;
+};
+
+struct WeakestLife {
+  const LifeResult* life = nullptr;
+};
+
+struct Capacity {
+  const LifeResult* life = nullptr;
+};
+
+struct Loads {
+  const LifeResult* life = nullptr;
+};
+
+struct Cycles {
+  const LifeResult* life = nullptr;
+};
+
+}  // namespace
+
+template <>
+Record<InterfaceLife> record_of();
+template <>
+Record<DirectionLife> record_of();
+template <>
+Record<WeakestLife> record_of();
+template <>
+Record<Capacity> record_of();
+template <>
+Record<Loads> record_of();
+template <>
+Record<Cycles> record_of();
+template <>
+Record<CycleMatrix> record_of();
+
+namespace {
+
+constexpr std::string_view kMiner = "FKM; Miner elementary", kPalmgrenMean = "ISO 281; cubic mean",
+                           kLemorCapacity = "Lemor, in Jung 2017, (6.1) to (6.3)";
+
+constexpr std::string_view kFactorRange =
+    "f_c at d_r cos/d_n, d_r cos/(2 c) and D_c cos/(2 c): Lemor's ratio of diameters and ISO 281's";
+
+using Range = std::array<double, 2>;
+Range range_of(const Interval& i) { return {i.least, i.greatest}; }
+
+bool is_finite(const LifeInUse& life) { return std::isfinite(life.revolutions); }
+
+constexpr std::string_view kReliability = "ISO 281:2007, a1",
+                           kRated =
+                               "the L10 value times reliability_factor and modification_factor";
+
+/// A life, scaled to the reliability that is asked for.
+template <auto member>
+constexpr auto rated_of = of<[](const LifeInUse& life) {
+  const auto& value = std::invoke(member, life);
+  if constexpr (detail::is_optional<std::remove_cvref_t<decltype(value)>>)
+    return value ? std::optional(life.rated * *value) : std::nullopt;
+  else
+    return life.rated * value;
+},
+                             is_finite>;
+
+constexpr Quantity<LifeInUse> kLifeInUse[] = {
+    {"l10_revolutions", of<&LifeInUse::revolutions, is_finite>, "that 90 % reach", source::kLife,
+     "life L10 in revolutions"},
+    {"l10_revolutions_range", of<&LifeInUse::revolutions_range, is_finite>,
+     "by the range of the dynamic capacity", source::kLife, "life L10, by the range of C_a"},
+    {"l10_hours", of<&LifeInUse::hours, is_finite>, "needs a speed", source::kLife,
+     "life L10 in hours"},
+    {"l10_travel_km", of<&LifeInUse::travel, is_finite>, "revolutions times lead", source::kLife,
+     "life L10 in travel"},
+    {"l10_passes", of<&LifeInUse::passes, is_finite>, "of the history or the spectrum",
+     source::kLife, "life L10 in passes"},
+    {"rated_revolutions", rated_of<&LifeInUse::revolutions>, kRated, kReliability,
+     "rated life in revolutions"},
+    {"rated_revolutions_range",
+     of<[](const LifeInUse& l) {
+       return Range{l.rated * l.revolutions_range[0], l.rated * l.revolutions_range[1]};
+     },
+        is_finite>,
+     kRated, kReliability, "rated life, by the range of C_a"},
+    {"rated_hours", rated_of<&LifeInUse::hours>, kRated, kReliability, "rated life in hours"},
+    {"rated_travel_km", rated_of<&LifeInUse::travel>, kRated, kReliability, "rated life in travel"},
+    {"rated_passes", rated_of<&LifeInUse::passes>, kRated, kReliability, "rated life in passes"},
+};
+
+constexpr Quantity<ThreadLives> kThreadLives[] = {
+    {"equivalent_load_N", of<&ThreadLives::equivalent_load>,
+     "axial, cubic mean over all revolutions", kPalmgrenMean},
+    {"l10_revolutions", of<&ThreadLives::life>,
+     "of the thread on all rollers; null where it is never loaded", source::kLife,
+     "life L10 in revolutions"},
+    {"rated_revolutions", of<&ThreadLives::rated_life>, kRated, kReliability,
+     "rated life in revolutions"},
+    {"largest_load_N", of<&ThreadLives::largest_load>, "axial, under the largest force"},
+    {"equivalent_range_N", of<&ThreadLives::equivalent_range>,
+     "of the axial load over the cycles of the history", kMiner},
+    {"rollers", of<&ThreadLives::rollers>, "threads of the rollers of a full mechanism"},
+};
+
+constexpr Quantity<RollerLives> kRollerLives[] = {
+    {"equivalent_load_N", of<&RollerLives::equivalent_load>,
+     "[roller][thread], axial, cubic mean over all revolutions", kPalmgrenMean},
+    {"l10_revolutions", of<&RollerLives::life>,
+     "[roller][thread]; null where the thread is never loaded", source::kLife},
+    {"rated_revolutions", of<&RollerLives::rated_life>, kRated, kReliability},
+};
+
+constexpr Quantity<InterfaceLife> kInterfaceLife[] = {
+    {"", of<&InterfaceLife::threads>},
+    {"peak_pressure_MPa", of<&InterfaceLife::peak_pressure>, "under the largest force",
+     source::kHertz},
+};
+
+template <auto get>
+constexpr auto of_flank = of<[](const DirectionLife& d) { return std::invoke(get, *d.flank); }>;
+
+template <Interface i>
+constexpr auto threads_of = of<[](const DirectionLife& d) {
+  return InterfaceLife{&d.flank->threads[i], d.flank->peak_pressure[i]};
+}>;
+
+constexpr Quantity<DirectionLife> kDirectionLife[] = {
+    {"", of<[](const DirectionLife& d) { return in_use(*d.life, d.flank->life); }>},
+    {"share_of_revolutions",
+     of<[](const DirectionLife& d) { return d.flank->revolutions / d.life->revolutions; }>,
+     "under loads of this direction"},
+    {"mean_load_N", of_flank<&FlankLife::mean_load>,
+     "cubic mean over the revolutions of both directions", kPalmgrenMean},
+    {"largest_force_N", of_flank<&FlankLife::largest_force>, "of this direction"},
+    {"static_capacity_N", of_flank<&FlankLife::static_capacity>,
+     "force at which the first thread has a peak pressure of 4.0 GPa", "ISO 76:2006",
+     "static capacity, real thread loads"},
+    {"flank_edge_load_N", of_flank<&FlankLife::flank_edge_load>,
+     "force at which the first ellipse reaches a crest or root", source::kHertz,
+     "load at the edge of a flank, real thread loads"},
+    {"static_safety", of_flank<&FlankLife::static_safety>,
+     "force at which the first thread reaches a limit over the largest force", "ISO 76"},
+    {"static_safety_limit", of<[](const DirectionLife& d) {
+       const auto& rating = d.flank->static_rating;
+       return rating ? std::optional(rating->limit) : std::nullopt;
+     }>,
+     "pressure | deformation | flank_edge | given", "", "what limits the static safety"},
+    {"equilibria", of_flank<&FlankLife::solves>, "that were solved", "",
+     "loads at which the threads were solved"},
+    {"interpolation_error", of_flank<&FlankLife::interpolation_error>,
+     "of thread loads between the equilibria, relative", "", "error of thread loads between them"},
+    {"screw", threads_of<Interface::screw>, "threads of one roller at the screw"},
+    {"nut", threads_of<Interface::nut>, "threads of one roller at the nut"},
+};
+
+constexpr Quantity<WeakestLife> kWeakestLife[] = {
+    {"", of<[](const WeakestLife& w) { return in_use(*w.life, w.life->weakest->life); }>},
+    {"direction", of<[](const WeakestLife& w) { return w.life->weakest->direction; }>,
+     "tension | compression"},
+    {"interface", of<[](const WeakestLife& w) { return w.life->weakest->interface; }>,
+     "screw | nut"},
+    {"thread", of<[](const WeakestLife& w) { return w.life->weakest->thread + 1; }>,
+     "from 1, next to the loaded end of the screw"},
+    {"part", of<[](const WeakestLife& w) { return w.life->weakest->part; }>,
+     "screw | roller | nut: whose thread; of a full mechanism"},
+    {"roller", of<[](const WeakestLife& w) {
+       const auto& roller = w.life->weakest->roller;
+       return roller ? std::optional(*roller + 1) : std::nullopt;
+     }>,
+     "from 1; of a roller of a full mechanism"},
+    {"equivalent_load_N", of<[](const WeakestLife& w) { return w.life->weakest->equivalent_load; }>,
+     "axial, cubic mean over all revolutions", kPalmgrenMean},
+};
+
+template <auto get>
+constexpr auto of_lemor = of<[](const Capacity& c) {
+  return c.life->lemor ? std::optional(std::invoke(get, *c.life->lemor)) : std::nullopt;
+}>;
+
+constexpr Quantity<Capacity> kCapacity[] = {
+    {"dynamic_capacity_N", of<[](const Capacity& c) { return c.life->dynamic_capacity; }>,
+     "C_a; life.dynamic_capacity where stated", kLemorCapacity},
+    {"dynamic_capacity_range_N",
+     of<[](const Capacity& c) { return range_of(c.life->dynamic_capacity_range); }>, kFactorRange,
+     "docs/life.md"},
+    {"source", of<[](const Capacity& c) { return c.life->lemor ? "lemor" : "given"; }>,
+     "lemor | given", "", "where the dynamic capacity comes from"},
+    {"geometry_factor", of_lemor<&LemorCapacity::factor>, "f_c", kLemorCapacity},
+    {"geometry_factor_range",
+     of_lemor<[](const LemorCapacity& l) { return range_of(l.factor_range); }>, kFactorRange,
+     "docs/life.md"},
+    {"diameter_ratio", of_lemor<&LemorCapacity::ratio>, "d_r cos(alpha)/d_n", kLemorCapacity},
+    {"element_diameter_mm", of_lemor<&LemorCapacity::element_diameter>,
+     "diameter of the equivalent ball", kLemorCapacity},
+    {"failure_share", of < [](const Capacity& c) -> const auto& {return c.life->failure_shares;
+}  // namespace
+>, "share of each interface in the failures under equal loads"
+}  // namespace prs
+,
+    {"roller_failure_share", of<[](const Capacity& c) { return c.life->roller_shares; }>,
+     "part of the rollers in the failures of each interface; of a full mechanism",
+     "Lundberg and Palmgren"},
+    {"static_capacity_equal_shares_N",
+     of<[](const Capacity& c) { return c.life->equal_shares_static_capacity; }>,
+     "force at which equal thread loads have a peak pressure of 4.0 GPa", "ISO 76:2006",
+     "static capacity, equal thread loads"},
+    {"flank_edge_load_equal_shares_N",
+     of<[](const Capacity& c) { return c.life->equal_shares_flank_edge_load; }>,
+     "force at which ellipses of equal loads reach a crest or root", source::kHertz,
+     "load at the edge of a flank, equal thread loads"},
+    {"static_capacity_given_N", of<[](const Capacity& c) { return c.life->life.static_capacity; }>,
+     "life.static_capacity"},
+}
+;
+
+template <auto get>
+constexpr auto where_revolutions_are_known =
+    of<[](const Loads& l) { return std::invoke(get, *l.life); },
+       [](const Loads& l) { return l.life->revolutions_known; }>;
+
+constexpr Quantity<Loads> kLoads[] = {
+    {"samples", of<[](const Loads& l) { return l.life->steps.size(); }>,
+     "of the history or the spectrum", "", "load steps of one pass"},
+    {"revolutions", where_revolutions_are_known<&LifeResult::revolutions>, "of one pass"},
+    {"travel_m", where_revolutions_are_known<[](const LifeResult& r) {
+       return r.revolutions * std::abs(r.contacts.mechanism.lead);
+     }>,
+     "of one pass"},
+    {"duration_h", of<[](const Loads& l) { return l.life->duration; }>, "of one pass"},
+    {"mean_load_N", of<[](const Loads& l) { return l.life->mean_load; }>,
+     "cubic mean over the revolutions", kPalmgrenMean},
+    {"largest_force_N", of<[](const Loads& l) { return l.life->largest_force; }>,
+     "of either direction"},
+};
+
+constexpr Quantity<CycleMatrix> kCycleMatrix[] = {
+    {"range_to_N", of<&CycleMatrix::range_to>, "end of the last class of ranges, from 0"},
+    {"mean_from_N", of<&CycleMatrix::mean_from>, "start of the first class of means"},
+    {"mean_to_N", of<&CycleMatrix::mean_to>, "end of the last class of means"},
+    {"count", of<[](const CycleMatrix& matrix) {
+       std::vector<std::vector<double>> rows(static_cast<std::size_t>(matrix.bins));
+       for (int i = 0; i < matrix.bins; ++i)
+         for (int k = 0; k < matrix.bins; ++k)
+           rows[static_cast<std::size_t>(i)].push_back(matrix.at(i, k));
+       return rows;
+     }>,
+     "of cycles, by range and mean"},
+};
+
+constexpr Quantity<Cycles> kCycles[] = {
+    {"count", of<[](const Cycles& c) { return count(c.life->cycles->cycles); }>,
+     "half cycles as halves", "ASTM E1049-85"},
+    {"fatigue_slope", of<[](const Cycles& c) { return c.life->life.fatigue_slope; }>,
+     "of the S-N curve", "FKM"},
+    {"equivalent_range_N", of<[](const Cycles& c) { return c.life->cycles->equivalent_range; }>,
+     "constant range that does the same damage in as many cycles", kMiner},
+    {"largest_range_N", of<[](const Cycles& c) { return c.life->cycles->matrix.range_to; }>,
+     "of a cycle"},
+    {"matrix", of < [](const Cycles& c) -> const auto& {return c.life->cycles->matrix;
+}
+>, "cycles by range and mean"
+}
+,
+}
+;
+
+bool converged(const LifeResult& r) { return r.converged(); }
+
+template <auto get>
+constexpr auto life_at =
+    of<[](const LifeResult& r) { return in_use(r, std::invoke(get, r)); }, converged>;
+
+template <Direction d>
+constexpr auto flank_of = of<[](const LifeResult& r) {
+  return r.flanks[d] ? std::optional(DirectionLife{&r, &*r.flanks[d]}) : std::nullopt;
+},
+                             converged>;
+
+constexpr Quantity<LifeResult> kLife[] = {
+    {"converged", of<converged>, "whether every load has an equilibrium"},
+    {"status", of<&LifeResult::failure>, "why there are no lives"},
+    {"share", of<[](const LifeResult& r) {
+       return r.life.share == LoadCase::Share::equal ? "equal" : "solved";
+     }>,
+     "solved | equal: thread loads", "", "thread loads"},
+    {"reliability_factor", of<&LifeResult::reliability_factor>,
+     "a1 of the reliability that is asked for", kReliability},
+    {"modification_factor", of<[](const LifeResult& r) { return r.life.modification_factor; }>,
+     "a_ISO as the case states it", "ISO 281:2007"},
+    {"capacity", of<[](const LifeResult& r) { return Capacity{&r}; }>, "of the mechanism"},
+    {"loads", of<[](const LifeResult& r) { return Loads{&r}; }>, "of the history or the spectrum"},
+    {"cycles",
+     of<[](const LifeResult& r) { return r.cycles ? std::optional(Cycles{&r}) : std::nullopt; }>,
+     "counted from a history (rainflow)"},
+    {"system", life_at<&LifeResult::system_life>, "of the mechanism, real thread loads", "",
+     "life of the mechanism"},
+    {"equal_shares", life_at<&LifeResult::equal_shares_life>,
+     "of the mechanism, equal thread loads", "", "life with equal thread loads"},
+    {"catalogue", life_at<&LifeResult::catalogue_life>, "(C_a/F_m)^3", "",
+     "life by the catalogue's formula"},
+    {"static_safety", of<&LifeResult::static_safety, converged>, "the smaller of both directions",
+     "ISO 76", "static safety under the loads of the life"},
+    {"static_safety_limit", of<&LifeResult::static_safety_limit, converged>,
+     "pressure | deformation | flank_edge | given", "", "what limits the static safety"},
+    {"weakest_thread",
+     of<[](const LifeResult& r) {
+       return r.weakest ? std::optional(WeakestLife{&r}) : std::nullopt;
+     },
+        converged>,
+     "that fails first"},
+    {"tension", flank_of<Direction::tension>, "flanks that carry tension"},
+    {"compression", flank_of<Direction::compression>, "flanks that carry compression"},
+};
+
+}  // namespace
+
+LifeInUse in_use(const LifeResult& r, double revolutions) {
+  const auto scaled = [&](double capacity) {
+    return revolutions * std::pow(capacity / r.dynamic_capacity, kLifeExponent);
+  };
+  const Interval& range = r.dynamic_capacity_range;
+  LifeInUse life{revolutions,
+                 {scaled(range.least), scaled(range.greatest)},
+                 {},
+                 revolutions * std::abs(r.contacts.mechanism.lead),
+                 {}};
+  if (r.revolution_rate) life.hours = revolutions / *r.revolution_rate / 3600.0;
+  life.rated = r.rated_over_l10();
+  if (r.revolutions_known) life.passes = revolutions / r.revolutions;
+  return life;
+}
+
+template <>
+Record<LifeInUse> record_of() {
+  return {"LifeInUse", "A life L10 at the value of the dynamic capacity.", kLifeInUse};
+}
+
+template <>
+Record<ThreadLives> record_of() {
+  return {"ThreadLives", "Lives of the threads of one interface.", kThreadLives};
+}
+
+template <>
+Record<RollerLives> record_of() {
+  return {"RollerLives", "Lives of the threads of the rollers at one interface.", kRollerLives};
+}
+
+template <>
+Record<InterfaceLife> record_of() {
+  return {"InterfaceLife", "Lives of the threads of one interface.", kInterfaceLife};
+}
+
+template <>
+Record<DirectionLife> record_of() {
+  return {"DirectionLife", "Lives under the loads of one direction.", kDirectionLife};
+}
+
+template <>
+Record<WeakestLife> record_of() {
+  return {"WeakestThread", "The thread that fails first, of those that turn under load.",
+          kWeakestLife};
+}
+
+template <>
+Record<Capacity> record_of() {
+  return {"Capacity", "What the mechanism can carry.", kCapacity};
+}
+
+template <>
+Record<Loads> record_of() {
+  return {"LifeLoads", "The history or the spectrum.", kLoads};
+}
+
+template <>
+Record<Cycles> record_of() {
+  return {"Cycles", "Load cycles of a history: rainflow, ASTM E1049-85.", kCycles};
+}
+
+template <>
+Record<CycleMatrix> record_of() {
+  return {"CycleMatrix", "Load cycles by range and mean.", kCycleMatrix};
+}
+
+template <>
+Record<LifeResult> record_of() {
+  return {"Life", "Lives of mechanism and threads.", kLife};
+}
+
+}  // namespace prs

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "prs/life/analyze_life.h"
+#include "prs/record/record.h"
+
+namespace prs {
+
+/// A life in what people count, at the value of the capacity.
+struct LifeInUse {
+  double revolutions = 0.0;
+  std::array<double, 2> revolutions_range{};  ///< By the range of the capacity.
+  std::optional<double> hours;
+  double travel = 0.0;           ///< [m]
+  std::optional<double> passes;  ///< Passes through the history or the spectrum.
+  double rated = 1.0;            ///< The rated life over this one.
+};
+
+LifeInUse in_use(const LifeResult& r, double revolutions);
+
+template <>
+Record<LifeInUse> record_of();
+template <>
+Record<RollerLives> record_of();
+template <>
+Record<ThreadLives> record_of();
+template <>
+Record<LifeResult> record_of();
+
+}  // namespace prs

@@ -1,0 +1,186 @@
+#include "prs/life/life_table.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "prs/life/life_record.h"
+#include "prs/loads/analyze.h"
+#include "prs/loads/case_table.h"
+#include "prs/loads/model_summary_record.h"
+#include "prs/loads/warnings.h"
+#include "prs/record/table_units.h"
+#include "prs/text.h"
+
+namespace prs {
+namespace {
+
+/// A value behind its name; its later lines stand below the first.
+std::string line(std::string_view what, const std::string& value) {
+  return wrapped(value, std::string(41, ' '), kTableWidth)
+      .replace(0, 41, fmt::format("  {:<38} ", what));
+}
+
+/// Four digits with the unit of tables.
+std::string quantity(std::optional<double> si, std::string_view unit) {
+  if (!si) return std::string(kAbsent);
+  return fmt::format("{} {}", significant(shown(*si, unit)), table_unit(unit).text);
+}
+
+std::string kilonewtons(std::optional<double> force) { return quantity(force, "kN"); }
+
+std::string cell(std::optional<double> value, double factor = 1.0) {
+  return significant(value ? std::optional(*value * factor) : std::nullopt);
+}
+
+std::string columns(const std::string& first, const std::vector<std::string>& cells) {
+  std::string text = "  " + padded(first, 38, true);
+  for (const std::string& c : cells) text += padded(with_table_unit(c), 15, false);
+  return text + '\n';
+}
+
+std::string life_row(const LifeResult& r, const std::string& what, double revolutions) {
+  const LifeInUse life = in_use(r, revolutions);
+  std::vector<std::string> cells{cell(life.revolutions, 1e-6), cell(life.hours),
+                                 cell(life.travel, table_unit("km").factor)};
+  if (r.revolutions_known) cells.push_back(cell(life.passes));
+  return columns(what, cells);
+}
+
+/// Whether the rated life is another than L10.
+bool is_rated(const LifeResult& r) { return r.rated_over_l10() != 1.0; }
+
+std::string reliability(const LifeResult& r) {
+  return fmt::format("{:.4g} %", 100.0 * r.life.reliability);
+}
+
+/// `thread 3.1 at the screw, tension` where it is one of roller 3.
+std::string weakest_thread(const WeakestThread& w) {
+  const std::string number =
+      w.roller ? fmt::format("{}.{}", *w.roller + 1, w.thread + 1) : fmt::to_string(w.thread + 1);
+  return fmt::format("thread {} {} the {}, {}", number, w.part && !w.roller ? "of" : "at",
+                     name(w.interface), name(w.direction));
+}
+
+/// The headline is the life with the real thread loads or, with a maker's capacity, that of the
+/// catalogue's formula: such a capacity comes from real screws, and uneven sharing is in it.
+std::string lives(const LifeResult& r, bool all) {
+  const bool solved = r.life.share == LoadCase::Share::solved;
+  const bool given = !r.lemor;
+  const double headline = given ? r.catalogue_life : r.system_life;
+  std::vector<std::string> heads{"million rev.", "hours", "km"};
+  if (r.revolutions_known) heads.emplace_back(r.history ? "histories" : "spectra run");
+  std::string text = columns("Life L10", heads);
+  const std::string_view system =
+      solved ? "mechanism, real thread loads" : "mechanism, equal thread loads";
+  text += life_row(r, given ? "stated C_a, (C_a/F_m)^3" : std::string(system), headline);
+  if (is_rated(r))
+    text += life_row(r, fmt::format("  rated, {} reach it", reliability(r)),
+                     r.rated_over_l10() * headline);
+  if (given) text += life_row(r, fmt::format("  {}", system), r.system_life);
+  for (const Direction d : kDirections)
+    if (r.flanks[d])
+      text += life_row(r, fmt::format("  {} flanks alone", name(d)), r.flanks[d]->life);
+  if (all && solved) text += life_row(r, "estimate: equal thread loads", r.equal_shares_life);
+  if (all && !given) text += life_row(r, "estimate: (C_a/F_m)^3", r.catalogue_life);
+  if (given && solved) text += wrapped(kStatedCapacityNote, "  ", kTableWidth);
+  if (r.weakest) text += life_row(r, weakest_thread(*r.weakest), r.weakest->life);
+  return text;
+}
+
+std::string by_direction(const LifeResult& r, std::optional<double> FlankLife::*force) {
+  std::string text;
+  for (const Direction d : kDirections)
+    if (r.flanks[d])
+      text += fmt::format("{}{} in {}", text.empty() ? "" : ", ",
+                          kilonewtons((*r.flanks[d]).*force), name(d));
+  return text;
+}
+
+std::string capacities(const LifeResult& r, bool all) {
+  std::string text;
+  const Interval& range = r.dynamic_capacity_range;
+  text +=
+      line("dynamic capacity C_a",
+           r.lemor ? fmt::format("{} ({} to {} by which diameters f_c takes)",
+                                 kilonewtons(r.dynamic_capacity),
+                                 significant(shown(range.least, "kN")), kilonewtons(range.greatest))
+                   : fmt::format("{} (given)", kilonewtons(r.dynamic_capacity)));
+  if (r.lemor && r.contacts.mechanism.type == Mechanism::Type::standard)
+    text += line(
+        "  by a maker's 23 standard screws",
+        fmt::format("{} to {} (C_a is {:g} to {:g} times theirs)",
+                    significant(shown(r.dynamic_capacity / kCapacityOverMakers.greatest, "kN")),
+                    kilonewtons(r.dynamic_capacity / kCapacityOverMakers.least),
+                    kCapacityOverMakers.least, kCapacityOverMakers.greatest));
+  if (r.lemor && std::isfinite(r.system_life)) {
+    const auto [least, greatest] = in_use(r, r.system_life).revolutions_range;
+    text +=
+        line("life of the mechanism in that range",
+             fmt::format("{} to {} million revolutions", cell(least, 1e-6), cell(greatest, 1e-6)));
+  }
+  if (is_rated(r))
+    text +=
+        line("rated life over L10",
+             fmt::format("{:.4g} (a1 {:.4g} at {}, modification factor {:.4g})", r.rated_over_l10(),
+                         r.reliability_factor, reliability(r), r.life.modification_factor));
+  text += line("mean load F_m", kilonewtons(r.mean_load));
+  text += line("largest force", kilonewtons(r.largest_force));
+  if (r.life.static_capacity)
+    text += line("static capacity C_0", kilonewtons(r.life.static_capacity) + " (given)");
+  if (r.equal_shares_static_capacity) {
+    text += line("force that gives " + quantity(kStaticPressureLimit, "GPa"),
+                 by_direction(r, &FlankLife::static_capacity));
+    if (all) text += line("  with equal thread loads", kilonewtons(r.equal_shares_static_capacity));
+    text +=
+        line("force with ellipses at a flank's edge", by_direction(r, &FlankLife::flank_edge_load));
+    if (all) text += line("  with equal thread loads", kilonewtons(r.equal_shares_flank_edge_load));
+  }
+  text += line("static safety",
+               r.static_safety() ? fmt::format("{:.2f} (limited by: {})", *r.static_safety(),
+                                               in_table_units(describe(*r.static_safety_limit())))
+                                 : std::string(kAbsent));
+  return text;
+}
+
+std::string loads(const LifeResult& r) {
+  std::string text;
+  if (r.revolutions_known)
+    text += line("revolutions, travel",
+                 fmt::format("{}, {}", cell(r.revolutions),
+                             quantity(r.revolutions * std::abs(r.contacts.mechanism.lead), "m")));
+  if (r.duration) text += line("duration", fmt::format("{} h", cell(*r.duration, 1.0 / 3600.0)));
+  for (const Direction d : kDirections)
+    if (const auto& f = r.flanks[d])
+      text += line(
+          fmt::format("{}", name(d)),
+          fmt::format("{:.1f} % of the revolutions, up to {} and {}",
+                      100.0 * f->revolutions / r.revolutions, kilonewtons(f->largest_force),
+                      quantity(std::max(f->peak_pressure.screw, f->peak_pressure.nut), "GPa")));
+  if (r.cycles)
+    text += line("load cycles (rainflow)",
+                 fmt::format("{:.1f}, equivalent range {} at slope {:g}, up to {}",
+                             count(r.cycles->cycles), kilonewtons(r.cycles->equivalent_range),
+                             r.life.fatigue_slope, kilonewtons(r.cycles->matrix.range_to)));
+  return text;
+}
+
+std::string table_with(const LifeResult& r, bool all) {
+  std::string text;
+  if (r.converged())
+    text += lives(r, all) + '\n' + capacities(r, all) + '\n' +
+            (r.history ? fmt::format("History of {} samples\n", r.steps.size())
+                       : fmt::format("Spectrum of {} load{}\n", r.steps.size(),
+                                     r.steps.size() == 1 ? "" : "s")) +
+            loads(r);
+  else
+    text += fmt::format("NOT CONVERGED: {}\n", *r.failure);
+  return text + warning_section(r.warnings);
+}
+
+}  // namespace
+
+std::string life_table(const LifeResult& r) { return table_with(r, false); }
+std::string full_life_table(const LifeResult& r) { return table_with(r, true); }
+
+}  // namespace prs

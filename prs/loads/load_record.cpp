@@ -1,0 +1,130 @@
+#include <cmath>
+
+#include "fe/cholesky.h"
+#include "prs/loads/factorization.h"
+#include "prs/loads/full_result.h"
+#include "prs/loads/load_record.h"
+#include "prs/record/record_table.h"
+#include "prs/record/sources.h"
+
+namespace prs {
+std::optional<std::string> factorization(const LoadCaseResult& r) {
+  if (!r.solve || r.solve->history.empty()) return std::nullopt;
+  // `influence`, which knows no energy.
+  if (std::isnan(r.solve->history.back().energy)) {
+    const std::string eigen = fe::eigen_factorization_name();
+    return eigen.substr(0, eigen.find(',')) + ", dense LU";
+  }
+  std::string name(fe::Cholesky::name());
+  if (r.solve->wide) name += "; then " + fe::eigen_factorization_name() + " of 113 binary digits";
+  return name;
+}
+
+namespace {
+
+constexpr Quantity<InterfaceLoads> kInterfaceLoads[] = {
+    {"hertz_constant_N_per_mm1_5", of<&InterfaceLoads::hertz_constant>,
+     "k_0 of N = k_0 delta^1.5, as used in the solve", source::kHertz},
+    {"normal_angle_deg", of<&InterfaceLoads::normal_angle>,
+     "psi between the normal and the axis, as used in the solve"},
+    {"axial_load_N", of<&InterfaceLoads::axial_load>, "axial part of the normal load"},
+    {"normal_load_N", of<&InterfaceLoads::normal_load>, "axial load over cos(psi)"},
+    {"load_rate_percent", of<&InterfaceLoads::load_rate>, "share: axial load over force per roller",
+     "Abevi 2015, (3)"},
+    {"approach_um", of<&InterfaceLoads::approach>,
+     "by which the bodies come closer along the normal", source::kHertz},
+    {"semi_major_mm", of<&InterfaceLoads::semi_major>, "longer semi-axis a of the contact ellipse",
+     source::kHertz, "semi-axis a of the ellipse"},
+    {"semi_minor_mm", of<&InterfaceLoads::semi_minor>, "shorter semi-axis b of the contact ellipse",
+     source::kHertz, "semi-axis b of the ellipse"},
+    {"peak_pressure_MPa", of<&InterfaceLoads::peak_pressure>, "p_0 = 3 N/(2 pi a b)",
+     source::kHertz},
+    {"max_shear_stress_MPa", of<&InterfaceLoads::max_shear_stress>,
+     "largest shear stress below the surface", source::kHertz, "largest shear stress", "", "",
+     Reach::complete},
+    {"max_shear_depth_mm", of<&InterfaceLoads::max_shear_depth>,
+     "where the largest shear stress acts, for the depth of hardening", source::kHertz,
+     "depth of the largest shear stress", "", "", Reach::complete},
+    {"", of<&InterfaceLoads::rollers>},
+};
+
+using fe::NewtonIteration;
+
+constexpr Quantity<NewtonIteration> kNewtonIteration[] = {
+    {"energy_J", of<&NewtonIteration::energy>, "potential energy after the step"},
+    {"relative_residual", of<&NewtonIteration::relative_residual>,
+     "largest force out of balance over the load"},
+    {"step_length", of<&NewtonIteration::step_length>, "share of the Newton step that was taken"},
+    {"shift", of<&NewtonIteration::shift>, "added to the diagonal so that it can be solved"},
+};
+
+/// Where something is solved.
+template <auto get>
+constexpr auto of_solve = of<[](const LoadCaseResult& r) {
+  return r.solve ? std::optional(std::invoke(get, *r.solve)) : std::nullopt;
+}>;
+
+template <Interface i>
+constexpr auto of_loads =
+    of<[](const LoadCaseResult& r) { return r.threads ? &(*r.threads)[i] : nullptr; },
+       &LoadCaseResult::converged>;
+
+constexpr Quantity<LoadCaseResult> kLoadCase[] = {
+    {"name", of<[](const LoadCaseResult& r) -> const std::string& { return r.load_case.name; }>,
+     "as the file has it"},
+    {"axial_force_N", of<[](const LoadCaseResult& r) { return r.load_case.axial_force; }>,
+     "on the whole screw; > 0 with a direction"},
+    {"direction", of<[](const LoadCaseResult& r) { return r.load_case.direction; }>,
+     "tension | compression"},
+    {"position_mm", of<[](const LoadCaseResult& r) { return r.load_case.position; }>,
+     "of the first roller contact on the nut"},
+    {"converged", of<&LoadCaseResult::converged>, "whether there is an equilibrium"},
+    {"status", of<status_name>, "how the solve ended; equal shares need none"},
+    {"iterations", of_solve<&fe::NewtonSummary::iterations>, "linear solves", "", "", "", "",
+     Reach::document},
+    {"relative_residual", of_solve<&fe::NewtonSummary::relative_residual>,
+     "largest force out of balance over the load", "", "", "", "", Reach::document},
+    {"factorization", of<factorization>,
+     "library, version and kind of what solved the sparse equations", "", "", "", "",
+     Reach::document},
+    {"axial_displacement_um", of<&LoadCaseResult::axial_displacement, &LoadCaseResult::converged>,
+     "of the loaded section; > 0 along the load"},
+    {"axial_stiffness_N_per_um", of<&LoadCaseResult::axial_stiffness, &LoadCaseResult::converged>,
+     "secant: force over displacement"},
+    {"tangent_stiffness_N_per_um",
+     of<&LoadCaseResult::tangent_stiffness, &LoadCaseResult::converged>,
+     "derivative of the force by the displacement"},
+    {"screw", of_loads<Interface::screw>, "threads of one roller at the screw"},
+    {"nut", of_loads<Interface::nut>, "threads of one roller at the nut"},
+    {"", of<[](const LoadCaseResult& r) { return r.full.get(); }>},
+    {"warnings", of<&LoadCaseResult::warnings>, "what is unusual about this load"},
+    {"newton_history",
+     of<[](const LoadCaseResult& r) { return r.solve ? &r.solve->history : nullptr; }>,
+     "one per linear solve; documents of many load cases leave it out", "", "", "", "",
+     Reach::document},
+};
+
+}  // namespace
+
+template <>
+Record<InterfaceLoads> record_of() {
+  return {
+      "InterfaceLoads",
+      "Threads of one interface of one roller; thread 1 is next to the loaded end of the screw.",
+      kInterfaceLoads};
+}
+
+template <>
+Record<NewtonIteration> record_of() {
+  return {"NewtonIteration", "One linear solve of the load distribution.", kNewtonIteration};
+}
+
+template <>
+Record<LoadCaseResult> record_of() {
+  return {
+      "LoadCase",
+      "The answer to one load case; one that did not converge has its status and residual alone.",
+      kLoadCase};
+}
+
+}  // namespace prs

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "prs/loads/result.h"
+#include "prs/model/units.h"
+#include "prs/record/record.h"
+
+namespace prs {
+
+template <>
+Record<InterfaceLoads> record_of();
+template <>
+Record<RollerShares> record_of();
+template <>
+Record<FullLoads> record_of();
+template <>
+Record<fe::NewtonIteration> record_of();
+template <>
+Record<LoadCaseResult> record_of();
+
+/// How the solve of a case ended; equal shares need no solve and count as converged.
+inline std::string_view status_name(const LoadCaseResult& result) {
+  return fe::name(result.solve ? result.solve->status : fe::NewtonStatus::converged);
+}
+
+/// Index of the largest value; absent where there is none.
+inline std::optional<std::size_t> index_of_largest(const std::vector<double>& values) {
+  if (values.empty()) return std::nullopt;
+  const auto largest = std::max_element(values.begin(), values.end());
+  return static_cast<std::size_t>(largest - values.begin());
+}
+
+/// The entry of a thread; absent where the list has none.
+inline std::optional<double> entry(const std::vector<double>& values,
+                                   std::optional<std::size_t> thread) {
+  return thread && *thread < values.size() ? std::optional(values[*thread]) : std::nullopt;
+}
+
+}  // namespace prs

@@ -1,0 +1,229 @@
+#include "prs/losses/slip_record.h"
+#include "prs/record/record_table.h"
+
+#include <algorithm>
+
+namespace prs {
+namespace {
+
+constexpr Quantity<InterfaceSlip> kInterfaceSlip[] = {
+    {"power_W", of<&InterfaceSlip::power>, "power that friction takes at the thread",
+     "Sandu 2018, (3.51)"},
+    {"power_density_W_per_mm2", of<&InterfaceSlip::power_density>,
+     "power over the contact ellipse pi a b"},
+    {"friction_coefficient", of<&InterfaceSlip::friction_coefficient>,
+     "mean over the points of the ellipse", "Sandu 2018, (2.40)"},
+    {"spin_torque_Nmm", of<&InterfaceSlip::spin_torque>, "about the roller's outward normal",
+     "Sandu 2018, (3.10)"},
+    {"sliding_speed_mm_per_s", of<&InterfaceSlip::sliding_speed>, "at the centre of the ellipse"},
+    {"max_sliding_speed_mm_per_s", of<&InterfaceSlip::max_sliding_speed>,
+     "largest over the points of the ellipse"},
+    {"film_thickness_nm", of<&InterfaceSlip::film_thickness>, "central film; needs a lubricant",
+     "Sandu 2018, (2.39)"},
+    {"central_film_nm", of<&InterfaceSlip::central_film>, "central film; needs a lubricant",
+     "Nijenbanning, Venner, Moes 1994; with lubricant.film.direction: rolling Chittenden et al. "
+     "1985"},
+    {"film_ratio", of<&InterfaceSlip::film_ratio>,
+     "Lambda: central film over the composite roughness; needs lubricant and roughness"},
+    {"boundary_share", of<&InterfaceSlip::boundary_share>,
+     "share (1 + Lambda)^-exponent of the load on flanks that touch, exponent 2 where the case has "
+     "none; that of friction only if mixed",
+     "Olver and Spikes 1998"},
+    {"dynamic_normal_load_N", of<&InterfaceSlip::dynamic_normal_load>,
+     "normal load that keeps the axial load in balance with friction",
+     "Sandu 2018, (3.11), (3.12)"},
+    {"wear_mm3_per_km", of<&InterfaceSlip::wear>,
+     "volume that both bodies lose at the thread for each km of travel of screw or nut; needs wear",
+     "Archard 1953"},
+};
+
+template <std::size_t source>
+constexpr Quantity<PowerBySource> kPowerShare = {
+    kPowerSources[source].key, of<kPowerSources[source].value>,
+    "share of the power that is lost there", "Sandu 2018, (3.51)", kPowerSources[source].title};
+
+constexpr Quantity<PowerBySource> kPowerShares[] = {kPowerShare<0>, kPowerShare<1>, kPowerShare<2>,
+                                                    kPowerShare<3>, kPowerShare<4>};
+static_assert(std::size(kPowerShares) == std::size(kPowerSources));
+
+/// Absent where nothing is lost.
+std::optional<PowerBySource> shares(const SlipResult& slip) {
+  const double total = slip.power.total();
+  if (!(total > 0.0)) return std::nullopt;
+  PowerBySource shares;
+  for (const PowerSource& source : kPowerSources)
+    shares.*source.value = slip.power.*source.value / total;
+  return shares;
+}
+
+constexpr Quantity<RollerMoments> kRollerMoments[] = {
+    {"contacts", of<&RollerMoments::contacts>, "friction at the contacts, R_c"},
+    {"spin", of<&RollerMoments::spin>, "spin torques, R_s"},
+    {"carrier", of<&RollerMoments::carrier>, "friction in the carrier, R_p"},
+    {"gears", of<&RollerMoments::gears>, "gears at the ends, R_e"},
+};
+
+constexpr Quantity<RollerForces> kRollerForces[] = {
+    {"contacts_x", of<&RollerForces::contacts_x>, "of all threads", "Sandu 2018, (3.27)"},
+    {"contacts_y", of<&RollerForces::contacts_y>, "of all threads", "Sandu 2018, (3.27)"},
+    {"gears_x", of<&RollerForces::gears_x>, "of the gears", "Sandu 2018, (3.28), (3.29)"},
+    {"gears_y", of<&RollerForces::gears_y>, "of the gears", "Sandu 2018, (3.28), (3.29)"},
+    {"carrier_x", of<&RollerForces::carrier_x>, "by the roller on the carrier",
+     "Sandu 2018, (3.26), (3.32)"},
+    {"carrier_y", of<&RollerForces::carrier_y>, "by the roller on the carrier",
+     "Sandu 2018, (3.26), (3.32)"},
+    {"centrifugal",
+     of<&RollerForces::centrifugal, [](const RollerForces& f) { return f.centrifugal != 0.0; }>,
+     "needs the rollers' density", "Sandu 2018, (3.33)"},
+};
+
+constexpr Quantity<SlipEstimates> kSlipEstimates[] = {
+    {"simple", of<&SlipEstimates::simple>, "contacts at the pitch points", "Sandu 2018, (2.21)",
+     "slip ratio, estimate by contacts at the pitch points"},
+    {"jones", of<&SlipEstimates::jones>, "standard mechanisms only",
+     "Jones et al., in Sandu 2018, (2.20)", "slip ratio, estimate by the formula of Jones et al."},
+};
+
+constexpr Quantity<HottestThread> kHottestThread[] = {
+    {"interface", of<&HottestThread::interface>, "screw | nut"},
+    {"thread", of<&HottestThread::thread>, "from 1, next to the loaded end of the screw"},
+    {"power_W", of<&HottestThread::power>, "power that friction takes there"},
+    {"power_density_W_per_mm2", of<&HottestThread::power_density>, "power over its ellipse"},
+    {"roller", of<&HottestThread::roller>, "from 1; of a full mechanism"},
+};
+
+constexpr Quantity<EqualShareSlip> kEqualShares[] = {
+    {"slip_ratio", of<&EqualShareSlip::slip_ratio>, "carrier over screw, against the nut"},
+    {"power_loss_W", of<&EqualShareSlip::power_loss>, "of the whole mechanism"},
+    {"efficiency", of<&EqualShareSlip::efficiency>, "power out over power in"},
+    {"max_thread_power_W", of<[](const EqualShareSlip& equal) {
+       return std::max(equal.thread_power.screw, equal.thread_power.nut);
+     }>,
+     "larger of both interfaces"},
+    {"max_power_density_W_per_mm2", of<&EqualShareSlip::max_power_density>,
+     "power of a thread over its ellipse"},
+};
+
+/// Where the search for the slip ratio converged.
+template <auto get>
+constexpr auto found = of<get, &SlipResult::converged>;
+
+template <Interface i>
+constexpr auto threads =
+    found<[](const SlipResult& slip) -> const InterfaceSlip& { return slip.threads[i]; }>;
+
+constexpr Quantity<SlipResult> kSlip[] = {
+    {"converged", of<&SlipResult::converged>, "whether there is an answer"},
+    {"status", of<&SlipResult::status>, "how the search for the slip ratio ended"},
+    {"evaluations", of<&SlipResult::evaluations>, "of the roller's moment balance", "", "", "", "",
+     Reach::document},
+    {"relative_residue", of<&SlipResult::relative_residue>,
+     "moment on a roller over radius and normal load", "Sandu 2018, (3.38)", "", "", "",
+     Reach::document},
+    {"speed_rpm", found<&SlipResult::speed>, "screw against nut"},
+    {"gear_ratio", found<&SlipResult::gear_ratio>, "Gamma = |l_R/l_S|", "Sandu 2018, (2.1)"},
+    {"slip_ratio", found<&SlipResult::slip_ratio>,
+     "epsilon, carrier against nut over screw against nut", "Sandu 2018, (2.2)"},
+    {"ideal_slip_ratio", found<&SlipResult::ideal_slip_ratio>, "epsilon* of least sliding",
+     "Sandu 2018, (2.16), (2.17)"},
+    {"optimality_percent", found<&SlipResult::optimality>, "100 % at the ideal slip ratio",
+     "Sandu 2018, (2.19)", "nearness to the slip ratio of least sliding"},
+    {"driven_by", found<&SlipResult::driven_by>, "screw | load: force x speed x lead > 0 or < 0"},
+    {"efficiency", found<&SlipResult::efficiency>,
+     "power out over power in: of the load over the shaft, or of the shaft over the load that "
+     "drives; absent where self-locking",
+     "Sandu 2018, (3.52)"},
+    {"self_locking", found<&SlipResult::self_locking>,
+     "whether no power comes out; where the load drives"},
+    {"holding_torque_Nm", found<&SlipResult::holding_torque>,
+     "by the drive on the screw in the sense of the motion, where the load drives: > 0 turns a "
+     "self-locking screw, < 0 holds back the load"},
+    {"efficiency_fit", found<&SlipResult::efficiency_fit>,
+     "fit near a reference example; absent with Coulomb friction", "Sandu 2018, (3.55)"},
+    {"power_loss_W", found<[](const SlipResult& slip) { return slip.power.total(); }>,
+     "lost to all sources of friction", "Sandu 2018, (3.51)", "power lost"},
+    {"power_loss_input_output_W", found<&SlipResult::power_loss_input_output>,
+     "the same as power in less power out", "Sandu 2018, (3.53)",
+     "power lost, as power in less power out"},
+    {"torque_screw_Nm", found<&SlipResult::torque_screw>, "by the drive on the screw",
+     "Sandu 2018, (3.30)", "torque on the screw"},
+    {"torque_nut_Nm", found<&SlipResult::torque_nut>, "on the nut", "Sandu 2018, (3.31)",
+     "torque on the nut"},
+    {"viscosity_mPas", found<&SlipResult::viscosity>, "dynamic, in operation; needs a lubricant"},
+    {"bearing_eccentricity_ratio", found<&SlipResult::bearing_eccentricity>,
+     "e/c of the roller heads in the carrier"},
+    {"slip_ratio_estimates", found<&SlipResult::estimates>, "by geometry alone"},
+    {"share_percent", found<shares>, "of each source in the power that is lost"},
+    {"roller_moments_Nmm", found<&SlipResult::moments>,
+     "on one roller about its axis, by source; the mean of all in a full mechanism"},
+    {"roller_forces_N", found<&SlipResult::forces>,
+     "on one roller across its axis, by source; the mean of all in a full mechanism"},
+    {"hottest_thread", found<hottest_thread>, "of the largest power density"},
+    {"equal_shares", found<&SlipResult::equal_shares>,
+     "what slip would be if all threads carried the same load"},
+    {"screw", threads<Interface::screw>, "threads at the screw, of one roller or of all"},
+    {"nut", threads<Interface::nut>, "threads at the nut, of one roller or of all"},
+};
+
+}  // namespace
+
+std::optional<HottestThread> hottest_thread(const SlipResult& slip) {
+  const InterfaceSlip& threads = slip.threads[slip.hottest.interface];
+  const auto thread = static_cast<std::size_t>(slip.hottest.thread);
+  const std::optional<double> density = entry(threads.power_density, thread);
+  if (!density) return std::nullopt;
+  const auto row = static_cast<std::size_t>(threads.threads_per_roller);
+  return HottestThread{slip.hottest.interface, (row ? thread % row : thread) + 1,
+                       row ? std::optional(thread / row + 1) : std::nullopt,
+                       entry(threads.power, thread), *density};
+}
+
+template <>
+Record<InterfaceSlip> record_of() {
+  return {"InterfaceSlip",
+          "Threads of one interface of one roller: slip, friction, film and power; Sandu 2018, "
+          "chapter 3.",
+          kInterfaceSlip};
+}
+
+template <>
+Record<PowerBySource> record_of() {
+  return {"PowerShares", "Where power is lost.", kPowerShares};
+}
+
+template <>
+Record<RollerMoments> record_of() {
+  return {"RollerMoments",
+          "Moments on one roller about its axis; they add up to zero in equilibrium. Sandu 2018, "
+          "(3.39) to (3.42).",
+          kRollerMoments};
+}
+
+template <>
+Record<RollerForces> record_of() {
+  return {"RollerForces",
+          "Forces on one roller across its axis, x away from the screw's axis, y along the orbit.",
+          kRollerForces};
+}
+
+template <>
+Record<SlipEstimates> record_of() {
+  return {"SlipRatioEstimates", "Slip ratios by formulas of geometry alone.", kSlipEstimates};
+}
+
+template <>
+Record<HottestThread> record_of() {
+  return {"HottestThread", "The thread of the largest power density.", kHottestThread};
+}
+
+template <>
+Record<EqualShareSlip> record_of() {
+  return {"EqualShareSlip", "Slip if all threads carried the same load.", kEqualShares};
+}
+
+template <>
+Record<SlipResult> record_of() {
+  return {"Slip", "Stationary slip of a load case: Sandu 2018, chapters 2 and 3.", kSlip};
+}
+
+}  // namespace prs

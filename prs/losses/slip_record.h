@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "prs/loads/load_record.h"
+#include "prs/loads/result.h"
+
+namespace prs {
+
+/// The thread of the largest power density.
+struct HottestThread {
+  Interface interface = Interface::screw;
+  std::size_t thread = 0;             ///< From 1.
+  std::optional<std::size_t> roller;  ///< From 1; of a full mechanism.
+  std::optional<double> power;        ///< [W]
+  double power_density = 0.0;         ///< [W/m^2]
+};
+
+template <>
+Record<InterfaceSlip> record_of();
+template <>
+Record<PowerBySource> record_of();
+template <>
+Record<RollerMoments> record_of();
+template <>
+Record<RollerForces> record_of();
+template <>
+Record<SlipEstimates> record_of();
+template <>
+Record<HottestThread> record_of();
+template <>
+Record<EqualShareSlip> record_of();
+template <>
+Record<SlipResult> record_of();
+
+/// The sources of friction, in the order of the documents; titles are those of tables and figures.
+struct PowerSource {
+  std::string_view key;
+  std::string_view title;
+  double PowerBySource::*value;
+};
+
+inline constexpr PowerSource kPowerSources[] = {
+    {"screw", "roller-screw", &PowerBySource::screw},
+    {"nut", "roller-nut", &PowerBySource::nut},
+    {"carrier_roller", "roller-carrier", &PowerBySource::carrier_roller},
+    {"carrier_screw", "carrier-screw", &PowerBySource::carrier_screw},
+    {"carrier_nut", "carrier-nut", &PowerBySource::carrier_nut},
+};
+
+/// Whether a load case has an answer to slip.
+inline bool has_slip(const LoadCaseResult& result) {
+  return result.slip && result.slip->converged();
+}
+
+/// How the search for the slip ratio ended or, where the loads are not known, their solve.
+inline std::string_view slip_status_name(const LoadCaseResult& result) {
+  if (result.heat && !result.heat->converged()) return name(result.heat->status);
+  if (result.slip) return name(result.slip->status);
+  return result.converged() ? name(SlipStatus::not_computed) : status_name(result);
+}
+
+/// Absent where there are no densities.
+std::optional<HottestThread> hottest_thread(const SlipResult& slip);
+
+}  // namespace prs

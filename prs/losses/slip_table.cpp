@@ -1,0 +1,349 @@
+#include "prs/losses/slip_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "prs/loads/case_table.h"
+#include "prs/loads/warnings.h"
+#include "prs/losses/heat_record.h"
+#include "prs/losses/slip_record.h"
+#include "prs/model/units.h"
+#include "prs/record/bar_chart.h"
+#include "prs/record/table_units.h"
+#include "prs/slip/slip.h"
+#include "prs/text.h"
+
+namespace prs {
+namespace {
+
+constexpr std::size_t kMostBlocks = 4;
+constexpr std::size_t kLabelWidth = 30;
+constexpr std::size_t kValueWidth = 16;
+
+std::string failure(const LoadCaseResult& result) {
+  if (has_slip(result)) return {};
+  std::string text = fmt::format("NOT CONVERGED ({})", slip_status_name(result));
+  if (result.slip && result.slip->relative_residue)
+    text += fmt::format(", residue {:.1e}", *result.slip->relative_residue);
+  return text;
+}
+
+/// So many decimals that the number shows about four digits.
+int decimals_of(double largest) {
+  if (!(largest > 0.0)) return 0;
+  return std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 6);
+}
+
+std::string four_digits(double value) { return fixed(value, 1.0, decimals_of(std::abs(value))); }
+
+// A case at length.
+
+std::string block_line(std::string_view label, const std::string& value,
+                       const std::string& remark = {}) {
+  std::string line = padded("  " + with_table_unit(label), kLabelWidth, true) +
+                     padded(value, kValueWidth, false) + "   " + remark;
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + '\n';
+}
+
+std::string title_line(const LoadCaseResult& result) {
+  std::string load = fixed_with_unit(result.load_case.axial_force, "kN",
+                                     force_decimals(result.load_case.axial_force));
+  if (result.load_case.direction) load += fmt::format(", {}", name(*result.load_case.direction));
+  if (result.load_case.share == LoadCase::Share::equal) load += ", equal shares";
+  if (has_slip(result))
+    load += fmt::format(", {:.6g} rpm", result.slip->speed * per_si::revolution_per_minute);
+  constexpr std::size_t kSeparator = 2;
+  const std::size_t room = kTableWidth - kSeparator - width(load);
+  return fmt::format("{}: {}\n", shortened(case_name_cell(result), room), load);
+}
+
+std::string slip_ratio_lines(const SlipResult& slip) {
+  const std::string origin =
+      slip.status == SlipStatus::imposed
+          ? fmt::format("imposed; moment left on a roller {} {}",
+                        four_digits(shown(slip.moments.residue(), "N mm")), table_unit("N mm").text)
+          : fmt::format("{:.4g} % of the way from pure sliding to the ideal",
+                        slip.optimality * per_si::percent);
+  return block_line("slip ratio", fixed(slip.slip_ratio, 1.0, 6), origin) +
+         block_line("  ideal", fixed(slip.ideal_slip_ratio, 1.0, 6)) +
+         block_line("  at the pitch points", fixed(slip.estimates.simple, 1.0, 6));
+}
+
+std::string efficiency_lines(const SlipResult& slip, bool all) {
+  const std::string fit =
+      all && slip.efficiency_fit
+          ? fmt::format("Sandu's fit {:.2f} %", *slip.efficiency_fit * per_si::percent)
+          : "";
+  if (slip.driven_by == DrivenBy::screw)
+    return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2), fit);
+  return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2),
+                    slip.efficiency ? "the load drives" : "the load helps, self-locking") +
+         block_line("holding torque, N m", four_digits(shown(*slip.holding_torque, "N m")),
+                    slip.efficiency ? "holds back the load" : "releases the screw");
+}
+
+std::string torque_lines(const SlipResult& slip) {
+  return block_line("torque on the screw, N m", four_digits(shown(slip.torque_screw, "N m"))) +
+         block_line("torque on the nut, N m", four_digits(shown(slip.torque_nut, "N m")));
+}
+
+std::string power_lines(const SlipResult& slip) {
+  const double total = slip.power.total();
+  const int decimals = decimals_of(total);
+  std::string lines = block_line(
+      "power lost, W", fixed(total, 1.0, decimals),
+      fmt::format("input less output {:.{}f} W", slip.power_loss_input_output, decimals));
+  for (const PowerSource& source : kPowerSources) {
+    const double power = slip.power.*source.value;
+    if (power == 0.0) continue;
+    lines += block_line(fmt::format("  {}", source.title), fixed(power, 1.0, decimals),
+                        fmt::format("{:6.2f} %", power / total * per_si::percent));
+  }
+  return lines;
+}
+
+/// What the block shows of the threads as a range.
+struct RangeLine {
+  std::string_view label;
+  std::string_view key;
+  int decimals;
+};
+
+constexpr RangeLine kRangeLines[] = {
+    {"friction coefficient", "friction_coefficient", 4},
+    {"sliding, largest, mm/s", "max_sliding_speed_mm_per_s", 2},
+    {"film by Sandu, nm", "film_thickness_nm", 0},
+    {"central film, nm", "central_film_nm", 0},
+    {"film over roughness", "film_ratio", 2},
+    {"share on touching flanks", "boundary_share", 3},
+    {"wear, mm³/km", "wear_mm3_per_km", 6},
+};
+
+/// `boundary–mixed`, from the thinnest film to the thickest.
+std::string regimes(const InterfaceSlip& slip) {
+  double least = HUGE_VAL, largest = 0.0;
+  for (const double ratio : slip.film_ratio)
+    if (ratio > 0.0) least = std::min(least, ratio), largest = std::max(largest, ratio);
+  if (least > largest) return std::string(kAbsent);
+  const std::string_view from = lubrication(least), to = lubrication(largest);
+  return from == to ? std::string(from) : fmt::format("{}–{}", from, to);
+}
+
+/// `0.0812–0.0934` over the threads that carry load.
+std::string range(const InterfaceSlip& slip, const RangeLine& line) {
+  double least = HUGE_VAL, largest = -HUGE_VAL;
+  const Quantity<InterfaceSlip>& q = quantity<InterfaceSlip>(line.key);
+  const std::span<const double> values = q.value.series(slip);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (entry(slip.dynamic_normal_load, k).value_or(0.0) > 0.0) {
+      least = std::min(least, values[k]);
+      largest = std::max(largest, values[k]);
+    }
+  if (least > largest) return std::string(kAbsent);
+  const std::string from = fixed(least, q.unit.text, line.decimals);
+  const std::string to = fixed(largest, q.unit.text, line.decimals);
+  return from == to ? to : from + "–" + to;
+}
+
+std::string range_lines(const SlipResult& slip) {
+  std::string lines;
+  if (slip.viscosity)
+    lines += block_line("viscosity in operation, mPa s",
+                        four_digits(*slip.viscosity * per_si::millipascal_second));
+  lines += block_line("over the threads", "screw", padded("nut", kValueWidth, false));
+  for (const RangeLine& line : kRangeLines)
+    if (!quantity<InterfaceSlip>(line.key).value.series(slip.threads.screw).empty())
+      lines += block_line(fmt::format("  {}", line.label), range(slip.threads.screw, line),
+                          padded(range(slip.threads.nut, line), kValueWidth, false));
+  if (!slip.threads.screw.film_ratio.empty())
+    lines += block_line("  lubrication", regimes(slip.threads.screw),
+                        padded(regimes(slip.threads.nut), kValueWidth, false));
+  return lines;
+}
+
+/// A line with a number for screw, rollers and nut; rollers may have none.
+std::string parts_line(std::string_view label, double screw, std::optional<double> rollers,
+                       double nut, int decimals) {
+  return block_line(label, fixed(screw, 1.0, decimals),
+                    padded(rollers ? fixed(rollers, 1.0, decimals) : "", kValueWidth, false) +
+                        padded(fixed(nut, 1.0, decimals), kValueWidth, false));
+}
+
+std::string heat_lines(const std::optional<HeatResult>& heat) {
+  if (!heat) return {};
+  const PartNumbers t = celsius_of(heat->temperature);
+  std::string lines =
+      block_line("heat balance", "screw",
+                 padded("rollers", kValueWidth, false) + padded("nut", kValueWidth, false));
+  lines += parts_line("  temperature, °C", t.screw, t.rollers, t.nut, 2);
+  if (heat->oil) {
+    const InterfaceNumbers oil = celsius_of(*heat->oil);
+    lines += parts_line("  oil at the contacts, °C", oil.screw, std::nullopt, oil.nut, 2);
+  }
+  return lines + parts_line("  heat from friction, W", heat->heat.screw, heat->heat.roller,
+                            heat->heat.nut,
+                            decimals_of(heat->heat.screw + heat->heat.roller + heat->heat.nut));
+}
+
+std::string cycle_block(const HeatCycle& cycle) {
+  std::string lines = fmt::format("duty cycle: {:.7g} s\n", cycle.period);
+  if (!cycle.converged()) return lines + fmt::format("  NOT CONVERGED ({})\n", name(cycle.status));
+  const PartNumbers peak = celsius_of(cycle.peak), mean = celsius_of(cycle.mean);
+  lines += block_line("temperature", "screw",
+                      padded("rollers", kValueWidth, false) + padded("nut", kValueWidth, false));
+  lines += parts_line("  peak, °C", peak.screw, peak.rollers, peak.nut, 2);
+  lines += parts_line("  mean, °C", mean.screw, mean.rollers, mean.nut, 2);
+  lines += block_line("energy in, J", four_digits(cycle.energy_in));
+  lines += block_line("energy lost, J", four_digits(cycle.energy_lost));
+  return lines + block_line("efficiency, %", fixed(cycle.efficiency, per_si::percent, 2));
+}
+
+std::string hottest_line(const SlipResult& slip) {
+  const std::optional<HottestThread> hottest = hottest_thread(slip);
+  if (!hottest || !hottest->power || *hottest->power == 0.0) return {};
+  return block_line(
+      "hottest thread",
+      fmt::format("{} {}{}", name(hottest->interface), hottest->thread,
+                  hottest->roller ? fmt::format(", roller {}", *hottest->roller) : ""),
+      fmt::format("{} W, {} {}", four_digits(*hottest->power),
+                  four_digits(shown(hottest->power_density, "W/mm²")), table_unit("W/mm²").text));
+}
+
+double largest(const SlipResult& slip, std::vector<double> InterfaceSlip::*values) {
+  double most = 0.0;
+  for (const Interface i : kInterfaces)
+    for (const double value : slip.threads[i].*values) most = std::max(most, value);
+  return most;
+}
+
+/// A number with equal shares and by how much the loads of the case change it.
+std::string comparison_line(std::string_view label, double equal, double solved,
+                            std::string_view unit) {
+  const std::string change =
+      equal > 0.0 ? fixed_change((solved / equal - 1.0) * per_si::percent, 2) + " %" : "";
+  return block_line(
+      fmt::format("{}, {}", label, unit), four_digits(shown(equal, unit)),
+      fmt::format("{:>{}} {:>10}", four_digits(shown(solved, unit)), kValueWidth, change));
+}
+
+/// A line of comparison whose change is given as a difference.
+std::string difference_line(std::string_view label, double equal, double solved, int decimals) {
+  return block_line(label, fixed(equal, 1.0, decimals),
+                    fmt::format("{:>{}} {:>10}", fixed(solved, 1.0, decimals), kValueWidth,
+                                fixed_change(solved - equal, decimals)));
+}
+
+std::string equal_share_lines(const SlipResult& slip) {
+  if (!slip.equal_shares) return {};
+  const EqualShareSlip& equal = *slip.equal_shares;
+  std::string lines =
+      block_line("thread loads", "equal", padded("of the case", kValueWidth, false));
+  lines += difference_line("  slip ratio", equal.slip_ratio, slip.slip_ratio, 6);
+  lines += comparison_line("  power lost", equal.power_loss, slip.power.total(), "W");
+  if (equal.efficiency && slip.efficiency)
+    lines += difference_line("  efficiency, %", *equal.efficiency * per_si::percent,
+                             *slip.efficiency * per_si::percent, 2);
+  lines += comparison_line("  most at a thread",
+                           std::max(equal.thread_power.screw, equal.thread_power.nut),
+                           largest(slip, &InterfaceSlip::power), "W");
+  lines += comparison_line("  most at a thread", equal.max_power_density,
+                           largest(slip, &InterfaceSlip::power_density), "W/mm²");
+  return lines;
+}
+
+std::string block(const LoadCaseResult& result, bool all) {
+  if (!has_slip(result)) return title_line(result) + fmt::format("  {}\n", failure(result));
+  const SlipResult& slip = *result.slip;
+  return title_line(result) + slip_ratio_lines(slip) + efficiency_lines(slip, all) +
+         torque_lines(slip) + power_lines(slip) + heat_lines(result.heat) + range_lines(slip) +
+         hottest_line(slip) + (all ? equal_share_lines(slip) : "");
+}
+
+// A case in a row.
+
+template <auto member>
+std::string cell(const LoadCaseResult& result, double factor, int decimals) {
+  return fixed((*result.slip).*member, factor, decimals);
+}
+
+template <double PowerBySource::*source>
+std::string share(const LoadCaseResult& result) {
+  const PowerBySource& power = result.slip->power;
+  if (!(power.total() > 0.0)) return std::string(kAbsent);
+  return fixed(power.*source / power.total(), per_si::percent, 2);
+}
+
+std::string hottest_cell(const LoadCaseResult& result) {
+  const std::optional<HottestThread> hottest = hottest_thread(*result.slip);
+  if (!hottest) return std::string(kAbsent);
+  return fmt::format("{} {}: {}", name(hottest->interface), hottest->thread,
+                     four_digits(shown(hottest->power_density, "W/mm²")));
+}
+
+constexpr CaseColumn kColumns[] = {
+    {"", "load case", true, case_name_cell},
+    {"force", "kN", false, force_cell},
+    {"", "direction", true, direction_cell},
+    {"speed", "rpm", false,
+     [](const LoadCaseResult& r) {
+       return fmt::format("{:.5g}", r.slip->speed * per_si::revolution_per_minute);
+     }},
+    {"slip", "ratio", false,
+     [](const LoadCaseResult& r) { return cell<&SlipResult::slip_ratio>(r, 1.0, 6); }},
+    {"effic.", "%", false,
+     [](const LoadCaseResult& r) { return cell<&SlipResult::efficiency>(r, per_si::percent, 2); }},
+    {"torque", "N m", false,
+     [](const LoadCaseResult& r) { return fixed(r.slip->torque_screw, "N m", 3); }},
+    {"lost", "W", false,
+     [](const LoadCaseResult& r) { return fixed(r.slip->power.total(), 1.0, 2); }},
+    {"screw", "%", false, share<&PowerBySource::screw>},
+    {"nut", "%", false, share<&PowerBySource::nut>},
+    {"hottest", "thread: W/mm²", true, hottest_cell},
+};
+
+std::vector<double> power_of_rollers(const InterfaceSlip& slip) {
+  const auto row = static_cast<std::size_t>(slip.threads_per_roller);
+  std::vector<double> sums(slip.power.size() / row, 0.0);
+  for (std::size_t k = 0; k < slip.power.size(); ++k) sums[k / row] += slip.power[k];
+  return sums;
+}
+
+}  // namespace
+
+std::string slip_table(const Result& result, bool all) {
+  std::string table;
+  if (result.load_cases.size() > kMostBlocks)
+    table = case_table({kColumns, 3, failure, "slip.csv"}, result.load_cases);
+  else
+    for (const LoadCaseResult& load_case : result.load_cases)
+      table += (table.empty() ? "" : "\n") + block(load_case, all);
+  if (result.heat_cycle) table += '\n' + cycle_block(*result.heat_cycle);
+  const std::string warnings = warning_summary(result);
+  return warnings.empty() ? table : table + '\n' + warnings;
+}
+
+std::string slip_chart(const LoadCaseResult& result) {
+  const std::string title = case_name_cell(result);
+  if (!has_slip(result))
+    return fmt::format("{}: no power at the threads ({})\n", title, slip_status_name(result));
+
+  const SlipResult& slip = *result.slip;
+  if (slip.threads.screw.threads_per_roller > 0) {
+    const PerInterface<std::vector<double>> power = {power_of_rollers(slip.threads.screw),
+                                                     power_of_rollers(slip.threads.nut)};
+    return fmt::format("{}: power lost at each roller\n", title) +
+           bar_chart(
+               power,
+               decimals_of(std::max(std::ranges::max(power.screw), std::ranges::max(power.nut))),
+               "W");
+  }
+  return fmt::format("{}: power lost at each thread of a roller\n", title) +
+         bar_chart({slip.threads.screw.power, slip.threads.nut.power},
+                   decimals_of(largest(slip, &InterfaceSlip::power)), "W");
+}
+
+}  // namespace prs

@@ -1,0 +1,212 @@
+#include "prs/measures/measures_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <vector>
+
+#include "prs/loads/case_table.h"
+#include "prs/loads/warnings.h"
+#include "prs/measures/measures_record.h"
+#include "prs/model/units.h"
+#include "prs/record/csv_writer.h"
+#include "prs/record/table_units.h"
+#include "prs/record/text_words.h"
+#include "prs/text.h"
+
+namespace prs {
+namespace {
+
+constexpr std::size_t kTitleWidth = 58;
+constexpr std::size_t kCellWidth = 14;
+constexpr std::size_t kMostCases = 3;  ///< That fit side by side.
+
+/// What documents have in newtons and single revolutions is that large here.
+ShownUnit row_unit(const ShownUnit& unit) {
+  if (unit.text == "N") return table_unit("kN");
+  if (unit.text == "revolutions") return {"", "10^6 revolutions", 1e-6};
+  return table_unit(unit);
+}
+
+/// A number or a text; none where the measure is absent.
+template <class Owner>
+std::optional<std::string> measure_cell(const Quantity<Owner>& q,
+                                        const std::optional<Owner>& measures) {
+  if (!measures) return std::nullopt;
+  if (q.value.number) {
+    const std::optional<double> shown = shown_number(q, *measures);
+    return shown ? std::optional(significant(*shown * row_unit(q.unit).factor / q.unit.factor))
+                 : std::nullopt;
+  }
+  const auto json = q.value.json(*measures, q.unit);
+  return json.is_null() ? std::nullopt
+                        : std::optional(words_of_text(json.template get<std::string>()));
+}
+
+/// The headings in the order of the table.
+template <class Owner>
+std::vector<std::string_view> groups_of() {
+  std::vector<std::string_view> groups;
+  for (const Quantity<Owner>& q : record_of<Owner>().quantities)
+    if (std::ranges::find(groups, q.group) == groups.end()) groups.push_back(q.group);
+  return groups;
+}
+
+using Keys = std::vector<std::string>;
+
+/// Numbers and words group by group, `owners` side by side; what none of them has is left out, and
+/// the `hidden` keys.
+template <class Owner>
+std::string group_rows(std::span<const std::optional<Owner>> owners, const Keys& hidden) {
+  std::string text;
+  for (const std::string_view group : groups_of<Owner>()) {
+    std::string rows;
+    for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
+      if (q.group != group || q.value.series) continue;
+      if (std::ranges::find(hidden, q.key) != hidden.end()) continue;
+      std::string cells;
+      bool any = false;
+      for (const std::optional<Owner>& owner : owners) {
+        const std::optional<std::string> shown = measure_cell(q, owner);
+        any = any || shown;
+        cells += padded(shown.value_or(std::string(kAbsent)), kCellWidth, false);
+      }
+      const std::string_view unit = row_unit(q.unit).text;
+      if (any)
+        rows += padded(fmt::format("  {}{}{}", q.title, unit.empty() ? "" : ", ", unit),
+                       kTitleWidth, true) +
+                cells + '\n';
+    }
+    if (!rows.empty()) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", group) + rows;
+  }
+  return text;
+}
+
+/// The load cases [first, last) side by side.
+std::string load_table(const MeasuresResult& result, std::size_t first, std::size_t last,
+                       const Keys& hidden) {
+  std::string text = padded("Load case", kTitleWidth, true);
+  for (std::size_t k = first; k < last; ++k)
+    text += ' ' + padded(shortened(printable(result.analysis.load_cases[k].load_case.name),
+                                   kCellWidth - 1),
+                         kCellWidth - 1, false);
+  text += '\n' + padded(with_table_unit("  force, kN"), kTitleWidth, true);
+  for (std::size_t k = first; k < last; ++k)
+    text += padded(significant(shown(result.analysis.load_cases[k].load_case.axial_force, "kN")),
+                   kCellWidth, false);
+  text += '\n';
+  const std::string rows =
+      group_rows(std::span(result.load_measures).subspan(first, last - first), hidden);
+  return rows.empty() ? text : text + '\n' + rows;
+}
+
+/// A paragraph behind a word; its later lines stand below the first.
+std::string paragraph(std::string_view word, std::string_view text) {
+  const std::string indent(4 + word.size(), ' ');
+  std::string lines = wrapped(text, indent, kTableWidth);
+  return lines.replace(4, word.size(), word);
+}
+
+template <class Owner>
+std::string explanations() {
+  std::string text;
+  for (const Quantity<Owner>& q : record_of<Owner>().quantities)
+    text += fmt::format("{}\n", q.key) + paragraph("", q.title) +
+            paragraph("formula: ", q.meaning) + paragraph("valid: ", q.validity) +
+            paragraph("source: ", q.source);
+  return text;
+}
+
+template <class Owner>
+void add_rows(CsvWriter& csv, std::string_view load_case, const Owner& measures) {
+  for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
+    const std::optional<double> value = q.value.number ? shown_number(q, measures) : std::nullopt;
+    if (!value) continue;
+    csv.text(load_case);
+    csv.text(q.key);
+    csv.text(q.unit.text);
+    csv.number(value);
+    csv.end_row();
+  }
+}
+
+}  // namespace
+
+namespace {
+
+std::string table_without(const MeasuresResult& result, const Keys& hidden) {
+  const std::optional<Measures> measures[] = {result.measures};
+  std::string text = group_rows<Measures>(measures, hidden);
+  const std::size_t cases = result.load_measures.size();
+  for (std::size_t first = 0; first < cases; first += kMostCases)
+    text += '\n' + load_table(result, first, std::min(first + kMostCases, cases), hidden);
+  text += "\nFormulas, validity and sources: prs measures --explain\n";
+  if (!hidden.empty())
+    text +=
+        "Estimates of what prs slip and prs life compute, and with equal shares: prs measures "
+        "--all\n";
+  const std::string warnings = warning_summary(result.analysis);
+  return warnings.empty() ? text : text + '\n' + warnings;
+}
+
+}  // namespace
+
+std::string measures_table(const MeasuresResult& result) {
+  const auto known = [&](auto member) {
+    return std::ranges::any_of(result.load_measures,
+                               [&](const auto& m) { return m && (*m).*member; });
+  };
+  const bool solved = known(&LoadMeasures::solved_static_safety);
+  const bool loaded = std::ranges::any_of(
+      result.analysis.load_cases, [](const LoadCaseResult& r) { return r.threads.has_value(); });
+  return table_without(
+      result, estimates_beside({result.slips, result.lives, solved,
+                                solved || known(&LoadMeasures::thread_static_safety), loaded}));
+}
+
+std::string full_measures_table(const MeasuresResult& result) { return table_without(result, {}); }
+
+std::string measure_explanations() {
+  return "Measures of the mechanism: `measures` in documents\n\n" + explanations<Measures>() +
+         "\nMeasures of a load case: `load_cases[].measures` in documents\n\n" +
+         explanations<LoadMeasures>();
+}
+
+std::string measures_csv(const MeasuresResult& result, const CsvStyle& style) {
+  CsvWriter csv(style);
+  for (const std::string_view name : {"load_case", "measure", "unit", "value"}) csv.text(name);
+  csv.end_row();
+  add_rows(csv, "", result.measures);
+  for (std::size_t k = 0; k < result.load_measures.size(); ++k)
+    if (result.load_measures[k])
+      add_rows(csv, result.analysis.load_cases[k].load_case.name, *result.load_measures[k]);
+  return csv.take();
+}
+
+std::string yang_csv(const MeasuresResult& result, const CsvStyle& style) {
+  CsvWriter csv(style);
+  load_header(csv);
+  for (const std::string_view name :
+       {"thread", "yang_load_rate_percent", "screw_load_rate_percent", "nut_load_rate_percent"})
+    csv.text(name);
+  csv.end_row();
+  for (std::size_t k = 0; k < result.load_measures.size(); ++k) {
+    const LoadCaseResult& solved = result.analysis.load_cases[k];
+    if (!result.load_measures[k] || !solved.threads) continue;
+    const std::vector<double>& yang = result.load_measures[k]->yang_load_rate;
+    for (std::size_t thread = 0; thread < yang.size(); ++thread) {
+      load_fields(csv, solved.load_case);
+      csv.integer(thread + 1);
+      csv.number(yang[thread], per_si::percent);
+      for (const Interface i : kInterfaces)
+        csv.number((*solved.threads)[i].load_rate[thread], per_si::percent);
+      csv.end_row();
+    }
+  }
+  return csv.take();
+}
+
+}  // namespace prs

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "prs/measures/analyze_measures.h"
+#include "prs/record/csv_style.h"
+
+namespace prs {
+
+/// The measures of the mechanism, then those of each load case side by side.
+std::string measures_table(const MeasuresResult& result);
+/// With the estimates of what is computed.
+std::string full_measures_table(const MeasuresResult& result);
+
+/// Formula, validity and source of every measure.
+std::string measure_explanations();
+
+/// `measures.csv`: one row per measure and load case, that of the mechanism's own empty.
+std::string measures_csv(const MeasuresResult& result, const CsvStyle& style = {});
+
+/// `yang.csv`: thread by thread, Yang's load rates next to those of the model.
+std::string yang_csv(const MeasuresResult& result, const CsvStyle& style = {});
+
+}  // namespace prs

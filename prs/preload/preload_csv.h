@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "prs/preload/analyze_preload.h"
+#include "prs/record/csv_style.h"
+
+namespace prs {
+
+/// `preload.csv`: one row per load, with the curve without preload in further columns.
+std::string preload_csv(const PreloadResult& result, const CsvStyle& style = {});
+
+}  // namespace prs

@@ -1,0 +1,151 @@
+#include "prs/preload/preload_record.h"
+
+#include <algorithm>
+
+#include "prs/loads/contact_record.h"
+#include "prs/record/record_table.h"
+#include "prs/record/sources.h"
+
+namespace prs {
+namespace {
+
+struct SideOf {
+  const PreloadResult* result = nullptr;
+  const SideLoads* loads = nullptr;
+};
+
+struct CurveOf {
+  const PreloadResult* result = nullptr;
+  const PreloadCurve* curve = nullptr;
+};
+
+}  // namespace
+
+template <>
+Record<SideOf> record_of();
+template <>
+Record<PerDirection<SideOf>> record_of();
+template <>
+Record<CurveOf> record_of();
+
+namespace {
+
+constexpr Quantity<SideOf> kSide[] = {
+    {"axial_load_N", of<[](const SideOf& s) { return s.loads->axial_load.screw; }>,
+     "of all threads of this side"},
+    {"max_normal_load_N", of<[](const SideOf& s) {
+       return std::max(s.loads->max_normal_load.screw, s.loads->max_normal_load.nut);
+     }>,
+     "of a thread of one roller"},
+    {"peak_pressure_MPa", of<[](const SideOf& s) { return s.result->peak_pressure(*s.loads); }>,
+     "largest of a thread", source::kHertz},
+};
+
+constexpr Quantity<PerDirection<SideOf>> kSides[] = {
+    {"tension", of<&PerDirection<SideOf>::tension>, "contacts that carry tension"},
+    {"compression", of<&PerDirection<SideOf>::compression>, "contacts that carry compression"},
+};
+
+bool is_solved(const PreloadPointOf& p) { return p.point->solve.converged(); }
+
+template <auto get>
+constexpr auto of_point_solve =
+    of<[](const PreloadPointOf& p) { return std::invoke(get, p.point->solve); }>;
+
+constexpr Quantity<PreloadPointOf> kPoint[] = {
+    {"axial_force_N", of<[](const PreloadPointOf& p) { return p.point->axial_force; }>,
+     "external load, > 0 in tension"},
+    {"converged", of<is_solved>, "whether there is an equilibrium"},
+    {"status", of_point_solve<&fe::NewtonSummary::status>, "how the solve ended"},
+    {"iterations", of_point_solve<&fe::NewtonSummary::iterations>, "linear solves"},
+    {"relative_residual", of_point_solve<&fe::NewtonSummary::relative_residual>,
+     "largest force out of balance over the load"},
+    {"axial_displacement_um",
+     of<[](const PreloadPointOf& p) { return p.point->axial_displacement; }, is_solved>,
+     "of the loaded section, 0 without external load, > 0 in tension"},
+    {"tangent_stiffness_N_per_um",
+     of<[](const PreloadPointOf& p) { return p.point->tangent_stiffness; }, is_solved>,
+     "derivative of the force by the displacement; absent where the screw is loose"},
+    {"sides",
+     of<[](const PreloadPointOf& p) {
+       return PerDirection<SideOf>{{p.result, &p.point->sides.tension},
+                                   {p.result, &p.point->sides.compression}};
+     },
+        is_solved>,
+     "contacts by the sense of the load that they carry"},
+};
+
+constexpr Quantity<CurveOf> kCurve[] = {
+    {"stiffness_at_zero_N_per_um",
+     of < [](const CurveOf& c) -> const auto& {return c.curve->stiffness_at_zero;
+}  // namespace
+>, "tangent without external load, reached from either sense"
+}  // namespace prs
+,
+    {"lost_motion_um", of<[](const CurveOf& c) { return c.curve->lost_motion; }>,
+     "displacement between the lost-motion load in tension and in compression"},
+    {"loads", of<[](const CurveOf& c) {
+       std::vector<PreloadPointOf> points;
+       for (const PreloadPoint& point : c.curve->points) points.push_back({c.result, &point});
+       return points;
+     }>,
+     "one equilibrium per external load"},
+}
+;
+
+constexpr Quantity<PreloadResult> kPreload[] = {
+    {"arrangement", of<[](const PreloadResult& r) {
+       return r.preload.arrangement == Preload::Arrangement::single_nut ? "single_nut"
+                                                                        : "double_nut";
+     }>,
+     "single_nut | double_nut"},
+    {"position_mm", of<[](const PreloadResult& r) { return r.preload.position; }>,
+     "of the first roller contact on the nut"},
+    {"held_at_mm", of<&PreloadResult::section>,
+     "section at which the first nut is held, by the sense of the load"},
+    {"preload_force_N",
+     of<&PreloadResult::force, [](const PreloadResult& r) { return r.at_rest.solve.converged(); }>,
+     "axial load of each side without external load"},
+    {"interference_um", of<&PreloadResult::interference>,
+     "oversize of the rollers' pitch diameter, or of the spacer; absent with play"},
+    {"backlash_um", of<[](const PreloadResult& r) { return r.preload.backlash; }>, "axial play"},
+    {"opening_force_N", of<&PreloadResult::opening_force>,
+     "external load at which the side that opposes it opens"},
+    {"lost_motion_load_N", of<&PreloadResult::lost_motion_load>, "to both senses"},
+    {"", of<[](const PreloadResult& r) {
+       return CurveOf{&r, &r.curve};
+     }>},
+    {"without_preload", of<[](const PreloadResult& r) {
+       return r.without_preload ? std::optional(CurveOf{&r, &*r.without_preload}) : std::nullopt;
+     }>,
+     "neither preload nor play"},
+};
+
+}  // namespace
+
+template <>
+Record<SideOf> record_of() {
+  return {"PreloadSide", "Contacts that carry one sense of the load.", kSide};
+}
+
+template <>
+Record<PerDirection<SideOf>> record_of() {
+  return {"PreloadSides", "Contacts by the sense of the load that they carry.", kSides};
+}
+
+template <>
+Record<PreloadPointOf> record_of() {
+  return {"PreloadPoint", "Equilibrium under one external load.", kPoint};
+}
+
+template <>
+Record<CurveOf> record_of() {
+  return {"WithoutPreload", "The same nut without preload.", kCurve};
+}
+
+template <>
+Record<PreloadResult> record_of() {
+  return {"Preload", "The preloaded nut: forces and displacements are > 0 in tension.", kPreload};
+}
+
+}  // namespace prs

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "prs/preload/analyze_preload.h"
+#include "prs/record/record.h"
+
+namespace prs {
+
+/// One equilibrium of a preloaded nut, and the result that it belongs to.
+struct PreloadPointOf {
+  const PreloadResult* result = nullptr;
+  const PreloadPoint* point = nullptr;
+};
+
+template <>
+Record<PreloadPointOf> record_of();
+template <>
+Record<PreloadResult> record_of();
+
+}  // namespace prs

@@ -1,0 +1,101 @@
+#include "prs/preload/preload_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "prs/loads/case_table.h"
+#include "prs/loads/warnings.h"
+#include "prs/record/table_units.h"
+
+namespace prs {
+namespace {
+
+constexpr std::size_t kMostRows = 24;
+constexpr double kSmallLoad = 1.0;  ///< Shown in newtons below it [N].
+
+std::string line(std::string_view what, const std::string& value) {
+  return fmt::format("  {:<46} {}\n", what, value);
+}
+
+/// One value, or one for each sense of the load.
+std::string both(const PerDirection<std::optional<double>>& values, std::string_view unit,
+                 int decimals) {
+  const std::string tension = fixed_with_unit(values.tension, unit, decimals);
+  const std::string compression = fixed_with_unit(values.compression, unit, decimals);
+  if (tension == compression) return tension;
+  return fmt::format("{} in tension, {} in compression", tension, compression);
+}
+
+std::string summary(const PreloadResult& r) {
+  const bool single = r.preload.arrangement == Preload::Arrangement::single_nut;
+  std::string text = single ? "Single nut, tension and compression flanks of the same threads\n"
+                            : "Double nut: the first carries compression, the second tension\n";
+  if (r.preload.backlash)
+    text += line("axial play", fixed_with_unit(r.preload.backlash, "µm", 3));
+  else
+    text += line("preload", fixed_with_unit(r.force(), "kN", 3)) +
+            line(single ? "oversize of the rollers' pitch diameter" : "oversize of the spacer",
+                 fixed_with_unit(r.interference, "µm", 3)) +
+            line("a side opens at", both(r.opening_force, "kN", 3)) +
+            line("stiffness at zero load", both(r.curve.stiffness_at_zero, "N/µm", 1));
+  const std::string load =
+      r.lost_motion_load < kSmallLoad
+          ? fmt::format("{:.3g} {}", shown(r.lost_motion_load, "N"), table_unit("N").text)
+          : fixed_with_unit(r.lost_motion_load, "kN", 3);
+  text += line(
+      fmt::format("lost motion between -{} and +{}", load, load),
+      fixed_with_unit(r.curve.lost_motion, "µm", 3) +
+          (r.without_preload ? fmt::format(" (without preload {})",
+                                           fixed_with_unit(r.without_preload->lost_motion, "µm", 3))
+                             : ""));
+  return text;
+}
+
+std::string columns(std::initializer_list<std::string> cells) {
+  std::string text;
+  for (const std::string& cell : cells) text += padded(with_table_unit(cell), 14, false);
+  return text + '\n';
+}
+
+std::string row(const PreloadResult& r, std::size_t k) {
+  const PreloadPoint& point = r.curve.points[k];
+  const std::string force = fixed(point.axial_force, "kN", force_decimals(point.axial_force));
+  if (!point.solve.converged())
+    return fmt::format("{}  NOT CONVERGED ({}), residual {:.1e}\n", padded(force, 14, false),
+                       fe::name(point.solve.status), point.solve.relative_residual);
+  const auto side = [&](Direction d) {
+    const double load = point.sides[d].axial_load.screw;
+    return fixed(load, "kN", force_decimals(load));
+  };
+  double normal = 0.0;
+  for (const Direction d : kDirections)
+    for (const Interface i : kInterfaces)
+      normal = std::max(normal, point.sides[d].max_normal_load[i]);
+  const PreloadPoint* loose = r.without_preload ? &r.without_preload->points[k] : nullptr;
+  const bool known = loose && loose->solve.converged();
+  return columns({force, fixed(point.axial_displacement, "µm", 3),
+                  fixed(point.tangent_stiffness, "N/µm", 1), side(Direction::tension),
+                  side(Direction::compression), fixed(normal, "N", 1),
+                  known ? fixed(loose->axial_displacement, "µm", 3) : std::string(kAbsent)});
+}
+
+}  // namespace
+
+std::string preload_table(const PreloadResult& r) {
+  if (!r.at_rest.solve.converged())
+    return fmt::format("NOT CONVERGED without external load ({}), residual {:.1e}\n",
+                       fe::name(r.at_rest.solve.status), r.at_rest.solve.relative_residual);
+  std::string text = summary(r) + '\n';
+  text += columns({"force", "displacement", "tangent", "tension side", "compr. side", "max. normal",
+                   "without"});
+  text += columns({"kN", "µm", "N/µm", "kN", "kN", "N", "preload, µm"});
+  const std::size_t count = r.curve.points.size();
+  const std::size_t step = (count + kMostRows - 1) / kMostRows;
+  for (std::size_t k = 0; k < count; ++k)
+    if (k % step == 0 || k + 1 == count || !r.curve.points[k].solve.converged()) text += row(r, k);
+  if (step > 1) text += fmt::format("  … of {} loads; {}\n", count, all_in("preload.csv"));
+  return text + warning_section(r.warnings);
+}
+
+}  // namespace prs

@@ -1,0 +1,138 @@
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "prs/input/compute_from.h"
+#include "prs/input/reader.h"
+#include "prs/input/source.h"
+#include "prs/model/command.h"
+#include "prs/record/delivery.h"
+#include "prs/record/record_table.h"
+
+namespace prs {
+
+/// Where a record stands in documents: `life`, `load_cases[]` for each item of a list, or
+/// `load_cases[].slip` as a key that an analysis adds to the record of another.
+struct Place {
+  std::string_view path;
+  const RecordInfo& (*record)() = nullptr;
+  bool required = true;           ///< Of every document of the analysis.
+  std::string_view meaning = {};  ///< Of a key that is added.
+};
+
+/// An analysis of a case: all that the program knows of it. Commands, documents, schemas, files,
+/// pages, studies and Python read it.
+template <class R>
+struct Analysis {
+  Command command;
+  std::string_view help;
+  std::string_view file;  ///< Name of the document.
+  /// Computes the result, with the warnings that belong to the command. Throws InputError.
+  R (*run)(const input::Source&, const input::CaseInput&) = nullptr;
+  std::span<const Place> places;
+  /// Puts the result into its document behind the head, at the places; lists of load cases empty
+  /// where `load_case` gives their items.
+  void (*put)(nlohmann::ordered_json&, const R&) = nullptr;
+  std::optional<nlohmann::ordered_json> (*load_case)(const R&, std::size_t) = nullptr;
+  std::string (*table)(const R&) = nullptr;
+  std::string (*full_table)(const R&) = nullptr;  ///< With `--all`, where there is more.
+  /// To whom the document is printed; without it the warnings.
+  std::vector<std::string> (*notes)(const R&) = nullptr;
+  std::vector<OutputFile> (*files)(const R&, const CsvStyle&) = nullptr;
+  Pictures (*pictures)(const R&, const Case&) = nullptr;
+  std::vector<std::string> (*without_figure)(const R&) = nullptr;
+  bool (*converged)(const R&) = nullptr;
+  std::vector<Headline> (*headlines)(const R&) = nullptr;
+  std::vector<std::string>& (*warnings)(R&) = [](R& result) -> std::vector<std::string>& {
+    return result.warnings;
+  };
+  std::span<const std::string_view> responses = {};  ///< Of a study that lists none.
+  bool takes_load_cases_apart = false;               ///< Each load case has an answer of its own.
+
+  const std::vector<std::string>& warnings_in(const R& result) const {
+    return warnings(const_cast<R&>(result));
+  }
+};
+
+/// The document of a result: the origin, then what the analysis puts into it.
+template <class R>
+nlohmann::ordered_json document_of(const Analysis<R>& analysis, const R& result,
+                                   const DocumentInfo& info, bool is_whole = true) {
+  nlohmann::ordered_json document = document_head(info, analysis.warnings_in(result));
+  analysis.put(document, result);
+  if (analysis.load_case && is_whole)
+    for (std::size_t k = 0; auto item = analysis.load_case(result, k); ++k)
+      document["load_cases"].push_back(*std::move(item));
+  return document;
+}
+
+/// An analysis of any result; without `run` a search, which continues what was interrupted.
+struct AnyAnalysis {
+  Command command;
+  std::string_view help;
+  /// Runs it on a case that was read from the source for it. Throws InputError, also for what the
+  /// case turns out to have wrong.
+  std::function<Delivery(const input::Source&, const input::CaseInput&)> run = {};
+  std::span<const Place> places = {};
+  std::span<const std::string_view> responses = {};
+  bool takes_load_cases_apart = false;
+};
+
+/// Warnings on single values; what they bring about has no warning of its own.
+void put_first(const std::vector<std::string>& values, std::vector<std::string>& warnings);
+
+std::vector<std::string> as_notes(const std::vector<std::string>& warnings);
+
+/// All forms of a result. What `run` finds wrong with the case is reported where it stands.
+template <class R, class Run>
+Delivery delivered(const input::Source& source, const input::CaseInput& in,
+                   const Analysis<R>& analysis, const Run& run) {
+  using Json = nlohmann::ordered_json;
+  R computed = input::compute_from(source, [&] { return run(source, in); });
+  std::vector<std::string>& warnings = analysis.warnings(computed);
+  put_first(in.warnings, warnings);
+  Delivery d{std::string(analysis.file)};
+  d.warnings = warnings;
+  const auto result = std::make_shared<const R>(std::move(computed));
+  d.held = result;
+  d.result_type = &typeid(R);
+  d.document = [=](const DocumentInfo& info) { return document_of(analysis, *result, info); };
+  d.table = [=] { return analysis.table(*result); };
+  d.notes = analysis.notes ? analysis.notes(*result) : as_notes(d.warnings);
+  if (analysis.full_table) d.full_table = [=] { return analysis.full_table(*result); };
+  if (analysis.files)
+    d.files = [=](const CsvStyle& style) { return analysis.files(*result, style); };
+  if (analysis.pictures)
+    d.pictures = [=, c = std::make_shared<const Case>(in.values)] {
+      return analysis.pictures(*result, *c);
+    };
+  if (analysis.without_figure) d.without_figure = analysis.without_figure(*result);
+  if (analysis.converged) d.converged = analysis.converged(*result);
+  if (analysis.headlines) d.headlines = [=] { return analysis.headlines(*result); };
+  if (!analysis.load_case) return d;
+  d.outline = [=](const DocumentInfo& info) { return document_of(analysis, *result, info, false); };
+  d.write = [=](const Json& outline, const TextSink& sink) {
+    write_with_load_cases(
+        outline, [&](std::size_t k) { return analysis.load_case(*result, k); }, sink);
+  };
+  return d;
+}
+
+template <class R>
+AnyAnalysis any(const Analysis<R>& analysis) {
+  return {analysis.command,
+          analysis.help,
+          [&analysis](const input::Source& source, const input::CaseInput& in) {
+            return delivered(source, in, analysis, analysis.run);
+          },
+          analysis.places,
+          analysis.responses,
+          analysis.takes_load_cases_apart};
+}
+
+}  // namespace prs

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "prs/model/load_case.h"
+#include "prs/record/csv_style.h"
+
+namespace prs {
+
+/// Fields and rows of a CSV file, quoted as in RFC 4180. A text that a spreadsheet
+/// would take for a formula (it begins with = + - @, a tab or the end of a line, and is no
+/// quantity) gets an apostrophe before it.
+class CsvWriter {
+ public:
+  enum class Part { whole, rows };
+
+  /// `rows` go on in a file that has begun.
+  explicit CsvWriter(const CsvStyle& style, Part part = Part::whole);
+
+  void text(std::string_view value);
+  /// A text that needs no quotes: a word of the program, or none.
+  void word(std::string_view value);
+  /// SI * factor; empty where absent or not finite.
+  void number(std::optional<double> si, double factor = 1.0);
+  void integer(std::optional<std::size_t> value);
+  void end_row();
+
+  void reserve(std::size_t characters) { room(characters); }
+  std::string take() {
+    csv_.resize(size_);
+    return std::move(csv_);
+  }
+
+ private:
+  /// Where the next characters go, with room for so many.
+  char* room(std::size_t characters) {
+    if (csv_.size() - size_ < characters) csv_.resize(size_ + std::max(size_, characters));
+    return csv_.data() + size_;
+  }
+  void put(std::string_view text);
+  void separate() {
+    if (!row_is_empty_) {
+      *room(1) = style_.separator();
+      ++size_;
+    }
+    row_is_empty_ = false;
+  }
+  /// Takes a number that was written into the room.
+  void take_number(const char* end);
+
+  CsvStyle style_;
+  std::string csv_;  ///< Of which `size_` characters are written.
+  std::size_t size_ = 0;
+  bool row_is_empty_ = true;
+};
+
+/// Names of the fields that say which load case a row belongs to.
+void load_header(CsvWriter& csv);
+void load_fields(CsvWriter& csv, const LoadCase& load);
+
+}  // namespace prs

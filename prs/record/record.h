@@ -1,0 +1,163 @@
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "prs/record/shown_unit.h"
+
+/// The table of results. A result type has one list of quantities, `record_of<Type>()`; documents,
+/// CSV, tables, responses of studies, titles, Python's records and docs/reference are read off it.
+namespace prs {
+
+/// What stands under a key of a document.
+enum class Kind {
+  number,
+  series,  ///< An array of numbers.
+  matrix,
+  count,
+  flag,
+  text,
+  texts,
+  record,   ///< An object with quantities of its own.
+  records,  ///< An array of them.
+};
+
+/// Where a quantity is available as a response.
+enum class Reach {
+  numbers,   ///< Part of every result, also with Detail::numbers.
+  complete,  ///< Only with Detail::complete.
+  document,  ///< About the solution, not the design: only in a run's document.
+};
+
+template <class Owner>
+struct Quantity;
+struct RecordInfo;
+
+/// The list of a result type: `template <> Record<T> record_of()` stands once for each.
+template <class Owner>
+struct Record {
+  std::string_view name;     ///< In Python and in the reference.
+  std::string_view meaning;  ///< A sentence, with the source where there is one.
+  std::span<const Quantity<Owner>> quantities;
+};
+
+template <class Owner>
+Record<Owner> record_of();
+
+/// Reads a number as documents show it.
+template <class Owner>
+struct Reader {
+  std::function<std::optional<double>(const Owner&)> read;
+  Reach delivery = Reach::numbers;
+};
+
+/// How a quantity is got from its owner: made by `of`, see record_table.h.
+template <class Owner>
+struct Getter {
+  using Json = nlohmann::ordered_json;
+
+  Kind kind = Kind::number;
+  /// SI; absent where the case does not define it.
+  std::optional<double> (*number)(const Owner&) = nullptr;
+  /// One number per thread, SI; empty where the case does not define them.
+  std::span<const double> (*series)(const Owner&) = nullptr;
+  /// All that is neither; null where the case does not define it.
+  Json (*json)(const Owner&, const ShownUnit&) = nullptr;
+  const RecordInfo& (*record)() = nullptr;  ///< For kinds record and records.
+  /// Of what `json` gives: the number behind the key, `.max`, `[2].thread`, ..; none where there
+  /// cannot be one.
+  std::optional<Reader<Owner>> (*reader)(std::string_view path, const ShownUnit&) = nullptr;
+};
+
+/// One row of the table.
+template <class Owner>
+struct Quantity {
+  /// With its unit: `peak_pressure_MPa`. The quantities of a record without key stand among those
+  /// of its owner.
+  std::string_view key;
+  Getter<Owner> value;
+  std::string_view meaning = {};   ///< A sentence or a formula.
+  std::string_view source = {};    ///< Paper and equation, or a standard.
+  std::string_view title = {};     ///< In tables; by default the words of the key.
+  std::string_view group = {};     ///< Heading above neighbouring quantities.
+  std::string_view validity = {};  ///< What a reader must know to trust it.
+  Reach delivery = Reach::numbers;
+  const ShownUnit& unit = unit_of(key);  ///< kNoUnit: that of the record it stands in, if any.
+
+  const ShownUnit& shown_in(const ShownUnit& inherited) const {
+    return unit.suffix.empty() ? inherited : unit;
+  }
+};
+
+/// A row without its owner.
+struct QuantityInfo {
+  std::string_view key;
+  Kind kind = Kind::number;
+  std::string title;
+  std::string_view unit, meaning, source, group, validity;
+  const RecordInfo& (*record)() = nullptr;
+  Reach delivery = Reach::numbers;
+};
+
+struct RecordInfo {
+  std::string_view name, meaning;
+  std::vector<QuantityInfo> quantities;
+};
+
+/// `Peak pressure` of `peak_pressure_MPa`, in small letters.
+std::string words_of(std::string_view key);
+
+/// Takes `[k]` from the head of a path.
+std::optional<std::size_t> take_index(std::string_view& path);
+
+/// What `[k]`, `.max`, `.min` or `.mean` behind the key of a series makes of its values, in the
+/// unit that is shown; false: other words.
+struct SeriesReader {
+  enum class Word { none, one, largest, smallest, mean };
+
+  Word word = Word::none;
+  double factor = 1.0;    ///< To the unit.
+  std::size_t index = 0;  ///< Of `one`.
+
+  explicit operator bool() const { return word != Word::none; }
+  std::optional<double> operator()(std::span<const double> values) const;
+};
+SeriesReader summary_named(std::string_view word, double factor);
+
+/// `[j][k]` as j and `[k]`; any other words as they are.
+struct RowOfWord {
+  std::optional<std::size_t> row;
+  std::string_view place;
+};
+RowOfWord split_row(std::string_view word);
+
+/// The row with this key, which must be there.
+template <class Owner>
+const Quantity<Owner>& quantity(std::string_view key) {
+  for (const Quantity<Owner>& q : record_of<Owner>().quantities)
+    if (q.key == key) return q;
+  throw std::logic_error(std::string("no quantity ").append(key));
+}
+
+template <class Owner>
+std::string title_of(const Quantity<Owner>& q) {
+  return q.title.empty() ? words_of(q.key) : std::string(q.title);
+}
+
+/// As documents show it.
+template <class Owner>
+std::optional<double> shown_number(const Quantity<Owner>& q, const Owner& owner,
+                                   const ShownUnit& inherited = kNoUnit) {
+  const std::optional<double> si = q.value.number(owner);
+  if (!si || !std::isfinite(*si)) return std::nullopt;
+  return *si * q.shown_in(inherited).factor;
+}
+
+}  // namespace prs

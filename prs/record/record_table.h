@@ -1,0 +1,345 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+
+#include "prs/record/record.h"
+
+namespace prs {
+
+/// The document of an object: what is absent or not finite is left out.
+template <class Owner>
+nlohmann::ordered_json object_of(const Owner& owner, const ShownUnit& inherited = kNoUnit);
+
+/// The number at a path of this document: `slip.screw.power_W.max`.
+template <class Owner>
+std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& inherited = kNoUnit);
+
+/// The table as text.
+template <class Owner>
+const RecordInfo& describe();
+
+namespace detail {
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+template <class T>
+inline constexpr bool is_vector = false;
+template <class T>
+inline constexpr bool is_vector<std::vector<T>> = true;
+
+template <class T>
+concept Text = std::convertible_to<T, std::string_view> || std::is_enum_v<T>;
+template <class T>
+concept Numbers = requires(const T& values) {
+  { *values.begin() } -> std::convertible_to<double>;
+}
+&&!Text<T>;
+
+/// Null where there is none.
+template <class T>
+const auto* pointer_to(const T& value) {
+  if constexpr (is_optional<T>)
+    return value ? &*value : nullptr;
+  else if constexpr (std::is_pointer_v<T> && !Text<T>)
+    return value;
+  else
+    return &value;
+}
+
+inline nlohmann::ordered_json array_of(const auto& si, const ShownUnit& unit) {
+  auto array = nlohmann::ordered_json::array();
+  for (const double value : si)
+    if (std::isfinite(value))
+      array.push_back(value * unit.factor);
+    else
+      array.push_back(nullptr);
+  return array;
+}
+
+/// Length of the rows in which the owner's series stand; 0: in one.
+template <class Owner>
+std::size_t row_length(const Owner& owner) {
+  if constexpr (requires { owner.threads_per_roller; })
+    return static_cast<std::size_t>(owner.threads_per_roller);
+  else
+    return 0;
+}
+
+inline nlohmann::ordered_json arrays_of(std::span<const double> si, std::size_t row,
+                                        const ShownUnit& unit) {
+  if (row == 0) return array_of(si, unit);
+  auto rows = nlohmann::ordered_json::array();
+  for (std::size_t first = 0; first < si.size(); first += row)
+    rows.push_back(array_of(si.subspan(first, row), unit));
+  return rows;
+}
+
+template <class T>
+nlohmann::ordered_json json_of(const T& value, const ShownUnit& unit) {
+  if constexpr (std::is_integral_v<T> || std::is_same_v<T, std::vector<std::string>> ||
+                std::is_same_v<T, std::vector<int>>) {
+    return value;
+  } else if constexpr (std::is_enum_v<T>) {
+    return std::string(name(value));
+  } else if constexpr (Text<T>) {
+    return std::string(value);
+  } else if constexpr (Numbers<T>) {
+    return array_of(value, unit);
+  } else if constexpr (is_vector<T>) {
+    auto array = nlohmann::ordered_json::array();
+    for (const auto& item : value) array.push_back(json_of(item, unit));
+    return array;
+  } else {
+    return object_of(value, unit);
+  }
+}
+
+template <class T>
+constexpr Kind kind_of() {
+  if constexpr (std::is_same_v<T, bool>)
+    return Kind::flag;
+  else if constexpr (std::is_integral_v<T>)
+    return Kind::count;
+  else if constexpr (std::is_floating_point_v<T>)
+    return Kind::number;
+  else if constexpr (Text<T>)
+    return Kind::text;
+  else if constexpr (std::is_same_v<T, std::vector<std::string>>)
+    return Kind::texts;
+  else if constexpr (Numbers<T>)
+    return Kind::series;
+  else if constexpr (is_vector<T>)
+    return Numbers<typename T::value_type> ? Kind::matrix : Kind::records;
+  else
+    return Kind::record;
+}
+
+/// Reads a series that a word follows, see `summary_named`.
+template <class T>
+std::optional<Reader<T>> series_reader(std::string_view word, double factor) {
+  const SeriesReader read = summary_named(word, factor);
+  if (!read) return std::nullopt;
+  return Reader<T>{[read](const T& values) {
+    return read({values.data(), static_cast<std::size_t>(values.size())});
+  }};
+}
+
+/// Reads rows of numbers: `[j]` and a word for one of them, or a word for all.
+template <class T>
+std::optional<Reader<T>> matrix_reader(std::string_view path, double factor) {
+  const std::optional<std::size_t> row = take_index(path);
+  const SeriesReader read =
+      row || !path.starts_with('[') ? summary_named(path, factor) : SeriesReader();
+  if (!read) return std::nullopt;
+  return Reader<T>{[read, row](const T& rows) -> std::optional<double> {
+    if (row) return *row < rows.size() ? read(rows[*row]) : std::nullopt;
+    std::vector<double> all;
+    for (const auto& values : rows) all.insert(all.end(), values.begin(), values.end());
+    return read(all);
+  }};
+}
+
+/// The number at what follows the key of an item: `.screw.max`, `[2].thread`, or nothing.
+template <class T>
+std::optional<Reader<T>> item_reader(std::string_view path, const ShownUnit& unit) {
+  if constexpr (std::is_same_v<T, bool> || Text<T> || std::is_same_v<T, std::vector<std::string>>) {
+    return std::nullopt;
+  } else if constexpr (std::is_integral_v<T>) {
+    if (!path.empty()) return std::nullopt;
+    return Reader<T>{[](const T& value) { return std::optional(static_cast<double>(value)); }};
+  } else if constexpr (std::is_same_v<T, std::vector<int>>) {
+    const SeriesReader read = summary_named(path, 1.0);
+    if (!read) return std::nullopt;
+    return Reader<T>{[read](const T& values) {
+      return read(std::vector<double>(values.begin(), values.end()));
+    }};
+  } else if constexpr (Numbers<T>) {
+    return series_reader<T>(path, unit.factor);
+  } else if constexpr (is_vector<T>) {
+    using Inner = typename T::value_type;
+    if constexpr (Numbers<Inner>) {
+      return matrix_reader<T>(path, unit.factor);
+    } else {
+      const std::optional<std::size_t> index = take_index(path);
+      std::optional<Reader<Inner>> inner =
+          index ? item_reader<Inner>(path, unit) : std::optional<Reader<Inner>>();
+      if (!inner) return std::nullopt;
+      return Reader<T>{[index, read = std::move(inner->read)](const T& items) {
+                         return *index < items.size() ? read(items[*index]) : std::nullopt;
+                       },
+                       inner->delivery};
+    }
+  } else {
+    return path.starts_with('.') ? reader_of<T>(path.substr(1), unit) : std::nullopt;
+  }
+}
+
+/// What `get` gives of an owner of which `guard` is true.
+template <auto get, auto guard, class Owner>
+struct Access {
+  using Given = std::invoke_result_t<decltype(get), const Owner&>;
+  using Item =
+      std::remove_cvref_t<decltype(*pointer_to(std::declval<const std::remove_cvref_t<Given>&>()))>;
+
+  static bool defined(const Owner& owner) {
+    if constexpr (std::is_null_pointer_v<decltype(guard)>)
+      return true;
+    else
+      return std::invoke(guard, owner);
+  }
+
+  /// What `use` makes of the item; `otherwise` where there is none.
+  template <class T>
+  static T used(const Owner& owner, T otherwise, const auto& use) {
+    if (!defined(owner)) return otherwise;
+    const auto& given = std::invoke(get, owner);
+    const auto* item = pointer_to(given);
+    return item ? use(*item) : otherwise;
+  }
+
+  static std::optional<double> number(const Owner& owner) {
+    return used(owner, std::optional<double>(), [](double value) { return std::optional(value); });
+  }
+
+  static std::span<const double> series(const Owner& owner) {
+    return used(owner, std::span<const double>(),
+                [](const std::vector<double>& values) { return std::span(values); });
+  }
+
+  static nlohmann::ordered_json json(const Owner& owner, const ShownUnit& unit) {
+    return used(owner, nlohmann::ordered_json(),
+                [&](const Item& item) { return json_of(item, unit); });
+  }
+
+  static std::optional<Reader<Owner>> reader(std::string_view path, const ShownUnit& unit) {
+    const std::optional<Reader<Item>> inner = item_reader<Item>(path, unit);
+    if (!inner) return std::nullopt;
+    return Reader<Owner>{[read = inner->read](const Owner& owner) {
+                           return used(owner, std::optional<double>(), read);
+                         },
+                         inner->delivery};
+  }
+
+  static constexpr Getter<Owner> getter() {
+    constexpr Kind kind = kind_of<Item>();
+    // An array that lives on is read in place.
+    constexpr bool in_place =
+        std::is_same_v<Item, std::vector<double>> && std::is_reference_v<Given>;
+    Getter<Owner> getter{kind};
+    if constexpr (kind == Kind::number) {
+      getter.number = number;
+    } else if constexpr (kind == Kind::series && in_place) {
+      getter.series = series;
+    } else {
+      getter.json = json;
+      getter.reader = reader;
+      if constexpr (kind == Kind::record) {
+        getter.record = describe<Item>;
+      } else if constexpr (kind == Kind::records) {
+        getter.record = describe<typename Item::value_type>;
+      }
+    }
+    return getter;
+  }
+};
+
+template <auto get, auto guard>
+struct Of {
+  template <class Owner>
+  constexpr operator Getter<Owner>() const {
+    return Access<get, guard, Owner>::getter();
+  }
+};
+
+}  // namespace detail
+
+/// `of<&InterfaceLoads::axial_load>`, or of a function of the owner; what `guard` is false of has
+/// none. The type says what it is: a number in SI, a vector with one number per thread, a text, an
+/// enum that has a `name`, a result type with a list of its own, std::optional of these, ..
+template <auto get, auto guard = nullptr>
+inline constexpr detail::Of<get, guard> of;
+
+/// Column for one part, interface or direction.
+template <auto member, auto side>
+inline constexpr auto of_side = of<[](const auto& owner) { return (owner.*member)[side]; }>;
+
+template <class Owner>
+nlohmann::ordered_json object_of(const Owner& owner, const ShownUnit& inherited) {
+  auto object = nlohmann::ordered_json::object();
+  for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
+    if (q.value.number) {
+      if (const auto value = shown_number(q, owner, inherited)) object[q.key] = *value;
+    } else if (q.value.series) {
+      if (const auto series = q.value.series(owner); !series.empty())
+        object[q.key] = detail::arrays_of(series, detail::row_length(owner), q.shown_in(inherited));
+    } else if (nlohmann::ordered_json json = q.value.json(owner, q.shown_in(inherited));
+               q.key.empty() && !json.is_null()) {
+      object.update(json);
+    } else if (!json.is_null()) {
+      object[q.key] = std::move(json);
+    }
+  }
+  return object;
+}
+
+template <class Owner>
+std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& inherited) {
+  for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
+    const ShownUnit& unit = q.shown_in(inherited);
+    if (q.key.empty()) {
+      if (auto reader = q.value.reader("." + std::string(path), unit)) return reader;
+      continue;
+    }
+    if (!path.starts_with(q.key)) continue;
+    std::string_view rest = path.substr(q.key.size());
+    if (!rest.empty() && rest.front() != '.' && rest.front() != '[') continue;
+    if (q.value.number && rest.empty())
+      return Reader<Owner>{
+          [&q, &inherited](const Owner& owner) { return shown_number(q, owner, inherited); },
+          q.delivery};
+    if (q.value.series) {
+      const auto [row, place] = split_row(rest);
+      if (const SeriesReader summary = summary_named(place, unit.factor))
+        return Reader<Owner>{
+            [&q, summary, row = row, indexed = place.starts_with('[')](const Owner& owner) {
+              const std::span<const double> values = q.value.series(owner);
+              const std::size_t length = detail::row_length(owner);
+              if (!row && (!indexed || length == 0)) return summary(values);
+              const bool there = row && length > 0 && *row < values.size() / length;
+              return there ? summary(values.subspan(*row * length, length)) : std::nullopt;
+            },
+            q.delivery};
+    }
+    std::optional<Reader<Owner>> reader;
+    if (q.value.reader) reader = q.value.reader(rest, unit);
+    if (reader) reader->delivery = std::max(reader->delivery, q.delivery);
+    return reader;
+  }
+  return std::nullopt;
+}
+
+template <class Owner>
+const RecordInfo& describe() {
+  static const RecordInfo info = [] {
+    const Record<Owner> record = record_of<Owner>();
+    RecordInfo made{record.name, record.meaning, {}};
+    for (const Quantity<Owner>& q : record.quantities)
+      if (q.key.empty()) {
+        const std::vector<QuantityInfo>& among = q.value.record().quantities;
+        made.quantities.insert(made.quantities.end(), among.begin(), among.end());
+      } else {
+        made.quantities.push_back({q.key, q.value.kind, title_of(q), q.unit.text, q.meaning,
+                                   q.source, q.group, q.validity, q.value.record, q.delivery});
+      }
+    return made;
+  }();
+  return info;
+}
+
+}  // namespace prs

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "prs/record/response_title.h"
+#include "prs/record/shown_unit.h"
+
+namespace prs {
+
+/// In what tables for people show quantities. Documents and CSV are always `si`: their names carry
+/// the units.
+enum class UnitSystem { si, us };
+
+/// The system of the tables that this thread makes while the object lives, as a locale is that of a
+/// stream; `si` where there is none.
+class TableUnits {
+ public:
+  explicit TableUnits(UnitSystem system);
+  ~TableUnits();
+  TableUnits(const TableUnits&) = delete;
+  TableUnits& operator=(const TableUnits&) = delete;
+
+ private:
+  UnitSystem before_;
+};
+
+/// The unit of tables in place of one of documents: `lbf` in place of `kN`. Where US designers use
+/// the same, or the text is no unit of documents, the unit itself.
+const ShownUnit& table_unit(const ShownUnit& unit);
+const ShownUnit& table_unit(std::string_view text);
+
+/// A label with the unit of tables at its end: `torque, lbf in` of `torque, N m`.
+std::string with_table_unit(std::string_view label);
+
+/// The system of the tables that are made now.
+UnitSystem table_system();
+
+/// A sentence whose quantities are in units of documents (`2.9 GPa`, `0.2 to 0.5 mm`) with those of
+/// tables, as many digits, three at least. What stands in backticks, as one would type it, stays.
+std::string in_table_units(const std::string& sentence);
+
+/// A number of SI as tables show what documents show in this unit: `kN`.
+double shown(double si, std::string_view unit);
+
+/// The same with as many decimals as documents' unit would have with `decimals`, no coarser.
+std::string fixed(std::optional<double> si, std::string_view unit, int decimals);
+/// With the unit behind it: `12.00 kN`.
+std::string fixed_with_unit(std::optional<double> si, std::string_view unit, int decimals);
+
+/// What shows a number of documents in the unit of tables.
+double table_factor(const ShownUnit& unit);
+double table_factor(std::string_view unit);
+
+/// A response of a study as tables show it.
+struct TableResponse {
+  ResponseTitle title;  ///< With the unit of tables.
+  double factor = 1.0;  ///< What shows a number of documents in that unit.
+
+  std::string text() const;  ///< `max screw peak pressure (MPa)`
+};
+
+TableResponse table_response(std::string_view path);
+
+}  // namespace prs

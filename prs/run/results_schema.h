@@ -1,0 +1,28 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "prs/record/analysis.h"
+
+namespace prs {
+
+/// A record of documents with the keys that analyses add to it.
+struct DocumentRecord {
+  std::string_view path;
+  RecordInfo record;
+  bool required = true;
+};
+
+std::vector<DocumentRecord> records_at(std::span<const Place> places);
+
+/// The table of results as a document: `documents`, where each record stands, and `records`, what
+/// each quantity is.
+nlohmann::ordered_json results_schema();
+
+/// The record at a path of documents, `life` or `load_cases[]`; null where none stands.
+const RecordInfo* record_at(std::string_view path);
+
+}  // namespace prs

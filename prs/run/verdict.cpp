@@ -1,0 +1,608 @@
+#include "prs/run/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "prs/life/life_record.h"
+#include "prs/loads/analyze.h"
+#include "prs/losses/heat_record.h"
+#include "prs/model/units.h"
+#include "prs/record/record_table.h"
+
+namespace prs {
+namespace {
+
+constexpr double kRounding = 1e-9;  ///< Relative, of a value that just meets its limit.
+constexpr double kTouching = 1e-9 * per_si::millimetre;  ///< Play of threads that touch [mm].
+
+/// What a case has of a criterion: the worst value, or why there is none.
+struct Found {
+  Sense sense = Sense::least;
+  std::optional<double> value = {}, best = {};
+  std::string where = {}, note = {}, why = {};
+  std::string_view title = {};  ///< Where it is not that of the row.
+  bool applies = true;
+  bool asked = true;
+
+  /// NaN is no value.
+  void take(double v, std::string_view load_case, std::string_view what = {}) {
+    if (std::isnan(v)) return;
+    const auto worse = [&](double a, double b) { return sense == Sense::least ? a < b : a > b; };
+    if (!best || worse(*best, v)) best = v;
+    if (value && !worse(v, *value)) return;
+    value = v;
+    where = load_case;
+    note = what;
+  }
+  void take(const std::optional<double>& v, std::string_view load_case,
+            std::string_view what = {}) {
+    if (v) take(*v, load_case, what);
+  }
+};
+
+/// A command that gives the value was not run.
+Found without(const VerdictFacts& f, Command command, Sense sense) {
+  Found found{sense};
+  const auto lacking = f.lacking.find(command);
+  found.asked = lacking != f.lacking.end();
+  if (found.asked) found.why = lacking->second;
+  return found;
+}
+
+std::string_view loads_of(const LifeResult& life) {
+  return life.history ? "life.history" : "life.spectrum";
+}
+
+Found life(const VerdictFacts& f) {
+  if (!f.life) return without(f, Command::life, Sense::least);
+  Found found;
+  const LifeResult& r = *f.life;
+  if (!r.converged()) {
+    found.why = "the life did not converge";
+    return found;
+  }
+  // A maker's capacity comes from real screws: uneven sharing is in it.
+  const LifeInUse in = in_use(r, r.lemor ? r.system_life : r.catalogue_life);
+  const std::string note = fmt::format(
+      "{:g} % reach it; {}", r.life.reliability * per_si::percent,
+      r.lemor ? r.life.share == LoadCase::Share::solved ? "real thread loads" : "equal thread loads"
+              : "stated C_a already includes uneven sharing");
+  const bool as_travel = f.limits.life ? f.limits.life->travel.has_value() : !in.hours.has_value();
+  if (as_travel)
+    found.take(in.rated * in.travel * per_si::kilometre, loads_of(r), note);
+  else if (in.hours)
+    found.take(in.rated * *in.hours, loads_of(r), note);
+  else
+    found.why = "hours need `operation.speed`";
+  if (found.value && !std::isfinite(*found.value)) found.value.reset(), found.why = "no load";
+  return found;
+}
+
+Found static_safety(const VerdictFacts& f) {
+  if (!f.measures && !f.life) return without(f, Command::measures, Sense::least);
+  Found found;
+  if (f.life && f.life->converged())
+    for (const Direction d : kDirections)
+      if (const auto& flank = f.life->flanks[d]; flank && flank->static_safety())
+        found.take(*flank->static_safety(), loads_of(*f.life),
+                   fmt::format("{} in {}", describe(flank->static_rating->limit), name(d)));
+  for (std::size_t k = 0; f.measures && k < f.measures->load_measures.size(); ++k) {
+    const auto& m = f.measures->load_measures[k];
+    const LoadCase& load = f.measures->analysis.load_cases[k].load_case;
+    if (m && m->solved_static_safety)
+      found.take(*m->solved_static_safety, load.name, describe(*m->solved_static_safety_limit));
+    else if (m && m->thread_static_safety)
+      found.take(
+          *m->thread_static_safety, load.name,
+          (load.share == LoadCase::Share::equal ? "equal shares, "
+                                                : "estimate with the shares under this load, ") +
+              describe(*m->thread_static_safety_limit));
+  }
+  if (!found.value) found.why = "no load whose thread loads are known";
+  return found;
+}
+
+Found peak_pressure(const VerdictFacts& f) {
+  if (!f.loads && !f.life) return without(f, Command::solve, Sense::greatest);
+  Found found{Sense::greatest};
+  const auto at = [](Interface i) { return fmt::format("roller-{}", name(i)); };
+  for (const Result* result : {f.loads, f.slip})  // Slip has the loads of warm parts.
+    for (std::size_t k = 0; result && k < result->load_cases.size(); ++k)
+      if (const LoadCaseResult& r = result->load_cases[k]; r.threads)
+        for (const Interface i : kInterfaces)
+          if (const auto& p = (*r.threads)[i].peak_pressure; !p.empty())
+            found.take(*std::ranges::max_element(p) * per_si::megapascal, r.load_case.name, at(i));
+  if (f.life && f.life->converged())
+    for (const Direction d : kDirections)
+      for (const Interface i : kInterfaces)
+        if (const auto& flank = f.life->flanks[d]; flank && flank->peak_pressure[i])
+          found.take(*flank->peak_pressure[i] * per_si::megapascal, loads_of(*f.life),
+                     fmt::format("{}, {}", at(i), name(d)));
+  if (!found.value) found.why = "no load whose thread loads are known";
+  return found;
+}
+
+bool lacks_shaft(const VerdictFacts& f) { return !f.c.measures || !f.c.measures->shaft; }
+constexpr const char* kAddShaft = "add measures.shaft";
+
+Found buckling_safety(const VerdictFacts& f) {
+  if (!f.measures) return without(f, Command::measures, Sense::least);
+  Found found;
+  bool compressed = false;
+  for (std::size_t k = 0; k < f.measures->load_measures.size(); ++k) {
+    const LoadCase& load = f.measures->analysis.load_cases[k].load_case;
+    compressed = compressed || axial_force_on_nut(load) < 0.0;
+    if (const auto& m = f.measures->load_measures[k]) found.take(m->buckling_safety, load.name);
+  }
+  if (f.life && f.life->converged())
+    if (const auto& flank = f.life->flanks.compression; flank && flank->largest_force > 0.0) {
+      compressed = true;
+      if (const auto& buckling = f.measures->measures.buckling_load)
+        found.take(*buckling / flank->largest_force, loads_of(*f.life));
+    }
+  found.applies = compressed;
+  found.why = !compressed      ? "no load compresses the screw"
+              : lacks_shaft(f) ? kAddShaft
+                               : "no buckling load";
+  return found;
+}
+
+/// The largest speed of the load cases and of the operation [rad/s].
+Found largest_speed(const VerdictFacts& f) {
+  Found found{Sense::greatest};
+  for (const LoadCase& load : f.c.load_cases)
+    if (load.speed) found.take(std::abs(*load.speed), load.name);
+  if (f.c.operation) found.take(std::abs(f.c.operation->speed), "", "operation.speed");
+  found.why = "add operation.speed";
+  return found;
+}
+
+Found critical_speed_share(const VerdictFacts& f) {
+  if (!f.measures) return without(f, Command::measures, Sense::greatest);
+  Found found = largest_speed(f);
+  found.applies = f.c.mechanism.type == Mechanism::Type::standard;
+  const auto& critical = f.measures->measures.critical_speed;
+  if (found.value && critical) {
+    found.value = *found.value / *critical;
+  } else if (!found.applies || lacks_shaft(f) || !critical) {
+    found.value.reset();
+    found.why = !found.applies   ? "the screw does not turn"
+                : lacks_shaft(f) ? kAddShaft
+                                 : "no critical speed";
+  }
+  found.best.reset();
+  return found;
+}
+
+Found speed_times_diameter(const VerdictFacts& f) {
+  Found found = largest_speed(f);
+  if (found.value)
+    found.value = *found.value * per_si::revolution_per_minute *
+                  *f.c.mechanism.pitch_diameter.screw * per_si::millimetre;
+  found.best.reset();
+  return found;
+}
+
+/// Of the body: room is left for flanges.
+template <double Structure::Nut::*size>
+Found of_nut(const VerdictFacts& f) {
+  Found found{Sense::greatest};
+  if (f.c.structure)
+    found.take(f.c.structure->nut.*size * per_si::millimetre, "",
+               f.c.structure->nut.flanges.empty() ? "" : "without flanges");
+  found.why = "add structure";
+  return found;
+}
+
+Found weight(const VerdictFacts& f) {
+  if (!f.measures) return without(f, Command::measures, Sense::greatest);
+  Found found{Sense::greatest};
+  const Measures& m = f.measures->measures;
+  if (m.weight && m.screw_weight_per_length && !lacks_shaft(f))
+    found.take(*m.weight + *m.screw_weight_per_length * f.c.measures->shaft->length, "");
+  found.why = lacks_shaft(f) ? kAddShaft : "add structure and materials.density";
+  return found;
+}
+
+Found stiffness(const VerdictFacts& f) {
+  if (!f.loads) return without(f, Command::solve, Sense::least);
+  Found found;
+  // The shaft counts where a limit stands, which is that of the drive.
+  double shaft = 0.0;  // Its compliance [m/N].
+  std::string_view note;
+  if (f.limits.stiffness) {
+    note = "without the shaft: measures.shaft is missing";
+    if (f.measures && f.measures->measures.shaft_stiffness) {
+      shaft = 1.0 / *f.measures->measures.shaft_stiffness;
+      note = "with the shaft";
+      found.title = "Stiffness with the shaft";
+    }
+  }
+  for (const LoadCaseResult& r : f.loads->load_cases)
+    if (r.axial_stiffness)
+      found.take(per_si::newton_per_micrometre / (1.0 / *r.axial_stiffness + shaft),
+                 r.load_case.name, note);
+  found.why = "no load case has one";
+  return found;
+}
+
+/// Of the load cases where the screw drives, over the duty cycle where there is one.
+Found efficiency(const VerdictFacts& f) {
+  if (!f.slip) return without(f, Command::slip, Sense::least);
+  Found found;
+  const auto drives = [](const LoadCaseResult& r) {
+    return r.slip && r.slip->driven_by == DrivenBy::screw;
+  };
+  found.applies = std::ranges::any_of(f.slip->load_cases, drives);
+  found.why = "the screw drives in no load case";
+  if (const auto& cycle = f.slip->heat_cycle) {
+    if (found.applies && cycle->converged())
+      found.take(cycle->efficiency, "heat.duty", "over the cycle");
+    if (!cycle->converged()) found.why = "the duty cycle did not converge", found.applies = true;
+    return found;
+  }
+  for (const LoadCaseResult& r : f.slip->load_cases) {
+    if (!r.slip || !r.slip->converged()) {
+      Found failed;
+      failed.why = fmt::format("the slip of {} did not converge", r.load_case.name);
+      return failed;
+    }
+    if (drives(r)) found.take(r.slip->efficiency, r.load_case.name);
+  }
+  return found;
+}
+
+Found temperature(const VerdictFacts& f) {
+  Found found{Sense::greatest};
+  found.why = "add heat";
+  if (!f.c.heat) return found;
+  if (!f.slip) return without(f, Command::slip, Sense::greatest);
+  found.why = "the temperatures did not converge";
+  const auto take = [&](const PerPart<double>& kelvin, std::string_view where) {
+    const PartNumbers t = celsius_of(kelvin);
+    found.take(t.screw, where, "screw");
+    found.take(t.rollers, where, "rollers");
+    found.take(t.nut, where, "nut");
+  };
+  if (f.slip->heat_cycle) {
+    if (f.slip->heat_cycle->converged()) take(f.slip->heat_cycle->peak, "heat.duty");
+  } else {
+    const auto& all = f.slip->load_cases;
+    if (std::ranges::all_of(all, [](const auto& r) { return r.heat && r.heat->converged(); }))
+      for (const LoadCaseResult& r : all) take(r.heat->temperature, r.load_case.name);
+  }
+  found.best.reset();  // Of another part.
+  return found;
+}
+
+/// A criterion, what it is held against, and whether it is told where there is nothing of both.
+struct Row {
+  std::string_view name, title, unit;
+  Found (*find)(const VerdictFacts&);
+  std::optional<double> (*stated)(const Limits&);
+  std::optional<double> physical = {}, recommended = {};
+  bool is_plain = true;  ///< Told without a limit too.
+};
+
+template <std::optional<double> Limits::*limit>
+std::optional<double> stated_in(const Limits& l, double factor) {
+  return l.*limit ? std::optional(*(l.*limit) * factor) : std::nullopt;
+}
+
+constexpr double kMillimetrePerMinute = 60.0 * per_si::millimetre;
+
+const Row kRows[] = {
+    {"life", "Life", "h", life,
+     [](const Limits& l) -> std::optional<double> {
+       if (!l.life) return {};
+       return l.life->travel ? *l.life->travel * per_si::kilometre : *l.life->duration / 3600.0;
+     }},
+    {"static_safety", "Static safety", "", static_safety,
+     [](const Limits& l) { return l.static_safety; }, 1.0, kRecommendedStaticSafety},
+    {"peak_pressure", "Peak pressure", "MPa", peak_pressure,
+     [](const Limits& l) { return stated_in<&Limits::peak_pressure>(l, per_si::megapascal); },
+     kStaticPressureLimit* per_si::megapascal},
+    {"buckling_safety", "Buckling safety", "", buckling_safety,
+     [](const Limits& l) { return l.buckling_safety; }, 1.0, kRecommendedBucklingSafety},
+    {"critical_speed_share", "Share of the critical speed", "", critical_speed_share,
+     [](const Limits& l) { return l.critical_speed_share; }, 1.0, kRecommendedCriticalSpeedShare},
+    {"speed_times_diameter",
+     "Speed times diameter",
+     "mm/min",
+     speed_times_diameter,
+     [](const Limits& l) {
+       return stated_in<&Limits::speed_times_diameter>(l, kMillimetrePerMinute);
+     },
+     {},
+     {},
+     false},
+    {"nut_diameter",
+     "Nut diameter",
+     "mm",
+     of_nut<&Structure::Nut::outer_diameter>,
+     [](const Limits& l) { return stated_in<&Limits::nut_diameter>(l, per_si::millimetre); },
+     {},
+     {},
+     false},
+    {"nut_length",
+     "Nut length",
+     "mm",
+     of_nut<&Structure::Nut::length>,
+     [](const Limits& l) { return stated_in<&Limits::nut_length>(l, per_si::millimetre); },
+     {},
+     {},
+     false},
+    {"weight", "Weight", "kg", weight, [](const Limits& l) { return l.weight; }, {}, {}, false},
+    {"stiffness", "Axial stiffness", "N/um", stiffness,
+     [](const Limits& l) {
+       return stated_in<&Limits::stiffness>(l, per_si::newton_per_micrometre);
+     }},
+    {"efficiency", "Efficiency", "", efficiency, [](const Limits& l) { return l.efficiency; }},
+    {"temperature", "Temperature", "degC", temperature,
+     [](const Limits& l) -> std::optional<double> {
+       if (!l.temperature) return {};
+       return celsius_of(PerPart<double>{*l.temperature, *l.temperature, *l.temperature}).screw;
+     }},
+};
+
+Criterion criterion(std::string_view name, std::string_view title, std::string_view unit) {
+  Criterion c;
+  c.name = name;
+  c.title = title;
+  c.unit = unit;
+  return c;
+}
+
+bool meets(double value, double limit, Sense sense) {
+  const double rounding = kRounding * std::abs(limit);
+  return sense == Sense::least ? value >= limit - rounding : value <= limit + rounding;
+}
+
+void hold_against_limit(Criterion& c, const Row& row) {
+  const double value = *c.value;
+  const auto set = [&](double limit, LimitSource source, Standing standing) {
+    c.limit = limit;
+    c.source = source;
+    c.standing = standing;
+  };
+  if (c.limit)
+    set(*c.limit, LimitSource::stated,
+        meets(value, *c.limit, c.sense) ? Standing::green : Standing::red);
+  else if (row.physical && !meets(value, *row.physical, c.sense))
+    set(*row.physical, LimitSource::physics, Standing::red);
+  else if (row.recommended)
+    set(*row.recommended, LimitSource::recommended,
+        meets(value, *row.recommended, c.sense) ? Standing::green : Standing::amber);
+  else if (row.physical)
+    set(*row.physical, LimitSource::physics, Standing::green);
+}
+
+void add(const Row& row, const VerdictFacts& f, CaseVerdict& verdict) {
+  Found found = row.find(f);
+  Criterion c = criterion(row.name, found.title.empty() ? row.title : found.title, row.unit);
+  c.sense = found.sense;
+  c.limit = row.stated(f.limits);
+  verdict.is_complete = verdict.is_complete && found.asked;
+  if (!found.asked || (!c.limit && !row.is_plain)) return;
+  if (c.name == "life" &&
+      (f.limits.life ? f.limits.life->travel.has_value() : f.life && !f.life->revolution_rate))
+    c.unit = "km";
+  c.value = found.value;
+  if (found.best && found.value && *found.best != *found.value) c.best = found.best;
+  if (c.value) {
+    c.load_case = std::move(found.where);
+    c.reason = std::move(found.note);
+    hold_against_limit(c, row);
+  } else {
+    if (c.limit) c.source = LimitSource::stated;
+    c.reason = std::move(found.why);
+    c.standing = found.applies ? Standing::not_computed : Standing::not_applicable;
+  }
+  verdict.criteria.push_back(std::move(c));
+}
+
+/// What did not converge, all of it told.
+void add_convergence(const VerdictFacts& f, CaseVerdict& verdict) {
+  if (!f.loads && !f.life) return;
+  std::string failed;
+  const auto tell = [&](const std::string& what) { failed += (failed.empty() ? "" : ", ") + what; };
+  const auto count = [&](const Result* result, const char* what, auto good) {
+    if (!result) return;
+    const auto bad = std::ranges::count_if(result->load_cases,
+                                           [&](const LoadCaseResult& r) { return !good(r); });
+    if (bad > 0)
+      tell(fmt::format("{} of {} of {} load case{}", what, bad, result->load_cases.size(),
+                       result->load_cases.size() == 1 ? "" : "s"));
+  };
+  count(f.loads, "thread loads", [](const LoadCaseResult& r) { return r.converged(); });
+  count(f.slip, "slip", [](const LoadCaseResult& r) { return r.slip && r.slip->converged(); });
+  count(f.slip, "temperatures",
+        [](const LoadCaseResult& r) { return !r.heat || r.heat->converged(); });
+  if (f.slip && f.slip->heat_cycle && !f.slip->heat_cycle->converged()) tell("the duty cycle");
+  if (f.life && !f.life->converged()) tell("life");
+  Criterion c = criterion("convergence", "Convergence", "");
+  c.source = LimitSource::physics;
+  c.standing = failed.empty() ? Standing::green : Standing::red;
+  c.reason = failed.empty() ? "all converged" : "not converged: " + failed;
+  verdict.criteria.push_back(std::move(c));
+}
+
+/// Threads that overlap before any load.
+void add_play(const VerdictFacts& f, CaseVerdict& verdict) {
+  if (!f.contacts) return;
+  Found found;
+  for (const Interface i : kInterfaces) {
+    const InterfaceContact& contact = f.contacts->interfaces[i];
+    const contact::Thread& body = thread_of(f.contacts->threads, body_of(i));
+    const std::string at = fmt::format("roller-{}", name(i));
+    if (contact.geometry.point.ok() && contact::same_pitch(body, f.contacts->threads.roller))
+      found.take(contact.geometry.point.backlash * per_si::millimetre, "", at);
+    if (!contact.clearance) continue;
+    for (const auto& crest : {contact.clearance->body_crest, contact.clearance->roller_crest})
+      if (crest) found.take(2.0 * *crest * per_si::millimetre, "", at + ", at a crest");
+  }
+  if (!found.value) return;
+  Criterion c = criterion("axial_play", "Axial play of the threads", "mm");
+  c.value = found.value;
+  c.limit = 0.0;
+  c.source = LimitSource::physics;
+  c.standing = *c.value < -kTouching ? Standing::red : Standing::green;
+  c.reason = found.note + (c.standing == Standing::red ? ": the threads interfere" : "");
+  verdict.criteria.push_back(std::move(c));
+}
+
+/// `Static safety, peak pressure` of a standing.
+std::string titles(const CaseVerdict& verdict, auto of) {
+  std::string text;
+  for (const Criterion& c : verdict.criteria)
+    if (of(c)) {
+      std::string title(c.title);
+      title.front() = static_cast<char>(title.front() | 0x20);
+      text += (text.empty() ? "" : ", ") + title;
+    }
+  return text;
+}
+
+bool is_unknown(const Criterion& c) { return c.standing == Standing::not_computed && c.limit; }
+
+}  // namespace
+
+std::string_view name(Sense sense) { return sense == Sense::least ? "least" : "greatest"; }
+
+std::string_view name(LimitSource source) {
+  return source == LimitSource::stated    ? "case"
+         : source == LimitSource::physics ? "physics"
+                                          : "recommended";
+}
+
+std::string_view name(Standing standing) {
+  switch (standing) {
+    case Standing::green:
+      return "green";
+    case Standing::amber:
+      return "amber";
+    case Standing::red:
+      return "red";
+    case Standing::no_limit:
+      return "no_limit";
+    case Standing::not_computed:
+      return "not_computed";
+    case Standing::not_applicable:
+      break;
+  }
+  return "not_applicable";
+}
+
+Standing CaseVerdict::standing() const {
+  const auto any = [&](auto of) { return std::ranges::any_of(criteria, of); };
+  const auto has = [&](Standing s) {
+    return any([&](const Criterion& c) { return c.standing == s; });
+  };
+  if (has(Standing::red)) return Standing::red;
+  if (has(Standing::amber) || any(is_unknown)) return Standing::amber;
+  return has(Standing::green) ? Standing::green : Standing::no_limit;
+}
+
+CaseVerdict verdict_of(const VerdictFacts& f) {
+  CaseVerdict verdict;
+  for (const Row& row : kRows) add(row, f, verdict);
+  add_play(f, verdict);
+  add_convergence(f, verdict);
+  return verdict;
+}
+
+std::string words(Standing standing) {
+  if (standing == Standing::green) return "met";
+  if (standing == Standing::amber) return "below recommended";
+  if (standing == Standing::red) return "not met";
+  std::string text(name(standing));
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
+ShownCriterion shown(const Criterion& c) {
+  if (c.name == "efficiency" || c.name == "critical_speed_share") return {"%", per_si::percent};
+  if (c.unit == "MPa") return {"GPa", 1e-3};
+  return {c.unit == "N/um" ? "N/µm" : c.unit == "degC" ? "°C" : c.unit};
+}
+
+std::string summary(const CaseVerdict& verdict) {
+  const auto of = [&](Standing s) {
+    return titles(verdict, [&](const Criterion& c) { return c.standing == s; });
+  };
+  std::string text;
+  const auto tell = [&](std::string_view words, const std::string& what) {
+    if (!what.empty()) text += fmt::format("{}{}: {}.", text.empty() ? "" : " ", words, what);
+  };
+  tell("Not met", of(Standing::red));
+  tell("Short of what is recommended", of(Standing::amber));
+  tell("Not computed, so not met", titles(verdict, is_unknown));
+  if (!verdict.is_complete)
+    text += text.empty() ? "Other criteria follow." : " Other criteria follow.";
+  else if (text.empty())
+    text = verdict.standing() == Standing::green ? "All limits are met that could be checked."
+                                                 : "Nothing to hold against a limit.";
+  return text;
+}
+
+std::string not_computed(const CaseVerdict& verdict) {
+  std::string text;
+  for (const Criterion& c : verdict.criteria)
+    if (!c.limit &&
+        (c.standing == Standing::not_computed || c.standing == Standing::not_applicable)) {
+      std::string title(c.title);
+      title.front() = static_cast<char>(title.front() | 0x20);
+      text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", title, c.reason);
+    }
+  return text;
+}
+
+std::string origin(const Criterion& c) {
+  if (c.source == LimitSource::stated) return fmt::format("limits.{}", c.name);
+  return c.source == LimitSource::physics ? "physical limit" : "recommended";
+}
+
+namespace {
+
+template <std::string Criterion::*text>
+constexpr auto text_of = of<[](const Criterion& c) {
+  return (c.*text).empty() ? std::nullopt : std::optional(c.*text);
+}>;
+
+constexpr Quantity<Criterion> kCriterion[] = {
+    {"name", of<&Criterion::name>, "key in `limits`, where it has one"},
+    {"title", of<&Criterion::title>, "in words"},
+    {"unit", of<&Criterion::unit>, "of value and limit; empty for ratios and fractions"},
+    {"sense", of<&Criterion::sense>, "least | greatest: which the limit is"},
+    {"value", of<&Criterion::value>, "the worst of all load cases, with the real thread loads"},
+    {"best", of<&Criterion::best>, "the best value of all load cases and places"},
+    {"limit", of<&Criterion::limit>, "that it is held against"},
+    {"limit_source", of<&Criterion::source>,
+     "case | physics | recommended: `limits` of the case, what physics allows, or what is usual"},
+    {"state", of<&Criterion::standing>,
+     "green | amber | red | no_limit | not_computed | not_applicable"},
+    {"load_case", text_of<&Criterion::load_case>, "where the worst value stands"},
+    {"reason", text_of<&Criterion::reason>, "what limits it, or why there is no value"},
+};
+
+constexpr Quantity<CaseVerdict> kVerdict[] = {
+    {"state", of<&CaseVerdict::standing>, "the worst: green | amber | red | no_limit"},
+    {"criteria", of<&CaseVerdict::criteria>, "each with its worst value"},
+};
+
+}  // namespace
+
+template <>
+Record<CaseVerdict> record_of() {
+  return {"Verdict", "Whether the case meets its limits.", kVerdict};
+}
+
+template <>
+Record<Criterion> record_of() {
+  return {"Criterion", "A value, the limit that it is held against, and how it stands to it.",
+          kCriterion};
+}
+
+}  // namespace prs

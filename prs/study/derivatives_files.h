@@ -1,0 +1,23 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "prs/loads/load_json.h"
+#include "prs/record/csv_style.h"
+#include "prs/study/derivatives.h"
+
+namespace prs {
+
+/// The document of `prs study --json` with `plan: derivatives`: under `derivatives` one entry a
+/// response, with its value and what each factor does to it.
+nlohmann::ordered_json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info);
+
+/// `derivatives.csv`: one row per response and factor.
+std::string derivatives_csv(const CaseDerivatives& result, const CsvStyle& style = {});
+
+/// One table per response: what 1 % of each factor does to it, the strongest first.
+std::string derivatives_table(const CaseDerivatives& result);
+
+}  // namespace prs

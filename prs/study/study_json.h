@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "prs/loads/load_json.h"
+#include "prs/study/study_result.h"
+
+namespace prs {
+
+/// As the input writes it: `latin_hypercube`.
+std::string_view name(Plan plan);
+
+/// The document of `prs study --json`: the study; under `summary` what the designs say together,
+/// under `envelope` the envelope of a study that has one, and under `designs` what each of those
+/// kept gave, with `designs_shown` where that is not all of them.
+nlohmann::ordered_json study_json(const StudyResult& result, const DocumentInfo& info);
+/// The same with an empty list of designs.
+nlohmann::ordered_json study_outline(const StudyResult& result, const DocumentInfo& info);
+
+/// An outline as text, with the designs of the result in its empty list: what `json_text` gives of
+/// `study_json`, without a JSON value for each number of each design. Rows are written on `threads`
+/// threads.
+std::string study_text(const nlohmann::ordered_json& outline, const StudyResult& result,
+                       std::size_t threads = 1);
+
+}  // namespace prs

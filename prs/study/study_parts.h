@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prs/record/figure_parts.h"
+#include "prs/study/study_result.h"
+
+namespace prs {
+
+inline constexpr std::size_t kMostStudyFigures = 24;
+inline constexpr std::size_t kMostStudyPanels = 12;
+
+constexpr Style kDesignStyle = {Colour::blue, Dash::solid, Mark::circle};
+constexpr Style kBaseStyle = points_of(Colour::vermillion, Mark::diamond, Weight::strong);
+constexpr const char* kBaseTitle = "as in the file";
+
+/// `03_flank_angle`
+std::string study_figure_name(std::size_t index, const std::string& label);
+
+/// Indices of those that the options choose, else of the first. Throws NoFigure.
+std::vector<std::size_t> chosen_responses(const std::vector<std::string>& responses,
+                                          const FigureOptions& options);
+
+/// Name and title of a figure of a response.
+Figure response_figure(const std::vector<std::string>& responses, std::size_t response);
+
+/// Over these values of a factor; of words, at 1, 2, ..
+Axis factor_axis(const Factor& factor, const std::vector<double>& values);
+
+/// Of a response's values.
+Axis response_axis(const std::string& path);
+
+/// A factor's name in a list.
+std::string factor_name(const Factor& factor);
+
+/// Where the levels of a factor stand, words at 1, 2, ...
+std::vector<double> positions(const Factor& factor);
+
+/// Up to so many of `count`, evenly spread, both ends among them.
+std::vector<std::size_t> spread(std::size_t count, std::size_t most);
+
+/// How many panels stand side by side.
+std::size_t columns_for(std::size_t panels);
+
+/// Signed bars from above to below, the longest first, with their numbers.
+Figure ranked_bars(Figure figure, const std::vector<std::string>& names,
+                   const std::vector<double>& values);
+
+}  // namespace prs
