@@ -2,7 +2,7 @@
 #   program      bin/prs, its modules in lib/prs, lessons and validation data in share/prs, which
 #                the programs find from where they stand; manual pages and completions
 #   documents    share/doc/prs, and there LICENSE of the component licence
-#   development  for `find_package(prs)`: headers, libraries, lib/cmake/prs
+#   development  for `find_package(prs)`: headers (install_headers.cmake), libraries, lib/cmake/prs
 # Of the Debian package see package.cmake, of the Python package python/CMakeLists.txt.
 include(CMakePackageConfigHelpers)
 get_property(modules GLOBAL PROPERTY PRS_MODULES)
@@ -32,6 +32,8 @@ install(FILES LICENSE DESTINATION share/doc/prs COMPONENT licence)
 install(FILES README.md CHANGELOG.md DESTINATION share/doc/prs COMPONENT documents)
 install(DIRECTORY docs DESTINATION share/doc/prs COMPONENT documents)
 
+install(CODE "set(source \"${PROJECT_SOURCE_DIR}\")" COMPONENT development)
+install(SCRIPT cmake/install_headers.cmake COMPONENT development)
 configure_package_config_file(cmake/prsConfig.cmake.in prsConfig.cmake
   INSTALL_DESTINATION lib/cmake/prs)
 write_basic_package_version_file(prsConfigVersion.cmake COMPATIBILITY SameMinorVersion)

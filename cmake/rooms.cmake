@@ -1,7 +1,7 @@
 # A room is a folder of sources and the library that they make. Its headers are seen by the rooms that
 # name it in USES, and by those that name these: each room has an include folder of its own, with links
-# to its headers, so that an include against the order of the rooms does not compile. Installed,
-# the headers stand in one folder.
+# to its headers, so that an include against the order of the rooms does not compile. Which headers are
+# installed: install_headers.cmake.
 function(share_headers target folder)
   get_target_property(type ${target} TYPE)
   set(scope PUBLIC)
@@ -16,8 +16,7 @@ function(share_headers target folder)
     file(CREATE_LINK ${header} ${include}/${folder}/${name} SYMBOLIC)
   endforeach()
   target_include_directories(${target} ${scope}
-    $<BUILD_INTERFACE:${include}> $<INSTALL_INTERFACE:include/prs>)
-  install(FILES ${headers} DESTINATION include/prs/${folder} COMPONENT development)
+    $<BUILD_INTERFACE:${include}> "$<INSTALL_INTERFACE:include;include/prs/detail>")
   install_room(${target})
 endfunction()
 

@@ -66,7 +66,7 @@ class FlankViolations {
   std::size_t size_ = 0;
 };
 
-/// Where two thread flanks touch.
+/// The point where two thread flanks touch.
 struct ContactPoint {
   ContactPointStatus status = ContactPointStatus::not_computed;
   int iterations = 0;     ///< Newton steps.

@@ -14,7 +14,7 @@ struct FilmContact {
   double curvature = 0.0;        ///< rho_x, the larger relative curvature [1/m]
   double contact_modulus = 0.0;  ///< E* [Pa]; the E' of the formulas is 2 E* (Sandu's 2/Sigma).
   double curvature_ratio = 1.0;  ///< lambda, smaller over larger relative curvature, above 0 to 1.
-  FilmDirection direction = FilmDirection::minor_axis;  ///< Of `central_film`.
+  FilmDirection direction = FilmDirection::minor_axis;  ///< Formula of `central_film`.
 };
 
 /// Dimensionless speed, load and lubricant of Moes, with `rolling_speed` |u| [m/s] the *sum* of the

@@ -94,9 +94,9 @@ Real radius_at_rise(const Flank<Real>& f, const Real& rise) {
                                  rise * (f.cos_flank + cosine) / (f.sin_flank + sine));
 }
 
-/// Where neighbouring flanks of a thread meet: at the root f = 0 and at the crest f = p/2, of the
-/// air for a nut (Sandu 2018, (1.12), (1.17), (1.19), for any r_B). An arc that turns parallel to
-/// the radius or the axis before that ends there.
+/// Radii where neighbouring flanks of a thread meet: at the root f = 0 and at the crest f = p/2, of
+/// the air for a nut (Sandu 2018, (1.12), (1.17), (1.19), for any r_B). An arc that turns parallel
+/// to the radius or the axis before that ends there.
 template <class Real>
 RadiiOf<Real> sharp_limits(const Flank<Real>& f) {
   return {radius_at_rise(f, Real(-f.half_groove / f.stretch)),

@@ -52,7 +52,7 @@ HertzConstants hertz_constants_of(const HertzNumbers<double>& numbers);
 /// kappa_2 [1/m], the eigenvalues of the sum of the two curvature tensors in the common tangent
 /// plane (no factor 1/2; either order). The major axis lies along the smaller one.
 ///
-/// With E* = `contact_modulus` [Pa] and the elliptic integrals of the parameter m = 1 - (b/a)^2:
+/// E* = `contact_modulus` [Pa]; the elliptic integrals have the parameter m = 1 - (b/a)^2:
 ///
 ///     kappa_1/kappa_2 = (b/a)^2 D/B,   b^3 = 3 N (b/a) B/(pi kappa_2 E*),
 ///     delta = 3 N K/(2 pi a E*),       N = k_0 delta^1.5.

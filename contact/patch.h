@@ -27,7 +27,7 @@ class PatchGrid {
   std::span<const std::uint32_t> dome_of_point() const { return dome_of_point_; }
   /// Load on a cell over the normal load and the dome: p_0 4 a b/(n^2 N) = 6/(pi n^2) (3.7).
   double cell_load() const { return cell_load_; }
-  /// With the points that fill up the last batch.
+  /// Includes the points that fill up the last batch.
   PatchPoints points() const;
 
  private:
@@ -44,7 +44,7 @@ using PatchFriction = PatchFrictionOf<double>;
 /// Flanks that touch through a thin film.
 struct TouchingFlanks {
   double friction = 0.0;   ///< Coefficient without film.
-  double exponent = 2.0;   ///< Of `boundary_share`.
+  double exponent = 2.0;   ///< Exponent of `boundary_share`.
   double roughness = 0.0;  ///< Composite Rq [m], > 0
 };
 

@@ -41,7 +41,7 @@ struct SlidingFieldOf {
 /// mu_D dome at a point: coefficient dome + scale asinh(factor viscosity_ratio |v|).
 template <class Number>
 struct PatchLawOf {
-  Number coefficient{};  ///< Of flanks that touch.
+  Number coefficient{};  ///< Friction coefficient where flanks touch.
   Number scale{};        ///< tau_0/p_0
   Number factor{};       ///< K [s/m]
 };
@@ -96,7 +96,7 @@ template <class Number, class Real, class Friction>
   }
 }
 
-/// Of the sums over `points` points of cells that carry `cell_load` dome each.
+/// Friction from the sums over `points` points of cells that carry `cell_load` dome each.
 template <class Number, class Real>
 PatchFrictionOf<Number> patch_friction(const PatchSumsOf<Number>& sums, double cell_load,
                                        double points, const Real& semi_major,
@@ -124,7 +124,7 @@ struct FrictionNumbers {
   Real coefficient{};            ///< Coulomb's, or that of flanks that touch.
   Real has_film{};               ///< 1: Jacod's law, else 0: Coulomb's.
   Real touches{};                ///< 1: flanks touch through the film, else 0.
-  Real exponent{}, roughness{};  ///< Of flanks that touch.
+  Real exponent{}, roughness{};  ///< Both for flanks that touch.
   LubricantNumbers<Real> oil{};
   FilmContactNumbers<Real> film{};
 };

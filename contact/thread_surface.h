@@ -53,7 +53,7 @@ ThreadNumbers<double> numbers_of(const Thread& thread);
 
 using RadiusLimits = RadiiOf<double>;
 
-/// Where neighbouring flanks of a thread meet.
+/// Radii where neighbouring flanks of a thread meet.
 RadiusLimits sharp_limits(const Thread& thread);
 
 /// The limits in force: the truncated thread where its heights are given, else the sharp one.

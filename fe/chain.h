@@ -116,7 +116,7 @@ class Chain {
     };
   }
 
-  /// With shifts where the tangent is singular; those that none helps stop. False where all do.
+  /// Shifts the tangent where it is singular; a lane that no shift helps stops. False where all do.
   bool factorize(const NewtonOptions& options, Real& shift) {
     Mask singular = elimination_.factorize(residual_, shift, pending_move()) & active_;
     move_pending_ = false;
@@ -216,12 +216,12 @@ class Chain {
 
   ChainSummary<Real> summary_;
   Real load_, inverse_scale_, contact_energy_;
-  ChainResidual<Real> residual_;  ///< That the next step is for.
+  ChainResidual<Real> residual_;  ///< For the next step.
   Mask active_,
       checked_;                ///< Checked: by the whole residual, after the last step.
-  Real length_;                ///< Of the last step,
-  Mask moved_;                 ///< which these took;
-  bool move_pending_ = false;  ///< the states lack it still.
+  Real length_;                ///< Fraction of the last step taken,
+  Mask moved_;                 ///< by these lanes;
+  bool move_pending_ = false;  ///< the states do not have it yet.
 };
 
 }  // namespace fe

@@ -4,7 +4,8 @@
 
 namespace fe {
 
-/// Of a full step d, over the contacts: energy E, force N, tangent t, change of net approach delta.
+/// Sums over the contacts at a full step d: energy E, force N, tangent t, change of net approach
+/// delta.
 template <class Real>
 struct ChainStepSums {
   Real energy = Real(0.0);     ///< E after the step [J]

@@ -44,18 +44,18 @@ class ChainForces {
  private:
   const ChainStations<Real, Station>& chain_;
   const Move& move_;
-  Real carried_[M];  ///< Of the interval to the next station.
+  Real carried_[M];  ///< Forces of the interval to the next station.
 };
 
 template <class Real>
 struct WholeResidual {
   Real worst;          ///< Largest of all freedoms [N].
-  Real linear_energy;  ///< Of the linear elements and the load [J].
+  Real linear_energy;  ///< Energy of the linear elements and the load [J].
 };
 
-/// Of the states under the load on freedom 0 of station 0. Where marked, what of the residual is
-/// not the contacts' remainders becomes the correction; elsewhere, unless `active`, corrections
-/// stay.
+/// Residual of the states under the load on freedom 0 of station 0. Where marked, what of the
+/// residual is not the contacts' remainders becomes the correction; elsewhere, unless `active`,
+/// corrections stay.
 template <class Real, class Station, class Move>
 WholeResidual<Real> whole_residual(const ChainStations<Real, Station>& chain, const Real& load,
                                    const Move& move, const Lanes<Real>& marked,

@@ -57,7 +57,7 @@ struct ChainState {
   Real head[M];
   Real tail[M];
 
-  /// Of a freedom here less the same one at `from`.
+  /// A freedom here less the same one at `from`.
   [[gnu::always_inline]] Real difference(int i, const ChainState& from) const {
     return (head[i] - from.head[i]) + (tail[i] - from.tail[i]);
   }
@@ -79,7 +79,7 @@ template <class Station>
 struct ChainFill {
   static constexpr int M = Station::kFreedoms;
   std::array<std::array<bool, 2 * M>, M> meets{};
-  std::array<std::array<int, 2 * M>, M> place{};  ///< Of the multiplier in storage.
+  std::array<std::array<int, 2 * M>, M> place{};  ///< Index of the multiplier in storage.
   int multipliers = 0;
 
   constexpr ChainFill() {
@@ -108,7 +108,7 @@ struct ChainRecord {
     Real net_approach;  ///< w - g [m]
     Real force;         ///< At this approach [N].
     Real tangent;       ///< [N/m]
-    Real remainder;     ///< Of the residual, along the contact [N].
+    Real remainder;     ///< Part of the residual along the contact [N].
   };
   Real multiplier[static_cast<std::size_t>(kChainFill<Station>.multipliers)];
   Real step[M];

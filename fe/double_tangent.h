@@ -70,7 +70,7 @@ class DoubleTangent {
  private:
   const Equations* equations_;
   SparseSymmetric tangent_;
-  /// Of the springs in the matrix, and in its factorization; none where it is shifted.
+  /// Spring stiffnesses in the matrix, and in its factorization; none where it is shifted.
   std::vector<double> stiffness_, factorized_;
   Cholesky cholesky_;
 };

@@ -27,7 +27,7 @@ ShellRigidity tube_rigidity(double inner, double outer, double reference, double
 using ShellMatrix = Eigen::Matrix<double, 5, 5>;
 
 ShellMatrix to_matrix(const ShellBlocks<double>& blocks);
-/// Of a matrix of shells whose halves mirror each other.
+/// Blocks of a shell matrix whose halves mirror each other.
 ShellBlocks<double> to_blocks(const ShellMatrix& matrix);
 
 /// Exact to about 1e-10: polynomials of degree 7 on pieces no longer than the shortest wave of the

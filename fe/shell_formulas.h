@@ -139,8 +139,8 @@ class ShellBand {
   static constexpr bool is_v(int i) { return (i % 2 == 0) == kVFirst; }
 
   bool rigid_;
-  Real k_[kShellDegree + 3][3] = {};  ///< Of function i with i, i + 1, i + 2.
-  Real u_[3] = {};                    ///< Of u_2 - u_1 with functions 0 to 2.
+  Real k_[kShellDegree + 3][3] = {};  ///< Products of function i with i, i + 1, i + 2.
+  Real u_[3] = {};                    ///< Products of u_2 - u_1 with functions 0 to 2.
   Real uu_{};
 };
 
@@ -208,7 +208,7 @@ ShellBlocks<Real> shell_blocks(const ShellRigidityOf<Real>& s, const Real& lengt
   return k;
 }
 
-/// With u taken at the radius r_0 + `shift`.
+/// The blocks with u taken at the radius r_0 + `shift`.
 template <class Real>
 ShellBlocks<Real> about(ShellBlocks<Real> k, const Real& shift) {
   k.tt += shift * (2.0 * k.ut + shift * k.uu);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Order of rooms, shipped engine, format, Python's style and types, by the tools on the PATH and those that
-# scripts/test_python.sh installs. clang-tidy reads the FILEs named, with --all every source.
+# Order of rooms, shipped engine, width of documents, format, Python's style and types, by the tools on the
+# PATH and those that scripts/test_python.sh installs. clang-tidy reads the FILEs named, with --all every source.
 # --strict: a missing tool is an error.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -29,6 +29,7 @@ has() { # TOOL
 export PATH=$PWD/build/venv/bin:$PATH
 check rooms scripts/check_rooms.py
 check engine scripts/engine.sh --check
+check markdown scripts/wrap_markdown.py
 if has clang-format; then
   check format xargs -a <(git ls-files '*.h' '*.cpp') -P "$(nproc)" -n 50 clang-format --dry-run --Werror
 fi

@@ -124,9 +124,9 @@ def inputs_in(block: dict, before: str, rows: dict[str, tuple[str, ...]]) -> Non
 
 def input_page(schema: dict) -> str:
     text = (
-        "# Inputs\n\nEvery key of a case. `[]` stands for the entries of a list. A path with the "
-        "number of an entry, `load_cases[0].axial_force`, is what `--set` and studies take. "
-        "Required: where the block that holds the key stands; what a command needs, `prs check` "
+        "# Inputs\n\nEvery key of a case. `[]` stands for the entries of a list. A path with the\n"
+        "number of an entry, `load_cases[0].axial_force`, is what `--set` and studies take.\n"
+        "Required: where the block that holds the key stands; what a command needs, `prs check`\n"
         "says.\n\n"
     )
     for name, value in schema["properties"].items():
@@ -156,10 +156,10 @@ def responses_in(owner: dict, before: str, records: dict) -> list[tuple[str, ...
 
 def response_page(schema: dict) -> str:
     text = (
-        "# Responses\n\nThe numbers of results that studies and optimizations record, by their "
-        "paths. Of a series of threads `.max`, `.min`, `.mean` or `[k]`, from 0, is one number. "
-        "A thread that is open, and each of a missing roller, has load and pressure 0 and counts: "
-        "`.min` is 0 then, and `.mean` is that of all. "
+        "# Responses\n\nThe numbers of results that studies and optimizations record, by their\n"
+        "paths. Of a series of threads `.max`, `.min`, `.mean` or `[k]`, from 0, is one number.\n"
+        "A thread that is open, and each of a missing roller, has load and pressure 0 and counts:\n"
+        "`.min` is 0 then, and `.mean` is that of all.\n"
         "`load_cases[1].` before a path means the second load case; without it, the first.\n\n"
     )
     for place in schema["documents"]:
@@ -199,9 +199,9 @@ def document_page(schemas: dict[str, dict], results: dict) -> str:
         for name in records_in(place["record"], results["records"], []):
             links.setdefault(name, f"[{name}]({page}.md#{name.lower()})")
     text = (
-        "# Documents\n\nWhat `--json` prints, and `--output` writes, by command. `.*` stands for "
-        "any key, `[]` for the entries of a list. `prs schema COMMAND` prints a JSON Schema of it. "
-        "`resolved_input` is the case with overrides and defaults in place: as a file of its own, "
+        "# Documents\n\nWhat `--json` prints, and `--output` writes, by command. `.*` stands for\n"
+        "any key, `[]` for the entries of a list. `prs schema COMMAND` prints a JSON Schema of it.\n"
+        "`resolved_input` is the case with overrides and defaults in place: as a file of its own,\n"
         "it gives the same results.\n\n"
     )
     head = ("key", "value", "what it is")

@@ -27,7 +27,7 @@ struct ConfigurationOptions {
 
 /// Arguments of `prs new`; quantities as the user wrote them.
 struct NewOptions {
-  std::string type, file;  ///< With `lesson`, `type` may hold the file.
+  std::string type, file;  ///< If `lesson` is given, `type` may hold the file.
   std::optional<std::string> lesson;
   std::optional<std::string> screw_diameter, lead, nut_diameter, nut_length, roller_profile_radius;
   std::optional<std::string> load, speed, lubricant, temperature, mechanism;

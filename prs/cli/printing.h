@@ -22,7 +22,7 @@ struct OutputOptions {
   bool all = false;                   ///< The table with all that there is.
   bool figures = false;               ///< The document holds the pictures as data.
   bool png = false;                   ///< Pictures are written as PNG files, too.
-  UnitSystem units = UnitSystem::si;  ///< Of tables.
+  UnitSystem units = UnitSystem::si;  ///< Units of tables.
   std::optional<std::filesystem::path> output;
   CsvStyle csv;
 };

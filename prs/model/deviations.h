@@ -52,7 +52,7 @@ struct Deviations {
   std::vector<int> missing_rollers;             ///< Their numbers, from 1.
   /// Axial position error of each start, or none [m].
   PerInterface<std::vector<double>> index_error;
-  PerInterface<Lateral> thread_eccentricity;  ///< Of the thread on screw and nut [m].
+  PerInterface<Lateral> thread_eccentricity;  ///< Axis of the thread on screw and nut [m].
 };
 
 /// Offsets of a part's threads from their nominal place, one per contact [m].

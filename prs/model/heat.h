@@ -26,12 +26,12 @@ struct Heat {
   /// A load case for a while, or a rest without motion.
   struct DutyStep {
     std::optional<std::string> load_case;  ///< Its name; none: a rest.
-    std::optional<double> duration;        ///< Of the load case [s].
+    std::optional<double> duration;        ///< Duration of the load case [s].
     std::optional<double> rest;            ///< In place of both [s].
 
     double time() const { return load_case ? *duration : *rest; }
   };
-  /// Of all rollers together [J/K].
+  /// Heat capacities [J/K]; `rollers`: all of them together.
   struct Capacity {
     double screw = 0.0;
     double rollers = 0.0;
@@ -42,7 +42,7 @@ struct Heat {
   Conductance conductance;
   std::vector<DutyStep> duty;  ///< Repeated without end; none: no cycle.
   std::optional<Capacity> capacity;
-  std::optional<double> specific_heat;  ///< Of all parts, in its place [J/(kg K)].
+  std::optional<double> specific_heat;  ///< One for all parts, in place of `capacity` [J/(kg K)].
 };
 
 }  // namespace prs

@@ -52,7 +52,7 @@ struct Life {
   std::optional<double> static_capacity;   ///< C_0 of a catalogue [N].
   double reliability = 0.90;               ///< Share that shall reach the rated life.
   double modification_factor = 1.0;        ///< a_ISO of ISO 281, of the rated life.
-  /// Of a full mechanism: the load case whose side loads, misalignment and orbit hold for all
+  /// Full mechanism only: the load case whose side loads, misalignment and orbit hold for all
   /// forces.
   std::optional<std::string> load_case;
   double fatigue_slope = 5.0;  ///< k of the equivalent load range: FKM, steel, normal stress.

@@ -30,7 +30,7 @@ struct SpatialLoad {
   /// A turn of the carrier by one spacing of the rollers.
   struct Orbit {
     int steps = 8;
-    double exponent = 3.0;  ///< Of equivalent loads.
+    double exponent = 3.0;  ///< Exponent of equivalent loads.
 
     bool operator==(const Orbit&) const = default;
   };
@@ -57,7 +57,7 @@ struct LoadCase {
   Share share = Share::solved;
   std::optional<double> speed;  ///< [rad/s], overrides the operation's.
   SpatialLoad spatial = {};
-  std::string input_path;  ///< Where the case stands in the input, e.g. `load_cases[2]`.
+  std::string input_path;  ///< Path of the case in the input, e.g. `load_cases[2]`.
 };
 
 /// Path of one of its inputs: `load_cases[2].axial_force`.

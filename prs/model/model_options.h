@@ -28,9 +28,9 @@ struct ModelOptions {
   /// elements.
   enum class Bodies { bars, refined, influence };
   enum class Roller { flexible, rigid_bending };
-  /// Where the two loaded flanks of a roller tooth meet screw and nut. Half a turn of a helical
-  /// roller is half a pitch times its starts, so that with an odd number of starts the contacts lie
-  /// opposite each other; those of ring-shaped teeth lie half a pitch apart.
+  /// Positions at which the two loaded flanks of a roller tooth meet screw and nut. Half a turn of
+  /// a helical roller is half a pitch times its starts, so that with an odd number of starts the
+  /// contacts lie opposite each other; those of ring-shaped teeth lie half a pitch apart.
   enum class RollerContacts { opposite, half_pitch_apart };
   /// Deflection of the teeth on top of exact Hertz, which counts it twice: for comparison.
   struct ToothCompliance {
@@ -40,8 +40,8 @@ struct ModelOptions {
   };
   /// One roller with its share of screw and nut, or all rollers on a spatial screw and nut.
   enum class Mechanism { sector, full };
-  /// Where the rollers of a full mechanism touch along the axis: all at the same places, or along
-  /// the helix.
+  /// Positions along the axis at which rollers of a full mechanism touch: all at the same places,
+  /// or along the helix.
   enum class ContactPhase { equal, helical };
   /// Meshes of the influence model.
   enum class Accuracy { working, reference };

@@ -57,14 +57,14 @@ bool has_operating_point(const Lubricant& lubricant);
 /// have passed `check_case`.
 contact::Lubricant in_operation(const Lubricant& lubricant);
 
-/// With the viscosities at two temperatures and the density that the name stands for, where they
+/// The lubricant with the viscosities and the density that its name stands for, where they
 /// are not stated otherwise.
 Lubricant with_data_of_name(Lubricant lubricant);
 
-/// With every value that the name stands for, estimates at operating temperature included.
+/// The lubricant with every value that its name stands for, estimates at operating temperature too.
 Lubricant resolved(const Lubricant& lubricant);
 
-/// Where the value of a key of a named lubricant comes from that is not stated: `density`; empty
+/// Source of a value, such as `density`, that a named lubricant has unless stated; empty
 /// where no name changes it.
 std::string origin_of(std::string_view key, LubricantName name);
 
@@ -74,7 +74,7 @@ std::string estimates_note(const Lubricant& lubricant);
 /// Flanks that a film parts in part only (Olver and Spikes 1998), see `contact::Patch`.
 struct MixedFriction {
   double boundary = 0.0;  ///< Coefficient without film.
-  double exponent = 2.0;  ///< Of the share of touching flanks, `contact::boundary_share`.
+  double exponent = 2.0;  ///< Exponent of the share of touching flanks, `contact::boundary_share`.
 };
 
 struct Friction {

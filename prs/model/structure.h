@@ -23,7 +23,7 @@ struct Guidance {
 struct Rings {
   enum class Carrier { housing, nut, screw };
   std::optional<Carrier> carrier;  ///< By default the part on which the rollers stay in place.
-  double stiffness = kRigid;  ///< Of a ring against its carrier [N/m]; below `kRigid` it floats.
+  double stiffness = kRigid;       ///< Ring against carrier [N/m]; below `kRigid` it floats.
 
   bool operator==(const Rings&) const = default;
 };

@@ -52,7 +52,7 @@ struct OptimizationResult {
   /// through the designs of the search, then those of the check.
   std::vector<std::size_t> front = {};
   std::optional<std::size_t> compromise = {};  ///< Absent where the front is empty.
-  /// Where the front is empty: the design with an answer that comes nearest to the constraints.
+  /// The answered design nearest to the constraints, if the front is empty.
   std::optional<std::size_t> nearest = {};
 
   std::size_t design_count() const;

@@ -34,7 +34,7 @@ std::optional<OptimizationResult> optimize(const Optimization& optimization,
 /// interval equally.
 Draw draw_at(const Factor& variable, double x);
 
-/// Where the file's own value lies, such that `draw_at` gives it back; absent where the variable
+/// Position of the file's own value, such that `draw_at` gives it back; absent where the variable
 /// does not have it.
 std::optional<double> place_of_base(const Factor& variable);
 

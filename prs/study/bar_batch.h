@@ -52,7 +52,7 @@ class BarBatch {
     contact::MechanismGeometry threads;
     ContactOverrides overrides;
     PerInterface<ContactLawNumbers> laws;
-    std::optional<std::size_t> offsets;  ///< Where threads are off their nominal place.
+    std::optional<std::size_t> offsets;  ///< Index, if threads are off their place.
     bool has_contacts = true;
   };
   struct Offsets {
@@ -66,17 +66,17 @@ class BarBatch {
 
   ContactBatch contacts_;
   simd::InstructionSet set_;
-  std::size_t load_cases_ = 0;  ///< Of a design.
+  std::size_t load_cases_ = 0;  ///< Per design.
   std::vector<Design> designs_;
-  std::vector<SectorModel> sectors_;        ///< Of each design those of its load cases.
-  std::vector<double> forces_, positions_;  ///< Of each sector that is in use.
+  std::vector<SectorModel> sectors_;        ///< One per design and load case.
+  std::vector<double> forces_, positions_;  ///< One per sector in use.
   std::vector<Direction> directions_;
   std::vector<Offsets> offsets_;  ///< Memory is kept.
   std::size_t used_offsets_ = 0;
   ContactDetail detail_ = ContactDetail::laws;
   std::vector<LoadDistribution> loads_;
-  Contacts found_;                       ///< Of one design, as far as results need them.
-  std::vector<LoadCaseResult> results_;  ///< Of one design.
+  Contacts found_;                       ///< One design, as far as results need it.
+  std::vector<LoadCaseResult> results_;  ///< One design.
 };
 
 }  // namespace prs

@@ -25,7 +25,7 @@ struct EnvelopePoint {
   std::string name;
   std::string reason = {};  ///< Why there is no such design; empty where there is one.
   MapPlace place = {};
-  std::optional<std::size_t> design = {};  ///< That of the node, where it is one.
+  std::optional<std::size_t> design = {};  ///< The node's design, if it has one.
   std::vector<Level> inputs = {};          ///< One per drawn input (`drawn_inputs`).
   std::vector<double> responses = {};      ///< All of the study's; NaN next to designs without.
   std::vector<double> normalised = {};     ///< m_i / n_i, one per measure.

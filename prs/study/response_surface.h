@@ -20,7 +20,7 @@ namespace prs {
 /// factor's distribution, not from the draws; Yao et al. 2023, section 3.1, scale by the draws'
 /// extremes, which differ from it by the order of 1 / samples.
 struct NormalisedFactor {
-  std::size_t factor = 0;  ///< Of the study's.
+  std::size_t factor = 0;  ///< Index in the study.
   double centre = 0.0;     ///< In the factor's unit, or the logarithm of its number.
   double half_range = 1.0;
   bool logarithmic = false;
@@ -33,7 +33,7 @@ std::vector<NormalisedFactor> normalised_factors(const Study& study);
 
 /// Effect of one factor on a response over the ranges.
 struct FactorEffect {
-  std::size_t factor = 0;  ///< Of the study's.
+  std::size_t factor = 0;  ///< Index in the study.
   /// b_i, the change of the response from the centre to the end of the factor's range (of a normal
   /// factor: by one standard deviation), in the unit of the response.
   double coefficient = 0.0;

@@ -17,11 +17,11 @@ namespace prs {
 /// What a response is read from.
 struct Answer {
   const Contacts& contacts;
-  const LoadCaseResult* load_case = nullptr;  ///< That of the response.
-  const Measures* measures = nullptr;         ///< Where they are asked for.
+  const LoadCaseResult* load_case = nullptr;  ///< The response's load case.
+  const Measures* measures = nullptr;         ///< If asked for.
   const LoadMeasures* load_measures = nullptr;
-  const LifeResult* life = nullptr;  ///< Of command life.
-  const HeatCycle* cycle = nullptr;  ///< Of a duty.
+  const LifeResult* life = nullptr;  ///< Command `life` only.
+  const HeatCycle* cycle = nullptr;  ///< Cases with a duty only.
 };
 
 /// A response in the tables of quantities, read from the results without a document. Its value is

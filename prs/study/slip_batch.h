@@ -47,7 +47,7 @@ class SlipBatch {
     Mechanism mechanism;
     contact::MechanismGeometry threads;
     bool is_sound = false;
-    std::size_t first_task = 0;  ///< Of the solver; one per load case.
+    std::size_t first_task = 0;  ///< First of the solver's tasks; one per load case.
   };
 
   void find();
@@ -58,13 +58,13 @@ class SlipBatch {
   simd::InstructionSet set_;
   ContactDetail detail_ = ContactDetail::laws;
   int patch_points_ = 0;
-  std::size_t load_cases_ = 0;  ///< Of a design.
+  std::size_t load_cases_ = 0;  ///< Per design.
   std::vector<Design> designs_;
-  std::vector<SlipModel> models_;  ///< Of each design those of its load cases; memory is kept.
-  std::vector<double> forces_;     ///< Of each load case.
-  Contacts found_;                 ///< Of one design.
-  SlipEquilibrium equilibrium_;    ///< Of one load case.
-  std::vector<LoadCaseResult> results_;  ///< Of one design.
+  std::vector<SlipModel> models_;        ///< One per design and load case; memory is kept.
+  std::vector<double> forces_;           ///< One per load case.
+  Contacts found_;                       ///< One design.
+  SlipEquilibrium equilibrium_;          ///< One load case.
+  std::vector<LoadCaseResult> results_;  ///< One design.
 };
 
 }  // namespace prs

@@ -12,9 +12,9 @@
 namespace prs {
 
 inline constexpr int kImageWidth = 900;
-inline constexpr int kHalfWidth = 450;  ///< Of a panel by itself, as a phone shows it.
+inline constexpr int kHalfWidth = 450;  ///< Width of a single panel, as a phone shows it.
 inline constexpr int kFontSize = 15;
-inline constexpr double kSlope = 0.6;  ///< Of slanted texts below an axis: down per length.
+inline constexpr double kSlope = 0.6;  ///< Slope of slanted texts below an axis: down per length.
 
 /// A text in at most two lines that fit in so many pixels; what is too long loses its middle.
 std::vector<std::string> fitted_lines(std::string_view text, int pixels);
@@ -24,7 +24,7 @@ bool has_range(const Axis& axis);
 /// Distance of the ticks of an axis that is not logarithmic, as `ticks_of` has them.
 double tick_step(const Axis& axis, int pixels, bool is_horizontal);
 
-/// Where numbers stand along an axis whose range is known, with room for them in a panel of that
+/// Positions of numbers along an axis whose range is known, with room for them in a panel of that
 /// size; without ticks of its own.
 std::vector<double> ticks_of(const Axis& axis, int pixels, bool is_horizontal);
 
@@ -45,7 +45,7 @@ struct Box {
   int height() const { return bottom - top; }
 };
 
-/// Where panels, colour bar and legend lie in the image.
+/// Positions of panels, colour bar and legend in the image.
 class Layout {
  public:
   explicit Layout(const Figure& figure, int image_width = kImageWidth);

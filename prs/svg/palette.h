@@ -13,10 +13,10 @@ namespace prs {
 inline constexpr std::string_view kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                 "#e69f00", "#56b4e9", "#000000", "#7f7f7f",
                                                 "#555555", "#aaaaaa", "#cc3311"};
-/// Of colour scales: from the least to the largest value, in equal steps.
+/// Colours of scales, from the least to the largest value, in equal steps.
 inline constexpr std::string_view kScaleColours[] = {"#ffffe5", "#fee391", "#fec44f", "#ec7014",
                                                      "#cc4c02"};
-/// Of `Weight`: of lines, and of marks.
+/// Widths of lines and sizes of marks, by `Weight`.
 inline constexpr double kLineWidths[] = {1.0, 1.6, 2.4};
 inline constexpr double kMarkSizes[] = {0.4, 0.75, 1.1};
 

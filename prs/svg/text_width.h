@@ -16,7 +16,7 @@ struct TextBox {
   }
 };
 
-/// Of a line that ends, begins or has its middle at x: `share` 1, 0 or 0.5 of it lie left of x.
+/// Box of a line of text of which `share` lies left of x: 1 ends, 0 begins, 0.5 centres it there.
 TextBox text_box(std::string_view text, double x, double baseline, double share);
 
 }  // namespace prs

@@ -1,5 +1,6 @@
 # Installs the build, moves it, uses its programs in a folder of their own, builds the project beside
-# this file on it, and compares its answer with that of the installed program.
+# this file on it, and compares its answer with that of the installed program; builds the examples,
+# which print what their last lines say.
 set(folder ${BUILD}/tests/package)
 set(case ${CMAKE_CURRENT_LIST_DIR}/../../configs/01_config_1_to_3.yaml)
 function(run output)
@@ -53,3 +54,21 @@ string(JSON by_program GET "${by_program}" load_cases)
 if(NOT by_library STREQUAL by_program)
   message(FATAL_ERROR "the library solved ${by_library}\nthe program ${by_program}")
 endif()
+
+set(examples ${CMAKE_CURRENT_LIST_DIR}/../../examples)
+run(_ ${CMAKE_COMMAND} -S ${examples} -B ${folder}/examples -G ${GENERATOR}
+  -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=-O0 -D CMAKE_PREFIX_PATH=${folder}/moved)
+run(_ ${CMAKE_COMMAND} --build ${folder}/examples)
+file(GLOB sources ${examples}/*.cpp)
+foreach(source IN LISTS sources)
+  cmake_path(GET source STEM example)
+  run(printed ${folder}/examples/${example} ${folder}/moved/share/prs/lessons/05_standard_screw.yaml)
+  file(READ ${source} text)
+  string(REGEX REPLACE "\n$" "" printed "//     ${printed}")
+  string(REPLACE "\n" "\n//     " printed "${printed}")
+  string(REPLACE "//     \n" "//\n" printed "${printed}")
+  string(FIND "${text}" "\n// Prints:\n//\n${printed}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "${source} prints\n${printed}")
+  endif()
+endforeach()

@@ -5,9 +5,8 @@
 // Solves a case by the installed library and prints its document; then work on two threads, by an
 // installed module.
 int main(int, char** arguments) {
-  const auto source = prs::input::load_source(arguments[1], {});
   const prs::Result result =
-      prs::analyze(prs::input::read_case_input(source, prs::Command::solve).values);
+      prs::analyze(prs::input::read_case(arguments[1], {}, prs::Command::solve));
   std::puts(prs::json_text(prs::to_json(result, {"", "", "", {}})).c_str());
   std::size_t sum = 0;
   prs::run_in_order(3, 2, [&](std::size_t k) { return [&sum, k] { sum += k; }; });

@@ -53,10 +53,10 @@ TEST(Lessons, EachWritesIntoAFolderOfItsOwn) {
       EXPECT_EQ((*it)[1].str(), "out/" + name);
 }
 
-TEST(Lessons, TheReadmeListsThemAll) {
-  const std::string readme = test::content_of(PRS_SOURCE_DIR "/README.md");
+TEST(Lessons, TheirPageListsThemAll) {
+  const std::string page = test::content_of(PRS_SOURCE_DIR "/docs/lessons.md");
   for (const auto& [name, comment] : lessons_in_order())
-    EXPECT_NE(readme.find("| `" + name + "` | "), std::string::npos) << name;
+    EXPECT_NE(page.find("| `" + name + "` | "), std::string::npos) << name;
 }
 
 }  // namespace

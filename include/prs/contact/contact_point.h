@@ -1,0 +1,4 @@
+#pragma once
+
+// Where two thread surfaces touch.
+#include "contact/contact_point.h"

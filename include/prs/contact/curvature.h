@@ -1,0 +1,4 @@
+#pragma once
+
+// Curvature tensors and their principal values.
+#include "contact/curvature.h"

@@ -1,0 +1,4 @@
+#pragma once
+
+// Friction over the ellipse of a contact.
+#include "contact/patch.h"

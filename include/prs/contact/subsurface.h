@@ -1,0 +1,4 @@
+#pragma once
+
+// Stresses below a contact: `contact::largest_subsurface_shear`.
+#include "contact/subsurface.h"

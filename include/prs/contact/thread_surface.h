@@ -1,0 +1,4 @@
+#pragma once
+
+// Surfaces of threads.
+#include "contact/thread_surface.h"

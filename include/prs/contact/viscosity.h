@@ -1,0 +1,4 @@
+#pragma once
+
+// Viscosity of a lubricant over temperature.
+#include "contact/viscosity.h"

@@ -1,0 +1,4 @@
+#pragma once
+
+// Bars.
+#include "fe/bar.h"

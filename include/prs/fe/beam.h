@@ -1,0 +1,4 @@
+#pragma once
+
+// Beams of Euler and Bernoulli, and Timoshenko.
+#include "fe/beam.h"

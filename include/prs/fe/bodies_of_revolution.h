@@ -1,0 +1,4 @@
+#pragma once
+
+// Finite elements of bodies of revolution.
+#include "fe/axisymmetric.h"

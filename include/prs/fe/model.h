@@ -1,0 +1,4 @@
+#pragma once
+
+// A structure of nodes, elements and supports: `fe::Model`.
+#include "fe/model.h"

@@ -1,0 +1,4 @@
+#pragma once
+
+// Shells of revolution.
+#include "fe/shell.h"

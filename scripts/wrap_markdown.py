@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""Finds lines of Markdown longer than 150 characters; with --write, wraps the paragraphs that hold
+them at 120. Tables, code, and words without blanks (links) stay as they are."""
+
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+MOST, WIDTH = 150, 120
+ITEM = re.compile(r"( *)([-*+]|\d+\.) +")
+# At the start of a line these would begin a list, a title, a quotation or a table.
+MARK = re.compile(r"([-+*=|>#]+|\d+[.)])$")
+
+
+def is_text(line: str) -> bool:
+    return bool(line.strip()) and not re.match(r"#|\||<|!\[", line.lstrip())
+
+
+def words(text: str) -> Iterator[str]:
+    """Words, where a code span is one and a mark belongs to the word before it."""
+    waiting = ""
+    for word in re.findall(r"(?:`[^`]*`|[^\s`]|`)+", text):
+        if waiting and not MARK.match(word):
+            yield waiting
+            waiting = word
+        else:
+            waiting = f"{waiting} {word}".strip()
+    if waiting:
+        yield waiting
+
+
+def wrapped(lines: list[str]) -> Iterator[str]:
+    item = ITEM.match(lines[0])
+    first = item[0] if item else lines[0][: len(lines[0]) - len(lines[0].lstrip())]
+    line, indent = first, " " * len(first)
+    text = " ".join(lines)[len(first) :]
+    for word in words(text):
+        if len(line) + len(word) > WIDTH and line.strip() and line != first:
+            yield line.rstrip()
+            line = indent
+        line += word + " "
+    yield line.rstrip()
+
+
+def paragraphs(lines: list[str]) -> Iterator[list[str]]:
+    """Paragraphs and items of lists; anything else line by line."""
+    fenced, after_blank, inside = False, True, []
+    for line in lines:
+        indented_code = after_blank and line.startswith("    ") and not ITEM.match(line)
+        if line.lstrip().startswith("```"):
+            fenced = not fenced
+        code = fenced or line.lstrip().startswith("```") or (indented_code and not inside)
+        if inside and (code or not is_text(line) or ITEM.match(line)):
+            yield inside
+            inside = []
+        if code or not is_text(line):
+            yield [line]
+        else:
+            inside.append(line)
+        after_blank = not line.strip() or (code and after_blank)
+    if inside:
+        yield inside
+
+
+def is_long(line: str) -> bool:
+    return len(line) > MOST and " " in line.strip() and is_text(line)
+
+
+def main() -> int:
+    listed = subprocess.run(
+        ["git", "ls-files", "*.md"], cwd=ROOT, check=True, capture_output=True, text=True
+    )
+    found = 0
+    for name in listed.stdout.split():
+        path = ROOT / name
+        lines = path.read_text().splitlines()
+        result: list[str] = []
+        for part in paragraphs(lines):
+            code = part[0].startswith("    ") and not ITEM.match(part[0])
+            long = not code and any(map(is_long, part))
+            result += wrapped(part) if long else part
+        if result != lines:
+            found += 1
+            if "--write" in sys.argv:
+                path.write_text("\n".join(result) + "\n")
+            else:
+                print(f"{name}: lines of more than {MOST} characters", file=sys.stderr)
+    if found and "--write" not in sys.argv:
+        print("scripts/wrap_markdown.py --write wraps them", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
