@@ -7,6 +7,7 @@
 #include "prs/sector/refined/local_compliance.h"
 #include "prs/sector/refined_formulas.h"
 #include "prs/sector/section_properties.h"
+#include "prs/threads/initial_gaps.h"
 
 namespace prs {
 namespace {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "prs/sector/section_properties.h"
+#include "prs/threads/initial_gaps.h"
 
 namespace prs {
 namespace {
