@@ -36,17 +36,16 @@ NormalNumbers<Real> normal_numbers(const Vector3<Real>& n) {
 template <class Real>
 struct MechanismContactNumbers {
   Real sound{};  ///< 1 where all three threads can be, else 0: then the rest has no meaning.
-  InterfaceNumbers<Real> screw, nut;
+  InterfaceGeometryOf<Real> screw, nut;
   NormalNumbers<Real> normal_at_screw, normal_at_nut;
-  HertzNumbers<Real> hertz_at_screw, hertz_at_nut;
+  HertzConstantsOf<Real> hertz_at_screw, hertz_at_nut;
 };
 
 template <class Real>
 MechanismContactNumbers<Real> contact_numbers(const MechanismNumbers<Real>& m) {
   const auto sound = [](const ThreadNumbers<Real>& thread, const Flank<Real>& flank) {
-    const Real status = status_of(thread, flank);
-    return (status == as_number<Real>(ThreadStatus::ok) ||
-            status == as_number<Real>(ThreadStatus::beyond_sharp_limit)) &&
+    const simd::EnumOf<ThreadStatus, Real> status = status_of(thread, flank);
+    return (status == ThreadStatus::ok || status == ThreadStatus::beyond_sharp_limit) &&
            flank.smallest_radius < flank.largest_radius;
   };
   const Flank<Real> screw = flank_of(m.screw, false), roller = flank_of(m.roller, false),
@@ -57,12 +56,12 @@ MechanismContactNumbers<Real> contact_numbers(const MechanismNumbers<Real>& m) {
   MechanismContactNumbers<Real> c;
   c.sound = select(sound(m.screw, screw) && sound(m.roller, roller) && sound(m.nut, nut), Real(1.0),
                    Real(0.0));
-  c.screw = interface_numbers(at_screw, point_numbers(at_screw));
-  c.nut = interface_numbers(at_nut, point_numbers(at_nut));
+  c.screw = interface_at(at_screw, contact_point(at_screw));
+  c.nut = interface_at(at_nut, contact_point(at_nut));
   c.normal_at_screw = normal_numbers(c.screw.point.normal);
   c.normal_at_nut = normal_numbers(c.nut.point.normal);
-  c.hertz_at_screw = hertz_numbers(c.screw.relative, m.modulus_at_screw);
-  c.hertz_at_nut = hertz_numbers(c.nut.relative, m.modulus_at_nut);
+  c.hertz_at_screw = hertz_constants(c.screw.relative, m.modulus_at_screw);
+  c.hertz_at_nut = hertz_constants(c.nut.relative, m.modulus_at_nut);
   return c;
 }
 

@@ -3,20 +3,14 @@
 namespace prs {
 namespace {
 
-contact::Elasticity elastic(const Material& m) { return {m.youngs_modulus, m.poisson_ratio}; }
-
-bool set_contact(InterfaceContact& c, const contact::InterfaceNumbers<double>& geometry,
-                 const contact::HertzNumbers<double>& hertz, double modulus) {
-  if (geometry.point.status != static_cast<double>(contact::ContactPointStatus::ok)) return false;
-  c.geometry = contact::interface_geometry_of(geometry);
+bool set_contact(InterfaceContact& c, const contact::InterfaceGeometry& geometry,
+                 const contact::HertzConstants& hertz, double modulus) {
+  if (!geometry.ok()) return false;
+  c.geometry = geometry;
   c.contact_modulus = modulus;
   c.shear.reset();
-  if (modulus == 0.0) {
-    c.hertz = {};
-    return true;
-  }
-  c.hertz = contact::hertz_constants_of(hertz);
-  return c.hertz.ok();
+  c.hertz = modulus == 0.0 ? contact::HertzConstants{} : hertz;
+  return modulus == 0.0 || c.hertz.ok();
 }
 
 }  // namespace
@@ -25,9 +19,8 @@ void ContactBatch::add(const contact::MechanismGeometry& threads,
                        const std::optional<Materials>& materials) {
   contact::MechanismNumbers<double>& m = mechanisms_.emplace_back(contact::numbers_of(threads));
   if (!materials) return;
-  const contact::Elasticity roller = elastic(materials->roller);
-  m.modulus_at_screw = contact::contact_modulus(elastic(materials->screw), roller);
-  m.modulus_at_nut = contact::contact_modulus(elastic(materials->nut), roller);
+  m.modulus_at_screw = contact::contact_modulus(materials->screw, materials->roller);
+  m.modulus_at_nut = contact::contact_modulus(materials->nut, materials->roller);
 }
 
 void ContactBatch::find() {
@@ -37,13 +30,13 @@ void ContactBatch::find() {
 
 bool ContactBatch::get_laws(std::size_t k, Contacts& c) const {
   const contact::MechanismContactNumbers<double>& found = found_[k];
-  const auto set = [](InterfaceContact& to, const contact::PointNumbers<double>& point,
-                      const contact::HertzNumbers<double>& hertz) {
-    if (point.status != static_cast<double>(contact::ContactPointStatus::ok)) return false;
-    to.geometry.point.status = contact::ContactPointStatus::ok;
-    to.geometry.point.normal = {point.normal.x, point.normal.y, point.normal.z};
-    to.hertz = contact::hertz_constants_of(hertz);
-    return to.hertz.ok();
+  const auto set = [](InterfaceContact& to, const contact::ContactPoint& point,
+                      const contact::HertzConstants& hertz) {
+    if (!point.ok()) return false;
+    to.geometry.point.status = point.status;
+    to.geometry.point.normal = point.normal;
+    to.hertz = hertz;
+    return hertz.ok();
   };
   return found.sound != 0.0 && set(c.interfaces.screw, found.screw.point, found.hertz_at_screw) &&
          set(c.interfaces.nut, found.nut.point, found.hertz_at_nut);
@@ -52,7 +45,7 @@ bool ContactBatch::get_laws(std::size_t k, Contacts& c) const {
 PerInterface<ContactLawNumbers> ContactBatch::laws(std::size_t k) const {
   const contact::MechanismContactNumbers<double>& found = found_[k];
   const auto law = [](const contact::NormalNumbers<double>& normal,
-                      const contact::HertzNumbers<double>& hertz) {
+                      const contact::HertzConstants& hertz) {
     return ContactLawNumbers{
         {hertz.hertz_constant, normal.angle, 0.0}, normal.cosine, normal.sine, hertz.cbrt_constant};
   };
