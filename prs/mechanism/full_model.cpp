@@ -1,4 +1,4 @@
-#include "prs/sector/full/full_model.h"
+#include "prs/mechanism/full_model.h"
 
 #include <algorithm>
 #include <cmath>
