@@ -32,13 +32,26 @@ NormalNumbers<Real> normal_numbers(const Vector3<Real>& n) {
   return {atan2(sine, cosine), cosine, sine};
 }
 
-/// Both contacts of a mechanism (I1J2), from its threads to Hertz's constants.
+/// Contact of one interface, from its threads to Hertz's constants.
+template <class Real>
+struct ContactNumbers {
+  InterfaceGeometryOf<Real> geometry;
+  NormalNumbers<Real> normal;
+  HertzConstantsOf<Real> hertz;
+};
+
+template <class Real>
+ContactNumbers<Real> contact_numbers(const FlankPair<Real>& pair, const Real& modulus) {
+  const InterfaceGeometryOf<Real> geometry = interface_at(pair, contact_point(pair));
+  return {geometry, normal_numbers(geometry.point.normal),
+          hertz_constants(geometry.relative, modulus)};
+}
+
+/// Both contacts of a mechanism (I1J2).
 template <class Real>
 struct MechanismContactNumbers {
   Real sound{};  ///< 1 where all three threads can be, else 0: then the rest has no meaning.
-  InterfaceGeometryOf<Real> screw, nut;
-  NormalNumbers<Real> normal_at_screw, normal_at_nut;
-  HertzConstantsOf<Real> hertz_at_screw, hertz_at_nut;
+  ContactNumbers<Real> screw, nut;
 };
 
 template <class Real>
@@ -53,16 +66,9 @@ MechanismContactNumbers<Real> contact_numbers(const MechanismNumbers<Real>& m) {
   // I1J2: the top face of the roller touches the screw, the bottom face the nut.
   const FlankPair<Real> at_screw{screw, roller, m.centre_distance, -1.0},
       at_nut{nut, roller, m.centre_distance, 1.0};
-  MechanismContactNumbers<Real> c;
-  c.sound = select(sound(m.screw, screw) && sound(m.roller, roller) && sound(m.nut, nut), Real(1.0),
-                   Real(0.0));
-  c.screw = interface_at(at_screw, contact_point(at_screw));
-  c.nut = interface_at(at_nut, contact_point(at_nut));
-  c.normal_at_screw = normal_numbers(c.screw.point.normal);
-  c.normal_at_nut = normal_numbers(c.nut.point.normal);
-  c.hertz_at_screw = hertz_constants(c.screw.relative, m.modulus_at_screw);
-  c.hertz_at_nut = hertz_constants(c.nut.relative, m.modulus_at_nut);
-  return c;
+  return {select(sound(m.screw, screw) && sound(m.roller, roller) && sound(m.nut, nut), Real(1.0),
+                 Real(0.0)),
+          contact_numbers(at_screw, m.modulus_at_screw), contact_numbers(at_nut, m.modulus_at_nut)};
 }
 
 MechanismNumbers<double> numbers_of(const MechanismGeometry& mechanism);

@@ -8,10 +8,11 @@
 
 namespace contact {
 
+double compliance(const Elasticity& body) {
+  return (1.0 - body.poisson_ratio * body.poisson_ratio) / body.youngs_modulus;
+}
+
 double contact_modulus(const Elasticity& body_1, const Elasticity& body_2) {
-  const auto compliance = [](const Elasticity& e) {
-    return (1.0 - e.poisson_ratio * e.poisson_ratio) / e.youngs_modulus;
-  };
   return 1.0 / (compliance(body_1) + compliance(body_2));
 }
 

@@ -17,9 +17,10 @@ struct ElasticityOf {
 };
 using Elasticity = ElasticityOf<double>;
 
-/// Contact modulus E* [Pa] of two bodies, from the sum of their plane-strain compliances:
-///
-///     1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
+/// Plane-strain compliance (1 - nu^2)/E [1/Pa].
+double compliance(const Elasticity& body);
+
+/// Contact modulus E* [Pa] of two bodies, 1/E* the sum of their compliances.
 ///
 /// Yao 2023's E' (46) is E*; Sandu 2018's E' (1.78) is 2 E*.
 double contact_modulus(const Elasticity& body_1, const Elasticity& body_2);

@@ -3,14 +3,14 @@
 namespace prs {
 namespace {
 
-bool set_contact(InterfaceContact& c, const contact::InterfaceGeometry& geometry,
-                 const contact::HertzConstants& hertz, double modulus) {
-  if (!geometry.ok()) return false;
-  c.geometry = geometry;
-  c.contact_modulus = modulus;
-  c.shear.reset();
-  c.hertz = modulus == 0.0 ? contact::HertzConstants{} : hertz;
-  return modulus == 0.0 || c.hertz.ok();
+bool set_contact(InterfaceContact& to, const contact::ContactNumbers<double>& found,
+                 double modulus) {
+  if (!found.geometry.ok()) return false;
+  to.geometry = found.geometry;
+  to.contact_modulus = modulus;
+  to.shear.reset();
+  to.hertz = modulus == 0.0 ? contact::HertzConstants{} : found.hertz;
+  return modulus == 0.0 || to.hertz.ok();
 }
 
 }  // namespace
@@ -30,27 +30,26 @@ void ContactBatch::find() {
 
 bool ContactBatch::get_laws(std::size_t k, Contacts& c) const {
   const contact::MechanismContactNumbers<double>& found = found_[k];
-  const auto set = [](InterfaceContact& to, const contact::ContactPoint& point,
-                      const contact::HertzConstants& hertz) {
+  const auto set = [](InterfaceContact& to, const contact::ContactNumbers<double>& contact) {
+    const contact::ContactPoint& point = contact.geometry.point;
     if (!point.ok()) return false;
     to.geometry.point.status = point.status;
     to.geometry.point.normal = point.normal;
-    to.hertz = hertz;
-    return hertz.ok();
+    to.hertz = contact.hertz;
+    return to.hertz.ok();
   };
-  return found.sound != 0.0 && set(c.interfaces.screw, found.screw.point, found.hertz_at_screw) &&
-         set(c.interfaces.nut, found.nut.point, found.hertz_at_nut);
+  return found.sound != 0.0 && set(c.interfaces.screw, found.screw) &&
+         set(c.interfaces.nut, found.nut);
 }
 
 PerInterface<ContactLawNumbers> ContactBatch::laws(std::size_t k) const {
-  const contact::MechanismContactNumbers<double>& found = found_[k];
-  const auto law = [](const contact::NormalNumbers<double>& normal,
-                      const contact::HertzConstants& hertz) {
-    return ContactLawNumbers{
-        {hertz.hertz_constant, normal.angle, 0.0}, normal.cosine, normal.sine, hertz.cbrt_constant};
+  const auto law = [](const contact::ContactNumbers<double>& c) {
+    return ContactLawNumbers{{c.hertz.hertz_constant, c.normal.angle, 0.0},
+                             c.normal.cosine,
+                             c.normal.sine,
+                             c.hertz.cbrt_constant};
   };
-  return {law(found.normal_at_screw, found.hertz_at_screw),
-          law(found.normal_at_nut, found.hertz_at_nut)};
+  return {law(found_[k].screw), law(found_[k].nut)};
 }
 
 bool ContactBatch::get(std::size_t k, const Mechanism& mechanism,
@@ -58,9 +57,8 @@ bool ContactBatch::get(std::size_t k, const Mechanism& mechanism,
                        Contacts& c) const {
   const contact::MechanismContactNumbers<double>& found = found_[k];
   const contact::MechanismNumbers<double>& m = mechanisms_[k];
-  if (found.sound == 0.0 ||
-      !set_contact(c.interfaces.screw, found.screw, found.hertz_at_screw, m.modulus_at_screw) ||
-      !set_contact(c.interfaces.nut, found.nut, found.hertz_at_nut, m.modulus_at_nut))
+  if (found.sound == 0.0 || !set_contact(c.interfaces.screw, found.screw, m.modulus_at_screw) ||
+      !set_contact(c.interfaces.nut, found.nut, m.modulus_at_nut))
     return false;
   c.mechanism = mechanism;
   c.threads = threads;

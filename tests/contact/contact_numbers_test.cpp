@@ -120,8 +120,8 @@ TEST(ContactNumbers, EveryInstructionSetFindsTheContactsOfOneMechanism) {
         ASSERT_EQ(h.status, constants.status) << k;
         worst.add(h, constants, std::min(1.0, g.openness()));
       };
-      compare(found[k].screw, scalar.screw, found[k].hertz_at_screw, kBothModuli);
-      compare(found[k].nut, scalar.nut, found[k].hertz_at_nut, 0.7 * kBothModuli);
+      compare(found[k].screw.geometry, scalar.screw, found[k].screw.hertz, kBothModuli);
+      compare(found[k].nut.geometry, scalar.nut, found[k].nut.hertz, 0.7 * kBothModuli);
     }
     EXPECT_GT(sound, mechanisms.size() / 2);
     EXPECT_GT(contacts, sound / 2);
@@ -143,9 +143,9 @@ TEST(ContactNumbers, NeighboursDoNotMatter) {
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       find_contacts({&numbers[k], 1}, alone, set);
       const auto bits = [](const MechanismContactNumbers<double>& c) {
-        return std::vector<double>{c.screw.point.position.x, c.screw.relative.first,
-                                   c.nut.point.backlash, c.hertz_at_screw.hertz_constant,
-                                   c.hertz_at_nut.ellipticity};
+        return std::vector<double>{c.screw.geometry.point.position.x,
+                                   c.screw.geometry.relative.first, c.nut.geometry.point.backlash,
+                                   c.screw.hertz.hertz_constant, c.nut.hertz.ellipticity};
       };
       const std::vector<double> a = bits(together[k]), b = bits(alone[0]);
       for (std::size_t i = 0; i < a.size(); ++i)
