@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "contact/contact_formulas.h"
 #include "contact/hertz_formulas.h"
@@ -86,10 +87,10 @@ struct KnownApproach {
   double cbrt_constant = 0.0;             ///< k_0^(1/3) [N^(1/3)/m^(1/2)]
 };
 
-/// `set_ellipses` of contacts with known approaches.
+/// Ellipses and pressures under many loads, as many side by side as a batch has numbers.
 void set_ellipses(const HertzConstants& constants, const std::vector<double>& normal_load,
                   std::vector<double>& semi_major, std::vector<double>& semi_minor,
                   std::vector<double>& peak_pressure, simd::InstructionSet set,
-                  const KnownApproach& known);
+                  const KnownApproach& known = {});
 
 }  // namespace contact

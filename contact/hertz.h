@@ -2,9 +2,7 @@
 
 #include <cstdint>
 #include <string_view>
-#include <vector>
 
-#include "simd/instruction_set.h"
 #include "simd/lanes.h"
 
 namespace contact {
@@ -86,10 +84,5 @@ struct HertzContact {
 
 /// The contact under the normal load N [N]; a load <= 0 leaves it open (all zero).
 HertzContact at_load(const HertzConstants& constants, double normal_load);
-
-/// Ellipses and pressures under many loads, as many side by side as a batch has numbers.
-void set_ellipses(const HertzConstants& constants, const std::vector<double>& normal_load,
-                  std::vector<double>& semi_major, std::vector<double>& semi_minor,
-                  std::vector<double>& peak_pressure, simd::InstructionSet set);
 
 }  // namespace contact
