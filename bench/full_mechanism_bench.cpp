@@ -9,10 +9,10 @@
 
 #include "fe/cholesky.h"
 #include "fe/sparse_factorization.h"
-#include "prs/sector/full/full_influence.h"
-#include "prs/sector/full/full_structure.h"
-#include "prs/sector/full/orbit.h"
-#include "prs/sector/full/rigid_motions.h"
+#include "prs/mechanism/full_influence.h"
+#include "prs/mechanism/full_structure.h"
+#include "prs/mechanism/orbit.h"
+#include "prs/mechanism/rigid_motions.h"
 #include "support/sectors.h"
 
 namespace {

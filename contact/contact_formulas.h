@@ -3,62 +3,11 @@
 #include <limits>
 #include <numbers>
 
-#include "contact/contact_status.h"
-#include "contact/flank.h"
+#include "contact/interface_geometry.h"
 
 /// Contact point, curvatures and directions of a pair of flanks: one set of formulas for numbers
 /// and for batches, one design per lane. What a status has no meaning for is any number.
 namespace contact {
-
-template <class Real>
-struct Vector2 {
-  Real x{}, y{};
-
-  Real dot(const Vector2& v) const { return x * v.x + y * v.y; }
-  Real norm() const { return sqrt(dot(*this)); }
-};
-template <class Real>
-Vector2<Real> operator+(const Vector2<Real>& a, const Vector2<Real>& b) {
-  return {a.x + b.x, a.y + b.y};
-}
-
-template <class Real>
-struct Vector3 {
-  Real x{}, y{}, z{};
-
-  Real dot(const Vector3& v) const { return x * v.x + y * v.y + z * v.z; }
-  Vector3 cross(const Vector3& v) const {
-    return {y * v.z - z * v.y, z * v.x - x * v.z, x * v.y - y * v.x};
-  }
-  Vector3 over(const Real& length) const { return {x / length, y / length, z / length}; }
-};
-
-/// Numbers of `ContactPoint`.
-template <class Real>
-struct PointNumbers {
-  Real status{};  ///< As a number: `ContactPointStatus`.
-  Real iterations{};
-  Real residual{};
-  Vector2<Real> position;
-  Real radius_on_body{}, radius_on_roller{};
-  Real angle_on_body{}, angle_on_roller{};
-  Vector3<Real> normal;
-  TensorOf<Real> clearance_hessian;
-  Real backlash{};
-};
-
-/// Numbers of `InterfaceGeometry`.
-template <class Real>
-struct InterfaceNumbers {
-  PointNumbers<Real> point;
-  PrincipalOf<Real> body, roller, relative;
-  Vector3<Real> helix_tangent, major_axis, minor_axis;
-};
-
-template <class Real, class Status>
-Real as_number(Status status) {
-  return Real(static_cast<double>(status));
-}
 
 /// Slope and second derivatives over x, y of one part of the clearance, side f(r) + twist theta.
 template <class Real>
@@ -190,9 +139,9 @@ RadiiOf<Real> overlap(const Flank<Real>& body, const Flank<Real>& roller, const 
 }
 
 template <class Real>
-PointNumbers<Real> point_numbers(const FlankPair<Real>& pair) {
+ContactPointOf<Real> contact_point(const FlankPair<Real>& pair) {
+  using Status = simd::EnumOf<ContactPointStatus, Real>;
   using enum ContactPointStatus;
-  const auto code = [](ContactPointStatus status) { return Real(static_cast<double>(status)); };
   const auto &body = pair.body, &roller = pair.roller;
   const Real& c = pair.centre_distance;
   const auto external = body.side > 0.0;
@@ -209,7 +158,7 @@ PointNumbers<Real> point_numbers(const FlankPair<Real>& pair) {
       descend<Real>(pair, {start, Real(0.0)}, simd::Lanes<Real>(curved && reachable));
   const Vector2<Real> from_roller = pair.from_roller(d.point);
 
-  PointNumbers<Real> p;
+  ContactPointOf<Real> p;
   p.iterations = d.iterations;
   p.residual = max(Real(abs(d.relief.slope.x)), Real(abs(d.relief.slope.y)));
   p.position = d.point;
@@ -244,11 +193,11 @@ PointNumbers<Real> point_numbers(const FlankPair<Real>& pair) {
   const auto outside = beyond(body, p.radius_on_body) || beyond(roller, p.radius_on_roller);
   const TensorOf<Real>& h = p.clearance_hessian;
   const auto saddle = h.determinant() <= 0.0 || h.trace() <= 0.0;
-  p.status = select(outside, code(outside_flank), code(ok));
-  p.status = select(saddle, code(not_a_minimum), p.status);
-  p.status = select(d.converged, p.status, code(not_converged));
-  p.status = select(reachable, p.status, code(out_of_reach));
-  p.status = select(curved, p.status, code(straight_on_straight));
+  p.status = select(outside, Status(outside_flank), Status(ok));
+  p.status = select(saddle, Status(not_a_minimum), p.status);
+  p.status = select(d.converged, p.status, Status(not_converged));
+  p.status = select(reachable, p.status, Status(out_of_reach));
+  p.status = select(curved, p.status, Status(straight_on_straight));
   return p;
 }
 
@@ -261,9 +210,9 @@ Vector3<Real> helix_tangent(const Flank<Real>& flank, const Vector2<Real>& from_
 
 /// Curvatures and directions at a point that is `ok`.
 template <class Real>
-InterfaceNumbers<Real> interface_numbers(const FlankPair<Real>& pair,
-                                         const PointNumbers<Real>& point) {
-  InterfaceNumbers<Real> g;
+InterfaceGeometryOf<Real> interface_at(const FlankPair<Real>& pair,
+                                       const ContactPointOf<Real>& point) {
+  InterfaceGeometryOf<Real> g;
   g.point = point;
   const Vector3<Real>& n = point.normal;
   const Vector3<Real> body_tangent = helix_tangent(pair.body, point.position);
@@ -283,9 +232,7 @@ InterfaceNumbers<Real> interface_numbers(const FlankPair<Real>& pair,
   g.relative = principal_ascending(of_body + of_roller);
   const Vector3<Real> across = n.cross(g.helix_tangent);
   const auto [sine, cosine] = sincos(g.relative.angle);
-  g.major_axis = {cosine * g.helix_tangent.x + sine * across.x,
-                  cosine * g.helix_tangent.y + sine * across.y,
-                  cosine * g.helix_tangent.z + sine * across.z};
+  g.major_axis = cosine * g.helix_tangent + sine * across;
   g.minor_axis = n.cross(g.major_axis);
   return g;
 }

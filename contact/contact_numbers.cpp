@@ -41,10 +41,4 @@ void set_ellipses(const HertzConstants& constants, const std::vector<double>& no
                    semi_major.data(), semi_minor.data(), peak_pressure.data());
 }
 
-void set_ellipses(const HertzConstants& constants, const std::vector<double>& normal_load,
-                  std::vector<double>& semi_major, std::vector<double>& semi_minor,
-                  std::vector<double>& peak_pressure, simd::InstructionSet set) {
-  set_ellipses(constants, normal_load, semi_major, semi_minor, peak_pressure, set, {});
-}
-
 }  // namespace contact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "contact/contact_formulas.h"
 #include "contact/hertz_formulas.h"
@@ -32,21 +33,33 @@ NormalNumbers<Real> normal_numbers(const Vector3<Real>& n) {
   return {atan2(sine, cosine), cosine, sine};
 }
 
-/// Both contacts of a mechanism (I1J2), from its threads to Hertz's constants.
+/// Contact of one interface, from its threads to Hertz's constants.
+template <class Real>
+struct ContactNumbers {
+  InterfaceGeometryOf<Real> geometry;
+  NormalNumbers<Real> normal;
+  HertzConstantsOf<Real> hertz;
+};
+
+template <class Real>
+ContactNumbers<Real> contact_numbers(const FlankPair<Real>& pair, const Real& modulus) {
+  const InterfaceGeometryOf<Real> geometry = interface_at(pair, contact_point(pair));
+  return {geometry, normal_numbers(geometry.point.normal),
+          hertz_constants(geometry.relative, modulus)};
+}
+
+/// Both contacts of a mechanism (I1J2).
 template <class Real>
 struct MechanismContactNumbers {
   Real sound{};  ///< 1 where all three threads can be, else 0: then the rest has no meaning.
-  InterfaceNumbers<Real> screw, nut;
-  NormalNumbers<Real> normal_at_screw, normal_at_nut;
-  HertzNumbers<Real> hertz_at_screw, hertz_at_nut;
+  ContactNumbers<Real> screw, nut;
 };
 
 template <class Real>
 MechanismContactNumbers<Real> contact_numbers(const MechanismNumbers<Real>& m) {
   const auto sound = [](const ThreadNumbers<Real>& thread, const Flank<Real>& flank) {
-    const Real status = status_of(thread, flank);
-    return (status == as_number<Real>(ThreadStatus::ok) ||
-            status == as_number<Real>(ThreadStatus::beyond_sharp_limit)) &&
+    const simd::EnumOf<ThreadStatus, Real> status = status_of(thread, flank);
+    return (status == ThreadStatus::ok || status == ThreadStatus::beyond_sharp_limit) &&
            flank.smallest_radius < flank.largest_radius;
   };
   const Flank<Real> screw = flank_of(m.screw, false), roller = flank_of(m.roller, false),
@@ -54,16 +67,9 @@ MechanismContactNumbers<Real> contact_numbers(const MechanismNumbers<Real>& m) {
   // I1J2: the top face of the roller touches the screw, the bottom face the nut.
   const FlankPair<Real> at_screw{screw, roller, m.centre_distance, -1.0},
       at_nut{nut, roller, m.centre_distance, 1.0};
-  MechanismContactNumbers<Real> c;
-  c.sound = select(sound(m.screw, screw) && sound(m.roller, roller) && sound(m.nut, nut), Real(1.0),
-                   Real(0.0));
-  c.screw = interface_numbers(at_screw, point_numbers(at_screw));
-  c.nut = interface_numbers(at_nut, point_numbers(at_nut));
-  c.normal_at_screw = normal_numbers(c.screw.point.normal);
-  c.normal_at_nut = normal_numbers(c.nut.point.normal);
-  c.hertz_at_screw = hertz_numbers(c.screw.relative, m.modulus_at_screw);
-  c.hertz_at_nut = hertz_numbers(c.nut.relative, m.modulus_at_nut);
-  return c;
+  return {select(sound(m.screw, screw) && sound(m.roller, roller) && sound(m.nut, nut), Real(1.0),
+                 Real(0.0)),
+          contact_numbers(at_screw, m.modulus_at_screw), contact_numbers(at_nut, m.modulus_at_nut)};
 }
 
 MechanismNumbers<double> numbers_of(const MechanismGeometry& mechanism);
@@ -81,10 +87,10 @@ struct KnownApproach {
   double cbrt_constant = 0.0;             ///< k_0^(1/3) [N^(1/3)/m^(1/2)]
 };
 
-/// `set_ellipses` of contacts with known approaches.
+/// Ellipses and pressures under many loads, as many side by side as a batch has numbers.
 void set_ellipses(const HertzConstants& constants, const std::vector<double>& normal_load,
                   std::vector<double>& semi_major, std::vector<double>& semi_minor,
                   std::vector<double>& peak_pressure, simd::InstructionSet set,
-                  const KnownApproach& known);
+                  const KnownApproach& known = {});
 
 }  // namespace contact

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -8,6 +7,7 @@
 #include "contact/contact_status.h"
 #include "contact/curvature.h"
 #include "contact/thread_surface.h"
+#include "contact/vectors.h"
 
 namespace contact {
 
@@ -66,37 +66,34 @@ class FlankViolations {
   std::size_t size_ = 0;
 };
 
-/// The point where two thread flanks touch.
-struct ContactPoint {
-  ContactPointStatus status = ContactPointStatus::not_computed;
-  int iterations = 0;     ///< Newton steps.
-  double residual = 0.0;  ///< Largest difference of the two surfaces' slopes at the point [-].
+/// Where two thread flanks touch.
+template <class Real>
+struct ContactPointOf {
+  simd::EnumOf<ContactPointStatus, Real> status = ContactPointStatus::not_computed;
+  Real iterations{};  ///< Newton steps.
+  Real residual{};    ///< Largest difference of the two surfaces' slopes at the point [-].
 
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< x, y from the body's axis [m].
-  double radius_on_body = 0.0;                         ///< [m]
-  double radius_on_roller = 0.0;                       ///< [m]
+  Vector2<Real> position{};  ///< x, y from the body's axis [m].
+  Real radius_on_body{};     ///< [m]
+  Real radius_on_roller{};   ///< [m]
   /// Angles of the point about the two axes from x [rad]. The roller's angle at the
   /// screw is on the branch near -pi on the roller's top face and near +pi on its bottom face.
-  double angle_on_body = 0.0;
-  double angle_on_roller = 0.0;
-  /// Unit normal, outward from the roller.
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  Real angle_on_body{};
+  Real angle_on_roller{};
+  Vector3<Real> normal{};  ///< Unit vector, outward from the roller.
   /// Second derivatives of the axial clearance over x, y [1/m].
-  SymmetricTensor clearance_hessian;
+  TensorOf<Real> clearance_hessian{};
   /// Total axial play of the pair, both faces (Sandu 2018, (1.40)) [m]; negative: the threads are
   /// too thick by that much, 0 within the radii's rounding. Defined for equal pitches only.
-  double backlash = 0.0;
+  Real backlash{};
 
-  FlankViolations violations;  ///< Filled with status `outside_flank`; else empty.
-
-  bool ok() const { return status == ContactPointStatus::ok; }
-  double normal_angle() const;  ///< psi, between normal and axis, arccos|n_z| [rad].
+  simd::Lanes<Real> ok() const { return status == ContactPointStatus::ok; }
+  /// psi, between normal and axis, arccos|n_z| [rad].
+  Real normal_angle() const {
+    return atan2(Vector2<Real>{normal.x, normal.y}.norm(), Real(abs(normal.z)));
+  }
 };
-
-template <class Real>
-struct PointNumbers;
-/// From what formulas give; violations are not among it.
-ContactPoint contact_point_of(const PointNumbers<double>& numbers);
+using ContactPoint = ContactPointOf<double>;
 
 /// Finds the contact point of a pair: the minimum of the axial clearance between the two flanks
 ///
@@ -115,6 +112,9 @@ ContactPoint contact_point_of(const PointNumbers<double>& numbers);
 /// last point. Profiles of which one is strongly concave can have several minima; the one next to
 /// the pitch radii is found. No allocation, raises nothing.
 ContactPoint find_contact_point(const ThreadPair& pair, RollerFace face);
+
+/// How far a contact point lies beyond the ends of the flanks.
+FlankViolations point_beyond_flanks(const ThreadPair& pair, const ContactPoint& point);
 
 /// Contact point of the same pair on the other two faces. A half turn about x maps a thread onto
 /// itself and its top onto its bottom face, so angles and n_y, n_z change sign and the radii stay

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
+
 namespace contact {
 
 /// How the search for a contact point ended.
-enum class ContactPointStatus {
+enum class ContactPointStatus : std::int64_t {
   ok,
   not_computed,
   straight_on_straight,  ///< Neither profile is curved: no point contact.

@@ -1,21 +1,31 @@
 #pragma once
 
-#include "contact/lubricant.h"
+#include <cstdint>
+#include <limits>
 
+#include "contact/lubricant.h"
+#include "simd/dual.h"
+
+/// Formulas for numbers, batches with one contact per lane, and either with a slope along the
+/// rolling speed: `Number` is that of what follows the speed.
 namespace contact {
 
 /// Which way a contact is taken to roll for its central film: along the minor axis of its ellipse,
 /// or as it does.
-enum class FilmDirection { minor_axis, rolling };
+enum class FilmDirection : std::int64_t { minor_axis, rolling };
 
 /// Inputs of the film formulas for one lubricated contact of two bodies.
-struct FilmContact {
-  double normal_load = 0.0;      ///< N, static [N]
-  double curvature = 0.0;        ///< rho_x, the larger relative curvature [1/m]
-  double contact_modulus = 0.0;  ///< E* [Pa]; the E' of the formulas is 2 E* (Sandu's 2/Sigma).
-  double curvature_ratio = 1.0;  ///< lambda, smaller over larger relative curvature, above 0 to 1.
-  FilmDirection direction = FilmDirection::minor_axis;  ///< Formula of `central_film`.
+template <class Real>
+struct FilmContactOf {
+  Real normal_load{};          ///< N, static [N]
+  Real curvature{};            ///< rho_x, the larger relative curvature [1/m]
+  Real contact_modulus{};      ///< E* [Pa]; the E' of the formulas is 2 E* (Sandu's 2/Sigma).
+  Real curvature_ratio = 1.0;  ///< lambda, smaller over larger relative curvature, above 0 to 1.
+  simd::EnumOf<FilmDirection, Real> direction = FilmDirection::minor_axis;  ///< Of `central_film`.
+
+  Real film_modulus() const { return 2.0 * contact_modulus; }  ///< E' [Pa]
 };
+using FilmContact = FilmContactOf<double>;
 
 /// Dimensionless speed, load and lubricant of Moes, with `rolling_speed` |u| [m/s] the *sum* of the
 /// two surface velocities (Sandu 2018, (2.38)):
@@ -23,19 +33,47 @@ struct FilmContact {
 ///     U = eta_0 |u| rho_x/E',   M = N rho_x^2/(E' U^(3/4)),   L = alpha E' U^(1/4)
 ///
 /// They define a film where |u| > 0.
-struct MoesNumbers {
-  double speed = 0.0;      ///< U
-  double load = 0.0;       ///< M
-  double lubricant = 0.0;  ///< L
+template <class Number>
+struct MoesNumbersOf {
+  Number speed{};      ///< U
+  Number load{};       ///< M
+  Number lubricant{};  ///< L
 };
-MoesNumbers moes_numbers(const Lubricant& lubricant, const FilmContact& contact,
-                         double rolling_speed);
+using MoesNumbers = MoesNumbersOf<double>;
+
+template <class Number, class Real>
+MoesNumbersOf<Number> moes_numbers(const LubricantOf<Real>& lubricant,
+                                   const FilmContactOf<Real>& contact,
+                                   const Number& rolling_speed) {
+  using simd::power;
+  const Real e = contact.film_modulus();
+  const Number u = lubricant.viscosity * rolling_speed * contact.curvature / e;
+  return {u,
+          contact.normal_load * contact.curvature * contact.curvature / (e * power(u, Real(0.75))),
+          lubricant.pressure_viscosity * e * power(u, Real(0.25))};
+}
+
+/// H of `sandu_film`.
+template <class Number>
+Number sandu_parameter(const MoesNumbersOf<Number>& moes) {
+  using Real = simd::ValueOf<Number>;
+  using simd::power;
+  return 1.7 * power(moes.load, Real(-1.0 / 9.0)) * power(moes.lubricant, Real(0.75));
+}
 
 /// Central film of an elastohydrodynamic point contact.
 struct Film {
   double parameter = 0.0;  ///< H
   double thickness = 0.0;  ///< h = H sqrt(U)/rho_x [m]
 };
+
+/// h = H sqrt(U)/rho_x.
+template <class Number, class Real>
+Number film_thickness(const Number& parameter, const Number& speed_number,
+                      const FilmContactOf<Real>& contact) {
+  using simd::sqrt;
+  return parameter * sqrt(speed_number) / contact.curvature;
+}
 
 /// Moes and Venner's formula for a circular contact as Sandu simplifies it (2018, (2.37), (2.39)):
 ///
@@ -53,20 +91,55 @@ Film sandu_film(const Lubricant& lubricant, const FilmContact& contact, double r
 ///     H_RP = 1.29 (1 + 0.691 lambda)^(-2/3) L^(2/3)                    rigid, piezoviscous
 ///     H_EP = 1.48 k^(-7/20) lambda^(-1/24) M^(-1/12) L^(3/4)           elastic, piezoviscous
 ///     H_00 = 1.80 lambda^(-5/7)            bound of the elastic, isoviscous film at small loads
-struct FilmRegimes {
-  double rigid_isoviscous = 0.0;
-  double elastic_isoviscous = 0.0;
-  double rigid_piezoviscous = 0.0;
-  double elastic_piezoviscous = 0.0;
-  double small_load = 0.0;
+template <class Number>
+struct FilmRegimesOf {
+  Number rigid_isoviscous{}, elastic_isoviscous{}, rigid_piezoviscous{}, elastic_piezoviscous{};
+  simd::ValueOf<Number> small_load{};
 };
-FilmRegimes film_regimes(const MoesNumbers& numbers, double curvature_ratio);
+using FilmRegimes = FilmRegimesOf<double>;
+
+template <class Number, class Real>
+FilmRegimesOf<Number> film_regimes(const MoesNumbersOf<Number>& moes, const Real& ratio) {
+  using simd::log, simd::power;
+  const auto to = [](const auto& x, double p) { return power(x, Real(p)); };
+  const Number &m = moes.load, &l = moes.lubricant;
+  const Real k = 1.0 + 0.006 * log(ratio) + 0.63 * to(ratio, 4.0 / 7.0);
+  return {145.0 * to(Real(1.0 + 0.796 * to(ratio, 14.0 / 15.0)), -15.0 / 7.0) / ratio * to(m, -2.0),
+          3.18 * to(k, -14.0 / 25.0) * to(ratio, -1.0 / 15.0) * to(m, -2.0 / 15.0),
+          1.29 * to(Real(1.0 + 0.691 * ratio), -2.0 / 3.0) * to(l, 2.0 / 3.0),
+          1.48 * to(k, -7.0 / 20.0) * to(ratio, -1.0 / 24.0) * to(m, -1.0 / 12.0) * to(l, 0.75),
+          1.80 * to(ratio, -5.0 / 7.0)};
+}
+
+/// (a^p + b^p)^(1/p) of a, b >= 0 for a p of either sign, without powers of large numbers: what
+/// rules is taken out, the larger one where p > 0, the smaller one where p < 0.
+template <class Number, class Power>
+Number power_sum(const Number& a, const Number& b, const Power& p) {
+  using simd::power, simd::select, simd::value;
+  using Real = simd::ValueOf<Number>;
+  const auto a_rules = (value(p) > Real(0.0)) == (value(a) > value(b));
+  const Number ruling = select(a_rules, a, b), other = select(a_rules, b, a);
+  const Number found = ruling * power(1.0 + power(other / ruling, p), 1.0 / p);
+  const auto alone =
+      value(ruling) == Real(0.0) || value(ruling) == Real(std::numeric_limits<double>::infinity());
+  return select(alone, ruling, found);
+}
 
 /// H of the full fit through all regimes (Nijenbanning, Venner, Moes 1994),
 ///
 ///     H = [(H_RI^(3/2) + (H_EI^-4 + H_00^-4)^(-3/8))^(2s/3) + (H_RP^-8 + H_EP^-8)^(-s/8)]^(1/s),
 ///     s = 1.5 (1 + exp(-1.2 H_EI/H_EP))
-double film_parameter(const FilmRegimes& regimes);
+template <class Number>
+Number film_parameter(const FilmRegimesOf<Number>& h) {
+  using Real = simd::ValueOf<Number>;
+  using simd::exp;
+  const Number isoviscous =
+      power_sum(h.rigid_isoviscous,
+                power_sum(h.elastic_isoviscous, Number(h.small_load), Real(-4.0)), Real(1.5));
+  const Number piezoviscous = power_sum(h.rigid_piezoviscous, h.elastic_piezoviscous, Real(-8.0));
+  const Number s = 1.5 * (1.0 + exp(Number(-1.2 * h.elastic_isoviscous / h.elastic_piezoviscous)));
+  return power_sum(isoviscous, piezoviscous, s);
+}
 
 /// Central film by the full fit, for elliptical contacts that roll along the minor axis: lambda is
 /// 1 for a circle, the film of a wide ellipse is thicker. Smooth surfaces, fully flooded,
@@ -75,10 +148,23 @@ double film_parameter(const FilmRegimes& regimes);
 Film nijenbanning_film(const Lubricant& lubricant, const FilmContact& contact,
                        double rolling_speed);
 
-/// Radius of the relative curvature across the rolling over that along it, R_s/R_e, at the share
-/// `along_major` s of |u|^2 along the major axis:
+/// Curvatures along the rolling and across it at the share `along_major` s of |u|^2 along the major
+/// axis:
 ///
 ///     1/R_e = rho_x (1 - s + lambda s),   1/R_s = rho_x (s + lambda (1 - s))
+template <class Number>
+struct RollingCurvatures {
+  Number along, across;
+};
+template <class Number, class Real>
+RollingCurvatures<Number> rolling_curvatures(const FilmContactOf<Real>& contact,
+                                             const Number& along_major) {
+  const Number turned = (1.0 - contact.curvature_ratio) * along_major;
+  return {contact.curvature * (1.0 - turned),
+          contact.curvature * (contact.curvature_ratio + turned)};
+}
+
+/// Radius of the relative curvature across the rolling over that along it, R_s/R_e.
 double rolling_radius_ratio(const FilmContact& contact, double along_major);
 
 /// Range of R_s/R_e in which `chittenden_film` is taken without a warning. At its upper end
@@ -98,14 +184,46 @@ inline constexpr double kLeastRollingRatio = 0.1, kGreatestRollingRatio = 25.0;
 double chittenden_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed,
                        double along_major);
 
+/// The same without a check; `rolling_speed` > 0.
+template <class Number, class Real>
+Number chittenden_thickness(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>& contact,
+                            const Number& rolling_speed, const Number& along_major) {
+  using simd::exp, simd::power;
+  const Real e = contact.film_modulus();
+  const RollingCurvatures<Number> rho = rolling_curvatures(contact, along_major);
+  const Number u = 0.5 * lubricant.viscosity * rolling_speed * rho.along / e;
+  const Number w = contact.normal_load * rho.along * rho.along / e;
+  const Number ratio = power(Number(rho.along / rho.across), Real(2.0 / 3.0));
+  return 4.31 * power(Real(lubricant.pressure_viscosity * e), Real(0.49)) * power(u, Real(0.68)) *
+         power(w, Real(-0.073)) * (1.0 - exp(Number(-1.23 * ratio))) / rho.along;
+}
+
 /// The film by the direction that the contact has: `nijenbanning_film` or `chittenden_film` [m].
 double central_film(const Lubricant& lubricant, const FilmContact& contact, double rolling_speed,
                     double along_major);
 
+/// The same without a check; `rolling_speed` > 0.
+template <class Number, class Real>
+Number central_thickness(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>& contact,
+                         const MoesNumbersOf<Number>& moes, const Number& rolling_speed,
+                         const Number& along_major) {
+  const Number along_minor = film_thickness(
+      film_parameter(film_regimes(moes, contact.curvature_ratio)), moes.speed, contact);
+  using simd::any, simd::select;
+  const auto follows = contact.direction == FilmDirection::rolling;
+  if (!any(follows)) return along_minor;
+  return select(follows, chittenden_thickness(lubricant, contact, rolling_speed, along_major),
+                along_minor);
+}
+
 /// Share of the load on flanks that touch through a film of Lambda times their composite Rq,
 /// (1 + Lambda)^-exponent, with an exponent of 2 after Olver and Spikes (Proc. Instn Mech. Engrs J
 /// 212, 1998, 321): 1 without film, 0.25 where the film is as thick as the roughness.
-double boundary_share(double film_ratio, double exponent);
+template <class Number, class Real>
+Number boundary_share(const Number& film_ratio, const Real& exponent) {
+  using simd::power;
+  return power(Number(1.0 + film_ratio), Real(-exponent));
+}
 
 /// Factor K [s/m] of the sliding speed in Jacod's friction coefficient (Sandu 2018, (2.27),
 /// (2.30)),
@@ -115,5 +233,15 @@ double boundary_share(double film_ratio, double exponent);
 /// with Sandu's film. Zero without rolling, where the no-slip contact does not slide either.
 double sliding_factor(const Lubricant& lubricant, const FilmContact& contact, const Film& film,
                       double rolling_speed);
+
+/// The same for the film parameter H_c; `rolling_speed` > 0.
+template <class Number, class Real>
+Number sliding_factor_of(const LubricantOf<Real>& lubricant, const FilmContactOf<Real>& contact,
+                         const Number& parameter, const Number& rolling_speed) {
+  using simd::sqrt;
+  return 2.0 / (5.0 * parameter * lubricant.eyring_stress) *
+         sqrt(Number(lubricant.viscosity * contact.film_modulus() * contact.curvature /
+                     rolling_speed));
+}
 
 }  // namespace contact

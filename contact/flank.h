@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <numbers>
 
 #include "contact/curvature.h"
@@ -10,13 +11,19 @@ namespace contact {
 using simd::select, simd::any, simd::sqrt, simd::abs, simd::max, simd::min, simd::hypot,
     simd::isnan, simd::sincos;
 
+/// The plane in which flank angle and profile radius are measured.
+enum class ProfilePlane : std::int64_t {
+  normal,  ///< Perpendicular to the helix at the pitch radius (Sandu 2018, section 1.2).
+  axial,   ///< Through the axis (Yao 2023, (2)-(4)).
+};
+
 /// A drawn thread as numbers: see `Thread`. `Real` is a number, or a batch with one per design.
 template <class Real>
 struct ThreadNumbers {
   Real pitch_radius, lead, pitch, flank_angle, profile_curvature;
   Real thickness;                   ///< Axial, at the pitch radius [m].
   Real inner_height, outer_height;  ///< Towards the axis and away from it; NaN: until flanks meet.
-  Real normal_plane;                ///< 1 in the normal, 0 in the axial profile plane.
+  simd::EnumOf<ProfilePlane, Real> plane;
 };
 
 /// Axial thread profile at one radius: the flank of a bottom face at angle 0 lies at the height
@@ -112,7 +119,7 @@ Flank<Real> flank_of(const ThreadNumbers<Real>& t, bool internal) {
   f.pitch = t.pitch;
   f.reduced_lead = t.lead / (2.0 * std::numbers::pi);
   f.stretch =
-      select(t.normal_plane > 0.0,
+      select(t.plane == ProfilePlane::normal,
              hypot(Real(1.0), t.lead / (2.0 * std::numbers::pi * t.pitch_radius)), Real(1.0));
   const auto [sine, cosine] = sincos(t.flank_angle);
   f.sin_flank = sine;

@@ -8,10 +8,11 @@
 
 namespace contact {
 
+double compliance(const Elasticity& body) {
+  return (1.0 - body.poisson_ratio * body.poisson_ratio) / body.youngs_modulus;
+}
+
 double contact_modulus(const Elasticity& body_1, const Elasticity& body_2) {
-  const auto compliance = [](const Elasticity& e) {
-    return (1.0 - e.poisson_ratio * e.poisson_ratio) / e.youngs_modulus;
-  };
   return 1.0 / (compliance(body_1) + compliance(body_2));
 }
 
@@ -23,13 +24,8 @@ std::string_view name(HertzStatus status) {
 
 double ellipticity(double curvature_ratio) { return ellipticity_of(curvature_ratio); }
 
-HertzConstants hertz_constants_of(const HertzNumbers<double>& n) {
-  return {static_cast<HertzStatus>(static_cast<int>(n.status)), n.ellipticity, n.hertz_constant,
-          n.semi_major_per_cbrt_load, n.semi_minor_per_cbrt_load};
-}
-
 HertzConstants hertz_constants(double kappa_1, double kappa_2, double contact_modulus) {
-  return hertz_constants_of(hertz_numbers(PrincipalValues{kappa_1, kappa_2, 0.0}, contact_modulus));
+  return hertz_constants(PrincipalValues{kappa_1, kappa_2, 0.0}, contact_modulus);
 }
 
 double HertzContact::pressure(double along_major, double along_minor) const {

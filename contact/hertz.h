@@ -1,27 +1,30 @@
 #pragma once
 
+#include <cstdint>
 #include <string_view>
-#include <vector>
 
-#include "simd/instruction_set.h"
+#include "simd/lanes.h"
 
 namespace contact {
 
 /// Isotropic elasticity of one body.
-struct Elasticity {
-  double youngs_modulus = 0.0;  ///< E [Pa]
-  double poisson_ratio = 0.0;   ///< nu [-]
+template <class Real>
+struct ElasticityOf {
+  Real youngs_modulus{};  ///< E [Pa]
+  Real poisson_ratio{};   ///< nu [-]
 };
+using Elasticity = ElasticityOf<double>;
 
-/// Contact modulus E* [Pa] of two bodies, from the sum of their plane-strain compliances:
-///
-///     1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
+/// Plane-strain compliance (1 - nu^2)/E [1/Pa].
+double compliance(const Elasticity& body);
+
+/// Contact modulus E* [Pa] of two bodies, 1/E* the sum of their compliances.
 ///
 /// Yao 2023's E' (46) is E*; Sandu 2018's E' (1.78) is 2 E*.
 double contact_modulus(const Elasticity& body_1, const Elasticity& body_2);
 
 /// Whether a Hertz contact could be computed, and if not, why.
-enum class HertzStatus {
+enum class HertzStatus : std::int64_t {
   ok,
   not_computed,
   not_finite,          ///< A curvature or the modulus is NaN or infinite.
@@ -33,20 +36,18 @@ enum class HertzStatus {
 std::string_view name(HertzStatus status);
 
 /// Load-independent constants of an elliptic Hertz contact.
-struct HertzConstants {
-  HertzStatus status = HertzStatus::not_computed;
-  double ellipticity = 0.0;               ///< b/a, 0 < b/a <= 1 [-]
-  double hertz_constant = 0.0;            ///< k_0 of N = k_0 delta^1.5 [N/m^1.5]
-  double semi_major_per_cbrt_load = 0.0;  ///< a/N^(1/3) [m/N^(1/3)]
-  double semi_minor_per_cbrt_load = 0.0;  ///< b/N^(1/3) [m/N^(1/3)]
-
-  bool ok() const { return status == HertzStatus::ok; }
-};
-
 template <class Real>
-struct HertzNumbers;
-/// From what formulas give.
-HertzConstants hertz_constants_of(const HertzNumbers<double>& numbers);
+struct HertzConstantsOf {
+  simd::EnumOf<HertzStatus, Real> status = HertzStatus::not_computed;
+  Real ellipticity{};               ///< b/a, 0 < b/a <= 1 [-]
+  Real hertz_constant{};            ///< k_0 of N = k_0 delta^1.5 [N/m^1.5]
+  Real cbrt_constant{};             ///< k_0^(1/3) [N^(1/3)/m^(1/2)]
+  Real semi_major_per_cbrt_load{};  ///< a/N^(1/3) [m/N^(1/3)]
+  Real semi_minor_per_cbrt_load{};  ///< b/N^(1/3) [m/N^(1/3)]
+
+  simd::Lanes<Real> ok() const { return status == HertzStatus::ok; }
+};
+using HertzConstants = HertzConstantsOf<double>;
 
 /// Contact ellipse of two elastic bodies whose *relative* principal curvatures are kappa_1 and
 /// kappa_2 [1/m], the eigenvalues of the sum of the two curvature tensors in the common tangent
@@ -83,10 +84,5 @@ struct HertzContact {
 
 /// The contact under the normal load N [N]; a load <= 0 leaves it open (all zero).
 HertzContact at_load(const HertzConstants& constants, double normal_load);
-
-/// Ellipses and pressures under many loads, as many side by side as a batch has numbers.
-void set_ellipses(const HertzConstants& constants, const std::vector<double>& normal_load,
-                  std::vector<double>& semi_major, std::vector<double>& semi_minor,
-                  std::vector<double>& peak_pressure, simd::InstructionSet set);
 
 }  // namespace contact

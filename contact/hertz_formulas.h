@@ -13,17 +13,6 @@ namespace contact {
 
 using simd::any, simd::cbrt, simd::exp, simd::log, simd::max, simd::min;
 
-/// Numbers of `HertzConstants`.
-template <class Real>
-struct HertzNumbers {
-  Real status{};  ///< As a number: `HertzStatus`.
-  Real ellipticity{};
-  Real hertz_constant{};
-  Real cbrt_constant{};  ///< k_0^(1/3) [N^(1/3)/m^(1/2)]
-  Real semi_major_per_cbrt_load{};
-  Real semi_minor_per_cbrt_load{};
-};
-
 template <class Real>
 Real ellipticity_of(const Real& curvature_ratio) {
   // Newton on ln((b/a)^2 D/B) = ln(ratio) over ln(b/a): nearly a straight line, slope between 1.5
@@ -43,21 +32,22 @@ Real ellipticity_of(const Real& curvature_ratio) {
 }
 
 template <class Real>
-HertzNumbers<Real> hertz_numbers(const PrincipalOf<Real>& relative, const Real& contact_modulus) {
+HertzConstantsOf<Real> hertz_constants(const PrincipalOf<Real>& relative,
+                                       const Real& contact_modulus) {
+  using Status = simd::EnumOf<HertzStatus, Real>;
   using enum HertzStatus;
-  const auto code = [](HertzStatus status) { return Real(static_cast<double>(status)); };
   constexpr double pi = std::numbers::pi;
   const Real kappa_1 = min(relative.first, relative.second);
   const Real kappa_2 = max(relative.first, relative.second);
   const auto finite = (relative.first - relative.first) + (relative.second - relative.second) +
                           (contact_modulus - contact_modulus) ==
                       0.0;
-  HertzNumbers<Real> h;
-  h.status = select(contact_modulus > 0.0, code(ok), code(no_stiffness));
-  h.status = select(kappa_1 == 0.0, code(no_point_contact), h.status);
-  h.status = select(kappa_1 < 0.0, code(conforming_surface), h.status);
-  h.status = select(finite, h.status, code(not_finite));
-  const auto sound = h.status == code(ok);
+  HertzConstantsOf<Real> h;
+  h.status = select(contact_modulus > 0.0, Status(ok), Status(no_stiffness));
+  h.status = select(kappa_1 == 0.0, Status(no_point_contact), h.status);
+  h.status = select(kappa_1 < 0.0, Status(conforming_surface), h.status);
+  h.status = select(finite, h.status, Status(not_finite));
+  const auto sound = h.ok();
   if (!any(sound)) return h;
 
   const Real k = ellipticity_of(Real(select(sound, Real(kappa_1 / kappa_2), Real(1.0))));

@@ -1,10 +1,8 @@
 #include "contact/interface_geometry.h"
 
-#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "contact/contact_formulas.h"
 #include "contact/flank_edge.h"
@@ -13,61 +11,39 @@ namespace contact {
 
 namespace {
 
-Eigen::Vector3d vector_of(const Vector3<double>& v) { return {v.x, v.y, v.z}; }
-
 /// The contact point as one of the two flanks sees it.
 struct FlankSpot {
   const ThreadSurface* surface;
   bool of_roller;
   double radius;             ///< From the axis of its part [m].
-  Eigen::Vector2d outwards;  ///< Unit vector.
+  Vector2<double> outwards;  ///< Unit vector.
 };
 
 std::array<FlankSpot, 2> spots_on_flanks(const ThreadPair& pair, const InterfaceGeometry& g) {
-  const Eigen::Vector2d on_body = g.point.position;
-  const Eigen::Vector2d on_roller = on_body - Eigen::Vector2d(pair.centre_distance, 0.0);
-  return {{{&pair.body, false, on_body.norm(), on_body.normalized()},
-           {&pair.roller, true, on_roller.norm(), on_roller.normalized()}}};
+  const auto spot = [&](const ThreadSurface& surface, bool of_roller, double axis) {
+    const Vector2<double> at{g.point.position.x - axis, g.point.position.y};
+    const double radius = at.norm();
+    return FlankSpot{&surface, of_roller, radius, {at.x / radius, at.y / radius}};
+  };
+  return {spot(pair.body, false, 0.0), spot(pair.roller, true, pair.centre_distance)};
 }
 
 /// Largest radial distance of the ellipse's points from its centre, in the tangent plane [m].
 double radial_reach(const InterfaceGeometry& g, const FlankSpot& spot, double semi_major,
                     double semi_minor) {
-  return std::hypot(semi_major * g.major_axis.head<2>().dot(spot.outwards),
-                    semi_minor * g.minor_axis.head<2>().dot(spot.outwards));
+  const auto along = [&](const Vector3<double>& axis) {
+    return axis.x * spot.outwards.x + axis.y * spot.outwards.y;
+  };
+  return std::hypot(semi_major * along(g.major_axis), semi_minor * along(g.minor_axis));
 }
 
 }  // namespace
 
-Eigen::Vector3d InterfaceGeometry::direction(double angle) const {
-  return std::cos(angle) * helix_tangent + std::sin(angle) * point.normal.cross(helix_tangent);
-}
-
-double InterfaceGeometry::first_directions_angle() const {
-  return std::abs(std::remainder(body.angle - roller.angle, std::numbers::pi));
-}
-
-InterfaceGeometry interface_geometry_of(const InterfaceNumbers<double>& numbers) {
-  InterfaceGeometry g;
-  g.point = contact_point_of(numbers.point);
-  g.body = numbers.body;
-  g.roller = numbers.roller;
-  g.relative = numbers.relative;
-  g.helix_tangent = vector_of(numbers.helix_tangent);
-  g.major_axis = vector_of(numbers.major_axis);
-  g.minor_axis = vector_of(numbers.minor_axis);
-  return g;
-}
-
 InterfaceGeometry interface_geometry(const ThreadPair& pair, RollerFace face) {
-  const FlankPair<double> flanks{pair.body, pair.roller, pair.centre_distance,
-                                 static_cast<double>(face)};
-  const PointNumbers<double> point = point_numbers(flanks);
-  if (point.status == static_cast<double>(ContactPointStatus::ok))
-    return interface_geometry_of(interface_numbers(flanks, point));
-  InterfaceGeometry none;
-  none.point = find_contact_point(pair, face);
-  return none;
+  const ContactPoint point = find_contact_point(pair, face);
+  if (!point.ok()) return {.point = point};
+  return interface_at<double>(
+      {pair.body, pair.roller, pair.centre_distance, static_cast<double>(face)}, point);
 }
 
 FlankViolations ellipse_beyond_flanks(const ThreadPair& pair, const InterfaceGeometry& interface,
@@ -99,8 +75,8 @@ FlankEdge nearest_flank_edge(const ThreadPair& pair, const InterfaceGeometry& in
 InterfaceGeometry on_other_faces(const InterfaceGeometry& interface) {
   // A half turn about x, (x, y, z) -> (x, -y, -z), then all tangents reversed, so that the one of
   // the helix points to growing theta again. Angles about the normal stay.
-  const auto turned = [](const Eigen::Vector3d& tangent) {
-    return Eigen::Vector3d(-tangent.x(), tangent.y(), tangent.z());
+  const auto turned = [](const Vector3<double>& tangent) {
+    return Vector3<double>{-tangent.x, tangent.y, tangent.z};
   };
   InterfaceGeometry other = interface;
   other.point = on_other_faces(interface.point);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
+#include <numbers>
 
 #include "contact/contact_point.h"
 #include "contact/curvature.h"
@@ -10,36 +10,38 @@ namespace contact {
 
 /// Contact point of a roller with one body and the curvatures there: all that a Hertz contact and
 /// the slip in it need to know of the geometry. Directions are unit vectors in the pair's frame.
-struct InterfaceGeometry {
-  ContactPoint point;
+template <class Real>
+struct InterfaceGeometryOf {
+  ContactPointOf<Real> point{};
 
   // Principal curvatures of the material, convex > 0 [1/m], ascending in absolute value; `angle`
   // is that of the first direction about the normal, from the roller's helix tangent [rad].
-  PrincipalValues body;
-  PrincipalValues roller;
+  PrincipalOf<Real> body{};
+  PrincipalOf<Real> roller{};
   /// Eigenvalues of the sum of the two curvature tensors (no factor 1/2) [1/m], ascending: the
   /// first direction is the major axis of the contact ellipse.
-  PrincipalValues relative;
+  PrincipalOf<Real> relative{};
 
-  Eigen::Vector3d helix_tangent = Eigen::Vector3d::Zero();  ///< Roller's; growing theta.
-  Eigen::Vector3d major_axis = Eigen::Vector3d::Zero();     ///< t_1
-  Eigen::Vector3d minor_axis = Eigen::Vector3d::Zero();     ///< t_2 = n x t_1 (1.60)
+  Vector3<Real> helix_tangent{};  ///< Roller's; growing theta.
+  Vector3<Real> major_axis{};     ///< t_1
+  Vector3<Real> minor_axis{};     ///< t_2 = n x t_1 (1.60)
 
-  bool ok() const { return point.ok(); }
-  double curvature_sum() const { return relative.first + relative.second; }  ///< (1.77) [1/m]
+  simd::Lanes<Real> ok() const { return point.ok(); }
+  Real curvature_sum() const { return relative.first + relative.second; }  ///< (1.77) [1/m]
   /// Smaller relative curvature over the roller's largest one [-]: towards 0 the surfaces conform
   /// closely and Hertz's half-space assumption fails.
-  double openness() const { return relative.first / std::abs(roller.second); }
+  Real openness() const { return relative.first / abs(roller.second); }
   /// Acute angle between the first directions of body and roller [rad] (1.61).
-  double first_directions_angle() const;
+  Real first_directions_angle() const {
+    return std::abs(std::remainder(body.angle - roller.angle, std::numbers::pi));
+  }
   /// The tangent direction that lies `angle` from the roller's helix tangent.
-  Eigen::Vector3d direction(double angle) const;
+  Vector3<Real> direction(const Real& angle) const {
+    const auto [sine, cosine] = sincos(angle);
+    return cosine * helix_tangent + sine * point.normal.cross(helix_tangent);
+  }
 };
-
-template <class Real>
-struct InterfaceNumbers;
-/// From what formulas give.
-InterfaceGeometry interface_geometry_of(const InterfaceNumbers<double>& numbers);
+using InterfaceGeometry = InterfaceGeometryOf<double>;
 
 /// Solves for the contact point on one face of the roller and works out the curvatures there. The
 /// ellipse is oriented by the *signed* sum of the curvature tensors; Sandu 2018, (1.65) and table

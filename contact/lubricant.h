@@ -5,11 +5,13 @@
 namespace contact {
 
 /// Oil, or base oil of a grease, at operating temperature. SI units.
-struct Lubricant {
-  double viscosity = 0.0;           ///< eta_0, dynamic, at ambient pressure [Pa s]
-  double pressure_viscosity = 0.0;  ///< alpha, at ambient pressure [1/Pa]
-  double eyring_stress = 0.0;       ///< tau_0, shear stress where thinning begins [Pa]
+template <class Real>
+struct LubricantOf {
+  Real viscosity{};           ///< eta_0, dynamic, at ambient pressure [Pa s]
+  Real pressure_viscosity{};  ///< alpha, at ambient pressure [1/Pa]
+  Real eyring_stress{};       ///< tau_0, shear stress where thinning begins [Pa]
 };
+using Lubricant = LubricantOf<double>;
 
 /// eta_p of Roelands' law [Pa s], ln eta_p = -9.67: only a thicker lubricant stiffens with
 /// pressure.

@@ -9,7 +9,7 @@ namespace {
 
 /// d backlash/d centre distance at fixed point: only the roller's flank moves.
 double backlash_rate_over_centre_distance(const ContactPoint& p) {
-  return -2.0 * p.normal.x() / std::abs(p.normal.z());
+  return -2.0 * p.normal.x / std::abs(p.normal.z);
 }
 
 /// d backlash/d pitch radius of the body, its flank moving outwards and, in the normal plane, its

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "contact/contact_point.h"
@@ -8,7 +9,7 @@
 
 namespace contact {
 
-enum class MechanismType {
+enum class MechanismType : std::int64_t {
   standard,  ///< The nut is geared to the rollers and matches their helix angle.
   inverted,  ///< The screw is geared to the rollers; their helix angles are opposite.
 };

@@ -64,29 +64,25 @@ void set_viscosity_ratios(const PatchGrid& grid, double viscosity, double peak_p
   xsimd::dispatch<simd::Architectures>(ViscosityKernel{})(viscosity, ratio, size, ratio);
 }
 
-FrictionNumbers<double> coulomb_friction(double coefficient) {
-  return {.coefficient = coefficient};
+FrictionLaw coulomb_friction(double coefficient) { return {.coefficient = coefficient}; }
+
+FrictionLaw film_friction(const Lubricant& lubricant, const FilmContact& film) {
+  return {.kind = FrictionKind::film, .oil = lubricant, .film = film};
 }
 
-FrictionNumbers<double> film_friction(const Lubricant& lubricant, const FilmContact& film) {
-  return {.has_film = 1.0,
-          .oil = {lubricant.viscosity, lubricant.pressure_viscosity, lubricant.eyring_stress},
-          .film = numbers_of(film)};
-}
-
-FrictionNumbers<double> mixed_friction(const Lubricant& lubricant, const FilmContact& film,
-                                       const TouchingFlanks& touching) {
-  FrictionNumbers<double> law = film_friction(lubricant, film);
+FrictionLaw mixed_friction(const Lubricant& lubricant, const FilmContact& film,
+                           const TouchingFlanks& touching) {
+  FrictionLaw law = film_friction(lubricant, film);
+  law.kind = FrictionKind::mixed;
   law.coefficient = touching.friction;
-  law.touches = 1.0;
   law.exponent = touching.exponent;
   law.roughness = touching.roughness;
   return law;
 }
 
-Patch::Patch(const PatchGrid& grid, const HertzContact& ellipse, const FrictionNumbers<double>& law)
+Patch::Patch(const PatchGrid& grid, const HertzContact& ellipse, const FrictionLaw& law)
     : grid_(&grid), ellipse_(ellipse), law_(law) {
-  if (law.has_film == 0.0) return;
+  if (!law.has_film()) return;
   Eigen::ArrayXd ratio(grid.domes().size());
   set_viscosity_ratios(grid, law.oil.viscosity, ellipse.peak_pressure, ratio.data());
   viscosity_ratio_ = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(grid.points().size));
@@ -99,7 +95,7 @@ PatchFrictionOf<Number> Patch::friction(const PatchMotionOf<Number>& motion) con
   const double a = ellipse_.semi_major, b = ellipse_.semi_minor;
   const auto sums = xsimd::dispatch<simd::Architectures>(PatchKernel{})(
       grid_->points(), sliding_field(motion, a, b), law_at(law_, ellipse_.peak_pressure, motion),
-      law_.has_film > 0.0 ? viscosity_ratio_.data() : nullptr);
+      law_.has_film() ? viscosity_ratio_.data() : nullptr);
   return patch_friction(sums, grid_->cell_load(), static_cast<double>(grid_->inside()), a, b);
 }
 template PatchFriction Patch::friction(const PatchMotion&) const;
@@ -116,7 +112,7 @@ Eigen::ArrayXd Patch::sliding_minor(const PatchMotion& motion) const {
 
 Eigen::ArrayXd Patch::friction_coefficient(const PatchMotion& motion) const {
   const PatchLawOf<double> at = law_at(law_, ellipse_.peak_pressure, motion);
-  if (law_.has_film == 0.0) return Eigen::ArrayXd::Constant(grid_->inside(), at.coefficient);
+  if (!law_.has_film()) return Eigen::ArrayXd::Constant(grid_->inside(), at.coefficient);
   const Eigen::ArrayXd speed =
       (sliding_major(motion).square() + sliding_minor(motion).square()).sqrt();
   return at.coefficient +

@@ -53,20 +53,20 @@ struct TouchingFlanks {
 void set_viscosity_ratios(const PatchGrid& grid, double viscosity, double peak_pressure,
                           double* ratio);
 
-FrictionNumbers<double> coulomb_friction(double coefficient);
+FrictionLaw coulomb_friction(double coefficient);
 /// Jacod's law, point by point: Eyring fluid, Roelands viscosity at the Hertz pressure of the
 /// *static* load, Sandu's film of the whole contact.
-FrictionNumbers<double> film_friction(const Lubricant& lubricant, const FilmContact& film_contact);
+FrictionLaw film_friction(const Lubricant& lubricant, const FilmContact& film_contact);
 /// Mixed friction (Olver and Spikes 1998): mu_D = (1 - s) mu_film + s mu_touching at each point,
 /// mu_film Jacod's, s the `boundary_share` of the whole contact by the central film.
 /// Jacod's for thick films, Coulomb's without film or entrainment.
-FrictionNumbers<double> mixed_friction(const Lubricant& lubricant, const FilmContact& film_contact,
-                                       const TouchingFlanks& touching);
+FrictionLaw mixed_friction(const Lubricant& lubricant, const FilmContact& film_contact,
+                           const TouchingFlanks& touching);
 
 /// One contact ellipse with its law of friction: what is constant while the slip ratio is sought.
 class Patch {
  public:
-  Patch(const PatchGrid& grid, const HertzContact& ellipse, const FrictionNumbers<double>& law);
+  Patch(const PatchGrid& grid, const HertzContact& ellipse, const FrictionLaw& law);
 
   const HertzContact& ellipse() const { return ellipse_; }
 
@@ -85,7 +85,7 @@ class Patch {
  private:
   const PatchGrid* grid_;
   HertzContact ellipse_;
-  FrictionNumbers<double> law_;
+  FrictionLaw law_;
   Eigen::ArrayXd viscosity_ratio_;  ///< eta_bar at the points; empty with Coulomb.
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "contact/film_formulas.h"
-#include "simd/dual.h"
+#include "contact/film.h"
 
 /// Friction on a contact patch: formulas for numbers, for batches with one contact or one point per
 /// lane, and for either with its slope along one variable, the slip ratio.
@@ -118,37 +117,42 @@ SlidingFieldOf<Number> sliding_field(const PatchMotionOf<Number>& motion, const 
           motion.spin * semi_minor};
 }
 
+/// Coulomb's law; Jacod's, of a film; or a film through which flanks touch.
+enum class FrictionKind : std::int64_t { coulomb, film, mixed };
+
 /// The law of friction of a contact, see `Patch`.
 template <class Real>
-struct FrictionNumbers {
+struct FrictionLawOf {
+  simd::EnumOf<FrictionKind, Real> kind = FrictionKind::coulomb;
   Real coefficient{};            ///< Coulomb's, or that of flanks that touch.
-  Real has_film{};               ///< 1: Jacod's law, else 0: Coulomb's.
-  Real touches{};                ///< 1: flanks touch through the film, else 0.
-  Real exponent{}, roughness{};  ///< Both for flanks that touch.
-  LubricantNumbers<Real> oil{};
-  FilmContactNumbers<Real> film{};
+  Real exponent{}, roughness{};  ///< Of flanks that touch.
+  LubricantOf<Real> oil{};
+  FilmContactOf<Real> film{};
+
+  simd::Lanes<Real> has_film() const { return !(kind == FrictionKind::coulomb); }
 };
+using FrictionLaw = FrictionLawOf<double>;
 
 /// The law while the contact rolls so. Without rolling, flanks that touch carry all.
 template <class Number, class Real>
-PatchLawOf<Number> law_at(const FrictionNumbers<Real>& law, const Real& peak_pressure,
+PatchLawOf<Number> law_at(const FrictionLawOf<Real>& law, const Real& peak_pressure,
                           const PatchMotionOf<Number>& motion) {
   using simd::any, simd::select, simd::value;
   const Number none(Real(0.0)), &rolling_speed = motion.rolling_speed;
   PatchLawOf<Number> at{Number(law.coefficient), none, none};
-  const auto has_film = law.has_film > Real(0.0);
+  const auto has_film = law.has_film();
   if (!any(has_film)) return at;
   const auto rolls = value(rolling_speed) > Real(0.0);
-  const MoesNumbersOf<Number> moes = moes_numbers_of(law.oil, law.film, rolling_speed);
+  const MoesNumbersOf<Number> moes = moes_numbers(law.oil, law.film, rolling_speed);
   at.factor =
       select(has_film && rolls,
              sliding_factor_of(law.oil, law.film, sandu_parameter(moes), rolling_speed), none);
   at.scale = Number(select(has_film, Real(law.oil.eyring_stress / peak_pressure), Real(0.0)));
-  const auto touches = law.touches > Real(0.0);
+  const auto touches = law.kind == FrictionKind::mixed;
   if (!any(touches)) return at;
   const Number film = central_thickness(law.oil, law.film, moes, rolling_speed, motion.along_major);
-  const Number share = select(rolls, boundary_share_of(Number(film / law.roughness), law.exponent),
-                              Number(Real(1.0)));
+  const Number share =
+      select(rolls, boundary_share(Number(film / law.roughness), law.exponent), Number(Real(1.0)));
   at.coefficient = select(touches, share * law.coefficient, at.coefficient);
   at.scale = select(touches, at.scale * (1.0 - share), at.scale);
   return at;

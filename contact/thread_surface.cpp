@@ -23,7 +23,7 @@ ThreadNumbers<double> numbers_of(const Thread& t) {
           .thickness = t.thickness.value_or(0.5 * t.pitch),
           .inner_height = t.internal ? addendum : dedendum,
           .outer_height = t.internal ? dedendum : addendum,
-          .normal_plane = t.plane == ProfilePlane::normal ? 1.0 : 0.0};
+          .plane = t.plane};
 }
 
 RadiusLimits sharp_limits(const Thread& thread) {
@@ -49,8 +49,7 @@ std::string_view name(ThreadStatus status) {
 
 ThreadStatus check(const Thread& thread) {
   const ThreadNumbers<double> numbers = numbers_of(thread);
-  return static_cast<ThreadStatus>(
-      static_cast<int>(status_of(numbers, flank_of(numbers, thread.internal))));
+  return status_of(numbers, flank_of(numbers, thread.internal));
 }
 
 ThreadSurface::ThreadSurface(const Thread& thread)

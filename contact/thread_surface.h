@@ -7,12 +7,6 @@
 
 namespace contact {
 
-/// The plane in which flank angle and profile radius are measured.
-enum class ProfilePlane {
-  normal,  ///< Perpendicular to the helix at the pitch radius (Sandu 2018, section 1.2).
-  axial,   ///< Through the axis (Yao 2023, (2)-(4)).
-};
-
 /// Thread of one part as on its drawing. It describes the *material*, for a nut too.
 struct Thread {
   bool internal = false;      ///< A nut.
@@ -59,7 +53,7 @@ RadiusLimits sharp_limits(const Thread& thread);
 /// The limits in force: the truncated thread where its heights are given, else the sharp one.
 RadiusLimits flank_limits(const Thread& thread);
 
-enum class ThreadStatus {
+enum class ThreadStatus : std::int64_t {
   ok,
   not_finite,
   radius_not_positive,  ///< Pitch radius, or the radius at the inner end of the flank.
@@ -76,11 +70,11 @@ std::string_view name(ThreadStatus status);
 /// with the others the formulas have no meaning.
 ThreadStatus check(const Thread& thread);
 
-/// The same as a number; `flank` is that of the thread.
+/// The same of a flank that is that of the thread.
 template <class Real>
-Real status_of(const ThreadNumbers<Real>& t, const Flank<Real>& flank) {
+simd::EnumOf<ThreadStatus, Real> status_of(const ThreadNumbers<Real>& t, const Flank<Real>& flank) {
+  using Status = simd::EnumOf<ThreadStatus, Real>;
   using enum ThreadStatus;
-  const auto code = [](ThreadStatus status) { return Real(static_cast<double>(status)); };
   const auto nothing = [](const Real& x) { return x - x; };  // NaN of what is not finite
   const auto of_height = [&](const Real& h) { return select(isnan(h), Real(0.0), nothing(h)); };
   const Real finite = nothing(t.pitch_radius) + nothing(t.lead) + nothing(t.pitch) +
@@ -89,15 +83,16 @@ Real status_of(const ThreadNumbers<Real>& t, const Flank<Real>& flank) {
   const RadiiOf<Real> sharp = sharp_limits(flank);
   const auto beyond =
       flank.smallest_radius < sharp.smallest || flank.largest_radius > sharp.largest;
-  Real status = select(beyond, code(beyond_sharp_limit), code(ok));
-  status = select(flank.smallest_radius <= 0.0, code(radius_not_positive), status);
-  status = select(t.inner_height < 0.0 || t.outer_height < 0.0, code(height_negative), status);
-  status = select(t.thickness > 0.0 && t.thickness < t.pitch, status, code(thickness_out_of_range));
+  Status status = select(beyond, Status(beyond_sharp_limit), Status(ok));
+  status = select(flank.smallest_radius <= 0.0, Status(radius_not_positive), status);
+  status = select(t.inner_height < 0.0 || t.outer_height < 0.0, Status(height_negative), status);
+  status =
+      select(t.thickness > 0.0 && t.thickness < t.pitch, status, Status(thickness_out_of_range));
   status = select(t.flank_angle > 0.0 && t.flank_angle < 0.5 * std::numbers::pi, status,
-                  code(flank_angle_out_of_range));
-  status = select(t.pitch > 0.0, status, code(pitch_not_positive));
-  status = select(t.pitch_radius > 0.0, status, code(radius_not_positive));
-  return select(finite == 0.0, status, code(not_finite));
+                  Status(flank_angle_out_of_range));
+  status = select(t.pitch > 0.0, status, Status(pitch_not_positive));
+  status = select(t.pitch_radius > 0.0, status, Status(radius_not_positive));
+  return select(finite == 0.0, status, Status(not_finite));
 }
 
 }  // namespace contact

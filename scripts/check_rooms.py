@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Checks includes against the rooms that the add_room lines of prs/CMakeLists.txt state: includes
-against their order, circles of folders, sources of no room, too many loose files in prs/."""
+"""Checks sources against the rooms that the add_room lines of prs/CMakeLists.txt state: includes
+against their order, circles of folders, sources of no room, too many loose files in prs/, and what
+one room declares and another defines: functions, members and types. So each room links alone."""
 
 import argparse
 import re
@@ -132,6 +133,115 @@ def faults(rooms: dict[str, Room]) -> Iterator[str]:
         yield f"prs/: {len(loose)} loose files of {MOST_LOOSE_FILES}; move them into rooms"
 
 
+class Statement(NamedTuple):
+    scope: str  # namespaces and classes around it, joined by "::"
+    text: str
+    line: int
+    has_body: bool
+
+
+def without_texts(code: str) -> str:
+    """The code with its comments, texts and preprocessor lines blanked."""
+    text, symbol = r'"(?:\\.|[^"\\\n])*"', r"(?<!\w)'(?:\\.|[^'\\\n])+'"
+    skipped = rf'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|{text}|{symbol}'
+    blank = lambda match: re.sub(r"[^\n]", " ", match[0])  # noqa: E731
+    code = re.sub(skipped, blank, code, flags=re.S)
+    return re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", blank, code, flags=re.M)
+
+
+def statements(code: str) -> Iterator[Statement]:
+    """What stands in namespaces and classes, without bodies of functions."""
+    scopes: list[str | None] = []  # None: a body
+    start, inside = 0, 0  # parentheses
+    for match in re.finditer(r"[;{}()]", code):
+        symbol, here = match[0], match.start()
+        inside += (symbol == "(") - (symbol == ")")
+        if inside > 0 or symbol in "()":
+            continue
+        if None not in scopes and symbol != "}":
+            text = re.sub(r"\b(?:public|private|protected)\s*:", "", code[start:here])
+            line = code.count("\n", 0, here) + 1 - text.strip().count("\n")
+            names = [scope for scope in scopes if scope]
+            yield Statement("::".join(names), " ".join(text.split()), line, symbol == "{")
+        if symbol == "{":
+            head = " ".join(code[start:here].split())
+            space = re.match(r"(?:inline )?namespace\b ?([\w:]*)$", head)
+            kind = re.match(
+                r"(?:template ?<.*> ?)?(?:struct|class)\b.*?(\w+)(?: final)?(?: ?:.*)?$", head
+            )
+            open_scope = (space[1] or "(unnamed)") if space else kind[1] if kind else None
+            scopes.append(open_scope if None not in scopes else None)
+        elif symbol == "}" and scopes:
+            scopes.pop()
+        start = match.end()
+
+
+def types_of(parameters: str) -> tuple[str, ...]:
+    """Types of a list of parameters, without their names and defaults."""
+    types, depth, part = [], 0, ""
+    for symbol in parameters + ",":
+        depth += (symbol in "<({[") - (symbol in ">)}]")
+        if symbol != "," or depth > 0:
+            part += symbol
+            continue
+        words = part.split("=")[0].split()
+        if len(words) > 1 and re.fullmatch(r"\w+", words[-1]) and words[-2] != "const":
+            words.pop()
+        text = re.sub(r"\b\w+::", "", "".join(words))
+        types.append(re.sub(r"([&*>])\w+$", r"\1", text))
+        part = ""
+    return tuple(types)
+
+
+def declared(statement: Statement) -> tuple[str, ...] | None:
+    """What identifies a function or type that a statement declares or defines."""
+    text = statement.text
+    if re.match(
+        r"(?:extern template|template|using|typedef|friend|static_assert|namespace)\b", text
+    ):
+        return None
+    place = "" if "(unnamed)" in statement.scope else statement.scope
+    if not place or " = delete" in text or " = default" in text:
+        return None
+    if match := re.fullmatch(r"(?:struct|class|enum class)\s+(\w+)\b(?!.*\().*", text):
+        return (f"{place}::{match[1]}",)
+    match = re.search(r"([\w:~]+|operator ?[^\s\w(]+)\s*\((.*)\)", text)
+    if not match or "=" in text[: match.start()] or not text[: match.start()].strip():
+        return None
+    parameters, depth = "", 0
+    for symbol in match[2] + ")":
+        depth += (symbol == "(") - (symbol == ")")
+        if depth < 0:
+            break
+        parameters += symbol
+    return (f"{place}::{match[1]}", *types_of(parameters))
+
+
+def misplaced(rooms: dict[str, Room]) -> Iterator[str]:
+    """What one room declares and only another one defines."""
+    by_folder = {room.folder: name for name, room in reversed(rooms.items())}
+    declarations: dict[tuple[str, ...], list[tuple[str, str]]] = {}
+    definitions: dict[tuple[str, ...], set[str]] = {}
+    for folder, name in by_folder.items():
+        for file in sorted((ROOT / folder).glob("*.*")):
+            if file.suffix not in (".h", ".cpp"):
+                continue
+            for statement in statements(without_texts(file.read_text())):
+                if not (what := declared(statement)):
+                    continue
+                if statement.has_body:
+                    definitions.setdefault(what, set()).add(name)
+                elif file.suffix == ".h":
+                    place = f"{file.relative_to(ROOT)}:{statement.line}"
+                    declarations.setdefault(what, []).append((name, place))
+    for what, places in declarations.items():
+        found = definitions.get(what, set())
+        for name, place in places:
+            lower = [room for room in found if room in seen_by(name, rooms)]
+            if found and name not in found and not (len(what) == 1 and lower):
+                yield f"{place}: room {name} declares {what[0]}, which room {min(found)} defines"
+
+
 def table(rooms: dict[str, Room]) -> str:
     lines = ["| room | holds | uses |", "| --- | --- | --- |"]
     for name, room in rooms.items():
@@ -152,7 +262,7 @@ def main() -> int:
     if parser.parse_args().write:
         CONTRIBUTING.write_text(updated)
         text = updated
-    found = list(faults(rooms))
+    found = [*faults(rooms), *misplaced(rooms)]
     if text != updated:
         found.append(
             "docs/CONTRIBUTING.md: its table is not that of prs/CMakeLists.txt;\n"

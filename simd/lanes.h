@@ -1,6 +1,8 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 /// Arithmetic that reads alike for a number and for a batch of numbers: what xsimd has for batches,
@@ -39,5 +41,36 @@ inline constexpr std::size_t kLanes = sizeof(Real) / sizeof(double);
 [[gnu::always_inline]] inline std::pair<double, double> sincos(double x) {
   return {__builtin_sin(x), __builtin_cos(x)};
 }
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+[[gnu::always_inline]] inline Enum select(bool condition, Enum a, Enum b) {
+  return condition ? a : b;
+}
+
+/// An enum in each lane of a batch, in place of a number there.
+template <class Enum, class Real>
+class EnumLanes {
+ public:
+  EnumLanes() = default;
+  [[gnu::always_inline]] EnumLanes(Enum in_all) : bits_(std::bit_cast<double>(in_all)) {}
+
+  [[gnu::always_inline]] friend Lanes<Real> operator==(const EnumLanes& a, const EnumLanes& b) {
+    return a.bits_ == b.bits_;
+  }
+  [[gnu::always_inline]] friend EnumLanes select(const Lanes<Real>& which, const EnumLanes& a,
+                                                 const EnumLanes& b) {
+    EnumLanes chosen;
+    chosen.bits_ = select(which, a.bits_, b.bits_);
+    return chosen;
+  }
+
+ private:
+  Real bits_{};
+};
+
+/// Enums that go into lanes are as wide as a number: `enum class Status : std::int64_t`.
+template <class Enum, class Real>
+using EnumOf = std::conditional_t<std::is_same_v<Real, double>, Enum, EnumLanes<Enum, Real>>;
 
 }  // namespace simd

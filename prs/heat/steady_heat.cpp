@@ -157,11 +157,6 @@ std::string runaway(const OfParts& heat) {
 
 }  // namespace
 
-std::string_view name(HeatStatus status) {
-  constexpr std::string_view kNames[] = {"converged", "no_steady_state", "iteration_limit"};
-  return kNames[static_cast<std::size_t>(status)];
-}
-
 SteadyHeat find_steady_heat(const ThermalNetwork& network, const HeatSource& source,
                             const std::optional<OfParts>& start) {
   const OfParts ambient = OfParts::Constant(network.ambient);

@@ -8,11 +8,6 @@
 
 namespace prs {
 
-/// Contact pressure beyond which the static capacity of through-hardened steel is exceeded: a
-/// permanent deformation of 1e-4 of the element's diameter at 4.0 GPa (ISO 76:2006, roller
-/// bearings).
-inline constexpr double kStaticPressureLimit = 4.0e9;
-
 /// Contacts whose mechanism fits the structure, also where the mechanism had to be designed. They
 /// are found once in a run: every analysis takes them with the conditions of the case. Throws
 /// CaseError where the mechanism does not fit.

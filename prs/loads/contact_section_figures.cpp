@@ -47,11 +47,11 @@ InterfaceCut cut_through_contact(const Contacts& contacts, Interface i) {
 
   InterfaceCut cut;
   cut.contact_z = std::remainder(on_roller, pair.roller.pitch);
-  cut.contact_x = point.position.x();
+  cut.contact_x = point.position.x;
   cut.body = {i == Interface::screw ? contacts.threads.screw : contacts.threads.nut, 0.0, 1.0,
-              point.position.y(), cut.contact_z - on_body};
+              point.position.y, cut.contact_z - on_body};
   cut.roller = {contacts.threads.roller, pair.centre_distance, i == Interface::screw ? -1.0 : 1.0,
-                point.position.y(), 0.0};
+                point.position.y, 0.0};
   return cut;
 }
 

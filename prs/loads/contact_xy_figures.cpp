@@ -49,8 +49,8 @@ Circle roller_circle(const contact::MechanismGeometry& threads, double angle) {
 }
 
 std::array<double, 2> contact_mm(const Contacts& contacts, Interface i) {
-  const Eigen::Vector2d& position = contacts.interfaces[i].geometry.point.position;
-  return point_mm(position.x(), position.y());
+  const contact::Vector2<double>& position = contacts.interfaces[i].geometry.point.position;
+  return point_mm(position.x, position.y);
 }
 
 /// Styles of the figure in the order of their legend.
@@ -111,8 +111,8 @@ Panel contact_panel(const Contacts& contacts, Interface i) {
   const Circle body = body_circle(threads, body_of(i));
   const Circle roller = roller_circle(threads, 0.0);
   // Between the contact point and the point where the body's pitch circle meets the centre line.
-  const double dx = point.position.x() - body.radius;
-  const double dy = point.position.y();
+  const double dx = point.position.x - body.radius;
+  const double dy = point.position.y;
   const double half = std::max(0.75 * std::hypot(dx, dy), 0.04 * roller.radius);
   const double reach = 8.0 * half;
 

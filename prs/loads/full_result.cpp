@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "prs/loads/load_case_result.h"
-#include "prs/sector/full/full_influence.h"
+#include "prs/mechanism/full_influence.h"
 
 namespace prs {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "prs/loads/result.h"
+#include "prs/mechanism/orbit.h"
 #include "prs/model/case.h"
-#include "prs/sector/full/orbit.h"
 
 namespace prs {
 

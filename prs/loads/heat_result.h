@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,7 +17,10 @@ enum class HeatStatus {
   iteration_limit,
 };
 
-std::string_view name(HeatStatus status);
+constexpr std::string_view name(HeatStatus status) {
+  constexpr std::string_view kNames[] = {"converged", "no_steady_state", "iteration_limit"};
+  return kNames[static_cast<std::size_t>(status)];
+}
 
 /// Temperatures at which the losses of a load case and the heat that the parts pass on balance. SI
 /// units; of all rollers together.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -41,22 +42,26 @@ struct PowerBySource {
 
 /// Moments on one roller about its axis by source [N m]; they add up to zero in equilibrium. The
 /// terms of Sandu 2018, (3.39) to (3.42), times c |F_N|/N_R.
-struct RollerMoments {
-  double contacts = 0.0;  ///< R_c
-  double spin = 0.0;      ///< R_s
-  double carrier = 0.0;   ///< R_p
-  double gears = 0.0;     ///< R_e
+template <class Number>
+struct RollerMomentsOf {
+  Number contacts{};  ///< R_c
+  Number spin{};      ///< R_s
+  Number carrier{};   ///< R_p
+  Number gears{};     ///< R_e
 
-  double residue() const { return contacts + spin + carrier + gears; }
+  Number residue() const { return contacts + spin + carrier + gears; }
 };
+using RollerMoments = RollerMomentsOf<double>;
 
 /// Forces on one roller across its axis, x away from the screw's axis, y along the orbit [N].
-struct RollerForces {
-  double contacts_x = 0.0, contacts_y = 0.0;  ///< N_C F_c/R, all threads (3.27)
-  double gears_x = 0.0, gears_y = 0.0;        ///< F_E/R (3.28), (3.29)
-  double carrier_x = 0.0, carrier_y = 0.0;  ///< F_R/P, by the roller on the carrier (3.26), (3.32)
-  double centrifugal = 0.0;  ///< F_cf (3.33), by the orbit against the frame; 0 without density.
+template <class Number>
+struct RollerForcesOf {
+  Number contacts_x{}, contacts_y{};  ///< N_C F_c/R, all threads (3.27)
+  Number gears_x{}, gears_y{};        ///< F_E/R (3.28), (3.29)
+  Number carrier_x{}, carrier_y{};    ///< F_R/P, by the roller on the carrier (3.26), (3.32)
+  Number centrifugal{};  ///< F_cf (3.33), by the orbit against the frame; 0 without density.
 };
+using RollerForces = RollerForcesOf<double>;
 
 /// How the search for the slip ratio ended.
 enum class SlipStatus {
@@ -68,7 +73,11 @@ enum class SlipStatus {
   iteration_limit,
 };
 
-std::string_view name(SlipStatus status);
+constexpr std::string_view name(SlipStatus status) {
+  constexpr std::string_view kNames[] = {"not_computed",   "converged", "imposed",
+                                         "no_equilibrium", "jammed",    "iteration_limit"};
+  return kNames[static_cast<std::size_t>(status)];
+}
 
 /// Whose power goes into the mechanism: force x speed x lead > 0 of a screw that drives its load.
 enum class DrivenBy { screw, load };

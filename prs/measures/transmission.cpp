@@ -33,7 +33,8 @@ PlanetaryRatios planetary_ratios(Mechanism::Type type, double gear_ratio) {
 
 PlanetaryRatios ratios_to_frame(Mechanism::Type type, const PlanetaryRatios& nut_at_rest) {
   const auto of = [&](double against_nut) {
-    return against_frame(type, against_nut, 1.0) / turning_speed(type, 1.0);
+    return against_frame(type == Mechanism::Type::standard, against_nut, 1.0) /
+           turning_speed(type, 1.0);
   };
   return {of(nut_at_rest.roller), of(nut_at_rest.carrier)};
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "contact/hertz.h"
 #include "prs/model/part.h"
 
 namespace prs {
@@ -13,8 +14,15 @@ struct Material {
   std::optional<double> density;  ///< [kg/m^3]; needed for weight and centrifugal force only.
   /// [1/K]; needed where temperatures are given.
   std::optional<double> thermal_expansion = std::nullopt;
+
+  operator contact::Elasticity() const { return {youngs_modulus, poisson_ratio}; }
 };
 
 using Materials = PerPart<Material>;
+
+/// Contact pressure beyond which the static capacity of through-hardened steel is exceeded: a
+/// permanent deformation of 1e-4 of the element's diameter at 4.0 GPa (ISO 76:2006, roller
+/// bearings).
+inline constexpr double kStaticPressureLimit = 4.0e9;
 
 }  // namespace prs

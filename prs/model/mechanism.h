@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "contact/mechanism_geometry.h"
 #include "prs/model/part.h"
 
 namespace prs {
@@ -28,7 +29,7 @@ struct ThreadHeight {
 
 /// Threads of a planetary roller screw as the designer states them. SI units, angles in radians.
 struct Mechanism {
-  enum class Type { standard, inverted };
+  using Type = contact::MechanismType;
   /// `simulation`: all radii and the centre distance are given; `design`: the backlash is given
   /// and radii follow (Sandu 2018, table 1.3).
   enum class Geometry { simulation, design };

@@ -64,6 +64,9 @@ constexpr Picture::Drawn drawn_if(bool suitable) {
   return suitable ? Picture::Drawn::always : Picture::Drawn::by_name;
 }
 
+/// Whether a figure shows any number.
+bool has_data(const Figure& figure);
+
 /// All that the result has data for, as a command writes them; with `all` (`--all`), also those
 /// that few readers want.
 Figures figures(const Pictures& pictures, bool all = false);

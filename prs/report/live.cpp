@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "prs/input/reader.h"
+#include "prs/mechanism/full_distribution.h"
 #include "prs/report/findings.h"
 #include "prs/report/sections.h"
-#include "prs/sector/full/full_distribution.h"
 
 namespace prs {
 namespace {

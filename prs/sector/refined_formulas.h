@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "prs/sector/refined/compliance_formulas.h"
+#include "prs/sector/refined/local_compliance.h"
 #include "prs/sector/refined/nut_formulas.h"
 #include "prs/sector/sector_numbers.h"
 
@@ -18,8 +18,8 @@ NutNumbers<Real> nut_numbers(const SectorNumbers<Real>& s, const RefinedNumbers<
           b.nut_pitch_radius,
           b.ring_inner,
           b.ring_outer,
-          b.youngs_modulus.nut,
-          b.poisson_ratio.nut,
+          b.material.nut.youngs_modulus,
+          b.material.nut.poisson_ratio,
           s.rollers,
           s.sense,
           s.cosine.nut,
@@ -33,14 +33,11 @@ void add_body_compliance(const NutShape& shape, const SectorNumbers<Real>& s,
                          const RefinedNumbers<Real>& b, const Real* outer_radius, Real* at_screw,
                          Real* at_nut) {
   using simd::min;
-  const auto material = [&](Part p) {
-    return ElasticNumbers<Real>{b.youngs_modulus[p], b.poisson_ratio[p]};
-  };
   const std::size_t contacts = shape.contacts.size(), segments = shape.same.size();
   if (shape.effects.radial) {
-    const Real whole = of_cylinder(b.screw_radius, b.screw_bore, material(Part::screw), s.rollers,
-                                   s.pitch, s.sine.screw);
-    const Real decay = band_decay(b.screw_radius, b.screw_bore, b.poisson_ratio.screw);
+    const Real whole = cylinder_compliance(b.screw_radius, b.screw_bore, b.material.screw,
+                                           s.rollers, s.pitch, s.sine.screw);
+    const Real decay = band_decay(b.screw_radius, b.screw_bore, b.material.screw.poisson_ratio);
     for (std::size_t k = 0; k < contacts; ++k) {
       // Each end of the band takes from one contact what the other takes from its mirror image.
       const Real taken =
@@ -61,8 +58,9 @@ void add_body_compliance(const NutShape& shape, const SectorNumbers<Real>& s,
         return of(last) == before && of(other < segments ? other : segments - 1) == behind;
       };
       if (k == 0 || !alike(static_cast<std::size_t>(shape.contacts[k - 1])))
-        of_radius = of_wall(b.nut_pitch_radius, min(outer_radius[before], outer_radius[behind]),
-                            material(Part::nut), s.rollers, s.pitch, s.sine.nut);
+        of_radius =
+            wall_compliance(b.nut_pitch_radius, min(outer_radius[before], outer_radius[behind]),
+                            b.material.nut, s.rollers, s.pitch, s.sine.nut);
       at_nut[k] += of_radius;
     }
   }
@@ -70,11 +68,11 @@ void add_body_compliance(const NutShape& shape, const SectorNumbers<Real>& s,
   for (const Interface i : kInterfaces) {
     const Part body = body_of(i);
     const auto of = [&](Part p, const LineReachOf<Real>& reach) {
-      return concentration(reach, material(p), s.pitch, s.sine[i], s.cosine[i]);
+      return concentration_compliance(reach, b.material[p], s.pitch, s.sine[i], s.cosine[i]);
     };
     const Real radius = body == Part::screw ? b.screw_radius : b.nut_pitch_radius;
-    const Real both = of(body, reach_around(radius, s.rollers)) +
-                      of(Part::roller, reach_of_opposite(s.roller_radius));
+    const Real both =
+        of(body, rows_around(radius, s.rollers)) + of(Part::roller, opposite_rows(s.roller_radius));
     for (std::size_t k = 0; k < contacts; ++k)
       (i == Interface::screw ? at_screw : at_nut)[k] += both;
   }

@@ -7,6 +7,7 @@
 #include "prs/sector/refined/local_compliance.h"
 #include "prs/sector/refined_formulas.h"
 #include "prs/sector/section_properties.h"
+#include "prs/threads/initial_gaps.h"
 
 namespace prs {
 namespace {
@@ -134,10 +135,7 @@ void set_nut_bore(NutBore& bore, const Given& g, const NutLine& line) {
 void set_bodies(SectorModel& s, const Given& g) {
   RefinedBodies& b = s.bodies;
   b.effects = g.effects;
-  for (const Part p : kParts) {
-    b.numbers.youngs_modulus[p] = g.materials[p].youngs_modulus;
-    b.numbers.poisson_ratio[p] = g.materials[p].poisson_ratio;
-  }
+  for (const Part p : kParts) b.numbers.material[p] = g.materials[p];
   b.numbers.screw_radius = g.pitch_radius(Part::screw);
   b.numbers.screw_bore = 0.5 * g.structure.screw.bore;
   b.numbers.nut_pitch_radius = g.pitch_radius(Part::nut);

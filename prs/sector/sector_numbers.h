@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/hertz.h"
 #include "prs/model/part.h"
 
 namespace prs {
@@ -50,7 +51,7 @@ struct SectorNumbers {
 /// What refined bodies are made of, beyond a sector's numbers.
 template <class Number>
 struct RefinedNumbers {
-  PerPart<Number> youngs_modulus, poisson_ratio;
+  PerPart<contact::ElasticityOf<Number>> material;
   Number screw_radius{};      ///< Pitch radius of the screw [m].
   Number screw_bore{};        ///< Radius of its bore [m].
   Number nut_pitch_radius{};  ///< [m]

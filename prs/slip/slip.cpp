@@ -82,9 +82,10 @@ void clear_values(InterfaceSlip& slip) {
 void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipBalance& balance,
                         Interface i, const SlipDetail& detail) {
   const LoadedThreads& threads = model.threads[i];
-  const InterfaceBalance& b = balance.interfaces[i];
+  const PatchBalance& b = balance.patches[i];
+  const contact::PatchMotion& motion = balance.sliding[i];
   slip.threads_per_roller = threads.threads_per_roller;
-  slip.along_major = b.motion.along_major;
+  slip.along_major = motion.along_major;
   const auto add = [&](std::vector<double>& values, auto value_of_patch) {
     set_values(values, threads, value_of_patch);
   };
@@ -99,7 +100,7 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
     add(slip.friction_coefficient, [&](std::size_t k) { return b.friction[k].mean_friction; });
     add(slip.spin_torque, [&](std::size_t k) { return b.normal_load[k] * b.friction[k].spin_arm; });
     add(slip.sliding_speed,
-        [&](std::size_t) { return std::hypot(b.motion.sliding_major, b.motion.sliding_minor); });
+        [&](std::size_t) { return std::hypot(motion.sliding_major, motion.sliding_minor); });
     add(slip.max_sliding_speed, [&](std::size_t k) { return b.friction[k].max_sliding_speed; });
     add(slip.dynamic_normal_load, [&](std::size_t k) { return b.normal_load[k]; });
   }
@@ -112,12 +113,12 @@ void set_interface_slip(InterfaceSlip& slip, const SlipModel& model, const SlipB
   }
   if (!model.oils.threads[i] || !detail.films) return;
   const contact::Lubricant& oil = *model.oils.threads[i];
-  const double rolling = b.motion.rolling_speed;
+  const double rolling = motion.rolling_speed;
   add(slip.film_thickness, [&](std::size_t k) {
     return contact::sandu_film(oil, threads.contacts[k].film, rolling).thickness;
   });
   const auto central_film = [&](std::size_t k) {
-    return contact::central_film(oil, threads.contacts[k].film, rolling, b.motion.along_major);
+    return contact::central_film(oil, threads.contacts[k].film, rolling, motion.along_major);
   };
   add(slip.central_film, central_film);
   const std::optional<double>& roughness = model.roughness[i];
@@ -328,12 +329,6 @@ PatchField patch_field(const contact::PatchGrid& grid, const contact::Patch& pat
 
 }  // namespace
 
-std::string_view name(SlipStatus status) {
-  constexpr std::string_view kNames[] = {"not_computed",   "converged", "imposed",
-                                         "no_equilibrium", "jammed",    "iteration_limit"};
-  return kNames[static_cast<std::size_t>(status)];
-}
-
 std::string_view lubrication(double film_ratio) {
   return film_ratio < kTouchingFlanks ? "boundary" : film_ratio < kFullFilm ? "mixed" : "full film";
 }
@@ -405,7 +400,7 @@ void set_slip_result(SlipResult& slip, const SlipModel& model, const SlipEquilib
     slip.efficiency_fit = sandu_efficiency_fit(*model.oils.carrier);
   if (model.oils.carrier) slip.viscosity = model.oils.carrier->viscosity;
   slip.forces = b.forces;
-  if (model.bearing) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
+  if (model.has_bearing()) slip.bearing_eccentricity = b.bearing.eccentricity_ratio;
   double hottest = -1.0;
   for_each_thread(slip.threads, [&](ThreadOf thread, double, double density) {
     if (density > hottest * (1.0 + kEqualPower)) hottest = density, slip.hottest = thread;
@@ -500,8 +495,8 @@ std::optional<PerInterface<PatchField>> thread_patches(const Conditions& c, cons
   for (const Interface i : kInterfaces) {
     const std::optional<std::size_t> patch = model.threads[i].patch_of_thread[thread];
     if (!patch) return std::nullopt;
-    fields[i] = patch_field(models.grid(), model.threads[i].patches[*patch],
-                            balance.interfaces[i].motion, c.model.patch_points);
+    fields[i] = patch_field(models.grid(), model.threads[i].patches[*patch], balance.sliding[i],
+                            c.model.patch_points);
   }
   return fields;
 }
@@ -527,7 +522,7 @@ SlipPictures slip_pictures(const Conditions& c, const Result& result, std::size_
         threads.contacts.begin();
     pictures.most_loaded_thread[i] =
         patch_field(models.grid(), threads.patches[static_cast<std::size_t>(most)],
-                    balance.interfaces[i].motion, c.model.patch_points);
+                    balance.sliding[i], c.model.patch_points);
   }
   return pictures;
 }

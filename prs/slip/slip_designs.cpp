@@ -6,7 +6,7 @@ namespace prs {
 
 void SlipDesignSolver::add(const SlipModel& model) {
   SlipNumbers<double>& screw = screws_.emplace_back();
-  screw.roller = numbers_of(model);
+  screw.roller = model;
   screw.residue_unit = residue_unit(model);
   for (const Interface i : kInterfaces) {
     const LoadedThreads::Contact& c = model.threads[i].contacts.front();
@@ -24,7 +24,7 @@ void SlipDesignSolver::solve(const contact::PatchGrid& grid) {
   for (const SlipNumbers<double>& screw : screws_)
     for (const Interface i : kInterfaces) {
       const SharedContactNumbers<double>& c = screw.contacts[i];
-      if (c.friction.has_film > 0.0)
+      if (c.friction.has_film())
         contact::set_viscosity_ratios(grid, c.friction.oil.viscosity, c.peak_pressure, ratio);
       ratio += domes;
     }
@@ -39,9 +39,9 @@ void SlipDesignSolver::get(std::size_t k, SlipEquilibrium& found) const {
   const SlipTask& task = tasks_[k];
   found.status = task.search.status();
   found.evaluations = task.search.evaluations();
-  set_roller(found.balance, task.balance.roller);
+  found.balance.RollerBalance::operator=(task.balance.roller);
   for (const Interface i : kInterfaces) {
-    InterfaceBalance& b = found.balance.interfaces[i];
+    PatchBalance& b = found.balance.patches[i];
     const contact::PatchFriction& friction = task.balance.friction[i];
     const double normal_load = task.balance.normal_load[i];
     b.friction.assign(1, friction);

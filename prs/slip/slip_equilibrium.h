@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -19,15 +18,12 @@ namespace prs {
 /// The loaded threads of one interface, of one roller or of all. They share contact point and
 /// directions, as all rollers have one speed of orbit and spin; each patch has a load of its own.
 struct LoadedThreads {
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();      ///< n, outward from the roller
-  Eigen::Vector3d major_axis = Eigen::Vector3d::Zero();  ///< t_1
-  Eigen::Vector3d minor_axis = Eigen::Vector3d::Zero();  ///< t_2 = n x t_1
   /// A patch under its static load.
   struct Contact {
     double axial_load = 0.0;  ///< F_i, > 0 [N]
     contact::HertzContact ellipse;
     contact::FilmContact film;
-    contact::FrictionNumbers<double> friction;
+    contact::FrictionLaw friction;
   };
   std::vector<Contact> contacts;
   std::vector<contact::Patch> patches;  ///< Of these contacts.
@@ -47,21 +43,10 @@ struct Oils {
 /// with a load of its own for each thread). Of a full mechanism the mean of all rollers present:
 /// the carrier gives all one speed of orbit and the gears one spin, so that the balance is that of
 /// the sums over all. SI units.
-struct SlipModel {
-  KinematicGeometry geometry;  ///< Points of the faces that touch under the force.
-  double speed = 0.0;          ///< omega_s/n [rad/s]
-  double axial_force = 0.0;    ///< F_N, signed, of the whole mechanism [N]
-  int rollers = 1;
+struct SlipModel : RollerModelOf<double> {
+  double axial_force = 0.0;  ///< F_N, signed, of the whole mechanism [N]
   PerInterface<LoadedThreads> threads;
   Oils oils;
-
-  // Torques of the carrier, magnitudes [N m].
-  double screw_torque = 0.0;
-  double nut_torque = 0.0;
-  double roller_torque = 0.0;
-  std::optional<contact::JournalBearing> bearing;  ///< In place of roller_torque.
-  double gear_pressure_angle = 0.0;                ///< [rad]
-  double roller_mass = 0.0;                        ///< [kg]
 
   // What results say of it.
   Friction friction;
@@ -71,26 +56,16 @@ struct SlipModel {
   std::optional<double> imposed_slip_ratio;
 };
 
-RollerNumbers<double> numbers_of(const SlipModel& model);
-
-/// Friction and forces at one interface of one roller.
-struct InterfaceBalance {
-  contact::PatchMotion motion;
-  std::vector<contact::PatchFriction> friction;  ///< Friction of each patch over its normal load.
+/// Friction at the patches of one interface of one roller.
+struct PatchBalance {
+  std::vector<contact::PatchFriction> friction;  ///< Over the normal load.
   std::vector<double> normal_load;               ///< N, dynamic (3.11), (3.12) [N]
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< On the roller, -sum N m [N] (3.27)
-  double spin_torque = 0.0;                         ///< sum C n . z [N m]
-  double power = 0.0;                               ///< Lost [W] (3.51)
+  double power = 0.0;                            ///< Lost by all [W] (3.51)
 };
 
-/// Everything that acts on one roller at one slip ratio.
-struct SlipBalance {
-  Kinematics motion;
-  PerInterface<InterfaceBalance> interfaces;
-  RollerForces forces;
-  RollerMoments moments;
-  contact::JournalBearingState bearing;
-  double carrier_roller_torque = 0.0;  ///< C_P/R on the roller, signed [N m]
+/// What acts on one roller, and what its patches have to do with it.
+struct SlipBalance : RollerBalance {
+  PerInterface<PatchBalance> patches;
 };
 
 /// Balances all but the moment about the roller's axis, whose residue is left in `moments` (Sandu
@@ -102,9 +77,6 @@ struct SlipBalance {
 /// False where the friction would have to push a contact open, so that no normal load exists, or
 /// where numbers overflow.
 bool balance_at(const SlipModel& model, double slip_ratio, SlipBalance& balance);
-
-/// What a kernel found, in place.
-void set_roller(SlipBalance& balance, const RollerBalanceOf<double>& roller);
 
 /// c |F_N|/N_R [N m], the unit of `relative_residue`.
 double residue_unit(const SlipModel& model);

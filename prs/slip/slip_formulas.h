@@ -1,28 +1,39 @@
 #pragma once
 
-#include "contact/journal_bearing_formulas.h"
+#include "contact/journal_bearing.h"
 #include "contact/patch_formulas.h"
-#include "prs/threads/kinematics_formulas.h"
+#include "prs/loads/slip_result.h"
+#include "prs/threads/kinematics.h"
 
 /// The balance of one roller (Sandu 2018, section 3.2): formulas for numbers, for batches with one
 /// screw per lane, and for either with slopes along the slip ratio.
 namespace prs {
 
-/// A roller and what acts on it, as numbers; see `SlipModel`.
+/// Directions at the contacts of an interface.
 template <class Real>
-struct RollerNumbers {
-  KinematicNumbers<Real> geometry{};
-  struct Frame {
-    contact::Vector3<Real> normal{}, major_axis{}, minor_axis{};
-  };
-  PerInterface<Frame> frames{};
-  Real speed{}, rollers{};
-  Real screw_torque{}, nut_torque{}, roller_torque{};
-  Real has_bearing{};  ///< 1, or 0: `roller_torque`.
-  contact::JournalBearingNumbers<Real> bearing{};
-  Real bearing_viscosity{};
-  Real gear_tangent{};  ///< Of the pressure angle.
-  Real roller_mass{};
+struct ContactFrameOf {
+  contact::Vector3<Real> normal{};      ///< n, outward from the roller
+  contact::Vector3<Real> major_axis{};  ///< t_1
+  contact::Vector3<Real> minor_axis{};  ///< t_2 = n x t_1
+};
+
+/// One roller and what acts on it besides the friction of its threads. SI units.
+template <class Real>
+struct RollerModelOf {
+  KinematicGeometryOf<Real> geometry{};  ///< Points of the faces that touch under the force.
+  PerInterface<ContactFrameOf<Real>> frames{};
+  Real speed{};  ///< omega_s/n [rad/s]
+  Real rollers = 1.0;
+  // Torques of the carrier, magnitudes [N m].
+  Real screw_torque{};
+  Real nut_torque{};
+  Real roller_torque{};
+  contact::JournalBearingOf<Real> bearing{};  ///< Where it has a length, not `roller_torque`.
+  Real bearing_viscosity{};                   ///< [Pa s]
+  Real gear_tangent{};                        ///< Of the pressure angle.
+  Real roller_mass{};                         ///< [kg]
+
+  simd::Lanes<Real> has_bearing() const { return bearing.length > Real(0.0); }
 };
 
 /// Forces and moment of the threads of an interface on one roller.
@@ -32,20 +43,7 @@ struct InterfaceForces {
   Number spin_torque{};
 };
 
-/// See `RollerForces`.
-template <class Number>
-struct RollerForcesOf {
-  Number contacts_x{}, contacts_y{}, gears_x{}, gears_y{}, carrier_x{}, carrier_y{}, centrifugal{};
-};
-
-/// See `RollerMoments`.
-template <class Number>
-struct RollerMomentsOf {
-  Number contacts{}, spin{}, carrier{}, gears{};
-
-  Number residue() const { return contacts + spin + carrier + gears; }
-};
-
+/// Everything that acts on one roller at one slip ratio.
 template <class Number>
 struct RollerBalanceOf {
   KinematicsOf<Number> motion{};
@@ -54,8 +52,9 @@ struct RollerBalanceOf {
   RollerForcesOf<Number> forces{};
   RollerMomentsOf<Number> moments{};
   contact::JournalBearingStateOf<Number> bearing{};
-  Number carrier_roller_torque{};
+  Number carrier_roller_torque{};  ///< C_P/R on the roller, signed [N m]
 };
+using RollerBalance = RollerBalanceOf<double>;
 
 /// Sliding below this share of the rolling speed is the rounding of a contact without slip.
 inline constexpr double kNoSlip = 1e-12;
@@ -66,7 +65,7 @@ Number dot(const contact::Vector3<Number>& a, const contact::Vector3<Real>& b) {
 }
 
 template <class Number, class Real>
-contact::PatchMotionOf<Number> patch_motion(const typename RollerNumbers<Real>::Frame& frame,
+contact::PatchMotionOf<Number> patch_motion(const ContactFrameOf<Real>& frame,
                                             const ContactMotionOf<Number>& motion) {
   using simd::max, simd::select, simd::sqrt, simd::value;
   const Number u_n = dot(motion.rolling, frame.normal);
@@ -92,7 +91,7 @@ struct PatchForces {
 /// m = n - T/N (3.5); the axial load gives the dynamic normal one (3.11), (3.12). `alike`: threads
 /// that the patch stands for.
 template <class Number, class Real>
-PatchForces<Number> patch_forces(const typename RollerNumbers<Real>::Frame& frame,
+PatchForces<Number> patch_forces(const ContactFrameOf<Real>& frame,
                                  const contact::PatchFrictionOf<Number>& friction,
                                  const Real& axial_load, const Real& alike) {
   using simd::copysign;
@@ -115,7 +114,7 @@ auto is_possible(const Number& normal_load) {
 
 /// Operating pitch radius of the roller's gear [m].
 template <class Real>
-Real roller_gear_radius(const KinematicNumbers<Real>& g) {
+Real roller_gear_radius(const KinematicGeometryOf<Real>& g) {
   using simd::select;
   const Real& gamma = g.gear_ratio;
   return g.centre_distance * gamma / select(g.is_standard(), Real(1.0 - gamma), Real(1.0 + gamma));
@@ -123,11 +122,11 @@ Real roller_gear_radius(const KinematicNumbers<Real>& g) {
 
 /// Gears and carrier for a torque of the carrier on the roller, signed [N m].
 template <class Number, class Real>
-RollerForcesOf<Number> forces_with(const RollerNumbers<Real>& m, const RollerBalanceOf<Number>& b,
+RollerForcesOf<Number> forces_with(const RollerModelOf<Real>& m, const RollerBalanceOf<Number>& b,
                                    const Number& roller_torque) {
   using simd::abs, simd::copysign, simd::select;
   const Real& c = m.geometry.centre_distance;
-  const Number orbit_speed = against_frame_of(
+  const Number orbit_speed = against_frame(
       m.geometry.is_standard(), Number(b.motion.slip_ratio * m.speed), m.speed);  // Of omega_p/n.
   const Real carrier_torque = copysign(Real(1.0), m.speed) * (m.nut_torque - m.screw_torque);
   RollerForcesOf<Number> f;
@@ -144,16 +143,16 @@ RollerForcesOf<Number> forces_with(const RollerNumbers<Real>& m, const RollerBal
 
 /// The bearing's torque depends on its load and, a little, its load on the torque.
 template <class Number, class Real>
-void balance_carrier(const RollerNumbers<Real>& m, RollerBalanceOf<Number>& b) {
+void balance_carrier(const RollerModelOf<Real>& m, RollerBalanceOf<Number>& b) {
   using simd::abs, simd::any, simd::copysign, simd::length, simd::select, simd::value;
   const Real sense = copysign(Real(1.0), m.speed);
   Number torque(m.roller_torque);
-  auto active = m.has_bearing > Real(0.0);
+  auto active = m.has_bearing();
   for (int i = 0; i < 30 && any(active); ++i) {
     const RollerForcesOf<Number> f = forces_with(m, b, Number(sense * torque));
     const contact::JournalBearingStateOf<Number> state =
-        contact::short_bearing_of(m.bearing, m.bearing_viscosity, abs(b.motion.roller_to_carrier),
-                                  Number(0.5 * length(f.carrier_x, f.carrier_y)));
+        contact::short_bearing(m.bearing, m.bearing_viscosity, b.motion.roller_to_carrier,
+                               Number(0.5 * length(f.carrier_x, f.carrier_y)));
     const Real before = value(torque);
     b.bearing.eccentricity_ratio =
         select(active, state.eccentricity_ratio, b.bearing.eccentricity_ratio);
@@ -175,15 +174,14 @@ Number moment_z(const contact::Vector2<Real>& point, const Real& axis_x,
 /// Balances all but the moment about the roller's axis, see `balance_at`. `forces_at(i, sliding)`:
 /// `InterfaceForces` of the threads of an interface.
 template <class Number, class Real, class Forces>
-RollerBalanceOf<Number> roller_balance(const RollerNumbers<Real>& m, const Number& slip_ratio,
+RollerBalanceOf<Number> roller_balance(const RollerModelOf<Real>& m, const Number& slip_ratio,
                                        Forces forces_at) {
   using simd::select;
   RollerBalanceOf<Number> b;
-  b.motion = kinematics_of(m.geometry, m.speed, slip_ratio);
+  b.motion = kinematics(m.geometry, m.speed, slip_ratio);
   b.moments.contacts = b.moments.spin = Number(Real(0.0));
   for (const Interface i : kInterfaces) {
-    b.sliding[i] =
-        patch_motion<Number, Real>(m.frames[i], contact_motion_of(m.geometry, b.motion, i));
+    b.sliding[i] = patch_motion(m.frames[i], contact_motion(m.geometry, b.motion, i));
     b.interfaces[i] = forces_at(i, b.sliding[i]);
     b.moments.contacts +=
         moment_z(m.geometry.points[i], m.geometry.centre_distance, b.interfaces[i].force);

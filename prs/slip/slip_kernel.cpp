@@ -37,7 +37,7 @@ contact::PatchFrictionOf<Number> patch_friction_of(const SharedPoints& shared,
     const Real ratio = Real::load_unaligned(viscosity_ratio + shared.dome_of_point[k] * kLanes);
     return law.scale * simd::asinh_of_positive(Number(law.factor * ratio * speed));
   };
-  if (!any(c.friction.has_film > Real(0.0)))
+  if (!any(c.friction.has_film()))
     add_points([&](std::size_t, const Real& dome, const Number&)
                    __attribute__((always_inline)) { return law.coefficient * dome; });
   else if (!any(value(law.coefficient) > Real(0.0)))
@@ -92,13 +92,6 @@ class Screws {
   struct Marked {
     bool lanes[kLanes] = {};
   };
-  template <class Number>
-  struct Found {
-    RollerBalanceOf<Number> roller;
-    PerInterface<contact::PatchFrictionOf<Number>> friction;
-    PerInterface<Number> normal_load;
-  };
-
   template <class Which>
   bool any_task(Which which) const {
     for (const SlipTask& task : tasks_)
@@ -120,8 +113,8 @@ class Screws {
   }
 
   template <class Number>
-  Found<Number> balance(const Number& slip_ratio) const {
-    Found<Number> found;
+  SharedSlipBalance<Number> balance(const Number& slip_ratio) const {
+    SharedSlipBalance<Number> found;
     found.roller = roller_balance(
         numbers_.roller, slip_ratio,
         [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
@@ -137,7 +130,7 @@ class Screws {
   }
 
   template <class Number>
-  void take(const Marked& now, const Found<Number>& found) {
+  void take(const Marked& now, const SharedSlipBalance<Number>& found) {
     using simd::select, simd::value;
     const Number residue = found.roller.moments.residue() / numbers_.residue_unit;
     const Real possible =
@@ -147,9 +140,8 @@ class Screws {
     value(residue).store_unaligned(residues);
     possible.store_unaligned(are_possible);
     if constexpr (std::is_same_v<Number, Real>) {
-      const SlipBalanceNumbers<Real> balance{found.roller, found.friction, found.normal_load};
-      SlipBalanceNumbers<double> balances[kLanes];
-      simd::deliver(balance, balances, kLanes);
+      SharedSlipBalance<double> balances[kLanes];
+      simd::deliver(found, balances, kLanes);
       for (std::size_t l = 0; l < tasks_.size(); ++l)
         if (now.lanes[l]) tasks_[l].balance = balances[l];
     } else {

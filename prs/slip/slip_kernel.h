@@ -16,23 +16,23 @@ template <class Real>
 struct SharedContactNumbers {
   Real axial_load{}, alike{};
   Real semi_major{}, semi_minor{}, peak_pressure{};
-  contact::FrictionNumbers<Real> friction{};
+  contact::FrictionLawOf<Real> friction{};
 };
 
 /// A screw whose threads carry equal loads, as numbers.
 template <class Real>
 struct SlipNumbers {
-  RollerNumbers<Real> roller{};
+  RollerModelOf<Real> roller{};
   PerInterface<SharedContactNumbers<Real>> contacts{};
   Real residue_unit{};
 };
 
-/// What acts at one slip ratio, as numbers; see `SlipBalance`.
-template <class Real>
-struct SlipBalanceNumbers {
-  RollerBalanceOf<Real> roller{};
-  PerInterface<contact::PatchFrictionOf<Real>> friction{};
-  PerInterface<Real> normal_load{};
+/// What acts at one slip ratio, with one patch at each interface; see `SlipBalance`.
+template <class Number>
+struct SharedSlipBalance {
+  RollerBalanceOf<Number> roller{};
+  PerInterface<contact::PatchFrictionOf<Number>> friction{};
+  PerInterface<Number> normal_load{};
 };
 
 /// The patch points that all screws of a batch have.
@@ -46,7 +46,7 @@ struct SharedPoints {
 /// A search for equilibrium and what it found last.
 struct SlipTask {
   SlipSearch search;
-  SlipBalanceNumbers<double> balance;
+  SharedSlipBalance<double> balance;
 };
 
 /// One screw per lane: searches until all are done. A screw does not depend on its neighbours.

@@ -19,7 +19,7 @@ KinematicGeometry kinematic_geometry(const Contacts& contacts, double force) {
   g.gear_ratio = contact::kinematic_consistency(contacts.threads).gear_ratio_by_leads;
   g.centre_distance = contacts.threads.centre_distance;
   for (const Interface i : kInterfaces)
-    g.points[i].head<2>() = touching(contacts.interfaces[i].geometry, force).point.position;
+    g.points[i] = touching(contacts.interfaces[i].geometry, force).point.position;
   return g;
 }
 
@@ -38,8 +38,8 @@ double roller_mass(const Conditions& c, const Mechanism& m) {
   return *density * roller_body(m, roller).volume;
 }
 
-contact::FrictionNumbers<double> friction_of(const SlipModel& model, Interface i,
-                                             const contact::FilmContact& film) {
+contact::FrictionLaw friction_of(const SlipModel& model, Interface i,
+                                 const contact::FilmContact& film) {
   const Friction& friction = model.friction;
   switch (friction.model) {
     case Friction::Model::coulomb:
@@ -57,7 +57,7 @@ contact::FrictionNumbers<double> friction_of(const SlipModel& model, Interface i
 /// A patch under its static load.
 LoadedThreads::Contact contact_of(const SlipModel& model, const InterfaceContact& contact,
                                   Interface i, double axial_load) {
-  const double static_load = axial_load / std::abs(model.threads[i].normal.z());
+  const double static_load = axial_load / std::abs(model.frames[i].normal.z);
   const contact::PrincipalValues& relative = contact.geometry.relative;
   const contact::FilmContact film{.normal_load = static_load,
                                   .curvature = relative.second,
@@ -118,9 +118,10 @@ void set_conditions(SlipModel& m, const Conditions& c, const Mechanism& mechanis
   m.screw_torque = c.carrier.screw_torque;
   m.nut_torque = c.carrier.nut_torque;
   m.roller_torque = c.carrier.roller_torque;
-  m.bearing = c.carrier.bearing;
+  m.bearing = c.carrier.bearing.value_or(contact::JournalBearing{});
   m.oils = oils;
-  m.gear_pressure_angle = c.carrier.gear_pressure_angle;
+  m.bearing_viscosity = oils.carrier ? oils.carrier->viscosity : 0.0;
+  m.gear_tangent = std::tan(c.carrier.gear_pressure_angle);
   m.roller_mass = roller_mass(c, mechanism);
   m.friction = *c.friction;
   m.film_direction = c.lubricant ? c.lubricant->film.direction : contact::FilmDirection::minor_axis;
@@ -133,9 +134,7 @@ void set_geometry(SlipModel& m, const Contacts& contacts) {
   m.geometry = kinematic_geometry(contacts, m.axial_force);
   for (const Interface i : kInterfaces) {
     const contact::InterfaceGeometry g = touching(contacts.interfaces[i].geometry, m.axial_force);
-    m.threads[i].normal = g.point.normal;
-    m.threads[i].major_axis = g.major_axis;
-    m.threads[i].minor_axis = g.minor_axis;
+    m.frames[i] = {g.point.normal, g.major_axis, g.minor_axis};
   }
 }
 

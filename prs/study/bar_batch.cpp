@@ -5,6 +5,7 @@
 
 #include "prs/sector/chain/fallback_solver.h"
 #include "prs/threads/contact_laws.h"
+#include "prs/threads/initial_gaps.h"
 #include "prs/threads/threads.h"
 
 namespace prs {

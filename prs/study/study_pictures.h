@@ -5,9 +5,6 @@
 
 namespace prs {
 
-/// Whether a figure shows any number.
-bool has_data(const Figure& figure);
-
 /// Whether the study records what a figure of power by source shows.
 bool has_power(const StudyResult& result);
 

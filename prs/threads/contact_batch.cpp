@@ -3,20 +3,14 @@
 namespace prs {
 namespace {
 
-contact::Elasticity elastic(const Material& m) { return {m.youngs_modulus, m.poisson_ratio}; }
-
-bool set_contact(InterfaceContact& c, const contact::InterfaceNumbers<double>& geometry,
-                 const contact::HertzNumbers<double>& hertz, double modulus) {
-  if (geometry.point.status != static_cast<double>(contact::ContactPointStatus::ok)) return false;
-  c.geometry = contact::interface_geometry_of(geometry);
-  c.contact_modulus = modulus;
-  c.shear.reset();
-  if (modulus == 0.0) {
-    c.hertz = {};
-    return true;
-  }
-  c.hertz = contact::hertz_constants_of(hertz);
-  return c.hertz.ok();
+bool set_contact(InterfaceContact& to, const contact::ContactNumbers<double>& found,
+                 double modulus) {
+  if (!found.geometry.ok()) return false;
+  to.geometry = found.geometry;
+  to.contact_modulus = modulus;
+  to.shear.reset();
+  to.hertz = modulus == 0.0 ? contact::HertzConstants{} : found.hertz;
+  return modulus == 0.0 || to.hertz.ok();
 }
 
 }  // namespace
@@ -25,9 +19,8 @@ void ContactBatch::add(const contact::MechanismGeometry& threads,
                        const std::optional<Materials>& materials) {
   contact::MechanismNumbers<double>& m = mechanisms_.emplace_back(contact::numbers_of(threads));
   if (!materials) return;
-  const contact::Elasticity roller = elastic(materials->roller);
-  m.modulus_at_screw = contact::contact_modulus(elastic(materials->screw), roller);
-  m.modulus_at_nut = contact::contact_modulus(elastic(materials->nut), roller);
+  m.modulus_at_screw = contact::contact_modulus(materials->screw, materials->roller);
+  m.modulus_at_nut = contact::contact_modulus(materials->nut, materials->roller);
 }
 
 void ContactBatch::find() {
@@ -37,27 +30,26 @@ void ContactBatch::find() {
 
 bool ContactBatch::get_laws(std::size_t k, Contacts& c) const {
   const contact::MechanismContactNumbers<double>& found = found_[k];
-  const auto set = [](InterfaceContact& to, const contact::PointNumbers<double>& point,
-                      const contact::HertzNumbers<double>& hertz) {
-    if (point.status != static_cast<double>(contact::ContactPointStatus::ok)) return false;
-    to.geometry.point.status = contact::ContactPointStatus::ok;
-    to.geometry.point.normal = {point.normal.x, point.normal.y, point.normal.z};
-    to.hertz = contact::hertz_constants_of(hertz);
+  const auto set = [](InterfaceContact& to, const contact::ContactNumbers<double>& contact) {
+    const contact::ContactPoint& point = contact.geometry.point;
+    if (!point.ok()) return false;
+    to.geometry.point.status = point.status;
+    to.geometry.point.normal = point.normal;
+    to.hertz = contact.hertz;
     return to.hertz.ok();
   };
-  return found.sound != 0.0 && set(c.interfaces.screw, found.screw.point, found.hertz_at_screw) &&
-         set(c.interfaces.nut, found.nut.point, found.hertz_at_nut);
+  return found.sound != 0.0 && set(c.interfaces.screw, found.screw) &&
+         set(c.interfaces.nut, found.nut);
 }
 
 PerInterface<ContactLawNumbers> ContactBatch::laws(std::size_t k) const {
-  const contact::MechanismContactNumbers<double>& found = found_[k];
-  const auto law = [](const contact::NormalNumbers<double>& normal,
-                      const contact::HertzNumbers<double>& hertz) {
-    return ContactLawNumbers{
-        {hertz.hertz_constant, normal.angle, 0.0}, normal.cosine, normal.sine, hertz.cbrt_constant};
+  const auto law = [](const contact::ContactNumbers<double>& c) {
+    return ContactLawNumbers{{c.hertz.hertz_constant, c.normal.angle, 0.0},
+                             c.normal.cosine,
+                             c.normal.sine,
+                             c.hertz.cbrt_constant};
   };
-  return {law(found.normal_at_screw, found.hertz_at_screw),
-          law(found.normal_at_nut, found.hertz_at_nut)};
+  return {law(found_[k].screw), law(found_[k].nut)};
 }
 
 bool ContactBatch::get(std::size_t k, const Mechanism& mechanism,
@@ -65,9 +57,8 @@ bool ContactBatch::get(std::size_t k, const Mechanism& mechanism,
                        Contacts& c) const {
   const contact::MechanismContactNumbers<double>& found = found_[k];
   const contact::MechanismNumbers<double>& m = mechanisms_[k];
-  if (found.sound == 0.0 ||
-      !set_contact(c.interfaces.screw, found.screw, found.hertz_at_screw, m.modulus_at_screw) ||
-      !set_contact(c.interfaces.nut, found.nut, found.hertz_at_nut, m.modulus_at_nut))
+  if (found.sound == 0.0 || !set_contact(c.interfaces.screw, found.screw, m.modulus_at_screw) ||
+      !set_contact(c.interfaces.nut, found.nut, m.modulus_at_nut))
     return false;
   c.mechanism = mechanism;
   c.threads = threads;

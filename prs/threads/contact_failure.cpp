@@ -64,7 +64,8 @@ ContactFailure why_no_contact(const contact::MechanismGeometry& threads,
                           std::abs(distance) * per_si::millimetre)};
     }
     case Status::outside_flank:
-      return {"mechanism.thread", off_the_flanks(geometry.point.violations, i)};
+      return {"mechanism.thread",
+              off_the_flanks(point_beyond_flanks(pair_of(threads, i), geometry.point), i)};
     case Status::not_a_minimum:
       return {"mechanism.profile", "the surfaces cut each other where their slopes agree"};
     case Status::not_converged:

@@ -22,10 +22,8 @@ constexpr double kTouchingInterference = 0.1;
 /// A smallest relative curvature below this share of the roller's is a nearly conforming contact.
 constexpr double kConformity = 0.01;
 
-contact::Elasticity elasticity(const Material& m) { return {m.youngs_modulus, m.poisson_ratio}; }
-
 void add_hertz(InterfaceContact& c, const Material& body, const Material& roller, Detail detail) {
-  c.contact_modulus = contact::contact_modulus(elasticity(body), elasticity(roller));
+  c.contact_modulus = contact::contact_modulus(body, roller);
   c.hertz = contact::hertz_constants(c.geometry.relative.first, c.geometry.relative.second,
                                      c.contact_modulus);
   // Both bodies carry the same pressure; the larger shear stress is that of the smaller nu.

@@ -1,35 +1,44 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <numbers>
 #include <optional>
 
-#include "contact/mechanism_geometry.h"
+#include "contact/vectors.h"
 #include "prs/model/mechanism.h"
 #include "prs/model/part.h"
+#include "simd/dual.h"
 
 namespace prs {
 
-/// Geometry of a mechanism that its stationary motion depends on (Sandu 2018, section 2.2).
-struct KinematicGeometry {
-  Mechanism::Type type = Mechanism::Type::standard;
-  double lead = 0.0;             ///< l_S, > 0 right-handed [m]
-  double gear_ratio = 0.0;       ///< Gamma = |l_R|/l_S, by (2.14) also r_R/r_N or r_R/r_S.
-  double centre_distance = 0.0;  ///< c [m]
-  /// I and J in the carrier's frame: z along the screw's axis, x towards the roller [m].
-  PerInterface<Eigen::Vector3d> points;
-};
+/// Geometry of a mechanism that its stationary motion depends on (Sandu 2018, section 2.2): for
+/// numbers and for batches with one mechanism per lane.
+template <class Real>
+struct KinematicGeometryOf {
+  simd::EnumOf<Mechanism::Type, Real> type = Mechanism::Type::standard;
+  Real lead{};             ///< l_S, > 0 right-handed [m]
+  Real gear_ratio{};       ///< Gamma = |l_R|/l_S, by (2.14) also r_R/r_N or r_R/r_S.
+  Real centre_distance{};  ///< c [m]
+  /// I and J in the carrier's frame across the screw's axis, x towards the roller [m].
+  PerInterface<contact::Vector2<Real>> points{};
 
-/// Speeds of the parts for one slip ratio. Rotations about z, positive anticlockwise [rad/s].
-struct Kinematics {
-  double slip_ratio = 0.0;         ///< epsilon = omega_p/n / omega_s/n (2.2)
-  double screw_to_carrier = 0.0;   ///< omega_s/p
-  double roller_to_carrier = 0.0;  ///< omega_r/p, from the gears (2.4)
-  double nut_to_carrier = 0.0;     ///< omega_n/p
+  simd::Lanes<Real> is_standard() const { return type == Mechanism::Type::standard; }
+};
+using KinematicGeometry = KinematicGeometryOf<double>;
+
+/// Speeds of the parts for one slip ratio, with or without their slope along it. Rotations about z,
+/// positive anticlockwise [rad/s].
+template <class Number>
+struct KinematicsOf {
+  Number slip_ratio{};         ///< epsilon = omega_p/n / omega_s/n (2.2)
+  Number screw_to_carrier{};   ///< omega_s/p
+  Number roller_to_carrier{};  ///< omega_r/p, from the gears (2.4)
+  Number nut_to_carrier{};     ///< omega_n/p
   /// Axial velocities against the carrier, which goes with the nut of a standard and with the screw
   /// of an inverted mechanism [m/s] (2.5).
-  double screw_advance = 0.0;
-  double nut_advance = 0.0;
+  simd::ValueOf<Number> screw_advance{};
+  simd::ValueOf<Number> nut_advance{};
 };
+using Kinematics = KinematicsOf<double>;
 
 // What turns against the frame. The screw of a standard mechanism turns and its nut is held against
 // turning; of an inverted mechanism the nut turns and the screw is held. The part that is held
@@ -39,25 +48,54 @@ struct Kinematics {
 /// Speed against the frame of what turns with `against_nut` against the nut [rad/s], where the
 /// screw turns with `speed` against it: omega_x/n of a standard mechanism, omega_x/n - omega_s/n of
 /// an inverted one.
-double against_frame(Mechanism::Type type, double against_nut, double speed);
+template <class Number, class Real>
+Number against_frame(const simd::Lanes<Real>& is_standard, const Number& against_nut,
+                     const Real& speed) {
+  using simd::select;
+  return select(is_standard, against_nut, Number(against_nut - speed));
+}
 
 /// Speed against the frame of the part that turns [rad/s]: omega_s/n, or -omega_s/n of a nut.
 double turning_speed(Mechanism::Type type, double speed);
 
 /// Stationary motion of the parts for one slip ratio and the speed of the screw against the nut
 /// omega_s/n [rad/s] (Sandu 2018, (2.2), (2.4), (2.5)).
-Kinematics kinematics(const KinematicGeometry& geometry, double speed, double slip_ratio);
+template <class Number, class Real>
+KinematicsOf<Number> kinematics(const KinematicGeometryOf<Real>& g,
+                                const std::type_identity_t<Real>& speed, const Number& slip_ratio) {
+  using simd::select;
+  const Real advance = -g.lead / (2.0 * std::numbers::pi) * speed;  // of the nut on the screw
+  const auto standard = g.is_standard();
+  const Number rest = 1.0 - slip_ratio;
+  return {slip_ratio,
+          rest * speed,
+          -(select(standard, slip_ratio, rest) / g.gear_ratio * speed),
+          -(slip_ratio * speed),
+          select(standard, Real(-advance), Real(0.0)),
+          select(standard, Real(0.0), advance)};
+}
 
 /// How body and roller move against each other where they touch.
-struct ContactMotion {
-  Eigen::Vector3d sliding =
-      Eigen::Vector3d::Zero();  ///< v, body against roller [m/s] (2.10), (2.11)
-  Eigen::Vector3d rolling = Eigen::Vector3d::Zero();  ///< u, sum of both [m/s] (2.32), (2.33)
-  double spin = 0.0;  ///< Body against roller, about z [rad/s] (2.23), (2.24)
+template <class Number>
+struct ContactMotionOf {
+  contact::Vector3<Number> sliding{};  ///< v, body against roller [m/s] (2.10), (2.11)
+  contact::Vector3<Number> rolling{};  ///< u, sum of both [m/s] (2.32), (2.33)
+  Number spin{};                       ///< Body against roller, about z [rad/s] (2.23), (2.24)
 };
+using ContactMotion = ContactMotionOf<double>;
 
-ContactMotion contact_motion(const KinematicGeometry& geometry, const Kinematics& motion,
-                             Interface interface);
+template <class Number, class Real>
+ContactMotionOf<Number> contact_motion(const KinematicGeometryOf<Real>& g,
+                                       const KinematicsOf<Number>& k, Interface i) {
+  const bool at_screw = i == Interface::screw;
+  const Number& body = at_screw ? k.screw_to_carrier : k.nut_to_carrier;
+  const Number& roller = k.roller_to_carrier;
+  const Number advance(at_screw ? k.screw_advance : k.nut_advance);
+  const Real &x = g.points[i].x, &y = g.points[i].y, from_roller = x - g.centre_distance;
+  return {{-((body - roller) * y), body * x - roller * from_roller, advance},
+          {-((body + roller) * y), body * x + roller * from_roller, advance},
+          body - roller};
+}
 
 /// The interface that slides in a mechanism whose other contact lies at its pitch point: the screw
 /// of a standard, the nut of an inverted one.

@@ -10,13 +10,8 @@
 namespace prs {
 namespace {
 
-contact::MechanismType type_of(const Mechanism& m) {
-  return m.type == Mechanism::Type::standard ? contact::MechanismType::standard
-                                             : contact::MechanismType::inverted;
-}
-
 double lead_of(const Mechanism& m, Part part, double pitch) {
-  if (part == Part::roller) return contact::roller_lead(type_of(m), m.lead, pitch, m.starts.roller);
+  if (part == Part::roller) return contact::roller_lead(m.type, m.lead, pitch, m.starts.roller);
   return std::copysign(pitch * m.starts.screw, m.lead);
 }
 
@@ -103,7 +98,7 @@ PerPart<double> axial_pitches(const Mechanism& m) {
 
 contact::MechanismGeometry threads_of(const Mechanism& m) {
   const PerPart<double> pitches = axial_pitches(m);
-  return {type_of(m), thread_of(m, Part::screw, pitches.screw),
+  return {m.type, thread_of(m, Part::screw, pitches.screw),
           thread_of(m, Part::roller, pitches.roller), thread_of(m, Part::nut, pitches.nut),
           m.centre_distance.value_or(0.0)};
 }

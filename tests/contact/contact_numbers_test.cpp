@@ -59,15 +59,15 @@ struct Worst {
 
   void add(double& worst, double difference) { worst = std::max(worst, std::abs(difference)); }
 
-  void add(const InterfaceNumbers<double>& n, const InterfaceGeometry& g, double radius) {
-    add(geometry, (n.point.position.x - g.point.position.x()) / radius);
-    add(geometry, (n.point.position.y - g.point.position.y()) / radius);
+  void add(const InterfaceGeometry& n, const InterfaceGeometry& g, double radius) {
+    add(geometry, (n.point.position.x - g.point.position.x) / radius);
+    add(geometry, (n.point.position.y - g.point.position.y) / radius);
     add(geometry, n.point.angle_on_body - g.point.angle_on_body);
     add(geometry, n.point.angle_on_roller - g.point.angle_on_roller);
     add(geometry, (n.point.backlash - g.point.backlash) / radius);
-    add(geometry, n.point.normal.x - g.point.normal.x());
-    add(geometry, n.point.normal.z - g.point.normal.z());
-    add(geometry, n.helix_tangent.y - g.helix_tangent.y());
+    add(geometry, n.point.normal.x - g.point.normal.x);
+    add(geometry, n.point.normal.z - g.point.normal.z);
+    add(geometry, n.helix_tangent.y - g.helix_tangent.y);
     for (const auto& [lanes, scalar] : {std::pair(n.body, g.body), std::pair(n.roller, g.roller),
                                         std::pair(n.relative, g.relative)}) {
       const double scale = std::max(std::abs(g.roller.second), std::abs(g.relative.second));
@@ -75,7 +75,7 @@ struct Worst {
       add(curvature, (lanes.second - scalar.second) / scale);
     }
   }
-  void add(const HertzNumbers<double>& n, const HertzConstants& h, double openness) {
+  void add(const HertzConstants& n, const HertzConstants& h, double openness) {
     if (!h.ok()) return;
     add(hertz, openness * (n.ellipticity / h.ellipticity - 1.0));
     add(hertz, openness * (n.hertz_constant / h.hertz_constant - 1.0));
@@ -108,20 +108,20 @@ TEST(ContactNumbers, EveryInstructionSetFindsTheContactsOfOneMechanism) {
       if (!threads) continue;
       ++sound;
       const MechanismContact scalar = mechanism_contact(m, Configuration::i1_j2);
-      const auto compare = [&](const InterfaceNumbers<double>& n, const InterfaceGeometry& g,
-                               const HertzNumbers<double>& h, double modulus) {
+      const auto compare = [&](const InterfaceGeometry& n, const InterfaceGeometry& g,
+                               const HertzConstants& h, double modulus) {
         // Why there is none may differ: a descent that finds no minimum ends anywhere.
-        ASSERT_EQ(n.point.status == static_cast<double>(ContactPointStatus::ok), g.ok()) << k;
+        ASSERT_EQ(n.ok(), g.ok()) << k;
         if (!g.ok()) return;
         ++contacts;
         worst.add(n, g, m.centre_distance);
         const HertzConstants constants =
             hertz_constants(g.relative.first, g.relative.second, modulus);
-        ASSERT_EQ(static_cast<int>(h.status), static_cast<int>(constants.status)) << k;
+        ASSERT_EQ(h.status, constants.status) << k;
         worst.add(h, constants, std::min(1.0, g.openness()));
       };
-      compare(found[k].screw, scalar.screw, found[k].hertz_at_screw, kBothModuli);
-      compare(found[k].nut, scalar.nut, found[k].hertz_at_nut, 0.7 * kBothModuli);
+      compare(found[k].screw.geometry, scalar.screw, found[k].screw.hertz, kBothModuli);
+      compare(found[k].nut.geometry, scalar.nut, found[k].nut.hertz, 0.7 * kBothModuli);
     }
     EXPECT_GT(sound, mechanisms.size() / 2);
     EXPECT_GT(contacts, sound / 2);
@@ -143,9 +143,9 @@ TEST(ContactNumbers, NeighboursDoNotMatter) {
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       find_contacts({&numbers[k], 1}, alone, set);
       const auto bits = [](const MechanismContactNumbers<double>& c) {
-        return std::vector<double>{c.screw.point.position.x, c.screw.relative.first,
-                                   c.nut.point.backlash, c.hertz_at_screw.hertz_constant,
-                                   c.hertz_at_nut.ellipticity};
+        return std::vector<double>{c.screw.geometry.point.position.x,
+                                   c.screw.geometry.relative.first, c.nut.geometry.point.backlash,
+                                   c.screw.hertz.hertz_constant, c.nut.hertz.ellipticity};
       };
       const std::vector<double> a = bits(together[k]), b = bits(alone[0]);
       for (std::size_t i = 0; i < a.size(); ++i)

@@ -84,7 +84,8 @@ TEST(NijenbanningFilm, TendsToTheFilmOfEachRegime) {
   for (const double ratio : {1.0, 0.1}) {
     const double k = 1.0 + 0.006 * std::log(ratio) + 0.63 * std::pow(ratio, 4.0 / 7.0);
     const auto film = [&](double m, double l) {
-      return film_parameter(film_regimes({.speed = 1e-11, .load = m, .lubricant = l}, ratio));
+      return film_parameter(
+          film_regimes(MoesNumbers{.speed = 1e-11, .load = m, .lubricant = l}, ratio));
     };
     const double rigid_isoviscous =
         145.0 / std::pow(1.0 + 0.796 * std::pow(ratio, 14.0 / 15.0), 15.0 / 7.0) / ratio;
@@ -106,7 +107,7 @@ TEST(NijenbanningFilm, IsTheFormulaAtAnyLoadAndLubricant) {
       for (int log_l = -60; log_l <= 60; log_l += 3) {
         const double m = std::pow(10.0, log_m), l = std::pow(10.0, log_l);
         const auto printed = static_cast<double>(plain::full_film_number(m, l, ratio));
-        const double h = film_parameter(film_regimes({1e-11, m, l}, ratio));
+        const double h = film_parameter(film_regimes(MoesNumbers{1e-11, m, l}, ratio));
         EXPECT_NEAR(h / printed, 1.0, 1e-13) << ratio << ' ' << m << ' ' << l;
       }
 }

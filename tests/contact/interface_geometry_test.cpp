@@ -20,13 +20,15 @@ namespace {
 
 using test::RandomMechanisms;
 
+Eigen::Vector3d eigen(const Vector3<double>& v) { return {v.x, v.y, v.z}; }
+
 /// Depth of a body's surface behind the tangent plane at the contact point, at the tangent vector
 /// `t` from it, found from the surface equation alone: moves along the normal to the surface.
 /// `centre_x` is where the thread's axis is, `n` the outward normal of the material.
 double depth_behind_tangent_plane(const ThreadSurface& s, double centre_x, int gamma,
                                   const ContactPoint& p, const Eigen::Vector3d& n,
                                   const Eigen::Vector3d& t) {
-  const Eigen::Vector2d at = p.position - Eigen::Vector2d(centre_x, 0.0);
+  const Eigen::Vector2d at(p.position.x - centre_x, p.position.y);
   const double angle_0 = std::atan2(at.y(), at.x());
   const auto height = [&](const Eigen::Vector3d& q) {  // above the surface at the contact point
     const double x = at.x() + q.x(), y = at.y() + q.y();
@@ -74,20 +76,20 @@ TEST(InterfaceGeometry, PrincipalCurvaturesAreThoseOfTheSurfacesThemselves) {
       ++checked;
       const int gamma = static_cast<int>(face);
       const bool external = pair.body.side > 0;
-      const Eigen::Vector3d n = g.point.normal;
+      const Eigen::Vector3d n = eigen(g.point.normal);
       // A nut's material lies on the other side of its air's surface.
       const int body_gamma = external ? -gamma : gamma;
       const double scale = std::abs(g.roller.second) + std::abs(g.body.second);
       for (const bool second : {false, true}) {
         const double quarter = second ? std::numbers::pi / 2 : 0.0;
         EXPECT_NEAR(numerical_curvature(pair.roller, pair.centre_distance, gamma, g.point, n,
-                                        g.direction(g.roller.angle + quarter)),
+                                        eigen(g.direction(g.roller.angle + quarter))),
                     second ? g.roller.second : g.roller.first, 1e-5 * scale);
         EXPECT_NEAR(numerical_curvature(pair.body, 0.0, body_gamma, g.point, -n,
-                                        g.direction(g.body.angle + quarter)),
+                                        eigen(g.direction(g.body.angle + quarter))),
                     second ? g.body.second : g.body.first, 1e-5 * scale);
       }
-      EXPECT_NEAR(g.helix_tangent.dot(n), 0.0, 1e-14);
+      EXPECT_NEAR(eigen(g.helix_tangent).dot(n), 0.0, 1e-14);
     }
   }
   EXPECT_GT(checked, 80);
@@ -106,9 +108,9 @@ TEST(InterfaceGeometry, RelativeCurvaturesAreTheClearanceHessianInTheTangentPlan
       if (!g.ok()) continue;
       ++checked;
       const SymmetricTensor& h = g.point.clearance_hessian;
-      const double nz = std::abs(g.point.normal.z());
-      const auto along = [&](const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
-        return nz * (u.x() * (h.xx * v.x() + h.xy * v.y()) + u.y() * (h.xy * v.x() + h.yy * v.y()));
+      const double nz = std::abs(g.point.normal.z);
+      const auto along = [&](const Vector3<double>& u, const Vector3<double>& v) {
+        return nz * (u.x * (h.xx * v.x + h.xy * v.y) + u.y * (h.xy * v.x + h.yy * v.y));
       };
       const double scale = g.relative.second;
       worst =
@@ -260,7 +262,7 @@ TEST(InterfaceGeometry, EllipseBeyondTheFlankIsNamed) {
   // A circle of radius rho reaches rho sqrt(1 - n_x^2) along x, the radial direction here.
   const FlankViolations v = ellipse_beyond_flanks(sharp, g, 0.8 * mm, 0.8 * mm);
   ASSERT_EQ(v.size(), 4u);
-  const double reach = 0.8 * mm * std::sqrt(1.0 - std::pow(g.point.normal.x(), 2));
+  const double reach = 0.8 * mm * std::sqrt(1.0 - std::pow(g.point.normal.x, 2));
   EXPECT_NEAR(v.begin()->by, reach - (10.5 * mm - sharp.body.smallest_radius), 1e-15);
   EXPECT_EQ(v.begin()->end, FlankEnd::root);
   EXPECT_EQ((v.begin() + 1)->end, FlankEnd::crest);

@@ -43,8 +43,8 @@ TEST(MechanismDesign, SanduExample2) {
   EXPECT_NEAR(nut.angle_on_roller, 12.1996 * deg, angle);
   EXPECT_NEAR(nut.angle_on_body, 3.0217 * deg, angle);
   // Table 1.7, printed to 1e-3 mm.
-  EXPECT_NEAR(nut.position.x(), 29.768 * mm, 6e-4 * mm);
-  EXPECT_NEAR(nut.position.y(), 1.571 * mm, 6e-4 * mm);
+  EXPECT_NEAR(nut.position.x, 29.768 * mm, 6e-4 * mm);
+  EXPECT_NEAR(nut.position.y, 1.571 * mm, 6e-4 * mm);
   EXPECT_NEAR(2 * d.mechanism.nut.pitch_radius, 60.25 * mm, 6e-3 * mm);
 }
 

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "prs/input/reader.h"
-#include "prs/sector/full/full_influence.h"
+#include "prs/mechanism/full_influence.h"
 #include "prs/sector/influence/influence_solver.h"
 #include "prs/sha256.h"
 #include "prs/threads/contact_laws.h"

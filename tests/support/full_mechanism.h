@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/sector/full/full_distribution.h"
+#include "prs/mechanism/full_distribution.h"
 #include "prs/sector/load_distribution.h"
 
 namespace test {

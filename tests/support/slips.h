@@ -138,10 +138,10 @@ inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std
     const prs::InterfaceContact& contact = result.contacts.interfaces[i];
     const contact::InterfaceGeometry g =
         p.force_on_nut > 0 ? contact.geometry : contact::on_other_faces(contact.geometry);
-    const auto vec = [](const Eigen::Vector3d& v) { return plain::Vec{v.x(), v.y(), v.z()}; };
+    const auto vec = [](const contact::Vector3<double>& v) { return plain::Vec{v.x, v.y, v.z}; };
     plain::Interface& side = i == prs::Interface::screw ? p.screw : p.nut;
-    side.x = g.point.position.x();
-    side.y = g.point.position.y();
+    side.x = g.point.position.x;
+    side.y = g.point.position.y;
     side.normal = vec(g.point.normal);
     side.major = vec(g.major_axis);
     side.larger_curvature = g.relative.second;
@@ -152,7 +152,7 @@ inline plain::Case plain_case(const prs::Case& c, const prs::Result& result, std
                                   static_cast<plain::Real>(c.roughness->roller));
     for (const double load : (*loaded.threads)[i].axial_load) {
       const contact::HertzContact e =
-          contact::at_load(contact.hertz, load / std::abs(g.point.normal.z()));
+          contact::at_load(contact.hertz, load / std::abs(g.point.normal.z));
       side.threads.push_back({load, e.semi_major, e.semi_minor, e.peak_pressure});
     }
   }

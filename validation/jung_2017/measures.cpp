@@ -125,8 +125,7 @@ ThreadCompliance right_compliance(const Diameters& d) {
                            .flank_angle = kContactAngle,
                            .pitch = kPitch};
   ThreadCompliance c = yamamoto(d, tooth, pi * d.screw / kRollers, pi * d.nut_inner() / kRollers);
-  const contact::Elasticity steel{kSteel.youngs_modulus, kSteel.poisson_ratio};
-  const double modulus = contact::contact_modulus(steel, steel);
+  const double modulus = contact::contact_modulus(kSteel, kSteel);
   const auto approach = [&](const Curvatures& rho, double diameter) {
     const double axial = std::sin(kContactAngle) * std::cos(std::atan(kLead / (pi * diameter)));
     const contact::HertzContact contact = contact::at_load(

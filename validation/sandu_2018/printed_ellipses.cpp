@@ -53,7 +53,8 @@ contact::HertzContact printed_ellipse(const contact::PrincipalValues& relative, 
 }
 
 /// (2.36) as printed, |u| - (u.n)^2/|u|, in place of the length of the tangential part.
-double printed_rolling_speed(const Eigen::Vector3d& u, const Eigen::Vector3d& normal) {
+double printed_rolling_speed(const contact::Vector3<double>& u,
+                             const contact::Vector3<double>& normal) {
   const double u_n = u.dot(normal);
   return u.norm() - u_n * u_n / u.norm();
 }
@@ -76,7 +77,7 @@ ValidationTable printed_ellipses(const Case& reference) {
     const contact::PrincipalValues relative = curvatures_by_absolute_values(contact.geometry);
     const double rolling = printed_rolling_speed(
         contact_motion(model.geometry, balance.motion, i).rolling, contact.geometry.point.normal);
-    const contact::PatchMotion& motion = balance.interfaces[i].motion;
+    const contact::PatchMotion& motion = balance.sliding[i];
     const auto add = [&](std::vector<double>& row, const contact::HertzContact& ellipse,
                          double larger_curvature, double rolling_speed) {
       const contact::Film film = contact::sandu_film(

@@ -287,10 +287,10 @@ double uniform_sliding_share(const Case& c) {
   const SlipBalance b = m.balance();
   double power = 0.0;
   for (const Interface i : kInterfaces) {
-    const InterfaceBalance& side = b.interfaces[i];
+    const PatchBalance& side = b.patches[i];
     power += m.model.threads[i].alike * side.normal_load.front() *
-             (side.friction.front().traction_major * side.motion.sliding_major +
-              side.friction.front().traction_minor * side.motion.sliding_minor);
+             (side.friction.front().traction_major * b.sliding[i].sliding_major +
+              side.friction.front().traction_minor * b.sliding[i].sliding_minor);
   }
   return m.model.rollers * power / m.slip().power.total();
 }
@@ -376,7 +376,7 @@ Finding dynamic_ellipses_change_little(const Case& c) {
   for (int pass = 0; pass < 3; ++pass) {
     for (const Interface i : kInterfaces) {
       const InterfaceContact& contact = m.result.contacts.interfaces[i];
-      const double load = e.balance.interfaces[i].normal_load.front();
+      const double load = e.balance.patches[i].normal_load.front();
       const contact::HertzContact ellipse = contact::at_load(contact.hertz, load);
       std::vector<contact::Patch>& patches = model.threads[i].patches;
       patches.clear();

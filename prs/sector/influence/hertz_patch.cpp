@@ -15,10 +15,6 @@ using std::numbers::pi;
 /// Beyond this q the squared spectrum is replaced by its mean, 9/(2 q^4).
 constexpr double kLargestSpectralRadius = 60.0;
 
-double compliance(const Material& m) {
-  return (1.0 - m.poisson_ratio * m.poisson_ratio) / m.youngs_modulus;
-}
-
 /// (3 j_1(q)/q)^2, 1 at q = 0.
 double squared_spectrum(double q) {
   if (q < 1e-2) return 1.0 - q * q / 5.0;
@@ -51,7 +47,7 @@ double pressure_amplitude(const HertzPatch& patch, int harmonic, double s, doubl
 double half_space_compliance(const HertzPatch& patch, const Material& material) {
   const auto [minor, major] = std::minmax(patch.along_profile, patch.along_circumference);
   const double k = contact::complete_elliptic_integrals(minor / major).first;
-  return 1.2 * k * compliance(material) / (pi * major);
+  return 1.2 * k * contact::compliance(material) / (pi * major);
 }
 
 double half_space_spectrum(const HertzPatch& patch, const Material& material, double wave_number) {
@@ -62,7 +58,7 @@ double half_space_spectrum(const HertzPatch& patch, const Material& material, do
   const auto f = [&](double t) {
     return squared_spectrum(std::hypot(start, patch.along_profile * k * std::sinh(t)));
   };
-  return compliance(material) / (pi * pi) * integral(0.0, last, 1000, f);
+  return contact::compliance(material) / (pi * pi) * integral(0.0, last, 1000, f);
 }
 
 double half_space_remainder(const HertzPatch& patch, const Material& material, double wave_number) {
@@ -78,7 +74,7 @@ double half_space_remainder(const HertzPatch& patch, const Material& material, d
   const auto f = [&](double q) { return squared_spectrum(q) * over_angle(q); };
   const double body = integral(std::max(start, 1e-9), last, 3000, f);
   const double rest = 1.5 / (last * last * last) * over_angle(last);
-  return 2.0 * compliance(material) / (pi * pi) * (body + rest);
+  return 2.0 * contact::compliance(material) / (pi * pi) * (body + rest);
 }
 
 }  // namespace prs

@@ -22,10 +22,7 @@ HertzPatch patch_at_load(const InterfaceContact& contact, double normal_load) {
 
 HertzPatch nominal_patch(const InterfaceContact& contact, const ContactLaw& law,
                          const Material& body, const Material& roller) {
-  const auto softness = [](const Material& m) {
-    return (1.0 - m.poisson_ratio * m.poisson_ratio) / m.youngs_modulus;
-  };
-  const double modulus = 1.0 / (softness(body) + softness(roller));
+  const double modulus = contact::contact_modulus(body, roller);
   if (contact.has_hertz()) {
     const double at_one_newton = contact::at_load(contact.hertz, 1.0).peak_pressure;
     return patch_at_load(contact, std::pow(kNominalPressure * modulus / at_one_newton, 3.0));

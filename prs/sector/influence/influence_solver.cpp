@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "prs/model/case_error.h"
+#include "prs/threads/initial_gaps.h"
 
 namespace prs {
 namespace {

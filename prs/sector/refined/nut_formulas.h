@@ -37,10 +37,18 @@ struct NutNumbers {
   Real sense, cosine, sine;  ///< s, cos(psi), sin(psi).
 };
 
-/// As `centre_of_pressure` in nut_shell.h.
+/// Distance from the inner edge of a ring of width w to the centre of pressure, when a face of
+/// half-space stiffness E* leans on it with the force P' per length and the tilt theta, which opens
+/// its outer edge where > 0 [m]. A tilted flat punch (Johnson, Contact Mechanics, 1985, chapter 2;
+/// p ~ sqrt((b - x)/x) while it touches over b < w):
+///
+///     P'/(pi E* theta) = b/4                     for theta > theta_1 = 4 P'/(pi E* w),
+///     w/2 - pi E* theta w^2/(16 P')              for |theta| <= theta_1, touching all over,
+///
+/// and mirrored for theta < -theta_1.
 template <class Real>
-Real centre_of_pressure_of(const Real& force, const Real& tilt, const Real& width,
-                           const Real& plane_modulus) {
+Real centre_of_pressure(const Real& force, const Real& tilt, const Real& width,
+                        const Real& plane_modulus) {
   using simd::abs, simd::select;
   constexpr double kPi = std::numbers::pi;
   const Real lean = kPi * plane_modulus * abs(tilt) * width / force;  // 4 where b = w
@@ -161,8 +169,8 @@ Real thrust_radius(const NutShape& shape, const NutNumbers<Real>& n, const Thrus
     const Real theta =
         n.sense * tilt.by_loads + tilt.by_moment * axial_force * (middle - n.ring_inner);
     const Real centre =
-        n.ring_inner + centre_of_pressure_of(Real(n.rollers * axial_force / (kTwoPi * middle)),
-                                             theta, width, plane_modulus);
+        n.ring_inner + centre_of_pressure(Real(n.rollers * axial_force / (kTwoPi * middle)), theta,
+                                          width, plane_modulus);
     const auto further = centre > middle;
     low = select(further, middle, low);
     high = select(further, high, middle);

@@ -33,10 +33,6 @@ std::optional<ThrustRing> thrust_ring(const NutLine& line, const Structure::Nut&
   return ring;
 }
 
-double centre_of_pressure(double force, double tilt, double width, double plane_modulus) {
-  return centre_of_pressure_of(force, tilt, width, plane_modulus);
-}
-
 void set_alike_segments(const NutLine& line, const NutBore& bore, std::vector<int>& same) {
   same.clear();
   for (std::size_t i = 0; i < line.outer_radius.size(); ++i) {

@@ -69,15 +69,4 @@ NutShell nut_shell(const NutLine& line, const std::optional<ThrustRing>& ring, c
                    const NutLoad& load, const Material& material, int rollers,
                    const RefinedEffects& effects);
 
-/// Distance from the inner edge of a ring of width w to the centre of pressure, when a face of
-/// half-space stiffness E* leans on it with the force P' per length and the tilt theta, which opens
-/// its outer edge where > 0 [m]. A tilted flat punch (Johnson, Contact Mechanics, 1985, chapter 2;
-/// p ~ sqrt((b - x)/x) while it touches over b < w):
-///
-///     P'/(pi E* theta) = b/4                     for theta > theta_1 = 4 P'/(pi E* w),
-///     w/2 - pi E* theta w^2/(16 P')              for |theta| <= theta_1, touching all over,
-///
-/// and mirrored for theta < -theta_1.
-double centre_of_pressure(double force, double tilt, double width, double plane_modulus);
-
 }  // namespace prs

@@ -21,7 +21,7 @@ KinematicGeometry geometry_of(const Case& c) {
   g.gear_ratio = static_cast<double>(c.mechanism.starts.roller) / c.mechanism.starts.screw;
   g.centre_distance = contacts.threads.centre_distance;
   for (const Interface i : kInterfaces)
-    g.points[i].head<2>() = contacts.interfaces[i].geometry.point.position;
+    g.points[i] = contacts.interfaces[i].geometry.point.position;
   return g;
 }
 
@@ -30,11 +30,11 @@ TEST(Frame, OnePartTurnsAndTheOtherIsHeld) {
   const double speed = -40.0, nut = 0.0, carrier = 0.3 * speed;  // Against the nut.
   using enum Mechanism::Type;
   EXPECT_EQ(turning_speed(standard, speed), speed);
-  EXPECT_EQ(against_frame(standard, nut, speed), 0.0);
-  EXPECT_EQ(against_frame(standard, carrier, speed), carrier);
+  EXPECT_EQ(against_frame(true, nut, speed), 0.0);
+  EXPECT_EQ(against_frame(true, carrier, speed), carrier);
   EXPECT_EQ(turning_speed(inverted, speed), -speed);
-  EXPECT_EQ(against_frame(inverted, speed, speed), 0.0);
-  EXPECT_EQ(against_frame(inverted, carrier, speed), carrier - speed);
+  EXPECT_EQ(against_frame(false, speed, speed), 0.0);
+  EXPECT_EQ(against_frame(false, carrier, speed), carrier - speed);
 }
 
 TEST(Kinematics, SpeedsObeyGearsAndLead) {
@@ -85,8 +85,8 @@ TEST(Kinematics, IdealSlipRatioIsThatOfThePaper) {
     p.standard = g.type == Mechanism::Type::standard;
     p.gear_ratio = g.gear_ratio;
     p.centre_distance = g.centre_distance;
-    p.screw.x = g.points.screw.x(), p.screw.y = g.points.screw.y();
-    p.nut.x = g.points.nut.x(), p.nut.y = g.points.nut.y();
+    p.screw.x = g.points.screw.x, p.screw.y = g.points.screw.y;
+    p.nut.x = g.points.nut.x, p.nut.y = g.points.nut.y;
     EXPECT_NEAR(ideal_slip_ratio(g), static_cast<double>(plain::ideal_slip_ratio(p)), 1e-13);
   }
 }
@@ -111,15 +111,15 @@ TEST(Kinematics, EstimatesAgreeForContactsAtThePitchPoints) {
     g.gear_ratio = gamma;
     g.centre_distance = 20e-3;
     const double roller = g.centre_distance * gamma / (1 - gamma);
-    g.points.screw = {g.centre_distance - roller, 0.0, 0.0};
-    g.points.nut = {g.centre_distance + roller, 0.0, 0.0};
+    g.points.screw = {g.centre_distance - roller, 0.0};
+    g.points.nut = {g.centre_distance + roller, 0.0};
     EXPECT_NEAR(slip_estimates(g).simple, ideal_slip_ratio(g), 1e-14);
     EXPECT_NEAR(*slip_estimates(g).jones, ideal_slip_ratio(g), 1e-14);
 
     g.type = Mechanism::Type::inverted;
     const double inverted_roller = g.centre_distance * gamma / (1 + gamma);
-    g.points.screw = {g.centre_distance - inverted_roller, 0.0, 0.0};
-    g.points.nut = {g.centre_distance + inverted_roller, 0.0, 0.0};
+    g.points.screw = {g.centre_distance - inverted_roller, 0.0};
+    g.points.nut = {g.centre_distance + inverted_roller, 0.0};
     EXPECT_NEAR(slip_estimates(g).simple, ideal_slip_ratio(g), 1e-14);
     EXPECT_FALSE(slip_estimates(g).jones);
   }

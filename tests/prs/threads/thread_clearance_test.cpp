@@ -210,7 +210,7 @@ TEST(ThreadClearance, IsTheGapOfTheSurfaces) {
       EXPECT_DOUBLE_EQ(c.flank, 0.5 * point.backlash);
       // I1J2 loads the roller's top face at the screw and its bottom face at the nut.
       const double outwards = i == Interface::screw ? 1.0 : -1.0;
-      EXPECT_NEAR(gap(point.position.x(), outwards * point.position.y()), c.flank, 1e-16);
+      EXPECT_NEAR(gap(point.position.x, outwards * point.position.y), c.flank, 1e-16);
       const double of_body = gap.body().pitch_radius + outwards * *gap.body().addendum;
       const double of_roller = m.roller.pitch_radius + *m.roller.addendum;
       EXPECT_NEAR(gap(of_body, 0.0), c.body_crest.value(), 1e-16);
@@ -219,8 +219,7 @@ TEST(ThreadClearance, IsTheGapOfTheSurfaces) {
       // Over the whole overlap of the two threads.
       double least = 1.0;
       for (double y = -4 * mm; y <= 4 * mm; y += 0.02 * mm)
-        for (double x = point.position.x() - 1 * mm; x <= point.position.x() + 1 * mm;
-             x += 0.02 * mm)
+        for (double x = point.position.x - 1 * mm; x <= point.position.x + 1 * mm; x += 0.02 * mm)
           least = std::min(least, gap(x, y));
       EXPECT_GE(least, c.flank - 1e-16);
       EXPECT_LT(least, c.flank + 1e-8);

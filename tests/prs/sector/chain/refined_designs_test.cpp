@@ -159,7 +159,7 @@ TEST(RefinedDesigns, OneThatFailsLeavesTheOthersAlone) {
     Refined bad = designs;
     bad.sectors[1].screw_rigidity = nan;
     bad.sectors[2].hertz_constant.nut = nan;
-    bad.sectors[3].bodies.numbers.youngs_modulus.nut = nan;
+    bad.sectors[3].bodies.numbers.material.nut.youngs_modulus = nan;
     bad.forces[6] = nan;
     const std::vector<LoadDistribution> results = bad.solve(set);
     for (const std::size_t k : {1u, 2u, 3u, 6u})

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "prs/loads/analyze.h"
-#include "prs/sector/full/full_distribution.h"
-#include "prs/sector/full/full_structure.h"
+#include "prs/mechanism/full_distribution.h"
+#include "prs/mechanism/full_structure.h"
 #include "prs/threads/contact_laws.h"
 #include "support/full_mechanism.h"
 #include "support/sanitized.h"

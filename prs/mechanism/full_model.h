@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "prs/mechanism/nut_harmonics.h"
 #include "prs/model/deviations.h"
 #include "prs/model/lateral.h"
 #include "prs/model/load_case.h"
@@ -11,7 +12,6 @@
 #include "prs/model/mechanism.h"
 #include "prs/model/model_options.h"
 #include "prs/model/structure.h"
-#include "prs/sector/full/nut_harmonics.h"
 #include "prs/sector/sector_model.h"
 #include "prs/threads/contact_law.h"
 

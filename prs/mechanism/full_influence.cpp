@@ -1,4 +1,4 @@
-#include "prs/sector/full/full_influence.h"
+#include "prs/mechanism/full_influence.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "prs/mechanism/contacts_around.h"
+#include "prs/mechanism/full_structure.h"
+#include "prs/mechanism/rigid_motions.h"
 #include "prs/model/case_error.h"
-#include "prs/sector/full/contacts_around.h"
-#include "prs/sector/full/full_structure.h"
-#include "prs/sector/full/rigid_motions.h"
 
 namespace prs {
 namespace {

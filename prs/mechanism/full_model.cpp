@@ -1,10 +1,11 @@
-#include "prs/sector/full/full_model.h"
+#include "prs/mechanism/full_model.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "prs/sector/section_properties.h"
+#include "prs/threads/initial_gaps.h"
 
 namespace prs {
 namespace {

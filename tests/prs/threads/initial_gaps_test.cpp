@@ -1,4 +1,4 @@
-#include "prs/model/deviations.h"
+#include "prs/threads/initial_gaps.h"
 
 #include <gtest/gtest.h>
 

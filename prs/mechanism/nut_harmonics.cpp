@@ -1,4 +1,4 @@
-#include "prs/sector/full/nut_harmonics.h"
+#include "prs/mechanism/nut_harmonics.h"
 
 #include <cmath>
 

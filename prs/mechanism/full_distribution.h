@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "fe/newton.h"
+#include "prs/mechanism/full_model.h"
 #include "prs/model/detail.h"
-#include "prs/sector/full/full_model.h"
 #include "prs/sector/load_distribution.h"
 
 namespace prs {

@@ -1,4 +1,4 @@
-#include "prs/sector/full/rigid_motions.h"
+#include "prs/mechanism/rigid_motions.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "prs/mechanism/full_distribution.h"
 #include "prs/model/case.h"
-#include "prs/sector/full/full_distribution.h"
 #include "prs/sector/influence/flexibility_around.h"
 #include "prs/sector/influence/influence_solver.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/sector/full/full_structure.h"
+#include "prs/mechanism/full_structure.h"
 
 namespace prs {
 

@@ -1,4 +1,4 @@
-#include "prs/sector/full/orbit.h"
+#include "prs/mechanism/orbit.h"
 
 #include <algorithm>
 #include <cmath>

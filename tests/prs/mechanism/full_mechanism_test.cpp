@@ -13,9 +13,8 @@
 #include "prs/loads/analyze.h"
 #include "prs/loads/full_result.h"
 #include "prs/loads/load_analysis.h"
-#include "prs/loads/load_json.h"
-#include "prs/sector/full/orbit.h"
-#include "prs/sector/full/rigid_motions.h"
+#include "prs/mechanism/orbit.h"
+#include "prs/mechanism/rigid_motions.h"
 #include "prs/sector/load_distribution.h"
 #include "prs/threads/contact_laws.h"
 #include "support/count.h"
@@ -34,7 +33,7 @@ using testing::HasSubstr;
 /// Solved cases of an independent program, 12 digits.
 const json& reference() {
   static const json cases =
-      json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/sector/full/reference_cases.json"));
+      json::parse(std::ifstream(PRS_SOURCE_DIR "/tests/prs/mechanism/reference_cases.json"));
   return cases;
 }
 

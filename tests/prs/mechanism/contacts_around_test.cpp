@@ -1,4 +1,4 @@
-#include "prs/sector/full/contacts_around.h"
+#include "prs/mechanism/contacts_around.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "prs/sector/full/full_structure.h"
+#include "prs/mechanism/full_structure.h"
 
 #include <algorithm>
 #include <cmath>

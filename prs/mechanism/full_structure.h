@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fe/model.h"
-#include "prs/sector/full/full_model.h"
+#include "prs/mechanism/full_model.h"
 
 namespace prs {
 

@@ -1,4 +1,4 @@
-#include "prs/sector/full/full_distribution.h"
+#include "prs/mechanism/full_distribution.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "prs/sector/full/full_structure.h"
-#include "prs/sector/full/rigid_motions.h"
+#include "prs/mechanism/full_structure.h"
+#include "prs/mechanism/rigid_motions.h"
 #include "prs/sector/load_distribution.h"
 
 namespace prs {

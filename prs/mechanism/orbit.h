@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/sector/full/full_distribution.h"
+#include "prs/mechanism/full_distribution.h"
 
 namespace prs {
 

@@ -1,4 +1,4 @@
-#include "prs/sector/full/full_influence.h"
+#include "prs/mechanism/full_influence.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "prs/sector/full/full_structure.h"
+#include "prs/mechanism/full_structure.h"
 #include "prs/sector/section_properties.h"
 #include "support/coarse_bodies.h"
 #include "support/sanitized.h"
