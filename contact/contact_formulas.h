@@ -36,7 +36,7 @@ struct Vector3 {
 /// Numbers of `ContactPoint`.
 template <class Real>
 struct PointNumbers {
-  Real status{};  ///< As a number: `ContactPointStatus`.
+  Real status{};  ///< `ContactPointStatus` as a number.
   Real iterations{};
   Real residual{};
   Vector2<Real> position;

@@ -95,7 +95,7 @@ struct ContactPoint {
 
 template <class Real>
 struct PointNumbers;
-/// From what formulas give; violations are not among it.
+/// The contact point that the formulas give, without violations.
 ContactPoint contact_point_of(const PointNumbers<double>& numbers);
 
 /// Finds the contact point of a pair: the minimum of the axial clearance between the two flanks

@@ -45,7 +45,7 @@ struct HertzConstants {
 
 template <class Real>
 struct HertzNumbers;
-/// From what formulas give.
+/// The constants that the formulas give.
 HertzConstants hertz_constants_of(const HertzNumbers<double>& numbers);
 
 /// Contact ellipse of two elastic bodies whose *relative* principal curvatures are kappa_1 and

@@ -16,7 +16,7 @@ using simd::any, simd::cbrt, simd::exp, simd::log, simd::max, simd::min;
 /// Numbers of `HertzConstants`.
 template <class Real>
 struct HertzNumbers {
-  Real status{};  ///< As a number: `HertzStatus`.
+  Real status{};  ///< `HertzStatus` as a number.
   Real ellipticity{};
   Real hertz_constant{};
   Real cbrt_constant{};  ///< k_0^(1/3) [N^(1/3)/m^(1/2)]

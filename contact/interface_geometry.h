@@ -38,7 +38,7 @@ struct InterfaceGeometry {
 
 template <class Real>
 struct InterfaceNumbers;
-/// From what formulas give.
+/// The geometry that the formulas give.
 InterfaceGeometry interface_geometry_of(const InterfaceNumbers<double>& numbers);
 
 /// Solves for the contact point on one face of the roller and works out the curvatures there. The

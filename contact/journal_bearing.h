@@ -9,7 +9,7 @@ struct JournalBearing {
   double radial_clearance = 0.0;  ///< c, the largest eccentricity [m]
 };
 
-/// What one journal bearing does under a load.
+/// The answer of one journal bearing to a load.
 struct JournalBearingState {
   /// e/c, 0 without load; a heavier load than any film carries rounds to 1, as does any at rest.
   double eccentricity_ratio = 0.0;

@@ -22,7 +22,7 @@ inline constexpr std::string_view kCommandNames[] = {"check", "contact", "solve"
                                                      "slip",  "preload", "life",  "measures",
                                                      "study", "optimize"};
 
-/// As it stands on the command line and in studies.
+/// Name on the command line and in studies.
 constexpr std::string_view name(Command command) {
   return kCommandNames[static_cast<int>(command)];
 }
