@@ -8,7 +8,7 @@ namespace contact {
 struct FlankEdge {
   bool of_roller = false;  ///< Else of the body.
   FlankEnd end = FlankEnd::root;
-  double scale = 0.0;  ///< What both semi-axes are to be multiplied with to reach it [-].
+  double scale = 0.0;  ///< Factor on both semi-axes to reach the edge [-].
 };
 
 /// Where an ellipse of those semi-axes [m], both > 0, ends as it grows: the smallest ratio of the

@@ -18,7 +18,7 @@ class ChainForces {
     move_(chain_.records[0]);
   }
 
-  /// Those at the next station k.
+  /// Forces at the next station k.
   [[gnu::always_inline]] void at(int k, Real* force) {
     const auto& record = chain_.records[k];
     Real next[M];

@@ -114,7 +114,7 @@ struct ChainRecord {
   Real step[M];
   ChainState<Real, M> state;
   Contact contact[2];
-  Real correction[M];  ///< What else of the residual, of the linear elements [N].
+  Real correction[M];  ///< The rest of the residual, by the linear elements [N].
 };
 
 /// The chain that is solved.

@@ -20,7 +20,7 @@ class Cholesky {
  public:
   explicit Cholesky(const SparseSymmetric& pattern);
 
-  /// As SparseFactorization has them.
+  /// The functions of SparseFactorization.
   FactorizationStatus factorize(const SparseSymmetric& matrix,
                                 double smallest_pivot_ratio = kSmallestPivotRatio) {
     return factorization_->factorize(matrix, smallest_pivot_ratio);

@@ -16,7 +16,7 @@ class DoubleTangent {
   explicit DoubleTangent(const Equations& equations)
       : equations_(&equations), tangent_(equations.linear_stiffness()), cholesky_(tangent_) {}
 
-  /// As Cholesky::factorize has it.
+  /// See Cholesky::factorize.
   double smallest_pivot_ratio = kSmallestPivotRatio;
 
   void tangent(const State& q, double least) {
@@ -50,7 +50,7 @@ class DoubleTangent {
       if (!(std::abs(stiffness_[k] - factorized_[k]) <= share * factorized_[k])) return false;
     return true;
   }
-  /// To be called where the linear part has changed.
+  /// Call it after a change of the linear part.
   void forget() { factorized_.clear(); }
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const { cholesky_.solve(b, x); }
   bool solved(const Eigen::VectorXd& b, const Eigen::VectorXd& x) const {

@@ -79,7 +79,7 @@ class Equations {
   /// A matrix with the fixed pattern, holding the linear part (bars, beams, shells, elastic
   /// supports) [N/m].
   const SparseSymmetric& linear_stiffness() const { return linear_; }
-  /// Its values in numbers of another kind.
+  /// The values of that matrix in another number type.
   template <class Real>
   std::vector<Real> linear_values() const;
   /// Forces of the linear part at the state q, element by element from what deforms them: K q where

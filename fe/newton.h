@@ -25,7 +25,7 @@ class NewtonSolver {
   NewtonSolver(NewtonSolver&&) noexcept;
   NewtonSolver& operator=(NewtonSolver&&) noexcept;
 
-  /// To be called after Equations::take.
+  /// Call it after Equations::take.
   void equations_changed();
 
   /// Minimises the potential energy under the load `f`, from the state `q`, which it updates.

@@ -23,7 +23,7 @@ class WideNewton {
   /// too large, it goes on with a tangent in wide numbers, a thousand times as slow.
   NewtonSummary solve(const Eigen::VectorXd& f, const NewtonOptions& options, int limit, State& q);
 
-  /// As NewtonSolver::solve_tangent.
+  /// See NewtonSolver::solve_tangent.
   bool solve_tangent(const State& q, const Eigen::VectorXd& rate, Eigen::VectorXd& x);
 
  private:

@@ -16,7 +16,7 @@ namespace prs::cli {
 /// An option or an argument of a command, in words.
 struct OptionText {
   std::vector<std::string> names;  ///< `-o`, `--output`; none of an argument without a name.
-  std::string value;               ///< What it takes: `DIR`; empty for a flag.
+  std::string value;               ///< Name of its value: `DIR`; empty for a flag.
   std::vector<std::string> words;  ///< The values that it takes, where they are few.
   std::string help;
   bool required = false;
@@ -26,7 +26,7 @@ struct OptionText {
 
 /// A command in words: what help, manual, completions and suggestions are made from.
 struct CommandText {
-  std::string name;  ///< As it is typed: `prs study merge`.
+  std::string name;  ///< Full name as typed: `prs study merge`.
   std::string group;
   std::string help;
   std::string examples;  ///< Lines of a shell.

@@ -50,7 +50,7 @@ struct Options : OutputOptions {
   std::optional<Shard> shard;                   ///< `prs study --shard`: its part of the designs.
   bool restart = false;                         ///< `prs study`: discards what was computed before.
   std::vector<std::filesystem::path> folders;   ///< `prs study merge`: those of the shards.
-  std::optional<std::string> explain;           ///< What to explain in place of numbers.
+  std::optional<std::string> explain;           ///< Measure or result to explain.
   std::filesystem::path pages;                  ///< `prs manual`: folder of its pages.
   std::optional<std::filesystem::path> report;  ///< `prs report`: the page to write.
   bool without_engine = false;                  ///< `prs report --static`.
@@ -64,10 +64,10 @@ struct Options : OutputOptions {
 
 inline constexpr std::size_t kMostThreads = 4096;
 
-/// As FILE: the case is read from standard input.
+/// FILE that stands for standard input.
 inline constexpr std::string_view kStandardInput = "-";
 
-/// What messages and documents call the case.
+/// Name of the case in messages and documents.
 std::string case_name(const Options& options);
 
 /// The case that the command line names. Throws InputError; UsageError where it names none.

@@ -16,7 +16,7 @@ void add_json(CLI::App& command, OutputOptions& options);
 void add_quiet(CLI::App& command, OutputOptions& options);
 /// `--json`, `--output` and `--quiet`.
 void add_output_options(CLI::App& command, OutputOptions& options);
-/// For those with pictures, after the options of output.
+/// Options of commands with pictures, after those of output.
 void add_png(CLI::App& command, OutputOptions& options);
 
 /// `--units`, for commands that print quantities.

@@ -17,7 +17,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// From any thread.
+  /// May be called from any thread.
   void show(const StudyProgress& progress);
   void tell(std::string_view text);
   void clear();

@@ -16,7 +16,7 @@ namespace prs::cli {
 struct ValidateOptions : OutputOptions {
   std::string file;                    ///< Folder of the sources, or the diameters of a recipe.
   std::optional<std::string> recipe;   ///< A source's formulas for given diameters.
-  std::vector<std::string> diameters;  ///< For it: `54 mm, 27 mm, 9 mm` each.
+  std::vector<std::string> diameters;  ///< Rows of the recipe, such as `54 mm, 27 mm, 9 mm`.
 };
 
 void add_validate_options(CLI::App& command, ValidateOptions& options);

@@ -35,7 +35,7 @@ class ColumnFile {
   virtual int add_column(const std::string& name, Type type) = 0;
   virtual void describe(int column, const char* attribute, const Attribute& value) = 0;
 
-  /// From row `first` on.
+  /// Writes from row `first` on.
   virtual void write(int column, std::size_t first, std::span<const double> values) = 0;
   virtual void write(int column, std::size_t first, std::span<const int> values) = 0;
   virtual void write(int column, std::size_t first, std::span<const signed char> values) = 0;

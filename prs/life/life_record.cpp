@@ -210,11 +210,8 @@ constexpr Quantity<Capacity> kCapacity[] = {
     {"diameter_ratio", of_lemor<&LemorCapacity::ratio>, "d_r cos(alpha)/d_n", kLemorCapacity},
     {"element_diameter_mm", of_lemor<&LemorCapacity::element_diameter>,
      "diameter of the equivalent ball", kLemorCapacity},
-    {"failure_share", of < [](const Capacity& c) -> const auto& {return c.life->failure_shares;
-}  // namespace
->, "share of each interface in the failures under equal loads"
-}  // namespace prs
-,
+    {"failure_share", of<[](const Capacity& c) { return c.life->failure_shares; }>,
+     "share of each interface in the failures under equal loads"},
     {"roller_failure_share", of<[](const Capacity& c) { return c.life->roller_shares; }>,
      "part of the rollers in the failures of each interface; of a full mechanism",
      "Lundberg and Palmgren"},
@@ -228,8 +225,7 @@ constexpr Quantity<Capacity> kCapacity[] = {
      "load at the edge of a flank, equal thread loads"},
     {"static_capacity_given_N", of<[](const Capacity& c) { return c.life->life.static_capacity; }>,
      "life.static_capacity"},
-}
-;
+};
 
 template <auto get>
 constexpr auto where_revolutions_are_known =
@@ -274,13 +270,9 @@ constexpr Quantity<Cycles> kCycles[] = {
      "constant range that does the same damage in as many cycles", kMiner},
     {"largest_range_N", of<[](const Cycles& c) { return c.life->cycles->matrix.range_to; }>,
      "of a cycle"},
-    {"matrix", of < [](const Cycles& c) -> const auto& {return c.life->cycles->matrix;
-}
->, "cycles by range and mean"
-}
-,
-}
-;
+    {"matrix", of<[](const Cycles& c) { return c.life->cycles->matrix; }>,
+     "cycles by range and mean"},
+};
 
 bool converged(const LifeResult& r) { return r.converged(); }
 

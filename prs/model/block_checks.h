@@ -15,12 +15,12 @@ void check_meshing(const Mechanism& m, Problems& problems);
 
 void check_structure(const Structure& s, const Mechanism& m, Problems& problems);
 
-/// What only some models of the bodies know.
+/// Checks of inputs that only some models of the bodies know.
 void check_bodies(const Case& c, Problems& problems);
 /// The bodies of `refined` and `influence` have teeth of half a pitch.
 void check_thickness(const Case& c, Problems& problems);
 
-/// What only a full mechanism knows, and what it does not know yet.
+/// Checks of inputs that only a full mechanism knows, and of those that it does not know yet.
 void check_full_mechanism(const Case& c, Problems& problems);
 
 void check_load_cases(const Case& c, Problems& problems);

@@ -48,7 +48,7 @@ struct Conditions {
 
 /// Everything that a file states.
 struct Case : Conditions {
-  Mechanism mechanism;  ///< As the designer states it.
+  Mechanism mechanism;  ///< As stated in the file.
 };
 
 }  // namespace prs

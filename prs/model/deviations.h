@@ -20,7 +20,7 @@ struct PitchError {
   double linear = 0.0;  ///< At the last contact, 0 at the first [m].
   std::optional<PitchWave> periodic;
   std::vector<double> list;  ///< One per contact, or none [m].
-  /// In place of `list` such a list for each roller of a full mechanism, or none.
+  /// One list per roller of a full mechanism in place of `list`, or none.
   std::vector<std::vector<double>> lists = {};
 };
 
@@ -41,12 +41,12 @@ struct Deviations {
       0.0;  ///< Parabolic drop of the roller's pitch radius at first and last contact.
   std::optional<EndRelief> end_relief;
   std::optional<PerPart<double>> temperature;  ///< Uniform in each part [K].
-  double reference_temperature = 293.15;       ///< At which the nominal geometry holds [K].
+  double reference_temperature = 293.15;       ///< Temperature of the nominal geometry [K].
 
   // Of a full mechanism.
   std::vector<double> roller_diameters;  ///< One per roller in place of `roller_diameter`, or none.
   PerEnd<std::vector<double>> roller_position;  ///< Outwards, one per roller, or none [m].
-  std::vector<int> missing_rollers;             ///< Their numbers, from 1.
+  std::vector<int> missing_rollers;             ///< Numbers of the missing rollers, from 1.
   /// Axial position error of each start, or none [m].
   PerInterface<std::vector<double>> index_error;
   PerInterface<Lateral> thread_eccentricity;  ///< Axis of the thread on screw and nut [m].

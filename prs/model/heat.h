@@ -25,9 +25,9 @@ struct Heat {
   };
   /// A load case for a while, or a rest without motion.
   struct DutyStep {
-    std::optional<std::string> load_case;  ///< Its name; none: a rest.
+    std::optional<std::string> load_case;  ///< Name of the load case; none: a rest.
     std::optional<double> duration;        ///< Duration of the load case [s].
-    std::optional<double> rest;            ///< In place of both [s].
+    std::optional<double> rest;            ///< Duration of a rest [s].
 
     double time() const { return load_case ? *duration : *rest; }
   };

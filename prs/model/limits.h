@@ -14,7 +14,7 @@ struct LeastLife {
   std::optional<double> travel;    ///< [m]
 };
 
-/// What a case is held against, see prs/run/verdict.h. SI units; none has a default.
+/// Limits that a case is held against, see prs/run/verdict.h. SI units; none has a default.
 struct Limits {
   std::optional<LeastLife> life;
   std::optional<double> static_safety;

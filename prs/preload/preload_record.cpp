@@ -76,12 +76,8 @@ constexpr Quantity<PreloadPointOf> kPoint[] = {
 };
 
 constexpr Quantity<CurveOf> kCurve[] = {
-    {"stiffness_at_zero_N_per_um",
-     of < [](const CurveOf& c) -> const auto& {return c.curve->stiffness_at_zero;
-}  // namespace
->, "tangent without external load, reached from either sense"
-}  // namespace prs
-,
+    {"stiffness_at_zero_N_per_um", of<[](const CurveOf& c) { return c.curve->stiffness_at_zero; }>,
+     "tangent without external load, reached from either sense"},
     {"lost_motion_um", of<[](const CurveOf& c) { return c.curve->lost_motion; }>,
      "displacement between the lost-motion load in tension and in compression"},
     {"loads", of<[](const CurveOf& c) {
@@ -90,8 +86,7 @@ constexpr Quantity<CurveOf> kCurve[] = {
        return points;
      }>,
      "one equilibrium per external load"},
-}
-;
+};
 
 constexpr Quantity<PreloadResult> kPreload[] = {
     {"arrangement", of<[](const PreloadResult& r) {
