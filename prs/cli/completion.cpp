@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <string_view>
+#include <utility>
 
 namespace prs::cli {
 namespace {
@@ -16,6 +18,21 @@ struct Offer {
   Kind kind = Kind::nothing;
   std::vector<std::string> words;  ///< Of `list`: what `prs list` is asked for.
 };
+
+/// How a shell says so, by kind, with the words.
+using Actions = std::array<const char*, 7>;
+constexpr Actions kBashActions = {":",     "words {}", "list {}", "settings",
+                                  "cases", "files",    "folders"};
+constexpr Actions kZshActions = {
+    " ",      "({})",    "_prs_list {}", "_prs_settings", "_files -g \"*.(yaml|yml)\"",
+    "_files", "_files -/"};
+constexpr Actions kFishActions = {"",
+                                  " -a '{}'",
+                                  " -a '(__prs_list {})'",
+                                  " -a '(__prs_list inputs)='",
+                                  " -a '(__fish_complete_suffix .yaml)'",
+                                  " -F",
+                                  " -a '(__fish_complete_directories)'"};
 
 /// Name of a command without the program: `study merge`.
 std::string own_name(const CommandText& command) {
@@ -46,10 +63,9 @@ Offer offer(const CommandText& program, const OptionText& option) {
   const std::string& value = option.value;
   if (!option.words.empty()) return {words, option.words};
   if (value == "COMMAND") return {words, command_words(program)};
-  if (value == "PATH=VALUE") return {settings, {}};
-  if (value == "DIR|FILE") return {files, {}};
-  if (value == "FILE") return {cases, {}};
-  if (value == "DIR") return {folders, {}};
+  for (const auto& [name, kind] : {std::pair{"PATH=VALUE", settings}, {"DIR|FILE", files},
+                                   {"FILE", cases}, {"DIR", folders}})
+    if (value == name) return {kind, {}};
   std::string listed = value + "s";
   std::ranges::transform(listed, listed.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -78,6 +94,11 @@ std::string joined(const std::vector<std::string>& words, std::string_view separ
   return fmt::format("{}", fmt::join(words, separator));
 }
 
+std::string action(const Actions& actions, const CommandText& program, const OptionText& option) {
+  const Offer o = offer(program, option);
+  return fmt::format(fmt::runtime(actions[static_cast<std::size_t>(o.kind)]), joined(o.words));
+}
+
 std::string replaced(std::string text, std::string_view what, std::string_view by) {
   for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
     text.replace(at, what.size(), by);
@@ -85,26 +106,6 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
 }
 
 // bash.
-
-std::string bash_action(const Offer& o) {
-  switch (o.kind) {
-    case Offer::Kind::words:
-      return "words " + joined(o.words);
-    case Offer::Kind::list:
-      return "list " + joined(o.words);
-    case Offer::Kind::settings:
-      return "settings";
-    case Offer::Kind::cases:
-      return "cases";
-    case Offer::Kind::files:
-      return "files";
-    case Offer::Kind::folders:
-      return "folders";
-    case Offer::Kind::nothing:
-      break;
-  }
-  return ":";
-}
 
 /// The names in a list of `prs list`, without headings and what is said of them.
 constexpr const char* kNames =
@@ -173,26 +174,6 @@ std::string zsh_text(std::string text) {
   return text;
 }
 
-std::string zsh_action(const Offer& o) {
-  switch (o.kind) {
-    case Offer::Kind::words:
-      return "(" + joined(o.words) + ")";
-    case Offer::Kind::list:
-      return "_prs_list " + joined(o.words);
-    case Offer::Kind::settings:
-      return "_prs_settings";
-    case Offer::Kind::cases:
-      return "_files -g \"*.(yaml|yml)\"";
-    case Offer::Kind::files:
-      return "_files";
-    case Offer::Kind::folders:
-      return "_files -/";
-    case Offer::Kind::nothing:
-      break;
-  }
-  return " ";
-}
-
 std::string zsh_function(const CommandText& command) {
   return "_prs_" + replaced(own_name(command), " ", "_");
 }
@@ -202,7 +183,7 @@ std::string zsh_option(const CommandText& program, const OptionText& option) {
   std::string value;
   if (!option.value.empty())
     value = fmt::format("{}{}:{}", option.optional_value ? "::" : ":", zsh_text(option.value),
-                        zsh_action(offer(program, option)));
+                        action(kZshActions, program, option));
   if (option.repeatable) return fmt::format(" \\\n    '*{}{}{}'", option.names.back(), text, value);
   std::string specs;
   for (const std::string& name : option.names)
@@ -220,12 +201,12 @@ std::string zsh_command(const CommandText& program, const CommandText& command) 
   for (const OptionText& option : command.options) text += zsh_option(program, option);
   for (std::size_t k = 0; k < command.arguments.size(); ++k) {
     const OptionText& argument = command.arguments[k];
-    std::string action = zsh_action(offer(program, argument));
+    std::string offered = action(kZshActions, program, argument);
     if (k == 0 && !command.commands.empty())
-      action = fmt::format(" _alternative \"commands:command:({})\" \"files:FILE:_files\"",
+      offered = fmt::format(" _alternative \"commands:command:({})\" \"files:FILE:_files\"",
                            joined(command_words(command)));
     text += fmt::format(" \\\n    '{}:{}:{}'", argument.repeatable ? "*" : std::to_string(k + 1),
-                        argument.value, action);
+                        argument.value, offered);
   }
   return text + "\n}\n";
 }
@@ -234,26 +215,6 @@ std::string zsh_command(const CommandText& program, const CommandText& command) 
 
 std::string fish_text(const std::string& text) {
   return "'" + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + "'";
-}
-
-std::string fish_action(const Offer& o) {
-  switch (o.kind) {
-    case Offer::Kind::words:
-      return " -a " + fish_text(joined(o.words));
-    case Offer::Kind::list:
-      return fmt::format(" -a '(__prs_list {})'", joined(o.words));
-    case Offer::Kind::settings:
-      return " -a '(__prs_list inputs)='";
-    case Offer::Kind::cases:
-      return " -a '(__fish_complete_suffix .yaml)'";
-    case Offer::Kind::files:
-      return " -F";
-    case Offer::Kind::folders:
-      return " -a '(__fish_complete_directories)'";
-    case Offer::Kind::nothing:
-      break;
-  }
-  return "";
 }
 
 std::string fish_command(const CommandText& program, const CommandText& command) {
@@ -272,13 +233,13 @@ std::string fish_command(const CommandText& program, const CommandText& command)
                          name.empty() ? " -n __fish_use_subcommand" : within, last_word(c),
                          fish_text(c.help));
   for (const OptionText& argument : command.arguments)
-    lines += fmt::format("complete -c prs{}{}\n", within, fish_action(offer(program, argument)));
+    lines += fmt::format("complete -c prs{}{}\n", within, action(kFishActions, program, argument));
   for (const OptionText& option : command.options) {
     lines += "complete -c prs" + (name.empty() ? " -n __fish_use_subcommand" : within);
     for (const std::string& n : option.names)
       lines += n.starts_with("--") ? " -l " + n.substr(2) : " -s " + n.substr(1);
     if (!option.value.empty() && !option.optional_value) lines += " -x";
-    lines += fish_action(offer(program, option)) + " -d " + fish_text(option.help) + "\n";
+    lines += action(kFishActions, program, option) + " -d " + fish_text(option.help) + "\n";
   }
   return lines;
 }
@@ -300,16 +261,16 @@ std::string bash_completion(const CommandText& program) {
       std::vector<std::string> patterns;
       for (const std::string& n : option.names) patterns.push_back(fmt::format("'{} {}'", name, n));
       options += fmt::format("    {}) action='{}' ;;\n", joined(patterns, "|"),
-                             bash_action(offer(program, option)));
+                             action(kBashActions, program, option));
       values.insert(values.end(), patterns.begin(), patterns.end());
     }
     arguments += fmt::format("        '{}')\n", name);
     for (std::size_t k = 0; k < command->arguments.size(); ++k) {
       const OptionText& argument = command->arguments[k];
-      std::string action = bash_action(offer(program, argument));
-      if (k == 0 && !command->commands.empty()) action += " " + joined(command_words(*command));
+      std::string offered = action(kBashActions, program, argument);
+      if (k == 0 && !command->commands.empty()) offered += " " + joined(command_words(*command));
       arguments += fmt::format("          (( at {} {} )) && action='{}'\n",
-                               argument.repeatable ? ">=" : "==", k, action);
+                               argument.repeatable ? ">=" : "==", k, offered);
     }
     arguments += "          ;;\n";
     names +=
@@ -317,14 +278,16 @@ std::string bash_completion(const CommandText& program) {
   }
   arguments += fmt::format("        '') action='words {}' ;;\n", joined(command_words(program)));
   names += fmt::format("          '') action='words {}' ;;\n", joined(option_words(program)));
-  const auto block = [](std::string lines) { return lines.substr(0, lines.size() - 1); };
   std::string script = kBash;
-  script = replaced(std::move(script), "@VALUES@", joined(values, "|"));
-  script = replaced(std::move(script), "@COMMANDS@", block(commands));
-  script = replaced(std::move(script), "@OPTIONS@", block(options));
-  script = replaced(std::move(script), "@ARGUMENTS@", block(arguments));
-  script = replaced(std::move(script), "@NAMES@", block(names));
-  return replaced(std::move(script), "@SED@", kNames);
+  for (std::string* lines : {&commands, &options, &arguments, &names}) lines->pop_back();
+  for (const auto& [mark, text] : {std::pair{"@VALUES@", joined(values, "|")},
+                                   {"@COMMANDS@", commands},
+                                   {"@OPTIONS@", options},
+                                   {"@ARGUMENTS@", arguments},
+                                   {"@NAMES@", names},
+                                   {"@SED@", std::string(kNames)}})
+    script = replaced(std::move(script), mark, text);
+  return script;
 }
 
 std::string zsh_completion(const CommandText& program) {

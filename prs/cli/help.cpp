@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 
 #include "prs/text.h"
@@ -92,31 +93,21 @@ std::string indented(const std::string& text) {
 
 // roff.
 
+constexpr std::pair<char, std::string_view> kEscapes[] = {
+    {'\\', "\\e"}, {'-', "\\-"}, {'\'', "\\(aq"}, {'^', "\\(ha"}, {'~', "\\(ti"}};
+
 std::string escaped(std::string_view text) {
   std::string out;
   bool bold = false;
-  for (const char c : text) switch (c) {
-      case '\\':
-        out += "\\e";
-        break;
-      case '-':
-        out += "\\-";
-        break;
-      case '\'':
-        out += "\\(aq";
-        break;
-      case '^':
-        out += "\\(ha";
-        break;
-      case '~':
-        out += "\\(ti";
-        break;
-      case '`':
-        out += (bold = !bold) ? "\\fB" : "\\fR";
-        break;
-      default:
-        out += c;
-    }
+  for (const char c : text) {
+    const auto escape = std::ranges::find(kEscapes, c, [](const auto& e) { return e.first; });
+    if (c == '`')
+      out += (bold = !bold) ? "\\fB" : "\\fR";
+    else if (escape != std::end(kEscapes))
+      out += escape->second;
+    else
+      out += c;
+  }
   return out;
 }
 
@@ -124,6 +115,13 @@ std::string escaped(std::string_view text) {
 std::string line(std::string_view text) {
   const std::string escapes = escaped(text);
   return (escapes.starts_with('.') ? "\\&" : "") + escapes + "\n";
+}
+
+std::string lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::string lines;
+  for (std::string one; std::getline(in, one);) lines += line(one);
+  return lines;
 }
 
 std::string title(std::string text) {
@@ -210,13 +208,7 @@ std::string manual_page(const CommandText& command, std::string_view version) {
       text += ".TP\n" + line("`" + term + "`") + line(meaning);
   }
   if (!command.examples.empty())
-    text += title("Examples") + ".nf\n" + [&] {
-      std::string lines, rest = command.examples + "\n";
-      for (std::size_t end = 0; (end = rest.find('\n')) != std::string::npos;
-           rest.erase(0, end + 1))
-        lines += line(rest.substr(0, end));
-      return lines;
-    }() + ".fi\n";
+    text += title("Examples") + ".nf\n" + lines_of(command.examples) + ".fi\n";
   text += title("Exit status");
   for (const auto& [status, meaning] : kExitStatuses)
     text += ".TP\n" + line(status) + line(meaning);

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -38,76 +39,44 @@ struct Segment {
   double duration = 0.0;
 };
 
-/// Temperatures, their integral over time [K s], energy lost, in and out [J].
-struct State {
-  OfParts temperature = OfParts::Zero();
-  OfParts integral = OfParts::Zero();
-  double lost = 0.0, input = 0.0, output = 0.0;
+/// Temperatures of the parts, the integrals over time of their rise above ambient [K s], and the
+/// energies lost, in and out [J].
+using State = Eigen::Vector<double, 9>;
 
-  State& operator+=(const State& o) {
-    temperature += o.temperature;
-    integral += o.integral;
-    lost += o.lost;
-    input += o.input;
-    output += o.output;
-    return *this;
-  }
-};
-State scaled_difference(const State& a, const State& b, double factor) {
-  return {factor * (a.temperature - b.temperature), factor * (a.integral - b.integral),
-          factor * (a.lost - b.lost), factor * (a.input - b.input), factor * (a.output - b.output)};
+State starting_at(const OfParts& t) {
+  State x = State::Zero();
+  x.head<3>() = t;
+  return x;
 }
 
 /// The lumped parts under one table of losses.
-struct Warming {
-  const ThermalNetwork& network;
-  const OfParts& capacity;
-  const LossTable& table;
-
-  OfParts rate(const OfParts& t) const { return rate(t, table.value_at(t)); }
-  OfParts rate(const OfParts& t, const Flows& losses) const {
-    return (losses.head<3>() - network.conductance * (t.array() - network.ambient).matrix())
-        .cwiseQuotient(capacity);
-  }
-
-  /// After n linearly implicit Euler steps of h/n in all.
-  State steps(const State& from, const LossTable::Value& at_start, double h, int n) const {
-    const double small = h / n;
-    const Eigen::Matrix3d jacobian = capacity.cwiseInverse().asDiagonal() *
-                                     (at_start.by_temperature.topRows<3>() - network.conductance);
-    const Eigen::Matrix3d inverse = (Eigen::Matrix3d::Identity() - small * jacobian).inverse();
-    const Eigen::RowVector3d lost_by = at_start.by_temperature.topRows<3>().colwise().sum();
-    const Eigen::RowVector3d input_by = at_start.by_temperature.row(3);
-    const Eigen::RowVector3d output_by = at_start.by_temperature.row(4);
-    State s = from;
-    for (int i = 0; i < n; ++i) {
-      const Flows losses = i == 0 ? at_start.value : table.value_at(s.temperature);
-      const OfParts change = inverse * (small * rate(s.temperature, losses));
-      s.integral += small * (s.temperature + change);
-      s.lost += small * (losses.head<3>().sum() + lost_by.dot(change));
-      s.input += small * (losses[3] + input_by.dot(change));
-      s.output += small * (losses[4] + output_by.dot(change));
-      s.temperature += change;
-    }
-    return s;
+class Warming {
+ public:
+  Warming(const ThermalNetwork& network, const OfParts& capacity, const LossTable& table)
+      : table_(table), ambient_(network.ambient) {
+    by_rise_ << -network.conductance, Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero();
+    by_flow_.topLeftCorner<3, 3>().setIdentity();
+    by_flow_.row(6).head<3>().setOnes();
+    by_flow_(7, 3) = by_flow_(8, 4) = 1.0;
+    for (int p = 0; p < 3; ++p) by_rise_.row(p) /= capacity[p], by_flow_(p, p) /= capacity[p];
   }
 
   /// One extrapolated step; none where it does not reach the tolerance.
   std::optional<State> step(const State& from, double h, int& columns) const {
-    const LossTable::Value at_start = table.at(from.temperature);
+    const LossTable::Value at_start = table_.at(from.head<3>());
+    const Derivative derivative = by_flow_ * at_start.by_temperature + by_rise_;
+    const State rate = rate_at(from, at_start.value);
     std::array<State, kColumns> row;
     for (int j = 0; j < kColumns; ++j) {
-      State next = steps(from, at_start, h, j + 1);
+      State next = steps(from, rate, derivative, h, j + 1);
       // Aitken and Neville: row[k] becomes T_{j,k}.
       for (int k = 0; k < j; ++k) {
-        const auto at = static_cast<std::size_t>(k);
-        const State before = std::exchange(row[at], next);
-        next += scaled_difference(next, before, 1.0 / ((j + 1.0) / (j - k) - 1.0));
+        const State before = std::exchange(row[static_cast<std::size_t>(k)], next);
+        next += (next - before) / ((j + 1.0) / (j - k) - 1.0);
       }
       row[static_cast<std::size_t>(j)] = next;
       if (j == 0) continue;
-      const State& lower = row[static_cast<std::size_t>(j - 1)];
-      const double error = largest_of(next.temperature - lower.temperature);
+      const double error = largest_of((next - row[static_cast<std::size_t>(j - 1)]).head<3>());
       if (!std::isfinite(error)) return std::nullopt;
       if (error <= kStepTolerance) {
         columns = j + 1;
@@ -117,42 +86,54 @@ struct Warming {
     return std::nullopt;
   }
 
-  /// Greatest temperature of each part in a step of h.
-  OfParts greatest_within(const OfParts& from, const OfParts& to, double h) const {
-    const OfParts before = rate(from), after = rate(to);
-    OfParts greatest = from.cwiseMax(to);
-    for (int p = 0; p < 3; ++p)
-      if (before[p] > 0.0 && after[p] < 0.0)
-        greatest[p] =
-            std::max(greatest[p], peak(from, {0.0, from[p], before[p]}, {h, to[p], after[p]}, p));
-    return greatest;
-  }
-
-  struct End {
-    double time, value, rate;
-  };
-  /// The same of part p, which warms at the one end and cools at the other: cubic Hermite
-  /// polynomials say when, steps up to then how much.
-  double peak(const OfParts& from, End a, End b, int p) const {
-    double greatest = std::max(a.value, b.value);
-    for (int i = 0; i < 4 && a.rate > 0.0 && b.rate < 0.0; ++i) {
-      const double width = b.time - a.time;
-      // The slope as c + 2 d x + e x^2 over 0 <= x <= 1.
-      const double rise = 3.0 * (b.value - a.value), c = width * a.rate;
-      const double d = rise - 2.0 * c - width * b.rate;
-      const double e = 3.0 * (c + width * b.rate) - 2.0 * rise;
-      const double time = a.time + width * c / (std::sqrt(d * d - e * c) - d);
-      State start;
-      start.temperature = from;
-      int columns = 0;
-      const std::optional<State> then = step(start, time, columns);
-      if (!then) break;
-      const End middle{time, then->temperature[p], rate(then->temperature)[p]};
-      greatest = std::max(greatest, middle.value);
-      (middle.rate > 0.0 ? a : b) = middle;
+  /// Greatest temperature of each part in a step of h: within it for those that warm at its start
+  /// and cool at its end.
+  OfParts greatest_within(const State& from, const State& to, double h) const {
+    const auto rate = [&](const State& x) { return rate_at(x, table_.value_at(x.head<3>())); };
+    const State first = rate(from), last = rate(to);
+    OfParts greatest = from.head<3>().cwiseMax(to.head<3>());
+    for (int p = 0; p < 3; ++p) {
+      if (!(first[p] > 0.0 && last[p] < 0.0)) continue;
+      const auto slope = [&](double time) {
+        int columns = 0;
+        const std::optional<State> then = step(from, time, columns);
+        if (!then) return 0.0;
+        greatest[p] = std::max(greatest[p], (*then)[p]);
+        return rate(*then)[p];
+      };
+      std::uintmax_t most = 8;
+      boost::math::tools::toms748_solve(slope, 0.0, h, first[p], last[p],
+                                        boost::math::tools::eps_tolerance<double>(20), most);
     }
     return greatest;
   }
+
+ private:
+  using Derivative = Eigen::Matrix<double, 9, 3>;
+
+  State rate_at(const State& x, const Flows& flows) const {
+    return by_flow_ * flows + by_rise_ * (x.head<3>().array() - ambient_).matrix();
+  }
+
+  /// After n linearly implicit Euler steps of h/n in all.
+  State steps(const State& from, State rate, const Derivative& derivative, double h, int n) const {
+    const double small = h / n;
+    const Eigen::Matrix3d inverse =
+        (Eigen::Matrix3d::Identity() - small * derivative.topRows<3>()).inverse();
+    State x = from;
+    for (int i = 0; i < n; ++i) {
+      if (i > 0) rate = rate_at(x, table_.value_at(x.head<3>()));
+      const OfParts change = inverse * (small * rate.head<3>());
+      x += small * (rate + derivative * change);
+    }
+    return x;
+  }
+
+  const LossTable& table_;
+  double ambient_;
+  /// Rates of a state: products with the flows, and with the parts' rise above ambient.
+  Eigen::Matrix<double, 9, 5> by_flow_ = Eigen::Matrix<double, 9, 5>::Zero();
+  Derivative by_rise_;
 };
 
 /// The duty as lumped parts see it.
@@ -165,16 +146,17 @@ class Cycle {
 
   double period() const { return period_; }
 
-  /// Integrates over the cycle; `visit(table, time, state)` at every step's end. False where steps
-  /// become too small or temperatures leave all bounds.
+  /// Integrates over the cycle; `visit(table, time, temperature, greatest)` at every step's end,
+  /// where greatest() gives the greatest temperatures within the step. False where steps become too
+  /// small or temperatures leave all bounds.
   template <class Visit>
   bool run(const std::vector<LossTable>& tables, State& state, Visit visit) const {
     const double longest = period_ / kLeastPoints;
+    const double shortest =
+        kShortest * capacity_.cwiseQuotient(network_.conductance.diagonal()).minCoeff();
     double start = 0.0, h = longest;
     for (const Segment& segment : segments_) {
       const Warming warming{network_, capacity_, tables[segment.table]};
-      const double shortest =
-          kShortest * capacity_.cwiseQuotient(network_.conductance.diagonal()).minCoeff();
       double done = 0.0;
       while (done < segment.duration) {
         const double left = segment.duration - done;
@@ -187,13 +169,13 @@ class Cycle {
           if (h < std::min(shortest, 1e-9 * segment.duration)) return false;
           continue;
         }
-        state = *next;
-        if (!(state.temperature.minCoeff() > 0.0 && state.temperature.maxCoeff() < 2.0 * kHottest))
-          return false;
-        const bool last = here >= left * (1.0 - 1e-12);
-        done = last ? segment.duration : done + here;
+        const State before = std::exchange(state, *next);
+        const OfParts t = state.head<3>();
+        if (!(t.minCoeff() > 0.0 && t.maxCoeff() < 2.0 * kHottest)) return false;
+        done = here >= left * (1.0 - 1e-12) ? segment.duration : done + here;
         if (columns < kColumns - 1) h = std::max(h, 2.0 * here);
-        visit(segment.table, start + done, state.temperature);
+        visit(segment.table, start + done, t,
+              [&] { return warming.greatest_within(before, state, here); });
       }
       start += segment.duration;
     }
@@ -206,10 +188,10 @@ class Cycle {
   std::optional<OfParts> periodic(const std::vector<LossTable>& tables, OfParts t,
                                   Factors& factors) const {
     const auto after = [&](const OfParts& from) -> std::optional<OfParts> {
-      State s;
-      s.temperature = from;
-      if (!run(tables, s, [](std::size_t, double, const OfParts&) {})) return std::nullopt;
-      return s.temperature;
+      State x = starting_at(from);
+      if (!run(tables, x, [](std::size_t, double, const OfParts&, const auto&) {}))
+        return std::nullopt;
+      return x.head<3>();
     };
     double before = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 50; ++i) {
@@ -249,7 +231,7 @@ struct Duty {
   /// With equal shares, where the load case's shares follow the temperatures.
   std::vector<std::unique_ptr<CaseLosses>> equal;
   std::vector<double> weights;  ///< Share of the period.
-  std::vector<Segment> segments;
+  std::vector<Segment> segments;  ///< Table 0 is that of rests, 1 that of the first load case.
 };
 
 Duty duty_of(const Conditions& c, const Contacts& contacts) {
@@ -258,7 +240,7 @@ Duty duty_of(const Conditions& c, const Contacts& contacts) {
   for (const Heat::DutyStep& step : c.heat->duty) {
     period += step.time();
     if (!step.load_case) {
-      duty.segments.push_back({std::numeric_limits<std::size_t>::max(), step.time()});
+      duty.segments.push_back({0, step.time()});
       continue;
     }
     const auto known = std::ranges::find(duty.names, *step.load_case);
@@ -275,11 +257,9 @@ Duty duty_of(const Conditions& c, const Contacts& contacts) {
       duty.weights.push_back(0.0);
     }
     duty.weights[index] += step.time();
-    duty.segments.push_back({index, step.time()});
+    duty.segments.push_back({index + 1, step.time()});
   }
   for (double& weight : duty.weights) weight /= period;
-  // Rests have the last table, in which nothing is lost.
-  for (Segment& s : duty.segments) s.table = std::min(s.table, duty.cases.size());
   return duty;
 }
 
@@ -355,11 +335,10 @@ std::optional<LossTable> table_over(const TemperatureBox& box, Duty& duty, std::
 Visited visited_from(const OfParts& start, const Cycle& cycle,
                      const std::vector<LossTable>& tables) {
   Visited visited(tables.size());
-  State state;
-  state.temperature = start;
-  std::size_t last = tables.size() - 1;
+  State state = starting_at(start);
+  std::size_t last = 0;
   OfParts before = start;
-  cycle.run(tables, state, [&](std::size_t table, double, const OfParts& t) {
+  cycle.run(tables, state, [&](std::size_t table, double, const OfParts& t, const auto&) {
     if (table != last) visited.add(table, before);
     visited.add(table, t);
     last = table, before = t;
@@ -367,7 +346,8 @@ Visited visited_from(const OfParts& start, const Cycle& cycle,
   return visited;
 }
 
-/// The cycle that repeats itself: its losses, the last table for rests, and its first temperatures.
+/// The cycle that repeats itself: its losses, the first table that of rests, and its first
+/// temperatures.
 struct Periodic {
   HeatStatus status = HeatStatus::converged;
   std::string reason;
@@ -388,7 +368,7 @@ Periodic find_periodic(const Cycle& cycle, Duty& duty, const OfParts& guess) {
   };
   for (std::size_t k = 0; k < cases; ++k)
     if (const std::optional<Losses> losses = duty.cases[k]->at(guess))
-      found.tables[k] = LossTable(*losses);
+      found.tables[k + 1] = LossTable(*losses);
 
   bool good = false;
   Cycle::Factors factors;
@@ -402,7 +382,7 @@ Periodic find_periodic(const Cycle& cycle, Duty& duty, const OfParts& guess) {
     found.start = *start;
     const Visited visited = visited_from(*start, cycle, found.tables);
     const auto is_covered = [&](std::size_t k) {
-      return round > 0 && covered[k].contains(visited.boxes[k]);
+      return round > 0 && covered[k].contains(visited.boxes[k + 1]);
     };
     bool inside = round > 0;
     for (std::size_t k = 0; k < cases && inside; ++k) inside = is_covered(k);
@@ -411,7 +391,7 @@ Periodic find_periodic(const Cycle& cycle, Duty& duty, const OfParts& guess) {
     for (std::size_t k = 0; k < cases; ++k) {
       if (was_good && is_covered(k)) continue;
       // Constant losses lead too far, so that what they visited is not kept.
-      TemperatureBox box = visited.boxes[k];
+      TemperatureBox box = visited.boxes[k + 1];
       if (round > 1 && good == was_good)
         box.include(covered[k].least), box.include(covered[k].greatest);
       covered[k] = box.widened(0.25);
@@ -420,7 +400,7 @@ Periodic find_periodic(const Cycle& cycle, Duty& duty, const OfParts& guess) {
         return end_as(HeatStatus::no_steady_state,
                       fmt::format("{} in `{}` at temperatures of the cycle",
                                   duty.cases[k]->failure(), duty.names[k]));
-      found.tables[k] = std::move(*table);
+      found.tables[k + 1] = std::move(*table);
     }
   }
   return end_as(HeatStatus::iteration_limit,
@@ -429,28 +409,25 @@ Periodic find_periodic(const Cycle& cycle, Duty& duty, const OfParts& guess) {
 }
 
 /// Temperatures and energies of one period.
-void keep_course(const Periodic& found, const Cycle& cycle, const ThermalNetwork& network,
-                 const OfParts& capacity, HeatCycle& result) {
+void keep_course(const Periodic& found, const Cycle& cycle, double ambient, HeatCycle& result) {
   const auto keep = [&](double time, const OfParts& t) {
     result.time.push_back(time);
     const PerPart<double> parts = per_part(t);
     for (const Part p : kParts) result.temperature[p].push_back(parts[p]);
   };
-  State state;
-  state.temperature = found.start;
+  State state = starting_at(found.start);
   keep(0.0, found.start);
-  OfParts before = found.start, peak = found.start;
-  cycle.run(found.tables, state, [&](std::size_t table, double time, const OfParts& t) {
-    const Warming warming{network, capacity, found.tables[table]};
-    peak = peak.cwiseMax(warming.greatest_within(before, t, time - result.time.back()));
-    keep(time, t);
-    before = t;
-  });
+  OfParts peak = found.start;
+  cycle.run(found.tables, state,
+            [&](std::size_t, double time, const OfParts& t, const auto& greatest) {
+              peak = peak.cwiseMax(greatest());
+              keep(time, t);
+            });
   result.peak = per_part(peak);
-  result.mean = per_part(state.integral / result.period);
-  result.energy_in = state.input;
-  result.energy_lost = state.lost;
-  if (state.output > kNoOutput * state.input) result.efficiency = state.output / state.input;
+  result.mean = per_part((state.segment<3>(3).array() / result.period + ambient).matrix());
+  result.energy_lost = state[6];
+  result.energy_in = state[7];
+  if (state[8] > kNoOutput * state[7]) result.efficiency = state[8] / state[7];
 }
 
 }  // namespace
@@ -487,12 +464,12 @@ HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
   const Periodic found = find_periodic(cycle, duty, steady.temperature);
   if (found.status != HeatStatus::converged) return end_as(found.status, found.reason);
   for (std::size_t k = 0; k < duty.cases.size(); ++k)
-    if (found.tables[k].error() > kTellTable)
+    if (found.tables[k + 1].error() > kTellTable)
       warnings.push_back(
           fmt::format("heat.duty: the losses of `{}` are not smooth over the temperatures of the "
                       "cycle: interpolated to {:.1e} of their largest",
-                      duty.names[k], found.tables[k].error()));
-  keep_course(found, cycle, network, capacity, result);
+                      duty.names[k], found.tables[k + 1].error()));
+  keep_course(found, cycle, network.ambient, result);
   return end_as(HeatStatus::converged, {});
 }
 

@@ -135,7 +135,7 @@ std::optional<LossTable> LossTable::over(const TemperatureBox& box, const At& at
   return table;
 }
 
-std::optional<LossTable::Panel> LossTable::fit(const TemperatureBox& box, const At& at,
+std::optional<LossTable::Panel> LossTable::fit(const TemperatureBox& box, const At& exact,
                                                bool by_rollers, double accuracy,
                                                int& evaluations) const {
   Panel panel;
@@ -145,7 +145,7 @@ std::optional<LossTable::Panel> LossTable::fit(const TemperatureBox& box, const 
   double largest = 0.0;
   const auto left_at = [&](const OfParts& unit) -> std::optional<Flows> {
     const OfParts t = temperatures(middle + half.cwiseProduct(unit));
-    const std::optional<Losses> losses = at(t);
+    const std::optional<Losses> losses = exact(t);
     ++evaluations;
     if (!losses) return std::nullopt;
     const Flows flows = flows_of(*losses);
@@ -188,7 +188,9 @@ std::optional<LossTable::Panel> LossTable::fit(const TemperatureBox& box, const 
     const OfParts unit(x, y, by_rollers ? z : 0.0);
     const std::optional<Flows> left = left_at(unit);
     if (!left) return std::nullopt;
-    const Flows off = *left - panel.value(middle + half.cwiseProduct(unit));
+    Value fitted;
+    panel.add(middle + half.cwiseProduct(unit), false, fitted);
+    const Flows off = *left - fitted.value;
     if (largest > 0.0) panel.error = std::max(panel.error, off.lpNorm<Eigen::Infinity>() / largest);
   }
   return panel;
@@ -240,17 +242,33 @@ OfParts LossTable::Panel::unit(const OfParts& c) const {
   return x;
 }
 
-Flows LossTable::Panel::value(const OfParts& c) const {
+void LossTable::Panel::add(const OfParts& c, bool with_slopes, Value& sum) const {
   const OfParts x = unit(c);
-  std::array<Basis, 3> b;
-  for (std::size_t d = 0; d < 3; ++d) chebyshev(x[static_cast<int>(d)], points[d], b[d]);
-  Flows sum = Flows::Zero();
+  std::array<Basis, 3> b, s;
+  for (std::size_t d = 0; d < 3; ++d) {
+    chebyshev(x[static_cast<int>(d)], points[d], b[d]);
+    if (with_slopes) derivatives(x[static_cast<int>(d)], points[d], b[d], s[d]);
+  }
+  ByTemperature slope = ByTemperature::Zero();
   std::size_t at = 0;
   for (std::size_t p = 0; p < static_cast<std::size_t>(points[0]); ++p)
-    for (std::size_t q = 0; q < static_cast<std::size_t>(points[1]); ++q)
-      for (std::size_t r = 0; r < static_cast<std::size_t>(points[2]); ++r)
-        sum += b[0][p] * b[1][q] * b[2][r] * coefficients[at++];
-  return sum;
+    for (std::size_t q = 0; q < static_cast<std::size_t>(points[1]); ++q) {
+      Flows along = Flows::Zero(), slope_along = Flows::Zero();
+      for (std::size_t r = 0; r < static_cast<std::size_t>(points[2]); ++r) {
+        const Flows& f = coefficients[at++];
+        along += b[2][r] * f;
+        if (with_slopes) slope_along += s[2][r] * f;
+      }
+      sum.value += b[0][p] * b[1][q] * along;
+      if (!with_slopes) continue;
+      slope.col(0) += s[0][p] * b[1][q] * along;
+      slope.col(1) += b[0][p] * s[1][q] * along;
+      slope.col(2) += b[0][p] * b[1][q] * slope_along;
+    }
+  if (!with_slopes) return;
+  const OfParts half = 0.5 * (box.greatest - box.least);
+  for (int d = 0; d < 3; ++d)
+    if (half[d] > 0.0) sum.by_temperature += slope.col(d) / half[d] * coordinates_by_parts().row(d);
 }
 
 const LossTable::Panel& LossTable::panel_at(const Layer& layer, const OfParts& c) {
@@ -259,42 +277,11 @@ const LossTable::Panel& LossTable::panel_at(const Layer& layer, const OfParts& c
   return node->panel;
 }
 
-Flows LossTable::value_at(const OfParts& t) const {
+LossTable::Value LossTable::at(const OfParts& t, bool with_slopes) const {
   const OfParts c = table_coordinates(t);
-  Flows sum = Flows::Zero();
-  for (const Layer& layer : layers_) sum += panel_at(layer, c).value(c);
+  Value sum;
+  for (const Layer& layer : layers_) panel_at(layer, c).add(c, with_slopes, sum);
   return sum;
-}
-
-LossTable::Value LossTable::at(const OfParts& t) const {
-  const OfParts c = table_coordinates(t);
-  Value v;
-  Eigen::Matrix<double, 5, 3> by_coordinates = Eigen::Matrix<double, 5, 3>::Zero();
-  for (const Layer& layer : layers_) {
-    const Panel& panel = panel_at(layer, c);
-    const OfParts x = panel.unit(c);
-    std::array<Basis, 3> b, s;
-    for (std::size_t d = 0; d < 3; ++d) {
-      chebyshev(x[static_cast<int>(d)], panel.points[d], b[d]);
-      derivatives(x[static_cast<int>(d)], panel.points[d], b[d], s[d]);
-    }
-    Eigen::Matrix<double, 5, 3> slope = Eigen::Matrix<double, 5, 3>::Zero();
-    std::size_t at = 0;
-    for (std::size_t p = 0; p < static_cast<std::size_t>(panel.points[0]); ++p)
-      for (std::size_t q = 0; q < static_cast<std::size_t>(panel.points[1]); ++q)
-        for (std::size_t r = 0; r < static_cast<std::size_t>(panel.points[2]); ++r) {
-          const Flows& f = panel.coefficients[at++];
-          v.value += b[0][p] * b[1][q] * b[2][r] * f;
-          slope.col(0) += s[0][p] * b[1][q] * b[2][r] * f;
-          slope.col(1) += b[0][p] * s[1][q] * b[2][r] * f;
-          slope.col(2) += b[0][p] * b[1][q] * s[2][r] * f;
-        }
-    const OfParts half = 0.5 * (panel.box.greatest - panel.box.least);
-    for (int d = 0; d < 3; ++d)
-      if (half[d] > 0.0) by_coordinates.col(d) += slope.col(d) / half[d];
-  }
-  v.by_temperature = by_coordinates * coordinates_by_parts();
-  return v;
 }
 
 }  // namespace prs

@@ -49,13 +49,13 @@ class LossTable {
   static std::optional<LossTable> over(const TemperatureBox& box, const At& at, bool by_rollers,
                                        const Effort& effort, LossTable rough);
 
+  using ByTemperature = Eigen::Matrix<double, 5, 3>;
   struct Value {
     Flows value = Flows::Zero();
-    /// d/d(screw, rollers, nut) [W/K]
-    Eigen::Matrix<double, 5, 3> by_temperature = Eigen::Matrix<double, 5, 3>::Zero();
+    ByTemperature by_temperature = ByTemperature::Zero();  ///< d/d(screw, rollers, nut) [W/K]
   };
-  Value at(const OfParts& temperature) const;
-  Flows value_at(const OfParts& temperature) const;
+  Value at(const OfParts& temperature, bool with_slopes = true) const;
+  Flows value_at(const OfParts& temperature) const { return at(temperature, false).value; }
 
   /// Largest of all panels, as for `Effort::accuracy`.
   double error() const { return error_; }
@@ -70,7 +70,7 @@ class LossTable {
     double error = 0.0;
 
     OfParts unit(const OfParts& coordinates) const;
-    Flows value(const OfParts& coordinates) const;
+    void add(const OfParts& coordinates, bool with_slopes, Value& sum) const;
     void transform(const std::vector<Flows>& values, double largest);
     /// The coordinate to halve along; none where the panel is good or too narrow.
     std::optional<int> worst(double accuracy) const;
@@ -84,7 +84,7 @@ class LossTable {
   };
   using Layer = std::vector<Node>;
 
-  std::optional<Panel> fit(const TemperatureBox& box, const At& at, bool by_rollers,
+  std::optional<Panel> fit(const TemperatureBox& box, const At& exact, bool by_rollers,
                            double accuracy, int& evaluations) const;
   static const Panel& panel_at(const Layer& layer, const OfParts& coordinates);
 

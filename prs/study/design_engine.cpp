@@ -415,15 +415,12 @@ struct DesignEngine::Parts {
     if (measures() || std::ranges::any_of(*numbers, of_mechanism))
       contact_detail = ContactDetail::numbers;
     // A full mechanism has its tangent stiffness only with Detail::complete.
-    const auto is_tangent = [](const std::string& path) {
-      return path.find("tangent_stiffness") != std::string::npos;
-    };
+    number_detail = prs::number_detail(*numbers);
     if (std::ranges::any_of(*numbers, &ResultNumber::needs_complete) ||
-        (all_rollers && std::ranges::any_of(study.responses, is_tangent)))
+        (all_rollers && number_detail.loads.tangent_stiffness))
       detail = Detail::complete;
     in_columns = (study.command == Command::solve || study.command == Command::slip) &&
                  detail == Detail::numbers;
-    number_detail = prs::number_detail(*numbers);
   }
 
   /// `known`: all that does not depend on the load case.
@@ -483,9 +480,9 @@ struct DesignEngine::Parts {
     return status;
   }
 
-  /// Adds the sectors of design k of a batch, whose contacts are found. Not converged where one of
-  /// them has no place among the columns.
-  DesignStatus prepare(Batch& batch, std::size_t k) const {
+  /// Adds the sectors of design k of a batch, whose contacts are found. False where one of them has
+  /// no place among the columns.
+  bool prepare(Batch& batch, std::size_t k) const {
     Pending& design = batch.designs[k];
     const Conditions& c = design.conditions;
     design.laws = contact_laws(c, design.contacts);
@@ -511,11 +508,11 @@ struct DesignEngine::Parts {
       else
         set_sector_model(model, design.contacts.mechanism, *c.structure, *c.materials, c.model,
                          design.laws, *load.direction, *load.position, c.deviations);
-      if (model.is_refined && !RefinedDesignSolver::takes(model)) return {"not in columns", ""};
+      if (model.is_refined && !RefinedDesignSolver::takes(model)) return false;
       batch.forces.push_back(load.axial_force);
       batch.sectors.push_back({k, i});
     }
-    return {};
+    return true;
   }
 
   RowBlock evaluate(std::size_t first, std::size_t rows, const ReadRow& read, const Stop& stop) {
@@ -554,7 +551,11 @@ struct DesignEngine::Parts {
                         batch.contacts.get(design.row - from, contact_detail, design.contacts);
       if (!design.complete) continue;
       const std::size_t waiting = batch.sectors.size();
-      design.complete = status_after([&] { return prepare(batch, k); }).converged();
+      design.complete = false;  // Also where it is refused: alone it says why.
+      status_after([&] {
+        design.complete = prepare(batch, k);
+        return DesignStatus{};
+      });
       if (design.complete) continue;
       batch.sectors.resize(waiting);
       batch.forces.resize(waiting);

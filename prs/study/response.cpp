@@ -1,11 +1,9 @@
 #include "prs/study/response.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
-#include <numeric>
+
+#include "prs/record/record.h"
 
 #include "prs/life/life_analysis.h"
 #include "prs/loads/load_analysis.h"
@@ -32,42 +30,24 @@ void collect(const Json& series, std::vector<double>& values) {
       values.push_back(entry.get<double>());
 }
 
-std::optional<double> summary(const Json& series, std::string_view word) {
-  if (!is_series(series)) return std::nullopt;
-  std::vector<double> values;
-  collect(series, values);
-  if (word == "max") return std::ranges::max(values);
-  if (word == "min") return std::ranges::min(values);
-  if (word == "mean")
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  return std::nullopt;
-}
-
-/// Takes `KEY` or `[k]` from the head of a path and follows it; null where it leads nowhere.
-const Json* follow(const Json& json, std::string_view& path) {
+/// The path begins with `.KEY` or `[k]`.
+std::optional<double> number_at(const Json& json, std::string_view path) {
+  if (path.empty()) return json.is_number() ? std::optional(json.get<double>()) : std::nullopt;
   if (path.starts_with('[')) {
-    std::size_t index = 0;
-    const char* end = path.data() + path.size();
-    const auto [stop, error] = std::from_chars(path.data() + 1, end, index);
-    if (error != std::errc{} || stop == end || *stop != ']') return nullptr;
-    path.remove_prefix(static_cast<std::size_t>(stop + 1 - path.data()));
-    return json.is_array() && index < json.size() ? &json[index] : nullptr;
+    const std::optional<std::size_t> index = take_index(path);
+    const bool there = index && json.is_array() && *index < json.size();
+    return there ? number_at(json[*index], path) : std::nullopt;
   }
+  if (const SeriesReader summary = summary_named(path, 1.0); summary && is_series(json)) {
+    std::vector<double> values;
+    collect(json, values);
+    return summary(values);
+  }
+  if (!path.starts_with('.') || !json.is_object()) return std::nullopt;
+  path.remove_prefix(1);
   const std::size_t length = std::min(path.find_first_of(".["), path.size());
-  const auto found = json.is_object() ? json.find(std::string(path.substr(0, length))) : json.end();
-  path.remove_prefix(length);
-  return found == json.end() ? nullptr : &*found;
-}
-
-std::optional<double> number_at(const Json& root, std::string_view path) {
-  const Json* json = &root;
-  while (!path.empty()) {
-    if (json != &root && path.starts_with('.')) path.remove_prefix(1);
-    if (const std::optional<double> value = summary(*json, path)) return value;
-    json = follow(*json, path);
-    if (!json) return std::nullopt;
-  }
-  return json->is_number() ? std::optional(json->get<double>()) : std::nullopt;
+  const auto found = json.find(std::string(path.substr(0, length)));
+  return found == json.end() ? std::nullopt : number_at(*found, path.substr(length));
 }
 
 const Json* first_load_case(const Json& document) {
@@ -87,9 +67,10 @@ void list_paths(const Json& json, const std::string& path, std::vector<std::stri
 }  // namespace
 
 std::optional<double> response(const Json& document, std::string_view path) {
+  const std::string below = "." + std::string(path);
   if (const Json* load_case = first_load_case(document))
-    if (const std::optional<double> value = number_at(*load_case, path)) return value;
-  return number_at(document, path);
+    if (const std::optional<double> value = number_at(*load_case, below)) return value;
+  return number_at(document, below);
 }
 
 std::vector<std::string> response_paths(const Json& document) {

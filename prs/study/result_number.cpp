@@ -1,7 +1,6 @@
 #include "prs/study/result_number.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <utility>
 
 #include "prs/life/life_record.h"
@@ -20,7 +19,7 @@ std::optional<ResultNumber> number_of(std::string_view path, std::optional<std::
                                       const Owner* (*part)(const Answer&)) {
   std::optional<Reader<Owner>> reader = reader_of<Owner>(path);
   if (!reader || reader->delivery == Reach::document) return std::nullopt;
-  return ResultNumber{load_case, reader->delivery == Reach::complete, false,
+  return ResultNumber{load_case, reader->delivery == Reach::complete, false, OnDemand::nothing,
                       [part, read = std::move(reader->read)](const Answer& answer) {
                         const Owner* owner = part(answer);
                         return owner ? read(*owner) : std::nullopt;
@@ -46,7 +45,7 @@ std::optional<ResultNumber> number_of_threads(std::string_view path, Interface i
                                               std::size_t load_case) {
   std::optional<Reader<InterfaceLoads>> reader = reader_of<InterfaceLoads>(path);
   if (!reader || reader->delivery != Reach::numbers) return std::nullopt;
-  return ResultNumber{load_case, false, false,
+  return ResultNumber{load_case, false, false, OnDemand::nothing,
                       [i, read = std::move(reader->read)](const Answer& answer) {
                         const LoadCaseResult* result = answer.load_case;
                         const bool known = result && result->converged() && result->threads;
@@ -54,64 +53,39 @@ std::optional<ResultNumber> number_of_threads(std::string_view path, Interface i
                       }};
 }
 
+constexpr std::pair<std::string_view, OnDemand> kOnDemand[] = {
+    {"axial_load_N", OnDemand::axial_load},
+    {"load_rate_percent", OnDemand::load_rate},
+    {"semi_major_mm", OnDemand::ellipses},
+    {"semi_minor_mm", OnDemand::ellipses},
+    {"peak_pressure_MPa", OnDemand::ellipses},
+    {"tangent_stiffness_N_per_um", OnDemand::tangent_stiffness},
+    {"film_thickness_nm", OnDemand::films},
+    {"central_film_nm", OnDemand::films},
+    {"film_ratio", OnDemand::films},
+    {"boundary_share", OnDemand::films}};
+
+/// What the number at a path of a load case needs.
+OnDemand on_demand(std::string_view path) {
+  const bool of_slip = take(path, "slip.");
+  const bool of_threads = take(path, "screw.") || take(path, "nut.");
+  take(path, "symmetric.");
+  const std::string_view key = path.substr(0, path.find_first_of(".["));
+  const auto found = std::ranges::find(kOnDemand, key, [](const auto& row) { return row.first; });
+  if (found != std::end(kOnDemand)) return found->second;
+  return of_slip && (of_threads || key == "hottest_thread") ? OnDemand::slip_of_threads
+                                                            : OnDemand::nothing;
+}
+
 }  // namespace
 
 NumberDetail number_detail(std::span<const ResultNumber> numbers) {
-  // Numbers that are there no more without an array need it, and so may those that are not there in
-  // an example at all.
-  LoadCaseResult whole;
-  whole.axial_displacement = whole.axial_stiffness = whole.tangent_stiffness = 1.0;
-  InterfaceLoads threads;
-  using Array = std::vector<double> InterfaceLoads::*;
-  for (const Array array :
-       {&InterfaceLoads::axial_load, &InterfaceLoads::normal_load, &InterfaceLoads::load_rate,
-        &InterfaceLoads::approach, &InterfaceLoads::semi_major, &InterfaceLoads::semi_minor,
-        &InterfaceLoads::peak_pressure})
-    threads.*array = {1.0};
-  whole.threads = {threads, threads};
-  const std::vector<std::vector<double> InterfaceSlip::*> of_friction = {
-      &InterfaceSlip::power,         &InterfaceSlip::power_density,
-      &InterfaceSlip::spin_torque,   &InterfaceSlip::friction_coefficient,
-      &InterfaceSlip::sliding_speed, &InterfaceSlip::max_sliding_speed,
-      &InterfaceSlip::wear,          &InterfaceSlip::dynamic_normal_load};
-  const std::vector<std::vector<double> InterfaceSlip::*> of_films = {
-      &InterfaceSlip::film_thickness, &InterfaceSlip::central_film, &InterfaceSlip::film_ratio,
-      &InterfaceSlip::boundary_share};
-  InterfaceSlip slips;
-  for (const auto& arrays : {of_friction, of_films})
-    for (const auto array : arrays) slips.*array = {1.0};
-  whole.slip.emplace();
-  whole.slip->status = SlipStatus::converged;
-  whole.slip->threads = {slips, slips};
-  whole.slip->power.screw = whole.slip->forces.centrifugal = 1.0;
-  whole.slip->efficiency = whole.slip->efficiency_fit = whole.slip->holding_torque =
-      whole.slip->viscosity = whole.slip->bearing_eccentricity = whole.slip->estimates.jones = 1.0;
-  whole.slip->self_locking = true;
-  const Contacts contacts;
-  const auto need_after = [&](const auto& change) {
-    LoadCaseResult part = whole;
-    change(part);
-    return std::ranges::any_of(numbers, [&](const ResultNumber& n) {
-      return !n.value({contacts, &part});
-    });
+  const auto any = [&](OnDemand part) {
+    return std::ranges::count(numbers, part, &ResultNumber::on_demand) > 0;
   };
-  const auto need = [&](std::initializer_list<Array> arrays) {
-    return need_after([&](LoadCaseResult& part) {
-      for (const Interface i : kInterfaces)
-        for (const Array array : arrays) ((*part.threads)[i].*array).clear();
-    });
-  };
-  const auto need_slip = [&](const auto& arrays) {
-    return need_after([&](LoadCaseResult& part) {
-      for (const Interface i : kInterfaces)
-        for (const auto array : arrays) (part.slip->threads[i].*array).clear();
-    });
-  };
-  return {{need({&InterfaceLoads::axial_load}), need({&InterfaceLoads::load_rate}),
-           need({&InterfaceLoads::semi_major, &InterfaceLoads::semi_minor,
-                 &InterfaceLoads::peak_pressure}),
-           need_after([](LoadCaseResult& part) { part.tangent_stiffness.reset(); })},
-          {need_slip(of_friction), need_slip(of_films)}};
+  return {{any(OnDemand::axial_load), any(OnDemand::load_rate), any(OnDemand::ellipses),
+           any(OnDemand::tangent_stiffness)},
+          {any(OnDemand::slip_of_threads), any(OnDemand::films)}};
 }
 
 std::optional<ResultNumber> result_number(std::string_view path) {
@@ -137,19 +111,23 @@ std::optional<ResultNumber> result_number(std::string_view path) {
   if (take(rest, "measures."))
     return number_of<LoadMeasures>(rest, load_case,
                                    [](const Answer& a) { return a.load_measures; });
-  if (std::string_view key = rest; take(key, "slip."))
-    return number_of<SlipResult>(key, load_case, [](const Answer& a) {
+  std::optional<ResultNumber> number;
+  for (const Interface i : kInterfaces)
+    if (std::string_view key = rest; !number && take(key, name(i)) && take(key, "."))
+      number = number_of_threads(key, i, *load_case);
+  if (std::string_view key = rest; !number && take(key, "slip."))
+    number = number_of<SlipResult>(key, load_case, [](const Answer& a) {
       return a.load_case && a.load_case->slip ? &*a.load_case->slip : nullptr;
     });
-  if (std::string_view key = rest; take(key, "heat."))
-    return number_of<HeatResult>(key, load_case, [](const Answer& a) {
+  if (std::string_view key = rest; !number && take(key, "heat."))
+    number = number_of<HeatResult>(key, load_case, [](const Answer& a) {
       return a.load_case && a.load_case->heat ? &*a.load_case->heat : nullptr;
     });
-  if (std::string_view key = rest; take(key, "screw."))
-    if (auto number = number_of_threads(key, Interface::screw, *load_case)) return number;
-  if (std::string_view key = rest; take(key, "nut."))
-    if (auto number = number_of_threads(key, Interface::nut, *load_case)) return number;
-  return number_of<LoadCaseResult>(rest, load_case, [](const Answer& a) { return a.load_case; });
+  if (!number)
+    number =
+        number_of<LoadCaseResult>(rest, load_case, [](const Answer& a) { return a.load_case; });
+  if (number) number->on_demand = on_demand(rest);
+  return number;
 }
 
 }  // namespace prs

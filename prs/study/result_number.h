@@ -24,6 +24,17 @@ struct Answer {
   const HeatCycle* cycle = nullptr;  ///< Cases with a duty only.
 };
 
+/// Numbers that results of many designs have only where they are asked for.
+enum class OnDemand {
+  nothing,
+  axial_load,
+  load_rate,
+  ellipses,
+  tangent_stiffness,
+  slip_of_threads,
+  films
+};
+
 /// A response in the tables of quantities, read from the results without a document. Its value is
 /// the one that the document would have.
 struct ResultNumber {
@@ -31,6 +42,7 @@ struct ResultNumber {
   std::optional<std::size_t> load_case;
   bool needs_complete = false;  ///< Detail::numbers does not have it.
   bool needs_duty = false;      ///< It is read from the state that a duty comes to.
+  OnDemand on_demand = OnDemand::nothing;
   std::function<std::optional<double>(const Answer&)> value;
 };
 
