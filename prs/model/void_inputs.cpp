@@ -65,20 +65,22 @@ const VoidInput* find_void(const std::vector<VoidInput>& inputs, std::string_vie
   return nullptr;
 }
 
-std::vector<std::string> void_input_notes(const Case& c) {
-  std::vector<std::string> notes;
+std::vector<Warning> void_input_warnings(const Case& c) {
+  std::vector<Warning> warnings;
   const std::vector<VoidInput> inputs = void_inputs(c);
   for (const std::string_view overrides : {kBoth, kHertz}) {
     std::string paths;
     for (const VoidInput& input : inputs)
       if (input.overrides == overrides) paths += (paths.empty() ? "" : ", ") + input.path;
     if (!paths.empty())
-      notes.push_back(fmt::format(
-          "overridden by {}: no load or stiffness follows {}, only ellipses, pressures, "
-          "capacities and slip do; delete the overrides to compute all from the geometry",
-          overrides, paths));
+      warnings.push_back(
+          {"", overrides == kBoth ? "void_geometry" : "void_poisson_ratios",
+           fmt::format("overridden by {}: no load or stiffness follows {}, only ellipses, "
+                       "pressures, capacities and slip do",
+                       overrides, paths),
+           std::string(kDeleteOverrides)});
   }
-  return notes;
+  return warnings;
 }
 
 }  // namespace prs

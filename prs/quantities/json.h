@@ -23,7 +23,7 @@ struct DocumentInfo {
 
 /// How every document begins: its origin and the warnings on the whole input.
 nlohmann::ordered_json document_head(const DocumentInfo& info,
-                                     const std::vector<std::string>& warnings);
+                                     const std::vector<Warning>& warnings);
 
 /// Adds what every document says of the contacts, under `contact`, and of the threads by
 /// themselves, under `threads`; nothing of these where no heights are given.

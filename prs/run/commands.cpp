@@ -79,18 +79,26 @@ struct Forms {
 };
 
 template <class R>
-std::vector<std::string>& warnings_of(R& result) {
+std::vector<Warning>& warnings_of(R& result) {
   return result.warnings;
 }
-std::vector<std::string>& warnings_of(CheckResult& result) { return result.geometry.warnings; }
-std::vector<std::string>& warnings_of(MeasuresResult& result) { return result.analysis.warnings; }
+std::vector<Warning>& warnings_of(CheckResult& result) { return result.geometry.warnings; }
+std::vector<Warning>& warnings_of(MeasuresResult& result) { return result.analysis.warnings; }
+
+template <class R>
+std::vector<Warning> all_warnings(const R& result) {
+  return result.warnings;
+}
+std::vector<Warning> all_warnings(const CheckResult& r) { return r.geometry.warnings; }
+std::vector<Warning> all_warnings(const MeasuresResult& r) { return prs::all_warnings(r.analysis); }
+std::vector<Warning> all_warnings(const ModelComparison& r) {
+  return prs::all_warnings(r.warnings, r.best().load_cases);
+}
 
 /// Warnings on single values; what they bring about has no warning of its own.
-void put_first(const std::vector<std::string>& values, std::vector<std::string>& warnings) {
-  for (const std::string& value : values) {
-    const std::string path = value.substr(0, value.find(": ") + 2);
-    std::erase_if(warnings, [&](const std::string& w) { return w.starts_with(path); });
-  }
+void put_first(const std::vector<Warning>& values, std::vector<Warning>& warnings) {
+  for (const Warning& value : values)
+    std::erase_if(warnings, [&](const Warning& w) { return w.path == value.path; });
   warnings.insert(warnings.begin(), values.begin(), values.end());
 }
 
@@ -100,10 +108,10 @@ Delivery delivered(const input::Source& source, const input::CaseInput& in, cons
                    const Forms<R>& forms) {
   R computed = input::compute_from(source, [&] { return run(source, in); });
   put_first(in.warnings, warnings_of(computed));
-  std::vector<std::string> warnings = warnings_of(computed);
   const auto result = std::make_shared<const R>(std::move(computed));
   Delivery d{forms.file, [=](const DocumentInfo& info) { return forms.document(*result, info); },
-             [=] { return forms.table(*result); }, forms.notes(*result), std::move(warnings)};
+             [=] { return forms.table(*result); }, forms.notes(*result),
+             [=] { return all_warnings(*result); }};
   if (forms.full_table) d.full_table = [=] { return forms.full_table(*result); };
   if (forms.files) d.files = [=](const CsvStyle& style) { return forms.files(*result, style); };
   if (forms.pictures)
@@ -136,26 +144,24 @@ CommandRow row(Command command, std::string_view help,
 LifeResult life_of(const input::Source& source, const input::CaseInput& in);
 
 /// What `solve` finds unusual about the largest loads, and `life` about those of its block.
-std::vector<std::string> solved_load_warnings(const input::Source& source,
-                                              const input::CaseInput& in, double largest) {
-  std::vector<std::string> warnings;
+std::vector<Warning> solved_load_warnings(const input::Source& source, const input::CaseInput& in,
+                                          double largest) {
   Case c = in.values;
   std::erase_if(c.load_cases,
                 [&](const LoadCase& load) { return std::abs(load.axial_force) < largest; });
-  for (LoadCaseResult& load : analyze(c).load_cases)
-    std::ranges::move(load.warnings, std::back_inserter(warnings));
+  std::vector<Warning> warnings = prs::all_warnings({}, analyze(c).load_cases);
   if (input::unmet(in, Command::life).empty())
     std::ranges::move(life_of(source, in).warnings, std::back_inserter(warnings));
   return warnings;
 }
 
 /// With equal shares, the least that its most loaded threads carry.
-std::vector<std::string> equal_share_warnings(const LoadCase& load, const Contacts& contacts) {
+std::vector<Warning> equal_share_warnings(const LoadCase& load, const Contacts& contacts) {
   if (!contacts.interfaces.screw.has_hertz() || !contacts.interfaces.nut.has_hertz()) return {};
   LoadCaseResult loaded = equal_share_result(load, contacts);
   add_warnings(loaded, contacts);
-  for (std::string& text : loaded.warnings) text += ", even with equal shares";
-  return std::move(loaded.warnings);
+  for (Warning& warning : loaded.warnings) warning.what += ", even with equal shares";
+  return prs::all_warnings({}, {std::move(loaded)});
 }
 
 /// Where solving takes no more than the share of one roller, those of `solve` and `life`.
@@ -165,7 +171,7 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
   const auto largest = std::ranges::max_element(c.load_cases, {}, force);
   const bool is_quick = c.model.mechanism == ModelOptions::Mechanism::sector &&
                         c.model.bodies != ModelOptions::Bodies::influence;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   try {
     if (is_quick && input::unmet(in, Command::solve).empty())
       warnings = solved_load_warnings(source, in, force(*largest));
@@ -174,9 +180,9 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
   } catch (const CaseError&) {  // The command that cannot run says why.
   } catch (const input::InputError&) {
   }
-  for (std::string& text : warnings)
-    if (std::ranges::find(geometry.warnings, text) == geometry.warnings.end())
-      geometry.warnings.push_back(std::move(text));
+  for (Warning& warning : warnings)
+    if (std::ranges::find(geometry.warnings, warning) == geometry.warnings.end())
+      geometry.warnings.push_back(std::move(warning));
 }
 
 /// Reads and checks the study and the optimization of the source too.
@@ -192,9 +198,9 @@ CheckResult checked(const input::Source& source, const input::CaseInput& in) {
   geometry.warnings = geometry_warnings(c, geometry.contacts, c.load_cases);
   // What odd values bring about is not told again.
   if (in.warnings.empty()) warn_of_loads(source, in, geometry);
-  if (std::optional<std::string> note = unknown_film_ratio(c))
+  if (std::optional<Warning> note = unknown_film_ratio(c))
     geometry.warnings.push_back(std::move(*note));
-  for (std::string& note : void_input_notes(c)) geometry.warnings.push_back(std::move(note));
+  for (Warning& note : void_input_warnings(c)) geometry.warnings.push_back(std::move(note));
   return result;
 }
 
@@ -238,18 +244,17 @@ Result run_contact(const input::Source&, const input::CaseInput& in) {
 }
 
 /// Load cases are solved one by one, each on the contacts that it closes.
-void warn_of_preload(const Case& c, std::vector<std::string>& warnings) {
+void warn_of_preload(const Case& c, std::vector<Warning>& warnings) {
   if (c.preload)
-    warnings.push_back(
-        "preload: the load cases are solved without preload; `prs preload` takes the block "
-        "`preload`");
+    warnings.push_back({"preload", "without_preload", "the load cases are solved without preload",
+                        "`prs preload` takes the block `preload`"});
 }
 
-void warn_of_heat(const Case& c, std::vector<std::string>& warnings) {
+void warn_of_heat(const Case& c, std::vector<Warning>& warnings) {
   if (c.heat)
-    warnings.push_back(
-        "heat: the load cases are solved with all parts at the reference temperature; `prs slip` "
-        "takes the block `heat`");
+    warnings.push_back({"heat", "without_heat",
+                        "the load cases are solved with all parts at the reference temperature",
+                        "`prs slip` takes the block `heat`"});
 }
 
 Result solved(const input::CaseInput& in, AnalysisOptions options) {
@@ -270,9 +275,9 @@ ModelComparison run_compare(const input::Source&, const input::CaseInput& in) {
 Result run_slip(const input::Source&, const input::CaseInput& in) {
   Result result = analyze_heat(in.values);
   warn_of_preload(in.values, result.warnings);
-  const bool film = in.values.friction->of_film();
-  if (const std::string note = film ? estimates_note(*in.values.lubricant) : ""; !note.empty())
-    result.warnings.push_back(note);
+  if (in.values.friction->of_film())
+    if (std::optional<Warning> estimated = estimated_lubricant(*in.values.lubricant))
+      result.warnings.push_back(std::move(*estimated));
   return result;
 }
 
@@ -304,15 +309,16 @@ MeasuresResult run_measures(const input::Source&, const input::CaseInput& in) {
 
 // The forms of their results.
 
-std::vector<std::string> as_warnings(const std::vector<std::string>& texts) {
-  std::vector<std::string> notes;
-  for (const std::string& text : texts) notes.push_back("warning: " + text);
+template <class R>
+std::vector<std::string> as_warnings(const R& result) {
+  std::vector<std::string> notes = sentences(all_warnings(result));
+  for (std::string& note : notes) note.insert(0, "warning: ");
   return notes;
 }
 
-template <class... Warned>
-std::vector<std::string> summary(const Warned&... warned) {
-  std::string text = warning_summary(warned...);
+template <class R>
+std::vector<std::string> summary(const R& result) {
+  std::string text = warning_summary(all_warnings(result));
   return text.empty() ? std::vector<std::string>{} : std::vector{std::move(text)};
 }
 
@@ -376,7 +382,7 @@ std::vector<std::string> contacts_without_figure(const Result& result) {
     if (!result.contacts.interfaces[i].geometry.ok())
       notes.push_back(fmt::format(
           "pictures of the contacts were not drawn: the {} threads have no contact point ({})",
-          label(i), failure(result.contacts, i).reason));
+          label(i), failure(result.contacts, i).message));
   return notes;
 }
 
@@ -418,7 +424,7 @@ Forms<CheckResult> forms_of_check() {
       .file = "check.json",
       .document = check_json,
       .table = check_table,
-      .notes = [](const CheckResult& r) { return as_warnings(r.geometry.warnings); },
+      .notes = as_warnings,
       .full_table = full_check_table,
       .pictures =
           [](const CheckResult& r, const Case&) {
@@ -459,8 +465,7 @@ const std::vector<CommandRow>& table() {
           {.file = "comparison.json",
            .document = comparison_json,
            .table = comparison_table,
-           .notes =
-               [](const ModelComparison& r) { return summary(r.warnings, r.best().load_cases); },
+           .notes = summary,
            .files =
                [](const ModelComparison& r, const CsvStyle& style) {
                  return std::vector<OutputFile>{{"comparison.csv", comparison_csv(r, style)}};
@@ -492,7 +497,7 @@ const std::vector<CommandRow>& table() {
           {.file = "preload.json",
            .document = preload_json,
            .table = preload_table,
-           .notes = [](const PreloadResult& r) { return as_warnings(r.warnings); },
+           .notes = as_warnings,
            .files =
                [](const PreloadResult& r, const CsvStyle& style) {
                  return std::vector<OutputFile>{{"preload.csv", preload_csv(r, style)}};
@@ -504,7 +509,7 @@ const std::vector<CommandRow>& table() {
           {.file = "life.json",
            .document = life_json,
            .table = life_table,
-           .notes = [](const LifeResult& r) { return as_warnings(r.warnings); },
+           .notes = as_warnings,
            .full_table = full_life_table,
            .files = life_files,
            .pictures = [](const LifeResult& r, const Case&) { return life_pictures(r); },
@@ -516,7 +521,7 @@ const std::vector<CommandRow>& table() {
           {.file = "measures.json",
            .document = measures_json,
            .table = measures_table,
-           .notes = [](const MeasuresResult& r) { return summary(r.analysis); },
+           .notes = summary,
            .full_table = full_measures_table,
            .files =
                [](const MeasuresResult& r, const CsvStyle& style) {

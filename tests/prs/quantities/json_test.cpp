@@ -23,7 +23,7 @@ nlohmann::ordered_json case_json(LoadCaseResult load_case) {
 
 TEST(Json, EveryDocumentSaysItsOrigin) {
   Result result;
-  result.warnings = {"negative backlash"};
+  result.warnings = {Warning{"", "", "negative backlash"}};
   const auto json = to_json(result, kInfo);
   EXPECT_EQ(json.at("prs_version"), "1.2.3");
   EXPECT_EQ(json.at("schema_version"), "1");
@@ -135,7 +135,7 @@ std::string written(const Result& result) {
 
 TEST(Json, WrittenLoadCaseByLoadCaseIsTheSameText) {
   Result result;
-  result.warnings = {"\"load_cases\": []\n"};
+  result.warnings = {Warning{"", "", "\"load_cases\": []\n"}};
   EXPECT_EQ(written(result), json_text(to_json(result, kInfo)));
   result.load_cases = {solved_case("a", 12345.678, Direction::compression),
                        failed_case("\xff\"\n\u202e"), equal_share_case("equal")};
