@@ -58,7 +58,7 @@ void duty_of_an_hour(benchmark::State& state, LoadCase::Share share) {
   for (int k = 0; k < 3600; ++k)
     c.heat->duty.push_back({c.load_cases[k % 3 == 0 ? 0 : 1].name, 1.0, {}});
   const Contacts contacts = checked_contacts(c, Detail::numbers);
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   for (auto _ : state) benchmark::DoNotOptimize(periodic_heat_cycle(c, contacts, warnings));
 }
 void DutyOfAnHourEqualShares(benchmark::State& state) {

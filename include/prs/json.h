@@ -1,4 +1,5 @@
 #pragma once
 
-// The document of `prs solve --json`: `prs::to_json` and `prs::json_text`.
-#include "prs/loads/load_json.h"
+// The document of `prs solve --json`: `prs::document_of(prs::solve_analysis(), result, {})` and
+// `prs::json_text`.
+#include "prs/loads/load_analysis.h"

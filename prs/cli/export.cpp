@@ -121,7 +121,8 @@ int export_model(const Options& options) {
   if (!place.files.empty())
     write_files(place.folder.empty() ? std::filesystem::path(".") : place.folder, place.files);
 
-  for (const std::string& warning : model.curves.warnings) note(options, "warning: " + warning);
+  for (const std::string& warning : sentences(model.curves.warnings))
+    note(options, "warning: " + warning);
   if (options.json) {
     nlohmann::ordered_json document = document_head(model.info, model.curves.warnings);
     document["export"] = curves_json(model.curves);

@@ -63,7 +63,9 @@ bool is_full_disk(const std::error_code& code) {
          (code.category() == std::generic_category() && code.value() == EDQUOT);
 }
 
-std::string warning_note(const std::string& warning) { return "warning: " + printable(warning); }
+std::string warning_note(const Warning& warning) {
+  return "warning: " + printable(sentence(warning));
+}
 
 /// Tables, figures and files of a study whose rows are complete.
 int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Study& study,
@@ -99,7 +101,7 @@ int deliver_study(const StoredRows& rows, const input::StudyInput& in, const Stu
 int derivatives(const input::StudyInput& in, const Options& options) {
   const CaseDerivatives result = run_derivatives(in);
   std::vector<std::string> notes;
-  for (const std::string& warning : result.warnings) notes.push_back(warning_note(warning));
+  for (const Warning& warning : result.warnings) notes.push_back(warning_note(warning));
   const Delivery delivery{
       .file = "derivatives.json",
       .document = [&](const DocumentInfo& info) { return derivatives_json(result, info); },
@@ -144,7 +146,7 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
   }
   const DesignEngine engine = study_engine(in);
   const Study& study = engine.study();
-  for (const std::string& warning : void_factor_warnings(in, study.responses))
+  for (const Warning& warning : void_factor_warnings(in, study.responses))
     note(options, warning_note(warning));
   open_folder();
   const JournalHeader header{key_of(in, in.study.command), source, study.responses,

@@ -20,8 +20,12 @@ ModelComparison compared(const input::Source&, const input::CaseInput& in) {
   return result;
 }
 
+std::vector<Warning> warnings_of(const ModelComparison& r) {
+  return all_warnings(r.warnings, r.best().load_cases);
+}
+
 std::vector<std::string> notes(const ModelComparison& r) {
-  std::string text = warning_summary(r.warnings, r.best().load_cases);
+  std::string text = warning_summary(warnings_of(r));
   return text.empty() ? std::vector<std::string>{} : std::vector{std::move(text)};
 }
 
@@ -53,6 +57,7 @@ const Analysis<ModelComparison>& compare_analysis() {
       },
       .converged =
           [](const ModelComparison& r) { return std::ranges::all_of(r.models, all_converged); },
+      .all_warnings = warnings_of,
       .takes_load_cases_apart = true};
   return analysis;
 }

@@ -58,7 +58,7 @@ bool is_at_hand(const Case& c) {
 }
 
 void require_sound(const Case& c) {
-  for (const Problem& problem : check_case(c)) throw CaseError(problem.path, problem.message);
+  for (const Problem& problem : check_case(c)) throw CaseError(problem);
 }
 
 /// With each model of the bodies that is at hand.
@@ -75,7 +75,8 @@ ModelComparison compare_bodies(const Case& c) {
       if (stated) throw;
       if (bodies != Bodies::influence)
         comparison.warnings.push_back(
-            fmt::format("{}: without `bodies: {}`: {}", error.path(), name(bodies), error.what()));
+            {error.path(), fmt::format("without_{}", name(bodies)),
+             fmt::format("without `bodies: {}`: {}", name(bodies), error.what())});
     }
   }
   return comparison;
@@ -92,7 +93,7 @@ ModelComparison compare_models(const Case& c) {
     comparison.models = {analyze(as_sector(solved)), analyze(solved)};
   else
     comparison = compare_bodies(solved);
-  const std::vector<std::string>& geometry = comparison.best().warnings;
+  const std::vector<Warning>& geometry = comparison.best().warnings;
   comparison.warnings.insert(comparison.warnings.begin(), geometry.begin(), geometry.end());
   return comparison;
 }

@@ -110,8 +110,7 @@ constexpr Quantity<ComparedLoad> kLoad[] = {
        return models;
      }>,
      "the best last"},
-    {"warnings",
-     of<[](const ComparedLoad& l) -> const std::vector<std::string>& { return l.best().warnings; }>,
+    {"warnings", of<[](const ComparedLoad& l) { return sentences(l.best().warnings); }>,
      "what is unusual about this load, by the best model"},
 };
 

@@ -66,8 +66,7 @@ std::string comparison_table(const ModelComparison& c) {
   if (shown < c.load_cases())
     text += fmt::format("  … {} of {} load cases; {}\n", shown, c.load_cases(),
                         all_in("comparison.csv"));
-  const std::string warnings = warning_summary(c.warnings, c.best().load_cases);
-  return warnings.empty() ? text : text + '\n' + warnings;
+  return text + warning_section(all_warnings(c.warnings, c.best().load_cases));
 }
 
 std::string comparison_csv(const ModelComparison& c, const CsvStyle& style) {

@@ -67,7 +67,7 @@ std::string obstacle(const Mechanism& m, std::optional<Contacts>& contacts) {
     return error.what();
   }
   for (const Interface i : kInterfaces)
-    if (!contacts->interfaces[i].has_hertz()) return failure(*contacts, i).reason;
+    if (!contacts->interfaces[i].has_hertz()) return failure(*contacts, i).message;
   return {};
 }
 

@@ -76,9 +76,8 @@ void count_rollers(Configuration& c, const ConfigurationQuery& query, double cre
 std::string first_warning(const Mechanism& mechanism, const Contacts& contacts) {
   Case c;
   c.mechanism = mechanism;
-  for (const Problem& problem : check_case(c))
-    return fmt::format("{}: {}", problem.path, problem.message);
-  for (const std::string& warning : geometry_warnings(c, contacts, {})) return warning;
+  for (const Problem& problem : check_case(c)) return problem.text();
+  for (const Warning& warning : geometry_warnings(c, contacts, {})) return sentence(warning);
   return {};
 }
 
@@ -110,7 +109,7 @@ Verdict try_starts(const ConfigurationQuery& query, Mechanism::Type type, Mechan
     return {no_contact, error.what()};
   }
   for (const Interface i : kInterfaces)
-    if (!contacts.interfaces[i].has_hertz()) return {no_contact, failure(contacts, i).reason};
+    if (!contacts.interfaces[i].has_hertz()) return {no_contact, failure(contacts, i).message};
   describe(c, contacts, query.gap);
   if (c.most_rollers < kFewestRollers) return {"fewer than three rollers fit"};
   if (query.rollers && *query.rollers > c.most_rollers)

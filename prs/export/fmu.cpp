@@ -81,7 +81,7 @@ std::string documentation(const SystemCurves& curves, const ModelText& text) {
   if (!curves.load_case.empty())
     page +=
         fmt::format("<p>Under the conditions of the load case {}.</p>\n", html(curves.load_case));
-  for (const std::string& warning : curves.warnings)
+  for (const std::string& warning : sentences(curves.warnings))
     page += fmt::format("<p>{}</p>\n", html(warning));
   return page +
          "<p>Other platforms: compile the files of <code>sources</code> into one shared library, "

@@ -80,7 +80,7 @@ SystemModel system_model(const input::Source& source, const CurveOptions& option
                     {model_name(source.name), source.name, sha256(source.text)},
                     document_info(source, needed)};
   model.info.command = "export";
-  std::vector<std::string>& warnings = model.curves.warnings;
+  std::vector<Warning>& warnings = model.curves.warnings;
   warnings.insert(warnings.begin(), in.warnings.begin(), in.warnings.end());
   return model;
 }

@@ -325,7 +325,8 @@ std::string modelica_package(const SystemCurves& curves, const ModelText& text) 
   if (!curves.load_case.empty())
     package += fmt::format("  // Under the conditions of the load case {}.\n",
                            input::shown(curves.load_case));
-  for (const std::string& warning : curves.warnings) package += fmt::format("  // {}\n", warning);
+  for (const std::string& warning : sentences(curves.warnings))
+    package += fmt::format("  // {}\n", warning);
   package += fmt::format(
       "\n  package Data \"Nodes of the curves\"\n    extends Modelica.Icons.Package;\n"
       "    constant Real lead(unit = \"m\") = {:.17g};\n",

@@ -191,9 +191,10 @@ BranchTable branch_from_rest(const Solve& solve, double stiffness, double larges
   return branch_table(std::move(nodes), 0.0, false, solve, errors);
 }
 
-void add_new(std::vector<std::string> texts, std::vector<std::string>& warnings) {
-  for (std::string& text : texts)
-    if (std::ranges::find(warnings, text) == warnings.end()) warnings.push_back(std::move(text));
+void add_new(std::vector<Warning> found, std::vector<Warning>& warnings) {
+  for (Warning& warning : found)
+    if (std::ranges::find(warnings, warning) == warnings.end())
+      warnings.push_back(std::move(warning));
 }
 
 /// Loads of one load case at other forces.
@@ -234,13 +235,13 @@ class LoadsOfCase {
   }
 
   /// Warnings at the largest force.
-  std::vector<std::string> warnings(Direction d, double force) {
+  std::vector<Warning> warnings(Direction d, double force) {
     Conditions c = conditions_;
     c.load_cases = {at(d, force)};
     Result result = analyze(c, contacts_);
-    std::vector<std::string>& of_load = result.load_cases.front().warnings;
-    for (std::string& text : of_load)
-      text += fmt::format(", at {:.4g} kN in {}", 1e-3 * force, name(d));
+    std::vector<Warning>& of_load = result.load_cases.front().warnings;
+    for (Warning& warning : of_load)
+      warning.what += fmt::format(", at {:.4g} kN in {}", 1e-3 * force, name(d));
     add_new(std::move(of_load), result.warnings);
     return result.warnings;
   }
@@ -268,10 +269,12 @@ void add_loaded_branches(const Conditions& c, const Contacts& contacts, const Lo
     double shift = 0.0;
     curves.senses[d] = branch_from_contact(solve, largest, octaves, errors, shift);
     if (shift < 0.0)
-      curves.warnings.push_back(fmt::format(
-          "{}: in {} the force begins at {:.4g} um, as the misalignment moves the loaded section; "
-          "the deflection of the model counts from there",
-          pattern.input_path, name(d), shift * 1e6));
+      curves.warnings.push_back(
+          Warning{pattern.input_path, fmt::format("shifted_{}", name(d)),
+                  fmt::format("in {} the force begins at {{value}}, as the misalignment moves the "
+                              "loaded section; the deflection of the model counts from there",
+                              name(d))}
+              .with(shift, {}, text_unit::millimetre));
     add_new(loads.warnings(d, largest), curves.warnings);
   }
 }
@@ -483,14 +486,15 @@ Running running(const Conditions& c, const Contacts& contacts, const LoadCase& p
   return warm;
 }
 
-/// Why there is no friction in the torque; empty where there is.
-std::string lacking_friction(const Case& c, const LoadCase& pattern) {
+/// Why there is no friction in the torque; none where there is.
+std::optional<Warning> lacking_friction(const Case& c, const LoadCase& pattern) {
   Case one = c;
   one.load_cases = {pattern};
   const std::vector<Problem> problems = missing(one, Command::slip);
   if (problems.empty()) return {};
-  return fmt::format("{}: {}; the torque is that of a screw without friction",
-                     problems.front().path, problems.front().message);
+  return Warning{
+      problems.front().path, "no_friction",
+      fmt::format("{}; the torque is that of a screw without friction", problems.front().message)};
 }
 
 double largest_speed(const Case& c) {
@@ -501,7 +505,7 @@ double largest_speed(const Case& c) {
 }
 
 /// What the torque of a preloaded screw holds, and where.
-std::string torque_of_preloaded(const Case& c, const LoadCase& pattern, bool chosen) {
+Warning torque_of_preloaded(const Case& c, const LoadCase& pattern, bool chosen) {
   std::vector<std::string> conditions;
   if (chosen) conditions.push_back("position");
   if (c.heat) conditions.push_back("temperatures");
@@ -509,22 +513,23 @@ std::string torque_of_preloaded(const Case& c, const LoadCase& pattern, bool cho
   if (!pattern.name.empty() && !conditions.empty())
     where = fmt::format(", at the {} of load case `{}`, which the force does not have",
                         fmt::join(conditions, " and "), pattern.name);
-  return fmt::format(
-      "preload: the torque is that of the external load alone{}; what friction takes of the "
-      "preload is not in it",
-      where);
+  return {"preload", "torque_without_preload",
+          fmt::format("the torque is that of the external load alone{}; what friction "
+                      "takes of the preload is not in it",
+                      where)};
 }
 
 void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, double force,
                   const CurveOptions& options, SystemCurves& curves) {
   if (!pattern.speed && !c.operation && options.speed) pattern.speed = options.speed;
-  if (std::string text = lacking_friction(c, pattern); !text.empty()) {
-    curves.warnings.push_back(std::move(text));
+  if (std::optional<Warning> lacking = lacking_friction(c, pattern)) {
+    curves.warnings.push_back(std::move(*lacking));
     if (c.preload && options.load_case)
-      curves.warnings.push_back(fmt::format(
-          "preload: the force is that of `prs preload`; without friction the load case `{}` "
-          "changes nothing",
-          pattern.name));
+      curves.warnings.push_back(
+          {"preload", "idle_load_case",
+           fmt::format("the force is that of `prs preload`; without friction the load case "
+                       "`{}` changes nothing",
+                       pattern.name)});
     return;
   }
   require_rolling(c, contacts);

@@ -8,6 +8,7 @@
 #include "prs/export/curves.h"
 #include "prs/model/case.h"
 #include "prs/model/preload.h"
+#include "prs/model/warning.h"
 
 namespace prs {
 
@@ -47,7 +48,7 @@ struct SystemCurves {
   /// Largest errors between nodes at the last refinement but one: of the largest force, of the
   /// largest stiffness, of the largest torque.
   double force_error = 0.0, stiffness_error = 0.0, torque_error = 0.0;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 
   /// The curves as the functions of `curves.h` take them; valid as long as this object.
   PrsCurves view() const;

@@ -52,26 +52,30 @@ HeatResult result_of(const SteadyHeat& found, bool has_oil) {
   return heat;
 }
 
-void warn(const HeatResult& heat, std::vector<std::string>& warnings) {
+void warn(const HeatResult& heat, std::vector<Warning>& warnings) {
   if (!heat.converged()) {
-    warnings.push_back(fmt::format("heat: {}: {}", name(heat.status), heat.reason));
+    warnings.push_back(
+        {"heat", "no_steady_state", fmt::format("{}: {}", name(heat.status), heat.reason)});
     return;
   }
   if (heat.others)
     warnings.push_back(
-        "heat: there are several steady states; this is the one that the parts reach from the "
-        "temperature of their surroundings, hotter ones hold once they are reached");
+        {"heat", "several_steady_states",
+         "there are several steady states; this is the one that the parts reach from the "
+         "temperature of their surroundings, hotter ones hold once they are reached"});
   for (const Part p : kParts)
     if (heat.temperature[p] > kHotParts)
       warnings.push_back(
-          fmt::format("heat: {} at {:.0f} degC: above {} oils and hardened flanks do not last",
-                      name(p), heat.temperature[p] - 273.15, celsius(kHotParts)));
+          Warning{"heat", fmt::format("hot_{}", name(p)),
+                  fmt::format("{} at {:.0f} degC: above {} oils and hardened flanks do not last",
+                              name(p), heat.temperature[p] - 273.15, celsius(kHotParts))}
+              .with(heat.temperature[p], kHotParts, text_unit::kelvin));
 }
 
 /// Moves those over that are not there yet.
-void merge(std::vector<std::string> from, std::vector<std::string>& into) {
-  for (std::string& text : from)
-    if (std::ranges::find(into, text) == into.end()) into.push_back(std::move(text));
+void merge(std::vector<Warning> from, std::vector<Warning>& into) {
+  for (Warning& warning : from)
+    if (std::ranges::find(into, warning) == into.end()) into.push_back(std::move(warning));
 }
 
 }  // namespace
@@ -97,8 +101,9 @@ Result analyze_heat(const Conditions& c, Contacts contacts, AnalysisOptions opti
   if (!c.heat->duty.empty()) {
     result.heat_cycle = periodic_heat_cycle(c, contacts, result.warnings);
     if (!result.heat_cycle->converged())
-      result.warnings.push_back(fmt::format("heat.duty: {}: {}", name(result.heat_cycle->status),
-                                            result.heat_cycle->reason));
+      result.warnings.push_back(
+          {"heat.duty", "no_cycle",
+           fmt::format("{}: {}", name(result.heat_cycle->status), result.heat_cycle->reason)});
   }
   result.contacts = std::move(contacts);
   return result;

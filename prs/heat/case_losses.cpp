@@ -44,8 +44,8 @@ std::optional<Losses> CaseLosses::at(const OfParts& temperature) {
       analyze(at_temperatures(conditions_, load_, temperature), contacts_, kManyDesigns);
   const LoadCaseResult& found = loads.load_cases.front();
   if (found.threads) return of(models_.of(found, oils));
-  failure_ =
-      found.warnings.empty() ? "the loads of the threads do not converge" : found.warnings.front();
+  failure_ = found.warnings.empty() ? "the loads of the threads do not converge"
+                                    : sentence(found.warnings.front());
   return std::nullopt;
 }
 

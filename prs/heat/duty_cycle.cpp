@@ -446,7 +446,7 @@ OfParts heat_capacities(const Conditions& c, const Mechanism& m) {
 }
 
 HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
-                              std::vector<std::string>& warnings) {
+                              std::vector<Warning>& warnings) {
   const ThermalNetwork network = thermal_network(*c.heat);
   const OfParts capacity = heat_capacities(c, contacts.mechanism);
   Duty duty = duty_of(c, contacts);
@@ -466,9 +466,11 @@ HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
   for (std::size_t k = 0; k < duty.cases.size(); ++k)
     if (found.tables[k + 1].error() > kTellTable)
       warnings.push_back(
-          fmt::format("heat.duty: the losses of `{}` are not smooth over the temperatures of the "
-                      "cycle: interpolated to {:.1e} of their largest",
-                      duty.names[k], found.tables[k + 1].error()));
+          Warning{"heat.duty", fmt::format("rough_losses_of_{}", duty.names[k]),
+                  fmt::format("the losses of `{}` are not smooth over the temperatures of the "
+                              "cycle: interpolated to {{value}} of their largest",
+                              duty.names[k])}
+              .with(found.tables[k + 1].error(), kTellTable));
   keep_course(found, cycle, network.ambient, result);
   return end_as(HeatStatus::converged, {});
 }

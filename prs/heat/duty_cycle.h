@@ -28,6 +28,6 @@ OfParts heat_capacities(const Conditions& c, const Mechanism& mechanism);
 /// Energies are integrated along with the temperatures, so that they balance to rounding.
 /// The peak is that within steps too. `warnings` tells of tables that losses are too rough for.
 HeatCycle periodic_heat_cycle(const Conditions& c, const Contacts& contacts,
-                              std::vector<std::string>& warnings);
+                              std::vector<Warning>& warnings);
 
 }  // namespace prs

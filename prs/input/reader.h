@@ -10,6 +10,7 @@
 #include "prs/model/command.h"
 #include "prs/model/limits.h"
 #include "prs/model/problems.h"
+#include "prs/model/warning.h"
 
 namespace prs::input {
 
@@ -17,10 +18,10 @@ namespace prs::input {
 struct CaseInput {
   Case values;
   std::vector<EchoEntry> fields;
-  std::optional<Command> study;            ///< The command that the file's study runs.
-  std::optional<Command> optimize;         ///< The command that an optimization runs.
-  std::vector<std::string> warnings = {};  ///< What is unusual about single values.
-  std::optional<Limits> limits = {};       ///< What the verdict holds the case against.
+  std::optional<Command> study;        ///< The command that the file's study runs.
+  std::optional<Command> optimize;     ///< The command that an optimization runs.
+  std::vector<Warning> warnings = {};  ///< What is unusual about single values.
+  std::optional<Limits> limits = {};   ///< What the verdict holds the case against.
 };
 
 /// What a command needs and the file lacks, or has otherwise, see `prs::missing`.

@@ -19,10 +19,6 @@ namespace {
 constexpr std::size_t kLargestFile = std::size_t{1} << 20;
 constexpr std::size_t kMostErrors = 20;
 
-std::string line(std::string_view key, std::string_view message) {
-  return fmt::format("{}{}{}", shown(key), key.empty() ? "" : ": ", message);
-}
-
 InputError refusal(std::string_view name, std::string_view got, std::string_view fix) {
   return InputError(fmt::format(
       "{}:1:1: error: got {}; expected a readable YAML file of at most 1 MiB; {}", name, got, fix));
@@ -75,11 +71,11 @@ std::string ErrorList::where(Place place) const {
 }
 
 void ErrorList::add(Place place, std::string_view key, std::string_view message) {
-  errors_.push_back({place, line(key, message)});
+  errors_.push_back({place, {shown(key), std::string(message)}});
 }
 
 void ErrorList::add_consequence(Place place, std::string_view key, std::string_view message) {
-  consequences_.push_back({place, line(key, message)});
+  consequences_.push_back({place, {shown(key), std::string(message)}});
 }
 
 void ErrorList::fail(Place place, std::string_view key, std::string_view message) {
@@ -90,11 +86,8 @@ void ErrorList::fail(Place place, std::string_view key, std::string_view message
 
 void ErrorList::take(const ErrorList& other, const std::function<Place(Place)>& move) {
   for (const Error* e : other.told()) {
-    Error moved{move(e->place), e->text};
-    const auto same = [&](const Error& known) {
-      return known.place == moved.place && known.text == moved.text;
-    };
-    if (std::ranges::none_of(errors_, same)) errors_.push_back(std::move(moved));
+    Error moved{move(e->place), e->problem};
+    if (std::ranges::find(errors_, moved) == errors_.end()) errors_.push_back(std::move(moved));
   }
 }
 
@@ -108,7 +101,9 @@ std::vector<const ErrorList::Error*> ErrorList::told() const {
   return order;
 }
 
-std::string ErrorList::first() const { return empty() ? std::string() : told().front()->text; }
+std::string ErrorList::first() const {
+  return empty() ? std::string() : told().front()->problem.text();
+}
 
 void ErrorList::throw_if_any() const {
   if (empty()) return;
@@ -116,7 +111,8 @@ void ErrorList::throw_if_any() const {
   if (order.size() > kMostErrors) order.resize(kMostErrors);
   std::string lines;
   for (const Error* e : order) {
-    lines += fmt::format("{}{}: error: {}", lines.empty() ? "" : "\n", where(e->place), e->text);
+    lines += fmt::format("{}{}: error: {}", lines.empty() ? "" : "\n", where(e->place),
+                         e->problem.text());
     if (e->place.argument >= 0)
       lines += fmt::format(" (from --set {})",
                            shown(source_.overrides[static_cast<std::size_t>(e->place.argument)]));

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "prs/model/problems.h"
+
 namespace prs::input {
 
 /// The input is wrong. `what()` holds one line for each error, each complete in itself:
@@ -83,7 +85,9 @@ class ErrorList {
  private:
   struct Error {
     Place place;
-    std::string text;
+    Problem problem;
+
+    bool operator==(const Error&) const = default;
   };
   /// In the order of their places; consequences only where there is nothing else.
   std::vector<const Error*> told() const;

@@ -127,8 +127,8 @@ std::string range_text(const UsualValue& row) {
 
 }  // namespace
 
-std::vector<std::string> unusual_values(const std::vector<EchoEntry>& fields) {
-  std::vector<std::string> warnings;
+std::vector<Warning> unusual_values(const std::vector<EchoEntry>& fields) {
+  std::vector<Warning> warnings;
   for (const EchoEntry& field : fields) {
     if (field.is_default || !field.number) continue;
     const std::string path = without_places(field.path);
@@ -141,10 +141,12 @@ std::vector<std::string> unusual_values(const std::vector<EchoEntry>& fields) {
     const double size = std::abs(*field.number);
     if (size >= least && size <= greatest) continue;
     const std::string unit = usual_unit(field, least, greatest);
-    warnings.push_back(fmt::format(
-        "{}: got {}; usual is {} ({}); {}", field.path, field.written, range_text(*row),
-        row->example,
-        unit.empty() ? "check value and unit" : fmt::format("check the unit: `{}`?", unit)));
+    warnings.push_back(Warning{
+        field.path, "unusual_value",
+        fmt::format("got {}; usual is {} ({})", field.written, range_text(*row), row->example),
+        unit.empty() ? "check value and unit" : fmt::format("check the unit: `{}`?", unit)}
+                           .with(size, size < least ? least : greatest, {},
+                                 size < least ? Warning::Worse::smaller : Warning::Worse::larger));
   }
   return warnings;
 }

@@ -55,8 +55,7 @@ void find_capacity(const LifeModel& p, LifeResult& r) {
                     factor_ratio(g), kFactorRatios.least, kFactorRatios.greatest));
   r.dynamic_capacity = r.lemor->capacity;
   r.dynamic_capacity_range = r.lemor->capacity_range;
-  if (const auto note = beside_lemor_angle(angle))
-    r.warnings.push_back(fmt::format("mechanism.flank_angle: {}", *note));
+  if (auto warning = beside_lemor_angle(angle)) r.warnings.push_back(std::move(*warning));
 }
 
 void find_spectrum(const Conditions& c, LifeResult& r) {
@@ -490,38 +489,41 @@ void find_weakest(LifeResult& r) {
 }
 
 void warn_of_loads(LifeResult& r) {
-  const std::string_view loads = r.life.history ? "life.history" : "life.spectrum";
+  const std::string loads = r.life.history ? "life.history" : "life.spectrum";
+  const auto add = [&](std::optional<Warning> warning, const std::string& path) {
+    if (!warning) return;
+    warning->path = path;
+    r.warnings.push_back(std::move(*warning));
+  };
   for (const Direction d : kDirections) {
     if (!r.flanks[d]) continue;
+    const auto add_to_sense = [&](std::optional<Warning> warning) {
+      if (!warning) return;
+      warning->code += fmt::format("_in_{}", name(d));
+      warning->what.insert(0, fmt::format("in {}, ", name(d)));
+      add(std::move(warning), loads);
+    };
     for (const Interface i : kInterfaces) {
       const std::optional<double> pressure = r.flanks[d]->peak_pressure[i];
       if (pressure && *pressure > kStaticPressureLimit)
-        r.warnings.push_back(fmt::format("{}: {} peak pressure {:.2f} GPa in {} exceeds {:.1f} GPa",
-                                         loads, label(i), *pressure * 1e-9, name(d),
-                                         kStaticPressureLimit * 1e-9));
+        add_to_sense(static_pressure_warning(loads, i, *pressure));
       if (const auto& running = r.flanks[d]->running_peak_pressure[i])
-        if (const auto note = running_pressure_note(i, *running))
-          r.warnings.push_back(fmt::format("{}: in {}, {}", loads, name(d), *note));
+        add_to_sense(running_pressure_warning(loads, i, *running));
     }
     if (const auto& rating = r.flanks[d]->static_rating)
-      if (const auto note = beyond_static_rating(r.flanks[d]->largest_force, *rating))
-        r.warnings.push_back(fmt::format("{}: in {}, {}", loads, name(d), *note));
+      add_to_sense(beyond_static_rating(r.flanks[d]->largest_force, *rating));
     const std::optional<double> capacity =
         r.life.static_capacity ? r.life.static_capacity : r.flanks[d]->static_capacity;
     if (capacity && r.flanks[d]->flank_edge_load)
-      if (const auto note = flank_edge_near("an ellipse", *r.flanks[d]->flank_edge_load, *capacity,
-                                            r.flanks[d]->largest_force))
-        r.warnings.push_back(fmt::format("{}: in {}, {}", loads, name(d), *note));
+      add_to_sense(flank_edge_near("an ellipse", *r.flanks[d]->flank_edge_load, *capacity,
+                                   r.flanks[d]->largest_force));
   }
-  if (const auto note = beyond_life_formula(r.mean_load, r.dynamic_capacity))
-    r.warnings.push_back(fmt::format("{}: {}", loads, *note));
+  add(beyond_life_formula(r.mean_load, r.dynamic_capacity), loads);
   const std::optional<double> static_capacity =
       r.life.static_capacity ? r.life.static_capacity : r.equal_shares_static_capacity;
   if (static_capacity)
-    if (const auto note = dynamic_above_static(r.dynamic_capacity, *static_capacity))
-      r.warnings.push_back(fmt::format(
-          "{}: {}", r.life.dynamic_capacity ? "life.dynamic_capacity" : "mechanism.profile",
-          *note));
+    add(dynamic_above_static(r.dynamic_capacity, *static_capacity),
+        r.life.dynamic_capacity ? "life.dynamic_capacity" : "mechanism.profile");
 }
 
 }  // namespace

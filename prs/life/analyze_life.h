@@ -116,7 +116,7 @@ struct LifeResult {
   std::optional<LoadCycles> cycles;
 
   std::optional<std::string> failure;  ///< Why there are no lives: a load did not converge.
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 
   bool converged() const { return !failure; }
   /// Rated life over L10: a1 times the modification factor.

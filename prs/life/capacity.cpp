@@ -90,18 +90,19 @@ double load_at_pressure(const contact::HertzConstants& hertz, double peak_pressu
   return cube_root * cube_root * cube_root;
 }
 
-std::optional<std::string> beside_lemor_angle(double contact_angle) {
+std::optional<Warning> beside_lemor_angle(double contact_angle) {
   if (std::abs(contact_angle - std::numbers::pi / 4) <= kAngleTolerance) return std::nullopt;
-  return fmt::format("contact angle {:.1f} deg: the factor of Lemor's capacity is that of 45 deg",
-                     contact_angle * 180.0 / std::numbers::pi);
+  return Warning{"mechanism.flank_angle", "beside_lemor_angle",
+                 "contact angle {value}: the factor of Lemor's capacity is that of 45 deg"}
+      .with(contact_angle, {}, text_unit::degree);
 }
 
-std::optional<std::string> beyond_life_formula(double load, double dynamic_capacity) {
+std::optional<Warning> beyond_life_formula(double load, double dynamic_capacity) {
   if (load <= 0.5 * dynamic_capacity) return std::nullopt;
-  return fmt::format(
-      "the mean load is {:.0f} % of the dynamic capacity; the life formula holds up to half of it "
-      "(ISO 281)",
-      100.0 * load / dynamic_capacity);
+  return Warning{"", "beyond_life_formula",
+                 "the mean load is {value} of the dynamic capacity; the life formula holds "
+                 "up to half of it (ISO 281)"}
+      .with(load / dynamic_capacity, 0.5, text_unit::percent);
 }
 
 }  // namespace prs

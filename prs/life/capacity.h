@@ -6,6 +6,7 @@
 #include "contact/hertz.h"
 #include "prs/model/mechanism.h"
 #include "prs/model/part.h"
+#include "prs/model/warning.h"
 
 namespace prs {
 
@@ -96,12 +97,12 @@ std::optional<LemorCapacity> lemor_capacity(const LemorGeometry& g);
 /// validation/standard_screws.
 inline constexpr Interval kCapacityOverMakers = {0.69, 1.26};
 
-/// A note where the contact angle [rad] is not that for which Lemor's factor is known, 45 deg.
-std::optional<std::string> beside_lemor_angle(double contact_angle);
+/// A warning where the contact angle [rad] is not that for which Lemor's factor is known, 45 deg.
+std::optional<Warning> beside_lemor_angle(double contact_angle);
 
-/// A note where a load [N] is beyond what the life formula is made for, half of the dynamic
+/// A warning where a load [N] is beyond what the life formula is made for, half of the dynamic
 /// capacity [N] (ISO 281).
-std::optional<std::string> beyond_life_formula(double load, double dynamic_capacity);
+std::optional<Warning> beyond_life_formula(double load, double dynamic_capacity);
 
 /// Normal load [N] that gives a contact the peak pressure p_0 [Pa]: with the semi-axes a = a' N^1/3
 /// and b = b' N^1/3,

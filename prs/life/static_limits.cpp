@@ -79,35 +79,39 @@ std::optional<StaticRating> smaller(const std::optional<StaticRating>& a,
   return b->force < a->force ? b : a;
 }
 
-std::optional<std::string> flank_edge_near(std::string_view ellipse, double edge_load,
-                                           double static_capacity, double load) {
+std::optional<Warning> flank_edge_near(std::string_view ellipse, double edge_load,
+                                       double static_capacity, double load) {
   if (!(edge_load < static_capacity && edge_load < kUsualStaticSafety * load && load <= edge_load))
     return std::nullopt;
-  return fmt::format(
-      "the load is {:.1f} % of the {:.4g} kN at which {} reaches the end of a flank, which is "
-      "below "
-      "the static capacity of {:.4g} kN; expected at most {:.0f} %; lower the load or the profile "
-      "radius, or take a coarser pitch",
-      load / edge_load * per_si::percent, edge_load * per_si::kilonewton, ellipse,
-      static_capacity * per_si::kilonewton, per_si::percent / kUsualStaticSafety);
+  return Warning{
+      "", "flank_edge_near",
+      fmt::format("the load is {:.1f} % of the {{limit}} at which {} reaches the end of a "
+                  "flank, which is below the static capacity of {:.4g} kN; expected at most "
+                  "{:.0f} %",
+                  load / edge_load * per_si::percent, ellipse, static_capacity * per_si::kilonewton,
+                  per_si::percent / kUsualStaticSafety),
+      "lower the load or the profile radius, or take a coarser pitch"}
+      .with(load, edge_load, text_unit::kilonewton);
 }
 
-std::optional<std::string> dynamic_above_static(double dynamic_capacity, double static_capacity) {
+std::optional<Warning> dynamic_above_static(double dynamic_capacity, double static_capacity) {
   if (!(dynamic_capacity > static_capacity)) return std::nullopt;
-  return fmt::format(
-      "the dynamic capacity of {:.4g} kN is above the static one of {:.4g} kN; makers' static "
-      "capacities are 1.4 to 4 times the dynamic; check stated capacities, which must be one "
-      "maker's, or the profile radius",
-      dynamic_capacity * per_si::kilonewton, static_capacity * per_si::kilonewton);
+  return Warning{"", "dynamic_above_static",
+                 "the dynamic capacity of {value} is above the static one of {limit}; "
+                 "makers' static capacities are 1.4 to 4 times the dynamic",
+                 "check stated capacities, which must be one maker's, or the profile radius"}
+      .with(dynamic_capacity, static_capacity, text_unit::kilonewton);
 }
 
-std::optional<std::string> beyond_static_rating(double load, const StaticRating& rating,
-                                                std::string_view shares) {
+std::optional<Warning> beyond_static_rating(double load, const StaticRating& rating,
+                                            std::string_view shares) {
   if (!(load > rating.force)) return std::nullopt;
-  return fmt::format(
-      "{}the load is {:.3f} times the static limit ({}): {:.4g} kN above {:.4g} kN; reduce it",
-      shares, load / rating.force, describe(rating.limit), load * per_si::kilonewton,
-      rating.force * per_si::kilonewton);
+  return Warning{"", "beyond_static_rating",
+                 fmt::format("{}the load is {:.3f} times the static limit ({}): {{value}} "
+                             "above {{limit}}",
+                             shares, load / rating.force, describe(rating.limit)),
+                 "reduce it"}
+      .with(load, rating.force, text_unit::kilonewton);
 }
 
 std::string describe(StaticLimit limit) {

@@ -54,7 +54,7 @@ void check_designed(Case& c, Mechanism mechanism) {
   std::swap(c.mechanism, mechanism);
   const std::vector<Problem> problems = check_case(c);
   std::swap(c.mechanism, mechanism);
-  if (!problems.empty()) throw CaseError(problems.front().path, problems.front().message);
+  if (!problems.empty()) throw CaseError(problems.front());
 }
 
 void add(Result& result, LoadCaseResult load_case, Detail detail) {

@@ -263,8 +263,7 @@ std::string contact_table(const Result& result) {
   const Contacts& contacts = result.contacts;
   std::string table = mechanism_line(contacts) + '\n' + part_rows(contacts.threads) + '\n' +
                       contact_rows(contacts) + load_table(result.load_cases);
-  const std::string warnings = warning_summary(result);
-  return warnings.empty() ? table : table + '\n' + warnings;
+  return table + warning_section(all_warnings(result));
 }
 
 }  // namespace prs

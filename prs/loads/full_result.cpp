@@ -59,25 +59,27 @@ std::string why_left_out(const FullLoads& full, bool influence) {
 /// balances of less than nine digits.
 constexpr double kForcedBearing = 1e3;
 
-std::optional<std::string> forced_bearings(const std::vector<SupportForce>& bearings,
-                                           double axial_force) {
+std::optional<Warning> forced_bearings(const std::vector<SupportForce>& bearings,
+                                       double axial_force) {
   double largest = 0.0;
   for (const SupportForce& b : bearings) largest = std::max(largest, b.force.norm());
   if (largest <= kForcedBearing * axial_force) return std::nullopt;
-  return fmt::format(
-      "structure.screw.bearings: they push against each other with {:.3g} kN, {:.2g} times the "
-      "axial force; check their `offset`, or give them a stiffness in place of `lateral: rigid`",
-      largest * 1e-3, largest / axial_force);
+  return Warning{"structure.screw.bearings", "forced_bearings",
+                 fmt::format("they push against each other with {{value}}, {:.2g} times the axial "
+                             "force",
+                             largest / axial_force),
+                 "check their `offset`, or give them a stiffness in place of `lateral: rigid`"}
+      .with(largest, {}, text_unit::kilonewton);
 }
 
-std::optional<std::string> lifted_shoulder(const Structure::Nut& nut, const SupportForce& seat) {
+std::optional<Warning> lifted_shoulder(const Structure::Nut& nut, const SupportForce& seat) {
   const double held = lifting_moment(nut, seat);
   const double moment = std::hypot(seat.moment.y, seat.moment.z);
   if (moment <= held) return std::nullopt;
-  return fmt::format(
-      "structure.nut.shoulder: the moment of {:.3g} N m lifts one side of a shoulder that only "
-      "pushes, from {:.3g} N m on; the model holds it there, as bolts do",
-      moment, held);
+  return Warning{"structure.nut.shoulder", "lifted_shoulder",
+                 "the moment of {value} lifts one side of a shoulder that only pushes, "
+                 "from {limit} on; the model holds it there, as bolts do"}
+      .with(moment, held, text_unit::newton_metre);
 }
 
 /// Rollers without anything of their own.
@@ -165,15 +167,17 @@ FullLoads full_loads(const AllRollers& all, const FullModel& f, FullDistribution
 
 /// A contact that opens further than the other flank is away.
 void warn_of_openings(const FullDistribution& d, const Contacts& contacts,
-                      const PerInterface<ContactLaw>& laws, std::vector<std::string>& warnings) {
+                      const PerInterface<ContactLaw>& laws, std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces) {
     const double opening = d.largest_opening[i] / std::cos(laws[i].normal_angle);
     const contact::ContactPoint& point = contacts.interfaces[i].geometry.point;
     if (point.ok() && point.backlash > 0.0 && opening > point.backlash)
-      warnings.push_back(fmt::format(
-          "a {} contact opens by {:.3g} mm, more than the backlash of {:.3g} mm: the other flank "
-          "would touch, which the model leaves out",
-          label(i), opening * 1e3, point.backlash * 1e3));
+      warnings.push_back(
+          Warning{"", fmt::format("{}_opening", name(i)),
+                  fmt::format("a {} contact opens by {{value}}, more than the backlash of "
+                              "{{limit}}: the other flank would touch, which the model leaves out",
+                              label(i))}
+              .with(opening, point.backlash, text_unit::millimetre));
   }
 }
 
@@ -213,8 +217,8 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     flattened.approach[i] = flat(d.approach[i]);
   }
   LoadCaseResult result = solved_result(load_case, contacts, laws, std::move(flattened));
-  std::vector<std::string>& warnings = result.warnings;
-  if (!d.reason.empty()) warnings.push_back(d.reason);
+  std::vector<Warning>& warnings = result.warnings;
+  if (!d.reason.empty()) warnings.push_back({"", "no_equilibrium", d.reason});
   if (!result.threads) return result;
 
   FullLoads full = full_loads(all, f, d, load_case, c, contacts, laws);
@@ -228,21 +232,24 @@ LoadCaseResult full_result(const LoadCase& load_case, const Conditions& c, const
     if (turned.converged())
       full.orbit = std::move(turned);
     else
-      warnings.push_back(fmt::format("the orbit is left out: {}", text(*turned.failure)));
+      warnings.push_back(
+          {"", "no_orbit", fmt::format("the orbit is left out: {}", text(*turned.failure))});
   }
   if (detail == Detail::complete && full.screw_end.compliance.size() == 0)
-    warnings.push_back(fmt::format("the stiffness of the screw's end is left out: {}",
-                                   why_left_out(full, all.influence())));
+    warnings.push_back({"", "no_screw_end_stiffness",
+                        fmt::format("the stiffness of the screw's end is left out: {}",
+                                    why_left_out(full, all.influence()))});
   if (result.axial_displacement && *result.axial_displacement < 0.0)
-    warnings.push_back(fmt::format(
-        "the loaded section moves {:.3g} mm against the force, as side loads or displaced parts "
-        "have it, so that `axial_stiffness` is negative; take `tangent_stiffness`",
-        -*result.axial_displacement * 1e3));
+    warnings.push_back(Warning{"", "negative_stiffness",
+                               "the loaded section moves {value} against the force, as side loads "
+                               "or displaced parts have it, so that `axial_stiffness` is negative",
+                               "take `tangent_stiffness`"}
+                           .with(-*result.axial_displacement, {}, text_unit::millimetre));
   warn_of_openings(d, contacts, laws, warnings);
-  if (std::optional<std::string> warning = forced_bearings(d.bearings, f.axial_force))
+  if (std::optional<Warning> warning = forced_bearings(d.bearings, f.axial_force))
     warnings.push_back(std::move(*warning));
   if (all.shoulder_lifts())
-    if (std::optional<std::string> warning = lifted_shoulder(c.structure->nut, d.nut))
+    if (std::optional<Warning> warning = lifted_shoulder(c.structure->nut, d.nut))
       warnings.push_back(std::move(*warning));
   result.full = std::make_shared<const FullLoads>(std::move(full));
   return result;

@@ -45,7 +45,7 @@ std::vector<std::string> contacts_without_figure(const Result& result) {
     if (!result.contacts.interfaces[i].geometry.ok())
       notes.push_back(fmt::format(
           "pictures of the contacts were not drawn: the {} threads have no contact point ({})",
-          label(i), failure(result.contacts, i).reason));
+          label(i), failure(result.contacts, i).message));
   return notes;
 }
 
@@ -87,7 +87,7 @@ bool all_converged(const Result& result) {
 }
 
 std::vector<std::string> summary_of_warnings(const Result& result) {
-  std::string text = warning_summary(result);
+  std::string text = warning_summary(all_warnings(result));
   return text.empty() ? std::vector<std::string>{} : std::vector{std::move(text)};
 }
 
@@ -114,6 +114,7 @@ const Analysis<Result>& contact_analysis() {
       .pictures = [](const Result& r,
                      const Case& c) { return with_drawings(contact_pictures(r), c, r); },
       .without_figure = contacts_without_figure,
+      .all_warnings = all_warnings,
       .responses = kContactResponses,
       .takes_load_cases_apart = true};
   return analysis;
@@ -137,6 +138,7 @@ const Analysis<Result>& solve_analysis() {
                      const Case& c) { return with_drawings(solve_pictures(r), c, r); },
       .converged = all_converged,
       .headlines = overloads,
+      .all_warnings = all_warnings,
       .responses = kSolveResponses,
       .takes_load_cases_apart = true};
   return analysis;

@@ -49,7 +49,8 @@ double equal_normal_load(const LoadCase& load_case, const Mechanism& m, double p
 
 /// The most loaded thread's ellipse against the ends of the flanks.
 void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& contacts,
-                                  Interface i, std::vector<std::string>& warnings) {
+                                  Interface i, const std::string& path,
+                                  std::vector<Warning>& warnings) {
   if (loads.semi_major.empty()) return;
   const auto violations = contact::ellipse_beyond_flanks(
       pair_of(contacts.threads, i), contacts.interfaces[i].geometry,
@@ -59,8 +60,12 @@ void warn_of_ellipse_beyond_flank(const InterfaceLoads& loads, const Contacts& c
   for (const contact::FlankViolation& v : violations)
     if (v.by > kUnseen)
       warnings.push_back(
-          fmt::format("the largest {} ellipse reaches {:.4g} mm beyond the {} of the {}", label(i),
-                      v.by * 1e3, contact::name(v.end), v.of_roller ? "roller" : name(i)));
+          Warning{path,
+                  fmt::format("{}_ellipse_beyond_{}_of_{}", name(i), contact::name(v.end),
+                              v.of_roller ? "roller" : name(i)),
+                  fmt::format("the largest {} ellipse reaches {{value}} beyond the {} of the {}",
+                              label(i), contact::name(v.end), v.of_roller ? "roller" : name(i))}
+              .with(v.by, {}, text_unit::millimetre));
 }
 
 /// Of missing rollers.
@@ -70,9 +75,8 @@ std::ptrdiff_t missing_contacts(const InterfaceLoads& loads) {
              : 0;
 }
 
-std::vector<std::string> thread_warnings(const PerInterface<InterfaceLoads>& threads,
-                                         const Contacts& contacts) {
-  std::vector<std::string> warnings;
+void warn_of_threads(const PerInterface<InterfaceLoads>& threads, const Contacts& contacts,
+                     const std::string& path, std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces) {
     const auto contacts_of = static_cast<std::ptrdiff_t>(threads[i].normal_load.size());
     const std::ptrdiff_t missing = missing_contacts(threads[i]);
@@ -80,15 +84,15 @@ std::vector<std::string> thread_warnings(const PerInterface<InterfaceLoads>& thr
         std::count(threads[i].normal_load.begin(), threads[i].normal_load.end(), 0.0) - missing;
     if (open > 0)
       warnings.push_back(
-          fmt::format("{} of {} {} contacts are open", open, contacts_of - missing, label(i)));
+          Warning{path, fmt::format("{}_contacts_open", name(i)),
+                  fmt::format("{{value}} of {{limit}} {} contacts are open", label(i))}
+              .with(static_cast<double>(open), static_cast<double>(contacts_of - missing)));
     const auto& pressure = threads[i].peak_pressure;
     const auto highest = std::max_element(pressure.begin(), pressure.end());
     if (highest != pressure.end() && *highest > kStaticPressureLimit)
-      warnings.push_back(fmt::format("{} peak pressure {:.2f} GPa exceeds {:.1f} GPa", label(i),
-                                     *highest * 1e-9, kStaticPressureLimit * 1e-9));
-    warn_of_ellipse_beyond_flank(threads[i], contacts, i, warnings);
+      warnings.push_back(static_pressure_warning(path, i, *highest));
+    warn_of_ellipse_beyond_flank(threads[i], contacts, i, path, warnings);
   }
-  return warnings;
 }
 
 }  // namespace
@@ -189,27 +193,37 @@ void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts,
 
 void add_warnings(LoadCaseResult& result, const Contacts& contacts) {
   if (!result.converged() && result.warnings.empty())
-    result.warnings.push_back(fmt::format("not converged: {}, relative residual {:.1e}",
-                                          fe::name(result.solve->status),
-                                          result.solve->relative_residual));
+    result.warnings.push_back(
+        Warning{"", "not_converged",
+                fmt::format("not converged: {}, relative residual {:.1e}",
+                            fe::name(result.solve->status), result.solve->relative_residual)}
+            .with(result.solve->relative_residual));
   if (result.solve && result.converged() && !result.full && !result.tangent_stiffness)
     result.warnings.push_back(
-        "model.refined.poisson: the screw is so much softer than its threads that this effect "
-        "exceeds all deflection, and stiffness is left out; check "
-        "`materials.screw.youngs_modulus` or take `poisson: false`");
+        {"model.refined.poisson", "no_stiffness",
+         "the screw is so much softer than its threads that this effect exceeds all "
+         "deflection, and stiffness is left out",
+         "check `materials.screw.youngs_modulus` or take `poisson: false`"});
   if (result.threads)
-    for (std::string& text : thread_warnings(*result.threads, contacts))
-      result.warnings.push_back(
-          fmt::format("{}: {}", path_in(result.load_case, "axial_force"), text));
+    warn_of_threads(*result.threads, contacts, path_in(result.load_case, "axial_force"),
+                    result.warnings);
 }
 
-std::optional<std::string> running_pressure_note(Interface i, double pressure) {
+Warning static_pressure_warning(std::string path, Interface i, double pressure) {
+  return Warning{std::move(path), fmt::format("{}_peak_pressure", name(i)),
+                 fmt::format("{} peak pressure {{value}} exceeds {{limit}}", label(i))}
+      .with(pressure, kStaticPressureLimit, text_unit::gigapascal);
+}
+
+std::optional<Warning> running_pressure_warning(std::string path, Interface i, double pressure) {
   if (pressure <= kRunningPressureLimit || pressure > kStaticPressureLimit) return std::nullopt;
-  return fmt::format(
-      "{} peak pressure {:.2f} GPa is above {:.1f} GPa, much for flanks that run ({:.1f} GPa is "
-      "the "
-      "limit at rest); lower the load or take more contacts",
-      label(i), pressure * 1e-9, kRunningPressureLimit * 1e-9, kStaticPressureLimit * 1e-9);
+  return Warning{
+      std::move(path), fmt::format("{}_running_pressure", name(i)),
+      fmt::format("{} peak pressure {{value}} is above {:g} GPa, much for flanks that run "
+                  "({{limit}} is the limit at rest)",
+                  label(i), kRunningPressureLimit * per_si::gigapascal),
+      "lower the load or take more contacts"}
+      .with(pressure, kStaticPressureLimit, text_unit::gigapascal);
 }
 
 }  // namespace prs

@@ -53,13 +53,17 @@ void set_equal_share_result(LoadCaseResult& result, const Contacts& contacts,
 /// Adds warnings: open threads, high pressures, ellipses beyond the flanks.
 void add_warnings(LoadCaseResult& result, const Contacts& contacts);
 
-/// Contact pressure [Pa] above which a screw that turns under load gets a note. Flanks of bearing
-/// steel that run above about 2.5 GPa have a short life, whatever their static safety.
+/// The warning on a peak pressure [Pa] of an interface above `kStaticPressureLimit`.
+Warning static_pressure_warning(std::string path, Interface i, double peak_pressure);
+
+/// Contact pressure [Pa] above which a screw that turns under load gets a warning. Flanks of
+/// bearing steel that run above about 2.5 GPa have a short life, whatever their static safety.
 inline constexpr double kRunningPressureLimit = 2.5e9;
 
-/// A note where the largest peak pressure [Pa] of an interface is above `kRunningPressureLimit`;
+/// A warning where the largest peak pressure [Pa] of an interface is above `kRunningPressureLimit`;
 /// none above `kStaticPressureLimit`, which has a warning of its own. `slip`, `life` and, with a
-/// speed, `measures` give the note: `solve` does not know whether the screw turns under the load.
-std::optional<std::string> running_pressure_note(Interface i, double peak_pressure);
+/// speed, `measures` give it: `solve` does not know whether the screw turns under the load.
+std::optional<Warning> running_pressure_warning(std::string path, Interface i,
+                                                double peak_pressure);
 
 }  // namespace prs

@@ -48,8 +48,7 @@ std::string load_case_table(const Result& result) {
   if (!model.empty()) model = wrapped(model.substr(0, model.size() - 1), "", kTableWidth);
   const std::string table =
       model + case_table({kColumns, 3, failure, "load_cases.csv"}, result.load_cases);
-  const std::string warnings = warning_summary(result);
-  return warnings.empty() ? table : table + '\n' + warnings;
+  return table + warning_section(all_warnings(result));
 }
 
 std::string load_distribution_chart(const LoadCaseResult& result) {

@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "fe/newton.h"
@@ -11,6 +10,7 @@
 #include "prs/model/load_case.h"
 #include "prs/model/model_options.h"
 #include "prs/model/part.h"
+#include "prs/model/warning.h"
 #include "prs/threads/contacts.h"
 
 namespace prs {
@@ -58,7 +58,7 @@ struct LoadCaseResult {
   std::shared_ptr<const FullLoads> full;  ///< Of the full mechanism, see full_result.h.
   std::optional<SlipResult> slip;         ///< Where it was asked for and the loads are known.
   std::optional<HeatResult> heat;         ///< With `heat` the slip is that at its temperatures.
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 
   bool converged() const { return !solve || solve->converged(); }
 };
@@ -69,7 +69,7 @@ struct Result {
   ModelOptions model;
   std::vector<LoadCaseResult> load_cases;
   std::optional<HeatCycle> heat_cycle;  ///< Where the case has a duty.
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 }  // namespace prs

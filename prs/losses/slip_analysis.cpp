@@ -10,6 +10,7 @@
 #include "prs/losses/slip_pictures.h"
 #include "prs/losses/slip_record.h"
 #include "prs/losses/slip_table.h"
+#include "prs/loads/warnings.h"
 #include "prs/model/void_inputs.h"
 
 namespace prs {
@@ -20,9 +21,9 @@ using Json = nlohmann::ordered_json;
 Result slips_of(const input::Source&, const input::CaseInput& in) {
   Result result = analyze_heat(in.values);
   add_preload_note(in.values, result.warnings);
-  const bool film = in.values.friction->of_film();
-  if (const std::string note = film ? estimates_note(*in.values.lubricant) : ""; !note.empty())
-    result.warnings.push_back(note);
+  if (in.values.friction->of_film())
+    if (std::optional<Warning> estimated = estimated_lubricant(*in.values.lubricant))
+      result.warnings.push_back(std::move(*estimated));
   return result;
 }
 
@@ -121,6 +122,7 @@ const Analysis<Result>& slip_analysis() {
       .pictures = [](const Result& r, const Case& c) { return slip_pictures(c, r); },
       .converged = have_slip,
       .headlines = losses,
+      .all_warnings = all_warnings,
       .responses = kResponses,
       .takes_load_cases_apart = true};
   return analysis;

@@ -322,8 +322,7 @@ std::string slip_table(const Result& result, bool all) {
     for (const LoadCaseResult& load_case : result.load_cases)
       table += (table.empty() ? "" : "\n") + block(load_case, all);
   if (result.heat_cycle) table += '\n' + cycle_block(*result.heat_cycle);
-  const std::string warnings = warning_summary(result);
-  return warnings.empty() ? table : table + '\n' + warnings;
+  return table + warning_section(all_warnings(result));
 }
 
 std::string slip_chart(const LoadCaseResult& result) {

@@ -41,7 +41,7 @@ MeasuresResult measured(const Conditions& c, Result analysis, Detail detail) {
   const Contacts& contacts = result.analysis.contacts;
   result.measures = measures_of(c, contacts);
   if (detail == Detail::complete)
-    for (std::string& note : unusual_measures(c, contacts, result.measures))
+    for (Warning& note : unusual_measures(c, contacts, result.measures))
       result.analysis.warnings.push_back(std::move(note));
   StaticRatings ratings(c, contacts);
   for (LoadCaseResult& load_case : result.analysis.load_cases) {
@@ -53,7 +53,7 @@ MeasuresResult measured(const Conditions& c, Result analysis, Detail detail) {
         load_measures_of(c, contacts, result.measures, load_case, detail));
     if (detail != Detail::complete) continue;
     ratings.rate(load_case.load_case, measures);
-    for (std::string& note : unusual_load_measures(c, result.measures, measures, load_case))
+    for (Warning& note : unusual_load_measures(c, result.measures, measures, load_case))
       load_case.warnings.push_back(std::move(note));
   }
   return result;

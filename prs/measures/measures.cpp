@@ -307,34 +307,37 @@ void find_most_loaded(const Conditions& c, const Contacts& contacts, const Measu
 
 }  // namespace
 
-std::vector<std::string> unusual_measures(const Conditions& c, const Contacts& contacts,
-                                          const Measures& m) {
-  std::vector<std::string> warnings;
-  const auto add = [&](std::string_view path, std::string_view note) {
-    warnings.push_back(fmt::format("{}: {}", path, note));
+std::vector<Warning> unusual_measures(const Conditions& c, const Contacts& contacts,
+                                      const Measures& m) {
+  std::vector<Warning> warnings;
+  const auto add = [&](const char* path, std::optional<Warning> warning) {
+    if (!warning) return;
+    warning->path = path;
+    warnings.push_back(std::move(*warning));
   };
   const std::optional<double> screw = normal_angle(c, contacts, Interface::screw);
   const std::optional<double> nut = normal_angle(c, contacts, Interface::nut);
   if (m.geometry_factor && m.dynamic_capacity && !(c.life && c.life->dynamic_capacity))
-    if (const auto note = beside_lemor_angle(contact_angle({*screw, *nut})))
-      add("mechanism.flank_angle", *note);
+    add("mechanism.flank_angle", beside_lemor_angle(contact_angle({*screw, *nut})));
   if (m.dynamic_capacity && m.static_capacity)
-    if (const auto note = dynamic_above_static(*m.dynamic_capacity, *m.static_capacity))
-      add("mechanism.profile", *note);
+    add("mechanism.profile", dynamic_above_static(*m.dynamic_capacity, *m.static_capacity));
   if (options_of(c).shaft && c.structure && c.materials && !m.buckling_load)
-    add("structure.screw.bore",
-        "the bore of the screw reaches the roots of its thread: no buckling load, no critical "
-        "speed");
+    warnings.push_back({"structure.screw.bore", "bored_through",
+                        "the bore of the screw reaches the roots of its thread: no "
+                        "buckling load, no critical speed"});
   return warnings;
 }
 
-std::vector<std::string> unusual_load_measures(const Conditions& c, const Measures& m,
-                                               const LoadMeasures& load_measures,
-                                               const LoadCaseResult& result) {
-  std::vector<std::string> warnings;
-  const auto add = [&](std::optional<std::string> note) {
-    if (note)
-      warnings.push_back(fmt::format("{}: {}", path_in(result.load_case, "axial_force"), *note));
+std::vector<Warning> unusual_load_measures(const Conditions& c, const Measures& m,
+                                           const LoadMeasures& load_measures,
+                                           const LoadCaseResult& result) {
+  std::vector<Warning> warnings;
+  const std::string path = path_in(result.load_case, "axial_force");
+  const auto add = [&](std::optional<Warning> warning, std::string_view before = {}) {
+    if (!warning) return;
+    warning->path = path;
+    warning->code.insert(0, before);
+    warnings.push_back(std::move(*warning));
   };
   const double force = std::abs(result.load_case.axial_force);
   if (m.dynamic_capacity) add(beyond_life_formula(force, *m.dynamic_capacity));
@@ -350,20 +353,21 @@ std::vector<std::string> unusual_load_measures(const Conditions& c, const Measur
   for (const Interface i : kInterfaces)
     if (!solved && m.interface_flank_edge_load[i] && m.static_capacity)
       add(flank_edge_near(fmt::format("with equal shares, the {} ellipse", label(i)),
-                          *m.interface_flank_edge_load[i], *m.static_capacity, force));
+                          *m.interface_flank_edge_load[i], *m.static_capacity, force),
+          fmt::format("{}_", name(i)));
   if (runs(c, result.load_case))
     for (const Interface i : kInterfaces)
       if (load_measures.largest_peak_pressure[i])
-        add(running_pressure_note(i, *load_measures.largest_peak_pressure[i]));
+        add(running_pressure_warning(path, i, *load_measures.largest_peak_pressure[i]));
   if (load_measures.thread_stiffness && result.axial_stiffness &&
       *load_measures.thread_stiffness < *result.axial_stiffness)
-    warnings.push_back(fmt::format(
-        "measures.loaded_width: the threads alone ({:.0f} N/µm) come out softer than the whole "
-        "screw of the model "
-        "({:.0f} N/µm), which has no such teeth: Yamamoto's count twice what Hertz has; leave out "
-        "measures.loaded_width",
-        *load_measures.thread_stiffness * per_si::newton_per_micrometre,
-        *result.axial_stiffness * per_si::newton_per_micrometre));
+    warnings.push_back(
+        Warning{"measures.loaded_width", "soft_threads",
+                "the threads alone ({value}) come out softer than the whole screw of the model "
+                "({limit}), which has no such teeth: Yamamoto's count twice what Hertz has",
+                "leave out measures.loaded_width"}
+            .with(*load_measures.thread_stiffness, *result.axial_stiffness,
+                  text_unit::newton_per_micrometre, Warning::Worse::smaller));
   return warnings;
 }
 

@@ -96,12 +96,12 @@ struct LoadMeasures {
 Measures measures_of(const Conditions& c, const Contacts& contacts);
 
 /// Warnings on measures that lie outside the range the formulas were made for.
-std::vector<std::string> unusual_measures(const Conditions& c, const Contacts& contacts,
-                                          const Measures& measures);
+std::vector<Warning> unusual_measures(const Conditions& c, const Contacts& contacts,
+                                      const Measures& measures);
 /// What is unusual about a load case that converged and its measures.
-std::vector<std::string> unusual_load_measures(const Conditions& c, const Measures& measures,
-                                               const LoadMeasures& load_measures,
-                                               const LoadCaseResult& result);
+std::vector<Warning> unusual_load_measures(const Conditions& c, const Measures& measures,
+                                           const LoadMeasures& load_measures,
+                                           const LoadCaseResult& result);
 
 /// Measures under the solved or equal loads of one load case.
 LoadMeasures load_measures_of(const Conditions& c, const Contacts& contacts,

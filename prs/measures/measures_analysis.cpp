@@ -2,6 +2,7 @@
 
 #include "prs/loads/load_analysis.h"
 #include "prs/loads/load_pictures.h"
+#include "prs/loads/warnings.h"
 #include "prs/measures/measures_record.h"
 #include "prs/measures/measures_table.h"
 #include "prs/model/void_inputs.h"
@@ -94,9 +95,8 @@ const Analysis<MeasuresResult>& measures_analysis() {
       .pictures = [](const MeasuresResult& r, const Case&) { return measures_pictures(r); },
       .converged = [](const MeasuresResult& r) { return all_converged(r.analysis); },
       .headlines = capacity,
-      .warnings = [](MeasuresResult& r) -> std::vector<std::string>& {
-        return r.analysis.warnings;
-      },
+      .warnings = [](MeasuresResult& r) -> std::vector<Warning>& { return r.analysis.warnings; },
+      .all_warnings = [](const MeasuresResult& r) { return all_warnings(r.analysis); },
       .responses = kResponses,
       .takes_load_cases_apart = true};
   return analysis;

@@ -148,8 +148,7 @@ std::string table_without(const MeasuresResult& result, const Keys& hidden) {
     text +=
         "Estimates of what prs slip and prs life compute, and with equal shares: prs measures "
         "--all\n";
-  const std::string warnings = warning_summary(result.analysis);
-  return warnings.empty() ? text : text + '\n' + warnings;
+  return text + warning_section(all_warnings(result.analysis));
 }
 
 }  // namespace

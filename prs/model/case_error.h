@@ -2,20 +2,26 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "prs/model/problems.h"
 
 namespace prs {
 
-/// A case that reads well and still describes no mechanism: `path` names the input that is wrong,
-/// what() says what was expected and how to fix it. The reader of the case adds file and line.
+/// A case that reads well and still describes no mechanism. what() is the message of the problem;
+/// the reader of the case adds file and line.
 class CaseError : public std::runtime_error {
  public:
-  CaseError(std::string path, const std::string& message)
-      : std::runtime_error(message), path_(std::move(path)) {}
+  explicit CaseError(Problem problem)
+      : std::runtime_error(problem.message), problem_(std::move(problem)) {}
+  CaseError(std::string path, std::string message)
+      : CaseError(Problem{std::move(path), std::move(message)}) {}
 
-  const std::string& path() const { return path_; }
+  const Problem& problem() const { return problem_; }
+  const std::string& path() const { return problem_.path; }
 
  private:
-  std::string path_;
+  Problem problem_;
 };
 
 }  // namespace prs

@@ -96,7 +96,7 @@ std::string origin_of(std::string_view key, LubricantName name) {
   return fmt::format("of {}", data_of(name).name);
 }
 
-std::string estimates_note(const Lubricant& l) {
+std::optional<Warning> estimated_lubricant(const Lubricant& l) {
   if (!l.name || (l.pressure_viscosity && l.eyring_stress)) return {};
   std::string values, keys;
   const auto add = [](std::string& list, const std::string& item) {
@@ -113,8 +113,10 @@ std::string estimates_note(const Lubricant& l) {
         fmt::format("Eyring stress {:.3g} MPa (oils have 2 to 10)", 1e-6 * kTypicalEyringStress));
     add(keys, "`eyring_stress`");
   }
-  return fmt::format("{} of {} by estimate; efficiency follows them; state {} where measured",
-                     values, data_of(*l.name).name, keys);
+  return Warning{
+      "lubricant", "estimated_lubricant",
+      fmt::format("{} of {} by estimate; efficiency follows them", values, data_of(*l.name).name),
+      fmt::format("state {} where measured", keys)};
 }
 
 }  // namespace prs

@@ -11,6 +11,7 @@
 #include "contact/lubricant.h"
 #include "contact/viscosity.h"
 #include "prs/model/named_lubricants.h"
+#include "prs/model/warning.h"
 
 namespace prs {
 
@@ -68,8 +69,8 @@ Lubricant resolved(const Lubricant& lubricant);
 /// where no name changes it.
 std::string origin_of(std::string_view key, LubricantName name);
 
-/// Which values of a lubricant are estimates, and how to replace them; empty where all are stated.
-std::string estimates_note(const Lubricant& lubricant);
+/// Which values of a lubricant are estimates, and how to replace them; none where all are stated.
+std::optional<Warning> estimated_lubricant(const Lubricant& lubricant);
 
 /// Flanks that a film parts in part only (Olver and Spikes 1998), see `contact::Patch`.
 struct MixedFriction {

@@ -10,10 +10,14 @@
 
 namespace prs {
 
-/// What is wrong with one value of a case.
+/// What is wrong with an input: the one type that carries such a message, from the model, from a
+/// result that cannot be, or from the reader.
 struct Problem {
-  std::string path;     ///< Key path in the input: `structure.nut.length`.
+  std::string path;     ///< Key path in the input: `structure.nut.length`; empty where none is.
   std::string message;  ///< `got VALUE; expected WHAT; how to fix it`
+
+  std::string text() const { return path.empty() ? message : path + ": " + message; }
+  bool operator==(const Problem&) const = default;
 
   /// Whether it is fixed by adding what stands at the path.
   bool is_missing() const { return message.starts_with(kMissing); }

@@ -65,34 +65,35 @@ const VoidInput* find_void(const std::vector<VoidInput>& inputs, std::string_vie
   return nullptr;
 }
 
-std::vector<std::string> void_input_notes(const Case& c) {
-  std::vector<std::string> notes;
+std::vector<Warning> void_input_warnings(const Case& c) {
+  std::vector<Warning> warnings;
   const std::vector<VoidInput> inputs = void_inputs(c);
   for (const std::string_view overrides : {kBoth, kHertz}) {
     std::string paths;
     for (const VoidInput& input : inputs)
       if (input.overrides == overrides) paths += (paths.empty() ? "" : ", ") + input.path;
     if (!paths.empty())
-      notes.push_back(fmt::format(
-          "overridden by {}: no load or stiffness follows {}, only ellipses, pressures, "
-          "capacities and slip do; delete the overrides to compute all from the geometry",
-          overrides, paths));
+      warnings.push_back(
+          {"", overrides == kBoth ? "void_geometry" : "void_poisson_ratios",
+           fmt::format("overridden by {}: no load or stiffness follows {}, only ellipses, "
+                       "pressures, capacities and slip do",
+                       overrides, paths),
+           std::string(kDeleteOverrides)});
   }
-  return notes;
+  return warnings;
 }
 
-void add_preload_note(const Case& c, std::vector<std::string>& warnings) {
+void add_preload_note(const Case& c, std::vector<Warning>& warnings) {
   if (c.preload)
-    warnings.emplace_back(
-        "preload: the load cases are solved without preload; `prs preload` takes the block "
-        "`preload`");
+    warnings.push_back({"preload", "without_preload", "the load cases are solved without preload",
+                        "`prs preload` takes the block `preload`"});
 }
 
-void add_heat_note(const Case& c, std::vector<std::string>& warnings) {
+void add_heat_note(const Case& c, std::vector<Warning>& warnings) {
   if (c.heat)
-    warnings.emplace_back(
-        "heat: the load cases are solved with all parts at the reference temperature; `prs slip` "
-        "takes the block `heat`");
+    warnings.push_back({"heat", "without_heat",
+                        "the load cases are solved with all parts at the reference temperature",
+                        "`prs slip` takes the block `heat`"});
 }
 
 }  // namespace prs

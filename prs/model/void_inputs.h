@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "prs/model/case.h"
+#include "prs/model/warning.h"
 
 namespace prs {
 
@@ -25,15 +26,19 @@ struct VoidInput {
 /// nothing is solved then.
 std::vector<VoidInput> void_inputs(const Case& c);
 
+/// How each is no longer void.
+inline constexpr std::string_view kDeleteOverrides =
+    "delete the overrides to compute all from the geometry";
+
 /// The void input that a path names or leads into; null where none does.
 const VoidInput* find_void(const std::vector<VoidInput>& inputs, std::string_view path);
 
-/// Sentences for `prs check`: which inputs are void, why, and how they are not.
-std::vector<std::string> void_input_notes(const Case& c);
+/// Warnings of `prs check`: which inputs are void, why, and how they are not.
+std::vector<Warning> void_input_warnings(const Case& c);
 
 /// Adds that the load cases are solved one by one, each on the contacts that it closes.
-void add_preload_note(const Case& c, std::vector<std::string>& warnings);
+void add_preload_note(const Case& c, std::vector<Warning>& warnings);
 /// Adds that the load cases are solved with all parts at the reference temperature.
-void add_heat_note(const Case& c, std::vector<std::string>& warnings);
+void add_heat_note(const Case& c, std::vector<Warning>& warnings);
 
 }  // namespace prs

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "prs/loads/load_case_result.h"
 #include "prs/preload/preloaded_mechanism.h"
 #include "prs/threads/contact_laws.h"
 #include "prs/threads/geometry_warnings.h"
@@ -27,10 +28,13 @@ std::vector<double> loads_of(const LoadSweep& sweep) {
 /// `where` introduces the reason why a load did not converge, which becomes a warning.
 PreloadCurve curve_of(PreloadedMechanism& solvers, const std::vector<double>& loads,
                       double lost_motion_load, std::string_view where,
-                      std::vector<std::string>& warnings) {
+                      std::vector<Warning>& warnings) {
   const auto warn = [&](double load, const fe::NewtonSummary& summary) {
-    warnings.push_back(fmt::format("{}{:.6g} N: not converged: {}, relative residual {:.1e}", where,
-                                   load, fe::name(summary.status), summary.relative_residual));
+    warnings.push_back(
+        Warning{"", "not_converged",
+                fmt::format("{}{:.6g} N: not converged: {}, relative residual {:.1e}", where, load,
+                            fe::name(summary.status), summary.relative_residual)}
+            .with(summary.relative_residual));
   };
   const bool at_rest = std::ranges::all_of(
       kDirections, [&](Direction d) { return solvers[d].at_rest().solve.converged(); });
@@ -62,9 +66,7 @@ void warn_of_pressure(PreloadResult& result) {
         load = std::max(load, point.sides[d].max_normal_load[i]);
     const double pressure = contact::at_load(contact.hertz, load).peak_pressure;
     if (pressure > kStaticPressureLimit)
-      result.warnings.push_back(
-          fmt::format("preload.load: {} peak pressure {:.2f} GPa exceeds {:.1f} GPa", label(i),
-                      pressure * 1e-9, kStaticPressureLimit * 1e-9));
+      result.warnings.push_back(static_pressure_warning("preload.load", i, pressure));
   }
 }
 

@@ -30,7 +30,7 @@ struct PreloadResult {
   double lost_motion_load = 0.0;  ///< [N]
   PreloadCurve curve;
   std::optional<PreloadCurve> without_preload;  ///< Neither preload nor play; absent with play.
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 
   /// Axial load of each side at the screw without external load [N].
   double force() const { return at_rest.sides.tension.axial_load.screw; }

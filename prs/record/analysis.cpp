@@ -2,17 +2,15 @@
 
 namespace prs {
 
-void put_first(const std::vector<std::string>& values, std::vector<std::string>& warnings) {
-  for (const std::string& value : values) {
-    const std::string path = value.substr(0, value.find(": ") + 2);
-    std::erase_if(warnings, [&](const std::string& w) { return w.starts_with(path); });
-  }
+void put_first(const std::vector<Warning>& values, std::vector<Warning>& warnings) {
+  for (const Warning& value : values)
+    std::erase_if(warnings, [&](const Warning& w) { return w.path == value.path; });
   warnings.insert(warnings.begin(), values.begin(), values.end());
 }
 
-std::vector<std::string> as_notes(const std::vector<std::string>& warnings) {
-  std::vector<std::string> notes;
-  for (const std::string& text : warnings) notes.push_back("warning: " + text);
+std::vector<std::string> as_notes(const std::vector<Warning>& warnings) {
+  std::vector<std::string> notes = sentences(warnings);
+  for (std::string& note : notes) note.insert(0, "warning: ");
   return notes;
 }
 

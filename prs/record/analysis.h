@@ -48,13 +48,16 @@ struct Analysis {
   std::vector<std::string> (*without_figure)(const R&) = nullptr;
   bool (*converged)(const R&) = nullptr;
   std::vector<Headline> (*headlines)(const R&) = nullptr;
-  std::vector<std::string>& (*warnings)(R&) = [](R& result) -> std::vector<std::string>& {
+  /// Those on the whole case.
+  std::vector<Warning>& (*warnings)(R&) = [](R& result) -> std::vector<Warning>& {
     return result.warnings;
   };
+  /// Those of load cases, too; without it as `warnings`.
+  std::vector<Warning> (*all_warnings)(const R&) = nullptr;
   std::span<const std::string_view> responses = {};  ///< Of a study that lists none.
   bool takes_load_cases_apart = false;               ///< Each load case has an answer of its own.
 
-  const std::vector<std::string>& warnings_in(const R& result) const {
+  const std::vector<Warning>& warnings_in(const R& result) const {
     return warnings(const_cast<R&>(result));
   }
 };
@@ -84,9 +87,9 @@ struct AnyAnalysis {
 };
 
 /// Warnings on single values; what they bring about has no warning of its own.
-void put_first(const std::vector<std::string>& values, std::vector<std::string>& warnings);
+void put_first(const std::vector<Warning>& values, std::vector<Warning>& warnings);
 
-std::vector<std::string> as_notes(const std::vector<std::string>& warnings);
+std::vector<std::string> as_notes(const std::vector<Warning>& warnings);
 
 /// All forms of a result. What `run` finds wrong with the case is reported where it stands.
 template <class R, class Run>
@@ -94,16 +97,17 @@ Delivery delivered(const input::Source& source, const input::CaseInput& in,
                    const Analysis<R>& analysis, const Run& run) {
   using Json = nlohmann::ordered_json;
   R computed = input::compute_from(source, [&] { return run(source, in); });
-  std::vector<std::string>& warnings = analysis.warnings(computed);
-  put_first(in.warnings, warnings);
+  put_first(in.warnings, analysis.warnings(computed));
   Delivery d{std::string(analysis.file)};
-  d.warnings = warnings;
   const auto result = std::make_shared<const R>(std::move(computed));
   d.held = result;
   d.result_type = &typeid(R);
   d.document = [=](const DocumentInfo& info) { return document_of(analysis, *result, info); };
   d.table = [=] { return analysis.table(*result); };
-  d.notes = analysis.notes ? analysis.notes(*result) : as_notes(d.warnings);
+  d.warnings = [=] {
+    return analysis.all_warnings ? analysis.all_warnings(*result) : analysis.warnings_in(*result);
+  };
+  d.notes = analysis.notes ? analysis.notes(*result) : as_notes(d.warnings());
   if (analysis.full_table) d.full_table = [=] { return analysis.full_table(*result); };
   if (analysis.files)
     d.files = [=](const CsvStyle& style) { return analysis.files(*result, style); };

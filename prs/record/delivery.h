@@ -7,6 +7,7 @@
 #include <typeinfo>
 #include <vector>
 
+#include "prs/model/warning.h"
 #include "prs/record/csv_style.h"
 #include "prs/record/document.h"
 #include "prs/record/output_file.h"
@@ -27,9 +28,9 @@ struct Headline {
 struct Delivery {
   std::string file;  ///< Name of the document in the output folder: `slip.json`.
   std::function<nlohmann::ordered_json(const DocumentInfo&)> document = {};
-  std::function<std::string()> table = {};  ///< On a terminal.
-  std::vector<std::string> notes = {};      ///< To whom the document is printed.
-  std::vector<std::string> warnings = {};   ///< On the whole input, as the document has them.
+  std::function<std::string()> table = {};              ///< On a terminal.
+  std::vector<std::string> notes = {};                  ///< To whom the document is printed.
+  std::function<std::vector<Warning>()> warnings = {};  ///< Those of load cases name them.
   std::function<std::vector<OutputFile>(const CsvStyle&)> files = {};  ///< Beside the document.
   std::function<Pictures()> pictures = {};  ///< They may refer to what the other forms hold.
   bool keeps_figures = false;  ///< As data in a file too, for reports that are made later.

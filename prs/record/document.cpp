@@ -14,7 +14,7 @@ std::string dumped(const Json& document) {
 
 }  // namespace
 
-Json document_head(const DocumentInfo& info, const std::vector<std::string>& warnings) {
+Json document_head(const DocumentInfo& info, const std::vector<Warning>& warnings) {
   Json document;
   document["prs_version"] = info.version;
   document["schema_version"] = info.schema_version;
@@ -22,7 +22,7 @@ Json document_head(const DocumentInfo& info, const std::vector<std::string>& war
   if (!info.case_file.empty()) document["case_file"] = info.case_file;
   if (!info.input_sha256.empty()) document["input_sha256"] = info.input_sha256;
   if (!info.overrides.empty()) document["overrides"] = info.overrides;
-  document["warnings"] = warnings;
+  document["warnings"] = sentences(warnings);
   if (info.resolved_input) document["resolved_input"] = info.resolved_input();
   return document;
 }

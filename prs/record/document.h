@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "prs/model/warning.h"
+
 namespace prs {
 
 /// What every document says of its origin.
@@ -24,7 +26,7 @@ struct DocumentInfo {
 
 /// How every document begins: its origin and the warnings on the whole input.
 nlohmann::ordered_json document_head(const DocumentInfo& info,
-                                     const std::vector<std::string>& warnings);
+                                     const std::vector<Warning>& warnings);
 
 /// Text of a document, two spaces deep, with a newline at the end. Malformed UTF-8 becomes U+FFFD.
 std::string json_text(const nlohmann::ordered_json& document);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
+#include <iterator>
 
 #include "prs/model/void_inputs.h"
 #include "prs/output/run_files.h"
@@ -20,16 +21,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::vector<WarningGroup> warnings_of(const Findings& all) {
-  WarningGroups groups;
-  const auto take = [&](const Json& document) {
-    for (const Json& text : under(document, "warnings")) groups.add(text.get<std::string>());
-    for (const Json& load_case : under(document, "load_cases"))
-      for (const Json& text : under(load_case, "warnings"))
-        groups.add(text.get<std::string>(), load_case.value("name", ""));
-  };
-  take(all.check);
-  for (const CommandAnswer& answer : all.answers) take(answer.document);
-  return std::move(groups).take();
+  std::vector<Warning> warnings = all.of_check;
+  for (const CommandAnswer& answer : all.answers)
+    std::ranges::move(answer.delivery.warnings(), std::back_inserter(warnings));
+  return grouped(warnings);
 }
 
 /// By what was computed; `failures` of commands that found the case wrong.
@@ -96,7 +91,9 @@ Findings findings_of(input::Source source, ReportOptions options,
   Findings all = nothing_of(std::move(source), in);
   all.options = std::move(options);
   for (const VoidInput& input : void_inputs(in.values)) all.void_paths.push_back(input.path);
-  all.check = run_check(all.source, in).document(document_info(all.source, Command::check));
+  const Delivery check = run_check(all.source, in);
+  all.check = check.document(document_info(all.source, Command::check));
+  all.of_check = check.warnings();
   std::vector<Attempt> failures;
   for (const Command command : commands) {
     if (!input::missing(in, command).empty()) continue;
@@ -125,7 +122,7 @@ Findings quick_findings_of(input::Source source, FullSolver& full) {
   in.optimize.reset();
   in.fields.clear();  // Shown when the values rest.
   Findings all = nothing_of(std::move(source), in);
-  all.check["warnings"] = run_check(all.source, in).warnings;
+  all.of_check = run_check(all.source, in).warnings();
   if (input::missing(in, Command::solve).empty())
     add_answer(all, Command::solve, run_solve(all.source, in, {.full = &full}));
   else

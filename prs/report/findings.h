@@ -44,7 +44,8 @@ struct Findings {
   nlohmann::ordered_json check;
   std::vector<CommandAnswer> answers;
   std::vector<StoredRun> studies;
-  std::vector<WarningGroup> warnings;
+  std::vector<Warning> of_check;       ///< What it warns of.
+  std::vector<WarningGroup> warnings;  ///< Of all that was computed.
   CaseVerdict verdict;
   std::vector<std::string> notes;
   std::vector<std::string> void_paths;  ///< Inputs that overrides stand in for.

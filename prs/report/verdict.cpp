@@ -167,7 +167,7 @@ std::string warning_list(const Findings& all) {
   std::string text = "<ul class=\"warnings\">\n";
   for (const WarningGroup& warning : all.warnings)
     text += fmt::format(
-        "<li>{}{}</li>\n", html(in_table_units(warning.whole())),
+        "<li>{}{}</li>\n", html(in_table_units(warning.text())),
         warning.cases.empty() ? "" : fmt::format(" <small>{}</small>", html(warning.where())));
   return text + "</ul>\n";
 }

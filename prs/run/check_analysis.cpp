@@ -18,6 +18,7 @@
 #include "prs/loads/load_case_result.h"
 #include "prs/loads/load_json.h"
 #include "prs/loads/load_pictures.h"
+#include "prs/loads/warnings.h"
 #include "prs/measures/analyze_measures.h"
 #include "prs/model/case_error.h"
 #include "prs/model/void_inputs.h"
@@ -29,26 +30,24 @@ namespace prs {
 namespace {
 
 /// What `solve` finds unusual about the largest loads, and `life` about those of its block.
-std::vector<std::string> solved_load_warnings(const input::Source& source,
-                                              const input::CaseInput& in, double largest) {
-  std::vector<std::string> warnings;
+std::vector<Warning> solved_load_warnings(const input::Source& source, const input::CaseInput& in,
+                                          double largest) {
   Case c = in.values;
   std::erase_if(c.load_cases,
                 [&](const LoadCase& load) { return std::abs(load.axial_force) < largest; });
-  for (LoadCaseResult& load : analyze(c).load_cases)
-    std::ranges::move(load.warnings, std::back_inserter(warnings));
+  std::vector<Warning> warnings = all_warnings({}, analyze(c).load_cases);
   if (input::unmet(in, Command::life).empty())
     std::ranges::move(life_of(source, in).warnings, std::back_inserter(warnings));
   return warnings;
 }
 
 /// With equal shares, the least that its most loaded threads carry.
-std::vector<std::string> equal_share_warnings(const LoadCase& load, const Contacts& contacts) {
+std::vector<Warning> equal_share_warnings(const LoadCase& load, const Contacts& contacts) {
   if (!contacts.interfaces.screw.has_hertz() || !contacts.interfaces.nut.has_hertz()) return {};
   LoadCaseResult loaded = equal_share_result(load, contacts);
   add_warnings(loaded, contacts);
-  for (std::string& text : loaded.warnings) text += ", even with equal shares";
-  return std::move(loaded.warnings);
+  for (Warning& warning : loaded.warnings) warning.what += ", even with equal shares";
+  return all_warnings({}, {std::move(loaded)});
 }
 
 /// Where solving takes no more than the share of one roller, those of `solve` and `life`.
@@ -58,7 +57,7 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
   const auto largest = std::ranges::max_element(c.load_cases, {}, force);
   const bool is_quick = c.model.mechanism == ModelOptions::Mechanism::sector &&
                         c.model.bodies != ModelOptions::Bodies::influence;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   try {
     if (is_quick && input::unmet(in, Command::solve).empty())
       warnings = solved_load_warnings(source, in, force(*largest));
@@ -67,9 +66,9 @@ void warn_of_loads(const input::Source& source, const input::CaseInput& in, Resu
   } catch (const CaseError&) {  // The command that cannot run says why.
   } catch (const input::InputError&) {
   }
-  for (std::string& text : warnings)
-    if (std::ranges::find(geometry.warnings, text) == geometry.warnings.end())
-      geometry.warnings.push_back(std::move(text));
+  for (Warning& warning : warnings)
+    if (std::ranges::find(geometry.warnings, warning) == geometry.warnings.end())
+      geometry.warnings.push_back(std::move(warning));
 }
 
 /// Reads and checks the study and the optimization of the source too.
@@ -85,9 +84,9 @@ CheckResult checked(const input::Source& source, const input::CaseInput& in) {
   geometry.warnings = geometry_warnings(c, geometry.contacts, c.load_cases);
   // What odd values bring about is not told again.
   if (in.warnings.empty()) warn_of_loads(source, in, geometry);
-  if (std::optional<std::string> note = unknown_film_ratio(c))
+  if (std::optional<Warning> note = unknown_film_ratio(c))
     geometry.warnings.push_back(std::move(*note));
-  for (std::string& note : void_input_notes(c)) geometry.warnings.push_back(std::move(note));
+  for (Warning& note : void_input_warnings(c)) geometry.warnings.push_back(std::move(note));
   return result;
 }
 
@@ -159,7 +158,7 @@ const Analysis<CheckResult>& check_analysis() {
             for (Picture& picture : pictures) picture.drawn = Picture::Drawn::by_name;
             return pictures;
           },
-      .warnings = [](CheckResult& r) -> std::vector<std::string>& { return r.geometry.warnings; }};
+      .warnings = [](CheckResult& r) -> std::vector<Warning>& { return r.geometry.warnings; }};
   return analysis;
 }
 

@@ -75,7 +75,7 @@ struct ResultRow {
 
 struct CaseComparison {
   std::array<DocumentInfo, 2> info;
-  std::array<std::vector<std::string>, 2> warnings;
+  std::array<std::vector<Warning>, 2> warnings;
   std::vector<InputRow> inputs;
   std::vector<ResultRow> results;
   std::vector<std::string> notes;
@@ -195,7 +195,7 @@ CaseComparison compared(const input::Source& first, const input::Source& second)
   for (std::size_t k = 0; k < 2; ++k) {
     in[k] = input::read_case_input(*sources[k], Command::check);
     c.info[k] = document_info(*sources[k], Command::compare);
-    c.warnings[k] = analysis_of(Command::check).run(*sources[k], in[k]).warnings;
+    c.warnings[k] = analysis_of(Command::check).run(*sources[k], in[k]).warnings();
   }
   c.inputs = differing_inputs(in[0].fields, in[1].fields);
   for (const Headlines& of : headlines()) {
@@ -230,7 +230,7 @@ Json document(const CaseComparison& c, const DocumentInfo& info) {
   Json json = document_head(info, c.warnings[0]);
   json["other"] = {{"case_file", c.info[1].case_file},
                    {"input_sha256", c.info[1].input_sha256},
-                   {"warnings", c.warnings[1]}};
+                   {"warnings", sentences(c.warnings[1])}};
   json["inputs"] = Json::array();
   json["results"] = Json::array();
   for (const InputRow& row : c.inputs)
@@ -275,8 +275,9 @@ std::string table(const CaseComparison& c) {
   for (const std::string& note : c.notes) text += wrapped(printable(note), "", kTableWidth);
   for (std::size_t k = 0; k < 2; ++k) {
     std::string alone;
-    for (const std::string& warning : c.warnings[k])
-      if (std::ranges::find(c.warnings[1 - k], warning) == c.warnings[1 - k].end())
+    const std::vector<std::string> others = sentences(c.warnings[1 - k]);
+    for (const std::string& warning : sentences(c.warnings[k]))
+      if (std::ranges::find(others, warning) == others.end())
         alone += wrapped(printable(warning), "  ", kTableWidth);
     if (!alone.empty())
       text += fmt::format("\nWarnings of {} alone\n{}", printable(c.info[k].case_file), alone);
@@ -313,7 +314,7 @@ std::string csv(const CaseComparison& c, const CsvStyle& style) {
 Delivery compare_cases(const input::Source& first, const input::Source& second) {
   const auto c = std::make_shared<const CaseComparison>(compared(first, second));
   Delivery d{"comparison.json", [=](const DocumentInfo& info) { return document(*c, info); },
-             [=] { return table(*c); }, c->notes, c->warnings[0]};
+             [=] { return table(*c); }, c->notes, [=] { return c->warnings[0]; }};
   d.files = [=](const CsvStyle& style) {
     return std::vector<OutputFile>{{"differences.csv", csv(*c, style)}};
   };

@@ -81,16 +81,15 @@ bool is_of_geometry(std::string_view response) {
 }
 
 /// `still`: the responses that do not follow the factor.
-std::string void_warning(const std::string& path, const std::vector<std::string>& still,
-                         std::string_view overrides) {
+Warning void_warning(const std::string& path, const std::vector<std::string>& still,
+                     std::string_view overrides) {
   std::string named;
   if (!still.empty())
     named = still.size() == 1 ? fmt::format(" ({})", still[0])
                               : fmt::format(" ({} and {} more)", still[0], still.size() - 1);
-  return fmt::format(
-      "{} moves no load or stiffness{}: overridden by {}; delete the overrides to "
-      "compute all from the geometry",
-      path, named, overrides);
+  return {path, "void_factor",
+          fmt::format("moves no load or stiffness{}: overridden by {}", named, overrides),
+          std::string(kDeleteOverrides)};
 }
 
 /// What changes with a factor is void too.
@@ -99,16 +98,14 @@ const VoidInput* void_factor(const std::vector<VoidInput>& inputs, const Factor&
   return std::ranges::all_of(factor.companions, is_void) ? find_void(inputs, factor.path) : nullptr;
 }
 
-std::string idle_warning(const Factor& factor) {
-  return fmt::format(
-      "{} moved no response: all stay the same to the last digit; add a response that follows it, "
-      "or delete the factor",
-      factor.path);
+Warning idle_warning(const Factor& factor) {
+  return {factor.path, "idle_factor", "moved no response: all stay the same to the last digit",
+          "add a response that follows it, or delete the factor"};
 }
 
 /// Factors by which no response has a derivative other than 0.
-std::vector<std::string> idle_warnings(const CaseDerivatives& result) {
-  std::vector<std::string> warnings;
+std::vector<Warning> idle_warnings(const CaseDerivatives& result) {
+  std::vector<Warning> warnings;
   for (std::size_t f = 0; f < result.factors.size(); ++f) {
     const auto is_zero = [](const std::optional<Derivative>& d) { return d && d->value == 0.0; };
     const auto& responses = result.factors[f].responses;
@@ -128,13 +125,13 @@ CaseDerivatives run_derivatives(const input::StudyInput& in) {
   CaseDerivatives result =
       input::compute_from(in.source, [&] { return with_responses_of(in, case_derivatives); });
   result.warnings = void_factor_warnings(in, result.study.responses);
-  for (std::string& warning : idle_warnings(result)) result.warnings.push_back(std::move(warning));
+  for (Warning& warning : idle_warnings(result)) result.warnings.push_back(std::move(warning));
   return result;
 }
 
-std::vector<std::string> void_factor_warnings(const input::StudyInput& in,
-                                              const std::vector<std::string>& responses) {
-  std::vector<std::string> warnings;
+std::vector<Warning> void_factor_warnings(const input::StudyInput& in,
+                                          const std::vector<std::string>& responses) {
+  std::vector<Warning> warnings;
   if (in.study.command == Command::contact || std::ranges::all_of(responses, is_of_geometry))
     return warnings;
   // Which inputs are void depends on the model of the bodies.
@@ -152,10 +149,10 @@ std::vector<std::string> void_factor_warnings(const input::StudyInput& in,
   return warnings;
 }
 
-std::vector<std::string> study_warnings(const input::StudyInput& in, const StudyResult& result,
-                                        const std::function<const DesignEngine&()>& engine) {
+std::vector<Warning> study_warnings(const input::StudyInput& in, const StudyResult& result,
+                                    const std::function<const DesignEngine&()>& engine) {
   const Study& study = result.study;
-  std::vector<std::string> warnings = void_factor_warnings(in, study.responses);
+  std::vector<Warning> warnings = void_factor_warnings(in, study.responses);
   std::vector<std::size_t> idle = result.summary.idle_factors;
   if (is_sampled(study.plan) && study.plan != Plan::sobol_indices) {
     if (engine)
@@ -165,9 +162,10 @@ std::vector<std::string> study_warnings(const input::StudyInput& in, const Study
                                return engine().evaluate(designs);
                              });
     else
-      warnings.push_back(
-          "study: whether each factor moves a response was not looked at, which takes the force "
-          "history; run the study in one piece for that");
+      warnings.push_back({"study", "idle_factors_unknown",
+                          "whether each factor moves a response was not looked at, which "
+                          "takes the force history",
+                          "run the study in one piece for that"});
   }
   for (const std::size_t f : idle) warnings.push_back(idle_warning(study.factors[f]));
   return warnings;

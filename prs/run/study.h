@@ -25,14 +25,14 @@ Evaluate evaluate_with(const DesignEngine& engine, const std::function<bool()>& 
 
 /// Warnings on factors that change neither loads nor stiffness because the file overrides what they
 /// would change: one sentence per factor, with the responses that do not follow it.
-std::vector<std::string> void_factor_warnings(const input::StudyInput& in,
-                                              const std::vector<std::string>& responses);
+std::vector<Warning> void_factor_warnings(const input::StudyInput& in,
+                                          const std::vector<std::string>& responses);
 
 /// These warnings, and those on factors that moved no response. `engine` is called only where
 /// designs that differ in one factor alone are missing; it must be that of the result's study.
 /// Empty: a warning says that these factors were not looked at.
-std::vector<std::string> study_warnings(const input::StudyInput& in, const StudyResult& result,
-                                        const std::function<const DesignEngine&()>& engine);
+std::vector<Warning> study_warnings(const input::StudyInput& in, const StudyResult& result,
+                                    const std::function<const DesignEngine&()>& engine);
 
 /// What the rows of a study depend on, as one hash: program, file, overrides and the force history
 /// that they refer to.

@@ -163,7 +163,7 @@ DrivenBy driven_by(const SlipModel& model) {
 }
 
 void warn_of_lubrication(const SlipResult& slip, const Friction& friction,
-                         std::vector<std::string>& warnings) {
+                         std::vector<Warning>& warnings) {
   if (friction.model == Friction::Model::mixed) return;
   const bool jacod = friction.model == Friction::Model::jacod;
   if (!jacod && friction.coefficient >= kTouchingFriction) return;
@@ -172,19 +172,20 @@ void warn_of_lubrication(const SlipResult& slip, const Friction& friction,
     for (const double ratio : slip.threads[i].film_ratio)
       if (ratio > 0.0) least = std::min(least, ratio);
     if (least < kFullFilm)
-      warnings.push_back(fmt::format(
-          "roughness: {} lubrication at the {} contacts: film over roughness is {:.2f} at the "
-          "least; {}",
-          lubrication(least), label(i), least,
-          jacod ? "real friction is higher than that of the full film computed here: take "
-                  "`friction: {model: {mixed: {boundary: 0.11}}}`"
-                : "take a friction coefficient of surfaces that touch"));
+      warnings.push_back(
+          Warning{"roughness", fmt::format("{}_lubrication", name(i)),
+                  fmt::format("{} lubrication at the {} contacts: film over roughness is {{value}} "
+                              "at the least",
+                              lubrication(least), label(i)),
+                  jacod ? "real friction is higher than that of the full film computed here: take "
+                          "`friction: {model: {mixed: {boundary: 0.11}}}`"
+                        : "take a friction coefficient of surfaces that touch"}
+              .with(least, kFullFilm, {}, Warning::Worse::smaller));
   }
 }
 
 /// Where the formula of the central film does not know the way that an interface rolls.
-void warn_of_film(const SlipModel& model, const SlipResult& slip,
-                  std::vector<std::string>& warnings) {
+void warn_of_film(const SlipModel& model, const SlipResult& slip, std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces) {
     const double along_major = slip.threads[i].along_major;
     if (slip.threads[i].central_film.empty() || model.threads[i].contacts.empty()) continue;
@@ -193,26 +194,33 @@ void warn_of_film(const SlipModel& model, const SlipResult& slip,
         contact::rolling_radius_ratio(model.threads[i].contacts.front().film, along_major);
     const bool follows = model.film_direction == contact::FilmDirection::rolling;
     if (!follows && along_major > 0.5)
-      warnings.push_back(fmt::format(
-          "lubricant.film: the {} contacts roll {:.0f} deg off the major axis of their ellipse, "
-          "and their central film is that of rolling along the minor one; for the true direction "
-          "take `film: {{direction: rolling}}`, another formula, whose films are about 20 % "
-          "thinner at this contact",
-          label(i), off_major));
-    if (follows && (ratio < contact::kLeastRollingRatio || ratio > contact::kGreatestRollingRatio))
-      warnings.push_back(fmt::format(
-          "lubricant.film: the {} contacts roll {:.0f} deg off the major axis of their ellipse, "
-          "with "
-          "{:.3g} times the radius across it as along it; the film's formula is made for {:g} to "
-          "{:g}: take it as an estimate",
-          label(i), off_major, ratio, contact::kLeastRollingRatio, contact::kGreatestRollingRatio));
+      warnings.push_back(
+          Warning{"lubricant.film", fmt::format("{}_film_direction", name(i)),
+                  fmt::format("the {} contacts roll {:.0f} deg off the major axis of their "
+                              "ellipse, and their central film is that of rolling along the minor "
+                              "one",
+                              label(i), off_major),
+                  "for the true direction take `film: {direction: rolling}`, another formula, "
+                  "whose films are about 20 % thinner at this contact"}
+              .with(off_major / per_si::degree, {}, text_unit::degree, Warning::Worse::smaller));
+    const bool low = ratio < contact::kLeastRollingRatio;
+    if (follows && (low || ratio > contact::kGreatestRollingRatio))
+      warnings.push_back(
+          Warning{"lubricant.film", fmt::format("{}_film_range", name(i)),
+                  fmt::format("the {} contacts roll {:.0f} deg off the major axis of their "
+                              "ellipse, with {{value}} times the radius across it as along it; "
+                              "the film's formula is made for {:g} to {:g}",
+                              label(i), off_major, contact::kLeastRollingRatio,
+                              contact::kGreatestRollingRatio),
+                  "take it as an estimate"}
+              .with(ratio, low ? contact::kLeastRollingRatio : contact::kGreatestRollingRatio, {},
+                    low ? Warning::Worse::smaller : Warning::Worse::larger));
   }
 }
 
-/// A note where friction takes more power than still air around a nut takes from it, and nothing
+/// A warning where friction takes more power than still air around a nut takes from it, and nothing
 /// says where that goes.
-std::optional<std::string> unknown_heat_flow(const Conditions& c, const Mechanism& m,
-                                             double power) {
+std::optional<Warning> unknown_heat_flow(const Conditions& c, const Mechanism& m, double power) {
   if (c.heat) return std::nullopt;
   const double diameter = c.structure ? c.structure->nut.outer_diameter : *m.pitch_diameter.nut;
   const double length =
@@ -220,54 +228,56 @@ std::optional<std::string> unknown_heat_flow(const Conditions& c, const Mechanis
   const double in_air = kStillAir * std::numbers::pi * diameter * length;
   const double needed = power / (kWarmParts - kSurroundings);
   if (needed <= in_air) return std::nullopt;
-  return fmt::format(
-      "heat: missing, so that temperatures are not known: to stay at {:.0f} degC in {:.0f} degC, "
-      "the mechanism must pass its {:.0f} W on by {:.3g} W/K, and still air takes {:.2g} W/K from "
-      "a "
-      "bare nut; add `heat`",
-      kWarmParts - 273.15, kSurroundings - 273.15, power, needed, in_air);
+  return Warning{
+      "heat", "unknown_temperatures",
+      fmt::format("missing, so that temperatures are not known: to stay at {:.0f} degC in "
+                  "{:.0f} degC, the mechanism must pass its {:.0f} W on by {{value}}, and "
+                  "still air takes {{limit}} from a bare nut",
+                  kWarmParts - 273.15, kSurroundings - 273.15, power),
+      "add `heat`"}
+      .with(needed, in_air, text_unit::watt_per_kelvin);
 }
 
 void warn_of_running_pressure(const PerInterface<InterfaceLoads>& threads, const LoadCase& load,
-                              std::vector<std::string>& warnings) {
+                              std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces)
     if (const auto& pressure = threads[i].peak_pressure; !pressure.empty())
-      if (const auto note =
-              running_pressure_note(i, *std::max_element(pressure.begin(), pressure.end())))
-        warnings.push_back(fmt::format("{}: {}", path_in(load, "axial_force"), *note));
+      if (auto warning =
+              running_pressure_warning(path_in(load, "axial_force"), i, std::ranges::max(pressure)))
+        warnings.push_back(std::move(*warning));
 }
 
 void warn(const SlipResult& slip, const Friction& friction, const LoadCase& load,
-          std::vector<std::string>& warnings) {
+          std::vector<Warning>& warnings) {
   const std::string speed = load.speed ? path_in(load, "speed") : "operation.speed";
   if (slip.status == SlipStatus::jammed)
-    warnings.push_back(
-        "friction: slip: a contact jams: its friction takes more of the axial load than its normal "
-        "load "
-        "gives; expect the screw to stick");
+    warnings.push_back({"friction", "jammed",
+                        "slip: a contact jams: its friction takes more of the axial load "
+                        "than its normal load gives; expect the screw to stick"});
   else if (!slip.converged())
     warnings.push_back(
-        fmt::format("carrier: slip: {}: no slip ratio balances the moment on a roller; check the "
-                    "carrier's torques",
-                    name(slip.status)));
+        {"carrier", "no_slip_ratio",
+         fmt::format("slip: {}: no slip ratio balances the moment on a roller", name(slip.status)),
+         "check the carrier's torques"});
   if (!slip.converged()) return;
   if (slip.self_locking.value_or(false))
-    warnings.push_back(fmt::format(
-        "{}: the load helps, but the screw is self-locking: only a torque of {:.4g} N m in the "
-        "sense of the motion turns it, and there is no efficiency",
-        speed, *slip.holding_torque));
+    warnings.push_back(Warning{speed, "self_locking",
+                               "the load helps, but the screw is self-locking: only a torque of "
+                               "{value} in the sense of the motion turns it, and there is no "
+                               "efficiency"}
+                           .with(*slip.holding_torque, {}, text_unit::newton_metre));
   if (slip.optimality > 1.0 + 1e-12)
-    warnings.push_back(
-        fmt::format("carrier: the carrier is driven by its torques: the slip ratio {:.6f} "
-                    "lies beyond the ideal one, {:.6f}",
-                    slip.slip_ratio, slip.ideal_slip_ratio));
+    warnings.push_back(Warning{"carrier", "driven_carrier",
+                               "the carrier is driven by its torques: the slip ratio {value} lies "
+                               "beyond the ideal one, {limit}"}
+                           .with(slip.slip_ratio, slip.ideal_slip_ratio));
   if (std::ranges::all_of(kInterfaces, [&](Interface i) {
         return std::ranges::max(slip.threads[i].max_sliding_speed) < contact::kNoDirection;
       }))
-    warnings.push_back(fmt::format(
-        "{}: nothing slides faster than 1e-11 m/s, where friction has no direction any more: the "
-        "power lost is not that of a moving screw",
-        speed));
+    warnings.push_back(Warning{speed, "no_sliding",
+                               "nothing slides faster than {limit}, where friction has no "
+                               "direction any more: the power lost is not that of a moving screw"}
+                           .with({}, contact::kNoDirection, text_unit::metre_per_second));
   warn_of_lubrication(slip, friction, warnings);
 }
 
@@ -333,10 +343,13 @@ std::string_view lubrication(double film_ratio) {
   return film_ratio < kTouchingFlanks ? "boundary" : film_ratio < kFullFilm ? "mixed" : "full film";
 }
 
-std::optional<std::string> unknown_film_ratio(const Conditions& c) {
+std::optional<Warning> unknown_film_ratio(const Conditions& c) {
   if (!c.lubricant || c.roughness) return std::nullopt;
-  return "roughness: missing, so that film over roughness, and with it the kind of lubrication, is "
-         "not known; add `roughness: 0.4 um`, for example: the Rq of the ground flanks";
+  return Warning{
+      "roughness", "unknown_film_ratio",
+      "missing, so that film over roughness, and with it the kind of lubrication, is not "
+      "known",
+      "add `roughness: 0.4 um`, for example: the Rq of the ground flanks"};
 }
 
 bool rolls(const contact::MechanismGeometry& threads) {
@@ -412,7 +425,7 @@ Result analyze_slip(const Conditions& c, Contacts contacts, AnalysisOptions opti
   Result result = loaded_threads_of(c, std::move(contacts), options);
   require_kinematics(result.contacts.threads);
   if (options.detail == Detail::complete)
-    if (std::optional<std::string> note = unknown_film_ratio(c))
+    if (std::optional<Warning> note = unknown_film_ratio(c))
       result.warnings.push_back(std::move(*note));
   const SlipModels models(c, result.contacts, oils ? *oils : oils_in_operation(c));
   for (LoadCaseResult& loaded : result.load_cases) {

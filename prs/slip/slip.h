@@ -56,8 +56,8 @@ inline constexpr double kFullFilm = 3.0, kTouchingFlanks = 1.0;
 /// `boundary`, `mixed` or `full film`.
 std::string_view lubrication(double film_ratio);
 
-/// A note where the film of a lubricant cannot be compared with the roughness of the flanks.
-std::optional<std::string> unknown_film_ratio(const Conditions& c);
+/// A warning where the film of a lubricant cannot be compared with the roughness of the flanks.
+std::optional<Warning> unknown_film_ratio(const Conditions& c);
 
 /// Moments on a roller along the slip ratio: one curve of Sandu 2018, fig. 3.6.
 struct ResidueCurve {

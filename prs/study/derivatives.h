@@ -26,7 +26,7 @@ struct CaseDerivatives {
   Study study;  ///< Its responses are those recorded.
   std::vector<std::optional<double>> values;
   std::vector<FactorDerivatives> factors;
-  std::vector<std::string> warnings = {};
+  std::vector<Warning> warnings = {};
 };
 
 /// Derivatives of the base case of a `derivatives` study. The load distribution q(x) of a load case

@@ -76,7 +76,7 @@ DesignStatus status_after(Compute compute) {
   } catch (const input::InputError& error) {
     return {"refused", error.what()};
   } catch (const CaseError& error) {
-    return {"refused", fmt::format("{}: {}", error.path(), error.what())};
+    return {"refused", error.problem().text()};
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "prs/model/study.h"
+#include "prs/model/warning.h"
 #include "prs/study/analysis.h"
 #include "prs/study/row_block.h"
 
@@ -29,7 +30,7 @@ struct StudyResult {
   std::size_t refused = 0;
   std::size_t failed = 0;  ///< Not converged, or failed.
   StudySummary summary;
-  std::vector<std::string> warnings = {};
+  std::vector<Warning> warnings = {};
 
   const StudyRow& base() const { return rows.front(); }
 };

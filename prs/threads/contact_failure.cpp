@@ -47,9 +47,9 @@ contact::ThreadPair pair_of(const contact::MechanismGeometry& threads, Interface
   return i == Interface::screw ? contact::screw_pair(threads) : contact::nut_pair(threads);
 }
 
-ContactFailure why_no_contact(const contact::MechanismGeometry& threads,
-                              const contact::InterfaceGeometry& geometry,
-                              contact::HertzStatus hertz, Interface i) {
+Problem why_no_contact(const contact::MechanismGeometry& threads,
+                       const contact::InterfaceGeometry& geometry, contact::HertzStatus hertz,
+                       Interface i) {
   using Status = contact::ContactPointStatus;
   switch (geometry.point.status) {
     case Status::ok:

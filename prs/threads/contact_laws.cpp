@@ -15,9 +15,9 @@ void require(const Contacts& contacts, const PerInterface<bool>& lacks, std::str
   std::string path, message;
   for (const Interface i : kInterfaces) {
     if (!lacks[i]) continue;
-    const ContactFailure why = failure(contacts, i);
+    const Problem why = failure(contacts, i);
     if (path.empty()) path = why.path;
-    message += fmt::format("the {} threads give no Hertz contact: {}; ", label(i), why.reason);
+    message += fmt::format("the {} threads give no Hertz contact: {}; ", label(i), why.message);
   }
   if (!path.empty()) throw CaseError(path, message.append(fix));
 }

@@ -32,18 +32,20 @@ void add_hertz(InterfaceContact& c, const Material& body, const Material& roller
                                                 std::min(body.poisson_ratio, roller.poisson_ratio));
 }
 
-void warn_of_missing_contacts(const Contacts& c, std::vector<std::string>& warnings) {
+void warn_of_missing_contacts(const Contacts& c, std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces) {
     const InterfaceContact& contact = c.interfaces[i];
     const bool wants_hertz = contact.geometry.ok() && contact.contact_modulus > 0.0;
     if (!contact.geometry.ok() || (wants_hertz && !contact.hertz.ok()))
-      warnings.push_back(fmt::format(
-          "{}: the {} threads give no Hertz contact ({}): ellipses and pressures are absent",
-          failure(c, i).path, label(i), failure(c, i).reason));
+      warnings.push_back(
+          {failure(c, i).path, fmt::format("{}_without_hertz_contact", name(i)),
+           fmt::format(
+               "the {} threads give no Hertz contact ({}): ellipses and pressures are absent",
+               label(i), failure(c, i).message)});
   }
 }
 
-void warn_of_interference(const Contacts& c, std::vector<std::string>& warnings) {
+void warn_of_interference(const Contacts& c, std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces) {
     const contact::ContactPoint& point = c.interfaces[i].geometry.point;
     const contact::Thread& body = i == Interface::screw ? c.threads.screw : c.threads.nut;
@@ -52,44 +54,48 @@ void warn_of_interference(const Contacts& c, std::vector<std::string>& warnings)
       continue;
     const bool stated = c.mechanism.geometry == Mechanism::Geometry::design;
     const std::string_view part = name(body_of(i));
-    std::string text = fmt::format("{}.{}: the {} threads interfere: backlash {:.4g} mm",
-                                   stated ? "mechanism.backlash" : "mechanism.pitch_diameter", part,
-                                   label(i), point.backlash * per_si::millimetre);
+    Warning warning =
+        Warning{
+            fmt::format("{}.{}", stated ? "mechanism.backlash" : "mechanism.pitch_diameter", part),
+            "interference", fmt::format("the {} threads interfere: backlash {{value}}", label(i))}
+            .with(point.backlash, {}, text_unit::millimetre, Warning::Worse::smaller);
     const double share = -point.backlash / body.pitch;
-    if (share > kTouchingInterference)
-      text +=
-          fmt::format(", {:.0f} % of the pitch: pitch cylinders that touch give up to {:.0f} %; {}",
-                      share * per_si::percent, kTouchingInterference * per_si::percent,
-                      stated ? "write a backlash of 0 or more, and `preload` for oversized rollers"
-                             : "check pitch diameters, centre distance and thread thickness");
-    warnings.push_back(std::move(text));
+    if (share > kTouchingInterference) {
+      warning.what +=
+          fmt::format(", {:.0f} % of the pitch: pitch cylinders that touch give up to {:.0f} %",
+                      share * per_si::percent, kTouchingInterference * per_si::percent);
+      warning.fix = stated ? "write a backlash of 0 or more, and `preload` for oversized rollers"
+                           : "check pitch diameters, centre distance and thread thickness";
+    }
+    warnings.push_back(std::move(warning));
   }
 }
 
-void warn_of_conformity(const Contacts& c, std::vector<std::string>& warnings) {
+void warn_of_conformity(const Contacts& c, std::vector<Warning>& warnings) {
   for (const Interface i : kInterfaces) {
     const contact::InterfaceGeometry& g = c.interfaces[i].geometry;
     if (g.ok() && g.openness() < kConformity)
       warnings.push_back(
-          fmt::format("mechanism.profile: the {} contact is closely conforming: its smallest "
-                      "relative curvature is {:.2g} of the "
-                      "roller's, and Hertz's half-spaces lose their meaning",
-                      label(i), g.openness()));
+          Warning{"mechanism.profile", fmt::format("{}_conformity", name(i)),
+                  fmt::format("the {} contact is closely conforming: its smallest relative "
+                              "curvature is {{value}} of the roller's, and Hertz's half-spaces "
+                              "lose their meaning",
+                              label(i))}
+              .with(g.openness(), kConformity, {}, Warning::Worse::smaller));
   }
 }
 
-void warn_of_kinematics(const Contacts& c, std::vector<std::string>& warnings) {
+void warn_of_kinematics(const Contacts& c, std::vector<Warning>& warnings) {
   const contact::KinematicConsistency k = contact::kinematic_consistency(c.threads);
   if (std::abs(k.lead_difference) > contact::kSamePitch * std::abs(c.threads.screw.lead))
-    warnings.push_back(
-        fmt::format("mechanism.pitch: the leads of nut and screw differ by {:.4g} mm",
-                    k.lead_difference * per_si::millimetre));
+    warnings.push_back(Warning{"mechanism.pitch", "lead_difference",
+                               "the leads of nut and screw differ by {value}"}
+                           .with(k.lead_difference, {}, text_unit::millimetre));
   if (std::abs(k.gear_ratio / k.gear_ratio_by_leads - 1.0) > kGearRatioTolerance)
-    warnings.push_back(
-        fmt::format("mechanism.pitch_diameter: the rollers migrate: the pitch diameters give the "
-                    "gear ratio {:.6f}, the leads ask for "
-                    "{:.6f} (Sandu 2018, (2.14))",
-                    k.gear_ratio, k.gear_ratio_by_leads));
+    warnings.push_back(Warning{"mechanism.pitch_diameter", "migration",
+                               "the rollers migrate: the pitch diameters give the gear ratio "
+                               "{value}, the leads ask for {limit} (Sandu 2018, (2.14))"}
+                           .with(k.gear_ratio, k.gear_ratio_by_leads));
 }
 
 void require_thickness(const Mechanism& m, Part part) {
@@ -106,7 +112,7 @@ void require_thickness(const Mechanism& m, Part part) {
 }
 
 /// Why a thread cannot be, if so.
-std::optional<ContactFailure> thread_failure(const contact::Thread& thread, Part part) {
+std::optional<Problem> thread_failure(const contact::Thread& thread, Part part) {
   const contact::RadiusLimits flank = contact::flank_limits(thread);
   const std::string path = thread.addendum || thread.dedendum
                                ? fmt::format("mechanism.thread.{}", name(part))
@@ -114,9 +120,9 @@ std::optional<ContactFailure> thread_failure(const contact::Thread& thread, Part
   const contact::ThreadStatus status = contact::check(thread);
   if (status == contact::ThreadStatus::ok || status == contact::ThreadStatus::beyond_sharp_limit) {
     if (flank.smallest < flank.largest) return std::nullopt;
-    return ContactFailure{path, fmt::format("the flanks of the {} have no height", name(part))};
+    return Problem{path, fmt::format("the flanks of the {} have no height", name(part))};
   }
-  return ContactFailure{
+  return Problem{
       path, fmt::format(
                 "the flanks of the {} would reach from {:.4f} to {:.4f} mm radius, around a "
                 "pitch radius of {:.4f} mm ({})",
@@ -124,23 +130,25 @@ std::optional<ContactFailure> thread_failure(const contact::Thread& thread, Part
                 thread.pitch_radius * per_si::millimetre, contact::name(status))};
 }
 
-void warn_of_heights(const contact::Thread& thread, Part part, std::vector<std::string>& warnings) {
+void warn_of_heights(const contact::Thread& thread, Part part, std::vector<Warning>& warnings) {
   if (contact::check(thread) != contact::ThreadStatus::beyond_sharp_limit) return;
   const contact::RadiusLimits given = contact::flank_limits(thread);
   const contact::RadiusLimits sharp = contact::sharp_limits(thread);
-  warnings.push_back(fmt::format(
-      "mechanism.thread.{0}: the thread of the {0} is given from {1:.4f} to {2:.4f} mm radius, its "
-      "flanks meet at {3:.4f} and {4:.4f} mm",
-      name(part), given.smallest * per_si::millimetre, given.largest * per_si::millimetre,
-      sharp.smallest * per_si::millimetre, sharp.largest * per_si::millimetre));
+  warnings.push_back(
+      {fmt::format("mechanism.thread.{}", name(part)), "beyond_sharp_thread",
+       fmt::format("the thread of the {} is given from {:.4f} to {:.4f} mm radius, its "
+                   "flanks meet at {:.4f} and {:.4f} mm",
+                   name(part), given.smallest * per_si::millimetre,
+                   given.largest * per_si::millimetre, sharp.smallest * per_si::millimetre,
+                   sharp.largest * per_si::millimetre)});
 }
 
-void warn_of_crowding(const Contacts& c, std::vector<std::string>& warnings) {
+void warn_of_crowding(const Contacts& c, std::vector<Warning>& warnings) {
   const int most = contact::largest_roller_count(c.threads);
   if (c.mechanism.rollers > most)
-    warnings.push_back(
-        fmt::format("mechanism.rollers: {} rollers touch each other at their crests: {} fit",
-                    c.mechanism.rollers, most));
+    warnings.push_back(Warning{"mechanism.rollers", "crowded_rollers",
+                               "{value} rollers touch each other at their crests: {limit} fit"}
+                           .with(c.mechanism.rollers, most));
 }
 
 void warn(Contacts& c) {
@@ -181,7 +189,7 @@ const contact::Thread& thread_of(const contact::MechanismGeometry& threads, Part
   return part == Part::screw ? threads.screw : part == Part::roller ? threads.roller : threads.nut;
 }
 
-ContactFailure failure(const Contacts& contacts, Interface i) {
+Problem failure(const Contacts& contacts, Interface i) {
   for (const Part p : {Part::roller, body_of(i)})
     if (contacts.bad_threads[p]) return *contacts.bad_threads[p];
   const InterfaceContact& c = contacts.interfaces[i];

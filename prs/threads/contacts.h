@@ -10,6 +10,7 @@
 #include "prs/model/detail.h"
 #include "prs/model/materials.h"
 #include "prs/model/mechanism.h"
+#include "prs/model/warning.h"
 #include "prs/threads/contact_failure.h"
 #include "prs/threads/thread_clearance.h"
 
@@ -35,9 +36,9 @@ struct Contacts {
   /// With all pitch diameters and the centre distance: the one that analyses compute on.
   Mechanism mechanism;
   contact::MechanismGeometry threads;
-  PerPart<std::optional<ContactFailure>> bad_threads;  ///< Threads that cannot be, and why.
+  PerPart<std::optional<Problem>> bad_threads;  ///< Threads that cannot be, and why.
   PerInterface<InterfaceContact> interfaces;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 /// Gear ratios by diameters and by leads that differ by less are those of a sound mechanism whose
@@ -54,6 +55,6 @@ Contacts find_contacts(const Mechanism& mechanism, const std::optional<Materials
 const contact::Thread& thread_of(const contact::MechanismGeometry& threads, Part part);
 
 /// Why there is no contact or no Hertz contact.
-ContactFailure failure(const Contacts& contacts, Interface interface);
+Problem failure(const Contacts& contacts, Interface interface);
 
 }  // namespace prs

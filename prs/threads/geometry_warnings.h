@@ -2,7 +2,6 @@
 
 #include <numbers>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "prs/model/case.h"
@@ -14,10 +13,9 @@ namespace prs {
 inline constexpr double kGreatestSpeedTimesDiameter = 150.0 * std::numbers::pi / 30.0;
 
 /// Warnings on geometry that is possible but unusual: first on the contacts, then on the bodies
-/// around them, the faces that hold the nut, and the speed that the geometry stands. Each names the
-/// key, then says in a sentence with the numbers what is unusual. Values that are odd by themselves
-/// have a table of their own, input/usual_values.cpp.
-std::vector<std::string> geometry_warnings(const Conditions& c, const Contacts& contacts,
-                                           std::span<const LoadCase> loads);
+/// around them, the faces that hold the nut, and the speed that the geometry stands. Values that
+/// are odd by themselves have a table of their own, input/usual_values.cpp.
+std::vector<Warning> geometry_warnings(const Conditions& c, const Contacts& contacts,
+                                       std::span<const LoadCase> loads);
 
 }  // namespace prs

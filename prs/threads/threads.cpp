@@ -49,12 +49,12 @@ contact::Thread thread_of(const Mechanism& m, Part part, double pitch) {
 
 [[noreturn]] void throw_design_error(const contact::DesignResult& design) {
   const auto no_contact = [&](const contact::InterfaceGeometry& geometry, Interface i) {
-    const ContactFailure failure =
+    const Problem failure =
         why_no_contact(design.mechanism, geometry, contact::HertzStatus::not_computed, i);
     throw CaseError(failure.path,
                     fmt::format("the {} threads of a mechanism with the wanted backlash have no "
                                 "contact: {}; fix profiles, flank angles or the screw's diameter",
-                                label(i), failure.reason));
+                                label(i), failure.message));
   };
   switch (design.status) {
     case contact::DesignStatus::no_screw_contact:

@@ -104,7 +104,7 @@ std::vector<std::string> CaseSource::export_model(const std::string& file,
   staged.append(path.extension() == ".mo" ? modelica_package(model.curves, model.text)
                                           : functional_mockup_unit(model.curves, model.text));
   staged.publish();
-  return model.curves.warnings;
+  return sentences(model.curves.warnings);
 }
 
 void bind_case(nb::module_& module) {

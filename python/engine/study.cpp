@@ -66,7 +66,7 @@ class StudySource : public std::enable_shared_from_this<StudySource> {
 
   /// Warnings on factors that overrides make void.
   std::vector<std::string> warnings() const {
-    return void_factor_warnings(in_, engine_ ? study().responses : in_.study.responses);
+    return sentences(void_factor_warnings(in_, engine_ ? study().responses : in_.study.responses));
   }
 
   std::shared_ptr<Document> derivatives() const {

@@ -50,7 +50,7 @@ def one_by_one(case: rs.Case, designs: list[dict[str, Any]]) -> np.ndarray[Any, 
 
 def test_evaluate_warns_of_inputs_that_overrides_make_void() -> None:
     angles = {"mechanism.flank_angle": ([40.0, 50.0], "deg")}
-    said = "flank_angle moves no load or stiffness .axial_stiffness_N_per_um.: overridden by"
+    said = "flank_angle: moves no load or stiffness .axial_stiffness_N_per_um.: overridden by"
     with pytest.warns(UserWarning, match=said) as warned:
         designs = lesson(1).evaluate(angles, [STIFFNESS, PRESSURE])
     assert [warning.filename for warning in warned] == [__file__]
@@ -66,7 +66,7 @@ def test_studies_say_which_factor_moved_nothing() -> None:
         study = {"command": "solve", **plan, "factors": factors, "responses": [STIFFNESS]}
         void, idle = lesson(1).with_(study=study).study().warnings
         assert "moves no load or stiffness" in void
-        assert "mechanism.flank_angle moved no response" in idle
+        assert "mechanism.flank_angle: moved no response" in idle
         assert lesson(4).with_(study=study).study().warnings == []
 
 

@@ -59,7 +59,7 @@ TEST(CompareModels, WhatOneModelCannotTakeLeavesItOutWithTheReason) {
   const ModelComparison c = compare_models(
       compared_lesson("04_contacts_from_geometry.yaml", {"structure.nut.outer_diameter=35.2 mm"}));
   EXPECT_THAT(models_of(c), ElementsAre(Bodies::bars));
-  EXPECT_THAT(c.warnings,
+  EXPECT_THAT(sentences(c.warnings),
               testing::Contains(testing::StartsWith(
                   "structure.nut.outer_diameter: without `bodies: refined`: got 35.2")));
 }
@@ -75,7 +75,7 @@ TEST(CompareModels, TellsWhatIsUnusualAboutALoadAsSolveDoes) {
                                  {"load_cases=[{name: heavy, axial_force: 90 kN, direction: "
                                   "tension, position: 10 mm}]"});
   const ModelComparison comparison = compare_models(c);
-  const std::vector<std::string>& expected = comparison.best().load_cases[0].warnings;
+  const std::vector<std::string> expected = sentences(comparison.best().load_cases[0].warnings);
   ASSERT_THAT(expected, testing::Contains(testing::HasSubstr("exceeds")));
   const nlohmann::ordered_json load =
       document_of(compare_analysis(), comparison, {})["comparison"]["load_cases"][0];

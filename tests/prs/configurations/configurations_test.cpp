@@ -101,7 +101,7 @@ TEST(Configurations, AbeviScrew) {
 /// What `prs check` would find unusual in a case.
 std::vector<std::string> unusual(const std::string& text) {
   const Case c = input::read_case_text(text, "case.yaml", {}, Command::solve);
-  return geometry_warnings(c, find_contacts(c.mechanism, c.materials), c.load_cases);
+  return sentences(geometry_warnings(c, find_contacts(c.mechanism, c.materials), c.load_cases));
 }
 
 TEST(Configurations, EachPassesCheckWithoutWarning) {
@@ -141,8 +141,8 @@ TEST(Configurations, WrittenCaseSolvesNearItsPressure) {
     const Result result = analyze(read);
     ASSERT_EQ(result.load_cases.size(), 2u);
     ASSERT_TRUE(result.load_cases[0].converged());
-    EXPECT_THAT(result.warnings, testing::IsEmpty());
-    EXPECT_THAT(result.load_cases[0].warnings, testing::IsEmpty());
+    EXPECT_THAT(sentences(result.warnings), testing::IsEmpty());
+    EXPECT_THAT(sentences(result.load_cases[0].warnings), testing::IsEmpty());
     // Two digits of the force, and shares that are not equal.
     double peak = 0.0;
     for (const Interface i : kInterfaces)

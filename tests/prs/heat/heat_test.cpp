@@ -487,7 +487,8 @@ TEST(HeatCycle, ShortCyclesInTheColdConverge) {
   c.heat->ambient = -40.0 + kCelsius;
   const Result result = analyze_heat(c);
   EXPECT_TRUE(result.heat_cycle->converged()) << result.heat_cycle->reason;
-  EXPECT_THAT(result.warnings, ::testing::Not(::testing::Contains(::testing::HasSubstr("duty"))));
+  EXPECT_THAT(sentences(result.warnings),
+              ::testing::Not(::testing::Contains(::testing::HasSubstr("duty"))));
 }
 
 TEST(HeatCycle, NeitherLongStepsNorLightPartsEndIt) {

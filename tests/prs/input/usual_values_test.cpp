@@ -16,9 +16,9 @@ using testing::IsEmpty;
 using testing::StartsWith;
 
 std::vector<std::string> warnings_of(const std::string& file, std::vector<std::string> overrides) {
-  return read_case_input(load_source(PRS_SOURCE_DIR "/" + file, std::move(overrides)),
-                         Command::check)
-      .warnings;
+  return sentences(
+      read_case_input(load_source(PRS_SOURCE_DIR "/" + file, std::move(overrides)), Command::check)
+          .warnings);
 }
 
 /// Of the only warning under one override: the key, the value as written, the unit that fits.
@@ -92,7 +92,7 @@ TEST(UsualValues, LessonsAndPublishedScrewsHaveThem) {
       if (file.path().extension() != ".yaml" || file.path().filename() == "reference.yaml")
         continue;
       const CaseInput in = read_case_input(load_source(file.path().string(), {}), Command::check);
-      EXPECT_THAT(in.warnings, IsEmpty()) << file.path();
+      EXPECT_THAT(sentences(in.warnings), IsEmpty()) << file.path();
     }
 }
 

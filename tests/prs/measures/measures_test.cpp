@@ -61,7 +61,7 @@ std::vector<std::string> load_warnings(const Case& c, double force) {
   LoadCaseResult result;
   result.load_case.axial_force = force;
   result = equal_share_result(result.load_case, contacts);
-  return unusual_load_measures(c, m, load_measures_of(c, contacts, m, result), result);
+  return sentences(unusual_load_measures(c, m, load_measures_of(c, contacts, m, result), result));
 }
 
 std::size_t defined(const Measures& m) { return object_of(m).size(); }
@@ -254,7 +254,7 @@ std::size_t ellipses_beyond_flanks(const Case& c, double force) {
   loaded.load_cases[0].axial_force = force;
   const Result r = analyze_contacts(loaded);
   return static_cast<std::size_t>(std::ranges::count_if(
-      r.load_cases[0].warnings,
+      sentences(r.load_cases[0].warnings),
       [](const std::string& w) { return w.find("ellipse reaches") != std::string::npos; }));
 }
 
@@ -345,7 +345,7 @@ TEST(Measures, ThreadsAreStifferThanTheWholeScrewUnlessTeethCount) {
     const auto notes = unusual_load_measures(c, m, l, r.load_cases[0]);
     const bool softer = *l.thread_stiffness < *r.load_cases[0].axial_stiffness;
     const bool told = std::ranges::any_of(
-        notes, [](const std::string& n) { return n.find("Yamamoto") != std::string::npos; });
+        notes, [](const Warning& warning) { return warning.code == "soft_threads"; });
     EXPECT_EQ(softer, told);
     return softer;
   };

@@ -88,14 +88,14 @@ TEST(FullMechanism, AgreesWithAnIndependentProgram) {
 TEST(FullMechanism, TwoRollersCannotHoldTheScrew) {
   const Result result = analyze(case_of(reference().at("errors").at(0)));
   EXPECT_EQ(result.load_cases[0].solve->status, fe::NewtonStatus::mechanism);
-  EXPECT_THAT(result.load_cases[0].warnings,
+  EXPECT_THAT(sentences(result.load_cases[0].warnings),
               testing::Contains("mechanism: 2 motions of screw meet no resistance"));
 }
 
 TEST(FullMechanism, RollersOnOneSideCannotHoldTheLoad) {
   const Result result = analyze(case_of(reference().at("errors").at(1)));
   EXPECT_EQ(result.load_cases[0].solve->status, fe::NewtonStatus::no_equilibrium);
-  EXPECT_THAT(result.load_cases[0].warnings,
+  EXPECT_THAT(sentences(result.load_cases[0].warnings),
               testing::Contains(HasSubstr("flanks that only push cannot hold this load")));
 }
 
@@ -590,12 +590,12 @@ TEST(FullMechanism, AMotionAgainstTheForceIsToldOf) {
   Case c = symmetric_case();
   SpatialLoad& load = c.load_cases[0].spatial;
   load.side_force.value.y = c.load_cases[0].axial_force / 45.0;
-  EXPECT_THAT(analyze(c).load_cases[0].warnings, testing::Not(told));
+  EXPECT_THAT(sentences(analyze(c).load_cases[0].warnings), testing::Not(told));
   load.side_force.value.y = 0.4 * c.load_cases[0].axial_force;
   const LoadCaseResult wedged = analyze(c).load_cases[0];
   ASSERT_TRUE(wedged.converged());
   EXPECT_LT(*wedged.axial_displacement, 0.0);
-  EXPECT_THAT(wedged.warnings, told);
+  EXPECT_THAT(sentences(wedged.warnings), told);
 }
 
 TEST(FullMechanism, SaysWhatLeavesTheStiffnessOut) {
@@ -607,7 +607,8 @@ TEST(FullMechanism, SaysWhatLeavesTheStiffnessOut) {
   ASSERT_TRUE(r.converged());
   EXPECT_EQ(r.full->idle_rollers, (std::vector{2, 4}));
   EXPECT_EQ(r.full->screw_end.stiffness.size(), 0);
-  EXPECT_THAT(r.warnings, testing::Contains(HasSubstr("a motion of screw meets no resistance")));
+  EXPECT_THAT(sentences(r.warnings),
+              testing::Contains(HasSubstr("a motion of screw meets no resistance")));
 }
 
 TEST(FullMechanism, OneSolverForManyModelsGivesTheSameBits) {
@@ -671,10 +672,10 @@ TEST(FullMechanism, BearingsThatPushAgainstEachOtherAreToldOf) {
   c.structure->screw.bearings = {{first, kRigid, 0.0, {0.0, 0.0}, {}},
                                  {first + 1e-4, kRigid, 0.0, {1e-6, 0.0}, {}},
                                  {first + 2e-4, kRigid, 0.0, {0.0, 0.0}, {}}};
-  EXPECT_THAT(analyze(c).load_cases[0].warnings,
+  EXPECT_THAT(sentences(analyze(c).load_cases[0].warnings),
               testing::Contains(HasSubstr("push against each other")));
   c.structure->screw.bearings[1].offset = {};
-  EXPECT_THAT(analyze(c).load_cases[0].warnings,
+  EXPECT_THAT(sentences(analyze(c).load_cases[0].warnings),
               testing::Not(testing::Contains(HasSubstr("push against each other"))));
 }
 
@@ -682,10 +683,10 @@ TEST(FullMechanism, WhatAFreeBearingDoesNotHoldIsToldOf) {
   Case c = symmetric_case();
   const double first = *c.load_cases[0].position - c.structure->screw.free_length;
   c.structure->screw.bearings = {{first, kRigid, 0.0, {1e-6, 0.0}, {0.0, 1e-3}}};
-  EXPECT_THAT(analyze(c).warnings,
+  EXPECT_THAT(sentences(analyze(c).warnings),
               testing::Contains(HasSubstr("bearings[0].angle: has no effect with `tilt: free`")));
   c.structure->screw.bearings = {{first, 0.0, kRigid, {1e-6, 0.0}, {0.0, 1e-3}}};
-  const std::vector<std::string> warnings = analyze(c).warnings;
+  const std::vector<std::string> warnings = sentences(analyze(c).warnings);
   EXPECT_THAT(warnings, testing::Contains(HasSubstr("bearings[0].offset: has no effect")));
   EXPECT_THAT(warnings, testing::Not(testing::Contains(HasSubstr("bearings[0].angle"))));
 }
@@ -695,7 +696,7 @@ TEST(FullMechanism, MoreAxialForceHoldsASideForce) {
   c.load_cases[0].spatial.side_force.value = {60e3, 0.0};
   const Result result = analyze(c);
   ASSERT_EQ(result.load_cases[0].solve->status, fe::NewtonStatus::no_equilibrium);
-  EXPECT_THAT(result.load_cases[0].warnings,
+  EXPECT_THAT(sentences(result.load_cases[0].warnings),
               testing::Contains(HasSubstr("or raise the axial force to ")));
   const std::optional<double> force = holding_force(model_of(c));
   ASSERT_TRUE(force);

@@ -99,7 +99,7 @@ TEST(NamedLubricants, StatedValuesComeFirst) {
   EXPECT_EQ(in_operation(oil).eyring_stress, kTypicalEyringStress);
   oil.eyring_stress = 8e6;
   EXPECT_EQ(in_operation(oil).eyring_stress, 8e6);
-  EXPECT_EQ(estimates_note(oil), "");
+  EXPECT_FALSE(estimated_lubricant(oil));
   oil.density = 2.0 * 891.0;
   EXPECT_NEAR(in_operation(oil).viscosity / in_operation(named("iso-vg-100", 333.15)).viscosity,
               2.0, 1e-12);

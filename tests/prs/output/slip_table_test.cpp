@@ -112,7 +112,7 @@ TEST(SlipTable, OpenThreadsAreNoPartOfRanges) {
 TEST(SlipTable, RangeHasARowACaseAndFits) {
   Result result = sweep(9);
   result.load_cases[4] = failed_case("sweep[4]");
-  result.warnings = {"negative backlash"};
+  result.warnings = {Warning{"", "backlash", "negative backlash"}};
   const std::string table = slip_table(result);
   EXPECT_EQ(lines(table).size(), 2 + 9 + 1 + 2);
   EXPECT_TRUE(contains(table, "NOT CONVERGED"));

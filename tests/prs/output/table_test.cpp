@@ -92,14 +92,15 @@ TEST(LoadCaseTable, ManyPointsOfARangeFold) {
 
 TEST(LoadCaseTable, WarningsThatDifferInNumbersOnlyAppearOnce) {
   Result result;
-  result.warnings = {"negative backlash"};
+  result.warnings = {Warning{"", "backlash", "negative backlash"}};
   add_sweep(result, "sweep", Direction::tension, 45);
   for (std::size_t k = 30; k < 45; ++k)
-    result.load_cases[k].warnings = {"peak pressure 4." + std::to_string(k) + " GPa is high"};
+    result.load_cases[k].warnings = {Warning{"", "pressure", "peak pressure {value} is high"}.with(
+        (4.0 + 0.01 * static_cast<double>(k)) * 1e9, {}, text_unit::gigapascal)};
   const std::string table = load_case_table(result);
   EXPECT_TRUE(contains(table, "Warnings\n  negative backlash\n"));
   EXPECT_TRUE(contains(table, "  peak pressure 4.44 GPa is high\n"));
-  EXPECT_TRUE(contains(table, "in sweep[30–44]; worst in sweep[44]\n"));
+  EXPECT_TRUE(contains(table, "worst in sweep[44], and 14 other load cases\n"));
   EXPECT_LE(widest_line(table), 100);
 }
 
@@ -108,7 +109,7 @@ TEST(LoadCaseTable, AWarningOnSeveralLoadsNamesTheirKeyOnce) {
   add_sweep(result, "sweep", Direction::tension, 3);
   const auto warn = [&](std::size_t k, const std::string& path) {
     result.load_cases[k].load_case.input_path = path;
-    result.load_cases[k].warnings = {path + ".axial_force: high"};
+    result.load_cases[k].warnings = {Warning{path + ".axial_force", "load", "high"}};
   };
   warn(0, "load_cases[4]");
   warn(1, "load_cases[4]");

@@ -2,76 +2,125 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "prs/life/static_limits.h"
+#include "prs/loads/load_case_result.h"
 
 namespace prs {
 namespace {
 
-WarningGroup grouped(const std::vector<std::pair<std::string, std::string>>& warnings) {
-  WarningGroups groups;
-  for (const auto& [text, load_case] : warnings) groups.add(text, load_case);
-  const std::vector<WarningGroup> all = std::move(groups).take();
+Warning in(const std::string& load_case, Warning warning) {
+  warning.load_case = load_case;
+  return warning;
+}
+
+WarningGroup group_of(const std::vector<Warning>& warnings) {
+  const std::vector<WarningGroup> all = grouped(warnings);
   EXPECT_EQ(all.size(), 1);
   return all.front();
 }
 
+Warning running(double gigapascals, int load_case = 0) {
+  return *running_pressure_warning("load_cases[" + std::to_string(load_case) + "].axial_force",
+                                   Interface::screw, gigapascals * 1e9);
+}
+
+Warning high(double value) { return Warning{"", "high", "high: {value}"}.with(value); }
+
+TEST(Warning, ItsTextHasPathNumbersAndFix) {
+  const Warning warning = Warning{"a.b", "code", "{value} exceeds {limit}", "lower it"}.with(
+      4.0449e9, 4e9, text_unit::gigapascal);
+  EXPECT_EQ(sentence(warning), "a.b: 4.04 GPa exceeds 4 GPa; lower it");
+  EXPECT_EQ(sentence(Warning{"", "code", "plain"}), "plain");
+}
+
+TEST(Warning, AValueNextToItsLimitHasTheDigitsThatTellThemApart) {
+  EXPECT_EQ(sentence(Warning{"", "", "{value}, {limit}"}.with(3.500123, 3.5)), "3.5001, 3.5");
+  EXPECT_EQ(sentence(Warning{"", "", "{value}, {limit}"}.with(3.5, 3.5)), "3.5, 3.5");
+  EXPECT_EQ(sentence(Warning{"", "", "{value}"}.with(150345.0, {}, text_unit::newton_metre)),
+            "150345 N m");
+  EXPECT_EQ(sentence(Warning{"", "", "{value}"}.with(-1.25e-5, {}, text_unit::millimetre)),
+            "-0.0125 mm");
+}
+
 TEST(WarningGroups, TheWorstValueIsToldWithItsLoadCase) {
-  const WarningGroup group =
-      grouped({{"load_cases[0].axial_force: peak pressure 2.57 GPa is above 2.5 GPa", "low"},
-               {"load_cases[1].axial_force: peak pressure 3.99 GPa is above 2.5 GPa", "high"},
-               {"load_cases[2].axial_force: peak pressure 2.92 GPa is above 2.5 GPa", "pull"}});
-  EXPECT_EQ(group.whole(), "load_cases[..].axial_force: peak pressure 3.99 GPa is above 2.5 GPa");
-  EXPECT_EQ(group.where(), "in low, high, pull; worst in high");
+  const WarningGroup group = group_of(
+      {in("low", running(2.57, 0)), in("high", running(3.99, 1)), in("pull", running(2.92, 2))});
+  EXPECT_NE(group.text().find("load_cases[1].axial_force: roller-screw peak pressure 3.99 GPa"),
+            std::string::npos)
+      << group.text();
+  EXPECT_NE(group.text().find("4 GPa is the limit at rest"), std::string::npos) << group.text();
+  EXPECT_EQ(group.where(), "worst in high, and 2 other load cases");
 }
 
-TEST(WarningGroups, OfWhatIsToldAtTheLeastTheSmallestIsWorst) {
-  const WarningGroup group =
-      grouped({{"film over roughness is 0.80 at the least; take 0.11", "a"},
-               {"film over roughness is 0.07 at the least; take 0.11", "b"},
-               {"film over roughness is 0.50 at the least; take 0.11", "c"}});
-  EXPECT_EQ(group.whole(), "film over roughness is 0.07 at the least; take 0.11");
-  EXPECT_EQ(group.worst, "b");
+/// In whatever order they come.
+TEST(WarningGroups, TheOrderDoesNotMatter) {
+  std::vector<double> peaks = {2.57, 2.92, 3.3, 3.99};
+  do {
+    std::vector<Warning> warnings;
+    for (const double peak : peaks) warnings.push_back(in(std::to_string(peak), running(peak)));
+    const WarningGroup group = group_of(warnings);
+    EXPECT_DOUBLE_EQ(group.worst.value.value(), 3.99e9);
+    EXPECT_EQ(group.where(), "worst in " + std::to_string(3.99) + ", and 3 other load cases");
+  } while (std::ranges::next_permutation(peaks).found);
 }
 
-TEST(WarningGroups, TheLoadNearestToALimitIsWorst) {
+TEST(WarningGroups, OtherInterfacesAndPathsAreOtherGroups) {
+  Warning nut = running(3.0);
+  nut.code = "nut_running_pressure";
+  Warning spectrum = running(3.0);
+  spectrum.path = "life.spectrum";
+  EXPECT_EQ(grouped({running(3.0), nut, spectrum}).size(), 3);
+}
+
+TEST(WarningGroups, WhereLessIsWorseTheSmallestIsWorst) {
+  const auto film = [](double ratio) {
+    return Warning{"roughness", "film", "film over roughness is {value}"}.with(
+        ratio, 3.0, {}, Warning::Worse::smaller);
+  };
+  const WarningGroup group =
+      group_of({in("a", film(0.8)), in("b", film(0.07)), in("c", film(0.5))});
+  EXPECT_EQ(group.text(), "roughness: film over roughness is 0.07");
+  EXPECT_EQ(group.worst.load_case, "b");
+}
+
+TEST(WarningGroups, TheLoadNearestToItsLimitIsWorst) {
   const auto near = [](double load) { return *flank_edge_near("an ellipse", 42.84e3, 70e3, load); };
-  EXPECT_EQ(grouped({{near(40e3), "high"}, {near(30e3), "low"}}).where(),
-            "in high, low; worst in high");
+  EXPECT_EQ(group_of({in("high", near(40e3)), in("low", near(30e3))}).where(),
+            "worst in high, and 1 other load case");
   const auto beyond = [](double load, double limit) {
     return *beyond_static_rating(load, {limit, StaticLimit::flank_edge});
   };
-  const WarningGroup group = grouped({{beyond(200e3, 42.84e3), "tension"},
-                                      {beyond(200e3, 38.8e3), "compression"},
-                                      {beyond(50e3, 40e3), "small"}});
-  EXPECT_EQ(group.worst, "compression");
-  EXPECT_EQ(group.whole(),
+  const WarningGroup group =
+      group_of({in("tension", beyond(200e3, 42.84e3)), in("compression", beyond(200e3, 38.8e3)),
+                in("small", beyond(50e3, 40e3))});
+  EXPECT_EQ(group.worst.load_case, "compression");
+  EXPECT_EQ(group.text(),
             "the load is 5.155 times the static limit (ellipse at the edge of a flank): 200 kN "
             "above 38.8 kN; reduce it");
 }
 
 /// The second command tells the same of the same load cases.
 TEST(WarningGroups, EqualTextsHaveNoWorstAndCasesStandOnce) {
-  const WarningGroup group = grouped({{"high", "a"}, {"high", "b"}, {"high", "a"}, {"high", "b"}});
+  const Warning warning{"", "high", "high"};
+  const WarningGroup group =
+      group_of({in("a", warning), in("b", warning), in("a", warning), in("b", warning)});
   EXPECT_EQ(group.where(), "in a, b");
-  EXPECT_EQ(grouped({{"about the whole case", ""}}).where(), "");
+  EXPECT_EQ(group_of({warning}).where(), "");
 }
 
 /// A command that names no load case has told it before.
 TEST(WarningGroups, TheWorstCaseIsThatOfTheWorstText) {
-  EXPECT_EQ(grouped({{"5.42 GPa", ""}, {"5.13 GPa", "pull"}, {"5.42 GPa", "push"}}).where(),
-            "in pull, push; worst in push");
+  EXPECT_EQ(group_of({high(5.42), in("pull", high(5.13)), in("push", high(5.42))}).where(),
+            "worst in push, and 1 other load case");
 }
 
 /// Two commands tell other numbers of one load case, cold and warm.
 TEST(WarningGroups, OneCaseIsNotToldTwice) {
-  const WarningGroup group = grouped({{"2.57 GPa", "pull"}, {"2.64 GPa", "pull"}});
+  const WarningGroup group = group_of({in("pull", high(2.57)), in("pull", high(2.64))});
   EXPECT_EQ(group.where(), "in pull");
-  EXPECT_EQ(group.whole(), "2.64 GPa");
-}
-
-TEST(WarningGroups, TheFirstCaseMayBeTheWorst) {
-  EXPECT_EQ(grouped({{"at 140 degC", "hot"}, {"at 125 degC", "warm"}}).where(),
-            "in hot, warm; worst in hot");
+  EXPECT_EQ(group.text(), "high: 2.64");
 }
 
 }  // namespace

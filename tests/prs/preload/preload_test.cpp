@@ -482,7 +482,7 @@ TEST(AnalyzePreload, LostMotionOfSmallLoadsIsThePlayAndHertzApproach) {
         "kN, steps: 3}, lost_motion_load: " +
         load + "}"));
     EXPECT_TRUE(r.converged()) << load;
-    EXPECT_TRUE(std::ranges::none_of(r.warnings, [](const std::string& text) {
+    EXPECT_TRUE(std::ranges::none_of(sentences(r.warnings), [](const std::string& text) {
       return text.find("not converged") != std::string::npos;
     }));
     return r.curve.lost_motion.value_or(0.0) - 20e-6;
@@ -502,7 +502,7 @@ TEST(AnalyzePreload, WhatDoesNotConvergeSaysWhy) {
   EXPECT_FALSE(r.converged());
   EXPECT_FALSE(r.curve.lost_motion);
   for (const std::string start : {"at 1e-30 N: not converged: ", "at -1e-30 N: not converged: "})
-    EXPECT_TRUE(std::ranges::any_of(r.warnings, [&](const std::string& text) {
+    EXPECT_TRUE(std::ranges::any_of(sentences(r.warnings), [&](const std::string& text) {
       return text.starts_with(start);
     })) << start;
 }

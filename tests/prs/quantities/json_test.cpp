@@ -24,7 +24,7 @@ nlohmann::ordered_json case_json(LoadCaseResult load_case) {
 
 TEST(Json, EveryDocumentSaysItsOrigin) {
   Result result;
-  result.warnings = {"negative backlash"};
+  result.warnings = {Warning{"", "", "negative backlash"}};
   const auto json = document_of(solve_analysis(), result, kInfo);
   EXPECT_EQ(json.at("prs_version"), "1.2.3");
   EXPECT_EQ(json.at("schema_version"), "1");
@@ -137,7 +137,7 @@ std::string written(const Result& result) {
 
 TEST(Json, WrittenLoadCaseByLoadCaseIsTheSameText) {
   Result result;
-  result.warnings = {"\"load_cases\": []\n"};
+  result.warnings = {Warning{"", "", "\"load_cases\": []\n"}};
   EXPECT_EQ(written(result), json_text(document_of(solve_analysis(), result, kInfo)));
   result.load_cases = {solved_case("a", 12345.678, Direction::compression),
                        failed_case("\xff\"\n\u202e"), equal_share_case("equal")};

@@ -153,6 +153,30 @@ TEST(Report, EachCardNamesItsLimitAndWarningsStandBelowTheVerdict) {
   EXPECT_LT(page.find("id=\"warnings\""), page.find("id=\"mechanism\""));
 }
 
+/// Peaks of 2.57, 3.99 and 2.92 GPa, as the issue of warnings that named the last one has them.
+TEST(Report, PageAndTableTellTheWorstValueWithItsLoadCase) {
+  const std::string rest = ", direction: tension, position: 29.1666667 mm}";
+  const input::Source source = lesson_source(
+      "09_slip_and_dissipation.yaml", {"load_cases=[{name: low, axial_force: 13.6 kN" + rest +
+                                       ", {name: high, axial_force: 50.5 kN" + rest +
+                                       ", {name: pull, axial_force: 20 kN" + rest + "]"});
+  const Delivery slip =
+      analysis_of(Command::slip).run(source, input::read_case_input(source, Command::slip));
+  double largest = 0.0;
+  for (const Warning& warning : slip.warnings())
+    if (warning.code == "screw_running_pressure") largest = std::max(largest, *warning.value);
+  EXPECT_NEAR(largest, 3.99e9, 0.03e9);
+  const std::vector<WarningGroup> groups = grouped(slip.warnings());
+  const auto group = std::ranges::find(groups, "screw_running_pressure",
+                                       [](const WarningGroup& g) { return g.worst.code; });
+  ASSERT_NE(group, groups.end());
+  EXPECT_EQ(group->worst.value.value(), largest);
+  EXPECT_EQ(group->where(), "worst in high, and 2 other load cases");
+  const std::string page = make_report(source, {.live = false}).html;
+  for (const std::string& text : {slip.table(), page})
+    EXPECT_THAT(text, AllOf(HasSubstr(group->text().substr(0, 70)), HasSubstr(group->where())));
+}
+
 /// What stands between two texts; empty where they do not.
 std::string between(const std::string& text, const std::string& from, const std::string& to) {
   const std::size_t begin = text.find(from);

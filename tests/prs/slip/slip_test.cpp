@@ -307,7 +307,9 @@ TEST(CentralFilm, AlongTheRollingIsThatOfThePlainCalculation) {
 
 /// The nut rolls along the helix, 45 deg and more off the minor axis of its ellipse.
 TEST(CentralFilm, WarnsWhereItIsThatOfAnotherDirection) {
-  const auto warnings = [](const Case& c) { return analyze_slip(c).load_cases[0].warnings; };
+  const auto warnings = [](const Case& c) {
+    return sentences(analyze_slip(c).load_cases[0].warnings);
+  };
   const auto note = ::testing::Contains(
       ::testing::AllOf(HasSubstr("lubricant.film: the roller-nut contacts roll"),
                        HasSubstr("deg off the major axis")));
@@ -326,10 +328,10 @@ TEST(Slip, WarnsOfHeatThatNothingTakes) {
   const Result result = analyze_slip(c);
   ASSERT_GT(result.load_cases[0].slip->power.total(), 100.0);
   const double needed = result.load_cases[0].slip->power.total() / 55.0;
-  EXPECT_THAT(result.load_cases[0].warnings,
+  EXPECT_THAT(sentences(result.load_cases[0].warnings),
               ::testing::Contains(HasSubstr(fmt::format("by {:.3g} W/K", needed))));
   c.operation->speed *= 1e-3;
-  EXPECT_THAT(analyze_slip(c).load_cases[0].warnings, ::testing::Not(note));
+  EXPECT_THAT(sentences(analyze_slip(c).load_cases[0].warnings), ::testing::Not(note));
 }
 
 /// A roller's mass goes round with the carrier against the frame, in which the screw of an inverted
@@ -354,7 +356,7 @@ TEST(MixedFriction, WarnsOfNoThinFilm) {
   Case c = test::with_mixed_friction(test::sandu_reference(), 0.11, 2.0);
   const Result result = analyze_slip(c);
   EXPECT_LT(result.load_cases[0].slip->threads.screw.film_ratio[0], 3.0);
-  EXPECT_THAT(result.load_cases[0].warnings,
+  EXPECT_THAT(sentences(result.load_cases[0].warnings),
               ::testing::Not(::testing::Contains(HasSubstr("lubrication"))));
 }
 
@@ -520,13 +522,13 @@ TEST(Slip, AContactCanJam) {
   const SlipResult& s = *result.load_cases[0].slip;
   EXPECT_EQ(s.status, SlipStatus::jammed);
   EXPECT_FALSE(s.relative_residue.has_value());
-  EXPECT_THAT(result.load_cases[0].warnings, ::testing::Contains(HasSubstr("jams")));
+  EXPECT_THAT(sentences(result.load_cases[0].warnings), ::testing::Contains(HasSubstr("jams")));
 }
 
 TEST(Slip, TooSlowAMotionIsWarnedOf) {
   Case c = test::sandu_reference();
   c.operation->speed = 1e-10;
-  EXPECT_THAT(analyze_slip(c).load_cases[0].warnings,
+  EXPECT_THAT(sentences(analyze_slip(c).load_cases[0].warnings),
               ::testing::Contains(HasSubstr("nothing slides faster")));
   // Down to where friction has no direction, the mean coefficient follows its formula.
   c.operation->speed = 1e-7;
@@ -544,7 +546,8 @@ TEST(Slip, ASelfLockingScrewHasNoEfficiency) {
   EXPECT_GT(*s.holding_torque, 0.0);  // the shaft drives although the load helps
   const double load_power = -35e3 * c.mechanism.lead / (2 * std::numbers::pi) * s.speed;
   EXPECT_NEAR(*s.holding_torque * s.speed + load_power, s.power.total(), 1e-9 * s.power.total());
-  EXPECT_THAT(result.load_cases[0].warnings, ::testing::Contains(HasSubstr("self-locking")));
+  EXPECT_THAT(sentences(result.load_cases[0].warnings),
+              ::testing::Contains(HasSubstr("self-locking")));
 }
 
 TEST(Slip, AnExcessiveCarrierTorqueLeavesNoEquilibrium) {
@@ -553,7 +556,8 @@ TEST(Slip, AnExcessiveCarrierTorqueLeavesNoEquilibrium) {
   const Result result = analyze_slip(c);
   EXPECT_EQ(result.load_cases[0].slip->status, SlipStatus::no_equilibrium);
   EXPECT_FALSE(result.load_cases[0].slip->converged());
-  EXPECT_THAT(result.load_cases[0].warnings, ::testing::Contains(HasSubstr("no_equilibrium")));
+  EXPECT_THAT(sentences(result.load_cases[0].warnings),
+              ::testing::Contains(HasSubstr("no_equilibrium")));
 }
 
 /// A screw that drags the carrier along turns the rollers faster than they would roll.
@@ -566,7 +570,8 @@ TEST(Slip, ADrivenCarrierPassesTheIdealSlipRatio) {
   EXPECT_GT(s.slip_ratio, s.ideal_slip_ratio);
   EXPECT_GT(s.optimality, 1.0);
   EXPECT_NEAR(s.power.total() / s.power_loss_input_output, 1.0, 1e-10);
-  EXPECT_THAT(result.load_cases[0].warnings, ::testing::Contains(HasSubstr("beyond the ideal")));
+  EXPECT_THAT(sentences(result.load_cases[0].warnings),
+              ::testing::Contains(HasSubstr("beyond the ideal")));
   expect_as_plain(c, result, 1e-10);
 }
 
@@ -608,10 +613,10 @@ TEST(Slip, MixedLubricationIsWarnedOf) {
   const Result result = analyze_slip(c);
   const SlipResult& s = *result.load_cases[0].slip;
   EXPECT_NEAR(s.threads.screw.film_ratio[0], s.threads.screw.central_film[0] / 0.5e-6, 1e-12);
-  EXPECT_THAT(result.load_cases[0].warnings,
+  EXPECT_THAT(sentences(result.load_cases[0].warnings),
               ::testing::Contains(HasSubstr("boundary lubrication at the roller-screw")));
   c.roughness = PerPart<double>{0.03e-6, 0.04e-6, 0.03e-6};
-  EXPECT_THAT(analyze_slip(c).load_cases[0].warnings,
+  EXPECT_THAT(sentences(analyze_slip(c).load_cases[0].warnings),
               ::testing::Not(::testing::Contains(HasSubstr("lubrication"))));
 }
 
@@ -633,8 +638,8 @@ TEST(Slip, CoulombFrictionHasTheFilmOfItsLubricant) {
   }
   const auto advice =
       ::testing::Contains(HasSubstr("take a friction coefficient of surfaces that touch"));
-  EXPECT_THAT(result.load_cases[0].warnings, ::testing::Not(advice));  // 0.1 is one.
-  EXPECT_THAT(analyze_slip(test::with_coulomb(c, 0.02)).load_cases[0].warnings, advice);
+  EXPECT_THAT(sentences(result.load_cases[0].warnings), ::testing::Not(advice));  // 0.1 is one.
+  EXPECT_THAT(sentences(analyze_slip(test::with_coulomb(c, 0.02)).load_cases[0].warnings), advice);
   c.lubricant.reset();
   const SlipResult dry = slip_of(c);
   EXPECT_TRUE(dry.threads.screw.central_film.empty());

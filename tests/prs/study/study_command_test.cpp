@@ -139,11 +139,11 @@ TEST_F(StudyCommand, SaysWhichFactorsOverridesMakeVoidAndWhichMovedNothing) {
       "factors: [{path: mechanism.flank_angle, values: [44 deg, 46 deg]}, {path: materials."
       "youngs_modulus, values: [205 GPa, 210 GPa]}], ";
   const std::string is_void =
-      "mechanism.flank_angle moves no load or stiffness (axial_stiffness_N_per_um): overridden by "
+      "mechanism.flank_angle: moves no load or stiffness (axial_stiffness_N_per_um): overridden by "
       "contact.hertz_constant and contact.normal_angle; delete the overrides to compute all from "
       "the geometry";
   const std::string is_idle =
-      "mechanism.flank_angle moved no response: all stay the same to the last digit; add a "
+      "mechanism.flank_angle: moved no response: all stay the same to the last digit; add a "
       "response "
       "that follows it, or delete the factor";
   for (const char* plan :
@@ -163,7 +163,7 @@ TEST_F(StudyCommand, SaysWhichFactorsOverridesMakeVoidAndWhichMovedNothing) {
   const Outcome pressures = prs(lesson + "--json --set 'study={command: solve, plan: grid, " +
                                 factors + "responses: [screw.peak_pressure_MPa.max]}'");
   EXPECT_THAT(nlohmann::json::parse(pressures.out)["warnings"].get<std::vector<std::string>>(),
-              testing::ElementsAre(testing::HasSubstr("flank_angle moves no load or stiffness:")));
+              testing::ElementsAre(testing::HasSubstr("flank_angle: moves no load or stiffness:")));
   // Without overrides all of it follows.
   const Outcome free = prs("study '" PRS_SOURCE_DIR
                            "/configs/04_contacts_from_geometry.yaml' --json --set "

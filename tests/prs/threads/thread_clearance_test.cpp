@@ -289,8 +289,9 @@ TEST(ThreadThickness, AddsPlayAndMovesNothing) {
 
 // The heights of table A1 fit the thicknesses of table A1: no sharpened crown, no meeting roots.
 TEST(ThreadThickness, OfYaosTableFitsItsHeights) {
-  EXPECT_THAT(testing::PrintToString(find_contacts(read("initial.yaml"), std::nullopt).warnings),
-              HasSubstr("its flanks meet"));
+  EXPECT_THAT(
+      testing::PrintToString(sentences(find_contacts(read("initial.yaml"), std::nullopt).warnings)),
+      HasSubstr("its flanks meet"));
   EXPECT_TRUE(find_contacts(read("initial.yaml", kThickness), std::nullopt).warnings.empty());
 }
 

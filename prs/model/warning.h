@@ -1,0 +1,69 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "prs/model/units.h"
+
+namespace prs {
+
+/// A unit in which sentences show a quantity: shown = SI * factor. Tables that show other units
+/// convert the sentence.
+struct TextUnit {
+  std::string_view text = {};
+  double factor = 1.0;
+
+  bool operator==(const TextUnit&) const = default;
+};
+
+namespace text_unit {
+inline constexpr TextUnit gigapascal{"GPa", per_si::gigapascal};
+inline constexpr TextUnit kilonewton{"kN", per_si::kilonewton};
+inline constexpr TextUnit newton_metre{"N m"};
+inline constexpr TextUnit millimetre{"mm", per_si::millimetre};
+inline constexpr TextUnit degree{"deg", per_si::degree};
+inline constexpr TextUnit percent{"%", per_si::percent};
+inline constexpr TextUnit newton_per_micrometre{"N/µm", per_si::newton_per_micrometre};
+inline constexpr TextUnit watt_per_kelvin{"W/K"};
+inline constexpr TextUnit metre_per_second{"m/s"};
+/// Speed times diameter [m rad/s], which makers state as n d.
+inline constexpr TextUnit millimetre_per_minute{"mm/min",
+                                                per_si::millimetre* per_si::revolution_per_minute};
+inline constexpr TextUnit kelvin{"K"};
+}  // namespace text_unit
+
+/// What is possible and still unusual about a case or one of its results.
+struct Warning {
+  /// Which values are worse, of those that the same warning has in other load cases.
+  enum class Worse { larger, smaller };
+
+  std::string path;      ///< Key of the input that it concerns; empty where there is none.
+  std::string code;      ///< Its kind: `screw_peak_pressure`. With `path` it names a group.
+  std::string what;      ///< A sentence; `{value}` and `{limit}` stand for the numbers.
+  std::string fix = {};  ///< How to fix it.
+  std::optional<double> value = {}, limit = {};  ///< [SI]
+  TextUnit unit = {};
+  Worse worse = Worse::larger;
+  std::string load_case = {};  ///< Its name, where it is of one; set where cases are gathered.
+
+  /// With these numbers.
+  Warning with(std::optional<double> of_value, std::optional<double> of_limit = {},
+               TextUnit of_unit = {}, Worse of_worse = Worse::larger) && {
+    value = of_value, limit = of_limit, unit = of_unit, worse = of_worse;
+    return std::move(*this);
+  }
+  bool operator==(const Warning&) const = default;
+};
+
+/// `PATH: WHAT; FIX`, numbers with three digits, or with as many as tell value and limit apart.
+std::string sentence(const Warning& warning);
+std::vector<std::string> sentences(std::span<const Warning> warnings);
+
+/// Whether the value is nearer to its limit, or further beyond it. Without limits by size.
+bool is_worse(const Warning& warning, const Warning& than);
+
+}  // namespace prs
