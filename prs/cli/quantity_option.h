@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "prs/input/field.h"
+#include "prs/input/bounds.h"
 #include "prs/input/units.h"
 
 namespace prs::cli {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
-#include <utility>
+#include <type_traits>
 
 #include "prs/input/value_text.h"
 
@@ -14,107 +14,76 @@ namespace prs::input {
 namespace {
 
 /// Lists the values of one map next to what was written of them (null where nothing was).
-class Lister : public Visitor {
+class Lister {
  public:
-  Lister(const Node* written, std::string path, std::vector<EchoEntry>& entries)
-      : written_(written), path_(std::move(path)), entries_(entries) {}
+  explicit Lister(std::vector<EchoEntry>& entries) : entries_(entries) {}
 
-  template <class T, class Kind>
-  void field(std::string_view key, T& value, const Kind& kind, Presence presence,
-             std::string_view) {
-    if (!presence.allowed) return;
-    const Node* node = written_ ? find(*written_, key) : nullptr;
-    std::string path = path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
-    if constexpr (is_optional<T>) {
-      if (value) list(node, path, *value, kind);
-    } else {
-      list(node, path, value, kind);
-    }
+  void list(const Node* map, const std::string& path, const MapValue& value) {
+    value.for_each([&](const Field& field) {
+      if (!field.presence.allowed || !field.has_value()) return;
+      list(map ? find(*map, field.key) : nullptr,
+           path.empty() ? std::string(field.key) : fmt::format("{}.{}", path, field.key),
+           field.value());
+    });
   }
 
  private:
+  void list(const Node* node, const std::string& path, const Value& value) {
+    std::visit([&](const auto& v) { list(node, path, v); }, value.as);
+  }
+
   /// One value that stands on one line.
-  template <class T, class Kind>
-  void list(const Node* node, const std::string& path, const T& value, const Kind& kind) {
+  void list_line(const Node* node, const std::string& path, const Value& value) {
     EchoEntry& entry = entries_.emplace_back();
-    entry = {path, text_of(value, kind), node == nullptr};
+    entry = {path, text_of(value), node == nullptr};
     if (node) entry.written = node->kind == Node::Kind::scalar ? node->text : flow_text(*node);
-    put_number(entry, value, kind);
+  }
+  template <class Kind, class T>
+  void list(const Node* node, const std::string& path, const Leaf<Kind, T>& leaf) {
+    list_line(node, path, {leaf});
+    if constexpr (std::is_same_v<T, double>) put_number(leaf.value, leaf.kind);
+  }
+  void put_number(double value, const Number&) { entries_.back().number = value; }
+  void put_number(double value, const Quantity& kind) {
+    entries_.back().number = value;
+    entries_.back().dimension = &kind.dimension;
+  }
+  void put_number(double value, const Held& held) {
+    if (std::isfinite(value) && value > 0.0) put_number(value, Quantity{held.dimension});
   }
 
-  template <class T, class Kind>
-  static void put_number(EchoEntry&, const T&, const Kind&) {}
-  static void put_number(EchoEntry& entry, double value, const Number&) { entry.number = value; }
-  static void put_number(EchoEntry& entry, double value, const Quantity& kind) {
-    entry.number = value;
-    entry.dimension = &kind.dimension;
+  void list(const Node* node, const std::string& path, const ChoiceValue& choice) {
+    list_line(node, path, {choice});
   }
-  static void put_number(EchoEntry& entry, double value, const Held& held) {
-    if (std::isfinite(value) && value > 0.0) put_number(entry, value, Quantity{held.dimension});
+  void list(const Node* node, const std::string& path, const ChoiceUnderKey& under) {
+    list(node, fmt::format("{}.{}", path, under.key), under.choice);
   }
-  static void put_number(EchoEntry& entry, const Range& range, const OneOrRange& kind) {
-    const bool last = range.steps && std::abs(range.to) > std::abs(range.from);
-    put_number(entry, last ? range.to : range.from, kind.quantity);
-  }
-
-  template <class T>
-  void list(const Node* node, const std::string& path, T& value, const Block& kind) {
-    list_map(node, path, value, kind);
-  }
-  template <class T, class L>
-  void list(const Node* node, const std::string& path, T& value, const Keys<L>& kind) {
-    list_map(node, path, value, kind);
-  }
-  template <class T, class Kind>
-  void list(const Node* node, const std::string& path, T& value, const Each<Kind>& kind) {
-    list_map(node, path, value, kind);
-  }
-  template <class T>
-  void list(const Node* node, const std::string& path, T& value, const ChoiceUnder& kind) {
-    list(node, fmt::format("{}.{}", path, kind.key), std::as_const(value), Choice{});
-  }
-  template <class T, class Kind>
-  void list(const Node* node, const std::string& path, T& value, const OneOrEach<Kind>& kind) {
-    if (node && is_per_part(*node))
-      list_map(node, path, value, Each{kind.kind, required});
-    else
-      list(node, path, value.screw, kind.kind);
-  }
-  template <class T, class Kind>
-  void list(const Node* node, const std::string& path, std::vector<T>& items,
-            const List<Kind>& kind) {
-    if (items.empty() && kind.least == 0) entries_.push_back({path, "[]", node == nullptr});
+  void list(const Node* node, const std::string& path, const ListValue& items) {
+    if (items.size() == 0 && items.least == 0) entries_.push_back({path, "[]", node == nullptr});
     for (std::size_t i = 0; i < items.size(); ++i)
-      list(node ? &node->children[i] : nullptr, fmt::format("{}[{}]", path, i), items[i],
-           kind.kind);
+      list(node ? &node->children[i] : nullptr, fmt::format("{}[{}]", path, i), items.entry(i));
+  }
+  void list(const Node* node, const std::string& path, const OneOr& value) {
+    using Form = OneOr::Form;
+    const bool several = node && is_several(*node, value);
+    if (value.form == Form::ends || value.form == Form::word)
+      return list(several ? node : nullptr, path, value.several());
+    const Value shown = several ? value.several() : value.one();
+    if (value.form != Form::levels && !(value.form == Form::range && several))
+      return list(node, path, shown);
+    list_line(node, path, shown);
+    if (value.form == Form::range) put_farther_end(std::get<MapValue>(shown.as));
+  }
+  void put_farther_end(const MapValue& range) {
+    range.for_each([&](const Field& end) {
+      const Value value = end.value();
+      const auto* const leaf = std::get_if<Leaf<Quantity, double>>(&value.as);
+      const std::optional<double>& number = entries_.back().number;
+      if (leaf && (!number || std::abs(leaf->value) > std::abs(*number)))
+        put_number(leaf->value, leaf->kind);
+    });
   }
 
-  template <class T, class Kind>
-  void list(const Node* node, const std::string& path, OneOrMany<T>& value,
-            const ForEachRoller<Kind>& kind) {
-    if (!value.many.empty())
-      list(node, path, value.many, List{kind.kind, 1});
-    else
-      list(node, path, value.one, kind.kind);
-  }
-  template <class T, class Kind>
-  void list(const Node* node, const std::string& path, PerEnd<T>& value,
-            const OneOrEnds<Kind>& kind) {
-    list_map(node && node->kind == Node::Kind::map ? node : nullptr, path, value, kind);
-  }
-  template <class T>
-  void list(const Node* node, const std::string& path, T& value, const WordOrBlock& kind) {
-    list_map(node && node->kind == Node::Kind::map ? node : nullptr, path, value, kind);
-  }
-
-  template <class T, class Kind>
-  void list_map(const Node* node, const std::string& path, T& value, const Kind& kind) {
-    Lister keys(node, path, entries_);
-    list_keys(keys, value, kind);
-  }
-
-  const Node* written_;
-  std::string path_;
   std::vector<EchoEntry>& entries_;
 };
 
@@ -124,8 +93,8 @@ std::vector<EchoEntry> echo(CaseFile file, const Node& root) {
   std::optional<Lubricant>& lubricant = file.values.lubricant;
   if (lubricant) lubricant = resolved(*lubricant);
   std::vector<EchoEntry> entries;
-  Lister keys(&root, "", entries);
-  fields(keys, file);
+  const auto keys = map_of([&](const Fields& io) { fields(io, file); });
+  Lister(entries).list(&root, "", keys);
   constexpr std::string_view block = "lubricant.";
   if (lubricant && lubricant->name)
     for (EchoEntry& entry : entries)

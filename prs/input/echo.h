@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "prs/input/case_fields.h"
 #include "prs/input/document.h"
+#include "prs/input/units.h"
 
 namespace prs::input {
+
+struct CaseFile;
 
 /// One value of the resolved input.
 struct EchoEntry {
@@ -20,7 +22,7 @@ struct EchoEntry {
   const Dimension* dimension = nullptr;  ///< Of the number, where it has one.
 };
 
-/// Every value of a case in the order of case_fields.h; absent ones without default are left out.
+/// Every value of a case in the order of case_fields.cpp; absent ones without default are left out.
 /// The case must have passed `check_case`.
 /// `root` is the document that the case was read from: what it lacks is a default.
 std::vector<EchoEntry> echo(CaseFile file, const Node& root);

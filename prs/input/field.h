@@ -1,51 +1,32 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
+#include "prs/input/bounds.h"
+#include "prs/input/case_file.h"
 #include "prs/input/units.h"
 #include "prs/model/lateral.h"
+#include "prs/model/limits.h"
 #include "prs/model/part.h"
 
-/// The vocabulary in which `case_fields.h` describes the input. A description is a function
-/// template `fields(io, block)` that names each key of a block once:
+/// The vocabulary in which case_fields.cpp describes the input. A description is a function that
+/// names each key of a block once:
 ///
-///     io.field("lead", m.lead, Quantity{unit::length, not_zero}, required, "Lead of the screw");
+///     io("lead", m.lead, Quantity{unit::length, not_zero}, required, "Lead of the screw");
 ///
-/// Key, member, how its value is written, whether it must stand, meaning. What happens is up to the
-/// visitor `io`: it reads (reader.cpp), writes the schema (schema.cpp) or lists values (echo.cpp).
+/// Key, member, how its value is written, whether it must stand (if left out: it may), meaning. Of
+/// each key a `Field` is made, without types of its own, which is read (reader.cpp), written into
+/// the schema (schema.cpp) or listed (echo.cpp).
 namespace prs::input {
-
-/// Base of every visitor: its namespace is where `fields` and `alternatives` are looked up.
-struct Visitor {};
-
-/// Interval of admissible values, SI.
-struct Bounds {
-  double least = -std::numeric_limits<double>::infinity();
-  double greatest = std::numeric_limits<double>::infinity();
-  bool least_excluded = false;
-  bool greatest_excluded = false;
-  bool zero_excluded = false;
-
-  constexpr bool contain(double v) const {
-    return (least_excluded ? v > least : v >= least) &&
-           (greatest_excluded ? v < greatest : v <= greatest) && !(zero_excluded && v == 0.0);
-  }
-};
-
-inline constexpr Bounds unbounded{};
-inline constexpr Bounds positive{.least = 0.0, .least_excluded = true};
-inline constexpr Bounds not_negative{.least = 0.0};
-inline constexpr Bounds not_zero{.zero_excluded = true};
-
-/// Both ends excluded.
-constexpr Bounds between(double least, double greatest) {
-  return {least, greatest, true, true, false};
-}
 
 /// Whether a key must stand. A key that may be absent leaves its member as the struct initialises
 /// it.
@@ -70,11 +51,6 @@ constexpr Presence optional_only_if(bool holds, std::string_view condition) {
 constexpr Presence required_unless(bool holds, std::string_view condition) {
   return {!holds, true, condition};
 }
-
-template <class T>
-inline constexpr bool is_optional = false;
-template <class T>
-inline constexpr bool is_optional<std::optional<T>> = true;
 
 // How a value is written ------------------------------------------------------------------------
 
@@ -117,7 +93,6 @@ struct Flag {};
 struct Text {
   std::string_view example = "\"case-1\"";  ///< As it would stand in the file.
 };
-inline constexpr int kLongestText = 100;
 
 /// One of the words or of the maps with one key that `alternatives(io, value)` lists:
 /// `straight` or `{convex: 3 mm}`.
@@ -204,12 +179,6 @@ struct WordOrBlock {
   std::string_view key;
 };
 
-/// Equidistant values, ends included, as they are written; a single value has no `steps`.
-struct Range {
-  double from = 0.0;
-  double to = 0.0;
-  std::optional<int> steps;
-};
 inline constexpr int kMostSteps = 100'000;
 
 /// `5 kN` or `{from: 1 kN, to: 45 kN, steps: 45}`
@@ -222,77 +191,288 @@ struct Verbatim {
   std::string_view example = "5 mm";
 };
 
-/// Values of any kind as they are written: a list of them, or a range between two numbers that
-/// carry the same unit, ends included.
-struct WrittenRange {
-  enum class Spacing { linear, logarithmic };
-
-  std::string from, to;
-  int steps = 2;
-  Spacing spacing = Spacing::linear;
-};
-struct WrittenValues {
-  std::vector<std::string> list;
-  std::optional<WrittenRange> range;  ///< In place of the list.
-};
-
 /// `[20 mm, 25 mm]` or `{from: 10 mPa s, to: 1 Pa s, steps: 9, spacing: logarithmic}`
 struct ListOrRange {};
 
-// Kinds that are maps, and their keys -----------------------------------------------------------
+// Values without their types --------------------------------------------------------------------
 
-template <class Io, class T>
-void list_keys(Io& io, T& block, Block) {
-  fields(io, block);
+struct Value;
+
+/// A single value and how it is written.
+template <class Kind, class T>
+struct Leaf {
+  T& value;
+  Kind kind;
+};
+
+/// A word, or a map with one key.
+struct Alternative {
+  std::string_view name;
+  std::string_view meaning;
+  bool holds;  ///< Now.
+  std::function<void()> choose;
+  std::function<Value()> content;  ///< Of the key; none of a word.
+};
+
+struct ChoiceValue {
+  std::function<std::vector<Alternative>()> alternatives;
+  std::string_view command = {};  ///< That lists them where they are many.
+};
+
+struct Field;
+struct MapValue {
+  /// Calls with each key in turn, some of which depend on the values of those before.
+  std::function<void(const std::function<void(const Field&)>&)> for_each;
+};
+
+struct ChoiceUnderKey {
+  std::string_view key;
+  ChoiceValue choice;
+  MapValue map;
+};
+
+struct ListValue {
+  int least, greatest;
+  std::function<std::size_t()> size;
+  std::function<void(std::size_t)> resize;
+  std::function<Value(std::size_t)> entry;
+  std::vector<double>* numbers = nullptr;  ///< The entries, where they are quantities.
+};
+
+/// One value or several.
+struct OneOr {
+  enum class Form { parts, ends, range, rollers, word, levels };
+
+  Form form;
+  std::function<Value()> one, several;
+  std::string others = {};                              ///< How several are written, in words.
+  std::function<void()> spread = [] {};                 ///< Takes the one that was read for all.
+  bool are_several = false;                             ///< Now.
+  std::function<bool()> is_odd = [] { return false; };  ///< Whether several contradict each other.
+};
+
+struct Value {
+  std::variant<Leaf<Quantity, double>, Leaf<EitherQuantity, LeastLife>, Leaf<Held, double>,
+               Leaf<Number, double>, Leaf<Whole, int>, Leaf<Whole, std::int64_t>, Leaf<Flag, bool>,
+               Leaf<Text, std::string>, Leaf<Verbatim, std::string>, ChoiceValue, ChoiceUnderKey,
+               MapValue, ListValue, OneOr>
+      as;
+};
+
+/// A key of a map, for the time of a call.
+struct Field {
+  std::string_view key;
+  Presence presence;
+  std::string_view meaning;
+  void* member;
+  const void* kind;
+  Value (*value_of)(void* member, const void* kind);
+  bool (*stands)(const void* member) = nullptr;      ///< None where there always is a value.
+  void (*make)(void* member, bool there) = nullptr;  ///< A new value, or none.
+
+  bool is_optional() const { return stands != nullptr; }
+  bool has_value() const { return !stands || stands(member); }
+  Value value() const { return value_of(member, kind); }
+  void renew() const {
+    if (make) make(member, true);
+  }
+
+  /// Calls `use` with the value, or with one made for the call.
+  template <class Use>
+  auto sample(Use use) const {
+    if (has_value()) return use(value());
+    make(member, true);
+    auto result = use(value());
+    make(member, false);
+    return result;
+  }
+};
+
+/// Calls `use` with the first entry, or with one made for the call.
+template <class Use>
+auto sample_entry(const ListValue& list, Use use) {
+  if (list.size() > 0) return use(list.entry(0));
+  list.resize(1);
+  auto result = use(list.entry(0));
+  list.resize(0);
+  return result;
 }
 
-template <class Io, class T, class L>
-void list_keys(Io& io, T&, const Keys<L>& keys) {
-  keys.list(io);
+// From a member to its value --------------------------------------------------------------------
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+/// Takes the keys of a block from its description.
+class Fields {
+ public:
+  using Take = std::function<void(const Field&)>;
+  explicit Fields(const Take& take) : take_(take) {}
+
+  template <class T, class Kind>
+  void operator()(std::string_view key, T& member, const Kind& kind, Presence presence,
+                  std::string_view meaning) const {
+    const auto of = [](void* at, const void* how) {
+      T& found = *static_cast<T*>(at);
+      if constexpr (is_optional<T>)
+        return value_of(*found, *static_cast<const Kind*>(how));
+      else
+        return value_of(found, *static_cast<const Kind*>(how));
+    };
+    Field field{key, presence, meaning, &member, &kind, of};
+    if constexpr (is_optional<T>) {
+      field.stands = [](const void* at) { return static_cast<const T*>(at)->has_value(); };
+      field.make = [](void* at, bool there) {
+        T& made = *static_cast<T*>(at);
+        there ? void(made.emplace()) : made.reset();
+      };
+    }
+    take_(field);
+  }
+  template <class T, class Kind>
+  void operator()(std::string_view key, T& member, const Kind& kind,
+                  std::string_view meaning) const {
+    (*this)(key, member, kind, optional, meaning);
+  }
+
+ private:
+  const Take& take_;
+};
+
+/// Takes the alternatives of a choice from their description: WORD, member, value, meaning, or KEY,
+/// member, value, content, kind, meaning.
+struct Choices {
+  std::vector<Alternative> list;
+
+  template <class E>
+  void operator()(std::string_view name, E& member, std::type_identity_t<E> value,
+                  std::string_view meaning) {
+    list.push_back({name, meaning, member == value, [&member, value] { member = value; }, {}});
+  }
+  template <class E, class T, class Kind>
+  void operator()(std::string_view name, E& member, std::type_identity_t<E> value, T& content,
+                  const Kind& kind, std::string_view meaning) {
+    (*this)(name, member, value, meaning);
+    list.back().content = [&content, kind] { return value_of(content, kind); };
+  }
+};
+
+/// The map that a description of keys makes.
+template <class Describe>
+MapValue map_of(Describe describe) {
+  return {[describe](const Fields::Take& take) { describe(Fields(take)); }};
 }
 
-template <class Io, class T, class Kind>
-void list_keys(Io& io, PerPart<T>& parts, const Each<Kind>& each) {
-  io.field("screw", parts.screw, each.kind, each.presence, "Of the screw");
-  io.field("roller", parts.roller, each.kind, each.presence, "Of the roller");
-  io.field("nut", parts.nut, each.kind, each.presence, "Of the nut");
+template <class Kind, class T>
+requires std::constructible_from<decltype(Value::as), Leaf<Kind, T>> Value
+value_of(T& member, const Kind& kind) {
+  return {Leaf<Kind, T>{member, kind}};
 }
 
-template <class Io, class T, class Kind>
-void list_keys(Io& io, PerInterface<T>& sides, const Each<Kind>& each) {
-  io.field("screw", sides.screw, each.kind, each.presence, "At the roller-screw interface");
-  io.field("nut", sides.nut, each.kind, each.presence, "At the roller-nut interface");
+template <class T>
+ChoiceValue choice_of(T& member, std::string_view command = {}) {
+  return {[&member] {
+            Choices io;
+            alternatives(io, member);
+            return std::move(io.list);
+          },
+          command};
+}
+template <class T>
+Value value_of(T& member, const Choice&) {
+  return {choice_of(member)};
+}
+template <class T>
+Value value_of(T& member, const Listed& kind) {
+  return {choice_of(member, kind.command)};
+}
+template <class T>
+Value value_of(T& member, const ChoiceUnder& kind) {
+  return {ChoiceUnderKey{kind.key, choice_of(member), map_of([&member, kind](const Fields& io) {
+                           io(kind.key, member, Choice{}, required, "The choice");
+                         })}};
 }
 
-template <class Io, class T, class Kind>
-void list_keys(Io& io, PerEnd<T>& ends, const OneOrEnds<Kind>& kind) {
-  io.field("near", ends.near, kind.kind, optional, "At the end that faces the loaded end");
-  io.field("far", ends.far, kind.kind, optional, "At the other end");
+template <class T>
+Value value_of(T& block, const Block&) {
+  return {map_of([&block](const Fields& io) { fields(io, block); })};
+}
+template <class T, class L>
+Value value_of(T&, const Keys<L>& keys) {
+  return {map_of(keys.list)};
+}
+template <class T, class Kind>
+Value value_of(PerPart<T>& parts, const Each<Kind>& each) {
+  return {map_of([&parts, each](const Fields& io) {
+    io("screw", parts.screw, each.kind, each.presence, "Of the screw");
+    io("roller", parts.roller, each.kind, each.presence, "Of the roller");
+    io("nut", parts.nut, each.kind, each.presence, "Of the nut");
+  })};
+}
+template <class T, class Kind>
+Value value_of(PerInterface<T>& sides, const Each<Kind>& each) {
+  return {map_of([&sides, each](const Fields& io) {
+    io("screw", sides.screw, each.kind, each.presence, "At the roller-screw interface");
+    io("nut", sides.nut, each.kind, each.presence, "At the roller-nut interface");
+  })};
 }
 
-template <class Io, class T>
-void list_keys(Io& io, T& value, const WordOrBlock&) {
-  fields(io, value);
+template <class T, class Kind>
+Value value_of(std::vector<T>& items, const List<Kind>& kind) {
+  ListValue list{kind.least, kind.greatest, [&] { return items.size(); },
+                 [&](std::size_t size) { items.resize(size); },
+                 [&items, entry = kind.kind](std::size_t i) { return value_of(items[i], entry); }};
+  if constexpr (std::same_as<Kind, Quantity>) list.numbers = &items;
+  return {std::move(list)};
 }
 
-template <class Io, class T>
-void list_keys(Io& io, T& choice, const ChoiceUnder& kind) {
-  io.field(kind.key, choice, Choice{}, required, "The choice");
+template <class T, class Kind>
+Value value_of(PerPart<T>& parts, const OneOrEach<Kind>& kind) {
+  return {OneOr{OneOr::Form::parts,
+                [&parts, one = kind.kind] { return value_of(parts.screw, one); },
+                [&parts, one = kind.kind] {
+                  return value_of(parts, Each{one, required});
+                },
+                ", or one each for {screw, roller, nut}",
+                [&parts] { parts.roller = parts.nut = parts.screw; }}};
 }
+template <class T, class Kind>
+Value value_of(PerEnd<T>& ends, const OneOrEnds<Kind>& kind) {
+  return {OneOr{OneOr::Form::ends, [&ends, one = kind.kind] { return value_of(ends.near, one); },
+                [&ends, one = kind.kind] {
+                  return Value{map_of([&ends, one](const Fields& io) {
+                    io("near", ends.near, one, "At the end that faces the loaded end");
+                    io("far", ends.far, one, "At the other end");
+                  })};
+                },
+                ", or one each for {near, far}", [&ends] { ends.far = ends.near; },
+                ends.near != ends.far}};
+}
+template <class T, class Kind>
+Value value_of(OneOrMany<T> value, const ForEachRoller<Kind>& kind) {
+  return {OneOr{OneOr::Form::rollers, [value, one = kind.kind] { return value_of(value.one, one); },
+                [value, one = kind.kind] {
+                  return value_of(value.many, List{one, 1});
+                },
+                ", or a list with one for each roller", [] {}, !value.many.empty()}};
+}
+template <class T>
+Value value_of(T& block, const WordOrBlock& kind) {
+  return {OneOr{OneOr::Form::word,
+                [&block, kind] { return value_of(selector_of(block, kind), Choice{}); },
+                [&block] { return value_of(block, Block{}); },
+                ", or a map with `" + std::string(kind.key) + "`"}};
+}
+Value value_of(Range& range, const OneOrRange& kind);
+Value value_of(WrittenValues& values, const ListOrRange& kind);
 
-template <class Io>
-void list_keys(Io& io, Range& range, const OneOrRange& kind) {
-  io.field("from", range.from, kind.quantity, required, "First value");
-  io.field("to", range.to, kind.quantity, required, "Last value");
-  io.field("steps", range.steps, Whole{1, kMostSteps}, required, "Number of values, ends included");
-}
+/// The plans of a study by their names.
+void alternatives(Choices& io, Plan& p);
 
-template <class Io>
-void list_keys(Io& io, WrittenRange& range, ListOrRange) {
-  io.field("from", range.from, Verbatim{}, required, "First value");
-  io.field("to", range.to, Verbatim{}, required, "Last value, in the same unit");
-  io.field("steps", range.steps, Whole{2, kMostSteps}, required, "Number of values, ends included");
-  io.field("spacing", range.spacing, Choice{}, optional, "What is equidistant");
-}
+/// The whole input, described once: every key, its unit and bounds, whether it must stand, its
+/// meaning. Defaults are the member initialisers of the structs.
+void fields(const Fields& io, CaseFile& file);
 
 }  // namespace prs::input

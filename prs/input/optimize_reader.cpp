@@ -13,7 +13,6 @@
 #include "prs/input/reader.h"
 #include "prs/input/slot.h"
 #include "prs/input/units.h"
-#include "prs/input/value_text.h"
 
 namespace prs::input {
 namespace {

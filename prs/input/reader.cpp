@@ -7,12 +7,11 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
 
-#include "prs/input/case_fields.h"
+#include "prs/input/case_file.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/document.h"
 #include "prs/input/schema.h"
@@ -50,174 +49,103 @@ struct Wanted {
   std::string example;
 };
 
-/// The dimension's example where it is admissible, else the middle of the bounds.
-std::string example_of(const Quantity& q) {
-  const std::optional<double> usual = parse_quantity(q.dimension.example, q.dimension).value;
-  if (usual && q.bounds.contain(*usual)) return std::string(q.dimension.example);
-  const double middle = 0.5 * (q.bounds.least + q.bounds.greatest);
-  return std::isfinite(middle) ? format_quantity(middle, q.dimension)
-                               : std::string(q.dimension.example);
-}
+Wanted wanted(const Value& value);
 
-template <class T>
-Wanted wanted(T&, const Quantity& q) {
+/// The dimension's example where it is admissible, else the middle of the bounds.
+Wanted wanted(const Quantity& q) {
+  std::string example(q.dimension.example);
+  const std::optional<double> usual = parse_quantity(example, q.dimension).value;
+  const double middle = 0.5 * (q.bounds.least + q.bounds.greatest);
+  if (!(usual && q.bounds.contain(*usual)) && std::isfinite(middle))
+    example = format_quantity(middle, q.dimension);
   return {fmt::format("{}{} with its unit", q.dimension.name, text_of_bounds(q.bounds, q)),
-          example_of(q)};
+          example};
 }
-template <class T>
-Wanted wanted(T& value, const EitherQuantity& kind) {
-  const Wanted first = wanted(value, kind.first), second = wanted(value, kind.second);
+Wanted wanted(const EitherQuantity& kind) {
+  const Wanted first = wanted(kind.first), second = wanted(kind.second);
   return {fmt::format("{} or {}", first.what, second.what), first.example};
 }
-template <class T>
-Wanted wanted(T&, const Held& h) {
+Wanted wanted(const Held& h) {
   return {fmt::format("rigid{} or {}{} with its unit", h.may_be_free ? ", free" : "",
                       h.dimension.name, text_of_bounds(h.least, Quantity{h.dimension, h.least})),
           std::string(h.dimension.example)};
 }
-template <class T>
-Wanted wanted(T&, const Number& n) {
+Wanted wanted(const Number& n) {
   const double middle = 0.5 * (n.bounds.least + n.bounds.greatest);
   const bool usual = n.bounds.contain(0.3) || !std::isfinite(middle);
   return {fmt::format("a number{}", text_of_bounds(n.bounds, n)),
           usual ? "0.3" : fmt::format("{:g}", middle)};
 }
-template <class T>
-Wanted wanted(T&, const Whole& w) {
+Wanted wanted(const Whole& w) {
   return {fmt::format("a whole number from {} to {}{}{}", w.least, w.greatest,
                       w.reason.empty() ? "" : ", ", w.reason),
           fmt::format("{}", std::clamp<std::int64_t>(3, w.least, w.greatest))};
 }
-template <class T>
-Wanted wanted(T&, const Flag&) {
-  return {"true or false", "true"};
-}
-template <class T>
-Wanted wanted(T&, const Text& kind) {
+Wanted wanted(const Flag&) { return {"true or false", "true"}; }
+Wanted wanted(const Text& kind) {
   return {fmt::format("a line of 1 to {} characters", kLongestText), std::string(kind.example)};
 }
+Wanted wanted(const Verbatim& kind) { return {"a value", std::string(kind.example)}; }
 
-template <class T>
-Wanted wanted(T&, const Verbatim& kind) {
-  return {"a value", std::string(kind.example)};
-}
-template <class T>
-Wanted wanted(T&, const ListOrRange&) {
-  return {"a list of at least 1 value, or a range {from, to, steps, spacing}", "[20 mm, 30 mm]"};
+template <class Kind, class T>
+Wanted wanted(const Leaf<Kind, T>& leaf) {
+  return wanted(leaf.kind);
 }
 
-/// Visits the alternatives of a choice for their names.
-struct ChoiceNames : Visitor {
+/// The alternatives of a choice by their names.
+struct ChoiceNames {
   std::vector<std::string_view> words, keys;
 
-  template <class E>
-  void word(std::string_view name, E&, E, std::string_view) {
-    words.push_back(name);
-  }
-  template <class E, class T, class Kind>
-  void map(std::string_view name, E&, E, T&, const Kind&, std::string_view) {
-    keys.push_back(name);
+  explicit ChoiceNames(const ChoiceValue& choice) {
+    for (const Alternative& a : choice.alternatives()) (a.content ? keys : words).push_back(a.name);
   }
 };
 
-template <class T>
-ChoiceNames names_of(T& choice) {
-  ChoiceNames names;
-  alternatives(names, choice);
-  return names;
-}
-
-template <class T>
-Wanted wanted(T& value, const Choice&) {
-  const ChoiceNames names = names_of(value);
+Wanted wanted(const ChoiceValue& choice) {
+  const ChoiceNames names(choice);
   std::string what = fmt::format("{}", fmt::join(names.words, " | "));
   for (std::string_view key : names.keys) what += fmt::format(" | {{{}: ..}}", key);
+  if (!choice.command.empty()) what = fmt::format("a name that `{}` shows", choice.command);
   return {what, std::string(names.words[0])};
 }
-template <class T>
-Wanted wanted(T& value, const Listed& kind) {
-  return {fmt::format("a name that `{}` shows", kind.command),
-          std::string(names_of(value).words[0])};
-}
-template <class T>
-Wanted wanted(T& value, const ChoiceUnder& kind) {
-  const Wanted choice = wanted(value, Choice{});
-  return {choice.what, fmt::format("{{{}: {}}}", kind.key, choice.example)};
+Wanted wanted(const ChoiceUnderKey& under) {
+  const Wanted choice = wanted(under.choice);
+  return {choice.what, fmt::format("{{{}: {}}}", under.key, choice.example)};
 }
 
-/// Visits the keys of a map for those that must stand.
-struct RequiredKeys : Visitor {
-  std::string text;
+/// The keys that must stand, as an example.
+Wanted wanted(const MapValue& map) {
+  std::string keys;
+  map.for_each([&](const Field& field) {
+    if (field.presence.required)
+      keys += fmt::format("{}{}: ..", keys.empty() ? "" : ", ", field.key);
+  });
+  return {"a map", fmt::format("{{{}}}", keys)};
+}
 
-  template <class T, class Kind>
-  void field(std::string_view key, T&, const Kind&, Presence presence, std::string_view) {
-    if (presence.required) text += fmt::format("{}{}: ..", text.empty() ? "" : ", ", key);
-  }
-};
-
-template <class T, class Kind>
-Wanted wanted_map(T& value, const Kind& kind) {
-  RequiredKeys keys;
-  list_keys(keys, value, kind);
-  return {"a map", fmt::format("{{{}}}", keys.text)};
-}
-template <class T>
-Wanted wanted(T& value, const Block& kind) {
-  return wanted_map(value, kind);
-}
-template <class T, class L>
-Wanted wanted(T& value, const Keys<L>& kind) {
-  return wanted_map(value, kind);
-}
-template <class T, class Kind>
-Wanted wanted(T& value, const Each<Kind>& kind) {
-  return wanted_map(value, kind);
-}
-template <class T, class Kind>
-Wanted wanted(T& value, const OneOrEach<Kind>& kind) {
-  const Wanted one = wanted(value.screw, kind.kind);
-  return {one.what + ", or one each for {screw, roller, nut}", one.example};
-}
-template <class T, class Kind>
-Wanted wanted(T& value, const ForEachRoller<Kind>& kind);
-template <class T, class Kind>
-Wanted wanted(PerEnd<T>& value, const OneOrEnds<Kind>& kind);
-template <class T>
-Wanted wanted(T& value, const WordOrBlock& kind);
-template <class T>
-Wanted wanted(T& value, const OneOrRange& kind) {
-  const Wanted one = wanted(value.from, kind.quantity);
-  return {one.what + ", or a range {from, to, steps}", one.example};
-}
-template <class T, class Kind>
-Wanted wanted(std::vector<T>&, const List<Kind>& kind) {
-  T item{};
+Wanted wanted(const ListValue& list) {
   std::string what = "a list";
-  if (kind.least == kind.greatest)
-    what += fmt::format(" of {}", kind.least);
-  else if (kind.greatest < std::numeric_limits<int>::max())
-    what += fmt::format(" of {} to {}", kind.least, kind.greatest);
-  else if (kind.least > 0)
-    what += fmt::format(" of at least {}", kind.least);
-  const std::vector<std::string> examples(static_cast<std::size_t>(std::max(1, kind.least)),
-                                          wanted(item, kind.kind).example);
+  if (list.least == list.greatest)
+    what += fmt::format(" of {}", list.least);
+  else if (list.greatest < std::numeric_limits<int>::max())
+    what += fmt::format(" of {} to {}", list.least, list.greatest);
+  else if (list.least > 0)
+    what += fmt::format(" of at least {}", list.least);
+  const Wanted entry = sample_entry(list, [](const Value& v) { return wanted(v); });
+  const std::vector<std::string> examples(static_cast<std::size_t>(std::max(1, list.least)),
+                                          entry.example);
   return {what, fmt::format("[{}]", fmt::join(examples, ", "))};
 }
 
-template <class T, class Kind>
-Wanted wanted(T& value, const ForEachRoller<Kind>& kind) {
-  const Wanted one = wanted(value.one, kind.kind);
-  return {one.what + ", or a list with one for each roller", one.example};
+Wanted wanted(const OneOr& value) {
+  if (value.form == OneOr::Form::levels)
+    return {"a list of at least 1 value, or a range {from, to, steps, spacing}", "[20 mm, 30 mm]"};
+  const Wanted one = wanted(value.one());
+  return {one.what + value.others, one.example};
 }
-template <class T, class Kind>
-Wanted wanted(PerEnd<T>& value, const OneOrEnds<Kind>& kind) {
-  const Wanted one = wanted(value.near, kind.kind);
-  return {one.what + ", or one each for {near, far}", one.example};
-}
-template <class T>
-Wanted wanted(T& value, const WordOrBlock& kind) {
-  const Wanted word = wanted(selector_of(value), Choice{});
-  return {fmt::format("{}, or a map with `{}`", word.what, kind.key), word.example};
+
+Wanted wanted(const Value& value) {
+  return std::visit([](const auto& v) { return wanted(v); }, value.as);
 }
 
 // Reading ---------------------------------------------------------------------------------------
@@ -254,12 +182,13 @@ bool is_wrong_fraction(const std::string& text, const Quantity& q) {
   return bare && *bare <= 1.0 && !q.bounds.contain(*bare);
 }
 
+void read(const Written& w, const Value& value);
+
 void read(const Written& w, double& value, const Quantity& q) {
   if (w.node.kind != Node::Kind::scalar || is_wrong_fraction(w.node.text, q))
-    return w.refuse(wanted(value, q));
+    return w.refuse(wanted(q));
   const ParsedQuantity parsed = parse_quantity(w.node.text, q.dimension);
-  if (!parsed.value || !q.bounds.contain(*parsed.value))
-    return w.refuse(wanted(value, q), parsed.hint);
+  if (!parsed.value || !q.bounds.contain(*parsed.value)) return w.refuse(wanted(q), parsed.hint);
   value = *parsed.value;
 }
 
@@ -271,18 +200,18 @@ void read(const Written& w, LeastLife& life, const EitherQuantity& kind) {
   };
   if (w.node.kind != Node::Kind::scalar ||
       (!taken(kind.first, life.duration) && !taken(kind.second, life.travel)))
-    w.refuse(wanted(life, kind));
+    w.refuse(wanted(kind));
 }
 
 void read(const Written& w, double& value, const Held& held) {
-  if (w.node.kind != Node::Kind::scalar) return w.refuse(wanted(value, held));
+  if (w.node.kind != Node::Kind::scalar) return w.refuse(wanted(held));
   if (w.node.text == "rigid" || (held.may_be_free && w.node.text == "free")) {
     value = w.node.text == "rigid" ? kRigid : 0.0;
     return;
   }
   const ParsedQuantity parsed = parse_quantity(w.node.text, held.dimension);
   if (!parsed.value || !held.least.contain(*parsed.value))
-    return w.refuse(wanted(value, held), parsed.hint);
+    return w.refuse(wanted(held), parsed.hint);
   value = *parsed.value;
 }
 
@@ -296,7 +225,7 @@ void read(const Written& w, double& value, const Number& number) {
   const bool plain = w.node.kind == Node::Kind::scalar && !w.node.quoted;
   const std::optional<double> parsed = plain ? parse_number(w.node.text) : std::nullopt;
   if (!parsed || !number.bounds.contain(*parsed))
-    return w.refuse(wanted(value, number), quotes_hint(w.node));
+    return w.refuse(wanted(number), quotes_hint(w.node));
   value = *parsed;
 }
 
@@ -310,13 +239,13 @@ void read(const Written& w, T& value, const Whole& whole) {
   const bool plain = w.node.kind == Node::Kind::scalar && !w.node.quoted && !text.starts_with("+-");
   if (!plain || error != std::errc{} || stop != end || parsed < whole.least ||
       parsed > whole.greatest)
-    return w.refuse(wanted(value, whole), quotes_hint(w.node));
+    return w.refuse(wanted(whole), quotes_hint(w.node));
   value = parsed;
 }
 
 void read(const Written& w, bool& value, const Flag& flag) {
   if (w.node.kind != Node::Kind::scalar || scalar_type(w.node) != ScalarType::boolean)
-    return w.refuse(wanted(value, flag), quotes_hint(w.node));
+    return w.refuse(wanted(flag), quotes_hint(w.node));
   value = w.node.text[0] == 't' || w.node.text[0] == 'T';
 }
 
@@ -324,61 +253,20 @@ void read(const Written& w, std::string& value, const Text& text) {
   const auto is_control = [](char c) { return c >= 0 && c < ' '; };
   if (w.node.kind != Node::Kind::scalar || w.node.text.empty() ||
       w.node.text.size() > kLongestText || std::ranges::any_of(w.node.text, is_control))
-    return w.refuse(wanted(value, text));
+    return w.refuse(wanted(text));
   if (scalar_type(w.node) != ScalarType::text)
-    return w.refuse(wanted(value, text), fmt::format("put it in quotes: \"{}\"", w.node.text));
+    return w.refuse(wanted(text), fmt::format("put it in quotes: \"{}\"", w.node.text));
   value = w.node.text;
 }
 
 void read(const Written& w, std::string& value, const Verbatim& kind) {
-  if (w.node.kind == Node::Kind::null) return w.refuse(wanted(value, kind));
+  if (w.node.kind == Node::Kind::null) return w.refuse(wanted(kind));
   value = flow_text(w.node);
 }
 
-template <class T>
-void read(const Written& w, T& value, const Block& kind);
-
-/// Reads the alternative of a choice that the document names.
-class ChoiceReader : public Visitor {
- public:
-  explicit ChoiceReader(const Written& written) : written_(written) {}
-
-  template <class E>
-  void word(std::string_view name, E& selector, E value, std::string_view) {
-    if (written_.node.kind != Node::Kind::scalar || written_.node.text != name) return;
-    selector = value;
-    found_ = true;
-  }
-  template <class E, class T, class Kind>
-  void map(std::string_view name, E& selector, E value, T& content, const Kind& kind,
-           std::string_view) {
-    const bool alone = written_.node.kind == Node::Kind::map && written_.node.children.size() == 1;
-    if (!alone || written_.node.children[0].key != name) return;
-    selector = value;
-    read({written_.node.children[0], join(written_.path, name), written_.errors}, content, kind);
-    found_ = true;
-  }
-  bool found() const { return found_; }
-
- private:
-  const Written& written_;
-  bool found_ = false;
-};
-
-template <class T>
-void read(const Written& w, T& value, const Choice& kind) {
-  ChoiceReader reader(w);
-  alternatives(reader, value);
-  if (reader.found()) return;
-  const ChoiceNames names = names_of(value);
-  if (w.node.kind == Node::Kind::scalar)
-    w.refuse(wanted(value, kind), std::ranges::count(names.keys, w.node.text) > 0
-                                      ? "the value is missing"
-                                      : did_you_mean(w.node.text, names.words));
-  else if (w.node.kind == Node::Kind::map && w.node.children.size() == 1 && !names.keys.empty())
-    w.refuse(wanted(value, kind), did_you_mean(w.node.children[0].key, names.keys));
-  else
-    w.refuse(wanted(value, kind));
+template <class Kind, class T>
+void read(const Written& w, const Leaf<Kind, T>& leaf) {
+  read(w, leaf.value, leaf.kind);
 }
 
 /// `ISO VG 100` -> `iso-vg-100`
@@ -389,44 +277,43 @@ std::string spelled_as_a_name(std::string_view text) {
   return name;
 }
 
-template <class T>
-void read(const Written& w, T& value, const Listed& kind) {
-  ChoiceReader reader(w);
-  alternatives(reader, value);
-  if (reader.found()) return;
-  const bool is_text = w.node.kind == Node::Kind::scalar;
-  w.refuse(wanted(value, kind),
-           is_text ? did_you_mean(spelled_as_a_name(w.node.text), names_of(value).words) : "");
+void read(const Written& w, const ChoiceValue& choice) {
+  const bool is_word = w.node.kind == Node::Kind::scalar;
+  const bool is_key = w.node.kind == Node::Kind::map && w.node.children.size() == 1;
+  for (const Alternative& a : choice.alternatives()) {
+    if (a.content ? !is_key || w.node.children[0].key != a.name : !is_word || w.node.text != a.name)
+      continue;
+    a.choose();
+    if (a.content) read({w.node.children[0], join(w.path, a.name), w.errors}, a.content());
+    return;
+  }
+  const ChoiceNames names(choice);
+  std::string hint;
+  if (is_word && !choice.command.empty())
+    hint = did_you_mean(spelled_as_a_name(w.node.text), names.words);
+  else if (is_word)
+    hint = std::ranges::count(names.keys, w.node.text) > 0 ? "the value is missing"
+                                                           : did_you_mean(w.node.text, names.words);
+  else if (is_key && !names.keys.empty())
+    hint = did_you_mean(w.node.children[0].key, names.keys);
+  w.refuse(wanted(choice), hint);
 }
 
-template <class T, class Kind>
-void read_map(const Written& w, T& value, const Kind& kind);
-
-template <class T>
-void read(const Written& w, T& value, const Block& kind) {
-  read_map(w, value, kind);
-}
-template <class T, class L>
-void read(const Written& w, T& value, const Keys<L>& kind) {
-  read_map(w, value, kind);
-}
-template <class T, class Kind>
-void read(const Written& w, T& value, const Each<Kind>& kind) {
-  read_map(w, value, kind);
-}
+void read(const Written& w, const MapValue& map);
 
 /// Of a map that names two alternatives, or one next to the key that chooses.
-bool refuse_second_choice(const Written& w, const ChoiceNames& names, const Wanted& choice,
-                          std::string_view key) {
+bool refuse_second_choice(const Written& w, const ChoiceUnderKey& under) {
+  const ChoiceNames names(under.choice);
   const Node* first = nullptr;
   for (const Node& child : w.node.children) {
     const auto is = [&](std::string_view name) { return name == child.key; };
-    if (!is(key) && std::ranges::none_of(names.words, is) && std::ranges::none_of(names.keys, is))
+    if (!is(under.key) && std::ranges::none_of(names.words, is) &&
+        std::ranges::none_of(names.keys, is))
       continue;
     if (first) {
       w.errors.add(child.key_place, join(w.path, child.key),
                    fmt::format("stands next to `{}`; expected one of {}; delete one of the two",
-                               first->key, choice.what));
+                               first->key, wanted(under.choice).what));
       return true;
     }
     first = &child;
@@ -434,95 +321,59 @@ bool refuse_second_choice(const Written& w, const ChoiceNames& names, const Want
   return false;
 }
 
-template <class T>
-void read(const Written& w, T& value, const ChoiceUnder& kind) {
+void read(const Written& w, const ChoiceUnderKey& under) {
   const bool bare = w.node.kind == Node::Kind::map && w.node.children.size() == 1 &&
-                    w.node.children[0].key != kind.key;
-  if (bare) return read(w, value, Choice{});
-  if (!refuse_second_choice(w, names_of(value), wanted(value, Choice{}), kind.key))
-    read_map(w, value, kind);
+                    w.node.children[0].key != under.key;
+  if (bare) return read(w, under.choice);
+  if (!refuse_second_choice(w, under)) read(w, under.map);
 }
 
-template <class T, class Kind>
-void read(const Written& w, T& value, const OneOrEach<Kind>& kind) {
-  if (is_per_part(w.node)) return read_map(w, value, Each{kind.kind, required});
-  read(w, value.screw, kind.kind);
-  value.roller = value.nut = value.screw;
+void read(const Written& w, const ListValue& list) {
+  const std::size_t size = w.node.children.size();
+  if (w.node.kind != Node::Kind::sequence || size < static_cast<std::size_t>(list.least) ||
+      size > static_cast<std::size_t>(list.greatest))
+    return w.refuse(wanted(list));
+  list.resize(size);
+  for (std::size_t i = 0; i < size; ++i)
+    read({w.node.children[i], fmt::format("{}[{}]", w.path, i), w.errors}, list.entry(i));
 }
 
-template <class T, class Kind>
-void read(const Written& w, PerEnd<T>& value, const OneOrEnds<Kind>& kind) {
-  if (w.node.kind == Node::Kind::map) return read_map(w, value, kind);
-  read(w, value.near, kind.kind);
-  value.far = value.near;
-}
-
-template <class T>
-void read(const Written& w, T& value, const WordOrBlock& kind) {
-  if (w.node.kind == Node::Kind::map) return read_map(w, value, kind);
-  read(w, selector_of(value), Choice{});
-}
-
-void read(const Written& w, Range& range, const OneOrRange& kind) {
-  if (w.node.kind != Node::Kind::map) {
-    read(w, range.from, kind.quantity);
-    range.to = range.from;
+void read(const Written& w, const OneOr& value) {
+  if (is_several(w.node, value)) {
+    read(w, value.several());
+    if (value.is_odd())
+      w.errors.add(w.node.place, w.path,
+                   "got 1 step between different ends; expected at least 2; write `steps: 2`");
     return;
   }
-  read_map(w, range, kind);
-  if (range.steps == 1 && range.from != range.to)
-    w.errors.add(w.node.place, w.path,
-                 "got 1 step between different ends; expected at least 2; write `steps: 2`");
-}
-
-template <class T, class Kind>
-void read(const Written& w, std::vector<T>& items, const List<Kind>& kind) {
-  const std::size_t least = static_cast<std::size_t>(kind.least);
-  const std::size_t greatest = static_cast<std::size_t>(kind.greatest);
-  if (w.node.kind != Node::Kind::sequence || w.node.children.size() < least ||
-      w.node.children.size() > greatest)
-    return w.refuse(wanted(items, kind));
-  items.resize(w.node.children.size());
-  for (std::size_t i = 0; i < items.size(); ++i)
-    read({w.node.children[i], fmt::format("{}[{}]", w.path, i), w.errors}, items[i], kind.kind);
-}
-
-/// Whether a list has a value for each roller, and is not the value of all of them.
-template <class T>
-bool is_for_each(const OneOrMany<T>&, const Node& node) {
-  if (node.kind != Node::Kind::sequence) return false;
-  return std::is_arithmetic_v<T> ||
-         (!node.children.empty() && node.children[0].kind == Node::Kind::sequence);
-}
-
-template <class T, class Kind>
-void read(const Written& w, OneOrMany<T>& value, const ForEachRoller<Kind>& kind) {
-  if (is_for_each(value, w.node)) return read(w, value.many, List{kind.kind, 1});
-  read(w, value.one, kind.kind);
-}
-
-void read(const Written& w, WrittenValues& values, const ListOrRange& kind) {
-  if (w.node.kind == Node::Kind::map) return read_map(w, values.range.emplace(), kind);
-  if (w.node.kind != Node::Kind::sequence || w.node.children.empty())
-    return w.refuse(wanted(values, kind));
-  read(w, values.list, List{Verbatim{}});
+  if (value.form == OneOr::Form::levels &&
+      (w.node.kind != Node::Kind::sequence || w.node.children.empty()))
+    return w.refuse(wanted(value));
+  read(w, value.one());
+  value.spread();
 }
 
 /// Reads the keys of one map.
-class MapReader : public Visitor {
+class MapReader {
  public:
   explicit MapReader(const Written& map) : map_(map) {}
 
-  template <class T, class Kind>
-  void field(std::string_view key, T& value, const Kind& kind, Presence presence,
-             std::string_view) {
-    known_.push_back(key);
-    if constexpr (is_optional<T>) {
-      typename T::value_type content{};
-      if (read_key(key, content, kind, presence)) value = std::move(content);
-    } else {
-      read_key(key, value, kind, presence);
+  void read_key(const Field& field) {
+    known_.push_back(field.key);
+    const Node* node = find(map_.node, field.key);
+    const std::string path = join(map_.path, field.key);
+    if (!node) {
+      if (field.presence.required)
+        refuse_absence(path, field.sample([](const Value& v) { return wanted(v); }),
+                       field.presence);
+      return;
     }
+    field.renew();
+    if (field.presence.allowed) return read({*node, path, map_.errors}, field.value());
+    map_.errors.add_consequence(
+        node->key_place, path,
+        fmt::format("got {}; expected no such key here: it stands {}; delete it", got(*node),
+                    field.presence.condition));
   }
 
   void refuse_other_keys() const {
@@ -572,24 +423,6 @@ class MapReader : public Visitor {
                        shown(key.substr(colon + 1)));
   }
 
-  /// Whether the key stands.
-  template <class T, class Kind>
-  bool read_key(std::string_view key, T& value, const Kind& kind, Presence presence) {
-    const Node* node = find(map_.node, key);
-    const std::string path = join(map_.path, key);
-    if (!node) {
-      if (presence.required) refuse_absence(path, wanted(value, kind), presence);
-    } else if (!presence.allowed) {
-      map_.errors.add_consequence(
-          node->key_place, path,
-          fmt::format("got {}; expected no such key here: it stands {}; delete it", got(*node),
-                      presence.condition));
-    } else {
-      read({*node, path, map_.errors}, value, kind);
-    }
-    return node != nullptr;
-  }
-
   void refuse_absence(const std::string& path, const Wanted& w, Presence presence) const {
     const Node& map = map_.node;
     const Place place = map.key.empty() ? map.place : map.key_place;
@@ -606,12 +439,15 @@ class MapReader : public Visitor {
   std::vector<std::string_view> known_;
 };
 
-template <class T, class Kind>
-void read_map(const Written& w, T& value, const Kind& kind) {
-  if (w.node.kind != Node::Kind::map) return w.refuse(wanted(value, kind));
+void read(const Written& w, const MapValue& map) {
+  if (w.node.kind != Node::Kind::map) return w.refuse(wanted(map));
   MapReader keys(w);
-  list_keys(keys, value, kind);
+  map.for_each([&](const Field& field) { keys.read_key(field); });
   keys.refuse_other_keys();
+}
+
+void read(const Written& w, const Value& value) {
+  std::visit([&](const auto& v) { read(w, v); }, value.as);
 }
 
 // Load cases ------------------------------------------------------------------------------------
@@ -700,7 +536,7 @@ CaseFile read_case_file(const Node& root, ErrorList& errors) {
   CaseFile file;
   Node turned = root;
   file.speeds_follow_lead = turn_speeds(turned);
-  read({turned, "", errors}, file, Block{});
+  read({turned, "", errors}, value_of(file, Block{}));
   if (number_of_cases(file.load_cases) > kMostLoadCases)
     errors.add(locate(root, "load_cases"), "load_cases",
                fmt::format("got {} cases; expected at most {}; write ranges with fewer steps",

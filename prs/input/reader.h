@@ -14,6 +14,9 @@
 
 namespace prs::input {
 
+struct CaseFile;
+struct LoadCaseItem;
+
 /// A case and every value that it consists of, defaults included.
 struct CaseInput {
   Case values;

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "prs/input/case_fields.h"
 #include "prs/input/value_text.h"
 
 namespace prs::input {
@@ -31,8 +30,7 @@ std::string quantity_pattern(const Bounds& bounds, const Dimension& dimension) {
   return fmt::format("{}({}|([0-9]+[ -])?[0-9]+/[1-9][0-9]* *(in|ft))$", start, decimal);
 }
 
-template <class T>
-Json schema_of(T&, const Quantity& q) {
+Json schema_of(const Quantity& q) {
   const Bounds& bounds = zero_depends_on_unit(q.dimension) ? unbounded : q.bounds;
   const std::string limits = text_of_bounds(q.bounds, q);
   return {{"type", "string"},
@@ -42,21 +40,18 @@ Json schema_of(T&, const Quantity& q) {
           {"examples", Json::array({q.dimension.example})}};
 }
 
-template <class T>
-Json schema_of(T& value, const EitherQuantity& kind) {
-  return {{"oneOf", Json::array({schema_of(value, kind.first), schema_of(value, kind.second)})}};
+Json schema_of(const EitherQuantity& kind) {
+  return {{"oneOf", Json::array({schema_of(kind.first), schema_of(kind.second)})}};
 }
 
-template <class T>
-Json schema_of(T& value, const Held& held) {
+Json schema_of(const Held& held) {
   Json words = Json::array({"rigid"});
   if (held.may_be_free) words.push_back("free");
-  return {{"oneOf", Json::array({Json{{"enum", words}},
-                                 schema_of(value, Quantity{held.dimension, held.least})})}};
+  return {{"oneOf",
+           Json::array({Json{{"enum", words}}, schema_of(Quantity{held.dimension, held.least})})}};
 }
 
-template <class T>
-Json schema_of(T&, const Number& number) {
+Json schema_of(const Number& number) {
   const Bounds& b = number.bounds;
   Json json{{"type", "number"}};
   if (std::isfinite(b.least)) json[b.least_excluded ? "exclusiveMinimum" : "minimum"] = b.least;
@@ -65,18 +60,13 @@ Json schema_of(T&, const Number& number) {
   return json;
 }
 
-template <class T>
-Json schema_of(T&, const Whole& whole) {
+Json schema_of(const Whole& whole) {
   return {{"type", "integer"}, {"minimum", whole.least}, {"maximum", whole.greatest}};
 }
 
-template <class T>
-Json schema_of(T&, const Flag&) {
-  return {{"type", "boolean"}};
-}
+Json schema_of(const Flag&) { return {{"type", "boolean"}}; }
 
-template <class T>
-Json schema_of(T&, const Text&) {
+Json schema_of(const Text&) {
   return {{"type", "string"},
           {"minLength", 1},
           {"maxLength", kLongestText},
@@ -84,9 +74,13 @@ Json schema_of(T&, const Text&) {
 }
 
 /// Anything but nothing.
-template <class T>
-Json schema_of(T&, const Verbatim&) {
+Json schema_of(const Verbatim&) {
   return {{"type", {"string", "number", "boolean", "object", "array"}}};
+}
+
+template <class Kind, class T>
+Json schema_of(const Leaf<Kind, T>& leaf) {
+  return schema_of(leaf.kind);
 }
 
 Json object_schema(Json properties, Json required_keys) {
@@ -117,164 +111,93 @@ void describe(Json& json, std::string_view meaning, std::string_view condition =
   json["x-meaning"] = meaning;
 }
 
-Json default_of(bool value, const Flag&) { return value; }
-template <std::signed_integral T>
-Json default_of(T value, const Whole&) {
-  return value;
-}
-Json default_of(double value, const Number&) { return value; }
-template <class T, class Kind>
-Json default_of(const T& value, const Kind& kind) {
-  return text_of(value, kind);
-}
+Json schema_of(const Value& value);
 
-/// Whether a kind has a default of its own; that of a map is the defaults of its keys.
-template <class Kind>
-concept Simple = std::same_as<Kind, Quantity> || std::same_as<Kind, Number> ||
-    std::same_as<Kind, Whole> || std::same_as<Kind, Held> || std::same_as<Kind, EitherQuantity> ||
-    std::same_as<Kind, Flag> || std::same_as<Kind, Choice>;
+struct ChoiceSchema {
+  Json words = Json::array(), maps = Json::array();
+  std::vector<std::string> meanings;
 
-/// Visits the keys of a map.
-class Properties : public Visitor {
- public:
-  template <class T, class Kind>
-  void field(std::string_view key, T& value, const Kind& kind, Presence presence,
-             std::string_view meaning);
-
-  Json object() && { return object_schema(std::move(properties_), std::move(required_)); }
-
- private:
-  Json properties_ = Json::object();
-  Json required_ = Json::array();
+  explicit ChoiceSchema(const ChoiceValue& choice) {
+    for (const Alternative& a : choice.alternatives()) {
+      if (!a.content) {
+        words.push_back(a.name);
+        meanings.push_back(fmt::format("{}: {}", a.name, a.meaning));
+        continue;
+      }
+      Json content = schema_of(a.content());
+      describe(content, a.meaning);
+      maps.push_back(one_key(a.name, std::move(content)));
+    }
+  }
 };
 
-template <class T>
-Json schema_of(T& value, const Block& kind);
-
-/// Visits the alternatives of a choice.
-class Alternatives : public Visitor {
- public:
-  template <class E>
-  void word(std::string_view name, E&, E, std::string_view meaning) {
-    words_.push_back(name);
-    meanings_.push_back(fmt::format("{}: {}", name, meaning));
-  }
-  template <class E, class T, class Kind>
-  void map(std::string_view name, E&, E, T& content, const Kind& kind, std::string_view meaning) {
-    Json content_schema = schema_of(content, kind);
-    describe(content_schema, meaning);
-    maps_.push_back(one_key(name, std::move(content_schema)));
-  }
-
-  Json words() const {
-    return {{"enum", words_}, {"description", fmt::format("{}", fmt::join(meanings_, "; "))}};
-  }
-  const Json& maps() const { return maps_; }
-  Json all() const {
-    if (maps_.empty()) return words();
-    Json all = Json::array({words()});
-    all.insert(all.end(), maps_.begin(), maps_.end());
-    return {{"oneOf", std::move(all)}};
-  }
-
- private:
-  Json words_ = Json::array();
-  Json maps_ = Json::array();
-  std::vector<std::string> meanings_;
-};
-
-template <class T>
-Json schema_of(T& value, const Choice&) {
-  Alternatives choice;
-  alternatives(choice, value);
-  return choice.all();
-}
-
-template <class T>
-Json schema_of(T& value, const Listed&) {
-  return schema_of(value, Choice{});
-}
-
-template <class T, class Kind>
-Json map_schema(T& value, const Kind& kind) {
-  Properties properties;
-  list_keys(properties, value, kind);
-  return std::move(properties).object();
-}
-
-template <class T>
-Json schema_of(T& value, const Block& kind) {
-  return map_schema(value, kind);
-}
-template <class T, class L>
-Json schema_of(T& value, const Keys<L>& kind) {
-  return map_schema(value, kind);
-}
-template <class T, class Kind>
-Json schema_of(T& value, const Each<Kind>& kind) {
-  return map_schema(value, kind);
-}
-template <class T, class Kind>
-Json schema_of(T& value, const OneOrEach<Kind>& kind) {
-  return {{"oneOf", Json::array({schema_of(value.screw, kind.kind),
-                                 map_schema(value, Each{kind.kind, required})})}};
-}
-template <class T>
-Json schema_of(T& value, const ChoiceUnder& kind) {
-  Alternatives choice;
-  alternatives(choice, value);
-  Json all = choice.maps();
-  all.push_back(map_schema(value, kind));
+Json schema_of(const ChoiceValue& choice) {
+  const ChoiceSchema of(choice);
+  const Json words{{"enum", of.words},
+                   {"description", fmt::format("{}", fmt::join(of.meanings, "; "))}};
+  if (of.maps.empty()) return words;
+  Json all = Json::array({words});
+  all.insert(all.end(), of.maps.begin(), of.maps.end());
   return {{"oneOf", std::move(all)}};
 }
-template <class T>
-Json schema_of(T& value, const OneOrRange& kind) {
-  return {{"oneOf", Json::array({schema_of(value.from, kind.quantity), map_schema(value, kind)})}};
+
+/// The value of a key that has one where the file lacks it; that of a map is the values of its
+/// keys.
+template <class Kind, class T>
+Json default_of(const Leaf<Kind, T>& leaf) {
+  if constexpr (std::is_same_v<T, std::string>)
+    return Json();
+  else if constexpr (std::is_same_v<Kind, Flag> || std::is_same_v<Kind, Number> ||
+                     std::is_same_v<Kind, Whole>)
+    return leaf.value;
+  else
+    return text_of({leaf});
 }
-template <class T, class Kind>
-Json schema_of(std::vector<T>&, const List<Kind>& kind) {
-  T item{};
-  Json json{{"type", "array"}, {"minItems", kind.least}, {"items", schema_of(item, kind.kind)}};
-  if (kind.greatest < std::numeric_limits<int>::max()) json["maxItems"] = kind.greatest;
-  return json;
-}
-template <class T, class Kind>
-Json schema_of(T& value, const ForEachRoller<Kind>& kind) {
-  return {{"oneOf", Json::array({schema_of(value.one, kind.kind),
-                                 schema_of(value.many, List{kind.kind, 1})})}};
-}
-template <class T, class Kind>
-Json schema_of(PerEnd<T>& value, const OneOrEnds<Kind>& kind) {
-  return {{"oneOf", Json::array({schema_of(value.near, kind.kind), map_schema(value, kind)})}};
+Json default_of(const ChoiceValue& choice) {
+  return choice.command.empty() ? Json(text_of({choice})) : Json();
 }
 template <class T>
-Json schema_of(T& value, const WordOrBlock& kind) {
-  return {
-      {"oneOf", Json::array({schema_of(selector_of(value), Choice{}), map_schema(value, kind)})}};
-}
-template <class T>
-Json schema_of(T&, const ListOrRange& kind) {
-  WrittenRange range;
-  std::vector<std::string> list;
-  return {{"oneOf", Json::array({schema_of(list, List{Verbatim{}, 1}), map_schema(range, kind)})}};
+Json default_of(const T&) {
+  return Json();
 }
 
-template <class T, class Kind>
-void Properties::field(std::string_view key, T& value, const Kind& kind, Presence presence,
-                       std::string_view meaning) {
-  Json json;
-  if constexpr (is_optional<T>) {
-    typename T::value_type content{};
-    json = schema_of(content, kind);
-  } else {
-    json = schema_of(value, kind);
-    if constexpr (Simple<Kind>)
-      if (!presence.required && presence.condition.empty())
-        json["default"] = default_of(value, kind);
-  }
-  describe(json, meaning, presence.condition);
-  properties_[std::string(key)] = std::move(json);
-  if (presence.required && presence.condition.empty()) required_.push_back(key);
+Json schema_of(const MapValue& map) {
+  Json properties = Json::object(), required_keys = Json::array();
+  map.for_each([&](const Field& field) {
+    const Presence& presence = field.presence;
+    Json json = field.sample([](const Value& value) { return schema_of(value); });
+    if (!field.is_optional() && !presence.required && presence.condition.empty()) {
+      const Value value = field.value();
+      Json known = std::visit([](const auto& v) { return default_of(v); }, value.as);
+      if (!known.is_null()) json["default"] = std::move(known);
+    }
+    describe(json, field.meaning, presence.condition);
+    properties[std::string(field.key)] = std::move(json);
+    if (presence.required && presence.condition.empty()) required_keys.push_back(field.key);
+  });
+  return object_schema(std::move(properties), std::move(required_keys));
+}
+
+Json schema_of(const ChoiceUnderKey& under) {
+  Json all = ChoiceSchema(under.choice).maps;
+  all.push_back(schema_of(under.map));
+  return {{"oneOf", std::move(all)}};
+}
+
+Json schema_of(const ListValue& list) {
+  Json json{{"type", "array"},
+            {"minItems", list.least},
+            {"items", sample_entry(list, [](const Value& v) { return schema_of(v); })}};
+  if (list.greatest < std::numeric_limits<int>::max()) json["maxItems"] = list.greatest;
+  return json;
+}
+
+Json schema_of(const OneOr& value) {
+  return {{"oneOf", Json::array({schema_of(value.one()), schema_of(value.several())})}};
+}
+
+Json schema_of(const Value& value) {
+  return std::visit([](const auto& v) { return schema_of(v); }, value.as);
 }
 
 void add_keys(const Json& schema, const std::string& path, std::vector<InputKey>& keys) {
@@ -305,7 +228,7 @@ Json schema() {
   CaseFile file;
   Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
             {"title", "Input of prs, a program for planetary roller screws"}};
-  json.update(schema_of(file, Block{}));
+  json.update(schema_of(value_of(file, Block{})));
   return json;
 }
 

@@ -3,7 +3,9 @@
 #include <charconv>
 #include <cmath>
 #include <string>
-#include <type_traits>
+#include <variant>
+
+#include "prs/input/field.h"
 
 namespace prs::input {
 
@@ -32,143 +34,107 @@ struct Path {
 };
 
 /// Follows a path through the description of the input.
-class SlotFinder : public Visitor {
+class SlotFinder {
  public:
   SlotFinder(Path path, Slot& slot) : path_(path), slot_(slot) {}
 
-  template <class T, class Kind>
-  void field(std::string_view key, T& value, const Kind& kind, Presence, std::string_view) {
-    if (path_.key() != key) return;
-    const SlotFinder next(path_.rest(), slot_);
-    if constexpr (is_optional<T>) {
-      if (!value) value = typename T::value_type{};
-      next.find(*value, kind);
-    } else {
-      next.find(value, kind);
-    }
-  }
-
-  template <class E>
-  void word(std::string_view, E&, E, std::string_view) {}
-  template <class E, class T, class Kind>
-  void map(std::string_view name, E& selector, E value, T& content, const Kind& kind,
-           std::string_view) {
-    if (path_.key() == name && selector == value)
-      SlotFinder(path_.rest(), slot_).find(content, kind);
+  void find(const MapValue& map) const {
+    find_other();
+    map.for_each([this](const Field& field) {
+      if (path_.key() != field.key) return;
+      if (!field.has_value()) field.renew();
+      SlotFinder(path_.rest(), slot_).find(field.value());
+    });
   }
 
  private:
-  template <class T, class Kind>
-  void find(T&, const Kind&) const {
-    find_other();
+  void find(const Value& value) const {
+    std::visit([this](const auto& v) { find(v); }, value.as);
   }
   void find_other() const {
     if (path_.ends()) slot_.kind = Slot::Kind::other;
   }
 
-  void find(double& value, const Quantity& q) const {
-    if (path_.ends()) add(value, &q.dimension, q.bounds);
+  template <class Kind, class T>
+  void find(const Leaf<Kind, T>&) const {
+    find_other();
   }
-  void find(double& value, const Held& held) const {
-    if (path_.ends()) add(value, &held.dimension, held.least);
+  void find(const Leaf<Quantity, double>& leaf) const {
+    add(leaf.value, &leaf.kind.dimension, leaf.kind.bounds);
   }
-  void find(double& value, const Number& n) const {
-    if (path_.ends()) add(value, nullptr, n.bounds);
+  void find(const Leaf<Held, double>& leaf) const {
+    add(leaf.value, &leaf.kind.dimension, leaf.kind.least);
   }
-  void find(int& value, const Whole& w) const {
+  void find(const Leaf<Number, double>& leaf) const { add(leaf.value, nullptr, leaf.kind.bounds); }
+  void find(const Leaf<Whole, int>& leaf) const {
     if (!path_.ends()) return;
     slot_.kind = Slot::Kind::whole;
-    slot_.bounds = {.least = static_cast<double>(w.least),
-                    .greatest = static_cast<double>(w.greatest)};
-    slot_.whole = &value;
+    slot_.bounds = {.least = static_cast<double>(leaf.kind.least),
+                    .greatest = static_cast<double>(leaf.kind.greatest)};
+    slot_.whole = &leaf.value;
   }
 
-  template <class T>
-  void find(T& value, const Choice&) const {
+  void find(const ChoiceValue& choice) const {
     find_other();
-    SlotFinder choice = *this;
-    alternatives(choice, value);
+    for (const Alternative& a : choice.alternatives())
+      if (a.content && a.holds && a.name == path_.key())
+        SlotFinder(path_.rest(), slot_).find(a.content());
   }
-  template <class T>
-  void find(T& value, const ChoiceUnder& kind) const {
-    const Path path = path_.key() == kind.key ? path_.rest() : path_;
-    SlotFinder(path, slot_).find(value, Choice{});
+  void find(const ChoiceUnderKey& under) const {
+    SlotFinder(path_.key() == under.key ? path_.rest() : path_, slot_).find(under.choice);
   }
 
-  template <class T>
-  void find(T& value, const Block& kind) const {
-    find_key(value, kind);
-  }
-  template <class T, class L>
-  void find(T& value, const Keys<L>& kind) const {
-    find_key(value, kind);
-  }
-  template <class T, class Kind>
-  void find(T& value, const Each<Kind>& kind) const {
-    find_key(value, kind);
-  }
-  template <class T, class Kind>
-  void find(T& value, const OneOrEach<Kind>& kind) const {
-    const std::string_view key = path_.key();
-    if (key == "screw" || key == "roller" || key == "nut")
-      return find_key(value, Each{kind.kind, required});
-    for (const Part part : kParts) find(value[part], kind.kind);
-  }
-  /// The number of steps decides on how many load cases there are.
-  void find(Range& range, const OneOrRange& kind) const {
-    if (path_.ends()) {
-      find(range.from, kind.quantity);
-      find(range.to, kind.quantity);
-    } else if (path_.key() == "steps") {
-      slot_.kind = Slot::Kind::other;
-    } else if (range.steps.value_or(1) > 1) {
-      find_key(range, kind);
-    }
-  }
-  template <class T, class Kind>
-  void find(std::vector<T>& items, const List<Kind>& kind) const {
-    if constexpr (std::is_same_v<Kind, Quantity>) {
-      if (path_.ends()) {
-        slot_.kind = Slot::Kind::numbers;
-        slot_.dimension = &kind.kind.dimension;
-        slot_.bounds = kind.kind.bounds;
-        slot_.list = &items;
-        return;
-      }
+  void find(const ListValue& list) const {
+    if (list.numbers && path_.ends()) {
+      slot_.kind = Slot::Kind::numbers;
+      sample_entry(list, [&](const Value& entry) {
+        const Quantity& kind = std::get<Leaf<Quantity, double>>(entry.as).kind;
+        slot_.dimension = &kind.dimension;
+        slot_.bounds = kind.bounds;
+        return true;
+      });
+      slot_.list = list.numbers;
+      return;
     }
     const std::optional<std::size_t> index = path_.index();
-    if (index && *index < items.size())
-      SlotFinder(path_.rest(), slot_).find(items[*index], kind.kind);
+    if (index && *index < list.size()) SlotFinder(path_.rest(), slot_).find(list.entry(*index));
     find_other();
   }
 
-  template <class T, class Kind>
-  void find(OneOrMany<T>& value, const ForEachRoller<Kind>& kind) const {
-    if (value.many.empty())
-      find(value.one, kind.kind);
-    else
-      find(value.many, List{kind.kind, 1});
-  }
-  template <class T, class Kind>
-  void find(PerEnd<T>& value, const OneOrEnds<Kind>& kind) const {
+  void find(const OneOr& value) const {
+    using Form = OneOr::Form;
     const std::string_view key = path_.key();
-    if (key == "near" || key == "far" || value.near != value.far) return find_key(value, kind);
-    find(value.near, kind.kind);
-    if (!path_.ends()) find(value.far, kind.kind);
+    const Value several = value.several(), one = value.one();
+    switch (value.form) {
+      case Form::levels:
+        return find_other();
+      case Form::word:
+        return find(several);
+      case Form::rollers:
+        return find(value.are_several ? several : one);
+      case Form::parts:
+        return key == "screw" || key == "roller" || key == "nut" ? find(several)
+                                                                 : find_all(several);
+      case Form::ends:
+        if (key == "near" || key == "far" || value.are_several) return find(several);
+        return path_.ends() ? find(one) : find_all(several);
+      case Form::range:  // The number of steps decides on how many load cases there are.
+        if (path_.ends()) return find_all(several);
+        if (key == "steps")
+          slot_.kind = Slot::Kind::other;
+        else if (value.are_several)
+          find(several);
+    }
   }
-  template <class T>
-  void find(T& value, const WordOrBlock& kind) const {
-    find_key(value, kind);
-  }
-
-  template <class T, class Kind>
-  void find_key(T& value, const Kind& kind) const {
-    find_other();
-    SlotFinder keys = *this;
-    list_keys(keys, value, kind);
+  /// One value that holds for all of them.
+  void find_all(const Value& values) const {
+    std::get<MapValue>(values.as).for_each([this](const Field& field) {
+      if (field.key != "steps") find(field.value());
+    });
   }
 
   void add(double& value, const Dimension* dimension, const Bounds& bounds) const {
+    if (!path_.ends()) return;
     slot_.kind = Slot::Kind::number;
     slot_.dimension = dimension;
     slot_.bounds = bounds;
@@ -188,8 +154,7 @@ std::optional<double> within(const Bounds& bounds, std::optional<double> value) 
 Slot find_slot(CaseFile& file, std::string_view path) {
   Slot slot;
   if (Path{path}.key() == "study") return slot;
-  SlotFinder finder(Path{path}, slot);
-  fields(finder, file);
+  SlotFinder(Path{path}, slot).find(map_of([&](const Fields& io) { fields(io, file); }));
   return slot;
 }
 

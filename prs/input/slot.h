@@ -5,9 +5,12 @@
 #include <string_view>
 #include <vector>
 
-#include "prs/input/case_fields.h"
+#include "prs/input/bounds.h"
+#include "prs/input/units.h"
 
 namespace prs::input {
+
+struct CaseFile;
 
 /// Where the value at a path of the input is kept in a case file: what a number must be, and where
 /// it goes.

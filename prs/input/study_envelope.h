@@ -1,6 +1,6 @@
 #pragma once
 
-#include "prs/input/case_fields.h"
+#include "prs/input/case_file.h"
 #include "prs/input/document.h"
 #include "prs/model/study.h"
 

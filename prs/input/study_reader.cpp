@@ -54,7 +54,7 @@ std::optional<double> difference_in(std::string_view text, std::string_view unit
   return *value - number_in(zero, unit).value_or(0.0);
 }
 
-std::string plan_name(Plan plan) { return text_of(plan, Choice{}); }
+std::string plan_name(Plan plan) { return text_of(value_of(plan, Choice{})); }
 
 /// The keys of a factor of which one says what values it takes.
 std::vector<std::string_view> ways(const FactorItem& item) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "prs/input/case_fields.h"
+#include "prs/input/case_file.h"
 #include "prs/input/document.h"
 #include "prs/input/source.h"
 #include "prs/model/case.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "prs/input/case_fields.h"
+#include "prs/input/case_file.h"
 #include "prs/input/reader.h"
 
 namespace prs::fuzz {

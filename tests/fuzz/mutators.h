@@ -6,7 +6,7 @@
 #include <string>
 
 /// Random cases that are mostly sound: keys, units, words and ranges are those of the schema, which
-/// is that of prs/input/case_fields.h.
+/// is that of prs/input/case_fields.cpp.
 namespace prs::fuzz {
 
 struct Random : std::minstd_rand {

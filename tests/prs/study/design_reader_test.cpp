@@ -13,7 +13,6 @@
 
 #include "prs/input/reader.h"
 #include "prs/input/slot.h"
-#include "prs/input/value_text.h"
 #include "tests/prs/input/abevi.h"
 #include "tests/support/count.h"
 #include "tests/support/sanitized.h"
@@ -148,8 +147,7 @@ std::vector<std::string> numeric_paths(const std::string& name, Command command)
 
 std::string study_of(Command command, const std::string& plan,
                      const std::vector<std::string>& paths, const std::string& way) {
-  std::string study =
-      fmt::format("study:\n  command: {}\n  {}\n  factors:\n", text_of(command, Choice{}), plan);
+  std::string study = fmt::format("study:\n  command: {}\n  {}\n  factors:\n", name(command), plan);
   for (const std::string& path : paths)
     study += fmt::format("    - {{path: \"{}\", {}}}\n", path, way);
   return study;

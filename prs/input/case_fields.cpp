@@ -1,0 +1,994 @@
+#include <numbers>
+#include <span>
+
+#include "prs/input/field.h"
+
+namespace prs::input {
+
+void alternatives(Choices& io, Mechanism::Type& t) {
+  io("standard", t, Mechanism::Type::standard, "the rollers stay in place on the nut");
+  io("inverted", t, Mechanism::Type::inverted, "the rollers stay in place on the screw");
+}
+
+void alternatives(Choices& io, Mechanism::Geometry& g) {
+  io("simulation", g, Mechanism::Geometry::simulation,
+     "all pitch diameters and the centre distance are given");
+  io("design", g, Mechanism::Geometry::design,
+     "the screw's pitch diameter and the backlash are given, the others follow");
+}
+
+void alternatives(Choices& io, Mechanism::ProfilePlane& p) {
+  io("normal", p, Mechanism::ProfilePlane::normal, "the plane normal to the helix");
+  io("axial", p, Mechanism::ProfilePlane::axial, "the plane through the axis");
+}
+
+void alternatives(Choices& io, Profile& p) {
+  const Quantity radius{unit::length, positive};
+  io("straight", p.shape, Profile::Shape::straight, "straight flanks");
+  io("convex", p.shape, Profile::Shape::convex, p.radius, radius, "arc that bulges outwards");
+  io("concave", p.shape, Profile::Shape::concave, p.radius, radius, "hollow arc");
+  io("centred", p.shape, Profile::Shape::centred,
+     "convex arc about a point on the axis: pitch radius / sin(flank angle)");
+}
+
+void alternatives(Choices& io, Guidance& g) {
+  io("both_end_nodes", g.kind, Guidance::Kind::both_end_nodes,
+     "no radial displacement at both nodes of each end element");
+  io("outer_node", g.kind, Guidance::Kind::outer_node,
+     "no radial displacement at the two outermost nodes");
+  io("ring", g.kind, Guidance::Kind::ring, g.ring_stiffness, Quantity{unit::stiffness, positive},
+     "a radial spring of this stiffness at both nodes of each end element");
+}
+
+/// What the word of a block that may be one word chooses.
+inline std::optional<Rings::Carrier>& selector_of(Rings& r, const WordOrBlock&) {
+  return r.carrier;
+}
+
+template <class Io, class C>
+requires std::same_as<C, Rings::Carrier> || std::same_as<C, std::optional<Rings::Carrier>>
+void alternatives(Io& io, C& c) {
+  io("housing", c, C(Rings::Carrier::housing), "the rings stand still");
+  io("nut", c, C(Rings::Carrier::nut), "the rings go with the nut");
+  io("screw", c, C(Rings::Carrier::screw), "the rings go with the screw");
+}
+
+void alternatives(Choices& io, ModelOptions::Mechanism& m) {
+  io("sector", m, ModelOptions::Mechanism::sector, "one roller with its share of both bodies");
+  io("full", m, ModelOptions::Mechanism::full, "all rollers on a spatial screw and nut");
+}
+
+void alternatives(Choices& io, ModelOptions::ContactPhase& p) {
+  io("equal", p, ModelOptions::ContactPhase::equal, "all rollers touch at the same places");
+  io("helical", p, ModelOptions::ContactPhase::helical, "contacts follow the helix");
+}
+
+void alternatives(Choices& io, ModelOptions::Bodies& b) {
+  io("bars", b, ModelOptions::Bodies::bars, "one-dimensional elements, as the paper");
+  io("refined", b, ModelOptions::Bodies::refined, "one-dimensional elements with what bars miss");
+  io("influence", b, ModelOptions::Bodies::influence,
+     "grooved bodies of revolution by finite elements");
+}
+
+void alternatives(Choices& io, ModelOptions::RollerContacts& r) {
+  io("opposite", r, ModelOptions::RollerContacts::opposite,
+     "at the same axial position, as on a helical roller with an odd number of starts");
+  io("half_pitch_apart", r, ModelOptions::RollerContacts::half_pitch_apart,
+     "on the two flanks of a ring-shaped tooth, or with an even number of starts");
+}
+
+void alternatives(Choices& io, ModelOptions::ToothCompliance& t) {
+  using enum ModelOptions::ToothCompliance::Kind;
+  io("none", t.kind, none, "nothing besides exact Hertz");
+  io("yamamoto", t.kind, yamamoto, t.width, Quantity{unit::length, positive},
+     "Yamamoto's deflection on top, a contact loading this width of thread; for comparison");
+}
+
+void alternatives(Choices& io, ModelOptions::Accuracy& a) {
+  io("working", a, ModelOptions::Accuracy::working, "0.5 % in stiffness");
+  io("reference", a, ModelOptions::Accuracy::reference, "0.1 % in stiffness");
+}
+
+void alternatives(Choices& io, ModelOptions::Roller& r) {
+  io("flexible", r, ModelOptions::Roller::flexible, "the roller bends");
+  io("rigid_bending", r, ModelOptions::Roller::rigid_bending, "the roller stays straight");
+}
+
+void alternatives(Choices& io, MeasureOptions::Ends& e) {
+  using enum MeasureOptions::Ends;
+  io("fixed_free", e, fixed_free, "one end clamped, the other free");
+  io("supported_supported", e, supported_supported, "both ends can tilt");
+  io("fixed_supported", e, fixed_supported, "one end clamped, the other can tilt");
+  io("fixed_fixed", e, fixed_fixed, "both ends clamped");
+}
+
+void alternatives(Choices& io, Direction& d) {
+  io("tension", d, Direction::tension, "the load pulls the screw out of the mechanism");
+  io("compression", d, Direction::compression, "the load pushes the screw in");
+}
+
+void alternatives(Choices& io, LoadCase::Share& s) {
+  io("solved", s, LoadCase::Share::solved, "the structure decides on the thread loads");
+  io("equal", s, LoadCase::Share::equal, "every thread carries the same load");
+}
+
+void alternatives(Choices& io, Preload::Arrangement& a) {
+  io("single_nut", a, Preload::Arrangement::single_nut,
+     "rollers wedged in the grooves of screw and nut on both flanks");
+  io("double_nut", a, Preload::Arrangement::double_nut,
+     "two nuts on one screw, each with its rollers, pushed apart by a spacer");
+}
+
+void alternatives(Choices& io, Friction& f) {
+  io("jacod", f.model, Friction::Model::jacod, "lubricated contact, after Jacod");
+  io("coulomb", f.model, Friction::Model::coulomb, f.coefficient, Number{not_negative},
+     "a constant coefficient of friction");
+  io("mixed", f.model, Friction::Model::mixed, f.mixed, Block{},
+     "a film after Jacod through which flanks touch, by film over roughness");
+}
+
+void alternatives(Choices& io, contact::FilmDirection& d) {
+  io("minor_axis", d, contact::FilmDirection::minor_axis,
+     "as if rolling along the minor axis of the ellipse (Nijenbanning, Venner, Moes 1994)");
+  io("rolling", d, contact::FilmDirection::rolling,
+     "along the rolling, at its angle to the ellipse (Chittenden, Dowson, Dunn, Taylor 1985)");
+}
+
+void alternatives(Choices& io, LubricantName& n) {
+  const std::span<const NamedLubricant> known = named_lubricants();
+  for (std::size_t i = 0; i < known.size(); ++i)
+    io(known[i].name, n, LubricantName{i}, known[i].what);
+}
+
+void alternatives(Choices& io, WrittenRange::Spacing& s) {
+  io("linear", s, WrittenRange::Spacing::linear, "the values");
+  io("logarithmic", s, WrittenRange::Spacing::logarithmic, "their logarithms");
+}
+
+/// Those that a study can run.
+void alternatives(Choices& io, Command& c) {
+  io(name(Command::contact), c, Command::contact, "contact points and Hertz constants");
+  io(name(Command::solve), c, Command::solve, "load distribution, pressures and stiffness");
+  io(name(Command::slip), c, Command::slip, "slip, power loss and efficiency");
+  io(name(Command::life), c, Command::life, "life under a load history or spectrum");
+  io(name(Command::measures), c, Command::measures,
+     "capacity, weight, stiffness and the other design measures");
+}
+
+void alternatives(Choices& io, Plan& p) {
+  io("one_at_a_time", p, Plan::one_at_a_time,
+     "each value of each factor alone, all others as in the file");
+  io("grid", p, Plan::grid, "every combination of the values, the last factor fastest");
+  io("latin_hypercube", p, Plan::latin_hypercube,
+     "each factor's range in as many strata as samples, one sample in each");
+  io("sobol", p, Plan::sobol, "Sobol's sequence, which fills the space evenly");
+  io("monte_carlo", p, Plan::monte_carlo, "independent draws");
+  io("sobol_indices", p, Plan::sobol_indices,
+     "Saltelli's design for the shares of the factors in the variance: as many designs a "
+     "sample as factors, and two");
+  io("derivatives", p, Plan::derivatives,
+     "the file as it stands, with the derivatives by every factor");
+}
+
+void alternatives(Choices& io, Envelope::Combine& c) {
+  io("product", c, Envelope::Combine::product, "multiplied, weights as exponents");
+  io("sum", c, Envelope::Combine::sum, "added, weights as factors");
+}
+
+void alternatives(Choices& io, Envelope::Normalise& n) {
+  io("rms", n, Envelope::Normalise::rms, "the root mean square of its map");
+  io("max", n, Envelope::Normalise::max, "the largest magnitude of its map");
+  io("none", n, Envelope::Normalise::none, "nothing");
+}
+
+void alternatives(Choices& io, EnvelopePointItem::Wanted& w) {
+  io("best", w, EnvelopePointItem::Wanted::best, "where the envelope is largest");
+}
+
+// Blocks: io(KEY, member, kind, presence, meaning)
+
+void fields(const Fields& io, Mechanism::Starts& s) {
+  io("screw", s.screw, Whole{1, 100}, required, "Thread starts of the screw and of the nut");
+  io("roller", s.roller, Whole{1, 100}, "Thread starts of a roller");
+}
+
+void fields(const Fields& io, ThreadHeight& t) {
+  const Quantity height{unit::length, not_negative};
+  io("addendum", t.addendum, height, required, "Height of the crest above the pitch radius");
+  io("dedendum", t.dedendum, height, required, "Depth of the root below the pitch radius");
+  io("thickness", t.thickness, Quantity{unit::length, positive},
+     "Axial thickness of the thread at the pitch radius, half a pitch by default");
+}
+
+void fields(const Fields& io, Mechanism& m) {
+  const Quantity diameter{unit::length, positive};
+  const Quantity flank_angle{unit::angle,
+                             Bounds{std::numbers::pi / 180, 89 * std::numbers::pi / 180}};
+
+  io("type", m.type, Choice{}, required, "Kind of mechanism");
+  io("geometry", m.geometry, Choice{}, "What is given of the geometry");
+  io("profile_plane", m.profile_plane, Choice{},
+     "Plane in which flank angle and profile radius are measured");
+
+  const bool simulation = m.geometry == Mechanism::Geometry::simulation;
+  const Presence in_simulation = required_only_if(simulation, "only with `geometry: simulation`");
+  const Presence in_design = optional_only_if(!simulation, "only with `geometry: design`");
+
+  io("lead", m.lead, Quantity{unit::length, not_zero}, required,
+     "Lead of screw and nut; > 0 right-handed");
+  io("starts", m.starts, Block{}, required, "Numbers of thread starts");
+  io("pitch", m.pitch, Each{diameter, optional},
+     "Measured axial pitch of parts where it differs from lead / starts");
+  io("flank_angle", m.flank_angle, OneOrEach{flank_angle}, required,
+     "Flank angle, from the plane normal to the axis");
+  io("pitch_diameter", m.pitch_diameter, Keys{[&](const Fields& part) {
+       part("screw", m.pitch_diameter.screw, diameter, required, "Of the screw");
+       part("roller", m.pitch_diameter.roller, diameter, in_simulation, "Of a roller");
+       part("nut", m.pitch_diameter.nut, diameter, in_simulation, "Of the nut");
+     }},
+     required, "Pitch diameters");
+  io("centre_distance", m.centre_distance, diameter, in_simulation,
+     "Distance of the roller axes from the screw axis");
+  io("backlash", m.backlash, Each{Quantity{unit::length}, optional}, in_design,
+     "Axial play at each interface");
+  io("profile", m.profile, Each{Choice{}, required}, required, "Thread profile of the material");
+  io("thread", m.thread, Each{Block{}, optional},
+     "Radial extent of truncated threads; the nut's addendum points inwards");
+  io("rollers", m.rollers, Whole{1, 1000}, required, "Number of rollers");
+  io("contacts_per_roller", m.contacts_per_roller, Whole{1, 10'000}, required,
+     "Threads of a roller in contact, at each interface");
+}
+
+/// Of a displacement or a force across the axis, or a rotation about axes across it.
+template <class Kind>
+auto lateral(Lateral& value, const Kind& kind) {
+  return Keys{[&value, kind](const Fields& io) {
+    io("y", value.y, kind, "Component y");
+    io("z", value.z, kind, "Component z");
+  }};
+}
+
+void fields(const Fields& io, Bearing& b) {
+  io("position", b.position, Quantity{unit::length}, required,
+     "Axial position, counted as positions on the nut");
+  io("lateral", b.lateral, Held{unit::stiffness, true}, "Against displacement");
+  io("tilt", b.tilt, Held{unit::tilt_stiffness, true}, "Against rotation");
+  io("offset", b.offset, lateral(b.offset, Quantity{unit::length}), "Displacement of its seat");
+  io("angle", b.angle, lateral(b.angle, Quantity{unit::angle}), "Rotation of its seat");
+}
+
+void fields(const Fields& io, Rings& r) {
+  io("carried_by", r.carrier, Choice{},
+     "What they are fixed to; nut of a standard mechanism, screw of an inverted one by "
+     "default");
+  io("stiffness", r.stiffness, Held{unit::stiffness}, "Of a ring against it");
+}
+
+void fields(const Fields& io, Housing& h) {
+  io("axial", h.axial, Held{unit::stiffness}, "Along the axis");
+  io("lateral", h.lateral, Held{unit::stiffness}, "Across the axis");
+  io("tilt", h.tilt, Held{unit::tilt_stiffness}, "Against rotation");
+}
+
+void fields(const Fields& io, Structure::Screw& s) {
+  const Quantity length{unit::length, not_negative};
+  io("bore", s.bore, length, "Diameter of the bore");
+  io("free_length", s.free_length, length, "From the loaded section to the first contact");
+  io("far_length", s.far_length, length, "Behind the last contact; `mechanism: full`");
+  io("bearings", s.bearings, List{Block{}},
+     "What holds the screw across the axis; `mechanism: full`");
+}
+
+void fields(const Fields& io, Structure::Roller& r) {
+  const Quantity length{unit::length, positive};
+  io("end_length", r.end_length, length, required, "Length of each plain end");
+  io("end_diameter", r.end_diameter, length, required, "Diameter of the plain ends");
+  io("guidance", r.guidance, Choice{}, "What holds the roller ends radially");
+  io("rings", r.rings, WordOrBlock{"carried_by"}, "The guide rings; `mechanism: full`");
+}
+
+void fields(const Fields& io, Structure::Flange& f) {
+  const Quantity position{unit::length};
+  io("from", f.from, position, required, "Axial position of its near face");
+  io("to", f.to, position, required, "Axial position of its far face");
+  io("outer_diameter", f.outer_diameter, Quantity{unit::length, positive}, required,
+     "Replaces the nut's outer diameter there");
+}
+
+void fields(const Fields& io, Structure::Thrust& t) {
+  const Quantity position{unit::length};
+  io("tension", t.tension, position, "Where tension is held");
+  io("compression", t.compression, position, "Where compression is held");
+}
+
+void fields(const Fields& io, Structure::Shoulder& s) {
+  const Quantity diameter{unit::length, positive};
+  io("inner_diameter", s.inner_diameter, diameter, required, "Inside");
+  io("outer_diameter", s.outer_diameter, diameter, required, "Outside");
+}
+
+void fields(const Fields& io, Structure::Nut& n) {
+  const Quantity length{unit::length, positive};
+  io("length", n.length, length, required, "Axial length");
+  io("outer_diameter", n.outer_diameter, length, required, "Outer diameter between flanges");
+  io("flanges", n.flanges, List{Block{}}, "Flanges; they may touch, not overlap");
+  io("thrust", n.thrust, Block{},
+     "Axial position of the constrained section, for each direction of the load");
+  io("shoulder", n.shoulder, Block{},
+     "Ring of the thrust face that the housing touches; `refined` and `influence`");
+  io("housing", n.housing, Block{}, "What holds the thrust section; `mechanism: full`");
+}
+
+void fields(const Fields& io, Structure& s) {
+  io("screw", s.screw, Block{}, "Dimensions of the screw other than its thread");
+  io("roller", s.roller, Block{}, required, "Dimensions of a roller other than its thread");
+  io("nut", s.nut, Block{}, required,
+     "The nut; axial positions count from its end that faces the loaded end of the screw");
+}
+
+void fields(const Fields& io, Material& m) {
+  io("youngs_modulus", m.youngs_modulus, Quantity{unit::pressure, positive}, required,
+     "Young's modulus");
+  io("poisson_ratio", m.poisson_ratio,
+     Number{{.least = 0.0, .greatest = 0.5, .greatest_excluded = true}}, required,
+     "Poisson's ratio");
+  io("density", m.density, Quantity{unit::density, positive}, "Density");
+  io("thermal_expansion", m.thermal_expansion, Quantity{unit::thermal_expansion, not_negative},
+     "Coefficient of linear thermal expansion");
+}
+
+void fields(const Fields& io, PitchWave& w) {
+  io("amplitude", w.amplitude, Quantity{unit::length}, required, "Largest error");
+  io("period", w.period, Number{positive}, required, "Threads in one period");
+  io("phase", w.phase, Quantity{unit::angle}, "At the first contact");
+}
+
+void fields(const Fields& io, PitchError& e) {
+  const Quantity error{unit::length};
+  io("linear", e.linear, error, "Growing from 0 at the first contact to this at the last");
+  io("periodic", e.periodic, Block{}, "A sine over the threads");
+  OneOrMany list{e.list, e.lists};
+  io("list", list, ForEachRoller{List{error}}, "One value a contact");
+}
+
+void fields(const Fields& io, EndRelief& r) {
+  io("drop", r.drop, Quantity{unit::length, not_negative}, required,
+     "Drop of the roller's pitch radius at the outermost contacts");
+  io("threads", r.threads, Whole{1, 10'000}, required,
+     "Contacts at each end over which it fades to nothing");
+}
+
+void fields(const Fields& io, Deviations& d) {
+  const Quantity temperature{unit::temperature, positive};
+  io("pitch_error", d.pitch_error, Each{Block{}, optional},
+     "Axial position error of the threads, > 0 away from the loaded end of the screw");
+  OneOrMany diameter{d.roller_diameter, d.roller_diameters};
+  io("roller_diameter", diameter, ForEachRoller{Quantity{unit::length}},
+     "Pitch diameter of the rollers above the nominal one");
+  io("crowning", d.crowning, Quantity{unit::length, not_negative},
+     "Parabolic drop of the roller's pitch radius at first and last contact");
+  io("end_relief", d.end_relief, Block{}, "Straight taper at both ends");
+  io("temperature", d.temperature, OneOrEach{temperature}, "Of the parts, uniform in each");
+  io("reference_temperature", d.reference_temperature, temperature,
+     "At which the nominal geometry holds");
+  const List offsets{Quantity{unit::length}};
+  io("roller_position", d.roller_position, OneOrEnds{offsets},
+     "Of each roller in its rings, > 0 outwards; `mechanism: full`");
+  io("missing_rollers", d.missing_rollers, List{Whole{1, 1000}},
+     "Their numbers; `mechanism: full`");
+  io("index_error", d.index_error, Each{offsets, optional},
+     "Axial position error of each start; `mechanism: full`");
+  io("thread_eccentricity", d.thread_eccentricity, Keys{[&](const Fields& side) {
+       const Quantity length{unit::length};
+       side("screw", d.thread_eccentricity.screw, lateral(d.thread_eccentricity.screw, length),
+            "Of the screw");
+       side("nut", d.thread_eccentricity.nut, lateral(d.thread_eccentricity.nut, length),
+            "Of the nut");
+     }},
+     "Of the thread against the axis of its body; `mechanism: full`");
+}
+
+void fields(const Fields& io, ContactOverrides& c) {
+  const Quantity hertz_constant{unit::hertz_constant, positive};
+  const Quantity normal_angle{unit::angle, between(0.0, std::numbers::pi / 2)};
+  io("hertz_constant", c.hertz_constant, Each{hertz_constant, optional}, "Load over approach^1.5");
+  io("normal_angle", c.normal_angle, Each{normal_angle, optional},
+     "Angle between contact normal and axis");
+}
+
+void fields(const Fields& io, RefinedEffects& e) {
+  io("core", e.core, Flag{}, "Sections at the thread's root");
+  io("shear", e.shear, Flag{}, "Shear in the roller's bending");
+  io("hoop", e.hoop, Flag{}, "Radial expansion of the nut, as a shell");
+  io("poisson", e.poisson, Flag{}, "Poisson's effect in screw and nut");
+  io("flange", e.flange, Flag{}, "Bending of the nut at flanges and shoulder");
+  io("radial", e.radial, Flag{}, "Radial compliance at a thread");
+  io("concentration", e.concentration, Flag{}, "Contacts as rows of points, not rings");
+}
+
+void fields(const Fields& io, ModelOptions& m) {
+  io("mechanism", m.mechanism, Choice{}, "How much of the mechanism is modelled");
+  io("contact_phase", m.contact_phase, Choice{},
+     "Where the rollers touch along the axis; `mechanism: full`");
+  io("shear", m.shear, Flag{}, "Shear flexibility of screw, nut and rollers; `mechanism: full`");
+  io("bodies", m.bodies, Choice{}, "How screw, roller and nut deform");
+  io("refined", m.refined, Block{}, "Effects of `bodies: refined`, all by default");
+  io("accuracy", m.accuracy, Choice{}, "Meshes of `bodies: influence`");
+  io("roller_contacts", m.roller_contacts, Choice{},
+     "Where screw and nut touch a roller tooth; `refined` and `influence`");
+  io("tooth_compliance", m.tooth_compliance, Choice{},
+     "Tooth deflection on top of Hertz, which counts it twice");
+  io("roller", m.roller, Choice{}, "Whether the roller bends");
+  io("roller_shear", m.roller_shear, Flag{}, "Shear flexibility of the roller");
+  io("patch_points", m.patch_points,
+     Whole{kFewestPatchPoints, 1001,
+           "as fewer points carry up to 91 % more than the load, and friction with it"},
+     "Points along each axis of a contact patch; fewer than 9 miss its load");
+}
+
+void fields(const Fields& io, LoadCaseItem& l) {
+  io("name", l.name, Text{},
+     "Name of the case, `case-1` for the first by default; a range makes NAME[0], NAME[1], ..");
+  io("axial_force", l.axial_force, OneOrRange{Quantity{unit::force}}, required,
+     "Axial load; > 0 with a direction, of either sign without");
+  io("share", l.share, Choice{}, "How the load spreads over the threads");
+
+  const Presence where =
+      required_unless(l.share == LoadCase::Share::equal, "required unless `share: equal`");
+  io("direction", l.direction, Choice{}, where, "Sense of the load on the screw");
+  io("position", l.position, Quantity{unit::length}, where,
+     "Axial position of the first roller contact on the nut");
+  io("speed", l.speed, Quantity{unit::rotational_speed}, "In place of operation.speed");
+
+  SpatialLoad& s = l.spatial;
+  const Quantity length{unit::length}, angle{unit::angle};
+  io("carrier_angle", s.carrier_angle, angle,
+     "Azimuth of the first roller, from y to z; `mechanism: full`");
+  io("eccentricity", s.eccentricity, lateral(s.eccentricity, length),
+     "Where the axial force acts; `mechanism: full`");
+  const auto across = [](SpatialLoad::Across& load, const Quantity& kind) {
+    return Keys{[&load, kind](const Fields& keys) {
+      keys("y", load.value.y, kind, "Component y");
+      keys("z", load.value.z, kind, "Component z");
+      keys("at", load.at, Quantity{unit::length},
+           "Axial position on the screw, the loaded section by default");
+    }};
+  };
+  io("side_force", s.side_force, across(s.side_force, Quantity{unit::force}),
+     "On the screw; `mechanism: full`");
+  io("moment", s.moment, across(s.moment, Quantity{unit::torque}),
+     "On the screw; `mechanism: full`");
+  io("misalignment", s, Keys{[&](const Fields& seat) {
+       seat("nut_tilt", s.nut_tilt, lateral(s.nut_tilt, angle), "Rotation");
+       seat("nut_offset", s.nut_offset, lateral(s.nut_offset, length), "Displacement");
+     }},
+     "Of the seat of the nut; `mechanism: full`");
+  io("orbit", s.orbit, Block{},
+     "A turn of the carrier: rollers and rings turn with their errors, errors of screw and nut "
+     "stand still; `mechanism: full`");
+}
+
+void fields(const Fields& io, SpatialLoad::Orbit& o) {
+  io("steps", o.steps, Whole{1, 1000}, "Positions for each spacing of the rollers");
+  io("exponent", o.exponent, Number{{.least = 1.0, .greatest = 20.0}}, "Of the equivalent loads");
+}
+
+void fields(const Fields& io, Spacer& s) {
+  const Quantity length{unit::length, positive};
+  io("length", s.length, length, required, "Between the nuts");
+  io("inner_diameter", s.inner_diameter, length, required, "Inside");
+  io("outer_diameter", s.outer_diameter, length, required, "Outside");
+}
+
+void fields(const Fields& io, LoadSweep& l) {
+  const Quantity force{unit::force};
+  io("from", l.from, force, required, "First load; > 0 in tension");
+  io("to", l.to, force, required, "Last load");
+  io("steps", l.steps, Whole{2, 10'000}, "Number of loads, ends included");
+}
+
+void fields(const Fields& io, Preload& p) {
+  const Quantity length{unit::length, positive};
+  io("arrangement", p.arrangement, Choice{}, required, "What pushes against what");
+
+  const Presence in_two_nuts = required_only_if(p.arrangement == Preload::Arrangement::double_nut,
+                                                "only with `arrangement: double_nut`");
+  io("force", p.force, Quantity{unit::force, positive},
+     "Axial load of each side without external load");
+  io("interference", p.interference, length, optional_only_if(!p.force, "in place of `force`"),
+     "Single nut: pitch diameter of the rollers above the one that just fills the grooves; "
+     "double nut: length of the spacer above the one that just touches");
+  io("backlash", p.backlash, Quantity{unit::length, not_negative},
+     required_only_if(!p.force && !p.interference, "in place of `force` or `interference`"),
+     "Axial play instead of preload");
+  io("position", p.position, Quantity{unit::length}, required,
+     "Axial position of the first roller contact on the first nut");
+  io("spacer", p.spacer, Block{}, in_two_nuts, "Ring between the nuts, of their material");
+  io("distance", p.distance, length, in_two_nuts,
+     "From the last contact of the first nut to the first one of the second");
+  io("load", p.load, Block{}, required, "External axial loads of the curve");
+  io("lost_motion_load", p.lost_motion_load, Quantity{unit::force, positive},
+     "The lost motion is the travel between this load in tension and in compression; 5 % of "
+     "the largest load of the curve by default");
+}
+
+void fields(const Fields& io, CsvColumn& c) {
+  io("column", c.column, Text{"force_kN"}, required, "Its name in the heading of the file");
+  io("unit", c.unit, Text{"kN"}, required, "Of its numbers");
+}
+
+void fields(const Fields& io, HistorySource& h) {
+  io("file", h.file, Text{"forces.csv"}, required,
+     "Comma-separated values with a heading, one row per sample; relative to this file");
+  io("force", h.force, Block{}, required, "Axial force, > 0 in tension");
+  io("position", h.position, Block{}, "Axial position of the nut on the screw");
+  io("speed", h.speed, Block{}, optional_only_if(!h.position, "in place of `position`"),
+     "Of the screw against the nut; else `operation.speed`");
+  io("time", h.time, Block{}, "Time of the sample");
+  io("interval", h.interval, Quantity{unit::duration, positive},
+     optional_only_if(!h.time, "in place of `time`"), "Between two samples");
+  io("hysteresis", h.hysteresis, Quantity{unit::force, not_negative},
+     "Ranges up to this are no load cycles");
+  io("bins", h.bins, Whole{1, 200}, "Of the matrix of cycles, along each axis");
+}
+
+void fields(const Fields& io, SpectrumLoad& l) {
+  io("force", l.force, Quantity{unit::force, positive}, required, "Axial load");
+  io("direction", l.direction, Choice{}, required, "Sense of the load on the screw");
+  constexpr std::string_view one = "as one of revolutions, distance, duration and share";
+  const Bounds revolutions{.least = 0.0, .greatest = 1e15, .least_excluded = true};
+  io("revolutions", l.revolutions, Number{revolutions},
+     "Of the screw against the nut under the load");
+  io("distance", l.distance, Quantity{unit::length, positive},
+     optional_only_if(!l.revolutions, one), "Travel under the load");
+  io("duration", l.duration, Quantity{unit::duration, positive},
+     optional_only_if(!l.revolutions && !l.distance, one), "Under the load, at `operation.speed`");
+  const bool measured = l.revolutions || l.distance || l.duration;
+  io("share", l.share, Number{{.least = 0.0, .greatest = 1.0, .least_excluded = true}},
+     required_only_if(!measured, one), "Of the revolutions of the spectrum");
+}
+
+void fields(const Fields& io, Life& l) {
+  io("history", l.history, Block{}, "Loads over time or travel, from a file");
+  io("spectrum", l.spectrum, List{Block{}, l.history ? 0 : 1},
+     required_only_if(!l.history, "in place of `history`"), "Loads and how long each acts");
+  io("share", l.share, Choice{}, "How the load spreads over the threads");
+  io("position", l.position, Quantity{unit::length},
+     required_unless(l.share == LoadCase::Share::equal, "required unless `share: equal`"),
+     "Axial position of the first roller contact on the nut");
+  const Quantity capacity{unit::force, positive};
+  io("dynamic_capacity", l.dynamic_capacity, capacity,
+     "Of a catalogue, in place of Lemor's formula");
+  io("static_capacity", l.static_capacity, capacity,
+     "Catalogue value, in addition to that by pressure");
+  io("reliability", l.reliability, Quantity{unit::share, Bounds{.least = 0.90, .greatest = 0.99}},
+     "Share of many screws that shall reach the rated life: a1 of ISO 281");
+  io("modification_factor", l.modification_factor,
+     Number{{.least = 0.0, .greatest = 50.0, .least_excluded = true}},
+     "a_ISO of ISO 281 (film, cleanliness, fatigue limit), by which the rated life is "
+     "multiplied");
+  io("load_case", l.load_case, Text{},
+     "Name of the load case whose side loads, misalignment and orbit act together with all "
+     "forces; `mechanism: full`");
+  io("fatigue_slope", l.fatigue_slope, Number{{.least = 1.0, .greatest = 20.0}},
+     "Slope of the S-N curve, for equivalent load ranges");
+}
+
+void fields(const Fields& io, MeasureOptions::Shaft& s) {
+  io("length", s.length, Quantity{unit::length, positive}, required,
+     "Greatest distance between the supports of the screw");
+  io("ends", s.ends, Choice{}, required, "How the screw is held at both ends of it");
+}
+
+void fields(const Fields& io, MeasureOptions& m) {
+  io("loaded_width", m.loaded_width, Quantity{unit::length, positive},
+     "Of thread that one contact loads, for the compliance and the strength of its tooth");
+  io("friction_coefficient", m.friction_coefficient, Number{{.least = 0.0, .greatest = 1.0}},
+     "Of the whole mechanism, as catalogues state it, for the estimate of efficiency");
+  io("yield_strength", m.yield_strength, Quantity{unit::pressure, positive},
+     "Of the screw's shaft, for short columns");
+  io("shaft", m.shaft, Block{}, "Of the screw, for buckling and critical speed");
+}
+
+void fields(const Fields& io, ViscosityPoint& p) {
+  io("temperature", p.temperature, Quantity{unit::temperature, positive}, required,
+     "Where the viscosity was measured");
+  io("viscosity", p.viscosity, Quantity{unit::viscosity, positive}, "Dynamic viscosity");
+  io("kinematic_viscosity", p.kinematic_viscosity, Quantity{unit::kinematic_viscosity, positive},
+     required_only_if(!p.viscosity, "in place of `viscosity`"), "Kinematic viscosity");
+}
+
+void fields(const Fields& io, contact::WaltherLine& w) {
+  io("intercept", w.intercept, Number{}, required, "At T = 1 K");
+  io("slope", w.slope, Number{positive}, required, "Fall with log10(T/K)");
+}
+
+void fields(const Fields& io, Lubricant& l) {
+  const Quantity stress{unit::pressure, positive};
+  io("name", l.name, Listed{"prs list lubricants"},
+     "Stands for the values of a known lubricant; keys next to it replace single ones");
+  io("temperature", l.temperature, Quantity{unit::temperature, positive}, "In operation");
+
+  const bool by_temperature = l.temperature.has_value();
+  io("viscosity", l.viscosity, Quantity{unit::viscosity, positive},
+     optional_only_if(!by_temperature, "in place of `temperature`"),
+     "Dynamic viscosity at ambient pressure in operation");
+  // With `heat` the temperature itself need not stand.
+  io("walther", l.walther, Block{},
+     optional_only_if(by_temperature || !l.viscosity, "only with `temperature`"),
+     "log10 log10(nu/(mm^2/s) + 0.7) = intercept - slope log10(T/K), nu = viscosity/density");
+  io("viscosity_at", l.viscosity_at, List{Block{}, 2, 2},
+     Presence{by_temperature && !l.walther && !l.name, !l.viscosity && !l.walther,
+              "with `temperature`, in place of `walther`"},
+     "Two points through which the line goes");
+  io("density", l.density, Quantity{unit::density, positive},
+     "Of the oil, between dynamic and kinematic viscosity");
+  const Presence named = required_unless(l.name.has_value(), "required unless `name` is given");
+  io("pressure_viscosity", l.pressure_viscosity, Quantity{unit::pressure_viscosity, positive},
+     named, "Pressure-viscosity coefficient; with `name` estimated from the viscosity");
+  io("eyring_stress", l.eyring_stress, stress, named,
+     "Eyring shear stress; with `name` 5 MPa by default");
+  io("film", l.film, Keys{[&](const Fields& film) {
+       film("direction", l.film.direction, Choice{},
+            "Direction of rolling that the central film takes");
+     }},
+     "Central film of the contacts");
+}
+
+void fields(const Fields& io, MixedFriction& m) {
+  io("boundary", m.boundary, Number{not_negative}, required,
+     "Coefficient of friction of flanks that touch");
+  io("exponent", m.exponent, Number{positive},
+     "Of (1 + film over roughness)^-exponent, the share of the load on flanks that touch");
+}
+
+void fields(const Fields& io, Wear& w) {
+  io("coefficient", w.coefficient, Quantity{unit::wear, positive}, required,
+     "Volume that both flanks lose for each force and sliding path (Archard)");
+}
+
+void fields(const Fields& io, Operation& o) {
+  io("speed", o.speed, Quantity{unit::rotational_speed}, required,
+     "Screw against nut, or along the axis: n = v/|lead|; with the sign of the axial force "
+     "(left-handed: the other) the screw drives, else the load");
+  io("slip_ratio", o.slip_ratio, Number{{.least = 0.0, .greatest = 1.0}},
+     "Imposed in place of that of the roller's equilibrium");
+}
+
+void fields(const Fields& io, contact::JournalBearing& b) {
+  const Quantity length{unit::length, positive};
+  io("length", b.length, length, required, "Axial length of one head's bearing");
+  io("diameter", b.diameter, length, required, "Diameter of the roller's head");
+  io("radial_clearance", b.radial_clearance, length, required,
+     "Radius of the hole less that of the head");
+}
+
+void fields(const Fields& io, Carrier& c) {
+  const Quantity torque{unit::torque, not_negative};
+  const Bounds gear_pressure_angle =
+      between(5 * std::numbers::pi / 180, 40 * std::numbers::pi / 180);
+  io("roller_torque", c.roller_torque, torque, "Resists a roller's spin");
+  io("screw_torque", c.screw_torque, torque, "Resists the carrier on the screw");
+  io("nut_torque", c.nut_torque, torque, "Resists the carrier on the nut");
+  io("bearing", c.bearing, Block{},
+     "Plain bearings of the roller's heads, lubricated, in place of roller_torque");
+  io("gear_pressure_angle", c.gear_pressure_angle, Quantity{unit::angle, gear_pressure_angle},
+     "Of the gears between rollers and nut, inverted: and screw");
+}
+
+void fields(const Fields& io, Heat::Conductance& c) {
+  const Quantity conductance{unit::thermal_conductance, not_negative};
+  io("screw_ambient", c.screw_ambient, conductance, required,
+     "From the screw to its surroundings, its bearings included");
+  io("nut_ambient", c.nut_ambient, conductance, required,
+     "From the nut to its surroundings, its seat included");
+  io("rollers_ambient", c.rollers_ambient, conductance, "From all rollers to their surroundings");
+  io("screw_rollers", c.screw_rollers, conductance, "From the screw to all rollers");
+  io("rollers_nut", c.rollers_nut, conductance, "From all rollers to the nut");
+}
+
+void fields(const Fields& io, Heat::DutyStep& s) {
+  const Quantity duration{unit::duration, positive};
+  io("load_case", s.load_case, Text{"pull"}, "Name of the load case that acts");
+  io("duration", s.duration, duration,
+     required_only_if(s.load_case.has_value(), "with `load_case`"), "For how long it acts");
+  io("rest", s.rest, duration,
+     required_only_if(!s.load_case, "in place of `load_case` and `duration`"),
+     "For how long nothing moves");
+}
+
+void fields(const Fields& io, Heat::Capacity& c) {
+  const Quantity capacity{unit::heat_capacity, positive};
+  io("screw", c.screw, capacity, required, "Of the screw");
+  io("rollers", c.rollers, capacity, required, "Of all rollers");
+  io("nut", c.nut, capacity, required, "Of the nut");
+}
+
+void fields(const Fields& io, Heat& h) {
+  io("ambient", h.ambient, Quantity{unit::temperature, positive}, required,
+     "Temperature of the surroundings");
+  io("conductance", h.conductance, Block{}, required,
+     "Heat flow over the difference of temperature");
+  io("duty", h.duty, List{Block{}, 1}, "Load cases and rests one after the other, again and again");
+  io("capacity", h.capacity, Block{}, "Heat capacities of the parts, for `duty`");
+  io("specific_heat", h.specific_heat, Quantity{unit::specific_heat, positive},
+     optional_only_if(!h.capacity, "in place of `capacity`"),
+     "Of all parts, for `duty`: their masses are those of `prs measures`, the screw's over "
+     "the length of the nut");
+}
+
+void fields(const Fields& io, Limits& l) {
+  const Quantity length{unit::length, positive};
+  io("life", l.life, EitherQuantity{{unit::duration, positive}, {unit::distance, positive}},
+     "Least rated life, as time or travel");
+  io("static_safety", l.static_safety, Number{positive}, "Least");
+  io("peak_pressure", l.peak_pressure, Quantity{unit::pressure, positive},
+     "Greatest, of all contacts");
+  io("buckling_safety", l.buckling_safety, Number{positive}, "Least");
+  io("critical_speed_share", l.critical_speed_share, Quantity{unit::share, positive},
+     "Greatest speed over the critical one");
+  io("speed_times_diameter", l.speed_times_diameter, Quantity{unit::speed, positive},
+     "Greatest n d, d the pitch diameter of the screw");
+  io("nut_diameter", l.nut_diameter, length,
+     "Greatest outer diameter of the nut, flanges left out");
+  io("nut_length", l.nut_length, length, "Greatest length of the nut");
+  io("weight", l.weight, Quantity{unit::mass, positive},
+     "Greatest: nut, rollers and screw over `measures.shaft.length`");
+  io("stiffness", l.stiffness, Quantity{unit::stiffness, positive},
+     "Least axial stiffness, in series with that of `measures.shaft`");
+  io("efficiency", l.efficiency, Quantity{unit::share, Bounds{0.0, 1.0, true, true, false}},
+     "Least, where the screw drives");
+  io("temperature", l.temperature, Quantity{unit::temperature, positive},
+     "Greatest of screw, rollers and nut");
+}
+
+/// Examples of what the texts may be.
+constexpr Text kInputPath{"mechanism.flank_angle.screw"};
+constexpr Text kResponsePath{"screw.peak_pressure_MPa.max"};
+constexpr Verbatim kLimit{"{initial: 1.1}"};
+
+void alternatives(Choices& io, Algorithm& a) {
+  io("nsga2", a, Algorithm::nsga2, "non-dominated sorting genetic algorithm; several objectives");
+  io("nspso", a, Algorithm::nspso, "non-dominated sorting particle swarm; several objectives");
+  io("moead", a, Algorithm::moead, "decomposition with differential evolution; several objectives");
+  io("sade", a, Algorithm::sade, "self-adaptive differential evolution; one objective");
+  io("pso", a, Algorithm::pso, "particle swarm; one objective");
+  io("cmaes", a, Algorithm::cmaes, "covariance matrix adaptation; one objective");
+}
+
+void alternatives(Choices& io, Compromise::By& b) {
+  io("ideal", b, Compromise::By::ideal, "nearest to the best value of every objective");
+  io("knee", b, Compromise::By::knee, "farthest from the plane through the front's ends");
+  io("weights", b, Compromise::By::weights, "least weighted sum");
+  io("best", b, Compromise::By::best, "best value of one objective");
+}
+
+void fields(const Fields& io, LinkedInputItem& l) {
+  io("path", l.path, kInputPath, required, "What changes with the variable, as `--set` names it");
+  io("values", l.values, List{Verbatim{}, 2}, required, "One for each value of the variable");
+}
+
+void fields(const Fields& io, VariableItem& v) {
+  io("path", v.path, kInputPath, required, "What may change, as `--set` names it");
+  io("label", v.label, Text{"lead"}, "Its name in tables and figures");
+  io("values", v.values, List{Verbatim{}, 2}, "What it may be, as it would stand in the file");
+  const Presence bound = required_only_if(!v.values, "in place of `values`");
+  io("from", v.from, Verbatim{}, bound, "Least value; of whole numbers all up to `to`");
+  io("to", v.to, Verbatim{}, bound, "Greatest value, in the same unit");
+  io("with", v.linked, List{Block{}, 1},
+     optional_only_if(v.values.has_value(), "only with `values`"),
+     "Inputs that change together with this one, value by value");
+}
+
+void fields(const Fields& io, ObjectiveItem& o) {
+  io("minimize", o.minimize, kResponsePath,
+     "Path of the response that shall be small: into the first load case of the JSON "
+     "document of the command or into the document, of an array `.max`, `.min`, `.mean` or "
+     "`[k]`");
+  io("maximize", o.maximize, kResponsePath, required_only_if(!o.minimize, "in place of `minimize`"),
+     "Path of the response that shall be large");
+}
+
+void fields(const Fields& io, ConstraintItem& c) {
+  io("response", c.response, kResponsePath, required, "Path of a response");
+  io("at_least", c.at_least, kLimit,
+     "A number in the unit of the path, `{initial: 0.9}` for 0.9 times the value of the "
+     "file's own design, or `{response: PATH}` for another response of the same design");
+  io("at_most", c.at_most, kLimit,
+     c.at_least ? optional : Presence{true, true, "where there is no `at_least`"},
+     "The same from above");
+  io("name", c.name, Text{"weight"}, "Its name in tables");
+}
+
+void fields(const Fields& io, CompromiseItem& c) {
+  io("by", c.by, Choice{},
+     "Which design of the front is chosen, objectives scaled by the extent of the front");
+  io("weights", c.weights, List{Number{not_negative}, 1},
+     required_only_if(c.by == Compromise::By::weights, "only with `by: weights`"),
+     "One for each objective");
+  io("of", c.of, kResponsePath,
+     required_only_if(c.by == Compromise::By::best, "only with `by: best`"),
+     "The objective's path");
+}
+
+void fields(const Fields& io, OptimizeItem& o) {
+  io("command", o.command, Choice{}, required, "What each design runs through");
+  io("variables", o.variables, List{Block{}, 1}, required, "The inputs that may change");
+  io("objectives", o.objectives, List{Block{}, 1, 8}, required,
+     "What shall be as small or as large as possible");
+  io("constraints", o.constraints, List{Block{}, 1}, "What a design must keep");
+  io("thread_constraints", o.thread_constraints, Flag{},
+     "Threads that are neither sharp nor cut into each other and touch on their flanks only, "
+     "Yao et al. (51) to (60)");
+  io("algorithm", o.algorithm, Choice{},
+     "How designs are searched; nsga2, or sade of a single objective by default");
+  io("check", o.check, Choice{}, "A second search to compare with");
+  io("population", o.population, Whole{8, 2'000}, "Designs of a generation");
+  io("generations", o.generations, Whole{1, 10'000}, "The first, random one included");
+  io("seed", o.seed, Whole{0, std::int64_t{1} << 53},
+     "Of the random numbers: the same seed finds the same designs");
+  io("compromise", o.compromise, Block{}, "Which design of the front is chosen");
+}
+
+void fields(const Fields& io, WrittenInterval& i) {
+  io("from", i.from, Verbatim{}, required, "Least value");
+  io("to", i.to, Verbatim{}, required, "Greatest value, in the same unit");
+}
+
+void fields(const Fields& io, WrittenNormal& n) {
+  io("deviation", n.deviation, Verbatim{}, required, "Standard deviation");
+  io("mean", n.mean, Verbatim{}, "In place of what the file says");
+}
+
+void fields(const Fields& io, CompanionItem& c) {
+  io("path", c.path, Text{"mechanism.lead"}, required,
+     "What changes with the factor, as `--set` names it");
+  io("values", c.values, ListOrRange{}, required, "One for each value of the factor");
+  io("label", c.label, Text{"lead"}, "Its name in tables and figures");
+}
+
+void fields(const Fields& io, FactorItem& f) {
+  io("path", f.path, Text{"mechanism.lead"}, required,
+     "What to vary, as `--set` names it; of a list of numbers every entry is drawn on its "
+     "own");
+  io("values", f.values, ListOrRange{},
+     "As they would stand in the file; one of them, all as likely, in a plan with samples");
+  io("uniform", f.uniform, Block{},
+     "In a plan with samples, in place of `values`: drawn from an interval");
+  io("log_uniform", f.log_uniform, Block{}, "The same, uniform in the logarithm");
+  io("normal", f.normal, Block{},
+     "In a plan with samples, in place of `values`: normally distributed");
+  io("within", f.within, Verbatim{},
+     "In a plan with samples, in place of `values`: uniform about what the file says, by a "
+     "share `3 %` or a half width `0.02 mm` to both sides, or from the lower to the upper "
+     "deviation `[-0.01 mm, 0.03 mm]`");
+  io("label", f.label, Text{"lead"}, "Its name in tables and figures");
+  io("with", f.companions, List{Block{}, 1},
+     "Inputs that change together with this one, value by value");
+}
+
+void fields(const Fields& io, Envelope::Measure& m) {
+  io("response", m.response, Text{"axial_stiffness_N_per_um"}, required,
+     "What is measured: the path of a response");
+  io("weight", m.weight, Number{not_zero},
+     "Exponent in a product, factor in a sum; < 0 of what shall be small");
+}
+
+void fields(const Fields& io, Envelope::Target& t) {
+  io("response", t.response, Text{"axial_stiffness_N_per_um"}, required, "The path of a response");
+  io("value", t.value, Number{}, required, "What it shall be, in the unit of the path");
+}
+
+void fields(const Fields& io, EnvelopePointItem& p) {
+  io("name", p.name, Text{"A"}, required, "In tables and figures");
+  io("at", p.at, List{Verbatim{}, 2, 2}, "Values of the two factors");
+  io("wanted", p.wanted, Choice{}, "In place of `at`");
+  io("reach", p.reach, List{Block{}, 1, 2},
+     "In place of `at`: one response, and the envelope as good as it gets along the lines of "
+     "the grid; or two");
+}
+
+void fields(const Fields& io, EnvelopeItem& e) {
+  io("combine", e.combine, Choice{}, "How the measures become one");
+  io("normalise", e.normalise, Choice{}, "What each measure is divided by before");
+  io("measures", e.measures, List{Block{}, 1}, required, "What makes a design good or bad");
+  io("points", e.points, List{Block{}, 1},
+     "Designs to read off, each with one of at, wanted, reach");
+}
+
+void fields(const Fields& io, StudyItem& s) {
+  io("command", s.command, Choice{}, required, "What each design runs through");
+  io("plan", s.plan, Choice{}, "How designs are chosen");
+  const std::string_view sampled =
+      "only with the plans latin_hypercube, sobol, monte_carlo and sobol_indices";
+  io("samples", s.samples, Whole{1, kMostDesigns - 1},
+     required_only_if(is_sampled(s.plan), sampled), "Number of draws");
+  io("seed", s.seed, Whole{0, std::int64_t{1} << 53}, optional_only_if(is_sampled(s.plan), sampled),
+     "Of the random numbers: the same seed draws the same designs");
+  io("factors", s.factors, List{Block{}, 1}, required, "The inputs that vary");
+  io("responses", s.responses, List{Text{"axial_stiffness_N_per_um"}, 1},
+     "What is recorded of each design: paths into the first load case of its JSON document or "
+     "into the document, of an array `.max`, `.min`, `.mean` or `[k]`; a choice that suits "
+     "the command by default, with an envelope what it needs");
+  io("envelope", s.envelope, Block{}, optional_only_if(s.plan == Plan::grid, "with the plan grid"),
+     "Maps of measures over two factors, made one, and designs read off them");
+}
+
+void fields(const Fields& io, ReportTexts& r) {
+  io("title", r.title, Text{"\"Press 40 kN\""}, "What was calculated");
+  io("customer", r.customer, Text{"\"Customer\""}, "For whom");
+  io("author", r.author, Text{"\"Author\""}, "By whom");
+  io("number", r.number, Text{"\"C-1234\""}, "Of the calculation or the drawing");
+  io("revision", r.revision, Text{"\"A\""}, "Of the calculation");
+}
+
+void fields(const Fields& io, CaseFile& file) {
+  Case& c = file.values;
+  io("mechanism", c.mechanism, Block{}, required, "The threads");
+  io("structure", c.structure, Block{}, "The parts between and around the threads");
+  io("materials", c.materials, OneOrEach{Block{}}, "Elastic properties");
+  io("deviations", c.deviations, Block{}, "How the real parts differ from their nominal geometry");
+  io("contact", c.contact, Block{},
+     "Values that replace what the geometry gives, in the load distribution only");
+  io("model", c.model, Block{}, "Choices of the model");
+  io("load_cases", file.load_cases, List{Block{}, 1}, "Loads, each on its own");
+  io("preload", c.preload, Block{},
+     "How the play is taken out, and the curve through zero, for `prs preload`");
+  io("life", c.life, Block{}, "Load history or spectrum for `prs life`");
+  io("measures", c.measures, Block{}, "Further inputs of the design measures");
+  const Bounds up_to_100_um{.least = 0.0, .greatest = 1e-4, .least_excluded = true};
+  io("roughness", c.roughness, OneOrEach{Quantity{unit::length, up_to_100_um}},
+     "Rms roughness Rq of the flanks, for the film ratio");
+  io("lubricant", c.lubricant, Block{}, "The oil, or the base oil of the grease");
+  io("friction", c.friction, ChoiceUnder{"model"}, "Law of friction");
+  io("wear", c.wear, Block{}, "Wear of the flanks, for `prs slip`");
+  io("operation", c.operation, Block{}, "How the mechanism runs");
+  io("carrier", c.carrier, Block{}, "What acts on the rollers besides the threads");
+  io("heat", c.heat, Block{}, "How the parts get rid of the heat of friction, for `prs slip`");
+  io("limits", file.limits, Block{},
+     "What the verdict of `prs check` and of the report holds the case against");
+  io("study", file.study, Block{}, "What `prs study` varies");
+  io("optimize", file.optimize, Block{}, "What `prs optimize` varies, and its aims");
+  io("report", file.report, Block{}, "Title block of `prs report`");
+}
+
+Value value_of(Range& range, const OneOrRange& kind) {
+  return {OneOr{.form = OneOr::Form::range,
+                .one = [&range, kind] { return value_of(range.from, kind.quantity); },
+                .several =
+                    [&range, kind] {
+                      return Value{map_of([&range, kind](const Fields& io) {
+                        io("from", range.from, kind.quantity, required, "First value");
+                        io("to", range.to, kind.quantity, required, "Last value");
+                        io("steps", range.steps, Whole{1, kMostSteps}, required,
+                           "Number of values, ends included");
+                      })};
+                    },
+                .others = ", or a range {from, to, steps}",
+                .spread = [&range] { range.to = range.from; },
+                .are_several = range.steps.value_or(1) > 1,
+                .is_odd = [&range] { return range.steps == 1 && range.from != range.to; }}};
+}
+
+void fields(const Fields& io, WrittenRange& range) {
+  io("from", range.from, Verbatim{}, required, "First value");
+  io("to", range.to, Verbatim{}, required, "Last value, in the same unit");
+  io("steps", range.steps, Whole{2, kMostSteps}, required, "Number of values, ends included");
+  io("spacing", range.spacing, Choice{}, "What is equidistant");
+}
+
+Value value_of(WrittenValues& values, const ListOrRange&) {
+  return {OneOr{.form = OneOr::Form::levels,
+                .one =
+                    [&values] {
+                      return value_of(values.list, List{Verbatim{}, 1});
+                    },
+                .several =
+                    [&values] {
+                      if (!values.range) values.range.emplace();
+                      return value_of(*values.range, Block{});
+                    },
+                .are_several = values.range.has_value()}};
+}
+
+}  // namespace prs::input

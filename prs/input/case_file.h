@@ -1,0 +1,162 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prs/model/case.h"
+#include "prs/model/limits.h"
+#include "prs/model/optimization.h"
+#include "prs/model/study.h"
+
+namespace prs::input {
+
+/// Equidistant values, ends included, as they are written; a single value has no `steps`.
+struct Range {
+  double from = 0.0;
+  double to = 0.0;
+  std::optional<int> steps;
+};
+/// Values of any kind as they are written: a list of them, or a range between two numbers that
+/// carry the same unit, ends included.
+struct WrittenRange {
+  enum class Spacing { linear, logarithmic };
+
+  std::string from, to;
+  int steps = 2;
+  Spacing spacing = Spacing::linear;
+};
+struct WrittenValues {
+  std::vector<std::string> list;
+  std::optional<WrittenRange> range;  ///< In place of the list.
+};
+
+/// A load case as it is written: a range of forces is not yet expanded.
+struct LoadCaseItem {
+  std::optional<std::string> name;
+  LoadCase::Share share = LoadCase::Share::solved;
+  std::optional<Direction> direction;
+  Range axial_force;
+  std::optional<double> position;
+  std::optional<double> speed;
+  SpatialLoad spatial;
+};
+
+/// The ends of an interval, and a normal distribution, as they are written.
+struct WrittenInterval {
+  std::string from, to;
+};
+struct WrittenNormal {
+  std::optional<std::string> mean;
+  std::string deviation;
+};
+
+/// An input that changes with a factor, as it is written.
+struct CompanionItem {
+  std::string path;
+  std::optional<std::string> label;
+  std::optional<WrittenValues> values;
+};
+
+/// A factor of a study as it is written.
+struct FactorItem {
+  std::string path;
+  std::optional<std::string> label;
+  std::optional<WrittenValues> values;
+  std::optional<WrittenInterval> uniform, log_uniform;
+  std::optional<WrittenNormal> normal;
+  std::optional<std::string> within;
+  std::vector<CompanionItem> companions;
+};
+
+/// A point of an envelope and the envelope itself, as they are written.
+struct EnvelopePointItem {
+  enum class Wanted { best };
+
+  std::string name;
+  std::optional<std::vector<std::string>> at;
+  std::optional<Wanted> wanted;
+  std::optional<std::vector<Envelope::Target>> reach;
+};
+struct EnvelopeItem {
+  Envelope::Combine combine = Envelope::Combine::product;
+  Envelope::Normalise normalise = Envelope::Normalise::rms;
+  std::vector<Envelope::Measure> measures;
+  std::vector<EnvelopePointItem> points;
+};
+
+/// A study as it is written.
+struct StudyItem {
+  Command command = Command::slip;
+  Plan plan = Plan::one_at_a_time;
+  std::optional<int> samples;
+  std::int64_t seed = 1;
+  std::vector<FactorItem> factors;
+  std::optional<std::vector<std::string>> responses;
+  std::optional<EnvelopeItem> envelope;
+};
+
+/// An input that changes with a variable, as it is written.
+struct LinkedInputItem {
+  std::string path;
+  std::vector<std::string> values;
+};
+
+/// A variable as it is written.
+struct VariableItem {
+  std::string path;
+  std::optional<std::string> label;
+  std::optional<std::string> from, to;
+  std::optional<std::vector<std::string>> values;
+  std::vector<LinkedInputItem> linked;
+};
+
+struct ObjectiveItem {
+  std::optional<std::string> minimize, maximize;
+};
+
+struct ConstraintItem {
+  std::string response;
+  std::optional<std::string> name;
+  std::optional<std::string> at_least, at_most;
+};
+
+struct CompromiseItem {
+  Compromise::By by = Compromise::By::ideal;
+  std::vector<double> weights;
+  std::string of;
+};
+
+/// An optimization as it is written.
+struct OptimizeItem {
+  Command command = Command::contact;
+  std::vector<VariableItem> variables;
+  std::vector<ObjectiveItem> objectives;
+  std::vector<ConstraintItem> constraints;
+  bool thread_constraints = false;
+  std::optional<Algorithm> algorithm;
+  std::optional<Algorithm> check;
+  int population = 40;
+  int generations = 50;
+  std::int64_t seed = 1;
+  CompromiseItem compromise;
+};
+
+/// What a report says of itself.
+struct ReportTexts {
+  std::optional<std::string> title, customer, author, number, revision;
+};
+
+/// A file as it is written: `values` lacks the load cases.
+struct CaseFile {
+  Case values;
+  std::vector<LoadCaseItem> load_cases;
+  std::optional<Limits> limits;
+  std::optional<StudyItem> study;
+  std::optional<OptimizeItem> optimize;
+  bool speeds_follow_lead = false;  ///< Speeds are written along the axis.
+  std::optional<ReportTexts> report;
+};
+
+}  // namespace prs::input
