@@ -33,6 +33,30 @@ std::vector<OutputFile> life_files(const LifeResult& result, const CsvStyle& sty
 
 constexpr const char* kLives = "a load history or spectrum under which loads converge";
 
+/// Of a stated capacity, which is of real screws, the catalogue's life is the headline.
+PageSection section(const LifeResult& r) {
+  const bool solved = r.life.share == LoadCase::Share::solved, stated = !r.lemor;
+  const std::vector<std::string> lives =
+      r.rated_over_l10() == 1.0
+          ? std::vector<std::string>{"l10_revolutions", "l10_hours", "l10_travel_km", "l10_passes"}
+          : std::vector<std::string>{"rated_revolutions", "rated_hours", "rated_travel_km",
+                                     "rated_passes"};
+  PageSection page{.in_document = {{"life",
+                                    {"status", "share", "reliability_factor",
+                                     "modification_factor", "static_safety",
+                                     "static_safety_limit"}}},
+                   .folded = {"thread_lives"}};
+  if (stated) page.in_document.push_back({"life.catalogue", lives});
+  page.in_document.push_back({"life.system", lives});
+  page.in_document.push_back(
+      {"life.weakest_thread",
+       {"direction", "interface", "part", "roller", "thread", "equivalent_load_N"}});
+  if (solved) page.estimates = {"equal_shares"};
+  if (solved && !stated) page.estimates.emplace_back("catalogue");
+  if (solved && stated) page.note = kStatedCapacityNote;
+  return page;
+}
+
 constexpr std::string_view kResponses[] = {
     "life.system.l10_revolutions", "life.catalogue.l10_revolutions",
     "life.weakest_thread.equivalent_load_N", "life.capacity.dynamic_capacity_N",
@@ -75,6 +99,8 @@ const Analysis<LifeResult>& life_analysis() {
                 {"thread_lives", kLives, of_result(r, thread_lives)}};
       },
       .converged = [](const LifeResult& r) { return r.converged(); },
+      .place = {"Life", 1},
+      .section = section,
       .responses = kResponses};
   return analysis;
 }

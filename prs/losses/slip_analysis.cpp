@@ -87,6 +87,24 @@ std::vector<Headline> losses(const Result& r) {
   return known ? std::vector{lost} : std::vector<Headline>{};
 }
 
+PageSection section(const Result& r) {
+  constexpr const char* kOfSteadyStates = "Steady: each load case running without pause";
+  const bool steady = std::ranges::any_of(
+      r.load_cases, [](const LoadCaseResult& load) { return load.heat.has_value(); });
+  return {.in_cases = {{"slip",
+                        {"status", "speed_rpm", "driven_by", "efficiency", "power_loss_W",
+                         "torque_screw_Nm", "torque_nut_Nm", "self_locking", "holding_torque_Nm",
+                         "slip_ratio", "viscosity_mPas"},
+                        steady ? kOfSteadyStates : ""},
+                       {"heat", {"status", "reason", "temperature_degC", "oil_degC"}}},
+          .in_document = {{"heat_cycle",
+                           {"status", "reason", "period_s", "peak_degC", "mean_degC",
+                            "energy_in_J", "energy_lost_J", "efficiency"},
+                           "Over the duty cycle"}},
+          .folded = {"slip_patches", "slip_residue", "roller_friction"},
+          .estimates = {"equal_shares", "efficiency_fit"}};
+}
+
 constexpr std::string_view kResponses[] = {"slip.efficiency",
                                            "slip.efficiency_fit",
                                            "slip.power_loss_W",
@@ -123,6 +141,8 @@ const Analysis<Result>& slip_analysis() {
       .converged = have_slip,
       .headlines = losses,
       .all_warnings = all_warnings,
+      .place = {"Slip and losses", 2},
+      .section = section,
       .responses = kResponses,
       .takes_load_cases_apart = true};
   return analysis;

@@ -58,6 +58,20 @@ std::vector<Headline> capacity(const MeasuresResult& r) {
   return {{"Dynamic capacity", "dynamic_capacity_N", *r.measures.dynamic_capacity}};
 }
 
+PageSection section(const MeasuresResult& r) {
+  return {.in_cases = {{"measures",
+                        {"solved_static_safety", "solved_static_safety_limit",
+                         "thread_static_safety", "static_safety", "static_safety_limit",
+                         "buckling_safety", "speed_safety", "drive_torque_Nm"}}},
+          .in_document = {{"measures",
+                           {"dynamic_capacity_N", "static_capacity_N", "flank_edge_load_N",
+                            "weight_kg", "screw_weight_kg_per_m", "equivalent_inertia_kg_mm2",
+                            "shaft_stiffness_N_per_um", "buckling_load_N",
+                            "critical_speed_rpm"}}},
+          .folded = {"yang", "stiffness_terms"},
+          .estimates = estimates_in(r)};
+}
+
 constexpr std::string_view kResponses[] = {
     "measures.dynamic_capacity_N",  "measures.static_capacity_N",
     "measures.weight_kg",           "measures.force_density_kN_per_kg",
@@ -97,6 +111,8 @@ const Analysis<MeasuresResult>& measures_analysis() {
       .headlines = capacity,
       .warnings = [](MeasuresResult& r) -> std::vector<Warning>& { return r.analysis.warnings; },
       .all_warnings = [](const MeasuresResult& r) { return all_warnings(r.analysis); },
+      .place = {"Design measures", 4},
+      .section = section,
       .responses = kResponses,
       .takes_load_cases_apart = true};
   return analysis;

@@ -153,7 +153,7 @@ std::string table_without(const MeasuresResult& result, const Keys& hidden) {
 
 }  // namespace
 
-std::string measures_table(const MeasuresResult& result) {
+std::vector<std::string> estimates_in(const MeasuresResult& result) {
   const auto known = [&](auto member) {
     return std::ranges::any_of(result.load_measures,
                                [&](const auto& m) { return m && (*m).*member; });
@@ -161,9 +161,12 @@ std::string measures_table(const MeasuresResult& result) {
   const bool solved = known(&LoadMeasures::solved_static_safety);
   const bool loaded = std::ranges::any_of(
       result.analysis.load_cases, [](const LoadCaseResult& r) { return r.threads.has_value(); });
-  return table_without(
-      result, estimates_beside({result.slips, result.lives, solved,
-                                solved || known(&LoadMeasures::thread_static_safety), loaded}));
+  return estimates_beside({result.slips, result.lives, solved,
+                           solved || known(&LoadMeasures::thread_static_safety), loaded});
+}
+
+std::string measures_table(const MeasuresResult& result) {
+  return table_without(result, estimates_in(result));
 }
 
 std::string full_measures_table(const MeasuresResult& result) { return table_without(result, {}); }

@@ -41,7 +41,8 @@ const Analysis<PreloadResult>& preload_analysis() {
         return {{"preload", "an equilibrium without external load", of_result(r, preload_curves)}};
       },
       .converged = [](const PreloadResult& r) { return r.converged(); },
-      .headlines = lost_motion};
+      .headlines = lost_motion,
+      .place = {"Preload", 3}};
   return analysis;
 }
 

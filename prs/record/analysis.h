@@ -54,6 +54,8 @@ struct Analysis {
   };
   /// Those of load cases, too; without it as `warnings`.
   std::vector<Warning> (*all_warnings)(const R&) = nullptr;
+  PagePlace place = {};  ///< On the page.
+  PageSection (*section)(const R&) = nullptr;
   std::span<const std::string_view> responses = {};  ///< Of a study that lists none.
   bool takes_load_cases_apart = false;               ///< Each load case has an answer of its own.
 
@@ -82,6 +84,7 @@ struct AnyAnalysis {
   /// case turns out to have wrong.
   std::function<Delivery(const input::Source&, const input::CaseInput&)> run = {};
   std::span<const Place> places = {};
+  PagePlace place = {};
   std::span<const std::string_view> responses = {};
   bool takes_load_cases_apart = false;
 };
@@ -117,6 +120,7 @@ Delivery delivered(const input::Source& source, const input::CaseInput& in,
     };
   if (analysis.without_figure) d.without_figure = analysis.without_figure(*result);
   if (analysis.converged) d.converged = analysis.converged(*result);
+  if (analysis.section) d.section = [=] { return analysis.section(*result); };
   if (analysis.headlines) d.headlines = [=] { return analysis.headlines(*result); };
   if (!analysis.load_case) return d;
   d.outline = [=](const DocumentInfo& info) { return document_of(analysis, *result, info, false); };
@@ -134,9 +138,7 @@ AnyAnalysis any(const Analysis<R>& analysis) {
           [&analysis](const input::Source& source, const input::CaseInput& in) {
             return delivered(source, in, analysis, analysis.run);
           },
-          analysis.places,
-          analysis.responses,
-          analysis.takes_load_cases_apart};
+          analysis.places, analysis.place, analysis.responses, analysis.takes_load_cases_apart};
 }
 
 }  // namespace prs

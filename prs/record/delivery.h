@@ -11,6 +11,7 @@
 #include "prs/record/csv_style.h"
 #include "prs/record/document.h"
 #include "prs/record/output_file.h"
+#include "prs/record/page_section.h"
 #include "prs/record/pictures.h"
 
 namespace prs {
@@ -42,6 +43,7 @@ struct Delivery {
   /// The document as text, piece by piece, from its outline; empty: `json_text`.
   std::function<void(const nlohmann::ordered_json&, const TextSink&)> write = {};
   std::function<std::vector<Headline>()> headlines = {};
+  std::function<PageSection()> section = {};  ///< On the page.
 
   /// The result itself; null where it is of another type.
   template <class R>

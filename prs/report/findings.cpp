@@ -79,10 +79,13 @@ const CommandAnswer* Findings::most_complete() const {
 }
 
 std::span<const Command> reported_commands() {
-  static constexpr Command kAll[] = {Command::contact, Command::solve,   Command::compare,
-                                     Command::slip,    Command::preload, Command::life,
-                                     Command::measures};
-  return kAll;
+  static const std::vector<Command> all = [] {
+    std::vector<Command> commands;
+    for (const AnyAnalysis& analysis : analyses())
+      if (analysis.run && analysis.command != Command::check) commands.push_back(analysis.command);
+    return commands;
+  }();
+  return all;
 }
 
 Findings findings_of(input::Source source, ReportOptions options,

@@ -94,7 +94,7 @@ LiveAnswer answer_of(Findings& all, const LiveQuestion& question) {
     for (const auto& [command, why] : all.unmoved)
       if (name(command) == row.id && !body.empty())
         body = fmt::format("<p>{}</p>\n<div class=\"stale\">\n{}</div>\n", why, body);
-    answer.sections[row.id] = std::move(body);
+    answer.sections[std::string(row.id)] = std::move(body);
   }
   if (!question.quick && !all.check.empty()) {
     answer.head = head_html(all);

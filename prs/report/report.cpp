@@ -12,9 +12,7 @@
 #include <set>
 
 #include "prs/input/units.h"
-#include "prs/life/life_table.h"
 #include "prs/loads/case_groups.h"
-#include "prs/measures/measures_record.h"
 #include "prs/record/figure_json.h"
 #include "prs/record/pictures.h"
 #include "prs/record/table_units.h"
@@ -265,77 +263,31 @@ std::string models_html(Findings& all) {
          comparison_html(compare->document);
 }
 
-bool has_stated_capacity(const Json& life) {
-  const Json& capacity = under(life, "capacity");
-  return capacity.is_object() && capacity.value("source", "") == "given";
-}
-
-/// Keys of estimates of what the page has computed, in a document: each quantity has one headline.
-std::vector<std::string> estimates_in(const Findings& all, const CommandAnswer& answer) {
-  const Json& cases = under(answer.document, "load_cases");
-  const auto known = [&](const char* key) {
-    return std::ranges::any_of(
-        cases, [&](const Json& load_case) { return under(load_case, "measures").contains(key); });
-  };
-  if (answer.command == Command::measures)
-    return estimates_beside({all.answer(Command::slip) != nullptr,
-                             all.answer(Command::life) != nullptr, known("solved_static_safety"),
-                             known("solved_static_safety") || known("thread_static_safety"),
-                             known("largest_peak_pressure_screw_MPa")});
-  // Of a stated capacity, which is of real screws, the catalogue's life is the headline.
-  const Json& life = under(answer.document, "life");
-  if (answer.command == Command::life && life.value("share", "") == "solved")
-    return has_stated_capacity(life) ? std::vector<std::string>{"equal_shares"}
-                                     : std::vector<std::string>{"equal_shares", "catalogue"};
-  if (answer.command == Command::slip) return {"equal_shares", "efficiency_fit"};
-  return {};
-}
-
-constexpr const char* kOfSteadyStates = "Steady: each load case running without pause";
-constexpr const char* kOfCycle = "Over the duty cycle";
-
 std::string heading_html(std::string_view title) {
   return title.empty() ? std::string() : fmt::format("<h3>{}</h3>\n", html(title));
 }
 
-/// Whether temperatures follow from the losses of each load case.
-bool has_temperatures(const CommandAnswer& answer) {
-  return std::ranges::any_of(under(answer.document, "load_cases"),
-                             [](const Json& load_case) { return load_case.contains("heat"); });
-}
-
 /// The records of a document that are its own, and what its load cases have besides those of
 /// `solve`.
-std::string document_html(const Findings& all, const CommandAnswer& answer) {
+std::string document_html(const Findings& all, const CommandAnswer& answer,
+                          const PageSection& section) {
   std::string text;
-  const std::vector<std::string> estimates = estimates_in(all, answer);
+  const auto heading_of = [&](std::string_view record) {
+    const auto found = std::ranges::find(section.in_document, record, &OpenRows::record);
+    return found == section.in_document.end() ? std::string() : heading_html(found->heading);
+  };
   for (const auto& [key, value] : answer.document.items())
     if (const RecordInfo* info = record_at(key);
         info && value.is_object() && !is_one_of(key, {"contact", "threads", "comparison"}))
-      text += heading_html(key == "heat_cycle" ? kOfCycle : "") +
-              record_table(*info, {{"", &value}}, {.hidden = estimates});
-  RecordChoice choice{.without = {"name"}, .hidden = estimates};
+      text += heading_of(key) + record_table(*info, {{"", &value}}, {.hidden = section.estimates});
+  RecordChoice choice{.without = {"name"}, .hidden = section.estimates};
   const CommandAnswer* solve = all.answer(Command::solve);
   static const Json none;
   if (const Json& known = solve ? under(solve->document, "load_cases") : none; !known.empty())
     for (const auto& [key, value] : known.front().items()) choice.without.push_back(key);
-  return heading_html(has_temperatures(answer) ? kOfSteadyStates : "") +
+  return heading_html(section.in_cases.empty() ? "" : section.in_cases.front().heading) +
          case_table_html(answer.document, choice) + text;
 }
-
-/// Rows of a record that stand open, under a heading where one is needed.
-struct OpenRows {
-  std::string record;
-  std::vector<std::string> rows;
-  std::string heading = {};
-};
-
-/// How a section shows the answer of a command: what a reader asks for first, and what folds.
-struct AnswerView {
-  Command command;
-  std::vector<OpenRows> in_cases = {}, in_document = {};
-  std::vector<std::string> folded = {};  ///< Pictures.
-};
 
 /// Rows of a record of the document or, as in `life.system`, of one within it, under its title.
 std::string part_of_document(const Json& document, const std::string& path,
@@ -352,90 +304,30 @@ std::string part_of_document(const Json& document, const std::string& path,
   return table.empty() ? table : heading_html(capitalised(inner->title)) + table;
 }
 
-std::string answer_html(Findings& all, const AnswerView& view) {
-  const CommandAnswer* answer = all.answer(view.command);
+std::string answer_html(Findings& all, Command command) {
+  const CommandAnswer* answer = all.answer(command);
   if (!answer) return {};
+  const PageSection section = answer->delivery.section ? answer->delivery.section() : PageSection{};
   const auto is_folded = [&](std::string_view name) {
-    return std::ranges::find(view.folded, name) != view.folded.end();
+    return std::ranges::find(section.folded, name) != section.folded.end();
   };
-  std::string text =
-      pictures_html(all, answer, [&](std::string_view name) { return !is_folded(name); });
+  std::string text = section.note.empty() ? "" : fmt::format("<p>{}</p>\n", html(section.note));
+  text += pictures_html(all, answer, [&](std::string_view name) { return !is_folded(name); });
   const std::vector<RecordColumn> cases = case_columns(answer->document);
-  const std::vector<std::string> estimates = estimates_in(all, *answer);
   const auto add = [&](const std::string& heading, const std::string& table) {
     if (!table.empty()) text += heading_html(heading) + table;
   };
-  for (const auto& [key, only, heading] : view.in_cases)
+  for (const auto& [key, only, heading] : section.in_cases)
     if (const RecordInfo* info = record_in(*record_at("load_cases[]"), key))
-      add(heading,
-          record_table(*info, columns_in(cases, key), {.only = only, .hidden = estimates}));
-  for (const auto& [key, only, heading] : view.in_document)
-    add(heading, part_of_document(answer->document, key, {.only = only, .hidden = estimates}));
-  const bool is_open = view.in_cases.empty() && view.in_document.empty();
-  const std::string every = document_html(all, *answer);
+      add(heading, record_table(*info, columns_in(cases, key),
+                                {.only = only, .hidden = section.estimates}));
+  for (const auto& [key, only, heading] : section.in_document)
+    add(heading, part_of_document(answer->document, key,
+                                  {.only = only, .hidden = section.estimates}));
+  const bool is_open = section.in_cases.empty() && section.in_document.empty();
+  const std::string every = document_html(all, *answer, section);
   return text + folded_html("More pictures", pictures_html(all, answer, is_folded)) +
          (is_open ? every : folded_html("Every number", every));
-}
-
-std::string slip_html(Findings& all) {
-  const CommandAnswer* answer = all.answer(Command::slip);
-  return answer_html(
-      all,
-      {Command::slip,
-       {{"slip",
-         {"status", "speed_rpm", "driven_by", "efficiency", "power_loss_W", "torque_screw_Nm",
-          "torque_nut_Nm", "self_locking", "holding_torque_Nm", "slip_ratio", "viscosity_mPas"},
-         answer && has_temperatures(*answer) ? kOfSteadyStates : ""},
-        {"heat", {"status", "reason", "temperature_degC", "oil_degC"}}},
-       {{"heat_cycle",
-         {"status", "reason", "period_s", "peak_degC", "mean_degC", "energy_in_J", "energy_lost_J",
-          "efficiency"},
-         kOfCycle}},
-       {"slip_patches", "slip_residue", "roller_friction"}});
-}
-
-std::string preload_html(Findings& all) { return answer_html(all, {Command::preload}); }
-
-std::string life_html(Findings& all) {
-  const std::vector<std::string> basic{"l10_revolutions", "l10_hours", "l10_travel_km",
-                                       "l10_passes"};
-  const std::vector<std::string> rated{"rated_revolutions", "rated_hours", "rated_travel_km",
-                                       "rated_passes"};
-  const CommandAnswer* answer = all.answer(Command::life);
-  static const Json none;
-  const Json& life = answer ? under(answer->document, "life") : none;
-  const bool is_basic =
-      !life.is_object() ||
-      life.value("reliability_factor", 1.0) * life.value("modification_factor", 1.0) == 1.0;
-  const bool of_catalogue = has_stated_capacity(life);
-  AnswerView view{Command::life,
-                  {},
-                  {{"life",
-                    {"status", "share", "reliability_factor", "modification_factor",
-                     "static_safety", "static_safety_limit"}}},
-                  {"thread_lives"}};
-  if (of_catalogue) view.in_document.push_back({"life.catalogue", is_basic ? basic : rated});
-  view.in_document.push_back({"life.system", is_basic ? basic : rated});
-  view.in_document.push_back(
-      {"life.weakest_thread",
-       {"direction", "interface", "part", "roller", "thread", "equivalent_load_N"}});
-  const bool is_told = of_catalogue && life.value("share", "") == "solved";
-  const std::string why = is_told ? "<p>" + html(kStatedCapacityNote) + "</p>\n" : std::string();
-  return why + answer_html(all, view);
-}
-
-std::string measures_html(Findings& all) {
-  return answer_html(
-      all, {Command::measures,
-            {{"measures",
-              {"solved_static_safety", "solved_static_safety_limit", "thread_static_safety",
-               "static_safety", "static_safety_limit", "buckling_safety", "speed_safety",
-               "drive_torque_Nm"}}},
-            {{"measures",
-              {"dynamic_capacity_N", "static_capacity_N", "flank_edge_load_N", "weight_kg",
-               "screw_weight_kg_per_m", "equivalent_inertia_kg_mm2", "shaft_stiffness_N_per_um",
-               "buckling_load_N", "critical_speed_rpm"}}},
-            {"yang", "stiffness_terms"}});
 }
 
 std::string contact_html(Findings& all) {
@@ -723,32 +615,48 @@ Json data_of(const Findings& all, std::optional<std::size_t> room) {
 
 }  // namespace
 
+/// Those of the analyses, in their places.
+std::vector<SectionRow> analysis_rows() {
+  std::vector<const AnyAnalysis*> shown;
+  for (const AnyAnalysis& analysis : analyses())
+    if (!analysis.place.title.empty()) shown.push_back(&analysis);
+  std::ranges::stable_sort(shown, {}, [](const AnyAnalysis* a) { return a->place.order; });
+  std::vector<SectionRow> rows;
+  for (const AnyAnalysis* analysis : shown)
+    rows.push_back({name(analysis->command), analysis->place.title,
+                    [command = analysis->command](Findings& all) {
+                      return answer_html(all, command);
+                    }});
+  return rows;
+}
+
 std::span<const SectionRow> section_rows() {
-  static constexpr SectionRow kAll[] = {
-      {"verdict", "Verdict", [](Findings& all) { return verdict_html(all); }, true},
-      {"warnings", "Warnings", warnings_html},
-      {"mechanism", "Mechanism", mechanism_html, true},
-      {"inputs", "Inputs and assumptions", [](Findings& all) { return inputs_html(all); }},
-      {"loads", "Load distribution", loads_html, true},
-      {"pressures", "Pressures", pressures_html, true},
-      {"stiffness", "Stiffness", stiffness_html, true},
-      {"life", "Life", life_html},
-      {"slip", "Slip and losses", slip_html},
-      {"preload", "Preload", preload_html},
-      {"measures", "Design measures", measures_html},
-      {"models", "The models side by side", models_html},
-      {"contacts", "Contacts", contact_html},
-      {"studies", "Studies", studies_html},
-      {"data", "Data", files_html},
-      {"provenance", "Provenance", provenance_html},
-  };
-  return kAll;
+  static const std::vector<SectionRow> all = [] {
+    std::vector<SectionRow> rows{
+        {"verdict", "Verdict", verdict_html, true},
+        {"warnings", "Warnings", warnings_html},
+        {"mechanism", "Mechanism", mechanism_html, true},
+        {"inputs", "Inputs and assumptions", inputs_html},
+        {"loads", "Load distribution", loads_html, true},
+        {"pressures", "Pressures", pressures_html, true},
+        {"stiffness", "Stiffness", stiffness_html, true},
+    };
+    std::ranges::move(analysis_rows(), std::back_inserter(rows));
+    std::ranges::move(std::vector<SectionRow>{{"models", "The models side by side", models_html},
+                                              {"contacts", "Contacts", contact_html},
+                                              {"studies", "Studies", studies_html},
+                                              {"data", "Data", files_html},
+                                              {"provenance", "Provenance", provenance_html}},
+                      std::back_inserter(rows));
+    return rows;
+  }();
+  return all;
 }
 
 ReportSection section_of(Findings& all, const SectionRow& row) {
   all.section = row.id;
   all.places.clear();
-  return {row.id, row.title, row.make(all)};
+  return {std::string(row.id), std::string(row.title), row.make(all)};
 }
 
 Json documents_of(const Findings& all) { return data_of(all, {}); }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "prs/report/findings.h"
 
@@ -10,9 +12,8 @@ namespace prs {
 
 /// A section of the page and how it is written.
 struct SectionRow {
-  const char* id;
-  const char* title;
-  std::string (*make)(Findings&);
+  std::string_view id, title;
+  std::function<std::string(Findings&)> make;
   bool is_quick = false;  ///< Of `solve` or `contact` alone: follows while a value moves.
 };
 
