@@ -24,7 +24,7 @@ using Actions = std::array<const char*, 7>;
 constexpr Actions kBashActions = {":",     "words {}", "list {}", "settings",
                                   "cases", "files",    "folders"};
 constexpr Actions kZshActions = {
-    " ",      "({})",    "_prs_list {}", "_prs_settings", "_files -g \"*.(yaml|yml)\"",
+    " ",      "({})",     "_prs_list {}", "_prs_settings", "_files -g \"*.(yaml|yml)\"",
     "_files", "_files -/"};
 constexpr Actions kFishActions = {"",
                                   " -a '{}'",
@@ -63,8 +63,8 @@ Offer offer(const CommandText& program, const OptionText& option) {
   const std::string& value = option.value;
   if (!option.words.empty()) return {words, option.words};
   if (value == "COMMAND") return {words, command_words(program)};
-  for (const auto& [name, kind] : {std::pair{"PATH=VALUE", settings}, {"DIR|FILE", files},
-                                   {"FILE", cases}, {"DIR", folders}})
+  for (const auto& [name, kind] :
+       {std::pair{"PATH=VALUE", settings}, {"DIR|FILE", files}, {"FILE", cases}, {"DIR", folders}})
     if (value == name) return {kind, {}};
   std::string listed = value + "s";
   std::ranges::transform(listed, listed.begin(),
@@ -204,7 +204,7 @@ std::string zsh_command(const CommandText& program, const CommandText& command) 
     std::string offered = action(kZshActions, program, argument);
     if (k == 0 && !command.commands.empty())
       offered = fmt::format(" _alternative \"commands:command:({})\" \"files:FILE:_files\"",
-                           joined(command_words(command)));
+                            joined(command_words(command)));
     text += fmt::format(" \\\n    '{}:{}:{}'", argument.repeatable ? "*" : std::to_string(k + 1),
                         argument.value, offered);
   }

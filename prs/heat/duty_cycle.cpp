@@ -50,22 +50,20 @@ State starting_at(const OfParts& t) {
 }
 
 /// The lumped parts under one table of losses.
-class Warming {
- public:
-  Warming(const ThermalNetwork& network, const OfParts& capacity, const LossTable& table)
-      : table_(table), ambient_(network.ambient) {
-    by_rise_ << -network.conductance, Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero();
-    by_flow_.topLeftCorner<3, 3>().setIdentity();
-    by_flow_.row(6).head<3>().setOnes();
-    by_flow_(7, 3) = by_flow_(8, 4) = 1.0;
-    for (int p = 0; p < 3; ++p) by_rise_.row(p) /= capacity[p], by_flow_(p, p) /= capacity[p];
-  }
+struct Warming {
+  const ThermalNetwork& network;
+  const OfParts& capacity;
+  const LossTable& table;
 
   /// One extrapolated step; none where it does not reach the tolerance.
   std::optional<State> step(const State& from, double h, int& columns) const {
-    const LossTable::Value at_start = table_.at(from.head<3>());
-    const Derivative derivative = by_flow_ * at_start.by_temperature + by_rise_;
-    const State rate = rate_at(from, at_start.value);
+    const auto [losses, by_temperature] = table.at(from.head<3>());
+    const State rate = rate_at(from, losses);
+    Derivative derivative;
+    derivative << capacity.cwiseInverse().asDiagonal() *
+                      (by_temperature.topRows<3>() - network.conductance),
+        Eigen::Matrix3d::Identity(), by_temperature.topRows<3>().colwise().sum(),
+        by_temperature.bottomRows<2>();
     std::array<State, kColumns> row;
     for (int j = 0; j < kColumns; ++j) {
       State next = steps(from, rate, derivative, h, j + 1);
@@ -89,7 +87,7 @@ class Warming {
   /// Greatest temperature of each part in a step of h: within it for those that warm at its start
   /// and cool at its end.
   OfParts greatest_within(const State& from, const State& to, double h) const {
-    const auto rate = [&](const State& x) { return rate_at(x, table_.value_at(x.head<3>())); };
+    const auto rate = [&](const State& x) { return rate_at(x, table.value_at(x.head<3>())); };
     const State first = rate(from), last = rate(to);
     OfParts greatest = from.head<3>().cwiseMax(to.head<3>());
     for (int p = 0; p < 3; ++p) {
@@ -108,11 +106,14 @@ class Warming {
     return greatest;
   }
 
- private:
   using Derivative = Eigen::Matrix<double, 9, 3>;
 
-  State rate_at(const State& x, const Flows& flows) const {
-    return by_flow_ * flows + by_rise_ * (x.head<3>().array() - ambient_).matrix();
+  State rate_at(const State& x, const Flows& losses) const {
+    const OfParts rise = (x.head<3>().array() - network.ambient).matrix();
+    State rate;
+    rate << (losses.head<3>() - network.conductance * rise).cwiseQuotient(capacity), rise,
+        losses.head<3>().sum(), losses.tail<2>();
+    return rate;
   }
 
   /// After n linearly implicit Euler steps of h/n in all.
@@ -122,18 +123,12 @@ class Warming {
         (Eigen::Matrix3d::Identity() - small * derivative.topRows<3>()).inverse();
     State x = from;
     for (int i = 0; i < n; ++i) {
-      if (i > 0) rate = rate_at(x, table_.value_at(x.head<3>()));
+      if (i > 0) rate = rate_at(x, table.value_at(x.head<3>()));
       const OfParts change = inverse * (small * rate.head<3>());
       x += small * (rate + derivative * change);
     }
     return x;
   }
-
-  const LossTable& table_;
-  double ambient_;
-  /// Rates of a state: products with the flows, and with the parts' rise above ambient.
-  Eigen::Matrix<double, 9, 5> by_flow_ = Eigen::Matrix<double, 9, 5>::Zero();
-  Derivative by_rise_;
 };
 
 /// The duty as lumped parts see it.
@@ -230,7 +225,7 @@ struct Duty {
   std::vector<std::string> names;
   /// With equal shares, where the load case's shares follow the temperatures.
   std::vector<std::unique_ptr<CaseLosses>> equal;
-  std::vector<double> weights;  ///< Share of the period.
+  std::vector<double> weights;    ///< Share of the period.
   std::vector<Segment> segments;  ///< Table 0 is that of rests, 1 that of the first load case.
 };
 

@@ -42,9 +42,8 @@ PageSection section(const LifeResult& r) {
           : std::vector<std::string>{"rated_revolutions", "rated_hours", "rated_travel_km",
                                      "rated_passes"};
   PageSection page{.in_document = {{"life",
-                                    {"status", "share", "reliability_factor",
-                                     "modification_factor", "static_safety",
-                                     "static_safety_limit"}}},
+                                    {"status", "share", "reliability_factor", "modification_factor",
+                                     "static_safety", "static_safety_limit"}}},
                    .folded = {"thread_lives"}};
   if (stated) page.in_document.push_back({"life.catalogue", lives});
   page.in_document.push_back({"life.system", lives});

@@ -81,9 +81,11 @@ std::vector<Warning> all_warnings(const Result& result) {
 
 std::string warning_summary(const std::vector<Warning>& warnings) {
   std::string summary = warnings.empty() ? "" : "Warnings\n";
-  for (const WarningGroup& group : grouped(warnings))
-    summary += wrapped(in_table_units(printable(group.text())), "  ", kTableWidth) +
-               wrapped(printable(group.where()), "    ", kTableWidth);
+  for (const WarningGroup& group : grouped(warnings)) {
+    summary += wrapped(in_table_units(printable(group.text())), "  ", kTableWidth);
+    if (const std::string where = group.where(); !where.empty())
+      summary += wrapped(printable(where), "    ", kTableWidth);
+  }
   return summary;
 }
 

@@ -4,13 +4,13 @@
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/loads/load_analysis.h"
+#include "prs/loads/warnings.h"
 #include "prs/losses/heat_csv.h"
 #include "prs/losses/heat_record.h"
 #include "prs/losses/slip_csv.h"
 #include "prs/losses/slip_pictures.h"
 #include "prs/losses/slip_record.h"
 #include "prs/losses/slip_table.h"
-#include "prs/loads/warnings.h"
 #include "prs/model/void_inputs.h"
 
 namespace prs {
@@ -98,8 +98,8 @@ PageSection section(const Result& r) {
                         steady ? kOfSteadyStates : ""},
                        {"heat", {"status", "reason", "temperature_degC", "oil_degC"}}},
           .in_document = {{"heat_cycle",
-                           {"status", "reason", "period_s", "peak_degC", "mean_degC",
-                            "energy_in_J", "energy_lost_J", "efficiency"},
+                           {"status", "reason", "period_s", "peak_degC", "mean_degC", "energy_in_J",
+                            "energy_lost_J", "efficiency"},
                            "Over the duty cycle"}},
           .folded = {"slip_patches", "slip_residue", "roller_friction"},
           .estimates = {"equal_shares", "efficiency_fit"}};

@@ -66,8 +66,7 @@ PageSection section(const MeasuresResult& r) {
           .in_document = {{"measures",
                            {"dynamic_capacity_N", "static_capacity_N", "flank_edge_load_N",
                             "weight_kg", "screw_weight_kg_per_m", "equivalent_inertia_kg_mm2",
-                            "shaft_stiffness_N_per_um", "buckling_load_N",
-                            "critical_speed_rpm"}}},
+                            "shaft_stiffness_N_per_um", "buckling_load_N", "critical_speed_rpm"}}},
           .folded = {"yang", "stiffness_terms"},
           .estimates = estimates_in(r)};
 }

@@ -138,7 +138,10 @@ AnyAnalysis any(const Analysis<R>& analysis) {
           [&analysis](const input::Source& source, const input::CaseInput& in) {
             return delivered(source, in, analysis, analysis.run);
           },
-          analysis.places, analysis.place, analysis.responses, analysis.takes_load_cases_apart};
+          analysis.places,
+          analysis.place,
+          analysis.responses,
+          analysis.takes_load_cases_apart};
 }
 
 }  // namespace prs

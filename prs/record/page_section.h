@@ -17,9 +17,10 @@ struct OpenRows {
 /// numbers stand open.
 struct PageSection {
   std::vector<OpenRows> in_cases = {}, in_document = {};
-  std::vector<std::string> folded = {};    ///< Pictures.
-  std::vector<std::string> estimates = {};  ///< Keys that are left out: each quantity has one headline.
-  std::string note = {};                    ///< Above all.
+  std::vector<std::string> folded = {};  ///< Pictures.
+  std::vector<std::string> estimates =
+      {};                 ///< Keys that are left out: each quantity has one headline.
+  std::string note = {};  ///< Above all.
 };
 
 /// The title of an analysis on the page, and where it stands among the others; none where another

@@ -319,11 +319,11 @@ std::string answer_html(Findings& all, Command command) {
   };
   for (const auto& [key, only, heading] : section.in_cases)
     if (const RecordInfo* info = record_in(*record_at("load_cases[]"), key))
-      add(heading, record_table(*info, columns_in(cases, key),
-                                {.only = only, .hidden = section.estimates}));
+      add(heading,
+          record_table(*info, columns_in(cases, key), {.only = only, .hidden = section.estimates}));
   for (const auto& [key, only, heading] : section.in_document)
-    add(heading, part_of_document(answer->document, key,
-                                  {.only = only, .hidden = section.estimates}));
+    add(heading,
+        part_of_document(answer->document, key, {.only = only, .hidden = section.estimates}));
   const bool is_open = section.in_cases.empty() && section.in_document.empty();
   const std::string every = document_html(all, *answer, section);
   return text + folded_html("More pictures", pictures_html(all, answer, is_folded)) +
@@ -623,10 +623,9 @@ std::vector<SectionRow> analysis_rows() {
   std::ranges::stable_sort(shown, {}, [](const AnyAnalysis* a) { return a->place.order; });
   std::vector<SectionRow> rows;
   for (const AnyAnalysis* analysis : shown)
-    rows.push_back({name(analysis->command), analysis->place.title,
-                    [command = analysis->command](Findings& all) {
-                      return answer_html(all, command);
-                    }});
+    rows.push_back(
+        {name(analysis->command), analysis->place.title,
+         [command = analysis->command](Findings& all) { return answer_html(all, command); }});
   return rows;
 }
 
