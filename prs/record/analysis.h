@@ -87,6 +87,7 @@ struct AnyAnalysis {
   PagePlace place = {};
   std::span<const std::string_view> responses = {};
   bool takes_load_cases_apart = false;
+  std::string_view result_class = {};  ///< In Python; without it that of the command's word.
 };
 
 /// Warnings on single values; what they bring about has no warning of its own.

@@ -27,7 +27,9 @@ std::span<const AnyAnalysis> analyses() {
       any(life_analysis()),
       any(measures_analysis()),
       {Command::study, "Run the study of the file: many designs, a row each"},
-      {Command::optimize, "Search the designs that the file aims at"},
+      {.command = Command::optimize,
+       .help = "Search the designs that the file aims at",
+       .result_class = "OptimizationResult"},
   };
   return all;
 }

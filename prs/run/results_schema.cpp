@@ -59,6 +59,17 @@ void put_record(Json& records, const RecordInfo& record) {
   for (const QuantityInfo& q : record.quantities) json["quantities"].push_back(quantity_json(q));
 }
 
+Json analysis_json(const AnyAnalysis& analysis) {
+  std::string of_word(name(analysis.command));
+  of_word[0] = static_cast<char>(of_word[0] - 'a' + 'A');
+  Json json{{"name", name(analysis.command)},
+            {"help", analysis.help},
+            {"class", analysis.result_class.empty() ? of_word + "Result" : analysis.result_class},
+            {"places", Json::array()}};
+  for (const Place& place : analysis.places) json["places"].push_back(place.path);
+  return json;
+}
+
 /// Those of all analyses.
 const std::vector<DocumentRecord>& all_records() {
   static const std::vector<DocumentRecord> all = [] {
@@ -104,6 +115,8 @@ Json results_schema() {
     schema["documents"].push_back({{"path", at.path}, {"record", at.record.name}});
     put_record(schema["records"], at.record);
   }
+  for (const AnyAnalysis& analysis : analyses())
+    schema["analyses"].push_back(analysis_json(analysis));
   return schema;
 }
 

@@ -18,8 +18,8 @@ struct DocumentRecord {
 
 std::vector<DocumentRecord> records_at(std::span<const Place> places);
 
-/// The table of results as a document: `documents`, where each record stands, and `records`, what
-/// each quantity is.
+/// The table of results as a document: `documents`, where each record stands, `records`, what each
+/// quantity is, and `analyses`, what each command is, its class in Python and its places.
 nlohmann::ordered_json results_schema();
 
 /// The record at a path of documents, `life` or `load_cases[]`; null where none stands.

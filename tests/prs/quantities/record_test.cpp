@@ -1,13 +1,16 @@
 #include "prs/record/record.h"
 #include "prs/losses/slip_analysis.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 
 #include "prs/loads/load_json.h"
 #include "prs/losses/slip_record.h"
 #include "prs/record/record_table.h"
+#include "prs/run/commands.h"
 #include "prs/run/results_schema.h"
 #include "prs/study/response.h"
 #include "prs/study/result_number.h"
@@ -140,6 +143,20 @@ TEST(ResultsSchema, SaysEveryQuantityWithAMeaning) {
       const bool needs_none = name.starts_with("Per") || name == "Threads";
       EXPECT_TRUE(needs_none || q.contains("meaning")) << name << q;
     }
+}
+
+TEST(ResultsSchema, SaysTheClassAndThePlacesOfEveryAnalysis) {
+  const auto schema = results_schema();
+  std::set<std::string> classes;
+  for (const auto& analysis : schema.at("analyses")) {
+    EXPECT_FALSE(analysis.at("help").empty());
+    EXPECT_TRUE(classes.insert(analysis.at("class")).second) << analysis;
+  }
+  EXPECT_EQ(classes.size(), analyses().size());
+  EXPECT_TRUE(classes.contains("SolveResult") && classes.contains("OptimizationResult"));
+  const auto& slip = schema.at("analyses").at(4);
+  EXPECT_EQ(slip.at("name"), "slip");
+  EXPECT_THAT(slip.at("places"), testing::Contains("load_cases[].slip"));
 }
 
 }  // namespace
