@@ -1,17 +1,20 @@
 #!/usr/bin/env python3
-"""Writes docs/reference/ and Python's records from `prs schema` and `prs help --json`.
+"""Writes docs/reference/, Python's records and results from `prs schema` and `prs help --json`.
 
     scripts/reference.py PRS            writes the files
     scripts/reference.py PRS --check    says which of them are not current
 """
 
+import ast
 import json
 import subprocess
 import sys
+import textwrap
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = ROOT / "docs/reference"
+PYTHON = ROOT / "python/rollerscrew"
 NOTE = "<!-- Written by scripts/reference.py from the program's own tables. -->\n\n"
 KINDS = {
     "number": "float", "series": "Array", "matrix": "Array", "count": "int", "flag": "bool",
@@ -192,6 +195,11 @@ def keys_in(value: dict, path: str, links: dict[str, str]) -> list[tuple[str, ..
     return [(f"`{path}`", kind.replace("string", "text"), said)]
 
 
+def keys_of_all(schemas: dict[str, dict]) -> set[str]:
+    """What every document has."""
+    return schemas["configurations"]["properties"].keys() & schemas["check"]["properties"].keys()
+
+
 def document_page(schemas: dict[str, dict], results: dict) -> str:
     links = {"Input": "[a case](inputs.md)", "Figure": "`prs schema figures`"}
     for place in results["documents"]:
@@ -200,7 +208,8 @@ def document_page(schemas: dict[str, dict], results: dict) -> str:
             links.setdefault(name, f"[{name}]({page}.md#{name.lower()})")
     text = (
         "# Documents\n\nWhat `--json` prints, and `--output` writes, by command. `.*` stands for\n"
-        "any key, `[]` for the entries of a list. `prs schema COMMAND` prints a JSON Schema of it.\n"
+        "any key, `[]` for the entries of a list. `prs schema COMMAND` prints a JSON Schema of it."
+        "\n"
         "`resolved_input` is the case with overrides and defaults in place: as a file of its own,\n"
         "it gives the same results.\n\n"
     )
@@ -209,7 +218,7 @@ def document_page(schemas: dict[str, dict], results: dict) -> str:
     def rows_of(properties: dict) -> list[tuple[str, ...]]:
         return [row for key, value in properties.items() for row in keys_in(value, key, links)]
 
-    always = schemas["configurations"]["properties"].keys() & schemas["check"]["properties"].keys()
+    always = keys_of_all(schemas)
     shared = {k: v for k, v in schemas["check"]["properties"].items() if k in always}
     text += f"## Every document\n{table(head, rows_of(shared))}\n"
     for command, schema in schemas.items():
@@ -296,11 +305,13 @@ def reference(
         f"keys:\n\n{links}"
     )
     files = {PAGES / name: text for name, text in pages.items()}
-    files[ROOT / "python/rollerscrew/records.py"] = python_records(results["records"])
+    studied = inputs["properties"]["study"]["properties"]["command"]["enum"]
+    files[PYTHON / "records.py"] = python_records(results["records"], studied)
+    files[PYTHON / "results.py"] = python_results(results, documents)
     return files
 
 
-def python_records(records: dict) -> str:
+def python_records(records: dict, studied: list[str]) -> str:
     text = '''"""What stands inside the result documents; names and units are those of `prs --json`.
 
 A quantity that a case does not define is absent: attribute access raises, `get` gives its default.
@@ -309,19 +320,122 @@ What each is: docs/reference. Written by scripts/reference.py from the program's
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 import numpy.typing as npt
 
 from rollerscrew.record import Record
 
 Array = npt.NDArray[np.float64]  #: Read-only.
+
+#: What each design of a study runs through.
 '''
+    words = ", ".join(f'"{word}"' for word in studied)
+    text += f"Command = Literal[{words}]\n"
     for name, record in records.items():
         text += f'\n\nclass {name}(Record):\n    """{record["meaning"]}"""\n\n    __slots__ = ()\n'
         for q in record["quantities"]:
             kind = KINDS.get(q["kind"], q.get("record", ""))
             text += f"    {q['key']}: {f'list[{kind}]' if q['kind'] == 'records' else kind}\n"
     return text
+
+
+def classes_in(module: str) -> dict[str, ast.ClassDef]:
+    """Those that a module of the package has by hand."""
+    tree = ast.parse((PYTHON / module).read_text())
+    return {item.name: item for item in tree.body if isinstance(item, ast.ClassDef)}
+
+
+def stated_in(owner: ast.ClassDef) -> set[str]:
+    """Its methods, and what its own lines annotate or assign."""
+    functions = {item.name for item in owner.body if isinstance(item, ast.FunctionDef)}
+    targets = {
+        target.id
+        for item in owner.body
+        for target in getattr(item, "targets", [getattr(item, "target", None)])
+        if isinstance(target, ast.Name)
+    }
+    return functions | targets
+
+
+def python_type(value: dict, records: dict) -> str:
+    """The type of a key of a document; what has no record in the tables is `Values`."""
+    name = value.get("$ref", "").rpartition("/")[2]
+    if name in records:
+        return f"records.{name}"
+    if value.get("type") == "array":
+        items = value["items"]
+        is_numbers = items.get("type") in ("integer", "number")
+        return "records.Array" if is_numbers else f"list[{python_type(items, records)}]"
+    kinds = {"integer": "int", "number": "float", "boolean": "bool", "string": "str"}
+    return kinds.get(value.get("type", ""), "Values")
+
+
+def docstring(text: str, margin: str) -> str:
+    return textwrap.indent(f'"""{text}' + "\n" * ("\n" in text) + '"""\n', margin)
+
+
+def python_results(results: dict, schemas: dict[str, dict]) -> str:
+    """A class for each form of a document, and the methods of a case that answer with them.
+
+    What views.py and case.py have by hand is taken from there.
+    """
+    views, by_hand = classes_in("views.py"), stated_in(classes_in("case.py")["Case"])
+    always = keys_of_all(schemas)
+    names: list[str] = []
+    classes = methods = ""
+    for analysis in results["analyses"]:
+        command = analysis["name"]
+        schema = schemas[command]
+        for form in schema.get("oneOf", [schema]):
+            own = {key: value for key, value in form["properties"].items() if key not in always}
+            block = command if command in own else [k for k in form["required"] if k in own][-1]
+            is_first = form is schema or form is schema["oneOf"][0]
+            name = analysis["class"] if is_first else block.capitalize() + "Result"
+            view = views.get(name.removesuffix("Result") + "Views")
+            if not view and not is_first:  # No answer of a case alone.
+                continue
+            bases = ["Result"]
+            if view:
+                others = [ast.unparse(base).replace("Views", "Result") for base in view.bases]
+                bases = [f"views.{view.name}", *(other for other in others if other in names)]
+            stated = stated_in(view) if view else set()
+            said = (view and ast.get_docstring(view)) or analysis["help"] + "."
+            lines = [] if "_block" in stated else [f'_block = "{block}"']
+            for key, value in own.items():
+                kind = python_type(value, results["records"])
+                if key not in stated or "Values" not in kind:  # By hand more may be said.
+                    lines.append(f"{key}: {kind}")
+            classes += f"\n\nclass {name}({', '.join(bases)}):\n{docstring(said, ' ' * 4)}\n"
+            classes += "".join(f"    {line}\n" for line in ["__slots__ = ()", *lines])
+            names.append(name)
+            if is_first and command not in by_hand:
+                methods += f"\n    def {command}(self) -> {name}:\n{docstring(said, ' ' * 8)}"
+                methods += f'        return {name}._answer(self, "{command}")\n'
+    shared = [name for name in views if name.endswith("Result")]
+    public = "".join(f'    "{name}",\n' for name in sorted(["Result", *names, *shared]))
+    return f'''"""What the commands answer: documents with data frames and pictures.
+
+Written by scripts/reference.py from the program's list of analyses and from views.py.
+"""
+
+from __future__ import annotations
+
+from rollerscrew import _engine, records, views
+from rollerscrew.record import Result, Values
+from rollerscrew.views import {", ".join(shared)}
+
+__all__ = [
+{public}]
+{classes}
+
+class Analyses:
+    """The commands that a case answers in one call."""
+
+    __slots__ = ()
+    _case: _engine.Case
+{methods}'''
 
 
 def main() -> int:

@@ -5,44 +5,20 @@
 >>> case.solve().load_cases[0].axial_stiffness_N_per_um
 """
 
-from rollerscrew import records
+from rollerscrew import records, results
 from rollerscrew._engine import InputError, schema
 from rollerscrew._engine import version as __version__
 from rollerscrew.cad import export_step
 from rollerscrew.case import Case, explore
 from rollerscrew.designs import Designs
-from rollerscrew.record import Record, Result, Values
-from rollerscrew.results import (
-    CheckResult,
-    CompareResult,
-    ContactResult,
-    DerivativesResult,
-    LifeResult,
-    MeasuresResult,
-    OptimizationResult,
-    PreloadResult,
-    SlipResult,
-    SolveResult,
-    StudyResult,
-)
+from rollerscrew.record import Record, Values
+from rollerscrew.results import *  # noqa: F403
 
 __all__ = [
     "Case",
-    "CheckResult",
-    "CompareResult",
-    "ContactResult",
-    "DerivativesResult",
     "Designs",
     "InputError",
-    "LifeResult",
-    "MeasuresResult",
-    "OptimizationResult",
-    "PreloadResult",
     "Record",
-    "Result",
-    "SlipResult",
-    "SolveResult",
-    "StudyResult",
     "Values",
     "__version__",
     "explore",
@@ -50,5 +26,6 @@ __all__ = [
     "records",
     "schema",
 ]
+__all__ += results.__all__
 
 InputError.__module__ = __name__

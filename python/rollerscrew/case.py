@@ -13,27 +13,16 @@ from pathlib import Path
 from typing import Any, Self
 
 from rollerscrew import _engine
-from rollerscrew.designs import Command, Designs, evaluate, study_rows, thread_count
+from rollerscrew.designs import Designs, evaluate, study_rows, thread_count
 from rollerscrew.progress import Progress, progress_callback
-from rollerscrew.results import (
-    CheckResult,
-    CompareResult,
-    ContactResult,
-    DerivativesResult,
-    LifeResult,
-    MeasuresResult,
-    OptimizationResult,
-    PreloadResult,
-    SlipResult,
-    SolveResult,
-    StudyResult,
-)
+from rollerscrew.records import Command
+from rollerscrew.results import Analyses, DerivativesResult, OptimizationResult, StudyResult
 from rollerscrew.values import case_text, checked_text, override_text
 
 _FILE = "<case>"
 
 
-class Case:
+class Case(Analyses):
     """A planetary roller screw with its loads, as a case file describes it.
 
     >>> case = Case.from_yaml("configs/01_config_1_to_3.yaml")
@@ -102,44 +91,6 @@ class Case:
     def overrides(self) -> list[str]:
         """What `with_` changed: `path=value` each."""
         return list(self._case.source.overrides)
-
-    def check(self) -> CheckResult:
-        """What the case is ready for, what is unusual about it, every value with its default."""
-        return CheckResult(self._case.check())._of(self)
-
-    def contact(self) -> ContactResult:
-        """Contact points, curvatures, ellipses, Hertz constants, backlash."""
-        return ContactResult(self._case.contact())._of(self)
-
-    def solve(self) -> SolveResult:
-        """Load distribution, pressures, displacement and stiffness of every load case.
-
-        A load case that does not converge is a result with its status.
-        """
-        return SolveResult(self._case.solve())._of(self)
-
-    def compare(self) -> CompareResult:
-        """The models of the bodies side by side: stiffness, shares and pressures of each.
-
-        `influence` is among them where the case asks for it, or where its matrices are kept.
-        """
-        return CompareResult(self._case.compare())._of(self)
-
-    def slip(self) -> SlipResult:
-        """Slip, friction, dissipated power, efficiency, torques of every load case."""
-        return SlipResult(self._case.slip())._of(self)
-
-    def preload(self) -> PreloadResult:
-        """Curve through zero, lost motion and opening loads of a preloaded nut."""
-        return PreloadResult(self._case.preload())._of(self)
-
-    def life(self) -> LifeResult:
-        """Life under the load history or spectrum of the case, static safety."""
-        return LifeResult(self._case.life())._of(self)
-
-    def measures(self) -> MeasuresResult:
-        """Capacity, weight, stiffness terms, inertia and the other design measures."""
-        return MeasuresResult(self._case.measures())._of(self)
 
     def report(
         self,

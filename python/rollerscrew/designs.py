@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, as_completed
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +18,7 @@ import pandas as pd
 
 from rollerscrew import _engine
 from rollerscrew.progress import Progress, progress_callback
+from rollerscrew.records import Command
 from rollerscrew.values import (
     checked_text,
     is_quantity,
@@ -29,9 +30,6 @@ from rollerscrew.values import (
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-#: What each design runs through.
-Command = Literal["contact", "solve", "slip", "life", "measures"]
 
 #: Whole numbers up to so many different ones are counts; arrays with more are quantities.
 _MOST_COUNTS = 10_000

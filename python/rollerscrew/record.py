@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rollerscrew.case import Case
+    from rollerscrew.results import Analyses
 
 
 class Record:
@@ -167,7 +168,12 @@ class Result(Record):
         object.__setattr__(self, "_document", document)
         object.__setattr__(self, "_case", None)
 
-    def _of(self, case: Case) -> Self:
+    @classmethod
+    def _answer(cls, case: Analyses, command: str) -> Self:
+        """What a command of the engine answers for a case."""
+        return cls(getattr(case._case, command)())._of(case)
+
+    def _of(self, case: Analyses) -> Self:
         """The result with the case that gave it."""
         object.__setattr__(self, "_case", case)
         return self

@@ -6,12 +6,17 @@ What each is: docs/reference. Written by scripts/reference.py from the program's
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 import numpy.typing as npt
 
 from rollerscrew.record import Record
 
 Array = npt.NDArray[np.float64]  #: Read-only.
+
+#: What each design of a study runs through.
+Command = Literal["contact", "solve", "slip", "life", "measures"]
 
 
 class PerPart(Record):
@@ -88,6 +93,43 @@ class Threads(Record):
     screw: ThreadWidths
     roller: ThreadWidths
     nut: ThreadWidths
+
+
+class Criterion(Record):
+    """A value, the limit that it is held against, and how it stands to it."""
+
+    __slots__ = ()
+    name: str
+    title: str
+    unit: str
+    sense: str
+    value: float
+    best: float
+    limit: float
+    limit_source: str
+    state: str
+    load_case: str
+    reason: str
+
+
+class Verdict(Record):
+    """Whether the case meets its limits."""
+
+    __slots__ = ()
+    state: str
+    criteria: list[Criterion]
+
+
+class Model(Record):
+    """How the loads were solved."""
+
+    __slots__ = ()
+    bodies: str
+    roller_contacts: str
+    effects_off: list[str]
+    accuracy: str
+    tooth_compliance_width_mm: float
+    note: str
 
 
 class InterfaceLoads(Record):
@@ -197,6 +239,16 @@ class Orbit(Record):
     nut: OrbitLoads
     axial_displacement_um: Array
     axial_error_um: float
+
+
+class NewtonIteration(Record):
+    """One linear solve of the load distribution."""
+
+    __slots__ = ()
+    energy_J: float
+    relative_residual: float
+    step_length: float
+    shift: float
 
 
 class PartNumbers(Record):
@@ -346,16 +398,6 @@ class Slip(Record):
     nut: InterfaceSlip
 
 
-class NewtonIteration(Record):
-    """One linear solve of the load distribution."""
-
-    __slots__ = ()
-    energy_J: float
-    relative_residual: float
-    step_length: float
-    shift: float
-
-
 class LoadMeasures(Record):
     """Design measures under one load."""
 
@@ -419,11 +461,57 @@ class LoadCase(Record):
     reactions: Reactions
     symmetric: SymmetricLoads
     orbit: Orbit
-    heat: Heat
-    slip: Slip
     warnings: list[str]
     newton_history: list[NewtonIteration]
+    heat: Heat
+    slip: Slip
     measures: LoadMeasures
+
+
+class MostLoadedThread(Record):
+    """What an interface's threads carry, by one model."""
+
+    __slots__ = ()
+    most_loaded_thread: int
+    most_loaded_roller: int
+    largest_load_rate_percent: float
+    largest_peak_pressure_MPa: float
+    load_rate_percent: Array
+
+
+class ComparedModel(Record):
+    """The answer of one model of the bodies to a load case."""
+
+    __slots__ = ()
+    bodies: str
+    converged: bool
+    axial_stiffness_N_per_um: float
+    stiffness_over_best: float
+    axial_displacement_um: float
+    largest_peak_pressure_MPa: float
+    pressure_over_best: float
+    screw: MostLoadedThread
+    nut: MostLoadedThread
+
+
+class ComparedLoadCase(Record):
+    """A load case by each model of the bodies."""
+
+    __slots__ = ()
+    name: str
+    axial_force_N: float
+    direction: str
+    position_mm: float
+    models: list[ComparedModel]
+    warnings: list[str]
+
+
+class Comparison(Record):
+    """The models of the bodies side by side."""
+
+    __slots__ = ()
+    models: list[str]
+    load_cases: list[ComparedLoadCase]
 
 
 class PartSeries(Record):
@@ -450,51 +538,6 @@ class HeatCycle(Record):
     energy_in_J: float
     energy_lost_J: float
     efficiency: float
-
-
-class Measures(Record):
-    """Design measures of the mechanism that no load changes."""
-
-    __slots__ = ()
-    velocity_ratio_mm_per_rad: float
-    roller_ratio: float
-    carrier_ratio: float
-    efficiency: float
-    back_driving_efficiency: float
-    section_stiffness_screw_N_per_um: float
-    section_stiffness_roller_N_per_um: float
-    section_stiffness_nut_N_per_um: float
-    tooth_stiffness_screw_N_per_um: float
-    tooth_stiffness_roller_N_per_um: float
-    tooth_stiffness_nut_N_per_um: float
-    geometry_factor: float
-    element_diameter_mm: float
-    dynamic_capacity_N: float
-    dynamic_capacity_low_N: float
-    dynamic_capacity_high_N: float
-    static_capacity_N: float
-    deformation_capacity_screw_N: float
-    deformation_capacity_nut_N: float
-    pressure_capacity_screw_N: float
-    pressure_capacity_nut_N: float
-    flank_edge_load_N: float
-    flank_edge_load_screw_N: float
-    flank_edge_load_nut_N: float
-    roller_weight_kg: float
-    nut_weight_kg: float
-    weight_kg: float
-    screw_weight_kg_per_m: float
-    material_volume_cm3: float
-    envelope_volume_cm3: float
-    force_density_kN_per_kg: float
-    roller_inertia_kg_mm2: float
-    travel_inertia_kg_mm2: float
-    screw_inertia_kg_mm2: float
-    nut_inertia_kg_mm2: float
-    equivalent_inertia_kg_mm2: float
-    shaft_stiffness_N_per_um: float
-    buckling_load_N: float
-    critical_speed_rpm: float
 
 
 class PerDirection(Record):
@@ -731,72 +774,46 @@ class Life(Record):
     compression: DirectionLife
 
 
-class MostLoadedThread(Record):
-    """What an interface's threads carry, by one model."""
+class Measures(Record):
+    """Design measures of the mechanism that no load changes."""
 
     __slots__ = ()
-    most_loaded_thread: int
-    most_loaded_roller: int
-    largest_load_rate_percent: float
-    largest_peak_pressure_MPa: float
-    load_rate_percent: Array
-
-
-class ComparedModel(Record):
-    """The answer of one model of the bodies to a load case."""
-
-    __slots__ = ()
-    bodies: str
-    converged: bool
-    axial_stiffness_N_per_um: float
-    stiffness_over_best: float
-    axial_displacement_um: float
-    largest_peak_pressure_MPa: float
-    pressure_over_best: float
-    screw: MostLoadedThread
-    nut: MostLoadedThread
-
-
-class ComparedLoadCase(Record):
-    """A load case by each model of the bodies."""
-
-    __slots__ = ()
-    name: str
-    axial_force_N: float
-    direction: str
-    position_mm: float
-    models: list[ComparedModel]
-    warnings: list[str]
-
-
-class Comparison(Record):
-    """The models of the bodies side by side."""
-
-    __slots__ = ()
-    models: list[str]
-    load_cases: list[ComparedLoadCase]
-
-
-class Criterion(Record):
-    """A value, the limit that it is held against, and how it stands to it."""
-
-    __slots__ = ()
-    name: str
-    title: str
-    unit: str
-    sense: str
-    value: float
-    best: float
-    limit: float
-    limit_source: str
-    state: str
-    load_case: str
-    reason: str
-
-
-class Verdict(Record):
-    """Whether the case meets its limits."""
-
-    __slots__ = ()
-    state: str
-    criteria: list[Criterion]
+    velocity_ratio_mm_per_rad: float
+    roller_ratio: float
+    carrier_ratio: float
+    efficiency: float
+    back_driving_efficiency: float
+    section_stiffness_screw_N_per_um: float
+    section_stiffness_roller_N_per_um: float
+    section_stiffness_nut_N_per_um: float
+    tooth_stiffness_screw_N_per_um: float
+    tooth_stiffness_roller_N_per_um: float
+    tooth_stiffness_nut_N_per_um: float
+    geometry_factor: float
+    element_diameter_mm: float
+    dynamic_capacity_N: float
+    dynamic_capacity_low_N: float
+    dynamic_capacity_high_N: float
+    static_capacity_N: float
+    deformation_capacity_screw_N: float
+    deformation_capacity_nut_N: float
+    pressure_capacity_screw_N: float
+    pressure_capacity_nut_N: float
+    flank_edge_load_N: float
+    flank_edge_load_screw_N: float
+    flank_edge_load_nut_N: float
+    roller_weight_kg: float
+    nut_weight_kg: float
+    weight_kg: float
+    screw_weight_kg_per_m: float
+    material_volume_cm3: float
+    envelope_volume_cm3: float
+    force_density_kN_per_kg: float
+    roller_inertia_kg_mm2: float
+    travel_inertia_kg_mm2: float
+    screw_inertia_kg_mm2: float
+    nut_inertia_kg_mm2: float
+    equivalent_inertia_kg_mm2: float
+    shaft_stiffness_N_per_um: float
+    buckling_load_N: float
+    critical_speed_rpm: float

@@ -1,4 +1,8 @@
-"""What the commands answer: documents with data frames and pictures.
+"""Data frames and pictures of results, which take them by name: `SlipResult` those of `SlipViews`.
+
+A docstring of views is that of the result and of the method of `Case` too; without one these have
+the help of the program. Keys are annotated where methods here use them; `_block` is the key that
+tells a document, where that is neither the command's name nor the last that must be there.
 
 Every `plot_` method draws into `ax`, or all panels into a new figure, and returns the (first) axes.
 `figures()` describes the pictures for other tools.
@@ -8,7 +12,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 import pandas as pd
@@ -17,16 +21,15 @@ from rollerscrew import _engine
 from rollerscrew.designs import Designs, designs_of, study_inputs
 from rollerscrew.record import Record, Result, Values
 from rollerscrew.records import (
-    Array,
     Comparison,
     Contacts,
     HeatCycle,
     Life,
     LoadCase,
     Measures,
+    Model,
     Preload,
     Threads,
-    Verdict,
 )
 
 if TYPE_CHECKING:
@@ -99,17 +102,12 @@ class InputValue(Record):
     written: str
 
 
-class CheckResult(Result):
-    """Every value of a case, what follows from it, what is unusual."""
+class CheckViews(Result):
+    """What the case is ready for, what is unusual about it, every value with its default."""
 
     __slots__ = ()
     _block = "input"
-    commands: Values
     input: list[InputValue]
-    derived: Values
-    contact: Contacts
-    threads: Threads
-    verdict: Verdict
 
     def to_frame(self) -> pd.DataFrame:
         """Path, value, whether it is a default, and what the value rests on, a row each."""
@@ -126,7 +124,7 @@ class LoadCasesResult(Result):
     __slots__ = ()
     contact: Contacts
     threads: Threads
-    model: Values
+    model: Model
     load_cases: list[LoadCase]
 
     @property
@@ -216,22 +214,23 @@ class LoadCasesResult(Result):
         return pd.DataFrame({name: np.concatenate(column) for name, column in columns.items()})
 
 
-class ContactResult(LoadCasesResult):
-    """Contact points, curvatures and, where materials and equal shares are given, ellipses."""
+class ContactViews(LoadCasesResult):
+    """Contact points, backlash, curvatures; ellipses where materials and equal shares are given."""
 
     __slots__ = ()
-    _block = "contact"
 
     def to_frame(self) -> pd.DataFrame:
         """Contact quantities, one column per interface; of pairs and vectors a row each number."""
         return pd.DataFrame({name: _numbers(self.contact[name]) for name in INTERFACES})
 
 
-class SolveResult(LoadCasesResult):
-    """Load distribution, pressures, displacement and stiffness of every load case."""
+class SolveViews(LoadCasesResult):
+    """Load distribution, pressures, displacement and stiffness of every load case.
+
+    A load case that does not converge is a result with its status.
+    """
 
     __slots__ = ()
-    _block = "load_cases"
 
     def plot_stiffness(self, ax: Axes | None = None) -> Axes:
         """Axial stiffness against the load, one line per sweep."""
@@ -250,9 +249,7 @@ class SolveResult(LoadCasesResult):
         return self.plot_figure("convergence", ax)
 
 
-class SlipResult(SolveResult):
-    """Slip, friction, dissipated power, efficiency and torques of every load case."""
-
+class SlipViews(SolveViews):
     __slots__ = ()
     heat_cycle: HeatCycle  #: Where the case has a duty.
 
@@ -315,11 +312,8 @@ class SlipResult(SolveResult):
         return self.plot_figure("stribeck", ax, load_case=self._place(load_case))
 
 
-class MeasuresResult(SolveResult):
-    """Capacity, weight, stiffness terms, inertia and the other design measures."""
-
+class MeasuresViews(SolveViews):
     __slots__ = ()
-    _block = "measures"
     measures: Measures
 
     def measures_frame(self) -> pd.DataFrame:
@@ -335,13 +329,13 @@ class MeasuresResult(SolveResult):
         return self.plot_figure("stiffness_terms", ax)
 
 
-class CompareResult(Result):
-    """The models of the bodies side by side."""
+class CompareViews(Result):
+    """The models of the bodies side by side: stiffness, shares and pressures of each.
+
+    `influence` is among them where the case asks for it, or where its matrices are kept.
+    """
 
     __slots__ = ()
-    _block = "comparison"
-    contact: Contacts
-    threads: Threads
     comparison: Comparison
 
     def to_frame(self) -> pd.DataFrame:
@@ -358,13 +352,8 @@ class CompareResult(Result):
         return self.plot_figure("loads_by_model", ax, load_case=load_case)
 
 
-class PreloadResult(Result):
-    """Curve through zero, lost motion and opening loads of a preloaded nut."""
-
+class PreloadViews(Result):
     __slots__ = ()
-    _block = "preload"
-    contact: Contacts
-    threads: Threads
     preload: Preload
 
     def to_frame(self) -> pd.DataFrame:
@@ -385,13 +374,8 @@ class PreloadResult(Result):
         return self.plot_figure("preload", ax, panel=1)
 
 
-class LifeResult(Result):
-    """Life of mechanism and threads under a load history or spectrum."""
-
+class LifeViews(Result):
     __slots__ = ()
-    _block = "life"
-    contact: Contacts
-    threads: Threads
     life: Life
 
     def threads_frame(self) -> pd.DataFrame:
@@ -426,11 +410,10 @@ class LifeResult(Result):
         return self.plot_figure("rainflow", ax)
 
 
-class DerivativesResult(Result):
+class DerivativesViews(Result):
     """Responses of a case with their derivatives."""
 
     __slots__ = ()
-    _block = "derivatives"
     derivatives: list[Values]
 
     def to_frame(self) -> pd.DataFrame:
@@ -447,16 +430,13 @@ class DerivativesResult(Result):
         return self.plot_figure("elasticities", ax, response=response)
 
 
-class StudyResult(Result):
+class StudyViews(Result):
     """A study: what its designs say together, and every one of them."""
 
     __slots__ = ("_designs", "_rows", "_study")
-    _block = "study"
     study: Values
     summary: Values
     envelope: Values
-    designs: list[Values]
-    designs_shown: int
     _designs: Designs | None
     _rows: _engine.StudyRows | None
     _study: _engine.Study | None
@@ -552,14 +532,14 @@ class StudyResult(Result):
         return self.plot_figure("envelope", ax)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _study_result, (self.to_json(), self.all_designs)
+        return type(self)._restored, (self.to_json(), self.all_designs)
+
+    @classmethod
+    def _restored(cls, text: str, designs: Designs) -> Self:
+        return cls(_engine.Document.from_text(text), designs)
 
 
-def _study_result(text: str, designs: Designs) -> StudyResult:
-    return StudyResult(_engine.Document.from_text(text), designs)
-
-
-def _designs_of_document(result: StudyResult) -> Designs:
+def _designs_of_document(result: StudyViews) -> Designs:
     rows = result["designs"] if "designs" in result else []
     responses = tuple(result.study["responses"])
     values = np.array(
@@ -601,19 +581,11 @@ def _with_unit(path: str, unit: str) -> str:
     return f"{path}_{_engine.unit_key(unit)}" if unit else path
 
 
-class OptimizationResult(Result):
+class OptimizationViews(Result):
     """The Pareto front of an optimization and the compromise chosen on it."""
 
     __slots__ = ("_best",)
-    _block = "optimize"
     optimize: Values
-    initial: Values
-    compromise: Values
-    nearest: Values
-    front: Array
-    search: Values
-    check: Values
-    comparison: Values
     _best: Any  # Case | None
 
     def __init__(self, document: _engine.Document, best: Case | None = None) -> None:
@@ -666,25 +638,8 @@ class OptimizationResult(Result):
         return self.plot_figure("front", ax)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _optimization_result, (self.to_json(), self._best)
+        return type(self)._restored, (self.to_json(), self._best)
 
-
-def _optimization_result(text: str, best: Case | None) -> OptimizationResult:
-    return OptimizationResult(_engine.Document.from_text(text), best)
-
-
-__all__ = [
-    "CheckResult",
-    "CompareResult",
-    "ContactResult",
-    "DerivativesResult",
-    "LifeResult",
-    "LoadCasesResult",
-    "MeasuresResult",
-    "OptimizationResult",
-    "PreloadResult",
-    "Result",
-    "SlipResult",
-    "SolveResult",
-    "StudyResult",
-]
+    @classmethod
+    def _restored(cls, text: str, best: Case | None) -> Self:
+        return cls(_engine.Document.from_text(text), best)

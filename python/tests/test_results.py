@@ -6,6 +6,7 @@ import csv
 import json
 import pickle
 import re
+import typing
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import rollerscrew as rs
-from conftest import answer, lesson, lesson_commands
+from conftest import Run, answer, lesson, lesson_commands
 
 Written = Callable[[int, str], Path]
 
@@ -62,6 +63,19 @@ def as_json(value: Any) -> Any:
     if isinstance(value, list):
         return [as_json(item) for item in value]
     return None if isinstance(value, float) and value != value else value
+
+
+def test_every_command_has_a_method_and_a_class(program: Run) -> None:
+    described = json.loads(program("schema", "results").stdout)["analyses"]
+    names = [analysis["name"] for analysis in described]
+    assert names == lesson(1).check().commands.keys()
+    for analysis in described:
+        kind = getattr(rs, analysis["class"])
+        assert issubclass(kind, rs.Result) and kind.__name__ in rs.__all__
+        method = getattr(rs.Case, analysis["name"])
+        assert method.__doc__
+        if analysis["name"] != "study":  # Derivatives are a class of their own.
+            assert typing.get_type_hints(method)["return"] is kind
 
 
 # Text

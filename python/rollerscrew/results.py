@@ -1,0 +1,194 @@
+"""What the commands answer: documents with data frames and pictures.
+
+Written by scripts/reference.py from the program's list of analyses and from views.py.
+"""
+
+from __future__ import annotations
+
+from rollerscrew import _engine, records, views
+from rollerscrew.record import Result, Values
+from rollerscrew.views import LoadCasesResult
+
+__all__ = [
+    "CheckResult",
+    "CompareResult",
+    "ContactResult",
+    "DerivativesResult",
+    "LifeResult",
+    "LoadCasesResult",
+    "MeasuresResult",
+    "OptimizationResult",
+    "PreloadResult",
+    "Result",
+    "SlipResult",
+    "SolveResult",
+    "StudyResult",
+]
+
+
+class CheckResult(views.CheckViews):
+    """What the case is ready for, what is unusual about it, every value with its default."""
+
+    __slots__ = ()
+    commands: Values
+    derived: Values
+    contact: records.Contacts
+    threads: records.Threads
+    verdict: records.Verdict
+
+
+class ContactResult(views.ContactViews):
+    """Contact points, backlash, curvatures; ellipses where materials and equal shares are given."""
+
+    __slots__ = ()
+    _block = "contact"
+    contact: records.Contacts
+    threads: records.Threads
+    model: records.Model
+    load_cases: list[records.LoadCase]
+
+
+class SolveResult(views.SolveViews):
+    """Load distribution, pressures, displacement and stiffness of every load case.
+
+    A load case that does not converge is a result with its status.
+    """
+
+    __slots__ = ()
+    _block = "load_cases"
+    contact: records.Contacts
+    threads: records.Threads
+    model: records.Model
+    load_cases: list[records.LoadCase]
+
+
+class CompareResult(views.CompareViews):
+    """The models of the bodies side by side: stiffness, shares and pressures of each.
+
+    `influence` is among them where the case asks for it, or where its matrices are kept.
+    """
+
+    __slots__ = ()
+    _block = "comparison"
+    contact: records.Contacts
+    threads: records.Threads
+    comparison: records.Comparison
+
+
+class SlipResult(views.SlipViews, SolveResult):
+    """Slip, friction, dissipated power, efficiency and torques."""
+
+    __slots__ = ()
+    _block = "load_cases"
+    contact: records.Contacts
+    threads: records.Threads
+    model: records.Model
+    load_cases: list[records.LoadCase]
+    heat_cycle: records.HeatCycle
+
+
+class PreloadResult(views.PreloadViews):
+    """Preload: curve through zero, lost motion, opening loads."""
+
+    __slots__ = ()
+    _block = "preload"
+    contact: records.Contacts
+    threads: records.Threads
+    preload: records.Preload
+
+
+class LifeResult(views.LifeViews):
+    """Life under a load history or spectrum, static safety."""
+
+    __slots__ = ()
+    _block = "life"
+    contact: records.Contacts
+    threads: records.Threads
+    life: records.Life
+
+
+class MeasuresResult(views.MeasuresViews, SolveResult):
+    """Capacity, life, weight, stiffness, inertia and the other design measures."""
+
+    __slots__ = ()
+    _block = "measures"
+    contact: records.Contacts
+    threads: records.Threads
+    model: records.Model
+    load_cases: list[records.LoadCase]
+    measures: records.Measures
+
+
+class StudyResult(views.StudyViews):
+    """A study: what its designs say together, and every one of them."""
+
+    __slots__ = ()
+    _block = "study"
+    designs_shown: int
+    designs: list[Values]
+
+
+class DerivativesResult(views.DerivativesViews):
+    """Responses of a case with their derivatives."""
+
+    __slots__ = ()
+    _block = "derivatives"
+
+
+class OptimizationResult(views.OptimizationViews):
+    """The Pareto front of an optimization and the compromise chosen on it."""
+
+    __slots__ = ()
+    _block = "optimize"
+    initial: Values
+    front: records.Array
+    compromise: Values
+    nearest: Values
+    search: Values
+    check: Values
+    comparison: Values
+
+
+class Analyses:
+    """The commands that a case answers in one call."""
+
+    __slots__ = ()
+    _case: _engine.Case
+
+    def check(self) -> CheckResult:
+        """What the case is ready for, what is unusual about it, every value with its default."""
+        return CheckResult._answer(self, "check")
+
+    def contact(self) -> ContactResult:
+        """Contact points, backlash, curvatures; ellipses where materials and equal shares are given."""
+        return ContactResult._answer(self, "contact")
+
+    def solve(self) -> SolveResult:
+        """Load distribution, pressures, displacement and stiffness of every load case.
+
+        A load case that does not converge is a result with its status.
+        """
+        return SolveResult._answer(self, "solve")
+
+    def compare(self) -> CompareResult:
+        """The models of the bodies side by side: stiffness, shares and pressures of each.
+
+        `influence` is among them where the case asks for it, or where its matrices are kept.
+        """
+        return CompareResult._answer(self, "compare")
+
+    def slip(self) -> SlipResult:
+        """Slip, friction, dissipated power, efficiency and torques."""
+        return SlipResult._answer(self, "slip")
+
+    def preload(self) -> PreloadResult:
+        """Preload: curve through zero, lost motion, opening loads."""
+        return PreloadResult._answer(self, "preload")
+
+    def life(self) -> LifeResult:
+        """Life under a load history or spectrum, static safety."""
+        return LifeResult._answer(self, "life")
+
+    def measures(self) -> MeasuresResult:
+        """Capacity, life, weight, stiffness, inertia and the other design measures."""
+        return MeasuresResult._answer(self, "measures")
