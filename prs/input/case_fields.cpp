@@ -121,7 +121,7 @@ void alternatives(Choices& io, Preload::Arrangement& a) {
 
 void alternatives(Choices& io, Friction& f) {
   io("jacod", f.model, Friction::Model::jacod, "lubricated contact, after Jacod");
-  io("coulomb", f.model, Friction::Model::coulomb, f.coefficient, Number{not_negative},
+  io("coulomb", f.model, Friction::Model::coulomb, f.coefficient, Number{not_negative, "0.1"},
      "a constant coefficient of friction");
   io("mixed", f.model, Friction::Model::mixed, f.mixed, Block{},
      "a film after Jacod through which flanks touch, by film over roughness");
@@ -339,7 +339,7 @@ void fields(const Fields& io, Material& m) {
 
 void fields(const Fields& io, PitchWave& w) {
   io("amplitude", w.amplitude, Quantity{unit::length}, required, "Largest error");
-  io("period", w.period, Number{positive}, required, "Threads in one period");
+  io("period", w.period, Number{positive, "7"}, required, "Threads in one period");
   io("phase", w.phase, Quantity{unit::angle}, "At the first contact");
 }
 
@@ -470,7 +470,8 @@ void fields(const Fields& io, LoadCaseItem& l) {
 
 void fields(const Fields& io, SpatialLoad::Orbit& o) {
   io("steps", o.steps, Whole{1, 1000}, "Positions for each spacing of the rollers");
-  io("exponent", o.exponent, Number{{.least = 1.0, .greatest = 20.0}}, "Of the equivalent loads");
+  io("exponent", o.exponent, Number{{.least = 1.0, .greatest = 20.0}, "3"},
+     "Of the equivalent loads");
 }
 
 void fields(const Fields& io, Spacer& s) {
@@ -537,7 +538,7 @@ void fields(const Fields& io, SpectrumLoad& l) {
   io("direction", l.direction, Choice{}, required, "Sense of the load on the screw");
   constexpr std::string_view one = "as one of revolutions, distance, duration and share";
   const Bounds revolutions{.least = 0.0, .greatest = 1e15, .least_excluded = true};
-  io("revolutions", l.revolutions, Number{revolutions},
+  io("revolutions", l.revolutions, Number{revolutions, "1000"},
      "Of the screw against the nut under the load");
   io("distance", l.distance, Quantity{unit::length, positive},
      optional_only_if(!l.revolutions, one), "Travel under the load");
@@ -564,18 +565,18 @@ void fields(const Fields& io, Life& l) {
   io("reliability", l.reliability, Quantity{unit::share, Bounds{.least = 0.90, .greatest = 0.99}},
      "Share of many screws that shall reach the rated life: a1 of ISO 281");
   io("modification_factor", l.modification_factor,
-     Number{{.least = 0.0, .greatest = 50.0, .least_excluded = true}},
+     Number{{.least = 0.0, .greatest = 50.0, .least_excluded = true}, "1.2"},
      "a_ISO of ISO 281 (film, cleanliness, fatigue limit), by which the rated life is "
      "multiplied");
   io("load_case", l.load_case, Text{},
      "Name of the load case whose side loads, misalignment and orbit act together with all "
      "forces; `mechanism: full`");
-  io("fatigue_slope", l.fatigue_slope, Number{{.least = 1.0, .greatest = 20.0}},
+  io("fatigue_slope", l.fatigue_slope, Number{{.least = 1.0, .greatest = 20.0}, "9"},
      "Slope of the S-N curve, for equivalent load ranges");
 }
 
 void fields(const Fields& io, MeasureOptions::Shaft& s) {
-  io("length", s.length, Quantity{unit::length, positive}, required,
+  io("length", s.length, Quantity{unit::length, positive, "1 m"}, required,
      "Greatest distance between the supports of the screw");
   io("ends", s.ends, Choice{}, required, "How the screw is held at both ends of it");
 }
@@ -583,9 +584,10 @@ void fields(const Fields& io, MeasureOptions::Shaft& s) {
 void fields(const Fields& io, MeasureOptions& m) {
   io("loaded_width", m.loaded_width, Quantity{unit::length, positive},
      "Of thread that one contact loads, for the compliance and the strength of its tooth");
-  io("friction_coefficient", m.friction_coefficient, Number{{.least = 0.0, .greatest = 1.0}},
+  io("friction_coefficient", m.friction_coefficient,
+     Number{{.least = 0.0, .greatest = 1.0}, "0.01"},
      "Of the whole mechanism, as catalogues state it, for the estimate of efficiency");
-  io("yield_strength", m.yield_strength, Quantity{unit::pressure, positive},
+  io("yield_strength", m.yield_strength, Quantity{unit::pressure, positive, "900 MPa"},
      "Of the screw's shaft, for short columns");
   io("shaft", m.shaft, Block{}, "Of the screw, for buckling and critical speed");
 }
@@ -599,12 +601,12 @@ void fields(const Fields& io, ViscosityPoint& p) {
 }
 
 void fields(const Fields& io, contact::WaltherLine& w) {
-  io("intercept", w.intercept, Number{}, required, "At T = 1 K");
-  io("slope", w.slope, Number{positive}, required, "Fall with log10(T/K)");
+  io("intercept", w.intercept, Number{unbounded, "9.5"}, required, "At T = 1 K");
+  io("slope", w.slope, Number{positive, "3.6"}, required, "Fall with log10(T/K)");
 }
 
 void fields(const Fields& io, Lubricant& l) {
-  const Quantity stress{unit::pressure, positive};
+  const Quantity stress{unit::pressure, positive, "5 MPa"};
   io("name", l.name, Listed{"prs list lubricants"},
      "Stands for the values of a known lubricant; keys next to it replace single ones");
   io("temperature", l.temperature, Quantity{unit::temperature, positive}, "In operation");
@@ -636,9 +638,9 @@ void fields(const Fields& io, Lubricant& l) {
 }
 
 void fields(const Fields& io, MixedFriction& m) {
-  io("boundary", m.boundary, Number{not_negative}, required,
+  io("boundary", m.boundary, Number{not_negative, "0.12"}, required,
      "Coefficient of friction of flanks that touch");
-  io("exponent", m.exponent, Number{positive},
+  io("exponent", m.exponent, Number{positive, "2"},
      "Of (1 + film over roughness)^-exponent, the share of the load on flanks that touch");
 }
 
@@ -651,7 +653,7 @@ void fields(const Fields& io, Operation& o) {
   io("speed", o.speed, Quantity{unit::rotational_speed}, required,
      "Screw against nut, or along the axis: n = v/|lead|; with the sign of the axial force "
      "(left-handed: the other) the screw drives, else the load");
-  io("slip_ratio", o.slip_ratio, Number{{.least = 0.0, .greatest = 1.0}},
+  io("slip_ratio", o.slip_ratio, Number{{.least = 0.0, .greatest = 1.0}, "0.05"},
      "Imposed in place of that of the roller's equilibrium");
 }
 
@@ -718,14 +720,15 @@ void fields(const Fields& io, Heat& h) {
 }
 
 void fields(const Fields& io, Limits& l) {
-  const Quantity length{unit::length, positive};
-  io("life", l.life, EitherQuantity{{unit::duration, positive}, {unit::distance, positive}},
+  const Quantity length{unit::length, positive, "100 mm"};
+  io("life", l.life,
+     EitherQuantity{{unit::duration, positive, "20000 h"}, {unit::distance, positive}},
      "Least rated life, as time or travel");
-  io("static_safety", l.static_safety, Number{positive}, "Least");
-  io("peak_pressure", l.peak_pressure, Quantity{unit::pressure, positive},
+  io("static_safety", l.static_safety, Number{positive, "1.5"}, "Least");
+  io("peak_pressure", l.peak_pressure, Quantity{unit::pressure, positive, "4 GPa"},
      "Greatest, of all contacts");
-  io("buckling_safety", l.buckling_safety, Number{positive}, "Least");
-  io("critical_speed_share", l.critical_speed_share, Quantity{unit::share, positive},
+  io("buckling_safety", l.buckling_safety, Number{positive, "3"}, "Least");
+  io("critical_speed_share", l.critical_speed_share, Quantity{unit::share, positive, "80 %"},
      "Greatest speed over the critical one");
   io("speed_times_diameter", l.speed_times_diameter, Quantity{unit::speed, positive},
      "Greatest n d, d the pitch diameter of the screw");
@@ -736,9 +739,9 @@ void fields(const Fields& io, Limits& l) {
      "Greatest: nut, rollers and screw over `measures.shaft.length`");
   io("stiffness", l.stiffness, Quantity{unit::stiffness, positive},
      "Least axial stiffness, in series with that of `measures.shaft`");
-  io("efficiency", l.efficiency, Quantity{unit::share, Bounds{0.0, 1.0, true, true, false}},
+  io("efficiency", l.efficiency, Quantity{unit::share, Bounds{0.0, 1.0, true, true, false}, "80 %"},
      "Least, where the screw drives");
-  io("temperature", l.temperature, Quantity{unit::temperature, positive},
+  io("temperature", l.temperature, Quantity{unit::temperature, positive, "80 degC"},
      "Greatest of screw, rollers and nut");
 }
 
@@ -870,7 +873,7 @@ void fields(const Fields& io, FactorItem& f) {
 void fields(const Fields& io, Envelope::Measure& m) {
   io("response", m.response, Text{"axial_stiffness_N_per_um"}, required,
      "What is measured: the path of a response");
-  io("weight", m.weight, Number{not_zero},
+  io("weight", m.weight, Number{not_zero, "1"},
      "Exponent in a product, factor in a sum; < 0 of what shall be small");
 }
 

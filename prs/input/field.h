@@ -58,6 +58,7 @@ constexpr Presence required_unless(bool holds, std::string_view condition) {
 struct Quantity {
   const Dimension& dimension;
   Bounds bounds = unbounded;
+  std::string_view example = {};  ///< For messages, in place of the dimension's.
 };
 
 /// `20000 h` or `500 km`: a quantity of one of two dimensions, each with a member of its own.
@@ -77,6 +78,7 @@ struct Held {
 /// `0.3`, without dimension
 struct Number {
   Bounds bounds = unbounded;
+  std::string_view example = "0.3";
 };
 
 /// `11`, ends included

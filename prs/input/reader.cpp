@@ -51,9 +51,9 @@ struct Wanted {
 
 Wanted wanted(const Value& value);
 
-/// The dimension's example where it is admissible, else the middle of the bounds.
+/// The example where it is admissible, else the middle of the bounds.
 Wanted wanted(const Quantity& q) {
-  std::string example(q.dimension.example);
+  std::string example(q.example.empty() ? q.dimension.example : q.example);
   const std::optional<double> usual = parse_quantity(example, q.dimension).value;
   const double middle = 0.5 * (q.bounds.least + q.bounds.greatest);
   if (!(usual && q.bounds.contain(*usual)) && std::isfinite(middle))
@@ -72,9 +72,9 @@ Wanted wanted(const Held& h) {
 }
 Wanted wanted(const Number& n) {
   const double middle = 0.5 * (n.bounds.least + n.bounds.greatest);
-  const bool usual = n.bounds.contain(0.3) || !std::isfinite(middle);
+  const bool usual = n.bounds.contain(*parse_number(n.example)) || !std::isfinite(middle);
   return {fmt::format("a number{}", text_of_bounds(n.bounds, n)),
-          usual ? "0.3" : fmt::format("{:g}", middle)};
+          usual ? std::string(n.example) : fmt::format("{:g}", middle)};
 }
 Wanted wanted(const Whole& w) {
   return {fmt::format("a whole number from {} to {}{}{}", w.least, w.greatest,
@@ -325,6 +325,7 @@ void read(const Written& w, const ChoiceUnderKey& under) {
   const bool bare = w.node.kind == Node::Kind::map && w.node.children.size() == 1 &&
                     w.node.children[0].key != under.key;
   if (bare) return read(w, under.choice);
+  if (w.node.kind != Node::Kind::map) return w.refuse(wanted(under));
   if (!refuse_second_choice(w, under)) read(w, under.map);
 }
 

@@ -19,7 +19,6 @@ constexpr std::string_view kLoadCases = "load_cases[].";
 void add_numbers(const RecordInfo& record, const std::string& before,
                  std::vector<std::string>& paths) {
   for (const QuantityInfo& q : record.quantities) {
-    if (q.delivery == Reach::document) continue;
     const std::string path = before + std::string(q.key);
     if (q.kind == Kind::number || q.kind == Kind::count) paths.push_back(path);
     if (q.kind == Kind::series) paths.push_back(path + ".max");

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "prs/input/field.h"
 #include "prs/input/reader.h"
 #include "prs/input/slot.h"
 #include "tests/prs/input/abevi.h"
@@ -24,47 +25,46 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 /// Every value of a case next to its key, to the last bit.
-class Values : public Visitor {
- public:
+struct Values {
   std::vector<std::string> all;
 
-  template <class T, class Kind>
-  void field(std::string_view key, T& value, const Kind& kind, Presence, std::string_view) {
-    if constexpr (is_optional<T>) {
-      if (value) list(key, *value, kind);
-    } else {
-      list(key, value, kind);
-    }
+  void list(std::string_view key, const Value& value) {
+    std::visit([&](const auto& v) { list(key, v); }, value.as);
   }
-  template <class E>
-  void word(std::string_view name, E& selector, E value, std::string_view) {
-    if (selector == value) all.emplace_back(name);
-  }
-  template <class E, class T, class Kind>
-  void map(std::string_view name, E& selector, E value, T& content, const Kind& kind,
-           std::string_view) {
-    if (selector == value) list(name, content, kind);
+
+  void list(std::string_view, const MapValue& map) {
+    map.for_each([&](const Field& field) {
+      if (field.has_value()) list(field.key, field.value());
+    });
   }
 
  private:
-  template <class T, class Kind>
-  void list(std::string_view key, T& value, const Kind& kind) {
+  template <class Kind, class T>
+  void list(std::string_view key, const Leaf<Kind, T>& leaf) {
     if constexpr (std::is_same_v<T, double>)
-      all.push_back(fmt::format("{}={:a}", key, value));
-    else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>)
-      all.push_back(fmt::format("{}={}", key, value));
-    else if constexpr (requires { alternatives(*this, value); })
-      alternatives(*this, value);
-    else if constexpr (requires { list_keys(*this, value, kind); })
-      list_keys(*this, value, kind);
+      all.push_back(fmt::format("{}={:a}", key, leaf.value));
+    else if constexpr (std::is_same_v<T, LeastLife>)
+      all.push_back(fmt::format("{}={:a} {:a}", key, leaf.value.duration.value_or(-1.0),
+                                leaf.value.travel.value_or(-1.0)));
+    else
+      all.push_back(fmt::format("{}={}", key, leaf.value));
   }
-  template <class T, class Kind>
-  void list(std::string_view key, PerPart<T>& parts, const OneOrEach<Kind>& kind) {
-    for (const Part part : kParts) list(key, parts[part], kind.kind);
+  void list(std::string_view key, const ChoiceValue& choice) {
+    for (const Alternative& a : choice.alternatives())
+      if (a.holds) {
+        all.push_back(fmt::format("{}={}", key, a.name));
+        if (a.content) list(a.name, a.content());
+      }
   }
-  template <class T, class Kind>
-  void list(std::string_view key, std::vector<T>& items, const List<Kind>& kind) {
-    for (T& item : items) list(key, item, kind.kind);
+  void list(std::string_view, const ChoiceUnderKey& under) { list(under.key, under.choice); }
+  void list(std::string_view key, const ListValue& items) {
+    for (std::size_t i = 0; i < items.size(); ++i) list(key, items.entry(i));
+  }
+  void list(std::string_view key, const OneOr& value) {
+    using Form = OneOr::Form;
+    const bool whole = value.form == Form::parts || value.form == Form::ends ||
+                       value.form == Form::word || value.are_several;
+    list(key, whole ? value.several() : value.one());
   }
 };
 
@@ -72,7 +72,7 @@ std::vector<std::string> values_of(const Case& c) {
   CaseFile file;
   file.values = c;
   Values values;
-  fields(values, file);
+  values.list("", map_of([&file](const Fields& io) { fields(io, file); }));
   for (const LoadCase& l : c.load_cases)
     values.all.push_back(fmt::format("{} {:a} {} {:a} {} {:a} {}", l.name, l.axial_force,
                                      l.direction ? name(*l.direction) : "", l.position.value_or(0),

@@ -28,7 +28,7 @@ KinematicGeometry geometry_of(const Case& c) {
 /// The screw of a standard mechanism turns and its nut does not; inverted, the other way round.
 TEST(Frame, OnePartTurnsAndTheOtherIsHeld) {
   const double speed = -40.0, nut = 0.0, carrier = 0.3 * speed;  // Against the nut.
-  using enum Mechanism::Type;
+  using enum contact::MechanismType;
   EXPECT_EQ(turning_speed(standard, speed), speed);
   EXPECT_EQ(against_frame(true, nut, speed), 0.0);
   EXPECT_EQ(against_frame(true, carrier, speed), carrier);
