@@ -81,12 +81,11 @@ std::string row_line(const CaseTable& table, const Row& row,
                      const std::vector<std::size_t>& widths) {
   std::string line;
   for (std::size_t c = 0; c < row.cells.size(); ++c) {
-    line += padded(shortened(row.cells[c], widths[c]), widths[c], table.columns[c].left_aligned);
+    line += fitted(row.cells[c], widths[c], table.columns[c].left_aligned);
     line += kGap;
   }
-  line += row.remark.empty() ? "" : shortened(row.remark, kTableWidth - width(line));
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line + '\n';
+  return ended(line +
+               (row.remark.empty() ? "" : shortened(row.remark, kTableWidth - width(line))));
 }
 
 }  // namespace

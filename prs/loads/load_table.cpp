@@ -56,18 +56,16 @@ std::string load_distribution_chart(const LoadCaseResult& result) {
   if (!result.threads)
     return fmt::format("{}: no load distribution ({})\n", title, status_name(result));
 
-  if (result.full) {
-    const PerInterface<std::vector<double>> shares = {percent(result.threads->screw.rollers->share),
-                                                      percent(result.threads->nut.rollers->share)};
-    const double mean = per_si::percent / static_cast<double>(shares.screw.size());
-    return fmt::format("{}: share of each roller, mean {:.2f} %\n", title, mean) +
-           bar_chart(shares, 2, "%");
+  const bool rollers = result.full != nullptr;
+  PerInterface<std::vector<double>> shares;
+  for (const Interface i : kInterfaces) {
+    const InterfaceLoads& loads = (*result.threads)[i];
+    shares[i] = percent(rollers ? loads.rollers->share : loads.load_rate);
   }
-  const PerInterface<std::vector<double>> rates = {percent(result.threads->screw.load_rate),
-                                                   percent(result.threads->nut.load_rate)};
-  const double mean = per_si::percent / static_cast<double>(rates.screw.size());
-  return fmt::format("{}: share of each thread, mean {:.2f} %\n", title, mean) +
-         bar_chart(rates, 2, "%");
+  const double mean = per_si::percent / static_cast<double>(shares.screw.size());
+  return fmt::format("{}: share of each {}, mean {:.2f} %\n", title, rollers ? "roller" : "thread",
+                     mean) +
+         bar_chart(shares, 2, "%");
 }
 
 }  // namespace prs
