@@ -33,10 +33,7 @@ std::string comparison_row(std::initializer_list<std::string> cells) {
 std::string model_row(const std::string& load_case, const ComparedModel& m) {
   const LoadCaseResult& r = m.result();
   const std::string bodies(m.model_name());
-  if (!r.converged())
-    return comparison_row({load_case, bodies,
-                           fmt::format("NOT CONVERGED ({}), residual {:.1e}", status_name(r),
-                                       r.solve->relative_residual)});
+  if (!r.converged()) return comparison_row({load_case, bodies, not_converged(r)});
   return comparison_row({load_case, bodies, stiffness_cell(r),
                          fixed(stiffness_over_best(m), 1.0, 3), displacement_cell(r),
                          most_loaded_cell(r, Interface::screw), most_loaded_cell(r, Interface::nut),
@@ -51,9 +48,7 @@ std::string comparison_table(const ModelComparison& c) {
   for (std::size_t k = 0; k < shown; ++k)
     name_width = std::max(name_width, width(case_name_cell(c.best().load_cases[k])));
   name_width = std::min(name_width, kLongestName);
-  const auto cell = [&](const std::string& text) {
-    return fitted(text, name_width, true) + "  ";
-  };
+  const auto cell = [&](const std::string& text) { return fitted(text, name_width, true) + "  "; };
   std::string text = comparison_row({cell(""), "", "stiffness", "over", "displ.", "screw max.",
                                      "nut max.", "pressure", "over"}) +
                      comparison_row({cell("load case"), "model", with_table_unit("N/µm"), "best",

@@ -15,9 +15,9 @@ std::string configurations_csv(const Configurations& all, const CsvStyle& style)
   csv.row("number", "type", "screw_starts", "roller_starts", "pitch_mm",
           "screw_rolling_diameter_mm", "roller_rolling_diameter_mm", "nut_rolling_diameter_mm",
           "screw_pitch_diameter_mm", "roller_pitch_diameter_mm", "nut_pitch_diameter_mm",
-          "centre_distance_mm", "gear_ratio", "lead_mm", "roller_lead_mm",
-          "screw_helix_angle_deg", "roller_helix_angle_deg", "nut_helix_angle_deg",
-          "most_rollers", "rollers", "crest_gap_mm", "indexing_angle_deg", "alike");
+          "centre_distance_mm", "gear_ratio", "lead_mm", "roller_lead_mm", "screw_helix_angle_deg",
+          "roller_helix_angle_deg", "nut_helix_angle_deg", "most_rollers", "rollers",
+          "crest_gap_mm", "indexing_angle_deg", "alike");
   constexpr double mm = per_si::millimetre, degree = per_si::degree;
   for (std::size_t k = 0; k < all.found.size(); ++k) {
     const Configuration& c = all.found[k];

@@ -40,8 +40,8 @@ struct Column {
 };
 
 constexpr Column kColumns[] = {
-    {"  type", "", 12,
-     [](Found c) { return fmt::format("  {}", type_name(c.mechanism.type)); }, true},
+    {"  type", "", 12, [](Found c) { return fmt::format("  {}", type_name(c.mechanism.type)); },
+     true},
     {"starts", "S/R", 6,
      [](Found c) {
        return fmt::format("{}/{}", c.mechanism.starts.screw, c.mechanism.starts.roller);
@@ -56,8 +56,7 @@ constexpr Column kColumns[] = {
     {"rollers", "≤", 8, [](Found c) { return std::to_string(c.most_rollers); }},
     {"one", "angle", 7,
      [](Found c) {
-       return c.alike.empty() ? std::string(kAbsent)
-                              : fmt::format("{}", fmt::join(c.alike, " "));
+       return c.alike.empty() ? std::string(kAbsent) : fmt::format("{}", fmt::join(c.alike, " "));
      }},
     {"gears", "teeth, module/mm", 18, gears_cell}};
 

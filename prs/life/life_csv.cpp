@@ -39,8 +39,8 @@ std::string lives_csv(const LifeResult& r, const CsvStyle& style,
 }  // namespace
 
 std::string life_threads_csv(const LifeResult& r, const CsvStyle& style) {
-  return lives_csv<ThreadLives>(
-      r, style, [](const ThreadLives& t) -> const ThreadLives& { return t; });
+  return lives_csv<ThreadLives>(r, style,
+                                [](const ThreadLives& t) -> const ThreadLives& { return t; });
 }
 
 std::string life_rollers_csv(const LifeResult& r, const CsvStyle& style) {

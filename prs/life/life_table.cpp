@@ -15,8 +15,8 @@
 namespace prs {
 namespace {
 
-std::string line(std::string_view what, const std::string& value) {
-  return value_line(what, value, 38);
+std::string line(const std::string& what, const std::string& value) {
+  return hanging("  " + what, 41, value);
 }
 
 /// Four digits with the unit of tables.

@@ -108,7 +108,7 @@ constexpr ContactRow kContactRows[] = {
 
 /// One number or both of a pair, in SI.
 std::array<Number, 2> values_of(const Contacts& contacts, Interface i,
-                                               const Quantity<ContactAt>& q) {
+                                const Quantity<ContactAt>& q) {
   const ContactAt contact{&contacts, i};
   if (!contact.contact().geometry.ok()) return {};
   if (q.value.number) {
@@ -199,8 +199,8 @@ std::string load_table(const std::vector<LoadCaseResult>& results) {
     titles.emplace_back(column.title);
     units.push_back(with_table_unit(column.of().unit.text));
   }
-  std::string table = "\nEqual shares of all threads\n" + kLoadRows("", titles) +
-                      kLoadRows("  load case", units);
+  std::string table =
+      "\nEqual shares of all threads\n" + kLoadRows("", titles) + kLoadRows("  load case", units);
   for (const LoadCaseResult* result : cases) {
     std::string label = fitted(printable(result->load_case.name), kNameWidth, true);
     for (const Interface i : kInterfaces) {

@@ -29,12 +29,6 @@ constexpr CaseColumn kColumns[] = {
     {"pressure", "max. GPa", true, pressure_cell},
 };
 
-std::string failure(const LoadCaseResult& result) {
-  if (result.converged()) return {};
-  return fmt::format("NOT CONVERGED ({}), residual {:.1e}", status_name(result),
-                     result.solve->relative_residual);
-}
-
 std::vector<double> percent(const std::vector<double>& rates) {
   std::vector<double> shown;
   for (const double rate : rates) shown.push_back(rate * per_si::percent);
@@ -47,7 +41,7 @@ std::string load_case_table(const Result& result) {
   std::string model = model_line(result);
   if (!model.empty()) model = wrapped(model.substr(0, model.size() - 1), "", kTableWidth);
   const std::string table =
-      model + case_table({kColumns, 3, failure, "load_cases.csv"}, result.load_cases);
+      model + case_table({kColumns, 3, not_converged, "load_cases.csv"}, result.load_cases);
   return table + warning_section(all_warnings(result));
 }
 

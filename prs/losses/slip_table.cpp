@@ -224,14 +224,13 @@ double largest(const SlipResult& slip, std::vector<double> InterfaceSlip::*value
 }
 
 /// A number with equal shares, with the loads of the case, and the change.
-std::string change_line(std::string_view label, const std::string& equal,
-                        const std::string& solved, const std::string& change) {
+std::string change_line(std::string_view label, const std::string& equal, const std::string& solved,
+                        const std::string& change) {
   return block_line(label, equal, beside({solved}) + fmt::format(" {:>10}", change));
 }
 
 /// How much the loads of the case change it, in percent.
-std::string ratio_line(std::string_view label, double equal, double solved,
-                       std::string_view unit) {
+std::string ratio_line(std::string_view label, double equal, double solved, std::string_view unit) {
   return change_line(
       fmt::format("{}, {}", label, unit), four_digits(shown(equal, unit)),
       four_digits(shown(solved, unit)),
@@ -264,8 +263,8 @@ std::string block(const LoadCaseResult& result, bool all) {
   if (!has_slip(result)) return title_line(result) + fmt::format("  {}\n", failure(result));
   const SlipResult& slip = *result.slip;
   return title_line(result) + slip_ratio_lines(slip) + efficiency_lines(slip, all) +
-         power_lines(slip) + heat_lines(result.heat) + range_lines(slip) +
-         hottest_line(slip) + (all ? equal_share_lines(slip) : "");
+         power_lines(slip) + heat_lines(result.heat) + range_lines(slip) + hottest_line(slip) +
+         (all ? equal_share_lines(slip) : "");
 }
 
 // A case in a row.

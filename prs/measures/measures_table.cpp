@@ -98,11 +98,9 @@ std::string load_table(const MeasuresResult& result, std::size_t first, std::siz
   return rows.empty() ? text : text + '\n' + rows;
 }
 
-/// A paragraph behind a word; its later lines stand below the first.
-std::string paragraph(std::string_view word, std::string_view text) {
-  const std::string indent(4 + word.size(), ' ');
-  std::string lines = wrapped(text, indent, kTableWidth);
-  return lines.replace(4, word.size(), word);
+/// A paragraph behind a word.
+std::string paragraph(const std::string& word, std::string_view text) {
+  return hanging("    " + word, 4 + word.size(), text);
 }
 
 template <class Owner>

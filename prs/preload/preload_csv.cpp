@@ -11,10 +11,10 @@ namespace {
 /// Empty fields where the solve failed.
 void curve_fields(CsvWriter& csv, const PreloadPoint* point) {
   const bool solved = point && point->solve.converged();
-  csv.fields(point ? fe::name(point->solve.status) : "",
-             solved ? std::optional(point->axial_displacement * per_si::micrometre) : std::nullopt,
-             solved ? scaled(point->tangent_stiffness, per_si::newton_per_micrometre)
-                    : std::nullopt);
+  csv.fields(
+      point ? fe::name(point->solve.status) : "",
+      solved ? std::optional(point->axial_displacement * per_si::micrometre) : std::nullopt,
+      solved ? scaled(point->tangent_stiffness, per_si::newton_per_micrometre) : std::nullopt);
 }
 
 }  // namespace

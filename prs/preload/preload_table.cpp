@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kMostRows = 24;
 constexpr double kSmallLoad = 1.0;  ///< Shown in newtons below it [N].
 
-std::string line(std::string_view what, const std::string& value) {
-  return value_line(what, value, 46);
+std::string line(const std::string& what, const std::string& value) {
+  return hanging("  " + what, 49, value);
 }
 
 /// One value, or one for each sense of the load.

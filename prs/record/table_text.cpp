@@ -62,10 +62,9 @@ std::string TableRows::operator()(const std::string& label, const std::vector<st
   return ended(line.append(remark));
 }
 
-std::string value_line(std::string_view name, const std::string& value, std::size_t name_width) {
-  const std::size_t columns = name_width + 3;
-  return wrapped(value, std::string(columns, ' '), kTableWidth)
-      .replace(0, columns, fmt::format("  {:<{}} ", name, name_width));
+std::string hanging(const std::string& label, std::size_t columns, std::string_view text) {
+  return wrapped(text, std::string(columns, ' '), kTableWidth)
+      .replace(0, columns, padded(label, columns, true));
 }
 
 std::string ended(std::string line) {

@@ -43,8 +43,8 @@ struct TableRows {
                          std::string_view remark = {}) const;
 };
 
-/// A value behind its name; its later lines stand below the first.
-std::string value_line(std::string_view name, const std::string& value, std::size_t name_width);
+/// A text behind a label of so many columns; its later lines stand below the first.
+std::string hanging(const std::string& label, std::size_t columns, std::string_view text);
 
 /// The line without the blanks at its end.
 std::string ended(std::string line);

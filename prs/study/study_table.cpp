@@ -364,8 +364,8 @@ std::string envelope_points(const StudyResult& result) {
                          "  ", kTableWidth);
   if (!reasons.empty()) reasons = "\nPoints that the grid does not have\n" + reasons;
   if (found.empty()) return reasons;
-  const std::size_t shown = std::min(
-      found.size(), (kTableWidth - kMaxName) / (kEnvelope.cell_width + kEnvelope.gap));
+  const std::size_t shown =
+      std::min(found.size(), (kTableWidth - kMaxName) / (kEnvelope.cell_width + kEnvelope.gap));
   const auto row = [&](const std::string& label, auto cell) {
     std::vector<std::string> cells;
     for (std::size_t k = 0; k < shown; ++k) cells.push_back(cell(*found[k]));
@@ -385,9 +385,8 @@ std::string envelope_points(const StudyResult& result) {
     });
   for (std::size_t k = 0; k < study.responses.size(); ++k) {
     const TableResponse response = table_response(study.responses[k]);
-    text += row(response.text(), [&](const EnvelopePoint& p) {
-      return number(p.responses[k], response.factor);
-    });
+    text += row(response.text(),
+                [&](const EnvelopePoint& p) { return number(p.responses[k], response.factor); });
   }
   text += row("envelope", [](const EnvelopePoint& p) { return number(p.envelope); });
   if (shown < found.size())
