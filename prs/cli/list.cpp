@@ -55,8 +55,7 @@ std::string columns(const std::vector<Item>& items) {
   std::string lines;
   const std::size_t at = longest + 2;
   for (const auto& [name, meaning] : items)
-    lines += padded(name, at, true) +
-             wrapped(meaning.empty() ? " " : meaning, std::string(at, ' '), kTableWidth).substr(at);
+    lines += hanging(name, at, meaning.empty() ? " " : meaning);
   return lines;
 }
 

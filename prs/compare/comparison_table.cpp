@@ -21,23 +21,19 @@ constexpr std::size_t kLongestName = 19;
 
 std::string comparison_row(std::initializer_list<std::string> cells) {
   constexpr std::size_t kWidths[] = {0, 10, 10, 6, 8, 12, 12, 13, 6};  // Behind the name.
-  std::string line;
+  std::string line = "  ";
   std::size_t column = 0;
   for (const std::string& cell : cells) {
-    line += column == 0 ? cell : padded(cell, kWidths[column], column == 1);
+    line += padded(cell, kWidths[column], column <= 1);
     ++column;
   }
-  line.erase(line.find_last_not_of(' ') + 1);
-  return "  " + line + '\n';
+  return ended(line);
 }
 
 std::string model_row(const std::string& load_case, const ComparedModel& m) {
   const LoadCaseResult& r = m.result();
   const std::string bodies(m.model_name());
-  if (!r.converged())
-    return comparison_row({load_case, bodies,
-                           fmt::format("NOT CONVERGED ({}), residual {:.1e}", status_name(r),
-                                       r.solve->relative_residual)});
+  if (!r.converged()) return comparison_row({load_case, bodies, not_converged(r)});
   return comparison_row({load_case, bodies, stiffness_cell(r),
                          fixed(stiffness_over_best(m), 1.0, 3), displacement_cell(r),
                          most_loaded_cell(r, Interface::screw), most_loaded_cell(r, Interface::nut),
@@ -52,9 +48,7 @@ std::string comparison_table(const ModelComparison& c) {
   for (std::size_t k = 0; k < shown; ++k)
     name_width = std::max(name_width, width(case_name_cell(c.best().load_cases[k])));
   name_width = std::min(name_width, kLongestName);
-  const auto cell = [&](const std::string& text) {
-    return padded(shortened(text, name_width), name_width, true) + "  ";
-  };
+  const auto cell = [&](const std::string& text) { return fitted(text, name_width, true) + "  "; };
   std::string text = comparison_row({cell(""), "", "stiffness", "over", "displ.", "screw max.",
                                      "nut max.", "pressure", "over"}) +
                      comparison_row({cell("load case"), "model", with_table_unit("N/µm"), "best",
@@ -72,33 +66,25 @@ std::string comparison_table(const ModelComparison& c) {
 std::string comparison_csv(const ModelComparison& c, const CsvStyle& style) {
   CsvWriter csv(style);
   load_header(csv);
-  for (const char* key : {"bodies", "converged", "axial_stiffness_N_per_um", "stiffness_over_best",
-                          "axial_displacement_um"})
-    csv.text(key);
-  for (const Interface i : kInterfaces)
-    for (const char* key : {"most_loaded_thread", "largest_load_rate_percent"})
-      csv.text(fmt::format("{}_{}", name(i), key));
-  for (const char* key : {"largest_peak_pressure_MPa", "pressure_over_best"}) csv.text(key);
-  csv.end_row();
+  csv.row("bodies", "converged", "axial_stiffness_N_per_um", "stiffness_over_best",
+          "axial_displacement_um", "screw_most_loaded_thread", "screw_largest_load_rate_percent",
+          "nut_most_loaded_thread", "nut_largest_load_rate_percent", "largest_peak_pressure_MPa",
+          "pressure_over_best");
   for (std::size_t k = 0; k < c.load_cases(); ++k)
     for (std::size_t model = 0; model < c.models.size(); ++model) {
       const ComparedModel m{&c, k, model};
       const LoadCaseResult& r = m.result();
       load_fields(csv, r.load_case);
-      csv.text(m.model_name());
-      csv.text(r.converged() ? "true" : "false");
-      csv.number(r.axial_stiffness, per_si::newton_per_micrometre);
-      csv.number(stiffness_over_best(m));
-      csv.number(r.axial_displacement, per_si::micrometre);
+      csv.fields(m.model_name(), r.converged(),
+                 scaled(r.axial_stiffness, per_si::newton_per_micrometre), stiffness_over_best(m),
+                 scaled(r.axial_displacement, per_si::micrometre));
       for (const Interface i : kInterfaces) {
         const std::vector<double> shares =
             r.threads ? (*r.threads)[i].load_rate : std::vector<double>{};
         csv.integer(r.threads ? most_loaded_thread((*r.threads)[i]) : std::nullopt);
         csv.number(entry(shares, index_of_largest(shares)), per_si::percent);
       }
-      csv.number(largest_pressure(r), per_si::megapascal);
-      csv.number(pressure_over_best(m));
-      csv.end_row();
+      csv.row(scaled(largest_pressure(r), per_si::megapascal), pressure_over_best(m));
     }
   return csv.take();
 }

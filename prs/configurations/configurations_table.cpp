@@ -18,31 +18,6 @@ namespace {
 /// Most left-out geometries that the table explains; beyond that, see the document.
 constexpr std::size_t kMostDetails = 6;
 
-struct Column {
-  const char* title;
-  const char* subtitle;
-  std::size_t width;
-  bool left_aligned;
-};
-
-constexpr Column kColumns[] = {
-    {"#", "", 3, false},          {"type", "", 10, true},
-    {"starts", "S/R", 6, false},  {"pitch", "mm", 7, false},
-    {"screw", "mm", 8, false},    {"roller", "mm", 8, false},
-    {"nut", "mm", 8, false},      {"centres", "mm", 8, false},
-    {"hand", "roller", 7, false}, {"rollers", "≤", 8, false},
-    {"one", "angle", 7, false},   {"gears", "teeth, module/mm", 18, false}};
-
-std::string line(const auto& cell) {
-  std::string text;
-  for (std::size_t k = 0; k < std::size(kColumns); ++k) {
-    text += padded(cell(k), kColumns[k].width, kColumns[k].left_aligned);
-    if (k == 0) text += "  ";
-  }
-  while (text.ends_with(' ')) text.pop_back();
-  return text + '\n';
-}
-
 std::string gears_cell(const Configuration& c) {
   if (c.gears.empty()) return std::string(kAbsent);
   const GearPair& best = c.gears.front();
@@ -52,22 +27,45 @@ std::string gears_cell(const Configuration& c) {
   return text;
 }
 
-std::string row(std::size_t number, const Configuration& c) {
-  const auto mm = [](double si) { return fixed(si, "mm", 3); };
-  const std::string cells[] = {
-      std::to_string(number),
-      std::string(type_name(c.mechanism.type)),
-      fmt::format("{}/{}", c.mechanism.starts.screw, c.mechanism.starts.roller),
-      mm(axial_pitch(c.mechanism)),
-      mm(c.pitch_diameter.screw),
-      mm(c.pitch_diameter.roller),
-      mm(c.pitch_diameter.nut),
-      mm(c.centre_distance),
-      c.lead.roller > 0.0 ? "right" : "left",
-      std::to_string(c.most_rollers),
-      c.alike.empty() ? std::string(kAbsent) : fmt::format("{}", fmt::join(c.alike, " ")),
-      gears_cell(c)};
-  return line([&](std::size_t k) { return cells[k]; });
+std::string mm(double si) { return fixed(si, "mm", 3); }
+
+using Found = const Configuration&;
+
+struct Column {
+  const char* title;
+  const char* subtitle;
+  std::size_t width;
+  std::string (*cell)(Found);
+  bool left_aligned = false;
+};
+
+constexpr Column kColumns[] = {
+    {"  type", "", 12, [](Found c) { return fmt::format("  {}", type_name(c.mechanism.type)); },
+     true},
+    {"starts", "S/R", 6,
+     [](Found c) {
+       return fmt::format("{}/{}", c.mechanism.starts.screw, c.mechanism.starts.roller);
+     }},
+    {"pitch", "mm", 7, [](Found c) { return mm(axial_pitch(c.mechanism)); }},
+    {"screw", "mm", 8, [](Found c) { return mm(c.pitch_diameter.screw); }},
+    {"roller", "mm", 8, [](Found c) { return mm(c.pitch_diameter.roller); }},
+    {"nut", "mm", 8, [](Found c) { return mm(c.pitch_diameter.nut); }},
+    {"centres", "mm", 8, [](Found c) { return mm(c.centre_distance); }},
+    {"hand", "roller", 7,
+     [](Found c) { return std::string(c.lead.roller > 0.0 ? "right" : "left"); }},
+    {"rollers", "≤", 8, [](Found c) { return std::to_string(c.most_rollers); }},
+    {"one", "angle", 7,
+     [](Found c) {
+       return c.alike.empty() ? std::string(kAbsent) : fmt::format("{}", fmt::join(c.alike, " "));
+     }},
+    {"gears", "teeth, module/mm", 18, gears_cell}};
+
+/// A number and the cells behind it.
+std::string line(std::string text, const auto& cell) {
+  text = padded(text, 3, false);
+  for (const Column& column : kColumns)
+    text += padded(cell(column), column.width, column.left_aligned);
+  return ended(text);
 }
 
 std::string heading(const ConfigurationQuery& q) {
@@ -103,9 +101,11 @@ std::string left_out_text(const Configurations& all) {
 
 std::string configurations_table(const ConfigurationQuery& query, const Configurations& all) {
   std::string text = heading(query);
-  text += line([](std::size_t k) { return kColumns[k].title; });
-  text += line([](std::size_t k) { return with_table_unit(kColumns[k].subtitle); });
-  for (std::size_t k = 0; k < all.found.size(); ++k) text += row(k + 1, all.found[k]);
+  text += line("#", [](const Column& column) { return column.title; });
+  text += line("", [](const Column& column) { return with_table_unit(column.subtitle); });
+  for (std::size_t k = 0; k < all.found.size(); ++k)
+    text += line(std::to_string(k + 1),
+                 [&](const Column& column) { return column.cell(all.found[k]); });
   text += "\n";
   text += wrapped(
       "Every number of rollers up to the one given meshes at equal spacing; with those of `one "

@@ -15,10 +15,8 @@
 namespace prs {
 namespace {
 
-/// A value behind its name; its later lines stand below the first.
-std::string line(std::string_view what, const std::string& value) {
-  return wrapped(value, std::string(41, ' '), kTableWidth)
-      .replace(0, 41, fmt::format("  {:<38} ", what));
+std::string line(const std::string& what, const std::string& value) {
+  return hanging("  " + what, 41, value);
 }
 
 /// Four digits with the unit of tables.
@@ -33,18 +31,14 @@ std::string cell(std::optional<double> value, double factor = 1.0) {
   return significant(value ? std::optional(*value * factor) : std::nullopt);
 }
 
-std::string columns(const std::string& first, const std::vector<std::string>& cells) {
-  std::string text = "  " + padded(first, 38, true);
-  for (const std::string& c : cells) text += padded(with_table_unit(c), 15, false);
-  return text + '\n';
-}
+constexpr TableRows kRows{40, 15};
 
 std::string life_row(const LifeResult& r, const std::string& what, double revolutions) {
   const LifeInUse life = in_use(r, revolutions);
   std::vector<std::string> cells{cell(life.revolutions, 1e-6), cell(life.hours),
                                  cell(life.travel, table_unit("km").factor)};
   if (r.revolutions_known) cells.push_back(cell(life.passes));
-  return columns(what, cells);
+  return kRows("  " + what, cells);
 }
 
 /// Whether the rated life is another than L10.
@@ -68,9 +62,9 @@ std::string lives(const LifeResult& r, bool all) {
   const bool solved = r.life.share == LoadCase::Share::solved;
   const bool given = !r.lemor;
   const double headline = given ? r.catalogue_life : r.system_life;
-  std::vector<std::string> heads{"million rev.", "hours", "km"};
+  std::vector<std::string> heads{"million rev.", "hours", with_table_unit("km")};
   if (r.revolutions_known) heads.emplace_back(r.history ? "histories" : "spectra run");
-  std::string text = columns("Life L10", heads);
+  std::string text = kRows("  Life L10", heads);
   const std::string_view system =
       solved ? "mechanism, real thread loads" : "mechanism, equal thread loads";
   text += life_row(r, given ? "stated C_a, (C_a/F_m)^3" : std::string(system), headline);

@@ -81,12 +81,10 @@ std::string row_line(const CaseTable& table, const Row& row,
                      const std::vector<std::size_t>& widths) {
   std::string line;
   for (std::size_t c = 0; c < row.cells.size(); ++c) {
-    line += padded(shortened(row.cells[c], widths[c]), widths[c], table.columns[c].left_aligned);
+    line += fitted(row.cells[c], widths[c], table.columns[c].left_aligned);
     line += kGap;
   }
-  line += row.remark.empty() ? "" : shortened(row.remark, kTableWidth - width(line));
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line + '\n';
+  return ended(line + (row.remark.empty() ? "" : shortened(row.remark, kTableWidth - width(line))));
 }
 
 }  // namespace
@@ -97,6 +95,12 @@ std::string case_table(const CaseTable& table, const std::vector<LoadCaseResult>
   std::string text;
   for (const Row& row : rows) text += row_line(table, row, widths);
   return text;
+}
+
+std::string not_converged(const LoadCaseResult& result) {
+  if (result.converged()) return {};
+  return fmt::format("NOT CONVERGED ({}), residual {:.1e}", status_name(result),
+                     result.solve->relative_residual);
 }
 
 std::string case_name_cell(const LoadCaseResult& result) {

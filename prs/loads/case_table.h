@@ -29,6 +29,9 @@ struct CaseTable {
 /// middle and last point.
 std::string case_table(const CaseTable& table, const std::vector<LoadCaseResult>& results);
 
+/// Of a case without equilibrium; else empty.
+std::string not_converged(const LoadCaseResult& result);
+
 // Cells that tables of load cases share.
 std::string case_name_cell(const LoadCaseResult& result);
 std::string force_cell(const LoadCaseResult& result);  ///< In `table_unit("kN")`.

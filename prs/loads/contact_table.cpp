@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "contact/mechanism_geometry.h"
@@ -29,27 +30,9 @@ namespace {
 using contact::Thread;
 using contact::ThreadSurface;
 
-constexpr std::size_t kMaxNameWidth = 16;
-constexpr std::size_t kLabelWidth = 38;
-constexpr int kValueWidth = 16;
-
-/// A number with the decimals that it has in a unit of documents.
-struct Shown {
-  std::string_view unit;
-  int decimals = 0;
-
-  std::string operator()(std::optional<double> si) const {
-    const std::string text = fixed(si, unit, decimals);
-    const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
-    return is_zero && text.starts_with('-') ? text.substr(1) : text;
-  }
-};
-
-std::string table_row(std::string_view label, const std::vector<std::string>& cells) {
-  std::string line = padded(with_table_unit(label), kLabelWidth, true);
-  for (const std::string& cell : cells) line += fmt::format("{:>{}}", cell, kValueWidth);
-  return line + '\n';
-}
+constexpr std::size_t kNameWidth = 16;
+constexpr TableRows kRows{38, 16};
+constexpr TableRows kLoadRows{25, 8, 1};
 
 // The mechanism, one column per part.
 
@@ -64,39 +47,35 @@ std::string mechanism_line(const Contacts& contacts) {
       fixed_with_unit(contacts.threads.centre_distance, "mm", 4));
 }
 
+using Number = std::optional<double>;
+
 struct PartRow {
-  std::string_view label;
-  Shown shown;
-  std::optional<double> (*value)(const Thread&);
+  std::string_view label;  ///< With the unit of documents at its end.
+  std::string_view unit;
+  Number (*value)(const Thread&);
 };
 
 constexpr PartRow kPartRows[] = {
-    {"  pitch diameter, mm",
-     {"mm", 4},
-     [](const Thread& t) { return std::optional(2.0 * t.pitch_radius); }},
-    {"  helix angle, deg",
-     {"deg", 4},
-     [](const Thread& t) { return std::optional(ThreadSurface(t).helix_angle()); }},
-    {"  flank from radius, mm",
-     {"mm", 4},
-     [](const Thread& t) { return std::optional(contact::flank_limits(t).smallest); }},
-    {"  flank to radius, mm",
-     {"mm", 4},
-     [](const Thread& t) { return std::optional(contact::flank_limits(t).largest); }},
-    {"  crest width, mm",
-     {"mm", 4},
+    {"  pitch diameter, mm", "mm", [](const Thread& t) { return Number(2.0 * t.pitch_radius); }},
+    {"  helix angle, deg", "deg",
+     [](const Thread& t) { return Number(ThreadSurface(t).helix_angle()); }},
+    {"  flank from radius, mm", "mm",
+     [](const Thread& t) { return Number(contact::flank_limits(t).smallest); }},
+    {"  flank to radius, mm", "mm",
+     [](const Thread& t) { return Number(contact::flank_limits(t).largest); }},
+    {"  crest width, mm", "mm",
      [](const Thread& t) { return thread_widths(t).value_or(ThreadWidths{}).crest; }},
-    {"  root width, mm",
-     {"mm", 4},
+    {"  root width, mm", "mm",
      [](const Thread& t) { return thread_widths(t).value_or(ThreadWidths{}).root; }},
 };
 
 std::string part_rows(const contact::MechanismGeometry& threads) {
-  std::string rows = table_row("Threads", {"screw", "roller", "nut"});
-  for (const auto& [label, shown, value] : kPartRows) {
-    const auto screw = value(threads.screw), roller = value(threads.roller),
-               nut = value(threads.nut);
-    if (screw || roller || nut) rows += table_row(label, {shown(screw), shown(roller), shown(nut)});
+  std::string rows = kRows("Threads", {"screw", "roller", "nut"});
+  for (const auto& [label, unit, value] : kPartRows) {
+    std::vector<std::string> cells;
+    for (const Thread* thread : {&threads.screw, &threads.roller, &threads.nut})
+      cells.push_back(fixed(value(*thread), unit, 4));
+    if (std::ranges::count(cells, kAbsent) < 3) rows += kRows(with_table_unit(label), cells);
   }
   return rows;
 }
@@ -128,8 +107,8 @@ constexpr ContactRow kContactRows[] = {
 };
 
 /// One number or both of a pair, in SI.
-std::array<std::optional<double>, 2> values_of(const Contacts& contacts, Interface i,
-                                               const Quantity<ContactAt>& q) {
+std::array<Number, 2> values_of(const Contacts& contacts, Interface i,
+                                const Quantity<ContactAt>& q) {
   const ContactAt contact{&contacts, i};
   if (!contact.contact().geometry.ok()) return {};
   if (q.value.number) {
@@ -141,19 +120,17 @@ std::array<std::optional<double>, 2> values_of(const Contacts& contacts, Interfa
 }
 
 std::string contact_rows(const Contacts& contacts) {
-  std::string rows = table_row("Contacts", {label(Interface::screw), label(Interface::nut)});
+  std::string rows = kRows("Contacts", {label(Interface::screw), label(Interface::nut)});
   for (const auto& [key, decimals] : kContactRows) {
     const auto& q = quantity<ContactAt>(key);
-    const Shown shown{q.unit.text, decimals};
-    std::string label =
-        fmt::format("  {}{}{}", title_of(q), q.unit.text.empty() ? "" : ", ", q.unit.text);
+    const std::string_view unit = q.unit.text;
+    std::string label = fmt::format("  {}{}{}", title_of(q), unit.empty() ? "" : ", ", unit);
     const auto screw = values_of(contacts, Interface::screw, q),
                nut = values_of(contacts, Interface::nut, q);
-    for (std::size_t k = 0; k < screw.size(); ++k) {
-      if (!screw[k] && !nut[k]) continue;
-      rows += table_row(label, {shown(screw[k]), shown(nut[k])});
-      label.clear();
-    }
+    for (std::size_t k = 0; k < screw.size(); ++k)
+      if (screw[k] || nut[k])
+        rows += kRows(with_table_unit(std::exchange(label, "")),
+                      {fixed(screw[k], unit, decimals), fixed(nut[k], unit, decimals)});
   }
   return rows;
 }
@@ -186,9 +163,9 @@ bool has_equal_shares(const LoadCaseResult& result) {
   return result.load_case.share == LoadCase::Share::equal && result.threads.has_value();
 }
 
-std::optional<double> value(const LoadCaseResult& result, Interface i, const LoadColumn& column) {
+Number value(const LoadCaseResult& result, Interface i, const LoadColumn& column) {
   const std::span<const double> values = column.of().value.series((*result.threads)[i]);
-  return values.empty() ? std::nullopt : std::optional<double>(values.front());
+  return values.empty() ? std::nullopt : Number(values.front());
 }
 
 /// All of them or, of long ranges, the first, middle and last.
@@ -197,8 +174,8 @@ Cases shown_cases(const std::vector<LoadCaseResult>& results, std::size_t& count
   count = 0;
   for (const CaseGroup& group : group_cases(results)) {
     Cases equal;
-    std::copy_if(group.cases.begin(), group.cases.end(), std::back_inserter(equal),
-                 [](const LoadCaseResult* result) { return has_equal_shares(*result); });
+    std::ranges::copy_if(group.cases, std::back_inserter(equal),
+                         [](const LoadCaseResult* result) { return has_equal_shares(*result); });
     count += equal.size();
     if (results.size() > kMaxUnfoldedCases && equal.size() > 3)
       equal = {equal.front(), equal[equal.size() / 2], equal.back()};
@@ -207,52 +184,33 @@ Cases shown_cases(const std::vector<LoadCaseResult>& results, std::size_t& count
   return shown;
 }
 
-/// Columns of which any case has a value.
-std::vector<LoadColumn> present_columns(const Cases& cases) {
-  std::vector<LoadColumn> columns;
-  std::copy_if(std::begin(kLoadColumns), std::end(kLoadColumns), std::back_inserter(columns),
-               [&](const LoadColumn& column) {
-                 return std::any_of(cases.begin(), cases.end(), [&](const LoadCaseResult* c) {
-                   return value(*c, Interface::screw, column) || value(*c, Interface::nut, column);
-                 });
-               });
-  return columns;
-}
-
-std::string case_row(const std::string& name, std::string_view interface,
-                     const std::vector<std::string>& cells) {
-  constexpr int kCellWidth = 8;
-  std::string line = fmt::format("  {:<{}} {:<6}", name, kMaxNameWidth, interface);
-  for (const std::string& cell : cells) line += fmt::format(" {:>{}}", cell, kCellWidth);
-  return line + '\n';
-}
-
-std::string load_rows(const LoadCaseResult& result, const std::vector<LoadColumn>& columns) {
-  std::string rows;
-  std::string name = shortened(printable(result.load_case.name), kMaxNameWidth);
-  for (const Interface i : kInterfaces) {
-    std::vector<std::string> cells;
-    for (const LoadColumn& column : columns)
-      cells.push_back(Shown{column.of().unit.text, column.decimals}(value(result, i, column)));
-    rows += case_row(name, prs::name(i), cells);
-    name.clear();
-  }
-  return rows;
-}
-
 std::string load_table(const std::vector<LoadCaseResult>& results) {
   std::size_t count = 0;
   const Cases cases = shown_cases(results, count);
   if (cases.empty()) return {};
-  const std::vector<LoadColumn> columns = present_columns(cases);
+  std::vector<LoadColumn> columns;
   std::vector<std::string> titles, units;
-  for (const LoadColumn& column : columns) {
+  for (const LoadColumn& column : kLoadColumns) {
+    if (std::ranges::none_of(cases, [&](const LoadCaseResult* c) {
+          return value(*c, Interface::screw, column) || value(*c, Interface::nut, column);
+        }))
+      continue;
+    columns.push_back(column);
     titles.emplace_back(column.title);
     units.push_back(with_table_unit(column.of().unit.text));
   }
-  std::string table = "\nEqual shares of all threads\n";
-  table += case_row("", "", titles) + case_row("load case", "", units);
-  for (const LoadCaseResult* result : cases) table += load_rows(*result, columns);
+  std::string table =
+      "\nEqual shares of all threads\n" + kLoadRows("", titles) + kLoadRows("  load case", units);
+  for (const LoadCaseResult* result : cases) {
+    std::string label = fitted(printable(result->load_case.name), kNameWidth, true);
+    for (const Interface i : kInterfaces) {
+      std::vector<std::string> cells;
+      for (const LoadColumn& column : columns)
+        cells.push_back(fixed(value(*result, i, column), column.of().unit.text, column.decimals));
+      table += kLoadRows(fmt::format("  {:{}} {}", std::exchange(label, ""), kNameWidth, name(i)),
+                         cells);
+    }
+  }
   if (cases.size() < count) table += fmt::format("  … {} of {} cases\n", cases.size(), count);
   return table;
 }

@@ -15,9 +15,10 @@ void most_loaded_fields(CsvWriter& csv, const LoadCaseResult& result, Interface 
   const InterfaceLoads loads = result.threads ? (*result.threads)[i] : InterfaceLoads{};
   const auto thread = index_of_largest(loads.load_rate);
   const auto row = static_cast<std::size_t>(std::max(loads.threads_per_roller, 0));
-  csv.integer(thread ? std::optional((row ? *thread % row : *thread) + 1) : std::nullopt);
-  csv.number(entry(loads.load_rate, thread), per_si::percent);
-  csv.number(entry(loads.peak_pressure, index_of_largest(loads.peak_pressure)), per_si::megapascal);
+  csv.fields(thread ? std::optional((row ? *thread % row : *thread) + 1) : std::nullopt,
+             scaled(entry(loads.load_rate, thread), per_si::percent),
+             scaled(entry(loads.peak_pressure, index_of_largest(loads.peak_pressure)),
+                    per_si::megapascal));
 }
 
 }  // namespace

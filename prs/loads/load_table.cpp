@@ -29,12 +29,6 @@ constexpr CaseColumn kColumns[] = {
     {"pressure", "max. GPa", true, pressure_cell},
 };
 
-std::string failure(const LoadCaseResult& result) {
-  if (result.converged()) return {};
-  return fmt::format("NOT CONVERGED ({}), residual {:.1e}", status_name(result),
-                     result.solve->relative_residual);
-}
-
 std::vector<double> percent(const std::vector<double>& rates) {
   std::vector<double> shown;
   for (const double rate : rates) shown.push_back(rate * per_si::percent);
@@ -47,7 +41,7 @@ std::string load_case_table(const Result& result) {
   std::string model = model_line(result);
   if (!model.empty()) model = wrapped(model.substr(0, model.size() - 1), "", kTableWidth);
   const std::string table =
-      model + case_table({kColumns, 3, failure, "load_cases.csv"}, result.load_cases);
+      model + case_table({kColumns, 3, not_converged, "load_cases.csv"}, result.load_cases);
   return table + warning_section(all_warnings(result));
 }
 
@@ -56,18 +50,16 @@ std::string load_distribution_chart(const LoadCaseResult& result) {
   if (!result.threads)
     return fmt::format("{}: no load distribution ({})\n", title, status_name(result));
 
-  if (result.full) {
-    const PerInterface<std::vector<double>> shares = {percent(result.threads->screw.rollers->share),
-                                                      percent(result.threads->nut.rollers->share)};
-    const double mean = per_si::percent / static_cast<double>(shares.screw.size());
-    return fmt::format("{}: share of each roller, mean {:.2f} %\n", title, mean) +
-           bar_chart(shares, 2, "%");
+  const bool rollers = result.full != nullptr;
+  PerInterface<std::vector<double>> shares;
+  for (const Interface i : kInterfaces) {
+    const InterfaceLoads& loads = (*result.threads)[i];
+    shares[i] = percent(rollers ? loads.rollers->share : loads.load_rate);
   }
-  const PerInterface<std::vector<double>> rates = {percent(result.threads->screw.load_rate),
-                                                   percent(result.threads->nut.load_rate)};
-  const double mean = per_si::percent / static_cast<double>(rates.screw.size());
-  return fmt::format("{}: share of each thread, mean {:.2f} %\n", title, mean) +
-         bar_chart(rates, 2, "%");
+  const double mean = per_si::percent / static_cast<double>(shares.screw.size());
+  return fmt::format("{}: share of each {}, mean {:.2f} %\n", title, rollers ? "roller" : "thread",
+                     mean) +
+         bar_chart(shares, 2, "%");
 }
 
 }  // namespace prs

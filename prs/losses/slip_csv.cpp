@@ -16,8 +16,7 @@ void slip_fields(CsvWriter& csv, const LoadCaseResult& result) {
   if (slip) {
     scalar_fields<SlipResult>(csv, slip);
   } else {
-    csv.text("false");
-    csv.text(slip_status_name(result));
+    csv.fields(false, slip_status_name(result));
     scalar_fields<SlipResult>(csv, slip, "evaluations");
   }
   if (slip && !slip->converged()) slip = nullptr;
@@ -37,9 +36,8 @@ std::string slip_csv(const Result& result, const CsvStyle& style) {
   scalar_header<SlipResult>(csv);
   scalar_header<SlipEstimates>(csv, "slip_ratio_");
   for (const PowerSource& source : kPowerSources) csv.text(fmt::format("{}_power_W", source.key));
-  for (const char* key : {"hottest_interface", "hottest_thread", "hottest_thread_power_W",
-                          "hottest_thread_power_density_W_per_mm2", "hottest_roller"})
-    csv.text(key);
+  csv.fields("hottest_interface", "hottest_thread", "hottest_thread_power_W",
+             "hottest_thread_power_density_W_per_mm2", "hottest_roller");
   scalar_header<EqualShareSlip>(csv, "equal_shares_");
   csv.end_row();
 
@@ -57,7 +55,7 @@ std::string slip_threads_csv(const Result& result, const CsvStyle& style) {
   const bool all_rollers = std::ranges::any_of(
       result.load_cases, [](const LoadCaseResult& r) { return r.full != nullptr; });
   if (all_rollers) csv.text("roller");
-  for (const char* key : {"interface", "thread", "axial_load_N"}) csv.text(key);
+  csv.fields("interface", "thread", "axial_load_N");
   series_header<InterfaceSlip>(csv);
   csv.end_row();
 
@@ -69,9 +67,8 @@ std::string slip_threads_csv(const Result& result, const CsvStyle& style) {
         const auto row = static_cast<std::size_t>(slip.threads_per_roller);
         load_fields(csv, load_case.load_case);
         if (all_rollers) csv.integer(row ? std::optional(k / row + 1) : std::nullopt);
-        csv.text(name(i));
-        csv.integer(row ? k % row + 1 : k + 1);
-        csv.number(entry((*load_case.threads)[i].axial_load, k));
+        csv.fields(name(i), row ? k % row + 1 : k + 1,
+                   entry((*load_case.threads)[i].axial_load, k));
         series_fields(csv, slip, k);
         csv.end_row();
       }

@@ -20,8 +20,7 @@ namespace prs {
 namespace {
 
 constexpr std::size_t kMostBlocks = 4;
-constexpr std::size_t kLabelWidth = 30;
-constexpr std::size_t kValueWidth = 16;
+constexpr TableRows kRows{30, 16};
 
 std::string failure(const LoadCaseResult& result) {
   if (has_slip(result)) return {};
@@ -43,10 +42,19 @@ std::string four_digits(double value) { return fixed(value, 1.0, decimals_of(std
 
 std::string block_line(std::string_view label, const std::string& value,
                        const std::string& remark = {}) {
-  std::string line = padded("  " + with_table_unit(label), kLabelWidth, true) +
-                     padded(value, kValueWidth, false) + "   " + remark;
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line + '\n';
+  return kRows("  " + with_table_unit(label), {value}, "   " + remark);
+}
+
+std::string number_line(std::string_view label, double si, std::string_view unit,
+                        const std::string& remark = {}) {
+  return block_line(fmt::format("{}, {}", label, unit), four_digits(shown(si, unit)), remark);
+}
+
+/// Further values of a line.
+std::string beside(const std::vector<std::string>& cells) {
+  std::string text;
+  for (const std::string& cell : cells) text += padded(cell, kRows.cell_width, false);
+  return text;
 }
 
 std::string title_line(const LoadCaseResult& result) {
@@ -74,21 +82,18 @@ std::string slip_ratio_lines(const SlipResult& slip) {
 }
 
 std::string efficiency_lines(const SlipResult& slip, bool all) {
-  const std::string fit =
-      all && slip.efficiency_fit
-          ? fmt::format("Sandu's fit {:.2f} %", *slip.efficiency_fit * per_si::percent)
-          : "";
-  if (slip.driven_by == DrivenBy::screw)
-    return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2), fit);
-  return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2),
-                    slip.efficiency ? "the load drives" : "the load helps, self-locking") +
-         block_line("holding torque, N m", four_digits(shown(*slip.holding_torque, "N m")),
-                    slip.efficiency ? "holds back the load" : "releases the screw");
-}
-
-std::string torque_lines(const SlipResult& slip) {
-  return block_line("torque on the screw, N m", four_digits(shown(slip.torque_screw, "N m"))) +
-         block_line("torque on the nut, N m", four_digits(shown(slip.torque_nut, "N m")));
+  const bool by_screw = slip.driven_by == DrivenBy::screw;
+  std::string remark = slip.efficiency ? "the load drives" : "the load helps, self-locking";
+  if (by_screw)
+    remark = all && slip.efficiency_fit
+                 ? fmt::format("Sandu's fit {:.2f} %", *slip.efficiency_fit * per_si::percent)
+                 : "";
+  return block_line("efficiency, %", fixed(slip.efficiency, per_si::percent, 2), remark) +
+         (by_screw ? ""
+                   : number_line("holding torque", *slip.holding_torque, "N m",
+                                 slip.efficiency ? "holds back the load" : "releases the screw")) +
+         number_line("torque on the screw", slip.torque_screw, "N m") +
+         number_line("torque on the nut", slip.torque_nut, "N m");
 }
 
 std::string power_lines(const SlipResult& slip) {
@@ -123,83 +128,81 @@ constexpr RangeLine kRangeLines[] = {
     {"wear, mm³/km", "wear_mm3_per_km", 6},
 };
 
-/// `boundary–mixed`, from the thinnest film to the thickest.
+/// The ends of a range, `0.0812–0.0934`, or one where they are alike.
+std::string range(std::string_view from, std::string_view to) {
+  return from == to ? std::string(to) : fmt::format("{}–{}", from, to);
+}
+
+/// The lubrication from the thinnest film to the thickest, `boundary–mixed`.
 std::string regimes(const InterfaceSlip& slip) {
   double least = HUGE_VAL, largest = 0.0;
   for (const double ratio : slip.film_ratio)
     if (ratio > 0.0) least = std::min(least, ratio), largest = std::max(largest, ratio);
   if (least > largest) return std::string(kAbsent);
-  const std::string_view from = lubrication(least), to = lubrication(largest);
-  return from == to ? std::string(from) : fmt::format("{}–{}", from, to);
+  return range(lubrication(least), lubrication(largest));
 }
 
-/// `0.0812–0.0934` over the threads that carry load.
+/// The values of the threads that carry load.
 std::string range(const InterfaceSlip& slip, const RangeLine& line) {
   double least = HUGE_VAL, largest = -HUGE_VAL;
   const Quantity<InterfaceSlip>& q = quantity<InterfaceSlip>(line.key);
   const std::span<const double> values = q.value.series(slip);
   for (std::size_t k = 0; k < values.size(); ++k)
-    if (entry(slip.dynamic_normal_load, k).value_or(0.0) > 0.0) {
-      least = std::min(least, values[k]);
-      largest = std::max(largest, values[k]);
-    }
+    if (entry(slip.dynamic_normal_load, k).value_or(0.0) > 0.0)
+      least = std::min(least, values[k]), largest = std::max(largest, values[k]);
   if (least > largest) return std::string(kAbsent);
-  const std::string from = fixed(least, q.unit.text, line.decimals);
-  const std::string to = fixed(largest, q.unit.text, line.decimals);
-  return from == to ? to : from + "–" + to;
+  return range(fixed(least, q.unit.text, line.decimals),
+               fixed(largest, q.unit.text, line.decimals));
 }
 
 std::string range_lines(const SlipResult& slip) {
+  const InterfaceSlip &screw = slip.threads.screw, &nut = slip.threads.nut;
   std::string lines;
-  if (slip.viscosity)
-    lines += block_line("viscosity in operation, mPa s",
-                        four_digits(*slip.viscosity * per_si::millipascal_second));
-  lines += block_line("over the threads", "screw", padded("nut", kValueWidth, false));
+  if (slip.viscosity) lines += number_line("viscosity in operation", *slip.viscosity, "mPa s");
+  lines += block_line("over the threads", "screw", beside({"nut"}));
   for (const RangeLine& line : kRangeLines)
-    if (!quantity<InterfaceSlip>(line.key).value.series(slip.threads.screw).empty())
-      lines += block_line(fmt::format("  {}", line.label), range(slip.threads.screw, line),
-                          padded(range(slip.threads.nut, line), kValueWidth, false));
-  if (!slip.threads.screw.film_ratio.empty())
-    lines += block_line("  lubrication", regimes(slip.threads.screw),
-                        padded(regimes(slip.threads.nut), kValueWidth, false));
+    if (!quantity<InterfaceSlip>(line.key).value.series(screw).empty())
+      lines += block_line(fmt::format("  {}", line.label), range(screw, line),
+                          beside({range(nut, line)}));
+  if (!screw.film_ratio.empty())
+    lines += block_line("  lubrication", regimes(screw), beside({regimes(nut)}));
   return lines;
 }
 
 /// A line with a number for screw, rollers and nut; rollers may have none.
 std::string parts_line(std::string_view label, double screw, std::optional<double> rollers,
                        double nut, int decimals) {
-  return block_line(label, fixed(screw, 1.0, decimals),
-                    padded(rollers ? fixed(rollers, 1.0, decimals) : "", kValueWidth, false) +
-                        padded(fixed(nut, 1.0, decimals), kValueWidth, false));
+  return block_line(
+      label, fixed(screw, 1.0, decimals),
+      beside({rollers ? fixed(rollers, 1.0, decimals) : "", fixed(nut, 1.0, decimals)}));
+}
+
+std::string parts_line(std::string_view label, const PerPart<double>& kelvin) {
+  const PartNumbers t = celsius_of(kelvin);
+  return parts_line(fmt::format("  {}, °C", label), t.screw, t.rollers, t.nut, 2);
 }
 
 std::string heat_lines(const std::optional<HeatResult>& heat) {
   if (!heat) return {};
-  const PartNumbers t = celsius_of(heat->temperature);
-  std::string lines =
-      block_line("heat balance", "screw",
-                 padded("rollers", kValueWidth, false) + padded("nut", kValueWidth, false));
-  lines += parts_line("  temperature, °C", t.screw, t.rollers, t.nut, 2);
+  std::string lines = block_line("heat balance", "screw", beside({"rollers", "nut"})) +
+                      parts_line("temperature", heat->temperature);
   if (heat->oil) {
     const InterfaceNumbers oil = celsius_of(*heat->oil);
     lines += parts_line("  oil at the contacts, °C", oil.screw, std::nullopt, oil.nut, 2);
   }
-  return lines + parts_line("  heat from friction, W", heat->heat.screw, heat->heat.roller,
-                            heat->heat.nut,
-                            decimals_of(heat->heat.screw + heat->heat.roller + heat->heat.nut));
+  const auto& [screw, roller, nut] = heat->heat;
+  return lines + parts_line("  heat from friction, W", screw, roller, nut,
+                            decimals_of(screw + roller + nut));
 }
 
 std::string cycle_block(const HeatCycle& cycle) {
-  std::string lines = fmt::format("duty cycle: {:.7g} s\n", cycle.period);
-  if (!cycle.converged()) return lines + fmt::format("  NOT CONVERGED ({})\n", name(cycle.status));
-  const PartNumbers peak = celsius_of(cycle.peak), mean = celsius_of(cycle.mean);
-  lines += block_line("temperature", "screw",
-                      padded("rollers", kValueWidth, false) + padded("nut", kValueWidth, false));
-  lines += parts_line("  peak, °C", peak.screw, peak.rollers, peak.nut, 2);
-  lines += parts_line("  mean, °C", mean.screw, mean.rollers, mean.nut, 2);
-  lines += block_line("energy in, J", four_digits(cycle.energy_in));
-  lines += block_line("energy lost, J", four_digits(cycle.energy_lost));
-  return lines + block_line("efficiency, %", fixed(cycle.efficiency, per_si::percent, 2));
+  const std::string title = fmt::format("duty cycle: {:.7g} s\n", cycle.period);
+  if (!cycle.converged()) return title + fmt::format("  NOT CONVERGED ({})\n", name(cycle.status));
+  return title + block_line("temperature", "screw", beside({"rollers", "nut"})) +
+         parts_line("peak", cycle.peak) + parts_line("mean", cycle.mean) +
+         number_line("energy in", cycle.energy_in, "J") +
+         number_line("energy lost", cycle.energy_lost, "J") +
+         block_line("efficiency, %", fixed(cycle.efficiency, per_si::percent, 2));
 }
 
 std::string hottest_line(const SlipResult& slip) {
@@ -220,55 +223,51 @@ double largest(const SlipResult& slip, std::vector<double> InterfaceSlip::*value
   return most;
 }
 
-/// A number with equal shares and by how much the loads of the case change it.
-std::string comparison_line(std::string_view label, double equal, double solved,
-                            std::string_view unit) {
-  const std::string change =
-      equal > 0.0 ? fixed_change((solved / equal - 1.0) * per_si::percent, 2) + " %" : "";
-  return block_line(
-      fmt::format("{}, {}", label, unit), four_digits(shown(equal, unit)),
-      fmt::format("{:>{}} {:>10}", four_digits(shown(solved, unit)), kValueWidth, change));
+/// A number with equal shares, with the loads of the case, and the change.
+std::string change_line(std::string_view label, const std::string& equal, const std::string& solved,
+                        const std::string& change) {
+  return block_line(label, equal, beside({solved}) + fmt::format(" {:>10}", change));
 }
 
-/// A line of comparison whose change is given as a difference.
+/// How much the loads of the case change it, in percent.
+std::string ratio_line(std::string_view label, double equal, double solved, std::string_view unit) {
+  return change_line(
+      fmt::format("{}, {}", label, unit), four_digits(shown(equal, unit)),
+      four_digits(shown(solved, unit)),
+      equal > 0.0 ? fixed_change((solved / equal - 1.0) * per_si::percent, 2) + " %" : "");
+}
+
 std::string difference_line(std::string_view label, double equal, double solved, int decimals) {
-  return block_line(label, fixed(equal, 1.0, decimals),
-                    fmt::format("{:>{}} {:>10}", fixed(solved, 1.0, decimals), kValueWidth,
-                                fixed_change(solved - equal, decimals)));
+  return change_line(label, fixed(equal, 1.0, decimals), fixed(solved, 1.0, decimals),
+                     fixed_change(solved - equal, decimals));
 }
 
 std::string equal_share_lines(const SlipResult& slip) {
   if (!slip.equal_shares) return {};
   const EqualShareSlip& equal = *slip.equal_shares;
-  std::string lines =
-      block_line("thread loads", "equal", padded("of the case", kValueWidth, false));
-  lines += difference_line("  slip ratio", equal.slip_ratio, slip.slip_ratio, 6);
-  lines += comparison_line("  power lost", equal.power_loss, slip.power.total(), "W");
+  std::string lines = block_line("thread loads", "equal", beside({"of the case"})) +
+                      difference_line("  slip ratio", equal.slip_ratio, slip.slip_ratio, 6) +
+                      ratio_line("  power lost", equal.power_loss, slip.power.total(), "W");
   if (equal.efficiency && slip.efficiency)
     lines += difference_line("  efficiency, %", *equal.efficiency * per_si::percent,
                              *slip.efficiency * per_si::percent, 2);
-  lines += comparison_line("  most at a thread",
-                           std::max(equal.thread_power.screw, equal.thread_power.nut),
-                           largest(slip, &InterfaceSlip::power), "W");
-  lines += comparison_line("  most at a thread", equal.max_power_density,
-                           largest(slip, &InterfaceSlip::power_density), "W/mm²");
-  return lines;
+  return lines +
+         ratio_line("  most at a thread",
+                    std::max(equal.thread_power.screw, equal.thread_power.nut),
+                    largest(slip, &InterfaceSlip::power), "W") +
+         ratio_line("  most at a thread", equal.max_power_density,
+                    largest(slip, &InterfaceSlip::power_density), "W/mm²");
 }
 
 std::string block(const LoadCaseResult& result, bool all) {
   if (!has_slip(result)) return title_line(result) + fmt::format("  {}\n", failure(result));
   const SlipResult& slip = *result.slip;
   return title_line(result) + slip_ratio_lines(slip) + efficiency_lines(slip, all) +
-         torque_lines(slip) + power_lines(slip) + heat_lines(result.heat) + range_lines(slip) +
-         hottest_line(slip) + (all ? equal_share_lines(slip) : "");
+         power_lines(slip) + heat_lines(result.heat) + range_lines(slip) + hottest_line(slip) +
+         (all ? equal_share_lines(slip) : "");
 }
 
 // A case in a row.
-
-template <auto member>
-std::string cell(const LoadCaseResult& result, double factor, int decimals) {
-  return fixed((*result.slip).*member, factor, decimals);
-}
 
 template <double PowerBySource::*source>
 std::string share(const LoadCaseResult& result) {
@@ -293,9 +292,9 @@ constexpr CaseColumn kColumns[] = {
        return fmt::format("{:.5g}", r.slip->speed * per_si::revolution_per_minute);
      }},
     {"slip", "ratio", false,
-     [](const LoadCaseResult& r) { return cell<&SlipResult::slip_ratio>(r, 1.0, 6); }},
+     [](const LoadCaseResult& r) { return fixed(r.slip->slip_ratio, 1.0, 6); }},
     {"effic.", "%", false,
-     [](const LoadCaseResult& r) { return cell<&SlipResult::efficiency>(r, per_si::percent, 2); }},
+     [](const LoadCaseResult& r) { return fixed(r.slip->efficiency, per_si::percent, 2); }},
     {"torque", "N m", false,
      [](const LoadCaseResult& r) { return fixed(r.slip->torque_screw, "N m", 3); }},
     {"lost", "W", false,
@@ -330,19 +329,16 @@ std::string slip_chart(const LoadCaseResult& result) {
   if (!has_slip(result))
     return fmt::format("{}: no power at the threads ({})\n", title, slip_status_name(result));
 
-  const SlipResult& slip = *result.slip;
-  if (slip.threads.screw.threads_per_roller > 0) {
-    const PerInterface<std::vector<double>> power = {power_of_rollers(slip.threads.screw),
-                                                     power_of_rollers(slip.threads.nut)};
-    return fmt::format("{}: power lost at each roller\n", title) +
-           bar_chart(
-               power,
-               decimals_of(std::max(std::ranges::max(power.screw), std::ranges::max(power.nut))),
-               "W");
-  }
-  return fmt::format("{}: power lost at each thread of a roller\n", title) +
-         bar_chart({slip.threads.screw.power, slip.threads.nut.power},
-                   decimals_of(largest(slip, &InterfaceSlip::power)), "W");
+  const PerInterface<InterfaceSlip>& threads = result.slip->threads;
+  const bool rollers = threads.screw.threads_per_roller > 0;
+  const auto power_of = [&](const InterfaceSlip& slip) {
+    return rollers ? power_of_rollers(slip) : slip.power;
+  };
+  const PerInterface<std::vector<double>> power = {power_of(threads.screw), power_of(threads.nut)};
+  const double most = std::max(std::ranges::max(power.screw), std::ranges::max(power.nut));
+  return fmt::format("{}: power lost at each {}\n", title,
+                     rollers ? "roller" : "thread of a roller") +
+         bar_chart(power, decimals_of(most), "W");
 }
 
 }  // namespace prs

@@ -20,8 +20,7 @@
 namespace prs {
 namespace {
 
-constexpr std::size_t kTitleWidth = 58;
-constexpr std::size_t kCellWidth = 14;
+constexpr TableRows kRows{58, 14};
 constexpr std::size_t kMostCases = 3;  ///< That fit side by side.
 
 /// What documents have in newtons and single revolutions is that large here.
@@ -67,18 +66,16 @@ std::string group_rows(std::span<const std::optional<Owner>> owners, const Keys&
     for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
       if (q.group != group || q.value.series) continue;
       if (std::ranges::find(hidden, q.key) != hidden.end()) continue;
-      std::string cells;
+      std::vector<std::string> cells;
       bool any = false;
       for (const std::optional<Owner>& owner : owners) {
         const std::optional<std::string> shown = measure_cell(q, owner);
         any = any || shown;
-        cells += padded(shown.value_or(std::string(kAbsent)), kCellWidth, false);
+        cells.push_back(shown.value_or(std::string(kAbsent)));
       }
       const std::string_view unit = row_unit(q.unit).text;
       if (any)
-        rows += padded(fmt::format("  {}{}{}", q.title, unit.empty() ? "" : ", ", unit),
-                       kTitleWidth, true) +
-                cells + '\n';
+        rows += kRows(fmt::format("  {}{}{}", q.title, unit.empty() ? "" : ", ", unit), cells);
     }
     if (!rows.empty()) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", group) + rows;
   }
@@ -88,26 +85,22 @@ std::string group_rows(std::span<const std::optional<Owner>> owners, const Keys&
 /// The load cases [first, last) side by side.
 std::string load_table(const MeasuresResult& result, std::size_t first, std::size_t last,
                        const Keys& hidden) {
-  std::string text = padded("Load case", kTitleWidth, true);
-  for (std::size_t k = first; k < last; ++k)
-    text += ' ' + padded(shortened(printable(result.analysis.load_cases[k].load_case.name),
-                                   kCellWidth - 1),
-                         kCellWidth - 1, false);
-  text += '\n' + padded(with_table_unit("  force, kN"), kTitleWidth, true);
-  for (std::size_t k = first; k < last; ++k)
-    text += padded(significant(shown(result.analysis.load_cases[k].load_case.axial_force, "kN")),
-                   kCellWidth, false);
-  text += '\n';
+  std::vector<std::string> names, forces;
+  for (std::size_t k = first; k < last; ++k) {
+    const LoadCase& load = result.analysis.load_cases[k].load_case;
+    names.push_back(shortened(printable(load.name), kRows.cell_width - 1));
+    forces.push_back(significant(shown(load.axial_force, "kN")));
+  }
+  const std::string text =
+      kRows("Load case", names) + kRows(with_table_unit("  force, kN"), forces);
   const std::string rows =
       group_rows(std::span(result.load_measures).subspan(first, last - first), hidden);
   return rows.empty() ? text : text + '\n' + rows;
 }
 
-/// A paragraph behind a word; its later lines stand below the first.
-std::string paragraph(std::string_view word, std::string_view text) {
-  const std::string indent(4 + word.size(), ' ');
-  std::string lines = wrapped(text, indent, kTableWidth);
-  return lines.replace(4, word.size(), word);
+/// A paragraph behind a word.
+std::string paragraph(const std::string& word, std::string_view text) {
+  return hanging("    " + word, 4 + word.size(), text);
 }
 
 template <class Owner>
@@ -125,17 +118,9 @@ void add_rows(CsvWriter& csv, std::string_view load_case, const Owner& measures)
   for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
     const std::optional<double> value = q.value.number ? shown_number(q, measures) : std::nullopt;
     if (!value) continue;
-    csv.text(load_case);
-    csv.text(q.key);
-    csv.text(q.unit.text);
-    csv.number(value);
-    csv.end_row();
+    csv.row(load_case, q.key, q.unit.text, value);
   }
 }
-
-}  // namespace
-
-namespace {
 
 std::string table_without(const MeasuresResult& result, const Keys& hidden) {
   const std::optional<Measures> measures[] = {result.measures};
@@ -179,8 +164,7 @@ std::string measure_explanations() {
 
 std::string measures_csv(const MeasuresResult& result, const CsvStyle& style) {
   CsvWriter csv(style);
-  for (const std::string_view name : {"load_case", "measure", "unit", "value"}) csv.text(name);
-  csv.end_row();
+  csv.row("load_case", "measure", "unit", "value");
   add_rows(csv, "", result.measures);
   for (std::size_t k = 0; k < result.load_measures.size(); ++k)
     if (result.load_measures[k])
@@ -191,21 +175,16 @@ std::string measures_csv(const MeasuresResult& result, const CsvStyle& style) {
 std::string yang_csv(const MeasuresResult& result, const CsvStyle& style) {
   CsvWriter csv(style);
   load_header(csv);
-  for (const std::string_view name :
-       {"thread", "yang_load_rate_percent", "screw_load_rate_percent", "nut_load_rate_percent"})
-    csv.text(name);
-  csv.end_row();
+  csv.row("thread", "yang_load_rate_percent", "screw_load_rate_percent", "nut_load_rate_percent");
   for (std::size_t k = 0; k < result.load_measures.size(); ++k) {
     const LoadCaseResult& solved = result.analysis.load_cases[k];
     if (!result.load_measures[k] || !solved.threads) continue;
     const std::vector<double>& yang = result.load_measures[k]->yang_load_rate;
     for (std::size_t thread = 0; thread < yang.size(); ++thread) {
       load_fields(csv, solved.load_case);
-      csv.integer(thread + 1);
-      csv.number(yang[thread], per_si::percent);
-      for (const Interface i : kInterfaces)
-        csv.number((*solved.threads)[i].load_rate[thread], per_si::percent);
-      csv.end_row();
+      csv.row(thread + 1, yang[thread] * per_si::percent,
+              solved.threads->screw.load_rate[thread] * per_si::percent,
+              solved.threads->nut.load_rate[thread] * per_si::percent);
     }
   }
   return csv.take();

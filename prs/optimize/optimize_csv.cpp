@@ -12,8 +12,7 @@ void design_header(CsvWriter& csv, const Study& study) {
     const std::string& unit = drawn.input->unit;
     csv.text(unit.empty() ? drawn.input->path : drawn.input->path + "_" + unit_key(unit));
   }
-  for (const std::string& path : study.responses) csv.text(path);
-  csv.end_row();
+  csv.row(study.responses);
 }
 
 void design_fields(CsvWriter& csv, const Study& study, const EvaluatedDesign& design) {
@@ -24,20 +23,7 @@ void design_fields(CsvWriter& csv, const Study& study, const EvaluatedDesign& de
     else
       csv.text(value ? value->text : "");
   }
-  for (const double response : design.responses) csv.number(response);
-  csv.end_row();
-}
-
-void history_row(CsvWriter& csv, const Study& study, std::size_t number, std::string_view algorithm,
-                 std::optional<std::size_t> generation, const EvaluatedDesign& design) {
-  csv.integer(number);
-  csv.text(algorithm);
-  csv.integer(generation);
-  csv.text(design.is_feasible() ? "true" : "false");
-  csv.number(design.violation);
-  csv.text(design.status.name);
-  csv.text(design.status.reason);
-  design_fields(csv, study, design);
+  csv.row(design.responses);
 }
 
 }  // namespace
@@ -45,11 +31,10 @@ void history_row(CsvWriter& csv, const Study& study, std::size_t number, std::st
 std::string front_csv(const OptimizationResult& result, const CsvStyle& style) {
   const Study& study = result.optimization.study;
   CsvWriter csv(style);
-  for (const char* key : {"design", "compromise"}) csv.text(key);
+  csv.fields("design", "compromise");
   design_header(csv, study);
   for (const std::size_t k : result.front) {
-    csv.integer(k + 1);
-    csv.text(result.compromise == k ? "true" : "false");
+    csv.fields(k + 1, result.compromise == k);
     design_fields(csv, study, result.design(k));
   }
   return csv.take();
@@ -58,19 +43,19 @@ std::string front_csv(const OptimizationResult& result, const CsvStyle& style) {
 std::string history_csv(const OptimizationResult& result, const CsvStyle& style) {
   const Optimization& optimization = result.optimization;
   CsvWriter csv(style);
-  for (const char* key :
-       {"design", "algorithm", "generation", "feasible", "violation", "status", "reason"})
-    csv.text(key);
+  csv.fields("design", "algorithm", "generation", "feasible", "violation", "status", "reason");
   design_header(csv, optimization.study);
   std::size_t number = 0;
-  history_row(csv, optimization.study, number++, "initial", std::nullopt, result.initial);
-  const auto add = [&](const Search& search) {
-    for (std::size_t k = 0; k < search.designs.size(); ++k)
-      history_row(csv, optimization.study, number++, name(search.algorithm),
-                  k / optimization.population + 1, search.designs[k]);
+  const auto add = [&](std::string_view algorithm, std::optional<std::size_t> generation,
+                       const EvaluatedDesign& design) {
+    csv.fields(number++, algorithm, generation, design.is_feasible(), design.violation,
+               design.status.name, design.status.reason);
+    design_fields(csv, optimization.study, design);
   };
-  add(result.search);
-  if (result.check) add(*result.check);
+  add("initial", std::nullopt, result.initial);
+  for (const Search* search : {&result.search, result.check ? &*result.check : nullptr})
+    for (std::size_t k = 0; search && k < search->designs.size(); ++k)
+      add(name(search->algorithm), k / optimization.population + 1, search->designs[k]);
   return csv.take();
 }
 

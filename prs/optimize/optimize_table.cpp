@@ -26,9 +26,7 @@ struct Row {
   std::string name, initial, chosen, change;
 };
 
-std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.6g}", value) : std::string(kAbsent);
-}
+std::string number(double value) { return digits(value, 6); }
 
 std::string change(std::optional<double> from, std::optional<double> to) {
   const std::optional<double> percent = from && to ? change_percent(*to, *from) : std::nullopt;
@@ -68,10 +66,9 @@ std::vector<Row> response_rows(const OptimizationResult& result, const Evaluated
 std::string lines_of(const std::vector<Row>& rows, std::size_t name_width) {
   std::string lines;
   for (const Row& row : rows)
-    lines += fmt::format(
-        "{}  {}  {}  {}\n", padded(shortened(printable(row.name), name_width), name_width, true),
-        padded(shortened(row.initial, kValue), kValue, false),
-        padded(shortened(row.chosen, kValue), kValue, false), padded(row.change, kChange, false));
+    lines += fmt::format("{}  {}  {}  {}\n", fitted(printable(row.name), name_width, true),
+                         fitted(row.initial, kValue), fitted(row.chosen, kValue),
+                         padded(row.change, kChange, false));
   return lines;
 }
 

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kMostRows = 24;
 constexpr double kSmallLoad = 1.0;  ///< Shown in newtons below it [N].
 
-std::string line(std::string_view what, const std::string& value) {
-  return fmt::format("  {:<46} {}\n", what, value);
+std::string line(const std::string& what, const std::string& value) {
+  return hanging("  " + what, 49, value);
 }
 
 /// One value, or one for each sense of the load.
@@ -52,18 +52,10 @@ std::string summary(const PreloadResult& r) {
   return text;
 }
 
-std::string columns(std::initializer_list<std::string> cells) {
-  std::string text;
-  for (const std::string& cell : cells) text += padded(with_table_unit(cell), 14, false);
-  return text + '\n';
-}
+constexpr TableRows kRows{0, 14};
 
-std::string row(const PreloadResult& r, std::size_t k) {
-  const PreloadPoint& point = r.curve.points[k];
-  const std::string force = fixed(point.axial_force, "kN", force_decimals(point.axial_force));
-  if (!point.solve.converged())
-    return fmt::format("{}  NOT CONVERGED ({}), residual {:.1e}\n", padded(force, 14, false),
-                       fe::name(point.solve.status), point.solve.relative_residual);
+/// What follows the force.
+std::vector<std::string> cells(const PreloadPoint& point, const PreloadPoint* loose) {
   const auto side = [&](Direction d) {
     const double load = point.sides[d].axial_load.screw;
     return fixed(load, "kN", force_decimals(load));
@@ -72,12 +64,23 @@ std::string row(const PreloadResult& r, std::size_t k) {
   for (const Direction d : kDirections)
     for (const Interface i : kInterfaces)
       normal = std::max(normal, point.sides[d].max_normal_load[i]);
-  const PreloadPoint* loose = r.without_preload ? &r.without_preload->points[k] : nullptr;
   const bool known = loose && loose->solve.converged();
-  return columns({force, fixed(point.axial_displacement, "µm", 3),
-                  fixed(point.tangent_stiffness, "N/µm", 1), side(Direction::tension),
-                  side(Direction::compression), fixed(normal, "N", 1),
-                  known ? fixed(loose->axial_displacement, "µm", 3) : std::string(kAbsent)});
+  return {fixed(point.axial_displacement, "µm", 3),
+          fixed(point.tangent_stiffness, "N/µm", 1),
+          side(Direction::tension),
+          side(Direction::compression),
+          fixed(normal, "N", 1),
+          known ? fixed(loose->axial_displacement, "µm", 3) : std::string(kAbsent)};
+}
+
+std::string row(const PreloadResult& r, std::size_t k) {
+  const PreloadPoint& point = r.curve.points[k];
+  const std::string force =
+      padded(fixed(point.axial_force, "kN", force_decimals(point.axial_force)), 14, false);
+  if (!point.solve.converged())
+    return fmt::format("{}  NOT CONVERGED ({}), residual {:.1e}\n", force,
+                       fe::name(point.solve.status), point.solve.relative_residual);
+  return kRows(force, cells(point, r.without_preload ? &r.without_preload->points[k] : nullptr));
 }
 
 }  // namespace
@@ -87,9 +90,12 @@ std::string preload_table(const PreloadResult& r) {
     return fmt::format("NOT CONVERGED without external load ({}), residual {:.1e}\n",
                        fe::name(r.at_rest.solve.status), r.at_rest.solve.relative_residual);
   std::string text = summary(r) + '\n';
-  text += columns({"force", "displacement", "tangent", "tension side", "compr. side", "max. normal",
-                   "without"});
-  text += columns({"kN", "µm", "N/µm", "kN", "kN", "N", "preload, µm"});
+  text += kRows("", {"force", "displacement", "tangent", "tension side", "compr. side",
+                     "max. normal", "without"});
+  std::vector<std::string> units;
+  for (const char* unit : {"kN", "µm", "N/µm", "kN", "kN", "N", "preload, µm"})
+    units.push_back(with_table_unit(unit));
+  text += kRows("", units);
   const std::size_t count = r.curve.points.size();
   const std::size_t step = (count + kMostRows - 1) / kMostRows;
   for (std::size_t k = 0; k < count; ++k)

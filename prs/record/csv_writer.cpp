@@ -101,14 +101,12 @@ void CsvWriter::take_number(const char* end) {
 }
 
 void load_header(CsvWriter& csv) {
-  for (const char* key : {"case", "axial_force_N", "direction", "position_mm"}) csv.text(key);
+  csv.fields("case", "axial_force_N", "direction", "position_mm");
 }
 
 void load_fields(CsvWriter& csv, const LoadCase& load) {
-  csv.text(load.name);
-  csv.number(load.axial_force);
-  csv.text(load.direction ? name(*load.direction) : "");
-  csv.number(load.position, per_si::millimetre);
+  csv.fields(load.name, load.axial_force, load.direction ? name(*load.direction) : "",
+             scaled(load.position, per_si::millimetre));
 }
 
 }  // namespace prs

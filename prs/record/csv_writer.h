@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "prs/model/load_case.h"
 #include "prs/record/csv_style.h"
@@ -29,6 +30,18 @@ class CsvWriter {
   void integer(std::optional<std::size_t> value);
   void end_row();
 
+  /// Fields as their types say: texts, flags, whole numbers, numbers that may be absent, and all
+  /// elements of a vector.
+  template <class... Values>
+  void fields(const Values&... values) {
+    (field(values), ...);
+  }
+  template <class... Values>
+  void row(const Values&... values) {
+    fields(values...);
+    end_row();
+  }
+
   void reserve(std::size_t characters) { room(characters); }
   std::string take() {
     csv_.resize(size_);
@@ -40,6 +53,21 @@ class CsvWriter {
   char* room(std::size_t characters) {
     if (csv_.size() - size_ < characters) csv_.resize(size_ + std::max(size_, characters));
     return csv_.data() + size_;
+  }
+  template <class T>
+  void field(const T& value) {
+    if constexpr (std::is_same_v<T, bool>)
+      word(value ? "true" : "false");
+    else if constexpr (std::is_integral_v<T>)
+      integer(static_cast<std::size_t>(value));
+    else if constexpr (std::is_same_v<T, std::optional<std::size_t>>)
+      integer(value);
+    else if constexpr (std::is_convertible_v<T, std::string_view>)
+      text(value);
+    else if constexpr (std::is_convertible_v<T, std::optional<double>>)
+      number(value);
+    else
+      for (const auto& element : value) field(element);
   }
   void put(std::string_view text);
   void separate() {
@@ -57,6 +85,11 @@ class CsvWriter {
   std::size_t size_ = 0;
   bool row_is_empty_ = true;
 };
+
+/// Absent where the value is.
+inline std::optional<double> scaled(std::optional<double> si, double factor) {
+  return si ? std::optional(*si * factor) : std::nullopt;
+}
 
 /// Names of the fields that say which load case a row belongs to.
 void load_header(CsvWriter& csv);

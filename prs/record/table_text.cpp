@@ -36,6 +36,11 @@ std::string significant(std::optional<double> value, int digits) {
   return fmt::format("{:.0f}", std::round(*value / digit) * digit);
 }
 
+std::string digits(std::optional<double> value, int digits) {
+  return value && std::isfinite(*value) ? fmt::format("{:.{}g}", *value, digits)
+                                        : std::string(kAbsent);
+}
+
 std::string all_in(std::string_view file) {
   return fmt::format("all in {}, with --output DIR", file);
 }
@@ -43,6 +48,28 @@ std::string all_in(std::string_view file) {
 std::string padded(const std::string& text, std::size_t columns, bool left_aligned) {
   const std::string space(columns - std::min(columns, width(text)), ' ');
   return left_aligned ? text + space : space + text;
+}
+
+std::string fitted(std::string_view text, std::size_t columns, bool left_aligned) {
+  return padded(shortened(text, columns), columns, left_aligned);
+}
+
+std::string TableRows::operator()(const std::string& label, const std::vector<std::string>& cells,
+                                  std::string_view remark) const {
+  std::string line = padded(label, label_width, true);
+  for (const std::string& cell : cells)
+    line.append(gap, ' ').append(padded(cell, cell_width, false));
+  return ended(line.append(remark));
+}
+
+std::string hanging(const std::string& label, std::size_t columns, std::string_view text) {
+  return wrapped(text, std::string(columns, ' '), kTableWidth)
+      .replace(0, columns, padded(label, columns, true));
+}
+
+std::string ended(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line += '\n';
 }
 
 }  // namespace prs

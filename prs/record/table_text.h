@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace prs {
 
@@ -20,10 +21,32 @@ std::string fixed_change(double value, int decimals);
 /// exponent.
 std::string significant(std::optional<double> value, int digits = 4);
 
+/// As many significant digits, with an exponent where it is shorter.
+std::string digits(std::optional<double> value, int digits);
+
 /// Where a table leaves rows out: `all in slip.csv, with --output DIR`.
 std::string all_in(std::string_view file);
 
 /// The text, padded with spaces to `columns` columns.
 std::string padded(const std::string& text, std::size_t columns, bool left_aligned);
+/// The same of what may be too long: shortened.
+std::string fitted(std::string_view text, std::size_t columns, bool left_aligned = false);
+
+/// The layout of rows with a label and, behind it, cells of one width, aligned to the right.
+struct TableRows {
+  std::size_t label_width;
+  std::size_t cell_width;
+  std::size_t gap = 0;  ///< Blanks before each cell.
+
+  /// One row, the remark at its end.
+  std::string operator()(const std::string& label, const std::vector<std::string>& cells,
+                         std::string_view remark = {}) const;
+};
+
+/// A text behind a label of so many columns; its later lines stand below the first.
+std::string hanging(const std::string& label, std::size_t columns, std::string_view text);
+
+/// The line without the blanks at its end.
+std::string ended(std::string line);
 
 }  // namespace prs

@@ -165,8 +165,7 @@ std::string verdict_table(const CaseVerdict& verdict) {
                        padded(limit, 33, true) + ' ' + padded(words(c.standing), 13, true);
     // What is too long for the line stands below it.
     if (width(line) + width(where) <= kTableWidth) line += std::exchange(where, "");
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + '\n';
+    text += ended(line);
     if (!where.empty()) text += wrapped(where, std::string(kTitleWidth, ' '), kTableWidth);
   }
   const std::string rest = not_computed(verdict);

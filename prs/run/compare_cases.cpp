@@ -247,12 +247,11 @@ Json document(const CaseComparison& c, const DocumentInfo& info) {
 std::string line(const std::string& what, const Both<std::string>& value,
                  const std::optional<double>& change) {
   constexpr std::size_t kName = 50, kValue = 21, kChange = 11;
-  std::string text = "  " + padded(shortened(printable(what), kName), kName, true);
+  std::string text = "  " + fitted(printable(what), kName, true);
   for (const auto& v : value)
-    text +=
-        "  " + padded(shortened(v ? printable(*v) : std::string(kAbsent), kValue), kValue, false);
-  text += padded(change ? fixed_change(100.0 * *change, 2) + " %" : "", kChange, false);
-  return text.substr(0, text.find_last_not_of(' ') + 1) + '\n';
+    text += "  " + fitted(v ? printable(*v) : std::string(kAbsent), kValue);
+  return ended(text +
+               padded(change ? fixed_change(100.0 * *change, 2) + " %" : "", kChange, false));
 }
 
 std::string table(const CaseComparison& c) {
@@ -287,25 +286,12 @@ std::string table(const CaseComparison& c) {
 
 std::string csv(const CaseComparison& c, const CsvStyle& style) {
   CsvWriter csv(style);
-  for (const char* key : {"command", "load_case", "path", "value", "other_value", "change_percent"})
-    csv.text(key);
-  csv.end_row();
-  for (const InputRow& row : c.inputs) {
-    for (const std::string_view text :
-         {std::string_view("input"), std::string_view(), std::string_view(row.path)})
-      csv.text(text);
-    for (const auto& v : row.value) csv.text(v.value_or(""));
-    csv.number(row.change, 100.0);
-    csv.end_row();
-  }
-  for (const ResultRow& row : c.results) {
-    csv.text(name(row.command));
-    csv.text(row.load_case);
-    csv.text(row.path);
-    for (const auto& v : row.value) csv.number(v);
-    csv.number(row.change, 100.0);
-    csv.end_row();
-  }
+  csv.row("command", "load_case", "path", "value", "other_value", "change_percent");
+  for (const InputRow& row : c.inputs)
+    csv.row("input", "", row.path, row.value[0].value_or(""), row.value[1].value_or(""),
+            scaled(row.change, 100.0));
+  for (const ResultRow& row : c.results)
+    csv.row(name(row.command), row.load_case, row.path, row.value, scaled(row.change, 100.0));
   return csv.take();
 }
 

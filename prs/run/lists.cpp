@@ -65,9 +65,7 @@ std::string units_table() {
         if (!spelling.empty())
           units += fmt::format("{}{}", spelling == unit.spellings[0] ? "" : " = ", spelling);
     }
-    const std::string lines = wrapped(units, std::string(kUnitsAt, ' '), kTableWidth);
-    text += padded(fmt::format("{:<38}{}", d->name, d->example), kUnitsAt, true) +
-            lines.substr(kUnitsAt);
+    text += hanging(fmt::format("{:<38}{}", d->name, d->example), kUnitsAt, units);
   }
   return text +
          "\nA number, then its unit: `5 mm`. Differences of temperatures are in K, degC or degF.\n";

@@ -56,10 +56,6 @@ Json factor_json(const Factor& factor, const std::optional<Derivative>& d,
   return json;
 }
 
-std::string label_of(const Factor& factor) {
-  return shortened(printable(factor.label), kFactorWidth);
-}
-
 /// The responses that have no derivative by a factor, by name.
 std::string without_derivative(const CaseDerivatives& result, std::size_t factor) {
   std::vector<std::string> names;
@@ -90,25 +86,18 @@ Json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info) {
 
 std::string derivatives_csv(const CaseDerivatives& result, const CsvStyle& style) {
   CsvWriter csv(style);
-  for (const char* key : {"response", "value", "factor", "label", "at", "unit", "derivative",
-                          "percent_per_percent", "error", "reason"})
-    csv.text(key);
-  csv.end_row();
+  csv.row("response", "value", "factor", "label", "at", "unit", "derivative", "percent_per_percent",
+          "error", "reason");
   for (std::size_t k = 0; k < result.values.size(); ++k)
     for (std::size_t f = 0; f < result.factors.size(); ++f) {
       const Factor& factor = result.study.factors[f];
       const std::optional<Derivative>& d = result.factors[f].responses[k];
-      csv.text(result.study.responses[k]);
-      csv.number(result.values[k]);
-      csv.text(factor.path);
-      csv.text(factor.label);
-      csv.number(factor.base ? factor.base->number : std::nullopt);
-      csv.text(factor.unit);
-      csv.number(d ? std::optional(d->value) : std::nullopt);
-      csv.number(d ? d->elasticity : std::nullopt);
-      csv.number(d ? std::optional(d->error) : std::nullopt);
-      csv.text(d ? "" : result.factors[f].reason);
-      csv.end_row();
+      csv.fields(result.study.responses[k], result.values[k], factor.path, factor.label,
+                 factor.base ? factor.base->number : std::nullopt, factor.unit);
+      if (d)
+        csv.row(d->value, d->elasticity, d->error, "");
+      else
+        csv.row("", "", "", result.factors[f].reason);
     }
   return csv.take();
 }
@@ -127,7 +116,7 @@ std::string derivatives_table(const CaseDerivatives& result) {
       const Factor& factor = result.study.factors[f];
       const Derivative& d = *result.factors[f].responses[k];
       text += fmt::format(
-          "  {}  {}  {:>16.7g}  {}\n", padded(label_of(factor), kFactorWidth, true),
+          "  {}  {}  {:>16.7g}  {}\n", fitted(printable(factor.label), kFactorWidth, true),
           padded(d.elasticity ? fmt::format("{:.5f}", *d.elasticity) : std::string(kAbsent), 16,
                  false),
           shown * d.value, factor.unit.empty() ? "1" : printable(factor.unit));

@@ -12,12 +12,12 @@ constexpr std::size_t kUsualField = 13;  ///< Characters of a number and its sep
 void setting_fields(CsvWriter& csv, const Study& study, const Design& design) {
   const Setting* setting = design.settings.empty() ? nullptr : &design.settings.front();
   const Factor* factor = setting ? &study.factors[setting->factor] : nullptr;
-  csv.text(factor ? factor->path : "");
-  csv.text(factor ? factor->label : "");
-  csv.text(setting ? setting->level.text : "");
-  csv.number(setting ? setting->level.number : std::nullopt);
-  csv.text(setting && setting->level.number ? factor->unit : "");
-  csv.text(is_base(study, design) ? "true" : "false");
+  const Level level = setting ? setting->level : Level{};
+  if (factor)
+    csv.fields(factor->path, factor->label);
+  else
+    csv.fields("", "");
+  csv.fields(level.text, level.number, level.number ? factor->unit : "", is_base(study, design));
 }
 
 void factor_field(CsvWriter& csv, const FactorColumn& column, double value) {
@@ -33,13 +33,10 @@ std::string StudyCsv::header() const {
   CsvWriter csv(style_);
   csv.text("design");
   if (study_.plan == Plan::one_at_a_time)
-    for (const char* key : {"factor", "label", "value", "number", "unit", "base"}) csv.text(key);
+    csv.fields("factor", "label", "value", "number", "unit", "base");
   else
     for (const FactorColumn& column : columns_) csv.text(column.name);
-  csv.text("status");
-  csv.text("reason");
-  for (const std::string& path : study_.responses) csv.text(path);
-  csv.end_row();
+  csv.row("status", "reason", study_.responses);
   return csv.take();
 }
 
@@ -57,8 +54,8 @@ std::string StudyCsv::rows(const RowBlock& block, const std::vector<double>& fac
         factor_field(csv, columns_[f], factors[row * columns_.size() + f]);
     const bool failed = failure != block.failures.end() && failure->row == row;
     if (failed) {
-      csv.text(failure->status.name);
-      csv.text((failure++)->status.reason);
+      csv.fields(failure->status.name, failure->status.reason);
+      ++failure;
     } else {
       csv.word("converged");
       csv.word("");

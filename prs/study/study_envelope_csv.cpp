@@ -23,37 +23,29 @@ std::string envelope_csv(const Study& study, const GridMaps& maps, const Envelop
                          const CsvStyle& style) {
   const std::vector<FactorColumn> columns = factor_columns(study);
   CsvWriter csv(style);
-  csv.text("point");
-  csv.text("design");
+  csv.fields("point", "design");
   for (const FactorColumn& column : columns) csv.text(column.name);
-  for (const std::string& path : study.responses) csv.text(path);
+  csv.fields(study.responses);
   for (const MeasureMap& measure : envelope.measures)
     csv.text("normalised." + study.responses[measure.response]);
-  csv.text("envelope");
-  csv.end_row();
+  csv.row("envelope");
 
   const std::size_t row = maps.axes[1].nodes();
   for (std::size_t k = 0; k < maps.nodes(); ++k) {
-    csv.text("");
-    csv.integer(maps.design(k));
+    csv.fields("", maps.design(k));
     input_fields(
         csv, columns,
         inputs_at(study, maps, {static_cast<double>(k / row), static_cast<double>(k % row)}));
     for (const GridMap& map : maps.responses) csv.number(map[k]);
     for (const MeasureMap& measure : envelope.measures)
       csv.number(maps.responses[measure.response][k] / measure.normalised_by);
-    csv.number(envelope.values[k]);
-    csv.end_row();
+    csv.row(envelope.values[k]);
   }
   for (const EnvelopePoint& point : envelope.points) {
     if (!point.reason.empty()) continue;
-    csv.text(point.name);
-    csv.integer(point.design);
+    csv.fields(point.name, point.design);
     input_fields(csv, columns, point.inputs);
-    for (const double value : point.responses) csv.number(value);
-    for (const double value : point.normalised) csv.number(value);
-    csv.number(point.envelope);
-    csv.end_row();
+    csv.row(point.responses, point.normalised, point.envelope);
   }
   return csv.take();
 }

@@ -29,13 +29,18 @@ constexpr std::size_t kMostRanked = 10;  // Factors per response.
 constexpr double kLeastShare = 1e-3;     // Least share of a factor that is shown.
 constexpr std::size_t kMostRankings = 6;
 constexpr std::size_t kMaxName = 30;
-constexpr std::size_t kStatistic = 9;
+constexpr TableRows kStatistics{kMaxName, 9, 1};
+constexpr TableRows kEnvelope{kMaxName, 9, 2};
 constexpr std::size_t kBarCells = 20;
 
 /// A response over two lines, the unit at the end.
 struct Heading {
   std::string upper, lower;
 };
+
+std::string number(std::optional<double> value, double factor = 1.0) {
+  return digits(value ? std::optional(factor * *value) : std::nullopt, 5);
+}
 
 /// Two lines of about the same width.
 Heading broken(const std::string& text) {
@@ -83,12 +88,8 @@ Columns columns_of(const StudyResult& result) {
   return columns;
 }
 
-std::string number(const std::optional<double>& value, double factor) {
-  return value ? fmt::format("{:.5g}", factor * *value) : std::string(kAbsent);
-}
-
 std::string row_line(const Columns& columns, const std::string& value, const StudyRow& row) {
-  std::string line = padded(shortened(value, columns.value_width), columns.value_width, true);
+  std::string line = fitted(value, columns.value_width, true);
   if (!row.status.converged()) return fmt::format("{}{}{}\n", line, kGap, row.status.name);
   for (std::size_t c = 0; c < columns.widths.size(); ++c)
     line.append(kGap).append(
@@ -206,10 +207,6 @@ std::string factor_tables(const StudyResult& result) {
   return text + '\n';
 }
 
-std::string label_cell(const Study& study, std::size_t factor) {
-  return padded(shortened(printable(study.factors[factor].label), kMaxName), kMaxName, true);
-}
-
 /// A bar of full length at a share of 1.
 std::string bar(double share) {
   std::string text;
@@ -218,17 +215,21 @@ std::string bar(double share) {
   return text;
 }
 
-/// A row of a ranking, without spaces at its end.
-std::string ranked_row(std::size_t k, const std::string& label, const std::string& numbers,
-                       double share) {
-  std::string row = fmt::format("  {:>3}  {}  {}  {}", k + 1, label, numbers, bar(share));
-  row.erase(row.find_last_not_of(' ') + 1);
-  return row + '\n';
-}
-
-/// Under a ranking: what it leaves out.
-std::string more_factors(std::size_t count) {
-  return count > 0 ? fmt::format("       … {} more; {}\n", count, all_in("study.json")) : "";
+/// The first factors, those with a share of at least `least` of what makes all of it.
+template <class Ranked>
+std::string ranking(const Study& study, const std::vector<Ranked>& factors, double least,
+                    const auto& share, const auto& numbers) {
+  std::string text;
+  std::size_t k = 0;
+  for (; k < std::min(factors.size(), kMostRanked); ++k) {
+    const Ranked& f = factors[k];
+    if (k > 0 && share(f) < least) break;
+    text += ended(fmt::format("  {:>3}  {}  {}  {}", k + 1,
+                              fitted(printable(study.factors[f.factor].label), kMaxName, true),
+                              numbers(f), bar(share(f) / share(factors[0]))));
+  }
+  if (k == factors.size()) return text;
+  return text + fmt::format("       … {} more; {}\n", factors.size() - k, all_in("study.json"));
 }
 
 std::string contributions(const Study& study, std::size_t response, const LinearFit& fit) {
@@ -236,16 +237,13 @@ std::string contributions(const Study& study, std::size_t response, const Linear
                                  table_response(study.responses[response]).text(), fit.r_squared);
   if (fit.r_squared < kLowRSquared)
     text += "  little of it is linear: rank by the shares of variance (plan: sobol_indices)\n";
-  std::size_t k = 0;
-  for (; k < std::min(fit.effects.size(), kMostRanked); ++k) {
-    const FactorEffect& effect = fit.effects[k];
-    if (k > 0 && effect.contribution_percent < 100.0 * kLeastShare) break;
-    text += ranked_row(
-        k, label_cell(study, effect.factor),
-        fmt::format("{:+7.2f} %", std::copysign(effect.contribution_percent, effect.coefficient)),
-        effect.contribution_percent / fit.effects[0].contribution_percent);
-  }
-  return text + more_factors(fit.effects.size() - k);
+  return text + ranking(
+                    study, fit.effects, 100.0 * kLeastShare,
+                    [](const FactorEffect& e) { return e.contribution_percent; },
+                    [](const FactorEffect& e) {
+                      return fmt::format("{:+7.2f} %",
+                                         std::copysign(e.contribution_percent, e.coefficient));
+                    });
 }
 
 std::string estimate_text(const Estimate& estimate) {
@@ -259,16 +257,12 @@ std::string variance_shares(const Study& study, std::size_t response,
                                  table_response(study.responses[response]).text(), indices.samples);
   if (indices.left_out > 0) text += fmt::format(", {} left out", indices.left_out);
   text += fmt::format("\n       {}    alone             with others\n", std::string(kMaxName, ' '));
-  std::size_t k = 0;
-  for (; k < std::min(indices.factors.size(), kMostRanked); ++k) {
-    const FactorIndices& factor = indices.factors[k];
-    if (k > 0 && factor.total.value < kLeastShare) break;
-    text +=
-        ranked_row(k, label_cell(study, factor.factor),
-                   fmt::format("{}  {}", estimate_text(factor.first), estimate_text(factor.total)),
-                   factor.total.value / indices.factors[0].total.value);
-  }
-  return text + more_factors(indices.factors.size() - k);
+  return text + ranking(
+                    study, indices.factors, kLeastShare,
+                    [](const FactorIndices& f) { return f.total.value; },
+                    [](const FactorIndices& f) {
+                      return estimate_text(f.first) + "  " + estimate_text(f.total);
+                    });
 }
 
 /// What matters most to each response.
@@ -292,25 +286,22 @@ std::string rankings(const StudyResult& result) {
 }
 
 std::string statistics(const StudyResult& result) {
-  std::string text = fmt::format("\n{:<{}}", "", kMaxName);
-  for (const char* heading : {"in file", "mean", "std dev", "min", "5 %", "95 %", "max"})
-    text += fmt::format(" {:>{}}", heading, kStatistic);
-  text += '\n';
+  std::string text =
+      "\n" + kStatistics("", {"in file", "mean", "std dev", "min", "5 %", "95 %", "max"});
   for (std::size_t k = 0; k < result.summary.statistics.size(); ++k) {
     const ResponseStatistics& s = result.summary.statistics[k];
     const TableResponse response = table_response(result.study.responses[k]);
-    text += padded(shortened(response.text(), kMaxName), kMaxName, true);
     std::vector<std::optional<double>> values{result.base().responses[k]};
     if (s.count > 0)
       values.insert(values.end(),
                     {s.mean, s.standard_deviation, s.min, s.quantiles[1], s.quantiles[3], s.max});
+    std::vector<std::string> cells;
     for (const std::optional<double>& value : values) {
       const double shown = response.factor * value.value_or(0.0);
       const int digits = std::abs(shown) < 1e-4 ? 3 : 4;  // So that those with an exponent fit.
-      const std::string cell = value ? significant(shown, digits) : std::string(kAbsent);
-      text += fmt::format(" {}", padded(cell, kStatistic, false));
+      cells.push_back(value ? significant(shown, digits) : std::string(kAbsent));
     }
-    text += '\n';
+    text += kStatistics(shortened(response.text(), kMaxName), cells);
   }
   const bool all_kept = std::ranges::all_of(result.summary.statistics,
                                             [](const auto& s) { return s.values_kept == s.count; });
@@ -335,15 +326,9 @@ std::string extremes(const StudyResult& result) {
   return text;
 }
 
-std::string envelope_row(const std::string& label, const std::vector<std::string>& cells) {
-  std::string row = padded(shortened(label, kMaxName), kMaxName, true);
-  for (const std::string& cell : cells)
-    row.append("  ").append(padded(shortened(cell, kStatistic), kStatistic, false));
-  return row + '\n';
-}
-
-std::string short_number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.5g}", value) : std::string(kAbsent);
+std::string envelope_row(const std::string& label, std::vector<std::string> cells) {
+  for (std::string& cell : cells) cell = shortened(cell, kEnvelope.cell_width);
+  return kEnvelope(shortened(label, kMaxName), cells);
 }
 
 /// What makes the envelope: `stiffness (N/µm)   weight 3   rms 412.3`.
@@ -356,10 +341,10 @@ std::string envelope_measures(const StudyResult& result) {
   for (const MeasureMap& measure : envelope.measures) {
     const TableResponse response = table_response(result.study.responses[measure.response]);
     text += envelope_row(response.text(), {fmt::format("{:g}", measure.weight),
-                                           short_number(response.factor * measure.normalised_by),
-                                           short_number(response.factor * measure.rms)});
+                                           number(measure.normalised_by, response.factor),
+                                           number(measure.rms, response.factor)});
   }
-  text += envelope_row("envelope", {"", "", short_number(envelope.rms)});
+  text += envelope_row("envelope", {"", "", number(envelope.rms)});
   if (envelope.without > 0)
     text += fmt::format("{} of {} designs have no envelope\n", envelope.without,
                         envelope.values.size());
@@ -379,7 +364,8 @@ std::string envelope_points(const StudyResult& result) {
                          "  ", kTableWidth);
   if (!reasons.empty()) reasons = "\nPoints that the grid does not have\n" + reasons;
   if (found.empty()) return reasons;
-  const std::size_t shown = std::min(found.size(), (kTableWidth - kMaxName) / (kStatistic + 2));
+  const std::size_t shown =
+      std::min(found.size(), (kTableWidth - kMaxName) / (kEnvelope.cell_width + kEnvelope.gap));
   const auto row = [&](const std::string& label, auto cell) {
     std::vector<std::string> cells;
     for (std::size_t k = 0; k < shown; ++k) cells.push_back(cell(*found[k]));
@@ -399,11 +385,10 @@ std::string envelope_points(const StudyResult& result) {
     });
   for (std::size_t k = 0; k < study.responses.size(); ++k) {
     const TableResponse response = table_response(study.responses[k]);
-    text += row(response.text(), [&](const EnvelopePoint& p) {
-      return short_number(response.factor * p.responses[k]);
-    });
+    text += row(response.text(),
+                [&](const EnvelopePoint& p) { return number(p.responses[k], response.factor); });
   }
-  text += row("envelope", [](const EnvelopePoint& p) { return short_number(p.envelope); });
+  text += row("envelope", [](const EnvelopePoint& p) { return number(p.envelope); });
   if (shown < found.size())
     text += fmt::format("… {} more points; {}\n", found.size() - shown, all_in("study.json"));
   if (std::ranges::any_of(found, [](const EnvelopePoint* p) { return !p->design; }))

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,13 @@ TEST(Csv, OneRowAThreadOfEveryAnswer) {
   EXPECT_EQ(rows[19].at("thread"), "20");
   EXPECT_EQ(rows[20].at("case"), "c");
   EXPECT_EQ(rows[20].at("screw_semi_major_mm"), "");
+}
+
+TEST(Csv, FieldsAreWrittenAsTheirTypesSay) {
+  CsvWriter csv(CsvStyle{});
+  csv.row("a,b", true, 3, std::optional<std::size_t>(), 0.5, scaled(std::nullopt, 1e3),
+          std::vector<double>{1.5, std::nan("")}, std::vector<std::string>{"c", "d"});
+  EXPECT_EQ(csv.take(), "\"a,b\",true,3,,0.5,,1.5,,c,d\n");
 }
 
 TEST(Csv, NumbersKeepAllDigits) {

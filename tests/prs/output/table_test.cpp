@@ -78,6 +78,13 @@ TEST(Tables, NumbersHaveFourDigitsAndNoExponent) {
   EXPECT_EQ(significant(std::nullopt), kAbsent);
 }
 
+TEST(Tables, CellsOfRowsLineUpAndNoBlanksEndALine) {
+  constexpr TableRows rows{6, 5, 1};
+  EXPECT_EQ(rows("", {"kN", "µm"}, " "), "          kN    µm\n");
+  EXPECT_EQ(rows("load", {"1.5", "–"}), "load     1.5     –\n");
+  EXPECT_EQ(hanging("  what", 9, "a value"), "  what   a value\n");
+}
+
 TEST(LoadCaseTable, ManyPointsOfARangeFold) {
   Result result;
   add_sweep(result, "sweep-tension", Direction::tension, 45);
