@@ -100,8 +100,11 @@ constexpr Quantity<ContactAt> kInterfaceContact[] = {
      "angle of the first directions"},
     {"normal_angle_deg", point<&Point::normal_angle>, "psi = arccos|n_z|", kSandu,
      "normal against the axis"},
-    {"normal", point<&Point::normal>, "unit vector, outward from the roller: radial, across, axial",
-     kSandu},
+    {"normal", of<[](const ContactAt& c) {
+       const contact::Vector3<double>& n = c.contact().geometry.point.normal;
+       return std::array{n.x, n.y, n.z};
+     }>,
+     "unit vector, outward from the roller: radial, across, axial", kSandu},
     {"backlash_mm",
      of<[](const ContactAt& c) { return c.contact().geometry.point.backlash; },
         [](const ContactAt& c) { return c.same_pitch(); }>,
