@@ -1,88 +1,93 @@
 #include "prs/configurations/configurations_json.h"
 
 #include "prs/configurations/roller_spacing.h"
-#include "prs/model/units.h"
-#include "prs/record/json_values.h"
+#include "prs/loads/contact_record.h"
+#include "prs/record/record_table.h"
 
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr std::string_view kTypes = "standard | inverted";
 
-Json per_part(const PerPart<double>& values, double factor) {
-  Json json;
-  for (const Part p : kParts) put(json, name(p), values[p], factor);
-  return json;
-}
+constexpr Quantity<Mechanism::Starts> kStarts[] = {
+    {"screw", always<&Mechanism::Starts::screw>},
+    {"roller", always<&Mechanism::Starts::roller>},
+};
 
-Json starts_json(Mechanism::Starts starts) {
-  return {{"screw", starts.screw}, {"roller", starts.roller}};
-}
+template <auto get>
+constexpr auto its_mechanism = [](const Configuration& c) { return std::invoke(get, c.mechanism); };
 
-Json rollers_json(const Configuration& c) {
-  const Mechanism& m = c.mechanism;
-  Json json;
-  json["most"] = c.most_rollers;
-  json["chosen"] = m.rollers;
-  put(json, "crest_gap_mm", c.crest_gap, per_si::millimetre);
-  put(json, "indexing_angle_deg", indexing_angle(m.type, m.starts, m.rollers), per_si::degree);
-  json["alike"] = c.alike;
-  return json;
-}
+constexpr Quantity<Configuration> kRollers[] = {
+    {"most", always<&Configuration::most_rollers>, "that fit with the gap"},
+    {"chosen", always<its_mechanism<&Mechanism::rollers>>},
+    {"crest_gap_mm", of<&Configuration::crest_gap>, "between neighbours"},
+    {"indexing_angle_deg",
+     of<its_mechanism<[](auto& m) { return indexing_angle(m.type, m.starts, m.rollers); }>>,
+     "by which each is turned against its neighbour"},
+    {"alike",
+     always<&Configuration::alike>, "numbers of rollers that all go in turned the same way"},
+};
 
-Json gear_pair_json(const GearPair& pair) {
-  Json json;
-  json["roller_teeth"] = pair.roller_teeth;
-  json["body_teeth"] = pair.body_teeth;
-  put(json, "module_mm", pair.module, per_si::millimetre);
-  json["series"] = pair.series;
-  put(json, "working_pressure_angle_deg", pair.working_pressure_angle, per_si::degree);
-  put(json, "profile_shift", pair.profile_shift);
-  json["most_rollers"] = pair.most_rollers;
-  return json;
-}
+constexpr Quantity<GearPair> kGears[] = {
+    {"roller_teeth", always<&GearPair::roller_teeth>},
+    {"body_teeth", always<&GearPair::body_teeth>},
+    {"module_mm", always<&GearPair::module>},
+    {"series", always<&GearPair::series>, "of the standard modules"},
+    {"working_pressure_angle_deg", of<&GearPair::working_pressure_angle>},
+    {"profile_shift", of<&GearPair::profile_shift>},
+    {"most_rollers", of<&GearPair::most_rollers>},
+};
 
-Json configuration_json(const Configuration& c) {
-  Json json;
-  json["type"] = type_name(c.mechanism.type);
-  json["starts"] = starts_json(c.mechanism.starts);
-  put(json, "pitch_mm", axial_pitch(c.mechanism), per_si::millimetre);
-  json["rolling_diameter_mm"] = per_part(c.rolling_diameter, per_si::millimetre);
-  json["pitch_diameter_mm"] = per_part(c.pitch_diameter, per_si::millimetre);
-  put(json, "centre_distance_mm", c.centre_distance, per_si::millimetre);
-  put(json, "gear_ratio", c.gear_ratio);
-  json["lead_mm"] = per_part(c.lead, per_si::millimetre);
-  json["helix_angle_deg"] = per_part(c.helix_angle, per_si::degree);
-  json["roller_hand"] = c.lead.roller > 0.0 ? "right" : "left";
-  put(json, "roller_profile_radius_mm", c.mechanism.profile.roller.radius, per_si::millimetre);
-  json["rollers"] = rollers_json(c);
-  json["gears"] = Json::array();
-  for (const GearPair& pair : c.gears) json["gears"].push_back(gear_pair_json(pair));
-  return json;
-}
+using Numbered = Within<Configurations, Configuration>;
+
+constexpr Quantity<Numbered> kConfiguration[] = {
+    {"number",
+     always<[](auto& c) { return c.item - c.whole->found.data() + 1; }>, "what `--write` takes"},
+    {"type", always<[](auto& c) { return type_name(c.item->mechanism.type); }>, kTypes},
+    {"starts", always_table<kStarts, its<its_mechanism<&Mechanism::starts>>>},
+    {"pitch_mm", of<its<its_mechanism<axial_pitch>>>},
+    {"rolling_diameter_mm", of<its<&Configuration::rolling_diameter>>},
+    {"pitch_diameter_mm", of<its<&Configuration::pitch_diameter>>},
+    {"centre_distance_mm", of<its<&Configuration::centre_distance>>},
+    {"gear_ratio", of<its<&Configuration::gear_ratio>>},
+    {"lead_mm", of<its<&Configuration::lead>>},
+    {"helix_angle_deg", of<its<&Configuration::helix_angle>>},
+    {"roller_hand",
+     of<[](auto& c) { return (c.item->lead.roller > 0.0) ? "right" : "left"; }>, "right | left"},
+    {"roller_profile_radius_mm",
+     of<its<its_mechanism<[](auto& m) { return m.profile.roller.radius; }>>>},
+    {"rollers", always_table<kRollers, its<std::identity{}>>},
+    {"gears", always_table<kGears, its<&Configuration::gears>>, "the most suitable first"},
+};
+
+constexpr Quantity<LeftOut> kLeftOut[] = {
+    {"type", always<[](auto& l) { return type_name(l.type); }>, kTypes},
+    {"starts", always_table<kStarts, &LeftOut::starts>},
+    {"reason", always<&LeftOut::reason>},
+    {"detail", filled<&LeftOut::detail>},
+};
+
+constexpr Quantity<Configurations> kConfigurations[] = {
+    {"configurations",
+     always_table<kConfiguration, [](auto& all) { return within(all, all.found); }>},
+    {"left_out", always_table<kLeftOut, &Configurations::left_out>},
+};
 
 }  // namespace
+
+template <>
+Record<Configurations> record_of() {
+  return {"Configurations", "Starts that give a sound mechanism, and those that do not.",
+          kConfigurations};
+}
 
 std::string_view type_name(Mechanism::Type type) {
   return type == Mechanism::Type::standard ? "standard" : "inverted";
 }
 
-Json configurations_json(const Configurations& all, const DocumentInfo& info) {
-  Json document = document_head(info, {});
-  document["configurations"] = Json::array();
-  for (std::size_t k = 0; k < all.found.size(); ++k) {
-    Json json{{"number", k + 1}};
-    json.update(configuration_json(all.found[k]));
-    document["configurations"].push_back(std::move(json));
-  }
-  document["left_out"] = Json::array();
-  for (const LeftOut& left_out : all.left_out) {
-    Json json{{"type", type_name(left_out.type)},
-              {"starts", starts_json(left_out.starts)},
-              {"reason", left_out.reason}};
-    if (!left_out.detail.empty()) json["detail"] = left_out.detail;
-    document["left_out"].push_back(std::move(json));
-  }
+nlohmann::ordered_json configurations_json(const Configurations& all, const DocumentInfo& info) {
+  nlohmann::ordered_json document = document_head(info, {});
+  put_object(document, all);
   return document;
 }
 

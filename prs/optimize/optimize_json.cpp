@@ -1,177 +1,244 @@
 #include "prs/optimize/optimize_json.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "prs/optimize/optimize_designs.h"
-#include "prs/record/json_values.h"
+#include "prs/record/record_table.h"
+#include "prs/study/study_json.h"
 
 namespace prs {
 namespace {
 
-using Json = nlohmann::ordered_json;
+/// A design of a result, by its place among those of both searches.
+struct DesignAt {
+  const OptimizationResult* result = nullptr;
+  const EvaluatedDesign* design = nullptr;
+  std::size_t index = 0;
 
-std::string_view name(Compromise::By by) {
-  switch (by) {
-    case Compromise::By::ideal:
-      return "ideal";
-    case Compromise::By::knee:
-      return "knee";
-    case Compromise::By::weights:
-      return "weights";
-    case Compromise::By::best:
-      break;
-  }
-  return "best";
+  const Study& study() const { return result->optimization.study; }
+  std::size_t number() const { return index + 1; }
+  bool is_feasible() const { return design->is_feasible(); }
+};
+
+struct ConstraintOf {
+  const DesignAt* of = nullptr;
+  const Constraint* constraint = nullptr;
+};
+
+struct SearchOf {
+  const OptimizationResult* result = nullptr;
+  const Search* search = nullptr;
+  std::size_t first = 0;
+};
+
+struct Best {
+  const OptimizationResult* result = nullptr;
+  std::size_t objective = 0;
+};
+
+std::optional<DesignAt> design_at(const OptimizationResult& result,
+                                  const std::optional<std::size_t>& index) {
+  return index ? std::optional(DesignAt{&result, &result.design(*index), *index}) : std::nullopt;
 }
 
-Json variable_json(const Factor& variable) {
-  Json json;
-  json["path"] = variable.path;
-  json["label"] = variable.label;
-  if (!variable.unit.empty()) json["unit"] = variable.unit;
-  if (variable.distribution.kind == Distribution::Kind::levels) {
-    json["values"] = Json::array();
-    for (const Level& level : variable.levels) json["values"].push_back(level.text);
-  } else {
-    json["from"] = variable.distribution.first;
-    json["to"] = variable.distribution.second;
-  }
-  for (const Factor& linked : variable.companions) json["with"].push_back(linked.path);
-  return json;
-}
+// What was asked for.
 
-/// A response of a design that has an answer.
-void put_response(Json& json, const std::string& key, double value) {
-  if (std::isfinite(value)) json[key] = value;
-}
+constexpr auto is_listed = [](const Factor& variable) {
+  return variable.distribution.kind == Distribution::Kind::levels;
+};
+template <double Distribution::*end>
+constexpr auto of_end = of<[](const Factor& variable) { return variable.distribution.*end; },
+                           [](const Factor& variable) { return !is_listed(variable); }>;
 
-Json design_json(const OptimizationResult& result, const EvaluatedDesign& design) {
-  const Study& study = result.optimization.study;
-  Json json;
-  json["variables"] = Json::object();
-  for (const DrawnInput& drawn : drawn_inputs(study))
-    if (const auto value = value_in(*drawn.input, design.draws[drawn.factor])) {
-      Json& entry = json["variables"][drawn.input->path];
-      entry["value"] = value->text;
-      put(entry, "number", value->number);
-    }
-  json["status"] = design.status.name;
-  if (!design.status.reason.empty()) json["reason"] = design.status.reason;
-  json["feasible"] = design.is_feasible();
-  put_response(json, "violation", design.violation);
-  json["responses"] = Json::object();
-  for (std::size_t k = 0; k < design.responses.size(); ++k)
-    put_response(json["responses"], study.responses[k], design.responses[k]);
-  return json;
-}
+constexpr Quantity<Factor> kVariableRows[] = {
+    {"path", always<&Factor::path>},
+    {"label", always<&Factor::label>},
+    {"unit", filled<&Factor::unit>},
+    {"values",
+     of<[](auto& variable) {
+       std::vector<std::string> values;
+       for (const Level& level : variable.levels) values.push_back(level.text);
+       return values;
+     },
+        is_listed>},
+    {"from", of_end<&Distribution::first>},
+    {"to", of_end<&Distribution::second>},
+    {"with", filled<[](auto& variable) {
+       std::vector<std::string> paths;
+       for (const Factor& linked : variable.companions) paths.push_back(linked.path);
+       return paths;
+     }>},
+};
 
-Json constraints_json(const OptimizationResult& result, const EvaluatedDesign& design) {
-  Json list = Json::array();
-  for (const Constraint& constraint : result.optimization.constraints) {
-    Json json;
-    json["name"] = constraint.name;
-    json["constraint"] = constraint_text(result, constraint);
-    put_response(json, "value", design.responses[constraint.response]);
-    put_response(json, "limit", limit_of(constraint, design, result.initial));
-    json["satisfied"] = keeps(constraint, design, result.initial);
-    list.push_back(std::move(json));
-  }
-  return list;
-}
+using Goal = Within<Optimization, Objective>;
+template <bool maximize>
+constexpr auto goal =
+    of<[](const Goal& g) { return g.whole->study.responses[g.item->response]; },
+       [](const Goal& g) { return g.item->maximize == maximize; }>;
 
-/// With what a reader wants of it next to the file's own design.
-Json chosen_json(const OptimizationResult& result, std::size_t index) {
-  const Optimization& optimization = result.optimization;
-  const EvaluatedDesign& design = result.design(index);
-  Json json;
-  json["design"] = index + 1;
-  json["algorithm"] = name(result.search_of(index).algorithm);
-  json.update(design_json(result, design));
-  json["change_percent"] = Json::object();
-  for (std::size_t k = 0; k < design.responses.size(); ++k)
-    put(json["change_percent"], optimization.study.responses[k],
-        change_percent(design.responses[k], result.initial.responses[k]));
-  json["constraints"] = constraints_json(result, design);
-  json["set"] = settings_of(optimization, design);
-  return json;
-}
+constexpr Quantity<Goal> kObjectiveRows[] = {
+    {"minimize", goal<false>},
+    {"maximize", goal<true>},
+};
 
-Json search_json(const OptimizationResult& result, const Search& search, std::size_t first) {
-  const SearchCounts counts = count(search);
-  Json json;
-  json["algorithm"] = name(search.algorithm);
-  json["designs"] = counts.designs;
-  json["feasible"] = counts.feasible;
-  json["without_answer"] = counts.without_answer;
-  json["front"] = Json::array();
-  for (const std::size_t k : search.front) {
-    Json design;
-    design["design"] = first + k;
-    design.update(design_json(result, search.designs[k]));
-    json["front"].push_back(std::move(design));
-  }
-  return json;
-}
+template <Compromise::By by>
+constexpr auto is_by = [](const Optimization& o) { return o.compromise.by == by; };
 
-Json head_json(const Optimization& optimization) {
-  const Study& study = optimization.study;
-  Json json;
-  json["command"] = name(study.command);
-  json["variables"] = Json::array();
-  for (const Factor& variable : study.factors) json["variables"].push_back(variable_json(variable));
-  json["objectives"] = Json::array();
-  for (const Objective& objective : optimization.objectives)
-    json["objectives"].push_back(
-        {{objective.maximize ? "maximize" : "minimize", study.responses[objective.response]}});
-  json["algorithm"] = name(optimization.algorithm);
-  if (optimization.check) json["check"] = name(*optimization.check);
-  json["population"] = optimization.population;
-  json["generations"] = optimization.generations;
-  json["seed"] = optimization.seed;
-  json["compromise"]["by"] = name(optimization.compromise.by);
-  if (optimization.compromise.by == Compromise::By::weights)
-    json["compromise"]["weights"] = optimization.compromise.weights;
-  if (optimization.compromise.by == Compromise::By::best)
-    json["compromise"]["of"] =
-        study.responses[optimization.objectives[optimization.compromise.objective].response];
-  return json;
-}
+constexpr Quantity<Optimization> kCompromiseRows[] = {
+    {"by", always<[](auto& o) {
+       constexpr std::array kNames{"ideal", "knee", "weights", "best"};
+       return kNames.at(static_cast<std::size_t>(o.compromise.by));
+     }>,
+     "ideal | knee | weights | best"},
+    {"weights",
+     always<[](auto& o) { return o.compromise.weights; }, is_by<Compromise::By::weights>>},
+    {"of",
+     of<[](auto& o) { return o.study.responses[o.objectives[o.compromise.objective].response]; },
+        is_by<Compromise::By::best>>},
+};
 
-Json comparison_json(const OptimizationResult& result) {
-  const FrontComparison& comparison = *result.comparison;
-  Json json;
-  json["hypervolume"] = comparison.hypervolume;
-  json["check_hypervolume"] = comparison.check_hypervolume;
-  json["best"] = Json::array();
-  for (std::size_t k = 0; k < comparison.best.size(); ++k) {
-    const std::size_t response = result.optimization.objectives[k].response;
-    Json best;
-    best["objective"] = result.optimization.study.responses[response];
-    best["value"] = comparison.best[k];
-    best["check_value"] = comparison.check_best[k];
-    put(best, "difference_percent", change_percent(comparison.check_best[k], comparison.best[k]));
-    json["best"].push_back(std::move(best));
-  }
-  return json;
-}
+constexpr Quantity<Optimization> kOptimizationRows[] = {
+    {"command", always<[](auto& o) { return name(o.study.command); }>},
+    {"variables",
+     always_table<kVariableRows, [](auto& o) -> const std::vector<Factor>& {
+       return o.study.factors;
+     }>},
+    {"objectives", always_table<kObjectiveRows, [](auto& o) { return within(o, o.objectives); }>},
+    {"algorithm", always<&Optimization::algorithm>},
+    {"check", of<&Optimization::check>},
+    {"population", always<&Optimization::population>},
+    {"generations", always<&Optimization::generations>},
+    {"seed", always<&Optimization::seed>},
+    {"compromise", always_table<kCompromiseRows>},
+};
+
+// Designs.
+
+constexpr Quantity<DesignAt> kDesignRows[] = {
+    {"variables", always<[](auto& d) {
+       ByKey<Level> values;
+       for (const DrawnInput& drawn : drawn_inputs(d.study()))
+         if (const auto value = value_in(*drawn.input, d.design->draws[drawn.factor]))
+           values.emplace_back(drawn.input->path, *value);
+       return values;
+     }>,
+     "by the paths of the inputs"},
+    {"status", always<[](auto& d) { return d.design->status.name; }>},
+    {"reason", filled<[](auto& d) { return d.design->status.reason; }>},
+    {"feasible", always<&DesignAt::is_feasible>},
+    {"violation", of<[](auto& d) { return d.design->violation; }>},
+    {"responses", always<[](auto& d) { return by_key(d.study().responses, d.design->responses); }>,
+     "by their paths"},
+};
+
+constexpr Quantity<ConstraintOf> kConstraintRows[] = {
+    {"name", always<[](auto& c) { return c.constraint->name; }>},
+    {"constraint", always<[](auto& c) { return constraint_text(*c.of->result, *c.constraint); }>},
+    {"value", of<[](auto& c) { return c.of->design->responses[c.constraint->response]; }>},
+    {"limit",
+     of<[](auto& c) { return limit_of(*c.constraint, *c.of->design, c.of->result->initial); }>},
+    {"satisfied",
+     always<[](auto& c) { return keeps(*c.constraint, *c.of->design, c.of->result->initial); }>},
+};
+
+constexpr auto constraints_of = [](const DesignAt& d) {
+  std::vector<ConstraintOf> all;
+  for (const Constraint& c : d.result->optimization.constraints) all.push_back({&d, &c});
+  return all;
+};
+
+constexpr Quantity<DesignAt> kInitialRows[] = {
+    {"", always_table<kDesignRows>},
+    {"constraints", always_table<kConstraintRows, constraints_of>},
+};
+
+constexpr Quantity<DesignAt> kNumberedRows[] = {
+    {"design", always<&DesignAt::number>, "its number in history.csv"},
+    {"", always_table<kDesignRows>},
+};
+
+constexpr Quantity<DesignAt> kChosenRows[] = {
+    {"design", always<&DesignAt::number>, "its number in history.csv"},
+    {"algorithm",
+     always<[](auto& d) { return d.result->search_of(d.index).algorithm; }>, "that found it"},
+    {"", always_table<kDesignRows>},
+    as_shown<DesignAt>({"change_percent", always<[](auto& d) {
+                          std::vector<std::optional<double>> changes;
+                          for (std::size_t k = 0; k < d.design->responses.size(); ++k)
+                            changes.push_back(change_percent(d.design->responses[k],
+                                                             d.result->initial.responses[k]));
+                          return by_key(d.study().responses, changes);
+                        }>,
+                        "against the file's own design"}),
+    {"constraints", always_table<kConstraintRows, constraints_of>},
+    {"set", always<[](auto& d) { return settings_of(d.result->optimization, *d.design); }>,
+     "what `--set` takes for it"},
+};
+
+constexpr Quantity<SearchOf> kSearchRows[] = {
+    {"algorithm", always<[](auto& s) { return s.search->algorithm; }>},
+    {"designs", always<[](auto& s) { return count(*s.search).designs; }>},
+    {"feasible", always<[](auto& s) { return count(*s.search).feasible; }>},
+    {"without_answer", always<[](auto& s) { return count(*s.search).without_answer; }>},
+    {"front", always_table<kNumberedRows, [](auto& s) {
+       std::vector<DesignAt> front;
+       for (const std::size_t k : s.search->front)
+         front.push_back({s.result, &s.search->designs[k], s.first + k});
+       return front;
+     }>},
+};
+
+constexpr Quantity<Best> kBestRows[] = {
+    {"objective", always<[](auto& b) {
+       const Optimization& o = b.result->optimization;
+       return o.study.responses[o.objectives[b.objective].response];
+     }>},
+    {"value", of<[](auto& b) { return b.result->comparison->best[b.objective]; }>},
+    {"check_value", of<[](auto& b) { return b.result->comparison->check_best[b.objective]; }>},
+    as_shown<Best>({"difference_percent", of<[](auto& b) {
+                      const FrontComparison& c = *b.result->comparison;
+                      return change_percent(c.check_best[b.objective], c.best[b.objective]);
+                    }>}),
+};
+
+constexpr Quantity<OptimizationResult> kComparisonRows[] = {
+    {"hypervolume", always<[](auto& r) { return r.comparison->hypervolume; }>},
+    {"check_hypervolume", always<[](auto& r) { return r.comparison->check_hypervolume; }>},
+    {"best", always_table<kBestRows, [](auto& r) {
+       std::vector<Best> all;
+       for (std::size_t k = 0; k < r.comparison->best.size(); ++k) all.push_back({&r, k});
+       return all;
+     }>},
+};
+
+constexpr Quantity<OptimizationResult> kResultRows[] = {
+    {"optimize", always_table<kOptimizationRows, &OptimizationResult::optimization>},
+    {"initial", always_table<kInitialRows, [](auto& r) { return DesignAt{&r, &r.initial}; }>},
+    {"compromise", of_table<kChosenRows, [](auto& r) { return design_at(r, r.compromise); }>},
+    {"nearest", of_table<kChosenRows, [](auto& r) { return design_at(r, r.nearest); }>},
+    {"front", always<[](auto& r) {
+       std::vector<std::size_t> numbers;
+       for (const std::size_t k : r.front) numbers.push_back(k + 1);
+       return numbers;
+     }>,
+     "numbers in history.csv"},
+    {"search", always_table<kSearchRows, [](auto& r) { return SearchOf{&r, &r.search}; }>},
+    {"check", of_table<kSearchRows, [](auto& r) {
+       return r.check ? std::optional(SearchOf{&r, &*r.check, r.search.designs.size()})
+                      : std::nullopt;
+     }>},
+    {"comparison",
+     of_table<kComparisonRows, std::identity{}, [](auto& r) { return r.comparison.has_value(); }>},
+};
 
 }  // namespace
 
-Json optimize_json(const OptimizationResult& result, const DocumentInfo& info) {
-  Json document = document_head(info, {});
-  document["optimize"] = head_json(result.optimization);
-  document["initial"] = design_json(result, result.initial);
-  document["initial"]["constraints"] = constraints_json(result, result.initial);
-  if (result.compromise) document["compromise"] = chosen_json(result, *result.compromise);
-  if (result.nearest) document["nearest"] = chosen_json(result, *result.nearest);
-  document["front"] = Json::array();
-  for (const std::size_t k : result.front) document["front"].push_back(k + 1);
-  document["search"] = search_json(result, result.search, 1);
-  if (result.check)
-    document["check"] = search_json(result, *result.check, 1 + result.search.designs.size());
-  if (result.comparison) document["comparison"] = comparison_json(result);
+template <>
+Record<OptimizationResult> record_of() {
+  return {"Optimization", "What was asked for, and the best designs.", kResultRows};
+}
+
+nlohmann::ordered_json optimize_json(const OptimizationResult& result, const DocumentInfo& info) {
+  nlohmann::ordered_json document = document_head(info, {});
+  put_object(document, result);
   return document;
 }
 

@@ -4,8 +4,12 @@
 
 #include "prs/loads/load_json.h"
 #include "prs/optimize/optimization_result.h"
+#include "prs/record/record.h"
 
 namespace prs {
+
+template <>
+Record<OptimizationResult> record_of();
 
 /// The document of `prs optimize --json`: what was asked for, the file's own design, the
 /// compromise with changes in percent, the front by numbers of its designs, of each search its own

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "prs/record/shown_unit.h"
@@ -28,6 +29,19 @@ enum class Kind {
   record,   ///< An object with quantities of its own.
   records,  ///< An array of them.
 };
+
+/// What a schema says of a quantity besides its kind.
+struct Form {
+  bool required = false;  ///< In every document.
+  bool finite = false;    ///< A series without gaps.
+  bool whole = false;     ///< A series of integers.
+  bool in_rows = false;   ///< A series that stands in rows where there are several rollers.
+  bool by_key = false;    ///< An object with any keys; the kind is that of its values.
+};
+
+/// The values of an object with any keys, in their order.
+template <class T>
+using ByKey = std::vector<std::pair<std::string, T>>;
 
 /// Where a quantity is available as a response.
 enum class Reach {
@@ -74,6 +88,7 @@ struct Getter {
   /// Of what `json` gives: the number behind the key, `.max`, `[2].thread`, ..; none where there
   /// cannot be one.
   std::optional<Reader<Owner>> (*reader)(std::string_view path, const ShownUnit&) = nullptr;
+  Form form = {};
 };
 
 /// One row of the table.
@@ -83,7 +98,7 @@ struct Quantity {
   /// of its owner.
   std::string_view key;
   Getter<Owner> value;
-  std::string_view meaning = {};   ///< A sentence or a formula.
+  std::string_view meaning = {};   ///< A sentence or a formula; `a | b`: all words of a text.
   std::string_view source = {};    ///< Paper and equation, or a standard.
   std::string_view title = {};     ///< In tables; by default the words of the key.
   std::string_view group = {};     ///< Heading above neighbouring quantities.
@@ -96,6 +111,12 @@ struct Quantity {
   }
 };
 
+/// A quantity whose numbers are already in the unit of its key.
+template <class Owner>
+constexpr Quantity<Owner> as_shown(const Quantity<Owner>& q) {
+  return {q.key, q.value, q.meaning, q.source, q.title, q.group, q.validity, q.delivery, kNoUnit};
+}
+
 /// A row without its owner.
 struct QuantityInfo {
   std::string_view key;
@@ -104,6 +125,7 @@ struct QuantityInfo {
   std::string_view unit, meaning, source, group, validity;
   const RecordInfo& (*record)() = nullptr;
   Reach delivery = Reach::numbers;
+  Form form = {};
 };
 
 struct RecordInfo {

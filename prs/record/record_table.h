@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <concepts>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
@@ -10,7 +11,18 @@
 
 namespace prs {
 
-/// The document of an object: what is absent or not finite is left out.
+/// Adds quantities of an object to a document: what is absent or not finite is left out.
+template <class Owner>
+void put_quantities(nlohmann::ordered_json& document, std::span<const Quantity<Owner>> quantities,
+                    const Owner& owner, const ShownUnit& inherited = kNoUnit);
+
+/// All of them.
+template <class Owner>
+void put_object(nlohmann::ordered_json& document, const Owner& owner) {
+  put_quantities(document, record_of<Owner>().quantities, owner);
+}
+
+/// The document of an object.
 template <class Owner>
 nlohmann::ordered_json object_of(const Owner& owner, const ShownUnit& inherited = kNoUnit);
 
@@ -21,6 +33,9 @@ std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& i
 /// The table as text.
 template <class Owner>
 const RecordInfo& describe();
+template <class Owner>
+RecordInfo described(std::string_view name, std::string_view meaning,
+                     std::span<const Quantity<Owner>> quantities);
 
 namespace detail {
 
@@ -32,6 +47,14 @@ template <class T>
 inline constexpr bool is_vector = false;
 template <class T>
 inline constexpr bool is_vector<std::vector<T>> = true;
+template <class T>
+inline constexpr bool is_by_key = false;
+template <class T>
+inline constexpr bool is_by_key<ByKey<T>> = true;
+template <class T>
+inline constexpr bool is_whole_series = false;
+template <std::integral T>
+inline constexpr bool is_whole_series<std::vector<T>> = true;
 
 template <class T>
 concept Text = std::convertible_to<T, std::string_view> || std::is_enum_v<T>;
@@ -62,10 +85,19 @@ inline nlohmann::ordered_json array_of(const auto& si, const ShownUnit& unit) {
   return array;
 }
 
+/// What an optional or a pointer holds.
+template <class T>
+using Held = std::remove_cvref_t<decltype(*pointer_to(std::declval<const T&>()))>;
+
+template <class Owner>
+concept HasRows = requires(const Owner& owner) {
+  owner.threads_per_roller;
+};
+
 /// Length of the rows in which the owner's series stand; 0: in one.
 template <class Owner>
 std::size_t row_length(const Owner& owner) {
-  if constexpr (requires { owner.threads_per_roller; })
+  if constexpr (HasRows<Owner>)
     return static_cast<std::size_t>(owner.threads_per_roller);
   else
     return 0;
@@ -82,9 +114,17 @@ inline nlohmann::ordered_json arrays_of(std::span<const double> si, std::size_t 
 
 template <class T>
 nlohmann::ordered_json json_of(const T& value, const ShownUnit& unit) {
-  if constexpr (std::is_integral_v<T> || std::is_same_v<T, std::vector<std::string>> ||
-                std::is_same_v<T, std::vector<int>>) {
+  if constexpr (is_by_key<T>) {
+    auto object = nlohmann::ordered_json::object();
+    for (const auto& [key, held] : value)
+      if (const auto* item = pointer_to(held))
+        if (auto json = json_of(*item, unit); !json.is_null()) object[key] = std::move(json);
+    return object;
+  } else if constexpr (std::is_integral_v<T> || is_whole_series<T> ||
+                       std::is_same_v<T, std::vector<std::string>>) {
     return value;
+  } else if constexpr (std::is_floating_point_v<T>) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value * unit.factor) : nullptr;
   } else if constexpr (std::is_enum_v<T>) {
     return std::string(name(value));
   } else if constexpr (Text<T>) {
@@ -102,7 +142,9 @@ nlohmann::ordered_json json_of(const T& value, const ShownUnit& unit) {
 
 template <class T>
 constexpr Kind kind_of() {
-  if constexpr (std::is_same_v<T, bool>)
+  if constexpr (is_by_key<T>)
+    return kind_of<Held<typename T::value_type::second_type>>();
+  else if constexpr (std::is_same_v<T, bool>)
     return Kind::flag;
   else if constexpr (std::is_integral_v<T>)
     return Kind::count;
@@ -148,12 +190,13 @@ std::optional<Reader<T>> matrix_reader(std::string_view path, double factor) {
 /// The number at what follows the key of an item: `.screw.max`, `[2].thread`, or nothing.
 template <class T>
 std::optional<Reader<T>> item_reader(std::string_view path, const ShownUnit& unit) {
-  if constexpr (std::is_same_v<T, bool> || Text<T> || std::is_same_v<T, std::vector<std::string>>) {
+  if constexpr (is_by_key<T> || std::is_same_v<T, bool> || Text<T> ||
+                std::is_same_v<T, std::vector<std::string>>) {
     return std::nullopt;
   } else if constexpr (std::is_integral_v<T>) {
     if (!path.empty()) return std::nullopt;
     return Reader<T>{[](const T& value) { return std::optional(static_cast<double>(value)); }};
-  } else if constexpr (std::is_same_v<T, std::vector<int>>) {
+  } else if constexpr (is_whole_series<T>) {
     const SeriesReader read = summary_named(path, 1.0);
     if (!read) return std::nullopt;
     return Reader<T>{[read](const T& values) {
@@ -181,14 +224,15 @@ std::optional<Reader<T>> item_reader(std::string_view path, const ShownUnit& uni
 }
 
 /// What `get` gives of an owner of which `guard` is true.
-template <auto get, auto guard, class Owner>
+template <auto get, auto guard, bool always, class Owner>
 struct Access {
   using Given = std::invoke_result_t<decltype(get), const Owner&>;
-  using Item =
-      std::remove_cvref_t<decltype(*pointer_to(std::declval<const std::remove_cvref_t<Given>&>()))>;
+  using Item = Held<std::remove_cvref_t<Given>>;
+
+  static constexpr bool kGuarded = !std::is_null_pointer_v<std::remove_cv_t<decltype(guard)>>;
 
   static bool defined(const Owner& owner) {
-    if constexpr (std::is_null_pointer_v<decltype(guard)>)
+    if constexpr (!kGuarded)
       return true;
     else
       return std::invoke(guard, owner);
@@ -232,14 +276,22 @@ struct Access {
     constexpr bool in_place =
         std::is_same_v<Item, std::vector<double>> && std::is_reference_v<Given>;
     Getter<Owner> getter{kind};
-    if constexpr (kind == Kind::number) {
+    getter.form = {.required = always && !kGuarded,
+                   .finite = always,
+                   .whole = is_whole_series<Item>,
+                   .in_rows = in_place && HasRows<Owner>,
+                   .by_key = is_by_key<Item>};
+    if constexpr (kind == Kind::number && !is_by_key<Item>) {
       getter.number = number;
     } else if constexpr (kind == Kind::series && in_place) {
       getter.series = series;
     } else {
       getter.json = json;
       getter.reader = reader;
-      if constexpr (kind == Kind::record) {
+      if constexpr (is_by_key<Item>) {
+        if constexpr (kind == Kind::record)
+          getter.record = describe<Held<typename Item::value_type::second_type>>;
+      } else if constexpr (kind == Kind::record) {
         getter.record = describe<Item>;
       } else if constexpr (kind == Kind::records) {
         getter.record = describe<typename Item::value_type>;
@@ -249,11 +301,49 @@ struct Access {
   }
 };
 
-template <auto get, auto guard>
+template <auto get, auto guard, bool always = false>
 struct Of {
   template <class Owner>
   constexpr operator Getter<Owner>() const {
-    return Access<get, guard, Owner>::getter();
+    return Access<get, guard, always, Owner>::getter();
+  }
+};
+
+template <const auto& quantities, class T>
+nlohmann::ordered_json json_by(const T& value, const ShownUnit& unit) {
+  auto json = nlohmann::ordered_json::object();
+  if constexpr (is_by_key<T>) {
+    for (const auto& [key, held] : value) json[key] = json_by<quantities>(held, unit);
+  } else if constexpr (is_vector<T>) {
+    json = nlohmann::ordered_json::array();
+    for (const auto& held : value) json.push_back(json_by<quantities>(held, unit));
+  } else {
+    put_quantities<T>(json, quantities, value, unit);
+  }
+  return json;
+}
+
+template <class Owner, std::size_t n>
+Owner owner_of(const Quantity<Owner> (&)[n]);
+
+template <const auto& quantities, auto get, auto guard, bool always>
+struct OfTable {
+  template <class Owner>
+  constexpr operator Getter<Owner>() const {
+    using All = Access<get, guard, always, Owner>;
+    using Item = typename All::Item;
+    Getter<Owner> getter{is_vector<Item> && !is_by_key<Item> ? Kind::records : Kind::record};
+    getter.form = {.required = always, .by_key = is_by_key<Item>};
+    getter.json = [](const Owner& owner, const ShownUnit& unit) {
+      return All::used(owner, nlohmann::ordered_json(),
+                       [&](const Item& item) { return json_by<quantities>(item, unit); });
+    };
+    getter.record = []() -> const RecordInfo& {
+      static const RecordInfo info =
+          described<decltype(owner_of(quantities))>({}, {}, quantities);
+      return info;
+    };
+    return getter;
   }
 };
 
@@ -265,26 +355,82 @@ struct Of {
 template <auto get, auto guard = nullptr>
 inline constexpr detail::Of<get, guard> of;
 
+/// As `of`, for what every document has; with a guard: a series of which no number is missing.
+template <auto get, auto guard = nullptr>
+inline constexpr detail::Of<get, guard, true> always;
+
+template <auto get>
+inline constexpr auto is_filled = [](const auto& owner) {
+  return !std::invoke(get, owner).empty();
+};
+
+/// As `of`; nothing where it is empty.
+template <auto get>
+inline constexpr auto filled = of<get, is_filled<get>>;
+
+/// What stands in one place alone, with a list of quantities without a type of its own: an object,
+/// a vector or values by key of what the list is of; by default of the owner itself.
+template <const auto& quantities, auto get = std::identity{}, auto guard = nullptr>
+inline constexpr detail::OfTable<quantities, get, guard, false> of_table;
+template <const auto& quantities, auto get = std::identity{}>
+inline constexpr detail::OfTable<quantities, get, nullptr, true> always_table;
+template <const auto& quantities, auto get>
+inline constexpr auto filled_table = of_table<quantities, get, is_filled<get>>;
+
+/// A part of a result with the whole that has its names.
+template <class Whole, class T>
+struct Within {
+  const Whole* whole = nullptr;
+  const T* item = nullptr;
+};
+template <class Whole, class T>
+std::vector<Within<Whole, T>> within(const Whole& whole, const std::vector<T>& items) {
+  std::vector<Within<Whole, T>> all;
+  for (const T& item : items) all.push_back({&whole, &item});
+  return all;
+}
+
+/// What to get of the part: `of<its<&FactorEffect::coefficient>>`.
+template <auto get>
+inline constexpr auto its = [](const auto& part) -> decltype(auto) {
+  return std::invoke(get, *part.item);
+};
+
+/// Values under keys, one for each.
+template <class T>
+ByKey<T> by_key(const std::vector<std::string>& keys, const std::vector<T>& values) {
+  ByKey<T> all;
+  for (std::size_t k = 0; k < values.size(); ++k) all.emplace_back(keys[k], values[k]);
+  return all;
+}
+
 /// Column for one part, interface or direction.
 template <auto member, auto side>
 inline constexpr auto of_side = of<[](const auto& owner) { return (owner.*member)[side]; }>;
 
 template <class Owner>
-nlohmann::ordered_json object_of(const Owner& owner, const ShownUnit& inherited) {
-  auto object = nlohmann::ordered_json::object();
-  for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
+void put_quantities(nlohmann::ordered_json& document, std::span<const Quantity<Owner>> quantities,
+                    const Owner& owner, const ShownUnit& inherited) {
+  for (const Quantity<Owner>& q : quantities) {
     if (q.value.number) {
-      if (const auto value = shown_number(q, owner, inherited)) object[q.key] = *value;
+      if (const auto value = shown_number(q, owner, inherited)) document[q.key] = *value;
     } else if (q.value.series) {
       if (const auto series = q.value.series(owner); !series.empty())
-        object[q.key] = detail::arrays_of(series, detail::row_length(owner), q.shown_in(inherited));
+        document[q.key] =
+            detail::arrays_of(series, detail::row_length(owner), q.shown_in(inherited));
     } else if (nlohmann::ordered_json json = q.value.json(owner, q.shown_in(inherited));
                q.key.empty() && !json.is_null()) {
-      object.update(json);
+      document.update(json);
     } else if (!json.is_null()) {
-      object[q.key] = std::move(json);
+      document[q.key] = std::move(json);
     }
   }
+}
+
+template <class Owner>
+nlohmann::ordered_json object_of(const Owner& owner, const ShownUnit& inherited) {
+  auto object = nlohmann::ordered_json::object();
+  put_quantities(object, record_of<Owner>().quantities, owner, inherited);
   return object;
 }
 
@@ -293,6 +439,7 @@ std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& i
   for (const Quantity<Owner>& q : record_of<Owner>().quantities) {
     const ShownUnit& unit = q.shown_in(inherited);
     if (q.key.empty()) {
+      if (!q.value.reader) continue;
       if (auto reader = q.value.reader("." + std::string(path), unit)) return reader;
       continue;
     }
@@ -325,19 +472,26 @@ std::optional<Reader<Owner>> reader_of(std::string_view path, const ShownUnit& i
 }
 
 template <class Owner>
+RecordInfo described(std::string_view name, std::string_view meaning,
+                     std::span<const Quantity<Owner>> quantities) {
+  RecordInfo info{name, meaning, {}};
+  for (const Quantity<Owner>& q : quantities)
+    if (q.key.empty())
+      for (QuantityInfo among : q.value.record().quantities) {
+        among.form.required = among.form.required && q.value.form.required;
+        info.quantities.push_back(std::move(among));
+      }
+    else
+      info.quantities.push_back({q.key, q.value.kind, title_of(q), q.unit.text, q.meaning, q.source,
+                                 q.group, q.validity, q.value.record, q.delivery, q.value.form});
+  return info;
+}
+
+template <class Owner>
 const RecordInfo& describe() {
   static const RecordInfo info = [] {
     const Record<Owner> record = record_of<Owner>();
-    RecordInfo made{record.name, record.meaning, {}};
-    for (const Quantity<Owner>& q : record.quantities)
-      if (q.key.empty()) {
-        const std::vector<QuantityInfo>& among = q.value.record().quantities;
-        made.quantities.insert(made.quantities.end(), among.begin(), among.end());
-      } else {
-        made.quantities.push_back({q.key, q.value.kind, title_of(q), q.unit.text, q.meaning,
-                                   q.source, q.group, q.validity, q.value.record, q.delivery});
-      }
-    return made;
+    return described(record.name, record.meaning, record.quantities);
   }();
   return info;
 }

@@ -24,19 +24,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Derived {
-  const char* key;
-  double value;
-};
-
 /// Lengths that follow from the mechanism.
-std::vector<Derived> lengths(const Mechanism& m) {
-  const double contact_length = (m.contacts_per_roller - 1) * axial_pitch(m);
-  const double spacing = 2.0 * *m.centre_distance * std::sin(std::numbers::pi / m.rollers);
-  return {{"axial_pitch_mm", axial_pitch(m) * per_si::millimetre},
-          {"contact_length_mm", contact_length * per_si::millimetre},
-          {"roller_spacing_mm", spacing * per_si::millimetre}};
-}
+constexpr Quantity<Mechanism> kDerived[] = {
+    {"axial_pitch_mm", always<axial_pitch>},
+    {"contact_length_mm",
+     always<[](auto& m) { return (m.contacts_per_roller - 1) * axial_pitch(m); }>},
+    {"roller_spacing_mm", always<[](auto& m) {
+       return 2.0 * *m.centre_distance * std::sin(std::numbers::pi / m.rollers);
+     }>},
+};
 
 std::vector<const Problem*> problems_of(const CheckResult& result) {
   std::vector<const Problem*> all;
@@ -119,7 +115,9 @@ std::string derived(const Contacts& contacts) {
     const auto [label, factor] = labelled(path);
     text += fmt::format("  {:<42} {}\n", label, significant(factor * value, 7));
   };
-  for (const auto& [key, value] : lengths(contacts.mechanism)) line(key, value);
+  Json derived;
+  put_quantities<Mechanism>(derived, kDerived, contacts.mechanism);
+  for (const auto& [key, value] : derived.items()) line(key, value);
   const Json json = object_of(contacts);
   line("centre_distance_mm", json["centre_distance_mm"]);
   for (const char* key : {"pitch_diameter_mm", "helix_angle_deg"})
@@ -138,6 +136,49 @@ std::string derived(const Contacts& contacts) {
         line(fmt::format("contact.{}.{}", interface, key), json[interface][key]);
   return text;
 }
+
+template <bool missing>
+constexpr auto unmet_paths = filled<[](const CommandNeeds& command) {
+  std::vector<std::string> paths;
+  for (const Problem& problem : command.unmet)
+    if (problem.is_missing() == missing) paths.push_back(problem.path);
+  return paths;
+}>;
+
+constexpr Quantity<CommandNeeds> kNeeds[] = {
+    {"ready", always<[](auto& command) { return command.unmet.empty(); }>},
+    {"missing", unmet_paths<true>, "what to add"},
+    {"wrong", unmet_paths<false>, "what to change"},
+};
+
+using Input = Within<CheckResult, input::EchoEntry>;
+
+constexpr Quantity<Input> kInput[] = {
+    {"path", always<its<&input::EchoEntry::path>>},
+    {"value", always<its<&input::EchoEntry::value>>},
+    {"default", always<its<&input::EchoEntry::is_default>>},
+    {"written", filled<its<&input::EchoEntry::written>>, "as the file has it"},
+    {"origin", filled<its<&input::EchoEntry::origin>>, "of a default that a name stands for"},
+    {"basis", always<[](auto& i) { return basis_of(*i.item, *i.whole).first; }>,
+     "given, assumed (as a comment of the file says) or default"},
+    {"reason",
+     filled<[](auto& i) { return basis_of(*i.item, *i.whole).second; }>, "why it was assumed"},
+};
+
+constexpr Quantity<CheckResult> kCheck[] = {
+    {"commands", always_table<kNeeds, [](auto& result) {
+       ByKey<CommandNeeds> needs;
+       for (const CommandNeeds& command : result.commands)
+         needs.emplace_back(name(command.command), command);
+       return needs;
+     }>,
+     "by their names"},
+    {"input", always_table<kInput, [](auto& result) { return within(result, result.fields); }>},
+    {"verdict", of<&CheckResult::verdict>},
+    {"derived", always_table<kDerived, [](auto& result) -> const Mechanism& {
+       return result.geometry.contacts.mechanism;
+     }>},
+};
 
 constexpr std::size_t kTitleWidth = 30;
 
@@ -187,26 +228,14 @@ std::string full_check_table(const CheckResult& result) {
   return head(result) + input_list(result) + derived(result.geometry.contacts);
 }
 
+template <>
+Record<CheckResult> record_of() {
+  return {"Check", "What a case is ready for, and what follows from it.", kCheck};
+}
+
 void put_check(Json& document, const CheckResult& result) {
-  for (const CommandNeeds& command : result.commands) {
-    Json& json = document["commands"][std::string(name(command.command))];
-    json["ready"] = command.unmet.empty();
-    for (const Problem& problem : command.unmet)
-      json[problem.is_missing() ? "missing" : "wrong"].push_back(problem.path);
-  }
-  for (const input::EchoEntry& f : result.fields) {
-    document["input"].push_back({{"path", f.path}, {"value", f.value}, {"default", f.is_default}});
-    Json& entry = document["input"].back();
-    if (!f.written.empty()) entry["written"] = f.written;
-    if (!f.origin.empty()) entry["origin"] = f.origin;
-    const auto [basis, reason] = basis_of(f, result);
-    entry["basis"] = basis;
-    if (!reason.empty()) entry["reason"] = reason;
-  }
-  if (result.verdict) document["verdict"] = object_of(*result.verdict);
-  const Contacts& contacts = result.geometry.contacts;
-  for (const auto& [key, value] : lengths(contacts.mechanism)) document["derived"][key] = value;
-  put_contacts(document, contacts);
+  put_object(document, result);
+  put_contacts(document, result.geometry.contacts);
 }
 
 }  // namespace prs

@@ -10,6 +10,7 @@
 #include "prs/loads/result.h"
 #include "prs/model/command.h"
 #include "prs/model/problems.h"
+#include "prs/record/record.h"
 #include "prs/run/verdict.h"
 
 namespace prs {
@@ -34,6 +35,10 @@ std::string check_table(const CheckResult& result);
 
 /// The same, with every value of the input: given, assumed or a default.
 std::string full_check_table(const CheckResult& result);
+
+/// Without contacts and threads.
+template <>
+Record<CheckResult> record_of();
 
 void put_check(nlohmann::ordered_json& document, const CheckResult& result);
 

@@ -19,6 +19,7 @@
 #include "prs/printable.h"
 #include "prs/record/csv_writer.h"
 #include "prs/record/figure_behind.h"
+#include "prs/record/record_table.h"
 #include "prs/record/table_units.h"
 #include "prs/run/commands.h"
 #include "prs/study/response.h"
@@ -219,28 +220,42 @@ CaseComparison compared(const input::Source& first, const input::Source& second)
   return c;
 }
 
-template <class Row>
-void put_values(Json& json, const Row& row) {
-  if (row.value[0]) json["value"] = *row.value[0];
-  if (row.value[1]) json["other_value"] = *row.value[1];
-  if (row.change) json["change_percent"] = 100.0 * *row.change;
-}
+template <class Row, std::size_t k>
+constexpr auto of_value = of<[](const Row& row) { return row.value[k]; }>;
+
+constexpr std::string_view kOfValue = "from the value to the other, of the value";
+
+constexpr Quantity<InputRow> kInputs[] = {
+    {"path", always<&InputRow::path>},
+    {"value", of_value<InputRow, 0>},
+    {"other_value", of_value<InputRow, 1>},
+    {"change_percent", of<&InputRow::change>, kOfValue},
+};
+
+constexpr Quantity<ResultRow> kResults[] = {
+    {"command", always<[](auto& row) { return name(row.command); }>},
+    {"load_case", filled<&ResultRow::load_case>},
+    {"path", always<&ResultRow::path>},
+    {"value", of_value<ResultRow, 0>},
+    {"other_value", of_value<ResultRow, 1>},
+    {"change_percent", of<&ResultRow::change>, kOfValue},
+};
+
+constexpr Quantity<CaseComparison> kOther[] = {
+    {"case_file", always<[](auto& c) { return c.info[1].case_file; }>},
+    {"input_sha256", always<[](auto& c) { return c.info[1].input_sha256; }>},
+    {"warnings", always<[](auto& c) { return sentences(c.warnings[1]); }>},
+};
+
+constexpr Quantity<CaseComparison> kComparison[] = {
+    {"other", always_table<kOther>},
+    {"inputs", always_table<kInputs, &CaseComparison::inputs>},
+    {"results", always_table<kResults, &CaseComparison::results>},
+};
 
 Json document(const CaseComparison& c, const DocumentInfo& info) {
   Json json = document_head(info, c.warnings[0]);
-  json["other"] = {{"case_file", c.info[1].case_file},
-                   {"input_sha256", c.info[1].input_sha256},
-                   {"warnings", sentences(c.warnings[1])}};
-  json["inputs"] = Json::array();
-  json["results"] = Json::array();
-  for (const InputRow& row : c.inputs)
-    put_values(json["inputs"].emplace_back(Json{{"path", row.path}}), row);
-  for (const ResultRow& row : c.results) {
-    Json& entry = json["results"].emplace_back(Json{{"command", name(row.command)}});
-    if (!row.load_case.empty()) entry["load_case"] = row.load_case;
-    entry["path"] = row.path;
-    put_values(entry, row);
-  }
+  put_quantities<CaseComparison>(json, kComparison, c);
   return json;
 }
 
@@ -296,6 +311,11 @@ std::string csv(const CaseComparison& c, const CsvStyle& style) {
 }
 
 }  // namespace
+
+const RecordInfo& case_comparison_record() {
+  static const RecordInfo info = described<CaseComparison>({}, {}, kComparison);
+  return info;
+}
 
 Delivery compare_cases(const input::Source& first, const input::Source& second) {
   const auto c = std::make_shared<const CaseComparison>(compared(first, second));

@@ -2,8 +2,12 @@
 
 #include "prs/input/source.h"
 #include "prs/record/delivery.h"
+#include "prs/record/record.h"
 
 namespace prs {
+
+/// What the document of two cases has behind its head.
+const RecordInfo& case_comparison_record();
 
 /// Two cases side by side: the inputs in which they differ and the numbers of every command that
 /// both have all for, with the change from the first to the second; curves of the second in grey

@@ -1,18 +1,23 @@
 #include "prs/run/document_schema.h"
 
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "prs/configurations/configurations_json.h"
 #include "prs/input/schema.h"
 #include "prs/model/command.h"
+#include "prs/optimize/optimize_json.h"
 #include "prs/record/figure_json.h"
 #include "prs/record/record_table.h"
 #include "prs/record/schema_parts.h"
+#include "prs/run/check.h"
 #include "prs/run/commands.h"
+#include "prs/run/compare_cases.h"
 #include "prs/run/results_schema.h"
+#include "prs/study/derivatives_files.h"
+#include "prs/study/study_json.h"
 
 namespace prs {
 namespace {
@@ -22,392 +27,108 @@ using schema_parts::Json, schema_parts::link, schema_parts::list, schema_parts::
     schema_parts::names, schema_parts::object, schema_parts::type;
 
 Json text() { return type("string"); }
-Json number() { return type("number"); }
-Json count() { return type("integer"); }
-Json flag() { return type("boolean"); }
-Json maybe() { return {{"type", {"number", "null"}}}; }
 
-Json value_schema(const QuantityInfo& q) {
-  switch (q.kind) {
-    case Kind::number:
-      return number();
-    case Kind::series:  // Of all rollers one below the other.
-      return {{"anyOf", Json::array({list(maybe()), list(list(maybe()))})}};
-    case Kind::matrix:
-      return list(list(maybe()));
-    case Kind::count:
-      return count();
-    case Kind::flag:
-      return flag();
-    case Kind::text:
-      return text();
-    case Kind::texts:
-      return list(text());
-    case Kind::record:
-      return link(q.record().name);
-    case Kind::records:
-      break;
+/// All words of a text where its meaning lists them, `bars | refined`.
+Json text_schema(std::string_view meaning) {
+  std::vector<std::string> words;
+  for (std::size_t end = 0; end != meaning.npos;) {
+    end = meaning.find(" | ");
+    words.emplace_back(meaning.substr(0, end));
+    if (words.back().find_first_of(" ,:;.") != meaning.npos) return text();
+    if (end != meaning.npos) meaning.remove_prefix(end + 3);
   }
-  return list(link(q.record().name));
+  return words.size() > 1 ? names(words) : text();
 }
 
-/// Adds a record and those in it, which stand before it.
-void define(Json& definitions, const RecordInfo& record) {
-  if (definitions.contains(record.name)) return;
-  Json properties = Json::object();
-  for (const QuantityInfo& q : record.quantities) {
-    if (q.record) define(definitions, q.record());
-    Json value = value_schema(q);
+/// What stands in a document, as far as it has been described, with the records that it refers to.
+struct Parts {
+  Json properties = Json::object(), definitions = Json::object();
+  std::vector<std::string> required;
+
+  void put(const RecordInfo& record) {
+    for (const QuantityInfo& q : record.quantities) put(q);
+  }
+  void put(const QuantityInfo& q) {
+    const std::string key(q.key);
+    Json value = q.form.by_key ? map_of(value_schema(q)) : value_schema(q);
     value["title"] = q.title;
     if (!q.unit.empty()) value["unit"] = q.unit;
     if (!q.meaning.empty()) value["description"] = q.meaning;
-    properties[std::string(q.key)] = std::move(value);
-  }
-  definitions[record.name] = object(std::move(properties), {}, record.meaning);
-}
-
-/// A document as it grows: keys behind the head, and what they refer to.
-struct Parts {
-  Json properties, definitions = Json::object();
-  std::vector<std::string> required;
-
-  void put(const std::string& key, Json value) {
     properties[key] = std::move(value);
-    required.push_back(key);
+    if (q.form.required) required.push_back(key);
   }
-  void put_record(const std::string& key, const RecordInfo& record) {
-    define(definitions, record);
-    put(key, link(record.name));
+
+  Json value_schema(const QuantityInfo& q) {
+    switch (q.kind) {
+      case Kind::number:
+        return type("number");
+      case Kind::series: {
+        const Json row = list(q.form.whole ? type("integer") : number_in_list(q.form.finite));
+        return q.form.in_rows ? Json{{"anyOf", Json::array({row, list(row)})}} : row;
+      }
+      case Kind::matrix:
+        return list(list(number_in_list(false)));
+      case Kind::count:
+        return type("integer");
+      case Kind::flag:
+        return type("boolean");
+      case Kind::text:
+        return text_schema(q.meaning);
+      case Kind::texts:
+        return list(text());
+      case Kind::record:
+        return record_schema(q.record());
+      case Kind::records:
+        break;
+    }
+    return list(record_schema(q.record()));
   }
-  void leave_open(std::string_view key) { std::erase(required, key); }
+
+  static Json number_in_list(bool finite) {
+    return finite ? type("number") : Json{{"type", {"number", "null"}}};
+  }
+
+  /// One without a name stands in one place alone.
+  Json record_schema(const RecordInfo& record) {
+    if (definitions.contains(record.name)) return link(record.name);
+    if (!record.name.empty()) definitions[record.name] = nullptr;  // It may be within itself.
+    Parts within;
+    within.definitions.swap(definitions);
+    within.put(record);
+    definitions.swap(within.definitions);
+    Json schema =
+        object(std::move(within.properties), std::move(within.required), record.meaning);
+    if (record.name.empty()) return schema;
+    definitions[record.name] = std::move(schema);
+    return link(record.name);
+  }
 };
 
 /// The records of an analysis.
 void put_records(Parts& d, std::span<const Place> places) {
   for (const DocumentRecord& at : records_at(places)) {
-    const bool is_list = at.path.ends_with("[]");
     const std::string key(at.path.substr(0, at.path.find('[')));
-    d.put_record(key, at.record);
-    if (is_list) d.properties[key] = list(std::move(d.properties[key]));
-    if (!at.required) d.leave_open(key);
+    Json record = d.record_schema(at.record);
+    d.properties[key] = at.path.ends_with("[]") ? list(std::move(record)) : std::move(record);
+    if (at.required) d.required.push_back(key);
   }
-}
-
-void put_check(Parts& d) {
-  d.put("commands", map_of(object({{"ready", flag()},
-                                   {"missing", list(type("string", "What to add"))},
-                                   {"wrong", list(type("string", "What to change"))}},
-                                  {"ready"}),
-                           "By their names"));
-  d.put("input", list(object({{"path", text()},
-                              {"value", text()},
-                              {"default", flag()},
-                              {"written", type("string", "As the file has it")},
-                              {"origin", type("string", "Of a default that a name stands for")},
-                              {"basis", type("string",
-                                             "given, assumed (as a comment of the file "
-                                             "says) or default")},
-                              {"reason", type("string", "Why it was assumed")}},
-                             {"path", "value", "default", "basis"})));
-  d.put("derived", object({{"axial_pitch_mm", number()},
-                           {"contact_length_mm", number()},
-                           {"roller_spacing_mm", number()}},
-                          {"axial_pitch_mm", "contact_length_mm", "roller_spacing_mm"}));
-}
-
-// Studies.
-
-Json level() {
-  return object({{"value", text()}, {"number", number()}}, {"value"},
-                "As in the file; the number in the unit of the factor");
-}
-Json responses() { return map_of(number(), "By the paths of the responses"); }
-
-void define_factors(Parts& d) {
-  const Json interval = object({{"from", number()}, {"to", number()}}, {"from", "to"});
-  d.definitions["Factor"] = object(
-      {{"path", text()},
-       {"label", text()},
-       {"unit", text()},
-       {"base", level()},
-       {"distribution", object({{"uniform", interval},
-                                {"log_uniform", interval},
-                                {"normal", object({{"mean", number()}, {"deviation", number()}},
-                                                  {"mean", "deviation"})},
-                                {"levels", flag()}},
-                               {})},
-       {"with", list(link("Factor"))}},
-      {"path", "label"}, "An input that varies; `with`: those that change with it");
-}
-
-Json statistics() {
-  Json probabilities = map_of(number(), "By their probability");
-  return map_of(object({{"count", count()},
-                        {"mean", number()},
-                        {"standard_deviation", number()},
-                        {"min", number()},
-                        {"min_design", count()},
-                        {"max", number()},
-                        {"max_design", count()},
-                        {"quantiles", std::move(probabilities)},
-                        {"quantiles_from", type("integer", "Values that they are taken from")},
-                        {"histogram",
-                         object({{"from", number()}, {"to", number()}, {"counts", list(count())}},
-                                {"from", "to", "counts"})}},
-                       {"count"}),
-                "By the paths of the responses");
-}
-
-Json surface() {
-  const Json effect = object({{"path", text()},
-                              {"contribution_percent", number()},
-                              {"coefficient", number()},
-                              {"standard_error", number()}},
-                             {"path", "contribution_percent", "coefficient"});
-  return object({{"designs", count()},
-                 {"reason", text()},
-                 {"responses", map_of(object({{"r_squared", number()},
-                                              {"adjusted_r_squared", number()},
-                                              {"intercept", number()},
-                                              {"factors", list(effect)}},
-                                             {"r_squared", "intercept", "factors"}))}},
-                {"designs"}, "A plane through the responses over the ranges of the factors");
-}
-
-Json sobol_indices() {
-  const Json estimate = object({{"value", number()}, {"half_width_95", number()}}, {"value"});
-  return map_of(
-      object({{"samples", count()},
-              {"samples_left_out", count()},
-              {"variance", number()},
-              {"factors", list(object({{"path", text()}, {"first", estimate}, {"total", estimate}},
-                                      {"path", "first", "total"}))}},
-             {"samples", "samples_left_out", "variance", "factors"}));
-}
-
-Json envelope() {
-  const Json map = list(list(maybe()));
-  const Json axis = object({{"path", text()}, {"unit", text()}, {"numbers", list(number())}},
-                           {"path", "numbers"});
-  const Json measure = object({{"response", text()},
-                               {"weight", number()},
-                               {"rms", number()},
-                               {"normalised_by", number()},
-                               {"designs_without", count()},
-                               {"normalised", map}},
-                              {"response", "weight", "rms", "normalised_by", "designs_without"});
-  const Json point = object({{"name", text()},
-                             {"reason", text()},
-                             {"design", count()},
-                             {"settings", map_of(level(), "By the paths of the inputs")},
-                             {"responses", responses()},
-                             {"normalised", responses()},
-                             {"envelope", number()}},
-                            {"name"});
-  return object({{"combine", text()},
-                 {"normalise", text()},
-                 {"axes", list(axis)},
-                 {"measures", list(measure)},
-                 {"rms", number()},
-                 {"designs_without", count()},
-                 {"max", number()},
-                 {"max_design", count()},
-                 {"values", map},
-                 {"maps_in", type("string", "The file with maps that are too large for here")},
-                 {"points", list(point)}},
-                {"combine", "normalise", "axes", "measures", "points"});
-}
-
-void put_study(Parts& d) {
-  define_factors(d);
-  d.put("study", object({{"command", text()},
-                         {"plan", text()},
-                         {"samples", count()},
-                         {"seed", count()},
-                         {"factors", list(link("Factor"))},
-                         {"responses", list(text())}},
-                        {"command", "plan", "factors", "responses"}));
-  d.put("summary", object({{"designs", count()},
-                           {"refused", count()},
-                           {"not_converged", count()},
-                           {"statistics", statistics()},
-                           {"response_surface", surface()},
-                           {"sobol_indices", sobol_indices()}},
-                          {"designs", "refused", "not_converged", "statistics"}));
-  d.put("envelope", envelope());
-  d.leave_open("envelope");
-  d.put("designs_shown", type("integer", "Where not all are; study.csv has all"));
-  d.leave_open("designs_shown");
-  d.put("designs", list(object({{"settings", map_of(level(), "By the paths of the inputs")},
-                                {"base", type("boolean", "As in the file")},
-                                {"converged", flag()},
-                                {"status", text()},
-                                {"reason", text()},
-                                {"responses", responses()}},
-                               {"settings", "base", "converged", "status", "responses"})));
-}
-
-void put_derivatives(Parts& d) {
-  const Json by = object({{"path", text()},
-                          {"unit", text()},
-                          {"at", type("number", "In this unit")},
-                          {"derivative", number()},
-                          {"percent_per_percent", number()},
-                          {"error", type("number", "Of the derivative, estimated")},
-                          {"reason", type("string", "Why there is none")}},
-                         {"path"});
-  d.put("derivatives", list(object({{"response", text()}, {"value", number()}, {"by", list(by)}},
-                                   {"response", "by"})));
-}
-
-// Optimizations.
-
-void put_optimize(Parts& d) {
-  const Json constraint = object({{"name", text()},
-                                  {"constraint", text()},
-                                  {"value", number()},
-                                  {"limit", number()},
-                                  {"satisfied", flag()}},
-                                 {"name", "constraint", "satisfied"});
-  const Json design{{"variables", map_of(level(), "By the paths of the inputs")},
-                    {"status", text()},
-                    {"reason", text()},
-                    {"feasible", flag()},
-                    {"violation", number()},
-                    {"responses", responses()}};
-  const std::vector<std::string> always{"variables", "status", "feasible", "responses"};
-  const auto with = [&](Json more, std::vector<std::string> required) {
-    required.insert(required.end(), always.begin(), always.end());
-    more.update(design);
-    return object(std::move(more), std::move(required));
-  };
-  const Json numbered{{"design", type("integer", "Its number in history.csv")}};
-  Json chosen = numbered;
-  chosen["algorithm"] = type("string", "That found it");
-  chosen["change_percent"] = map_of(number(), "Against the file's own design");
-  chosen["constraints"] = list(constraint);
-  chosen["set"] = list(type("string", "What `--set` takes for it"));
-  d.definitions["Chosen"] =
-      with(chosen, {"design", "algorithm", "change_percent", "constraints", "set"});
-  d.definitions["Search"] = object({{"algorithm", text()},
-                                    {"designs", count()},
-                                    {"feasible", count()},
-                                    {"without_answer", count()},
-                                    {"front", list(with(numbered, {"design"}))}},
-                                   {"algorithm", "designs", "feasible", "without_answer", "front"});
-  const Json variable = object({{"path", text()},
-                                {"label", text()},
-                                {"unit", text()},
-                                {"values", list(text())},
-                                {"from", number()},
-                                {"to", number()},
-                                {"with", list(text())}},
-                               {"path", "label"});
-  d.put("optimize",
-        object({{"command", text()},
-                {"variables", list(variable)},
-                {"objectives", list(object({{"minimize", text()}, {"maximize", text()}}, {}))},
-                {"algorithm", text()},
-                {"check", text()},
-                {"population", count()},
-                {"generations", count()},
-                {"seed", count()},
-                {"compromise",
-                 object({{"by", text()}, {"weights", list(number())}, {"of", text()}}, {"by"})}},
-               {"command", "variables", "objectives", "algorithm", "population", "generations",
-                "seed", "compromise"}));
-  d.put("initial", with({{"constraints", list(constraint)}}, {"constraints"}));
-  d.put("front", list(type("integer", "Its number in history.csv")));
-  for (const char* key : {"compromise", "nearest", "search", "check", "comparison"})
-    d.put(key,
-          link(std::string_view(key) == "search" || std::string_view(key) == "check" ? "Search"
-                                                                                     : "Chosen"));
-  d.properties["comparison"] = object({{"hypervolume", number()},
-                                       {"check_hypervolume", number()},
-                                       {"best", list(object({{"objective", text()},
-                                                             {"value", number()},
-                                                             {"check_value", number()},
-                                                             {"difference_percent", number()}},
-                                                            {"objective"}))}},
-                                      {"hypervolume", "check_hypervolume", "best"});
-  for (const char* key : {"compromise", "nearest", "check", "comparison"}) d.leave_open(key);
-}
-
-void put_configurations(Parts& d) {
-  define(d.definitions, describe<PerPart<double>>());
-  const Json starts =
-      object({{"screw", count()}, {"roller", count()}}, {"screw", "roller"}, "Of the threads");
-  const Json parts = link(describe<PerPart<double>>().name);
-  const Json rollers = object(
-      {{"most", type("integer", "That fit with the gap")},
-       {"chosen", count()},
-       {"crest_gap_mm", type("number", "Between neighbours")},
-       {"indexing_angle_deg", type("number", "By which each is turned against its neighbour")},
-       {"alike", list(count())}},
-      {"most", "chosen", "alike"}, "alike: numbers of rollers that all go in turned the same way");
-  const Json gears = object({{"roller_teeth", count()},
-                             {"body_teeth", count()},
-                             {"module_mm", number()},
-                             {"series", type("integer", "Of the standard modules")},
-                             {"working_pressure_angle_deg", number()},
-                             {"profile_shift", number()},
-                             {"most_rollers", count()}},
-                            {"roller_teeth", "body_teeth", "module_mm", "series"});
-  d.put("configurations", list(object({{"number", count()},
-                                       {"type", names(std::vector{"standard", "inverted"})},
-                                       {"starts", starts},
-                                       {"pitch_mm", number()},
-                                       {"rolling_diameter_mm", parts},
-                                       {"pitch_diameter_mm", parts},
-                                       {"centre_distance_mm", number()},
-                                       {"gear_ratio", number()},
-                                       {"lead_mm", parts},
-                                       {"helix_angle_deg", parts},
-                                       {"roller_hand", names(std::vector{"right", "left"})},
-                                       {"roller_profile_radius_mm", number()},
-                                       {"rollers", rollers},
-                                       {"gears", list(gears)}},
-                                      {"number", "type", "starts", "rollers", "gears"})));
-  d.put("left_out",
-        list(object({{"type", text()}, {"starts", starts}, {"reason", text()}, {"detail", text()}},
-                    {"type", "starts", "reason"})));
-}
-
-/// Of `prs compare FILE OTHER`.
-void put_case_comparison(Parts& d) {
-  const Json change = type("number", "From the value to the other, of the value");
-  d.put("other",
-        object({{"case_file", text()}, {"input_sha256", text()}, {"warnings", list(text())}},
-               {"case_file", "input_sha256", "warnings"}));
-  d.put("inputs", list(object({{"path", text()},
-                               {"value", text()},
-                               {"other_value", text()},
-                               {"change_percent", change}},
-                              {"path"})));
-  d.put("results", list(object({{"command", text()},
-                                {"load_case", text()},
-                                {"path", text()},
-                                {"value", number()},
-                                {"other_value", number()},
-                                {"change_percent", change}},
-                               {"command", "path"})));
 }
 
 struct Document {
   std::string_view command;
-  void (*put)(Parts&);
+  const RecordInfo& (*record)();
 };
 
-/// What documents have besides records.
-constexpr Document kMore[] = {{"check", put_check}};
+/// What documents have besides the records of their analyses.
+constexpr Document kMore[] = {{"check", describe<CheckResult>}};
 
-/// Documents without records, and other forms.
+/// Documents of no analysis, and other forms.
 constexpr Document kForms[] = {
-    {"compare", put_case_comparison},
-    {"study", put_study},
-    {"study", put_derivatives},
-    {"optimize", put_optimize},
-    {"configurations", put_configurations},
+    {"compare", case_comparison_record},
+    {"study", describe<StudyDocument>},
+    {"study", describe<CaseDerivatives>},
+    {"optimize", describe<OptimizationResult>},
+    {"configurations", describe<Configurations>},
 };
 
 /// What every document begins with, and the pictures of `--figures`.
@@ -458,14 +179,14 @@ nlohmann::ordered_json document_schema(std::string_view command) {
     if (name(analysis.command) == command && !analysis.places.empty()) {
       documents::Parts parts;
       for (const documents::Document& more : documents::kMore)
-        if (more.command == command) more.put(parts);
+        if (more.command == command) parts.put(more.record());
       put_records(parts, analysis.places);
       add_form(std::move(parts));
     }
   for (const documents::Document& form : documents::kForms)
     if (form.command == command) {
       documents::Parts parts;
-      form.put(parts);
+      parts.put(form.record());
       add_form(std::move(parts));
     }
   if (forms.size() == 1)

@@ -10,7 +10,7 @@
 #include "prs/loads/case_table.h"
 #include "prs/loads/warnings.h"
 #include "prs/record/csv_writer.h"
-#include "prs/record/json_values.h"
+#include "prs/record/record_table.h"
 #include "prs/record/response_title.h"
 #include "prs/record/table_units.h"
 #include "prs/study/study_text.h"
@@ -40,21 +40,57 @@ std::vector<std::size_t> ranked(const CaseDerivatives& result, std::size_t respo
   return order;
 }
 
-Json factor_json(const Factor& factor, const std::optional<Derivative>& d,
-                 const std::string& reason) {
-  Json json;
-  json["path"] = factor.path;
-  if (!factor.unit.empty()) json["unit"] = factor.unit;
-  if (factor.base) put(json, "at", factor.base->number);
-  if (!d) {
-    json["reason"] = reason;
-    return json;
+/// A response of a case; or its derivative by a factor.
+struct DerivativeOf {
+  const CaseDerivatives* result = nullptr;
+  std::size_t response = 0;
+  std::size_t factor = 0;
+
+  const Factor& input() const { return result->study.factors[factor]; }
+  const std::string& path() const { return input().path; }
+  const std::string& unit() const { return input().unit; }
+  const std::optional<Derivative>& found() const {
+    return result->factors[factor].responses[response];
   }
-  put(json, "derivative", d->value);
-  put(json, "percent_per_percent", d->elasticity);
-  put(json, "error", d->error);
-  return json;
-}
+  std::vector<DerivativeOf> by_factors() const {
+    std::vector<DerivativeOf> all;
+    for (std::size_t k = 0; k < result->factors.size(); ++k) all.push_back({result, response, k});
+    return all;
+  }
+};
+
+template <auto get>
+constexpr auto of_derivative =
+    of<[](const DerivativeOf& d) { return std::optional<double>(std::invoke(get, *d.found())); },
+       [](const DerivativeOf& d) { return d.found().has_value(); }>;
+
+constexpr Quantity<DerivativeOf> kByFactor[] = {
+    {"path", always<&DerivativeOf::path>},
+    {"unit", filled<&DerivativeOf::unit>},
+    {"at", of<[](auto& d) { return d.input().base ? d.input().base->number : std::nullopt; }>,
+     "in this unit"},
+    {"reason",
+     of<[](auto& d) { return d.result->factors[d.factor].reason; },
+        [](auto& d) { return !d.found().has_value(); }>,
+     "why there is none"},
+    {"derivative", of_derivative<&Derivative::value>},
+    as_shown<DerivativeOf>({"percent_per_percent", of_derivative<&Derivative::elasticity>}),
+    {"error", of_derivative<&Derivative::error>, "of the derivative, estimated"},
+};
+
+constexpr Quantity<DerivativeOf> kOfResponse[] = {
+    {"response", always<[](auto& d) { return d.result->study.responses[d.response]; }>},
+    {"value", of<[](auto& d) { return d.result->values[d.response]; }>},
+    {"by", always_table<kByFactor, &DerivativeOf::by_factors>},
+};
+
+constexpr Quantity<CaseDerivatives> kDerivatives[] = {
+    {"derivatives", always_table<kOfResponse, [](auto& result) {
+       std::vector<DerivativeOf> all;
+       for (std::size_t k = 0; k < result.values.size(); ++k) all.push_back({&result, k});
+       return all;
+     }>},
+};
 
 /// The responses that have no derivative by a factor, by name.
 std::string without_derivative(const CaseDerivatives& result, std::size_t factor) {
@@ -68,19 +104,14 @@ std::string without_derivative(const CaseDerivatives& result, std::size_t factor
 
 }  // namespace
 
+template <>
+Record<CaseDerivatives> record_of() {
+  return {"Derivatives", "What each factor does to each response.", kDerivatives};
+}
+
 Json derivatives_json(const CaseDerivatives& result, const DocumentInfo& info) {
   Json document = document_head(info, result.warnings);
-  document["derivatives"] = Json::array();
-  for (std::size_t k = 0; k < result.values.size(); ++k) {
-    Json json;
-    json["response"] = result.study.responses[k];
-    put(json, "value", result.values[k]);
-    json["by"] = Json::array();
-    for (std::size_t f = 0; f < result.factors.size(); ++f)
-      json["by"].push_back(factor_json(result.study.factors[f], result.factors[f].responses[k],
-                                       result.factors[f].reason));
-    document["derivatives"].push_back(std::move(json));
-  }
+  put_object(document, result);
   return document;
 }
 

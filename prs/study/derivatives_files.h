@@ -6,9 +6,13 @@
 
 #include "prs/loads/load_json.h"
 #include "prs/record/csv_style.h"
+#include "prs/record/record.h"
 #include "prs/study/derivatives.h"
 
 namespace prs {
+
+template <>
+Record<CaseDerivatives> record_of();
 
 /// The document of `prs study --json` with `plan: derivatives`: under `derivatives` one entry a
 /// response, with its value and what each factor does to it.

@@ -6,12 +6,23 @@
 #include <string_view>
 
 #include "prs/loads/load_json.h"
+#include "prs/record/record.h"
 #include "prs/study/study_result.h"
 
 namespace prs {
 
 /// As the input writes it: `latin_hypercube`.
 std::string_view name(Plan plan);
+
+/// What the document of a study says of it.
+struct StudyDocument {
+  const StudyResult* result = nullptr;
+  bool with_rows = true;
+};
+template <>
+Record<StudyDocument> record_of();
+template <>
+Record<Level> record_of();
 
 /// The document of `prs study --json`: the study; under `summary` what the designs say together,
 /// under `envelope` the envelope of a study that has one, and under `designs` what each of those

@@ -50,7 +50,41 @@ constexpr Quantity<Outer> kOuter[] = {
     {"", of<[](const Outer& o) -> const Inner& { return o.inner; }>},
 };
 
+/// What has values under keys, and objects without a type of their own.
+struct Mapped {
+  ByKey<double> numbers;
+  ByKey<Inner> records;
+  std::vector<std::size_t> counts;
+  std::vector<Inner> items;
+  double share_percent = 30.0;
+
+  std::string_view note = {};
+};
+
+constexpr Quantity<Inner> kItem[] = {
+    {"angle_deg", always<&Inner::angle>},
+};
+
+constexpr Quantity<Mapped> kPart[] = {
+    {"counts", always<&Mapped::counts>},
+    {"note", filled<&Mapped::note>},
+};
+
+constexpr Quantity<Mapped> kMapped[] = {
+    {"lengths_mm", always<&Mapped::numbers>},
+    {"records", of<&Mapped::records>},
+    {"items", always_table<kItem, &Mapped::items>},
+    {"part", of_table<kPart>},
+    as_shown<Mapped>({"share_percent", of<&Mapped::share_percent>}),
+    {"", of_table<kPart>},
+};
+
 }  // namespace sample
+
+template <>
+Record<sample::Mapped> record_of() {
+  return {"Mapped", "Of a test.", sample::kMapped};
+}
 
 template <>
 Record<sample::Inner> record_of() {
@@ -114,6 +148,27 @@ TEST(Record, RowsAreDescribedWithThoseOfRecordsWithoutKey) {
   EXPECT_EQ(info.quantities[1].record().name, "Inner");
   EXPECT_EQ(info.quantities[1].title, "inner");
   EXPECT_EQ(info.quantities[7].kind, Kind::series);
+}
+
+TEST(Record, ValuesByKeyAndTablesStandWhereTheyAreDescribed) {
+  const sample::Mapped mapped{
+      {{"b", 0.002}, {"a", 0.001}, {"c", std::numeric_limits<double>::quiet_NaN()}},
+      {{"x", {0.5, {1.0}}}},
+      {4, 5},
+      {{std::numbers::pi, {}}}};
+  EXPECT_EQ(object_of(mapped).dump(),
+            R"({"lengths_mm":{"b":2.0,"a":1.0},"records":{"x":{"angle":0.5,"loads_N":[1.0]}},)"
+            R"("items":[{"angle_deg":180.0}],"part":{"counts":[4,5]},"share_percent":30.0,)"
+            R"("counts":[4,5]})");
+  EXPECT_FALSE(reader_of<sample::Mapped>("part.counts.max"));
+
+  const std::vector<QuantityInfo>& rows = describe<sample::Mapped>().quantities;
+  ASSERT_EQ(rows.size(), 7);
+  EXPECT_TRUE(rows[0].form.by_key && rows[0].form.required && rows[0].kind == Kind::number);
+  EXPECT_TRUE(rows[1].form.by_key && !rows[1].form.required && rows[1].kind == Kind::record);
+  EXPECT_TRUE(rows[2].form.required && rows[2].kind == Kind::records);
+  EXPECT_TRUE(rows[2].record().name.empty() && rows[2].record().quantities[0].form.required);
+  EXPECT_TRUE(rows[5].form.whole && !rows[5].form.required);
 }
 
 /// Every number that documents show as a response is what studies read without them.
