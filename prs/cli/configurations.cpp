@@ -10,7 +10,6 @@
 #include "prs/cli/commands.h"
 #include "prs/cli/deliver.h"
 #include "prs/cli/quantity_option.h"
-#include "prs/configurations/configurations_csv.h"
 #include "prs/configurations/configurations_json.h"
 #include "prs/configurations/configurations_table.h"
 #include "prs/configurations/screw_case.h"

@@ -12,7 +12,6 @@
 #include "prs/cli/printing.h"
 #include "prs/cli/progress_line.h"
 #include "prs/input/optimize_reader.h"
-#include "prs/optimize/optimize_csv.h"
 #include "prs/optimize/optimize_json.h"
 #include "prs/optimize/optimize_pictures.h"
 #include "prs/optimize/optimize_table.h"

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "prs/configurations/configurations.h"
+#include "prs/record/csv_style.h"
 
 namespace prs {
 
@@ -12,5 +13,11 @@ std::string configurations_table(const ConfigurationQuery& query, const Configur
 
 /// Why starts are left out, those with the same reason together; of a few with the details.
 std::string left_out_text(const Configurations& all);
+
+/// `configurations.csv`: one row per configuration.
+std::string configurations_csv(const Configurations& all, const CsvStyle& style = {});
+
+/// `gear_pairs.csv`: one row per pair of gears, with the number of its configuration.
+std::string gear_pairs_csv(const Configurations& all, const CsvStyle& style = {});
 
 }  // namespace prs

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "prs/input/force_history.h"
-#include "prs/life/life_csv.h"
 #include "prs/life/life_record.h"
 #include "prs/life/life_table.h"
 #include "prs/loads/load_json.h"

@@ -9,7 +9,6 @@
 #include "prs/loads/case_groups.h"
 #include "prs/loads/contact_table.h"
 #include "prs/loads/factorization.h"
-#include "prs/loads/load_csv.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"
 #include "prs/loads/load_table.h"

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "prs/loads/result.h"
+#include "prs/record/csv_style.h"
 
 namespace prs {
 
@@ -13,5 +14,12 @@ std::string load_case_table(const Result& result);
 /// One case thread by thread: the load rate at both interfaces [%] as bars. For a case without an
 /// answer, one line that says why.
 std::string load_distribution_chart(const LoadCaseResult& result);
+
+/// `load_cases.csv`: one row a load case, failed ones included. Units stand in the header, a field
+/// is empty where the case does not define it. Quoted as in RFC 4180.
+std::string load_cases_csv(const Result& result, const CsvStyle& style = {});
+
+/// `load_distribution.csv`: one row a thread of every load case that has an answer.
+std::string load_distribution_csv(const Result& result, const CsvStyle& style = {});
 
 }  // namespace prs

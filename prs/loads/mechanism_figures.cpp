@@ -48,7 +48,7 @@ Polyline outline(const Teeth& t, double tooth, double from, double to) {
 }
 
 /// Where things stand on the nut's axis [mm].
-struct Place {
+struct SectionPlace {
   double first = 0.0;  ///< The roller's first contact.
   double pitch = 0.0;
   int contacts = 0;
@@ -58,8 +58,8 @@ struct Place {
   double last() const { return first + (contacts - 1) * pitch; }
 };
 
-Place place_of(const Case& c, const Result& result, const LoadCaseResult* shown) {
-  Place p;
+SectionPlace place_of(const Case& c, const Result& result, const LoadCaseResult* shown) {
+  SectionPlace p;
   p.pitch = axial_pitches(result.contacts.mechanism).roller * kMm;
   p.contacts = c.mechanism.contacts_per_roller;
   const double length = (p.contacts - 1) * p.pitch;
@@ -74,7 +74,7 @@ Place place_of(const Case& c, const Result& result, const LoadCaseResult* shown)
   return p;
 }
 
-Polyline nut_outline(const Case& c, const Place& p, const Teeth& groove) {
+Polyline nut_outline(const Case& c, const SectionPlace& p, const Teeth& groove) {
   // The nut's teeth stand where the air between them is thin.
   Polyline line = outline(groove, p.first, 0.0, p.nut_length);
   const double shell = groove.crest + std::max(2.0 * p.pitch, 0.15 * groove.crest);
@@ -104,7 +104,7 @@ Polyline closed_below(Polyline line, double y) {
 }
 
 /// The roller with its ends, on its axis at y.
-Polyline roller_outline(const Case& c, const Place& p, const Teeth& t, double y) {
+Polyline roller_outline(const Case& c, const SectionPlace& p, const Teeth& t, double y) {
   const double from = p.first - 0.5 * p.pitch, to = p.last() + 0.5 * p.pitch;
   Polyline line;
   const auto shaft_end = [&](double x, double out) {
@@ -172,7 +172,7 @@ std::string rollers_text(const Case& c) {
 
 /// What a drawing is read by: sizes in the bodies, the length of the nut between arrows. `top` is
 /// the nut's radius with its flanges.
-void add_sizes(Figure& figure, Panel& panel, const Case& c, const Place& p, double axis,
+void add_sizes(Figure& figure, Panel& panel, const Case& c, const SectionPlace& p, double axis,
                const contact::MechanismGeometry& threads, double top) {
   const double middle = 0.5 * p.nut_length;
   const auto add = [&](double x, double y, std::string text) {
@@ -203,7 +203,7 @@ void add_sizes(Figure& figure, Panel& panel, const Case& c, const Place& p, doub
 }
 
 /// What holds the parts under this load. `roller` is the radius at its pitch.
-void add_supports(Figure& figure, Panel& panel, const Case& c, const Place& p, double axis,
+void add_supports(Figure& figure, Panel& panel, const Case& c, const SectionPlace& p, double axis,
                   double roller, const LoadCaseResult* shown) {
   if (!c.structure) return;
   const Structure& s = *c.structure;
@@ -237,7 +237,7 @@ Polyline arrow(double from, double to, double y, double point) {
 }
 
 /// The force on the screw, at its loaded end, with room for its words.
-void add_load(Figure& figure, Panel& panel, const Place& p, const LoadCaseResult& shown,
+void add_load(Figure& figure, Panel& panel, const SectionPlace& p, const LoadCaseResult& shown,
               double top) {
   const double span = p.screw_to - p.screw_from, height = figure.y.to - figure.y.from;
   const bool is_short = 2.0 * height > 1.17 * span;  // Pages draw it half as wide then.
@@ -285,7 +285,7 @@ const LoadCaseResult* case_shown(const Result& result, const FigureOptions& opti
 /// roller with the largest load.
 Figures mechanism_section(const Case& c, const Result& result, const FigureOptions& options) {
   const LoadCaseResult* shown = case_shown(result, options);
-  const Place p = place_of(c, result, shown);
+  const SectionPlace p = place_of(c, result, shown);
   const contact::MechanismGeometry& threads = result.contacts.threads;
   const Mechanism& m = result.contacts.mechanism;
   PerPart<Teeth> teeth;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "prs/optimize/optimize_designs.h"
+#include "prs/optimize/optimize_pictures.h"
 #include "prs/record/figure_parts.h"
 #include "prs/record/response_title.h"
 #include "prs/study/study_parts.h"

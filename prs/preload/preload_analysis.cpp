@@ -1,7 +1,6 @@
 #include "prs/preload/preload_analysis.h"
 
 #include "prs/loads/load_json.h"
-#include "prs/preload/preload_csv.h"
 #include "prs/preload/preload_record.h"
 #include "prs/preload/preload_table.h"
 

@@ -3,7 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "prs/model/study.h"
 #include "prs/record/csv_style.h"
+#include "prs/study/envelope_result.h"
+#include "prs/study/grid_maps.h"
 #include "prs/study/row_block.h"
 #include "prs/study/study_columns.h"
 
@@ -28,5 +31,11 @@ class StudyCsv {
   const std::vector<FactorColumn>& columns_;
   CsvStyle style_;
 };
+
+/// `envelope.csv`: one row per node of the grid and then one per point that was read off, which is
+/// named in `point`; number of the design where it is one, factors and companions, responses,
+/// measures divided by what normalises them (`normalised.PATH`) and the `envelope`.
+std::string envelope_csv(const Study& study, const GridMaps& maps, const EnvelopeResult& envelope,
+                         const CsvStyle& style = {});
 
 }  // namespace prs

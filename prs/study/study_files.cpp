@@ -9,7 +9,6 @@
 #include "prs/output/staged_file.h"
 #include "prs/study/schedule.h"
 #include "prs/study/study_csv.h"
-#include "prs/study/study_envelope_csv.h"
 #include "prs/study/study_netcdf.h"
 
 namespace prs {

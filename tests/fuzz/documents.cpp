@@ -13,7 +13,6 @@
 #include "prs/input/optimize_reader.h"
 #include "prs/input/resolved_input.h"
 #include "prs/input/study_reader.h"
-#include "prs/optimize/optimize_csv.h"
 #include "prs/optimize/optimize_json.h"
 #include "prs/optimize/optimize_pictures.h"
 #include "prs/optimize/optimize_table.h"

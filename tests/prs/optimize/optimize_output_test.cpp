@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "known_problems.h"
-#include "prs/optimize/optimize_csv.h"
 #include "prs/optimize/optimize_json.h"
 #include "prs/optimize/optimize_pictures.h"
 #include "prs/optimize/optimize_table.h"

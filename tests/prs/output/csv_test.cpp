@@ -1,4 +1,4 @@
-#include "prs/loads/load_csv.h"
+#include "prs/loads/load_table.h"
 
 #include <gtest/gtest.h>
 
