@@ -115,8 +115,8 @@ void add_explain(CLI::App& command, Options& options) {
             options.explain = name;
             file->required(false);
           },
-          "Print formula, validity and source of a measure or of a result by its path, in place "
-          "of the numbers; of every measure without a NAME")
+          "Print formula, validity and source of a measure or of a result by its path, in place of "
+          "the numbers; of every measure without a NAME")
       ->type_name("NAME")
       ->expected(0, 1);
 }

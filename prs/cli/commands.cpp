@@ -27,10 +27,10 @@ input::Source case_source(const Options& options) {
   if (options.file != kStandardInput) return input::load_source(options.file, options.overrides);
   input::Source source = input::read_source(std::cin, case_name(options), options.overrides);
   if (std::ferror(stdin) != 0)
-    throw input::InputError(fmt::format(
-        "{}:1:1: error: got a standard input that cannot be read; expected a case; pipe a "
-        "file into `prs .. -`",
-        case_name(options)));
+    throw input::InputError(
+        fmt::format("{}:1:1: error: got a standard input that cannot be read; expected a case; "
+                    "pipe a file into `prs .. -`",
+                    case_name(options)));
   record_case(source.text, source.overrides);
   return source;
 }

@@ -294,8 +294,8 @@ std::string zsh_completion(const CommandText& program) {
   std::string text =
       "#compdef prs\n"
       "# Completion of prs in zsh. `prs completion zsh` wrote it.\n"
-      "_prs_list() { local -a names=(${(f)\"$(prs list $1 2>/dev/null | @SED@)\"}); "
-      "compadd -a names }\n"
+      "_prs_list() { local -a names=(${(f)\"$(prs list $1 2>/dev/null | @SED@)\"}); compadd -a "
+      "names }\n"
       "_prs_settings() { local -a names=(${(f)\"$(prs list inputs 2>/dev/null | @SED@)\"}); "
       "compadd -S = -a names }\n";
   for (const CommandText* command : all_commands(program)) text += zsh_command(program, *command);

@@ -54,8 +54,8 @@ ConfigurationQuery query_of(const ConfigurationOptions& o) {
   std::string reasons = left_out_text(nothing);
   reasons.pop_back();  // The newline that whoever prints the error adds.
   throw input::InputError(
-      "prs: error: nothing sound has this diameter, lead and starts; change what "
-      "the reasons name\n" +
+      "prs: error: nothing sound has this diameter, lead and starts; change what the reasons "
+      "name\n" +
       reasons);
 }
 

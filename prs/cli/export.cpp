@@ -31,8 +31,8 @@ constexpr Form kForms[] = {
 std::vector<const Form*> forms_of(const ExportOptions& options) {
   if (options.step)
     throw UsageError(
-        "--step: the Python package makes STEP files, with the solid modeller that it brings: "
-        "`pip install 'rollerscrew[cad]'`, then\n  python3 -c \"import rollerscrew as rs; "
+        "--step: the Python package makes STEP files, with the solid modeller that it brings: `pip "
+        "install 'rollerscrew[cad]'`, then\n  python3 -c \"import rollerscrew as rs; "
         "rs.export_step(rs.Case.from_yaml('case.yaml'), 'screw.step')\"");
   std::vector<const Form*> forms;
   for (const Form& form : kForms)

@@ -40,10 +40,10 @@ std::vector<Lesson> lessons() {
       all.push_back({name, title_of(input::load_source(file.string(), {}).text), file});
   }
   if (all.empty())
-    throw std::runtime_error(fmt::format(
-        "got {}, which has no lesson; expected files as 01_config_1_to_3.yaml; install `prs` anew, "
-        "or set PRS_SHARE to a folder that has them",
-        input::shown(data_folder("lessons").string())));
+    throw std::runtime_error(
+        fmt::format("got {}, which has no lesson; expected files as 01_config_1_to_3.yaml; install "
+                    "`prs` anew, or set PRS_SHARE to a folder that has them",
+                    input::shown(data_folder("lessons").string())));
   std::ranges::sort(all, {}, [](const Lesson& l) { return std::pair(l.number(), l.name); });
   return all;
 }

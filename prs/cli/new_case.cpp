@@ -91,8 +91,8 @@ ScrewData data_of(const NewOptions& o, Mechanism::Type type, std::vector<std::st
        {std::pair{"--screw-diameter", &o.screw_diameter}, std::pair{"--lead", &o.lead}})
     if (!*text)
       fail_option(option,
-                  fmt::format("missing; expected diameter and lead with the other options; "
-                              "add `{} \"{}\"`, for example",
+                  fmt::format("missing; expected diameter and lead with the other options; add `{} "
+                              "\"{}\"`, for example",
                               option, option == std::string_view("--lead") ? "10 mm" : "30 mm"));
   ScrewData d;
   d.type = type;
@@ -174,8 +174,8 @@ std::string assumptions(const NewOptions& o) {
   if (!has_screw(o)) {
     const ScrewData d = example(type_of(o));
     return fmt::format(
-        "an example of {} x {}, as no dimension was given; yours go in as "
-        "--screw-diameter and --lead",
+        "an example of {} x {}, as no dimension was given; yours go in as --screw-diameter and "
+        "--lead",
         mm(d.screw_diameter), mm(d.lead));
   }
   std::vector<std::string> assumed;
@@ -195,13 +195,12 @@ std::string new_text(const NewOptions& o) {
     const ScrewData data = by_options ? data_of(o, type, given) : example(type);
     const CaseLubricant lubricant = lubricant_of(o, given);
     const std::string origin =
-        by_options
-            ? fmt::format("Given: {}.", fmt::join(given, ", "))
-            : fmt::format(
-                  "An example: replace what is marked `given`, or write a case of your screw with "
-                  "`prs new {} FILE --screw-diameter \"{}\" --lead \"{}\"` and what else is known "
-                  "of it.",
-                  type_name(type), mm(data.screw_diameter), mm(data.lead));
+        by_options ? fmt::format("Given: {}.", fmt::join(given, ", "))
+                   : fmt::format(
+                         "An example: replace what is marked `given`, or write a case of your "
+                         "screw with `prs new {} FILE --screw-diameter \"{}\" --lead \"{}\"` and "
+                         "what else is known of it.",
+                         type_name(type), mm(data.screw_diameter), mm(data.lead));
     return screw_case(complete_screw(data), lubricant, origin, mechanism_of(o));
   } catch (const CaseError& error) {
     fail_option(option_of(error.path()), error.what());
@@ -271,9 +270,9 @@ int new_case(const Options& all) {
       fail_option("--lesson", fmt::format("got {} and {}; expected one FILE",
                                           input::shown(options.type), input::shown(options.file)));
     if (const std::string name = first_given(options); !name.empty())
-      fail_option(name,
-                  "got a value; expected none with --lesson, which copies what is there; "
-                  "change the copy");
+      fail_option(
+          name,
+          "got a value; expected none with --lesson, which copies what is there; change the copy");
     std::swap(options.type, options.file);
   } else if (!options.type.empty() && options.type != "standard" && options.type != "inverted") {
     throw UsageError(fmt::format("TYPE: got {}; expected one of standard, inverted, then the FILE",

@@ -109,9 +109,9 @@ void add_csv_options(CLI::App& command, CsvStyle& style) {
           "Of CSV files: european has `;` between fields and decimal commas"),
       {"plain", "european"});
   take_whole_number(
-      command.add_option("--csv-digits", style.digits,
-                         "Significant digits in CSV; 17: as many as read the same number back; "
-                         "default: 10"),
+      command.add_option(
+          "--csv-digits", style.digits,
+          "Significant digits in CSV; 17: as many as read the same number back; default: 10"),
       1, CsvStyle::kAllDigits);
 }
 

@@ -67,10 +67,9 @@ void note_empty_results(const Options& options, const input::Source& source) {
   for (const std::filesystem::path& folder : options.results)
     if (files_of_run(folder, "study", source).empty() &&
         files_of_run(folder, "optimize", source).empty())
-      note(options,
-           fmt::format("prs: --results: {} has no study or optimization of this case as it "
-                       "is; `prs study FILE --output DIR` writes one",
-                       input::shown(folder.string())));
+      note(options, fmt::format("prs: --results: {} has no study or optimization of this case as "
+                                "it is; `prs study FILE --output DIR` writes one",
+                                input::shown(folder.string())));
 }
 
 /// The page of a case, written where the options say.

@@ -176,11 +176,10 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
   if (progress.found > 0)
     note(options, fmt::format("{} designs: {}", progress.total, origin(progress)));
   if (options.shard) {
-    note(options,
-         fmt::format("shard {}: {} designs are in {}; with all shards done, `prs study merge {} "
-                     "--output DIR` writes the files of the study",
-                     name(*options.shard), all.count, options.output->string(),
-                     options.output->string()));
+    note(options, fmt::format("shard {}: {} designs are in {}; with all shards done, `prs study "
+                              "merge {} --output DIR` writes the files of the study",
+                              name(*options.shard), all.count, options.output->string(),
+                              options.output->string()));
     return kDone;
   }
   const int status = deliver_study(
@@ -223,10 +222,10 @@ int study(const Options& options) {
     return compute(ranks, source, threads, options);
   } catch (const std::system_error& error) {
     if (!options.output || !is_full_disk(error.code())) throw;
-    say(fmt::format(
-        "prs: error: {}\nprs: what was computed is kept; the same command continues from there "
-        "once there is space\n",
-        error.what()));
+    say(
+        fmt::format("prs: error: {}\nprs: what was computed is kept; the same command continues "
+                    "from there once there is space\n",
+                    error.what()));
     return kFailed;
   }
 }
@@ -243,10 +242,10 @@ int merge_study(const Options& options) {
   source.files.emplace();  // A journal may come from anywhere: what it names is not opened.
   const input::StudyInput in = input::read_study_input(source);
   if (!agree(header, in.study))
-    throw StudyFolderError(fmt::format(
-        "{}: error: its designs or responses are not those of the study in it; remove it, compute "
-        "its part again, and merge",
-        rows.journals().front().path().string()));
+    throw StudyFolderError(
+        fmt::format("{}: error: its designs or responses are not those of the study in it; remove "
+                    "it, compute its part again, and merge",
+                    rows.journals().front().path().string()));
   const std::vector<std::string> referred = referred_of(header.key);
   if (header.key != study_key(kVersion, source, referred))
     throw StudyFolderError(

@@ -8,17 +8,15 @@ namespace prs::cli {
 
 void add_validate_options(CLI::App& command, ValidateOptions& options) {
   command
-      .add_option(
-          "dir", options.file,
-          "Folder of the sources, default: those that come with the program; with --recipe a "
-          "file of diameters, YAML or CSV")
+      .add_option("dir", options.file,
+                  "Folder of the sources, default: those that come with the program; with --recipe "
+                  "a file of diameters, YAML or CSV")
       ->type_name("DIR|FILE");
-  CLI::Option* recipe =
-      command
-          .add_option("--recipe", options.recipe,
-                      "Compute a source's table for other diameters: jung-as-printed (with its "
-                      "slips) or jung-corrected")
-          ->type_name("NAME");
+  CLI::Option* recipe = command
+                            .add_option("--recipe", options.recipe,
+                                        "Compute a source's table for other diameters: "
+                                        "jung-as-printed (with its slips) or jung-corrected")
+                            ->type_name("NAME");
   command
       .add_option("--diameters", options.diameters,
                   "Nut (outer), screw and roller, e.g. \"54 mm, 27 mm, 9 mm\"; repeatable")

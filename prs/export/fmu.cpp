@@ -85,8 +85,7 @@ std::string documentation(const SystemCurves& curves, const ModelText& text) {
     page += fmt::format("<p>{}</p>\n", html(warning));
   return page +
          "<p>Other platforms: compile the files of <code>sources</code> into one shared library, "
-         "for "
-         "several units in one program with "
+         "for several units in one program with "
          "<code>-DFMI2_FUNCTION_PREFIX=NAME_</code>.</p>\n</html>\n";
 }
 

@@ -106,8 +106,7 @@ std::string curves_text(const SystemCurves& curves) {
   std::string text = fmt::format(
       "Force over deflection from -{:.6g} um, -{:.6g} N to {:.6g} um, {:.6g} N; tension is "
       "positive. Beyond, the force goes on in a straight line. Between the nodes it is within "
-      "{:.1g} "
-      "of the largest force, the stiffness within {:.1g} of the largest one. ",
+      "{:.1g} of the largest force, the stiffness within {:.1g} of the largest one. ",
       deflection.first / kMicrometre, force.first, deflection.second / kMicrometre, force.second,
       curves.force_error, curves.stiffness_error);
   const FrictionTable& table = curves.friction;

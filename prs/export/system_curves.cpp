@@ -227,10 +227,10 @@ class LoadsOfCase {
       if (!r.threads || !r.tangent_stiffness)
         throw CaseError(
             pattern_.input_path.empty() ? "preload" : pattern_.input_path,
-            fmt::format("has no {} at {:.4g} N in {}, and the curves of `export` need each force "
-                        "from zero on; leave out what only larger forces hold in place, such as "
-                        "`side_force`",
-                        r.threads ? "stiffness" : "equilibrium", r.load_case.axial_force, name(d)));
+            fmt::format(
+                "has no {} at {:.4g} N in {}, and the curves of `export` need each force from zero "
+                "on; leave out what only larger forces hold in place, such as `side_force`",
+                r.threads ? "stiffness" : "equilibrium", r.load_case.axial_force, name(d)));
     return results;
   }
 
@@ -291,10 +291,10 @@ void add_preloaded_branches(const Conditions& c, const Contacts& contacts, doubl
       for (const double force : forces) {
         const PreloadPoint point = mechanism.solve(sign * force);
         if (!point.solve.converged() || !point.tangent_stiffness)
-          throw CaseError("preload", fmt::format("does not converge at {:.4g} N; expected every "
-                                                 "force from zero on for `export`; take less "
-                                                 "preload",
-                                                 sign * force));
+          throw CaseError("preload",
+                          fmt::format("does not converge at {:.4g} N; expected every force from "
+                                      "zero on for `export`; take less preload",
+                                      sign * force));
         nodes.push_back({force, sign * point.axial_displacement, *point.tangent_stiffness});
       }
       return nodes;
@@ -380,11 +380,12 @@ FrictionTable table_on(const FrictionGrid& grid, FrictionTorque& torque) {
       for (const double sign : {1.0, -1.0}) {
         const std::optional<double> found = torque.at(force_of(root), sign * speed);
         if (!found)
-          throw CaseError("friction",
-                          fmt::format("slip ends as {} at {:.4g} N and {:.4g} rad/s, so that there "
-                                      "is no torque for `export`; ask for less by --force or "
-                                      "--speed, or check friction and carrier",
-                                      name(torque.status()), force_of(root), sign * speed));
+          throw CaseError(
+              "friction",
+              fmt::format(
+                  "slip ends as {} at {:.4g} N and {:.4g} rad/s, so that there is no torque for "
+                  "`export`; ask for less by --force or --speed, or check friction and carrier",
+                  name(torque.status()), force_of(root), sign * speed));
         (sign > 0.0 ? table.forward : table.backward).push_back(*found);
       }
   return table;
@@ -514,8 +515,8 @@ Warning torque_of_preloaded(const Case& c, const LoadCase& pattern, bool chosen)
     where = fmt::format(", at the {} of load case `{}`, which the force does not have",
                         fmt::join(conditions, " and "), pattern.name);
   return {"preload", "torque_without_preload",
-          fmt::format("the torque is that of the external load alone{}; what friction "
-                      "takes of the preload is not in it",
+          fmt::format("the torque is that of the external load alone{}; what friction takes of the "
+                      "preload is not in it",
                       where)};
 }
 
@@ -525,11 +526,10 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
   if (std::optional<Warning> lacking = lacking_friction(c, pattern)) {
     curves.warnings.push_back(std::move(*lacking));
     if (c.preload && options.load_case)
-      curves.warnings.push_back(
-          {"preload", "idle_load_case",
-           fmt::format("the force is that of `prs preload`; without friction the load case "
-                       "`{}` changes nothing",
-                       pattern.name)});
+      curves.warnings.push_back({"preload", "idle_load_case",
+                                 fmt::format("the force is that of `prs preload`; without friction "
+                                             "the load case `{}` changes nothing",
+                                             pattern.name)});
     return;
   }
   require_rolling(c, contacts);
@@ -565,10 +565,9 @@ LoadCase pattern_of(const Case& c, const CurveOptions& options) {
   for (const LoadCase& load : c.load_cases)
     if (is_solved(load)) names.append(names.empty() ? "" : ", ").append(load.name);
   if (names.empty())
-    throw CaseError(
-        "load_cases",
-        "got equal shares in each; expected one that the models solve for `export`; add "
-        "a load case without `share: equal`");
+    throw CaseError("load_cases",
+                    "got equal shares in each; expected one that the models solve for `export`; "
+                    "add a load case without `share: equal`");
   throw CaseError("load_cases", fmt::format("there is none called `{}`; expected one of {}",
                                             *options.load_case, names));
 }

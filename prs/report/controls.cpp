@@ -211,10 +211,10 @@ std::string slider_html(const Findings& all, const Slider& slider, int index) {
     if (slider.cases.size() > 1) title += fmt::format(" and {} more", slider.cases.size() - 1);
   }
   return fmt::format(
-      "<div class=\"control\" data-paths=\"{0}\" data-value=\"{1}\"><label for=\"v{2}\">{3}</label>"
-      "<input id=\"v{2}\" type=\"text\" value=\"{1}\" autocomplete=\"off\" spellcheck=\"false\">"
-      "<input type=\"range\" aria-label=\"{3}, slider\" min=\"{4}\" max=\"{5}\" step=\"{6}\" "
-      "value=\"{7}\" data-unit=\"{8}\"></div>\n",
+      "<div class=\"control\" data-paths=\"{0}\" data-value=\"{1}\"><label "
+      "for=\"v{2}\">{3}</label><input id=\"v{2}\" type=\"text\" value=\"{1}\" autocomplete=\"off\" "
+      "spellcheck=\"false\"><input type=\"range\" aria-label=\"{3}, slider\" min=\"{4}\" "
+      "max=\"{5}\" step=\"{6}\" value=\"{7}\" data-unit=\"{8}\"></div>\n",
       html(fmt::format("{}", fmt::join(slider.paths, " "))), html(short_text(slider.shown, shown)),
       index, html(title), in_shown_unit(least), in_shown_unit(most),
       control.kind == Span::whole ? "1" : "any", shown.number, html(shown.unit));

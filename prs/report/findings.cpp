@@ -156,8 +156,7 @@ std::string figure_html(Findings& all, Figure figure, bool narrow) {
       add_behind(figure, found->second);
   return fmt::format(
       "<figure data-figure=\"{}\"{}><figcaption>{}</figcaption><div class=\"wide\" "
-      "tabindex=\"0\">{}"
-      "</div></figure>\n",
+      "tabindex=\"0\">{}</div></figure>\n",
       html(figure.name), narrow ? " class=\"narrow\"" : "", html(in_table_units(figure.title)),
       svg(figure, fmt::format("{}-{}-{}", all.section, figure.name, place)));
 }

@@ -499,8 +499,7 @@ std::string studies_html(Findings& all) {
     }
     if (left_out > 0)
       text += fmt::format(
-          "<p class=\"default\">{} more picture{} stand{} in the folder of the "
-          "results.</p>\n",
+          "<p class=\"default\">{} more picture{} stand{} in the folder of the results.</p>\n",
           left_out, left_out == 1 ? "" : "s", left_out == 1 ? "s" : "");
   }
   return text;
@@ -576,8 +575,8 @@ std::string files_html(Findings& all) {
       links + "</ul>\n";
   if (!absent.empty()) {
     text += fmt::format(
-        "<p>Too large for this page: {}. The commands write them with "
-        "<code>--output DIR</code>.</p>\n",
+        "<p>Too large for this page: {}. The commands write them with <code>--output "
+        "DIR</code>.</p>\n",
         html(absent));
     all.notes.push_back(fmt::format("too large for the page: {}", absent));
   }
@@ -668,8 +667,7 @@ ReportParts report_parts(const input::Source& source, const ReportOptions& optio
   parts.head = head_html(all);
   for (const SectionRow& row : section_rows()) parts.sections.push_back(section_of(all, row));
   parts.foot = fmt::format(
-      "<p>Made by prs {} on {}. SHA-256 of the case: <span class=\"mono\">{}"
-      "</span></p>",
+      "<p>Made by prs {} on {}. SHA-256 of the case: <span class=\"mono\">{}</span></p>",
       html(kVersion), all.date, all.check.value("input_sha256", ""));
   parts.controls = controls_html(all);
   parts.threads = thread_choices(all);

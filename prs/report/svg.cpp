@@ -129,8 +129,9 @@ std::string svg_style() {
   }
   return fmt::format(
              ":root{{{}}}\n@media screen and (prefers-color-scheme:dark){{:root{{{}}}}}\n"
-             "svg .pick{{fill:transparent}}svg{{display:block;width:100%;height:auto;"
-             "font-family:inherit}}\n",
+             "svg "
+             ".pick{{fill:transparent}}svg{{display:block;width:100%;height:auto;font-family:"
+             "inherit}}\n",
              light, dark) +
          svg_rules(true);
 }

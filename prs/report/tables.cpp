@@ -208,12 +208,13 @@ std::string record_table(const RecordInfo& info, const std::vector<RecordColumn>
   for (const RecordColumn& column : columns)
     head += fmt::format("<th scope=\"col\">{}</th>", html(column.title));
   return fmt::format(
-      "<div class=\"wide\" tabindex=\"0\"><table class=\"quantities\">\n{}<tbody>\n{}</tbody>"
-      "</table></div>\n",
-      titled ? fmt::format("<thead><tr><td></td>{}<th scope=\"col\" class=\"unit\">unit</th></tr>"
-                           "</thead>\n",
-                           head)
-             : "",
+      "<div class=\"wide\" tabindex=\"0\"><table "
+      "class=\"quantities\">\n{}<tbody>\n{}</tbody></table></div>\n",
+      titled
+          ? fmt::format(
+                "<thead><tr><td></td>{}<th scope=\"col\" class=\"unit\">unit</th></tr></thead>\n",
+                head)
+          : "",
       rows.text);
 }
 

@@ -141,11 +141,11 @@ std::string verdict_html(const Findings& all) {
   if (const Result* solve = all.result<Result>(Command::solve)) {
     const auto failed = std::ranges::count(solve->load_cases, false, &LoadCaseResult::converged);
     const std::size_t count = solve->load_cases.size();
-    text += failed == 0 ? fmt::format("{} load case{} solved. ", count, count == 1 ? "" : "s")
-                        : fmt::format(
-                              "<span class=\"state red\">{} of {} load cases did not "
-                              "converge.</span> ",
-                              failed, count);
+    text +=
+        failed == 0
+            ? fmt::format("{} load case{} solved. ", count, count == 1 ? "" : "s")
+            : fmt::format("<span class=\"state red\">{} of {} load cases did not converge.</span> ",
+                          failed, count);
   }
   for (const CommandAnswer& answer : all.answers)
     if (!answer.delivery.converged && answer.command != Command::solve)

@@ -114,8 +114,8 @@ std::string image_svg(const Map& map, const ColourScale& scale, const Frame& f) 
   return "<image x=\"" + std::to_string(f.box.left) + "\" y=\"" + std::to_string(f.box.top) +
          "\" width=\"" + std::to_string(f.box.width()) + "\" height=\"" +
          std::to_string(f.box.height()) +
-         "\" preserveAspectRatio=\"none\" "
-         "xmlns:xlink=\"http://www.w3.org/1999/xlink\" xlink:href=\"" +
+         "\" preserveAspectRatio=\"none\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
+         "xlink:href=\"" +
          png_address(image) + "\"/>";
 }
 

@@ -77,15 +77,15 @@ std::string svg_rules(bool themed) {
   std::string rules = fmt::format(
       "svg rect,.c{{shape-rendering:crispEdges}}\n"
       "svg{{font-size:{4}px}}\n"
-      "svg text{{fill:{0}}}svg .q{{fill:{1}}}svg .m{{text-anchor:middle}}"
-      "svg .e{{text-anchor:end}}svg .b{{font-weight:600}}\n"
+      "svg text{{fill:{0}}}svg .q{{fill:{1}}}svg .m{{text-anchor:middle}}svg "
+      ".e{{text-anchor:end}}svg .b{{font-weight:600}}\n"
       "svg .h{{paint-order:stroke;stroke:{3};stroke-width:4px;stroke-linejoin:round}}\n"
-      ".t{{stroke:{1};stroke-width:1;fill:none}}.g{{stroke:{2};stroke-width:1}}"
-      ".o{{stroke:#000;stroke-opacity:.55;stroke-width:.6}}\n"
+      ".t{{stroke:{1};stroke-width:1;fill:none}}.g{{stroke:{2};stroke-width:1}}.o{{stroke:#000;"
+      "stroke-opacity:.55;stroke-width:.6}}\n"
       ".w{{stroke:#8c510a;stroke-width:.3;stroke-opacity:.5}}.l{{stroke:#8c510a;stroke-width:.7;"
-      "fill:none}}"
-      "svg .n{{fill:#1a1a1a;text-anchor:middle;font-size:13px;paint-order:stroke;stroke:#fff;"
-      "stroke-opacity:.6;stroke-width:3px}}\n",
+      "fill:none}}svg "
+      ".n{{fill:#1a1a1a;text-anchor:middle;font-size:13px;paint-order:stroke;stroke:#fff;stroke-"
+      "opacity:.6;stroke-width:3px}}\n",
       ink, quiet, line, paper, kFontSize);
   for (std::size_t k = 0; k < std::size(kColours); ++k)
     rules += fmt::format(

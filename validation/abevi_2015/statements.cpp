@@ -157,8 +157,8 @@ Finding nut_distribution_differs_between_configurations(const Results& r) {
   const double nut = change_between_configurations(r, Interface::nut);
   const double screw = change_between_configurations(r, Interface::screw);
   return {nut > 10.0 * screw,
-          fmt::format("a nut thread's share changes by up to {:.2f} points, a "
-                      "screw thread's by {:.2f} (judged against ten times that)",
+          fmt::format("a nut thread's share changes by up to {:.2f} points, a screw thread's by "
+                      "{:.2f} (judged against ten times that)",
                       100 * nut, 100 * screw)};
 }
 
@@ -354,11 +354,10 @@ constexpr double kVisible = 5e-4;  // 0.05 points, what a figure of the paper ca
 Finding screw_distribution_varies(const Results& r) {
   const double configuration = change_between_configurations(r, Interface::screw);
   const double direction = change_by_direction(r, Interface::screw);
-  return {
-      configuration > kVisible && direction > kVisible,
-      fmt::format("a share changes by up to {:.2f} points with the configuration and {:.2f} with "
-                  "the direction (judged against 0.05)",
-                  100 * configuration, 100 * direction)};
+  return {configuration > kVisible && direction > kVisible,
+          fmt::format("a share changes by up to {:.2f} points with the configuration and {:.2f} "
+                      "with the direction (judged against 0.05)",
+                      100 * configuration, 100 * direction)};
 }
 
 Finding distribution_differs_at_the_interfaces(const Results& r) {
@@ -367,10 +366,9 @@ Finding distribution_differs_at_the_interfaces(const Results& r) {
     least = std::min(
         least, largest_difference(r.rates(Interface::screw, c, d), r.rates(Interface::nut, c, d)));
   });
-  return {least > kVisible,
-          fmt::format("a thread's two shares differ by at least {:.2f} points in every case "
-                      "(judged against 0.05)",
-                      100 * least)};
+  return {least > kVisible, fmt::format("a thread's two shares differ by at least {:.2f} points in "
+                                        "every case (judged against 0.05)",
+                                        100 * least)};
 }
 
 Finding wings_differ_from_the_rigid_roller(const Results& r) {
@@ -378,10 +376,11 @@ Finding wings_differ_from_the_rigid_roller(const Results& r) {
   for_each_case([&](std::size_t c, Direction d) {
     least = std::min(least, sensitivity_to_bending(r, c, d));
   });
-  return {least > kVisible,
-          fmt::format("bending changes a share by at least {:.2f} points in every "
-                      "case (judged against 0.05)",
-                      100 * least)};
+  return {
+      least > kVisible,
+      fmt::format(
+          "bending changes a share by at least {:.2f} points in every case (judged against 0.05)",
+          100 * least)};
 }
 
 Finding bending_matters_in_tension_only(const Results& r) {
@@ -428,22 +427,20 @@ std::vector<AbeviStatement> statements() {
        "direction",
        stiffness_depends_on_case},
       {"4.2",
-       "the most critical situation for the threads of the screw appears to be compressive "
-       "loading",
+       "the most critical situation for the threads of the screw appears to be compressive loading",
        compression_is_worst_for_the_screw},
       {"4.2", "this is mainly due to the effect of the roller's flexibility",
        flexibility_makes_compression_worst},
       {"4.2",
-       "in all configurations, the load decreases from the first thread of the screw to the "
-       "last",
+       "in all configurations, the load decreases from the first thread of the screw to the last",
        screw_load_falls_from_first_to_last},
       {"4.2",
        "at the screw-roller interface, the load distribution varies according to the system "
        "configuration and the loading direction",
        screw_distribution_varies},
       {"4.3",
-       "at the nut-roller interface, the load distribution differs greatly from one "
-       "configuration to another",
+       "at the nut-roller interface, the load distribution differs greatly from one configuration "
+       "to another",
        nut_distribution_differs_between_configurations},
       {"4.3", "the load ratio on the first thread is higher than that computed in the CC",
        first_nut_thread_is_higher_in_tension},
@@ -451,8 +448,7 @@ std::vector<AbeviStatement> statements() {
       {"5", "for lower external loads, the load distribution is quite uniform (around 5 %)",
        low_load_is_uniform,
        "Hertz approaches fall with F^(2/3) and body deformations with F, so the shares reach 5 % "
-       "only "
-       "in the limit of vanishing load"},
+       "only in the limit of vanishing load"},
       {"5", "when the external load increases, ... the global load distribution becomes nonuniform",
        spread_grows_with_load},
       {"5",
@@ -463,8 +459,8 @@ std::vector<AbeviStatement> statements() {
        "identified configurations",
        first_screw_thread_grows_alike},
       {"5",
-       "the load ratios of the first six threads increase with the external load, the load "
-       "ratios of the last ten threads decrease",
+       "the load ratios of the first six threads increase with the external load, the load ratios "
+       "of the last ten threads decrease",
        first_six_grow_and_last_ten_fall},
       {"5", "the butterfly wings are not the same as in the case of a nonflexible roller",
        wings_differ_from_the_rigid_roller},
@@ -475,8 +471,8 @@ std::vector<AbeviStatement> statements() {
       {"5", "the left wing is more split or larger under tensile loading (nut)",
        [](const Results& r) { return tension_wing_is_larger(r, Interface::nut); }},
       {"5",
-       "the load distribution is more sensitive to the flexibility of the roller in [tension] "
-       "than in [compression]",
+       "the load distribution is more sensitive to the flexibility of the roller in [tension] than "
+       "in [compression]",
        tension_is_more_sensitive_to_bending},
       {"5", "for the screw, the load on the first thread increases slightly in the TC",
        first_screw_thread_rises_slightly_in_tension,
@@ -486,8 +482,8 @@ std::vector<AbeviStatement> statements() {
        "no guidance gives it, and section 6 says that under compression the flexibility has little "
        "impact"},
       {"5",
-       "for the nut, in the TC, the first active thread remains the most loaded whether the "
-       "roller is flexible or not",
+       "for the nut, in the TC, the first active thread remains the most loaded whether the roller "
+       "is flexible or not",
        first_nut_thread_is_most_loaded_in_tension},
       {"5",
        "the load ratio on the first active thread is almost 1.5 times higher in the flexible "
@@ -495,8 +491,8 @@ std::vector<AbeviStatement> statements() {
        bending_raises_first_nut_thread_by_half,
        "ends held on both nodes, as (10) says, clamp the roller; compliant rings let it tilt"},
       {"5",
-       "in the compressive loading case, the position of the most loaded thread depends "
-       "strongly on the system configuration and the flexibility of the roller",
+       "in the compressive loading case, the position of the most loaded thread depends strongly "
+       "on the system configuration and the flexibility of the roller",
        most_loaded_nut_thread_moves_in_compression,
        "the last thread stands next to the thrust section and tends to carry most; how far the "
        "flange around it takes part depends on the nut's shape, which is assumed"},
@@ -509,8 +505,7 @@ std::vector<AbeviStatement> statements() {
        distribution_differs_at_the_interfaces},
       {"6",
        "sensitive to the loading cases (tensile or compressive), the external loading value and "
-       "the "
-       "type of configuration",
+       "the type of configuration",
        distribution_is_sensitive_to_everything},
   };
 }
@@ -548,8 +543,8 @@ ComparedStatement boundary_conditions_matter(const std::vector<Variant<Results>>
   verdict.kind =
       stiffness > 0.05 && share > 0.005 ? Verdict::Kind::holds : Verdict::Kind::does_not_hold;
   verdict.evidence = fmt::format(
-      "guidance changes the stiffness by up to {:.1f} % and a thread's "
-      "share by up to {:.2f} points (judged against 5 % and 0.5 points)",
+      "guidance changes the stiffness by up to {:.1f} % and a thread's share by up to {:.2f} "
+      "points (judged against 5 % and 0.5 points)",
       100 * stiffness, 100 * share);
   return {"6",
           "the BCs have a strong influence on both the load distribution and the axial stiffness",

@@ -65,9 +65,8 @@ std::optional<Problem> problem_of(const Diameters& d) {
     return d.screw / (cosine / limit - 2.0) * per_si::micrometre;
   };
   return Problem{
-      2, fmt::format("got {}, d_r cos(45 deg)/d_n = {:.4g}; expected 0.01 to 0.30, where "
-                     "Lemor's geometry factor is known; with this screw take {:g} to {:g} "
-                     "mm",
+      2, fmt::format("got {}, d_r cos(45 deg)/d_n = {:.4g}; expected 0.01 to 0.30, where Lemor's "
+                     "geometry factor is known; with this screw take {:g} to {:g} mm",
                      in_mm(d.roller), ratio, std::ceil(roller_at(kFactorRatios.least)) * 1e-3,
                      std::floor(roller_at(kFactorRatios.greatest)) * 1e-3)};
 }
@@ -247,9 +246,8 @@ std::vector<Diameters> read_diameters(const std::string& file,
   for (const std::string& text : texts) rows.push_back(read_text(text));
   if (rows.empty())
     throw InputError(
-        fmt::format("prs: error: --recipe: got no diameters; expected a file or "
-                    "--diameters; write for example "
-                    "--diameters \"{}\", nut (outer), screw and roller",
+        fmt::format("prs: error: --recipe: got no diameters; expected a file or --diameters; write "
+                    "for example --diameters \"{}\", nut (outer), screw and roller",
                     kExample));
   return rows;
 }

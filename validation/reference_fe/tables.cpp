@@ -56,8 +56,7 @@ ValidationTable stiffness_table(const std::vector<Model>& models,
 ValidationTable load_table(const std::vector<Model>& models, const std::vector<Curve>& reference,
                            Interface i) {
   ValidationTable table{
-      fmt::format("Load rates at the {} at {}: mean and largest discrepancy over "
-                  "the threads, {}",
+      fmt::format("Load rates at the {} at {}: mean and largest discrepancy over the threads, {}",
                   prs::name(i), at_full_load(reference), of_sector_load(reference)),
       {"CONFIG, direction, guidance, contacts"},
       {},

@@ -138,10 +138,9 @@ struct Mechanics {
 Finding optimality_is_high(const Case& c) {
   const double measured = slip_of(at(c, slip_ratio, kMeasuredSlipRatio)).optimality;
   const double computed = slip_of(c).optimality;
-  return {measured > 0.995,
-          fmt::format("experiment 6, the only one that the text quotes: {:.2f} %; computed "
-                      "equilibrium: {:.2f} %",
-                      100 * measured, 100 * computed)};
+  return {measured > 0.995, fmt::format("experiment 6, the only one that the text quotes: {:.2f} "
+                                        "%; computed equilibrium: {:.2f} %",
+                                        100 * measured, 100 * computed)};
 }
 
 Finding optimality_is_higher_at_low_speed(const Case& c) {
@@ -226,11 +225,10 @@ Finding coulomb_would_do(const Case& c) {
   };
   const double screw = coulomb_power(friction_at_screw(s)).screw / s.power.screw - 1.0;
   const double nut = coulomb_power(friction_at_nut(s)).nut / s.power.nut - 1.0;
-  return {
-      std::max(std::abs(screw), std::abs(nut)) < 0.1,
-      fmt::format("with mu_a as coefficient the power changes by {:+.1f} % at I and {:+.1f} % at "
-                  "J (judged against 10 %)",
-                  100 * screw, 100 * nut)};
+  return {std::max(std::abs(screw), std::abs(nut)) < 0.1,
+          fmt::format("with mu_a as coefficient the power changes by {:+.1f} % at I and {:+.1f} % "
+                      "at J (judged against 10 %)",
+                      100 * screw, 100 * nut)};
 }
 
 /// Table 2.2: alpha [1/GPa], eta_0 [mPa s], tau_0 [MPa].
@@ -315,10 +313,10 @@ Finding spin_torques_oppose_the_roller(const Case& c) {
                        b.motion.roller_to_carrier);
   };
   const std::string standard = in_equilibrium(c), other = in_equilibrium(inverted(c));
-  return {oppose, fmt::format("in equilibrium: standard {}, inverted {}; an inverted roller-nut "
-                              "contact spins the other way, and helps, beyond epsilon = 1/(1 + "
-                              "Gamma) = {:.3f}",
-                              standard, other, 1.0 / (1.0 + slip_of(inverted(c)).gear_ratio))};
+  return {oppose,
+          fmt::format("in equilibrium: standard {}, inverted {}; an inverted roller-nut contact "
+                      "spins the other way, and helps, beyond epsilon = 1/(1 + Gamma) = {:.3f}",
+                      standard, other, 1.0 / (1.0 + slip_of(inverted(c)).gear_ratio))};
 }
 
 Finding static_torques_are_those_of_the_lead(const Case& c) {
@@ -405,8 +403,8 @@ Finding residue_is_monotonous(const Case& c) {
     holds = holds && (rises(residue) || falls(residue)) && residue.front() * residue.back() < 0.0;
   }
   return {holds,
-          "one sign at pure sliding, the other at the ideal slip ratio, monotonous at 121 "
-          "points between, standard and inverted"};
+          "one sign at pure sliding, the other at the ideal slip ratio, monotonous at 121 points "
+          "between, standard and inverted"};
 }
 
 Finding solution_lies_between_measurement_and_ideal(const Case& c) {
@@ -560,8 +558,8 @@ Finding efficiency_tends_to_one(const Case& c) {
   const double stress = efficiency(slip_of(at(c, eyring_stress, 0.01)));
   const double thin = efficiency(slip_of(at(c, viscosity, 0.07)));
   return {std::min(stress, thin) > 0.998,
-          fmt::format("{:.2f} % at tau_0 = 0.01 MPa, {:.2f} % at eta_0 = 0.07 mPa s; (3.55) "
-                      "itself gives 98.1 % at tau_0 = 0",
+          fmt::format("{:.2f} % at tau_0 = 0.01 MPa, {:.2f} % at eta_0 = 0.07 mPa s; (3.55) itself "
+                      "gives 98.1 % at tau_0 = 0",
                       100 * stress, 100 * thin)};
 }
 
@@ -642,11 +640,10 @@ Finding profiles_and_rollers_hardly_matter(const Case& c) {
   const double roller = change(kRollerProfiles, roller_profile);
   const double screw = change(kScrewProfiles, screw_profile);
   const double number = change(kRollers, rollers);
-  return {
-      std::max({roller, screw, number}) < 0.02,
-      fmt::format("power changes by at most {:.2f} % with the roller's profile, {:.2f} % with the "
-                  "screw's, {:.2f} % with 5 to 11 rollers (judged against 2 %)",
-                  100 * roller, 100 * screw, 100 * number)};
+  return {std::max({roller, screw, number}) < 0.02,
+          fmt::format("power changes by at most {:.2f} % with the roller's profile, {:.2f} % with "
+                      "the screw's, {:.2f} % with 5 to 11 rollers (judged against 2 %)",
+                      100 * roller, 100 * screw, 100 * number)};
 }
 
 Finding forty_five_degrees_is_good(const Case& c) {
@@ -684,8 +681,7 @@ std::vector<Statement<Case>> statements() {
       {"2.2.4", "higher friction coefficients are shown to have the same effect [raise epsilon]",
        more_friction_raises_the_slip_ratio,
        "more viscosity raises the friction of the slow roller-nut contact relatively more than "
-       "that "
-       "of the fast roller-screw contact"},
+       "that of the fast roller-screw contact"},
       {"2.3", "the movement at the roller-nut contact J is a pure spin", nut_contact_spins},
       {"2.3",
        "the roller-screw contact I is characterized by a combination of spin and uniform sliding, "
@@ -693,8 +689,7 @@ std::vector<Statement<Case>> statements() {
        screw_contact_mostly_slides},
       {"2.3.1",
        "for a film thickness of 300 nm, 1 Pa s would yield a friction coefficient of the order "
-       "1e-4 "
-       "for I",
+       "1e-4 for I",
        newtonian_friction_is_tiny},
       {"2.3.1", "with a Barus or even Roelands relation, mu values would be much higher than 1",
        newtonian_friction_under_pressure_exceeds_one},
@@ -744,15 +739,13 @@ std::vector<Statement<Case>> statements() {
        dynamic_ellipses_change_little},
       {"3.2.6",
        "R_z is a strictly monotonous function of epsilon which changes signs, for both standard "
-       "and "
-       "inverted PRS",
+       "and inverted PRS",
        residue_is_monotonous},
       {"3.2.7", "the solution is closely below epsilon* and above the measurement of experiment #6",
        solution_lies_between_measurement_and_ideal},
       {"3.2.7",
        "the circumferential gear force is the only active component, while spin torques, the "
-       "planet "
-       "carrier bearing and contact forces are all resistive",
+       "planet carrier bearing and contact forces are all resistive",
        only_gears_drive_the_roller},
       {"3.2.7", "the contribution of the journal bearing appears to be very small",
        bearing_moment_is_small},
@@ -765,8 +758,7 @@ std::vector<Statement<Case>> statements() {
        single_points_are_wrong},
       {"3.2.9",
        "the two methods [for the power] lead to the same result; the only required condition is "
-       "that "
-       "epsilon takes the calculated equilibrium value",
+       "that epsilon takes the calculated equilibrium value",
        both_powers_agree_in_equilibrium},
       {"3.3", "more than 90% of the power is dissipated through the roller-screw contacts",
        screw_contacts_take_most},
@@ -782,8 +774,7 @@ std::vector<Statement<Case>> statements() {
        power_falls_with_the_diameter},
       {"3.3",
        "efficiency is relatively constant for most of these parameter variations, except "
-       "lubrication "
-       "variables",
+       "lubrication variables",
        efficiency_is_constant},
       {"3.3", "(3.54): efficiency falls linearly with tau_0 and with ln eta_0",
        efficiency_falls_linearly},
@@ -791,8 +782,7 @@ std::vector<Statement<Case>> statements() {
       {"3.3", "(3.55): H = 98.1% - 0.32% tau_0 ln eta_0 is an approximation", printed_fit_is_near},
       {"3.3",
        "W_t increases linearly with the screw speed and the external force; both curves pass by "
-       "the "
-       "(0,0) origin",
+       "the (0,0) origin",
        power_is_linear_in_speed_and_force},
       {"3.3", "W_t is proportional to the Eyring stress and to the logarithm of ambient viscosity",
        power_is_proportional_to_stress_and_viscosity},
@@ -810,8 +800,7 @@ std::vector<Statement<Case>> statements() {
        forty_five_degrees_is_good},
       {"3.3",
        "higher leads increase the useful power output, but also dissipate more, such that "
-       "efficiency "
-       "remains constant",
+       "efficiency remains constant",
        lead_raises_the_power},
       {"3.4", "PRS efficiency is high (around 80%)", efficiency_is_around_80_percent},
   };

@@ -47,8 +47,7 @@ EfficiencyFit efficiency_fit(const Case& c, const std::vector<double>& eyring_st
 ValidationTable efficiency_fits(const Case& reference) {
   ValidationTable table{
       "(3.55): the constants of H = B_1 - B_2 tau_0 ln(eta_0), tau_0 in MPa and eta_0 in mPa s, "
-      "fitted "
-      "to computed efficiencies",
+      "fitted to computed efficiencies",
       {"tau_0, eta_0", "B_1 in %", "B_2 in %", "worst in points"},
       {}};
   const auto add = [&](const char* range, const std::vector<double>& stresses,

@@ -57,21 +57,18 @@ std::vector<Statement<Rows>> statements() {
       {"dynamic capacity", "C_a grows as lead^0.23 where nothing else differs",
        [](const Rows& rows) { return exponent(rows, printed_dynamic, computed_dynamic, 0.05); },
        "the rule puts in more rollers at fine pitch, whose crests are lower; the maker does not "
-       "seem "
-       "to"},
+       "seem to"},
       {"dynamic capacity", "Lemor's C_a is 0.6 to 1.6 times the maker's",
        [](const Rows& rows) -> Finding {
          const Interval i = range(rows, &Ratios::dynamic_capacity);
          return {within(i, 0.6, 1.6), "computed over printed " + text(i)};
        },
        "the smallest screw, 4 x 1, is out: its 82 contacts of 0.33 mm pitch count as fully as "
-       "large "
-       "ones in Lemor's formula; from 8 mm on 0.7 to 1.3"},
+       "large ones in Lemor's formula; from 8 mm on 0.7 to 1.3"},
       {"static capacity", "C_0 hardly depends on the lead",
        [](const Rows& rows) { return exponent(rows, printed_static, computed_static, 0.05); },
        "the rule puts in more rollers at fine pitch; with arcs about the rollers' axes, of one "
-       "radius "
-       "for all leads, C_0 falls with the pitch"},
+       "radius for all leads, C_0 falls with the pitch"},
       {"static capacity", "the load of 4.0 GPa is 0.5 to 1.8 times the maker's C_0",
        [](const Rows& rows) -> Finding {
          const Interval i = range(rows, &Ratios::static_capacity);
@@ -84,9 +81,8 @@ std::vector<Statement<Rows>> statements() {
          return {i.least >= 1.0, "load at the edge of a flank over C_0 " + text(i)};
        },
        "crests end 0.15 p beyond the nominal diameter, as outer diameters are printed, and "
-       "ellipses of unbounded flanks are wider: the "
-       "maker "
-       "counts on what bears beyond, or on another profile; neither is printed"},
+       "ellipses of unbounded flanks are wider: the maker counts on what bears beyond, or on "
+       "another profile; neither is printed"},
       {"weight", "nut and rollers weigh what plain cylinders do, within 18 %",
        [](const Rows& rows) -> Finding {
          const Interval i = range(rows, &Ratios::weight, weight_is_known);

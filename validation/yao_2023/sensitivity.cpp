@@ -310,8 +310,7 @@ std::vector<YaoStatement> statements() {
   return {
       {"3.2",
        "beta_S contributes most to the deflection angle of the screw and roller, with negative "
-       "effect "
-       "on the roller but positive effect on the screw",
+       "effect on the roller but positive effect on the screw",
        screw_angle_leads},
       {"3.2", "d_R0, beta_R, P_S and P_R are also sensitive to the deflection angle",
        screw_angles_follow},
@@ -321,8 +320,7 @@ std::vector<YaoStatement> statements() {
        screw_radii},
       {"3.2",
        "the effects of d_R0 and beta_S on the screw are negative but positive on the roller, and "
-       "the "
-       "effect of beta_R is exact converse",
+       "the effect of beta_R is exact converse",
        screw_radii_signs},
       {"3.2",
        "the negative effect of d_R0 on the curvature sum between screw and roller accounts for "
@@ -330,8 +328,7 @@ std::vector<YaoStatement> statements() {
        screw_curvature},
       {"3.2",
        "beta_R has the most significant positive effect on the contact stress sigma_HSR, followed "
-       "by "
-       "d_R0 with greater negative sensitivity",
+       "by d_R0 with greater negative sensitivity",
        screw_stress_leaders, load},
       {"3.2",
        "the positive sensitivity of the applied load F is basically consistent with that of the "
@@ -341,9 +338,8 @@ std::vector<YaoStatement> statements() {
        ratios_after_flank_angle, load},
       {"3.2",
        "the most sensitive parameters to the deflection angle of roller and nut are P_N, P_R, "
-       "d_R0, "
-       "beta_R and beta_N in sequence, in which P_N, d_R0 and beta_N have positive effects, while "
-       "P_R and beta_R have negative effects",
+       "d_R0, beta_R and beta_N in sequence, in which P_N, d_R0 and beta_N have positive effects, "
+       "while P_R and beta_R have negative effects",
        nut_angles},
       {"3.2",
        "d_R0, beta_N and beta_R are the main contributors to the contact radius of roller and nut, "
@@ -351,8 +347,7 @@ std::vector<YaoStatement> statements() {
        nut_radii},
       {"3.2",
        "d_R0 and beta_R account for 53.13 % and 41.72 % of the negative effects on the curvature "
-       "sum "
-       "between nut and roller, and beta_N accounts for 4.07 % of the positive effects",
+       "sum between nut and roller, and beta_N accounts for 4.07 % of the positive effects",
        nut_curvature,
        "the magnitudes are these, the signs of the two flank angles are not: a larger beta_R makes "
        "the roller's arc smaller and the sum larger, as the text on figure 10 says, and a larger "
@@ -383,8 +378,8 @@ ValidationTable curvature_table(const Ranking& r) {
 
 ValidationTable stress_table(const Rankings& r) {
   ValidationTable table{
-      "Figures 8(f), 9(f): contributions to the contact stress with Q = F/|n_z| at "
-      "the contact point and with Q of (27), in %",
+      "Figures 8(f), 9(f): contributions to the contact stress with Q = F/|n_z| at the contact "
+      "point and with Q of (27), in %",
       {"input", "screw", "screw, (27)", "nut", "nut, (27)"},
       {},
       2};
