@@ -24,8 +24,8 @@ constexpr Quantity<Configuration> kRollers[] = {
     {"indexing_angle_deg",
      of<its_mechanism<[](auto& m) { return indexing_angle(m.type, m.starts, m.rollers); }>>,
      "by which each is turned against its neighbour"},
-    {"alike",
-     always<&Configuration::alike>, "numbers of rollers that all go in turned the same way"},
+    {"alike", always<&Configuration::alike>,
+     "numbers of rollers that all go in turned the same way"},
 };
 
 constexpr Quantity<GearPair> kGears[] = {
@@ -41,8 +41,8 @@ constexpr Quantity<GearPair> kGears[] = {
 using Numbered = Within<Configurations, Configuration>;
 
 constexpr Quantity<Numbered> kConfiguration[] = {
-    {"number",
-     always<[](auto& c) { return c.item - c.whole->found.data() + 1; }>, "what `--write` takes"},
+    {"number", always<[](auto& c) { return c.item - c.whole->found.data() + 1; }>,
+     "what `--write` takes"},
     {"type", always<[](auto& c) { return type_name(c.item->mechanism.type); }>, kTypes},
     {"starts", always_table<kStarts, its<its_mechanism<&Mechanism::starts>>>},
     {"pitch_mm", of<its<its_mechanism<axial_pitch>>>},
@@ -52,8 +52,8 @@ constexpr Quantity<Numbered> kConfiguration[] = {
     {"gear_ratio", of<its<&Configuration::gear_ratio>>},
     {"lead_mm", of<its<&Configuration::lead>>},
     {"helix_angle_deg", of<its<&Configuration::helix_angle>>},
-    {"roller_hand",
-     of<[](auto& c) { return (c.item->lead.roller > 0.0) ? "right" : "left"; }>, "right | left"},
+    {"roller_hand", of<[](auto& c) { return (c.item->lead.roller > 0.0) ? "right" : "left"; }>,
+     "right | left"},
     {"roller_profile_radius_mm",
      of<its<its_mechanism<[](auto& m) { return m.profile.roller.radius; }>>>},
     {"rollers", always_table<kRollers, its<std::identity{}>>},

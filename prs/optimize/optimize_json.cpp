@@ -52,13 +52,12 @@ constexpr Quantity<Factor> kVariableRows[] = {
     {"path", always<&Factor::path>},
     {"label", always<&Factor::label>},
     {"unit", filled<&Factor::unit>},
-    {"values",
-     of<[](auto& variable) {
+    {"values", of<[](auto& variable) {
        std::vector<std::string> values;
        for (const Level& level : variable.levels) values.push_back(level.text);
        return values;
      },
-        is_listed>},
+                  is_listed>},
     {"from", of_end<&Distribution::first>},
     {"to", of_end<&Distribution::second>},
     {"with", filled<[](auto& variable) {
@@ -70,9 +69,8 @@ constexpr Quantity<Factor> kVariableRows[] = {
 
 using Goal = Within<Optimization, Objective>;
 template <bool maximize>
-constexpr auto goal =
-    of<[](const Goal& g) { return g.whole->study.responses[g.item->response]; },
-       [](const Goal& g) { return g.item->maximize == maximize; }>;
+constexpr auto goal = of<[](const Goal& g) { return g.whole->study.responses[g.item->response]; },
+                         [](const Goal& g) { return g.item->maximize == maximize; }>;
 
 constexpr Quantity<Goal> kObjectiveRows[] = {
     {"minimize", goal<false>},
@@ -98,9 +96,8 @@ constexpr Quantity<Optimization> kCompromiseRows[] = {
 constexpr Quantity<Optimization> kOptimizationRows[] = {
     {"command", always<[](auto& o) { return name(o.study.command); }>},
     {"variables",
-     always_table<kVariableRows, [](auto& o) -> const std::vector<Factor>& {
-       return o.study.factors;
-     }>},
+     always_table<kVariableRows,
+                  [](auto& o) -> const std::vector<Factor>& { return o.study.factors; }>},
     {"objectives", always_table<kObjectiveRows, [](auto& o) { return within(o, o.objectives); }>},
     {"algorithm", always<&Optimization::algorithm>},
     {"check", of<&Optimization::check>},
@@ -157,8 +154,8 @@ constexpr Quantity<DesignAt> kNumberedRows[] = {
 
 constexpr Quantity<DesignAt> kChosenRows[] = {
     {"design", always<&DesignAt::number>, "its number in history.csv"},
-    {"algorithm",
-     always<[](auto& d) { return d.result->search_of(d.index).algorithm; }>, "that found it"},
+    {"algorithm", always<[](auto& d) { return d.result->search_of(d.index).algorithm; }>,
+     "that found it"},
     {"", always_table<kDesignRows>},
     as_shown<DesignAt>({"change_percent", always<[](auto& d) {
                           std::vector<std::optional<double>> changes;
@@ -178,12 +175,13 @@ constexpr Quantity<SearchOf> kSearchRows[] = {
     {"designs", always<[](auto& s) { return count(*s.search).designs; }>},
     {"feasible", always<[](auto& s) { return count(*s.search).feasible; }>},
     {"without_answer", always<[](auto& s) { return count(*s.search).without_answer; }>},
-    {"front", always_table<kNumberedRows, [](auto& s) {
-       std::vector<DesignAt> front;
-       for (const std::size_t k : s.search->front)
-         front.push_back({s.result, &s.search->designs[k], s.first + k});
-       return front;
-     }>},
+    {"front", always_table<kNumberedRows,
+                           [](auto& s) {
+                             std::vector<DesignAt> front;
+                             for (const std::size_t k : s.search->front)
+                               front.push_back({s.result, &s.search->designs[k], s.first + k});
+                             return front;
+                           }>},
 };
 
 constexpr Quantity<Best> kBestRows[] = {
@@ -202,16 +200,21 @@ constexpr Quantity<Best> kBestRows[] = {
 constexpr Quantity<OptimizationResult> kComparisonRows[] = {
     {"hypervolume", always<[](auto& r) { return r.comparison->hypervolume; }>},
     {"check_hypervolume", always<[](auto& r) { return r.comparison->check_hypervolume; }>},
-    {"best", always_table<kBestRows, [](auto& r) {
-       std::vector<Best> all;
-       for (std::size_t k = 0; k < r.comparison->best.size(); ++k) all.push_back({&r, k});
-       return all;
-     }>},
+    {"best", always_table<kBestRows,
+                          [](auto& r) {
+                            std::vector<Best> all;
+                            for (std::size_t k = 0; k < r.comparison->best.size(); ++k)
+                              all.push_back({&r, k});
+                            return all;
+                          }>},
 };
 
 constexpr Quantity<OptimizationResult> kResultRows[] = {
     {"optimize", always_table<kOptimizationRows, &OptimizationResult::optimization>},
-    {"initial", always_table<kInitialRows, [](auto& r) { return DesignAt{&r, &r.initial}; }>},
+    {"initial", always_table<kInitialRows,
+                             [](auto& r) {
+                               return DesignAt{&r, &r.initial};
+                             }>},
     {"compromise", of_table<kChosenRows, [](auto& r) { return design_at(r, r.compromise); }>},
     {"nearest", of_table<kChosenRows, [](auto& r) { return design_at(r, r.nearest); }>},
     {"front", always<[](auto& r) {
@@ -220,11 +223,16 @@ constexpr Quantity<OptimizationResult> kResultRows[] = {
        return numbers;
      }>,
      "numbers in history.csv"},
-    {"search", always_table<kSearchRows, [](auto& r) { return SearchOf{&r, &r.search}; }>},
-    {"check", of_table<kSearchRows, [](auto& r) {
-       return r.check ? std::optional(SearchOf{&r, &*r.check, r.search.designs.size()})
-                      : std::nullopt;
-     }>},
+    {"search", always_table<kSearchRows,
+                            [](auto& r) {
+                              return SearchOf{&r, &r.search};
+                            }>},
+    {"check", of_table<kSearchRows,
+                       [](auto& r) {
+                         return r.check ? std::optional(
+                                              SearchOf{&r, &*r.check, r.search.designs.size()})
+                                        : std::nullopt;
+                       }>},
     {"comparison",
      of_table<kComparisonRows, std::identity{}, [](auto& r) { return r.comparison.has_value(); }>},
 };

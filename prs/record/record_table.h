@@ -339,8 +339,7 @@ struct OfTable {
                        [&](const Item& item) { return json_by<quantities>(item, unit); });
     };
     getter.record = []() -> const RecordInfo& {
-      static const RecordInfo info =
-          described<decltype(owner_of(quantities))>({}, {}, quantities);
+      static const RecordInfo info = described<decltype(owner_of(quantities))>({}, {}, quantities);
       return info;
     };
     return getter;
@@ -360,9 +359,8 @@ template <auto get, auto guard = nullptr>
 inline constexpr detail::Of<get, guard, true> always;
 
 template <auto get>
-inline constexpr auto is_filled = [](const auto& owner) {
-  return !std::invoke(get, owner).empty();
-};
+inline constexpr auto is_filled =
+    [](const auto& owner) { return !std::invoke(get, owner).empty(); };
 
 /// As `of`; nothing where it is empty.
 template <auto get>
@@ -392,9 +390,8 @@ std::vector<Within<Whole, T>> within(const Whole& whole, const std::vector<T>& i
 
 /// What to get of the part: `of<its<&FactorEffect::coefficient>>`.
 template <auto get>
-inline constexpr auto its = [](const auto& part) -> decltype(auto) {
-  return std::invoke(get, *part.item);
-};
+inline constexpr auto its =
+    [](const auto& part) -> decltype(auto) { return std::invoke(get, *part.item); };
 
 /// Values under keys, one for each.
 template <class T>

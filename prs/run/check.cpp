@@ -161,23 +161,26 @@ constexpr Quantity<Input> kInput[] = {
     {"origin", filled<its<&input::EchoEntry::origin>>, "of a default that a name stands for"},
     {"basis", always<[](auto& i) { return basis_of(*i.item, *i.whole).first; }>,
      "given, assumed (as a comment of the file says) or default"},
-    {"reason",
-     filled<[](auto& i) { return basis_of(*i.item, *i.whole).second; }>, "why it was assumed"},
+    {"reason", filled<[](auto& i) { return basis_of(*i.item, *i.whole).second; }>,
+     "why it was assumed"},
 };
 
 constexpr Quantity<CheckResult> kCheck[] = {
-    {"commands", always_table<kNeeds, [](auto& result) {
-       ByKey<CommandNeeds> needs;
-       for (const CommandNeeds& command : result.commands)
-         needs.emplace_back(name(command.command), command);
-       return needs;
-     }>,
+    {"commands",
+     always_table<kNeeds,
+                  [](auto& result) {
+                    ByKey<CommandNeeds> needs;
+                    for (const CommandNeeds& command : result.commands)
+                      needs.emplace_back(name(command.command), command);
+                    return needs;
+                  }>,
      "by their names"},
     {"input", always_table<kInput, [](auto& result) { return within(result, result.fields); }>},
     {"verdict", of<&CheckResult::verdict>},
-    {"derived", always_table<kDerived, [](auto& result) -> const Mechanism& {
-       return result.geometry.contacts.mechanism;
-     }>},
+    {"derived", always_table<kDerived,
+                             [](auto& result) -> const Mechanism& {
+                               return result.geometry.contacts.mechanism;
+                             }>},
 };
 
 constexpr std::size_t kTitleWidth = 30;

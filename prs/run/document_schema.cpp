@@ -96,8 +96,7 @@ struct Parts {
     within.definitions.swap(definitions);
     within.put(record);
     definitions.swap(within.definitions);
-    Json schema =
-        object(std::move(within.properties), std::move(within.required), record.meaning);
+    Json schema = object(std::move(within.properties), std::move(within.required), record.meaning);
     if (record.name.empty()) return schema;
     definitions[record.name] = std::move(schema);
     return link(record.name);
@@ -124,10 +123,8 @@ constexpr Document kMore[] = {{"check", describe<CheckResult>}};
 
 /// Documents of no analysis, and other forms.
 constexpr Document kForms[] = {
-    {"compare", case_comparison_record},
-    {"study", describe<StudyDocument>},
-    {"study", describe<CaseDerivatives>},
-    {"optimize", describe<OptimizationResult>},
+    {"compare", case_comparison_record},          {"study", describe<StudyDocument>},
+    {"study", describe<CaseDerivatives>},         {"optimize", describe<OptimizationResult>},
     {"configurations", describe<Configurations>},
 };
 

@@ -85,11 +85,13 @@ constexpr Quantity<DerivativeOf> kOfResponse[] = {
 };
 
 constexpr Quantity<CaseDerivatives> kDerivatives[] = {
-    {"derivatives", always_table<kOfResponse, [](auto& result) {
-       std::vector<DerivativeOf> all;
-       for (std::size_t k = 0; k < result.values.size(); ++k) all.push_back({&result, k});
-       return all;
-     }>},
+    {"derivatives", always_table<kOfResponse,
+                                 [](auto& result) {
+                                   std::vector<DerivativeOf> all;
+                                   for (std::size_t k = 0; k < result.values.size(); ++k)
+                                     all.push_back({&result, k});
+                                   return all;
+                                 }>},
 };
 
 /// The responses that have no derivative by a factor, by name.

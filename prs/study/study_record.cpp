@@ -132,9 +132,8 @@ constexpr Quantity<In<FactorEffect>> kEffect[] = {
 };
 
 template <auto list>
-constexpr auto parts = [](const auto& part) {
-  return within(*part.whole, std::invoke(list, *part.item));
-};
+constexpr auto parts =
+    [](const auto& part) { return within(*part.whole, std::invoke(list, *part.item)); };
 
 constexpr Quantity<In<LinearFit>> kFit[] = {
     {"r_squared", always<its<&LinearFit::r_squared>>},
@@ -146,13 +145,15 @@ constexpr Quantity<In<LinearFit>> kFit[] = {
 constexpr Quantity<StudyResult> kSurface[] = {
     {"designs", always<[](auto& r) { return r.summary.surfaces->designs; }>},
     {"reason", filled<[](auto& r) { return r.summary.surfaces->reason; }>},
-    {"responses", filled_table<kFit, [](auto& r) {
-       ByKey<In<LinearFit>> fits;
-       for (std::size_t k = 0; k < r.summary.surfaces->fits.size(); ++k)
-         if (const std::optional<LinearFit>& fit = r.summary.surfaces->fits[k])
-           fits.push_back({r.study.responses[k], {&r, &*fit}});
-       return fits;
-     }>},
+    {"responses", filled_table<kFit,
+                               [](auto& r) {
+                                 ByKey<In<LinearFit>> fits;
+                                 for (std::size_t k = 0; k < r.summary.surfaces->fits.size(); ++k)
+                                   if (const std::optional<LinearFit>& fit =
+                                           r.summary.surfaces->fits[k])
+                                     fits.push_back({r.study.responses[k], {&r, &*fit}});
+                                 return fits;
+                               }>},
 };
 
 constexpr Quantity<Estimate> kEstimate[] = {
@@ -177,16 +178,16 @@ constexpr Quantity<StudyResult> kSummary[] = {
     {"designs", always<&StudyResult::designs>},
     {"refused", always<&StudyResult::refused>},
     {"not_converged", always<&StudyResult::failed>},
-    {"statistics", always_table<kStatistics, [](auto& r) {
-       return by_key(r.study.responses, r.summary.statistics);
-     }>,
+    {"statistics",
+     always_table<kStatistics,
+                  [](auto& r) { return by_key(r.study.responses, r.summary.statistics); }>,
      "by the paths of the responses"},
     {"response_surface",
      of_table<kSurface, std::identity{}, [](auto& r) { return r.summary.surfaces.has_value(); }>,
      "a plane through the responses over the ranges of the factors"},
-    {"sobol_indices", filled_table<kIndices, [](auto& r) {
-       return by_key(r.study.responses, within(r, r.summary.indices));
-     }>},
+    {"sobol_indices",
+     filled_table<kIndices,
+                  [](auto& r) { return by_key(r.study.responses, within(r, r.summary.indices)); }>},
 };
 
 // The envelope.
@@ -219,9 +220,7 @@ constexpr Quantity<In<MeasureMap>> kMeasure[] = {
     {"normalised_by", always<its<&MeasureMap::normalised_by>>},
     {"designs_without", always<its<&MeasureMap::without>>},
     {"normalised",
-     of<[](auto& m) {
-       return rows_of(*m.whole, normalised(*m.whole->summary.maps, *m.item));
-     },
+     of<[](auto& m) { return rows_of(*m.whole, normalised(*m.whole->summary.maps, *m.item)); },
         [](auto& m) { return shows_maps(*m.whole); }>},
 };
 
@@ -253,9 +252,8 @@ constexpr Quantity<InPoint> kPoint[] = {
 };
 
 template <auto get>
-constexpr auto found = [](const StudyResult& r) -> decltype(auto) {
-  return std::invoke(get, *r.summary.envelope);
-};
+constexpr auto found =
+    [](const StudyResult& r) -> decltype(auto) { return std::invoke(get, *r.summary.envelope); };
 constexpr auto has_best = [](const StudyResult& r) { return r.summary.envelope->best.has_value(); };
 
 constexpr Quantity<StudyResult> kEnvelope[] = {
@@ -268,10 +266,11 @@ constexpr Quantity<StudyResult> kEnvelope[] = {
        return kNames.at(static_cast<std::size_t>(r.study.envelope->normalise));
      }>,
      "rms | max | none"},
-    {"axes", always_table<kAxis, [](auto& r) {
-       const std::array<MapAxis, 2>& axes = r.summary.maps->axes;
-       return std::vector<In<MapAxis>>{{&r, &axes[0]}, {&r, &axes[1]}};
-     }>},
+    {"axes", always_table<kAxis,
+                          [](auto& r) {
+                            const std::array<MapAxis, 2>& axes = r.summary.maps->axes;
+                            return std::vector<In<MapAxis>>{{&r, &axes[0]}, {&r, &axes[1]}};
+                          }>},
     {"measures",
      always_table<kMeasure, [](auto& r) { return within(r, r.summary.envelope->measures); }>},
     {"rms", of<found<&EnvelopeResult::rms>>},
@@ -282,8 +281,7 @@ constexpr Quantity<StudyResult> kEnvelope[] = {
      of<[](auto& r) { return r.summary.maps->design(*r.summary.envelope->best); }, has_best>},
     {"values", of<[](auto& r) { return rows_of(r, r.summary.envelope->values); }, shows_maps>},
     {"maps_in",
-     of<[](const StudyResult&) { return "envelope.csv"; },
-        [](auto& r) { return !shows_maps(r); }>,
+     of<[](const StudyResult&) { return "envelope.csv"; }, [](auto& r) { return !shows_maps(r); }>,
      "the file with maps that are too large for here"},
     {"points", always_table<kPoint, [](auto& r) { return within(r, r.summary.envelope->points); }>},
 };
@@ -321,9 +319,11 @@ constexpr Quantity<StudyDocument> kDocument[] = {
      of<[](auto& d) { return d.result->rows.size(); },
         [](auto& d) { return d.result->rows.size() < d.result->designs; }>,
      "where not all are; study.csv has all"},
-    {"designs", always_table<kRow, [](auto& d) {
-       return d.with_rows ? within(*d.result, d.result->rows) : std::vector<InRow>();
-     }>},
+    {"designs", always_table<kRow,
+                             [](auto& d) {
+                               return d.with_rows ? within(*d.result, d.result->rows)
+                                                  : std::vector<InRow>();
+                             }>},
 };
 
 }  // namespace study_document
