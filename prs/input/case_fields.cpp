@@ -778,7 +778,7 @@ void fields(const Fields& io, VariableItem& v) {
   const Presence bound = required_only_if(!v.values, "in place of `values`");
   io("from", v.from, Verbatim{}, bound, "Least value; of whole numbers all up to `to`");
   io("to", v.to, Verbatim{}, bound, "Greatest value, in the same unit");
-  io("with", v.linked, List{Block{}, 1},
+  io("with", v.companions, List{Block{}, 1},
      optional_only_if(v.values.has_value(), "only with `values`"),
      "Inputs that change together with this one, value by value");
 }

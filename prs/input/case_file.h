@@ -60,10 +60,7 @@ struct CompanionItem {
 };
 
 /// A factor of a study as it is written.
-struct FactorItem {
-  std::string path;
-  std::optional<std::string> label;
-  std::optional<WrittenValues> values;
+struct FactorItem : CompanionItem {
   std::optional<WrittenInterval> uniform, log_uniform;
   std::optional<WrittenNormal> normal;
   std::optional<std::string> within;
@@ -109,7 +106,7 @@ struct VariableItem {
   std::optional<std::string> label;
   std::optional<std::string> from, to;
   std::optional<std::vector<std::string>> values;
-  std::vector<LinkedInputItem> linked;
+  std::vector<LinkedInputItem> companions;
 };
 
 struct ObjectiveItem {

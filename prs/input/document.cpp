@@ -606,4 +606,8 @@ Place locate(const Node& root, std::string_view path) {
   return node->place;
 }
 
+void refuse(const Node& root, std::string_view path, std::string_view message, ErrorList& errors) {
+  errors.add(locate(root, path), path, message);
+}
+
 }  // namespace prs::input

@@ -68,4 +68,7 @@ bool stands_in(const Node& node, Place place);
 /// the key of the innermost map that exists.
 Place locate(const Node& root, std::string_view path);
 
+/// Adds an error at the place of a path.
+void refuse(const Node& root, std::string_view path, std::string_view message, ErrorList& errors);
+
 }  // namespace prs::input

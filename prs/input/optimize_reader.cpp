@@ -13,86 +13,51 @@
 #include "prs/input/reader.h"
 #include "prs/input/slot.h"
 #include "prs/input/units.h"
+#include "prs/input/varied_input.h"
 
 namespace prs::input {
 namespace {
 
 /// Reads the variables of one optimization.
-class VariableReader {
+class VariableReader : VariedInput {
  public:
   /// `base`: the document without studies and optimization, `file` read from it.
-  VariableReader(const OptimizeItem& item, const Source& source, const Node& root, const Node& base,
-                 const CaseFile& file, ErrorList& errors)
-      : item_(item),
-        source_(source),
-        root_(root),
-        base_(base),
+  VariableReader(const OptimizeItem& item, const Source& source, const Node& root, Node& base,
+                 CaseFile& file, ErrorList& errors)
+      : VariedInput(source, root, base, errors),
+        item_(item),
         file_(file),
-        fields_(echo(file, base)),
-        errors_(errors) {}
+        fields_(echo(file, base)) {}
 
   Factor read(std::size_t index) {
-    path_ = fmt::format("optimize.variables[{}]", index);
+    const std::string at = path_ = fmt::format("optimize.variables[{}]", index);
     const VariableItem& item = item_.variables[index];
     Factor variable;
     variable.path = item.path;
     variable.label = item.label.value_or(item.path);
-    if (!is_outside(item.path, path_ + ".path")) return variable;
+    if (!check_outside("path", item.path)) return variable;
     if (item.values)
-      read_levels(variable, *item.values, path_);
+      read_levels(variable, *item.values);
     else
       read_range(variable, item);
-    for (std::size_t k = 0; k < item.linked.size(); ++k)
-      if (std::optional<Factor> linked =
-              read_linked(item.linked[k], fmt::format("{}.with[{}]", path_, k), variable))
+    for (std::size_t k = 0; k < item.companions.size(); ++k) {
+      path_ = fmt::format("{}.with[{}]", at, k);
+      if (std::optional<Factor> linked = read_linked(item.companions[k], variable))
         variable.companions.push_back(std::move(*linked));
+    }
     return variable;
   }
 
  private:
-  void refuse(const std::string& at, const std::string& message) {
-    errors_.add(locate(root_, at), at, message);
-  }
-
-  /// Whether a path leads to a value of the case itself; else says so.
-  bool is_outside(const std::string& path, const std::string& at) {
-    for (const std::string_view block : {"study", "optimize"})
-      if (path == block || path.starts_with(std::string(block) + '.')) {
-        refuse(at, fmt::format("got {}; expected a value outside `{}`; write for example `path: "
-                               "mechanism.rollers`",
-                               shown(path), block));
-        return false;
-      }
-    return true;
-  }
-
   /// What the file says of a path, or the default, in the unit of the variable.
   std::optional<Level> base_of(const Factor& variable) const {
-    std::optional<std::string> text;
-    if (const Node* node = find_path(base_, variable.path))
-      text = flow_text(*node);
-    else if (const auto entry = std::ranges::find(fields_, variable.path, &EchoEntry::path);
-             entry != fields_.end())
-      text = entry->value;
-    if (!text) return std::nullopt;
-    return Level{*text, number_in(*text, variable.unit)};
+    const std::optional<Node> node = base_value(variable.path, fields_);
+    if (!node) return std::nullopt;
+    const std::string text = flow_text(*node);
+    return Level{text, number_in(text, variable.unit)};
   }
 
-  /// Adds what is wrong with a value of a variable where the value stands, and returns whether
-  /// nothing is.
-  bool check_in_place(const std::string& path, const Node& value, const std::string& path_at) {
-    const Place at = locate(root_, path_at);
-    ErrorList found(source_);
-    Node design = base_;
-    if (set_value(design, path, value, at, found)) read_case_file(design, found);
-    errors_.take(found, [&](Place place) {
-      return place == at || stands_in(value, place) ? place : value.place;
-    });
-    return found.empty();
-  }
-
-  void read_levels(Factor& variable, const std::vector<std::string>& values,
-                   const std::string& at) {
+  void read_levels(Factor& variable, const std::vector<std::string>& values) {
     const std::optional<NumberAndUnit> first = split_unit(values[0]);
     if (first) variable.unit = first->unit;
     bool is_number = first.has_value();
@@ -105,108 +70,56 @@ class VariableReader {
       for (Level& level : variable.levels) level.number.reset();
     }
     variable.base = base_of(variable);
-    const Node& list = *find_path(root_, at + ".values");
-    for (const Node& value : list.children)
-      if (!check_in_place(variable.path, value, at + ".path")) return;
+    for (const Node& value : find_path(root_, path_ + ".values")->children)
+      if (!check_in_place(variable.path, value)) return;
   }
 
-  std::optional<Factor> read_linked(const LinkedInputItem& item, const std::string& at,
-                                    const Factor& variable) {
+  std::optional<Factor> read_linked(const LinkedInputItem& item, const Factor& variable) {
     Factor linked;
     linked.path = linked.label = item.path;
-    if (!is_outside(item.path, at + ".path")) return std::nullopt;
-    read_levels(linked, item.values, at);
+    if (!check_outside("path", item.path)) return std::nullopt;
+    read_levels(linked, item.values);
     if (linked.levels.size() == variable.levels.size()) return linked;
-    refuse(at + ".values", fmt::format("got {} values; expected {}, one for each of the variable; "
-                                       "write as many",
-                                       linked.levels.size(), variable.levels.size()));
+    refuse_at("values", fmt::format("got {} values; expected {}, one for each of the variable; "
+                                    "write as many",
+                                    linked.levels.size(), variable.levels.size()));
     return std::nullopt;
   }
 
   void read_range(Factor& variable, const VariableItem& item) {
-    const std::optional<NumberAndUnit> from = split_unit(*item.from), to = split_unit(*item.to);
-    if (!from || !to)
-      return refuse(path_ + (from ? ".to" : ".from"),
-                    fmt::format("got {}; expected a number with its unit as in the file; of words "
-                                "write a list `values: [.., ..]`",
-                                shown(from ? *item.to : *item.from)));
-    if (!from->unit.empty() && !is_unit(from->unit)) {
-      check_in_place(variable.path, *find_path(root_, path_ + ".from"), path_ + ".path");
-      return;
-    }
-    if (from->unit != to->unit)
-      return refuse(path_ + ".to",
-                    fmt::format("got {}; expected the unit of `from`, {}; write both ends in the "
-                                "same unit",
-                                shown(*item.to), from->unit.empty() ? "none" : shown(from->unit)));
-    if (!(from->number < to->number))
-      return refuse(path_ + ".to", fmt::format("got {}; expected more than `from`, {}; write the "
-                                               "smaller one first",
-                                               shown(*item.to), shown(*item.from)));
-    variable.unit = from->unit;
+    const std::optional<Ends> ends = read_ends("", *item.from, *item.to, true);
+    if (!ends) return;
+    const auto& [from, to] = *ends;
+    variable.unit = from.unit;
     variable.base = base_of(variable);
     for (const char* end : {".from", ".to"})
-      if (!check_in_place(variable.path, *find_path(root_, path_ + end), path_ + ".path")) return;
-    CaseFile file = file_;
-    const Slot slot = find_slot(file, variable.path);
+      if (!check_in_place(variable.path, *find_path(root_, path_ + end))) return;
+    const Slot slot = find_slot(file_, variable.path);
     if (slot.kind == Slot::Kind::number) {
-      variable.distribution = {Distribution::Kind::uniform, from->number, to->number};
+      variable.distribution = {Distribution::Kind::uniform, from.number, to.number};
       variable.continuous = true;
     } else if (slot.kind == Slot::Kind::whole) {
-      read_whole(variable, from->number, to->number);
+      read_whole(variable, from.number, to.number);
     } else {
-      refuse(path_ + ".path",
-             fmt::format("got {}; expected the path of a number; write what it may "
-                         "be as a list, `values: [.., ..]`",
-                         shown(variable.path)));
+      refuse_at("path", fmt::format("got {}; expected the path of a number; write what it may "
+                                    "be as a list, `values: [.., ..]`",
+                                    shown(variable.path)));
     }
   }
 
   void read_whole(Factor& variable, double from, double to) {
     if (to - from + 1.0 > static_cast<double>(kMostLevels))
-      return refuse(path_ + ".to",
-                    fmt::format("got a range of {:.0f} numbers; expected at most {}; "
-                                "write a smaller one",
-                                to - from + 1.0, kMostLevels));
+      return refuse_at("to", fmt::format("got a range of {:.0f} numbers; expected at most {}; "
+                                         "write a smaller one",
+                                         to - from + 1.0, kMostLevels));
     for (double value = from; value <= to; value += 1.0)
       variable.levels.push_back({fmt::format("{:.0f}", value), value});
   }
 
   const OptimizeItem& item_;
-  const Source& source_;
-  const Node& root_;
-  const Node& base_;
-  const CaseFile& file_;
+  CaseFile& file_;
   std::vector<EchoEntry> fields_;
-  ErrorList& errors_;
-  std::string path_;  ///< Path of the variable in the document.
 };
-
-bool is_part_of(std::string_view path, std::string_view whole) {
-  return path.starts_with(whole) &&
-         (path.size() == whole.size() || path[whole.size()] == '.' || path[whole.size()] == '[');
-}
-
-/// Adds an error where two variables set the same value.
-void check_paths(const OptimizeItem& item, const Node& root, ErrorList& errors) {
-  std::vector<std::string> before;
-  const auto add = [&](const std::string& path, const std::string& at) {
-    for (const std::string& other : before)
-      if (is_part_of(path, other) || is_part_of(other, path))
-        errors.add(
-            locate(root, at), at,
-            fmt::format("got {} as well as {}; expected variables that set different values; "
-                        "delete one of them",
-                        shown(path), shown(other)));
-    before.push_back(path);
-  };
-  for (std::size_t i = 0; i < item.variables.size(); ++i) {
-    const std::string at = fmt::format("optimize.variables[{}]", i);
-    add(item.variables[i].path, at + ".path");
-    for (std::size_t k = 0; k < item.variables[i].linked.size(); ++k)
-      add(item.variables[i].linked[k].path, fmt::format("{}.with[{}].path", at, k));
-  }
-}
 
 /// Reads what is wanted of the designs.
 class AimReader {
@@ -259,7 +172,7 @@ class AimReader {
     };
     for (const VariableItem& variable : item_.variables)
       for (const std::string_view block : {"mechanism.lead", "mechanism.starts", "mechanism.pitch"})
-        if (is_part_of(variable.path, block))
+        if (variable.path == block || is_part_of(variable.path, block))
           return refuse(at, fmt::format("got true with the variable {}; expected a pitch that "
                                         "stays as it is; delete one of the two",
                                         shown(variable.path)));
@@ -343,7 +256,7 @@ class AimReader {
 
  private:
   void refuse(const std::string& at, const std::string& message) {
-    errors_.add(locate(root_, at), at, message);
+    input::refuse(root_, at, message, errors_);
   }
 
   void check_algorithm(Algorithm algorithm, const std::string& at, bool several) {
@@ -400,7 +313,8 @@ OptimizeItem written_optimization(const CaseFile& file, const Node& root, ErrorL
   OptimizeItem item = *file.optimize;
   for (VariableItem& variable : item.variables) {
     take_indices(root, variable.path, variable.label);
-    for (LinkedInputItem& linked : variable.linked) linked.path = with_indices(root, linked.path);
+    for (LinkedInputItem& linked : variable.companions)
+      linked.path = with_indices(root, linked.path);
   }
   return item;
 }
@@ -413,13 +327,13 @@ OptimizeInput read_optimize_input(const Source& source) {
   const CaseFile whole = read_case_file(root, errors);
   const OptimizeItem item = written_optimization(whole, root, errors);
   const Case own = checked_case(whole, root, item.command, errors);
-  check_paths(item, root, errors);
+  check_paths(set_paths(item.variables, "optimize.variables"), "variable", false, root, errors);
   errors.throw_if_any();
 
   OptimizeInput input{{source, root, {}}, {}, {}};
   std::erase_if(input.start.base.children,
                 [](const Node& child) { return child.key == "optimize" || child.key == "study"; });
-  const CaseFile file = read_case_file(input.start.base, errors);
+  CaseFile file = read_case_file(input.start.base, errors);
   errors.throw_if_any();
   Study& study = input.optimization.study;
   study.command = item.command;

@@ -539,9 +539,10 @@ CaseFile read_case_file(const Node& root, ErrorList& errors) {
   file.speeds_follow_lead = turn_speeds(turned);
   read({turned, "", errors}, value_of(file, Block{}));
   if (number_of_cases(file.load_cases) > kMostLoadCases)
-    errors.add(locate(root, "load_cases"), "load_cases",
-               fmt::format("got {} cases; expected at most {}; write ranges with fewer steps",
-                           number_of_cases(file.load_cases), kMostLoadCases));
+    refuse(root, "load_cases",
+           fmt::format("got {} cases; expected at most {}; write ranges with fewer steps",
+                       number_of_cases(file.load_cases), kMostLoadCases),
+           errors);
   for (std::size_t i = 0; i < file.load_cases.size(); ++i)
     if (!file.load_cases[i].name) file.load_cases[i].name = fmt::format("case-{}", i + 1);
   return file;
@@ -562,7 +563,7 @@ Case checked_case(const CaseFile& file, const Node& root, Command command, Error
   std::vector<Problem> problems = problems_of(values, command);
   if (file.limits)
     std::ranges::move(check_limits(*file.limits, values), std::back_inserter(problems));
-  for (const Problem& p : problems) errors.add(locate(root, p.path), p.path, p.message);
+  for (const Problem& p : problems) refuse(root, p.path, p.message, errors);
   return values;
 }
 

@@ -33,7 +33,7 @@ class EnvelopeReader {
 
  private:
   void refuse(const std::string& path, const std::string& message) {
-    errors_.add(locate(root_, path), path, message);
+    input::refuse(root_, path, message, errors_);
   }
 
   void refuse_factors() {

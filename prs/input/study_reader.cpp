@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "prs/input/study_envelope.h"
 #include "prs/input/units.h"
 #include "prs/input/value_text.h"
+#include "prs/input/varied_input.h"
 
 namespace prs::input {
 
@@ -23,10 +23,6 @@ struct WrittenLevel {
   Node value;
   Level level;
 };
-
-Node scalar(std::string text, Place place) {
-  return {.kind = Node::Kind::scalar, .text = std::move(text), .place = place};
-}
 
 std::string with_unit(std::string_view number, std::string_view unit) {
   return fmt::format("{}{}{}", number, unit.empty() ? "" : " ", unit);
@@ -67,27 +63,18 @@ std::vector<std::string_view> ways(const FactorItem& item) {
   return given;
 }
 
-/// A companion as the factor that it would be by itself.
-FactorItem as_factor(const CompanionItem& companion) {
-  FactorItem item;
-  item.path = companion.path;
-  item.label = companion.label;
-  item.values = companion.values;
-  return item;
-}
-
 /// Number of values that are listed.
 std::size_t count_of(const WrittenValues& values) {
   return values.range ? static_cast<std::size_t>(values.range->steps) : values.list.size();
 }
 
 /// Reads the factors of one study into the document they start from.
-class FactorReader {
+class FactorReader : VariedInput {
  public:
   /// `base`: the document without the study.
   FactorReader(const StudyItem& study, const Source& source, const Node& root, Node& base,
                ErrorList& errors)
-      : study_(study), source_(source), root_(root), base_(base), errors_(errors) {}
+      : VariedInput(source, root, base, errors), study_(study) {}
 
   /// Adds what is wrong with the keys of a factor, whatever their values.
   void check_form(std::size_t index) {
@@ -97,14 +84,9 @@ class FactorReader {
     const auto refuse = [&](std::string_view key, std::string_view message) {
       refuse_at(key, fmt::format("got {}; {}", shown(flow_text(*written(key))), message));
     };
-    const auto refuse_study = [&](const std::string& path, std::string_view key) {
-      if (path == "study" || path.starts_with("study."))
-        refuse(key,
-               "expected a value outside the study; write for example `path: mechanism.rollers`");
-    };
-    refuse_study(item().path, "path");
+    check_outside("path", item().path);
     for (std::size_t k = 0; k < item().companions.size(); ++k)
-      refuse_study(item().companions[k].path, fmt::format("with[{}].path", k));
+      check_outside(fmt::format("with[{}].path", k), item().companions[k].path);
     if (!item().companions.empty() && !item().values)
       refuse("with",
              "expected it only with `values`, each of which sets the companions too; write "
@@ -123,8 +105,7 @@ class FactorReader {
                                 given[0]));
     }
     if (!given.empty() || study_.plan == Plan::derivatives) return;
-    const Node& factor = *find_path(root_, path_);
-    errors_.add(factor.place, path_,
+    errors_.add(find_path(root_, path_)->place, path_,
                 sampled ? "missing what values it takes; expected one of values, uniform, "
                           "log_uniform, normal, within; add for example `within: 3 %`"
                         : "missing what values it takes; expected `values`; add for example "
@@ -195,7 +176,8 @@ class FactorReader {
     path_ = fmt::format("study.factors[{}]", index);
   }
   void enter_companion(std::size_t index, std::size_t k) {
-    item_ = as_factor(study_.factors[index].companions[k]);
+    item_ = {};
+    static_cast<CompanionItem&>(item_) = study_.factors[index].companions[k];
     one_was_fine_ = false;
     path_ = fmt::format("study.factors[{}].with[{}]", index, k);
   }
@@ -207,64 +189,29 @@ class FactorReader {
   Place place_of(std::string_view key) const {
     return locate(root_, fmt::format("{}.{}", path_, key));
   }
-  void refuse_at(std::string_view key, const std::string& message) {
-    errors_.add(place_of(key), fmt::format("{}.{}", path_, key), message);
-  }
 
   void check_written_ends() {
     if (item().values && item().values->range) {
       const WrittenRange& range = *item().values->range;
-      check_ends("values", range.from, range.to,
+      check_ends("values", range, false,
                  range.spacing == WrittenRange::Spacing::logarithmic ? "spacing" : "");
     }
-    if (item().uniform && check_ends("uniform", item().uniform->from, item().uniform->to, ""))
-      check_order("uniform", *item().uniform);
-    if (item().log_uniform &&
-        check_ends("log_uniform", item().log_uniform->from, item().log_uniform->to, "from"))
-      check_order("log_uniform", *item().log_uniform);
+    if (item().uniform) check_ends("uniform", *item().uniform, true, "");
+    if (item().log_uniform) check_ends("log_uniform", *item().log_uniform, true, "from");
   }
 
   /// `logarithmic`: the key to blame where the ends have no ratio, or nothing.
-  bool check_ends(std::string_view way, const std::string& written_from,
-                  const std::string& written_to, std::string_view logarithmic) {
-    const auto refuse = [&](std::string_view key, const std::string& message) {
-      refuse_at(fmt::format("{}.{}", way, key), message);
-      return false;
-    };
-    const std::optional<NumberAndUnit> from = split_unit(written_from), to = split_unit(written_to);
-    if (!from || !to)
-      return refuse(from ? "to" : "from",
-                    fmt::format("got {}; expected a number with its unit as in the file; of words "
-                                "write a list `values: [.., ..]`",
-                                shown(from ? written_to : written_from)));
-    if (!from->unit.empty() && !is_unit(from->unit) && from->unit != to->unit)
-      return refuse("from", fmt::format("got {}; expected a number with its unit; `{}` is not a "
-                                        "known unit; write both ends in the same unit",
-                                        shown(written_from), from->unit));
-    if (from->unit != to->unit)
-      return refuse(
-          "to", fmt::format("got {}; expected the unit of `from`, {}; write both ends in "
-                            "the same unit",
-                            shown(written_to), from->unit.empty() ? "none" : shown(from->unit)));
-    if (from->number == to->number)
-      return refuse("to", fmt::format("got {}; expected another value than that of `from`; write a "
-                                      "list for a single value",
-                                      shown(written_to)));
-    if (!logarithmic.empty() && !(from->number * to->number > 0.0))
-      return refuse(
-          logarithmic,
-          fmt::format("got logarithmic from {} to {}; expected ends of one sign, neither of them "
-                      "0; write `{}`",
-                      shown(written_from), shown(written_to),
-                      way == "values" ? "spacing: linear" : "uniform: {from: .., to: ..}"));
-    return true;
-  }
-
-  void check_order(std::string_view way, const WrittenInterval& interval) {
-    if (split_unit(interval.from)->number > split_unit(interval.to)->number)
-      refuse_at(fmt::format("{}.to", way),
-                fmt::format("got {}; expected more than `from`, {}; swap the two",
-                            shown(interval.to), shown(interval.from)));
+  void check_ends(std::string_view way, const auto& written, bool ascending,
+                  std::string_view logarithmic) {
+    const std::optional<Ends> ends =
+        read_ends(fmt::format("{}.", way), written.from, written.to, ascending);
+    if (!ends || logarithmic.empty() || ends->from.number * ends->to.number > 0.0) return;
+    refuse_at(
+        fmt::format("{}.{}", way, logarithmic),
+        fmt::format("got logarithmic from {} to {}; expected ends of one sign, neither of them "
+                    "0; write `{}`",
+                    shown(written.from), shown(written.to),
+                    way == "values" ? "spacing: linear" : "uniform: {from: .., to: ..}"));
   }
 
   /// Unit in which a distribution is written.
@@ -338,11 +285,8 @@ class FactorReader {
   /// What the file says of a path, or the default.
   std::optional<WrittenLevel> base_level(const std::string& path,
                                          const std::vector<EchoEntry>& fields) const {
-    if (const Node* node = find_path(base_, path))
-      return WrittenLevel{*node, {flow_text(*node), {}}};
-    const auto entry = std::ranges::find(fields, path, &EchoEntry::path);
-    if (entry == fields.end()) return std::nullopt;
-    return WrittenLevel{scalar(entry->value, {}), {entry->value, {}}};
+    const std::optional<Node> node = base_value(path, fields);
+    return node ? std::optional(WrittenLevel{*node, {flow_text(*node), {}}}) : std::nullopt;
   }
 
   /// Numbers in the unit of the first level, or curvatures of profiles.
@@ -367,15 +311,9 @@ class FactorReader {
   bool check_in_place(const std::string& path, const Node& value, const Slot& slot) {
     const bool number = slot.kind == Slot::Kind::number || slot.kind == Slot::Kind::whole;
     if (one_was_fine_ && number && slot_value(slot, flow_text(value))) return true;
-    const Place at = place_of("path");
-    ErrorList found(source_);
-    Node design = base_;
-    if (set_value(design, path, value, at, found)) read_case_file(design, found);
-    errors_.take(found, [&](Place place) {
-      return place == at || stands_in(value, place) ? place : value.place;
-    });
-    one_was_fine_ = one_was_fine_ || found.empty();
-    return found.empty();
+    const bool fine = VariedInput::check_in_place(path, value);
+    one_was_fine_ = one_was_fine_ || fine;
+    return fine;
   }
 
   // Distributions -------------------------------------------------------------------------------
@@ -508,65 +446,10 @@ class FactorReader {
   }
 
   const StudyItem& study_;
-  const Source& source_;
-  const Node& root_;
-  Node& base_;
-  ErrorList& errors_;
   FactorItem item_;
-  std::string path_;  ///< Path of the factor or companion in the document.
   bool one_was_fine_ = false;
   std::vector<std::size_t> entries_;  ///< Number of list entries each factor draws; empty: none.
 };
-
-bool is_part_of(std::string_view path, std::string_view whole) {
-  return path.size() > whole.size() && path.starts_with(whole) &&
-         (path[whole.size()] == '.' || path[whole.size()] == '[');
-}
-
-/// A path that a study sets, and where it stands.
-struct SetPath {
-  std::string path;
-  std::string at;
-  std::size_t factor = 0;
-  bool companion = false;
-};
-
-std::vector<SetPath> set_paths(const StudyItem& item) {
-  std::vector<SetPath> paths;
-  for (std::size_t i = 0; i < item.factors.size(); ++i) {
-    const FactorItem& factor = item.factors[i];
-    paths.push_back({factor.path, fmt::format("study.factors[{}].path", i), i});
-    for (std::size_t k = 0; k < factor.companions.size(); ++k)
-      paths.push_back({factor.companions[k].path,
-                       fmt::format("study.factors[{}].with[{}].path", i, k), i, true});
-  }
-  return paths;
-}
-
-/// Adds what is wrong with the paths of the factors and companions among themselves.
-void check_paths(const StudyItem& item, const Node& root, ErrorList& errors) {
-  const std::vector<SetPath> paths = set_paths(item);
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    const SetPath& own = paths[i];
-    const auto refuse = [&](const std::string& message) {
-      errors.add(locate(root, own.at), own.at, message);
-    };
-    for (std::size_t k = 0; k < i; ++k) {
-      const SetPath& other = paths[k];
-      const bool together = own.factor == other.factor || item.plan != Plan::one_at_a_time;
-      if (other.path == own.path && (together || (!own.companion && !other.companion)))
-        refuse(
-            fmt::format("got {} a second time; expected each path once; put all its values into "
-                        "one factor",
-                        shown(own.path)));
-      else if (together && (is_part_of(own.path, other.path) || is_part_of(other.path, own.path)))
-        refuse(fmt::format(
-            "got {} as well as {}; expected factors of which none is a part of another; "
-            "delete one of them",
-            shown(own.path), shown(other.path)));
-    }
-  }
-}
 
 void check_number_of_levels(const StudyItem& item, const Node& root, ErrorList& errors) {
   std::size_t count = 0;
@@ -575,9 +458,10 @@ void check_number_of_levels(const StudyItem& item, const Node& root, ErrorList& 
     for (const CompanionItem& companion : factor.companions) count += count_of(*companion.values);
   }
   if (count > kMostLevels)
-    errors.add(locate(root, "study.factors"), "study.factors",
-               fmt::format("got {} values; expected at most {}; write ranges with fewer steps",
-                           count, kMostLevels));
+    refuse(root, "study.factors",
+           fmt::format("got {} values; expected at most {}; write ranges with fewer steps", count,
+                       kMostLevels),
+           errors);
 }
 
 void check_responses(const std::vector<std::string>& responses, const Node& root,
@@ -586,10 +470,10 @@ void check_responses(const std::vector<std::string>& responses, const Node& root
     if (std::find(responses.begin(), responses.begin() + static_cast<std::ptrdiff_t>(k),
                   responses[k]) == responses.begin() + static_cast<std::ptrdiff_t>(k))
       continue;
-    const std::string path = fmt::format("study.responses[{}]", k);
-    errors.add(locate(root, path), path,
-               fmt::format("got {} a second time; expected each path once; delete one of them",
-                           shown(responses[k])));
+    refuse(root, fmt::format("study.responses[{}]", k),
+           fmt::format("got {} a second time; expected each path once; delete one of them",
+                       shown(responses[k])),
+           errors);
   }
 }
 
@@ -602,22 +486,24 @@ void check_size(const Study& study, const Node& root, ErrorList& errors) {
   if (study.plan == Plan::grid)
     for (const Factor& factor : study.factors) designs *= static_cast<double>(factor.levels.size());
   if (designs + 1.0 > static_cast<double>(kMostDesigns)) {
-    const std::string path = is_sampled(study.plan) ? "study.samples" : "study.factors";
-    errors.add(locate(root, path), path,
-               fmt::format("got {:.6g} designs; expected fewer than {} with the base case; {}",
-                           designs, kMostDesigns,
-                           is_sampled(study.plan) ? "take fewer samples"
-                                                  : "take fewer values, or draw samples with "
-                                                    "`plan: latin_hypercube`"));
+    const bool sampled = is_sampled(study.plan);
+    refuse(root, sampled ? "study.samples" : "study.factors",
+           fmt::format("got {:.6g} designs; expected fewer than {} with the base case; {}", designs,
+                       kMostDesigns,
+                       sampled ? "take fewer samples"
+                               : "take fewer values, or draw samples with "
+                                 "`plan: latin_hypercube`"),
+           errors);
   }
   const std::size_t dimensions = study.plan == Plan::sobol_indices ? 2 * factors : factors;
   const bool sobol = study.plan == Plan::sobol || study.plan == Plan::sobol_indices;
   if (sobol && dimensions > kMostSobolDimensions)
-    errors.add(
-        locate(root, "study.factors"), "study.factors",
+    refuse(
+        root, "study.factors",
         fmt::format("got {} factors; expected at most {} with `plan: {}`; take `plan: "
                     "latin_hypercube` or `monte_carlo`",
-                    factors, kMostSobolDimensions / (dimensions / factors), plan_name(study.plan)));
+                    factors, kMostSobolDimensions / (dimensions / factors), plan_name(study.plan)),
+        errors);
 }
 
 StudyItem written_study(const CaseFile& file, const Node& root, ErrorList& errors) {
@@ -639,12 +525,6 @@ StudyItem written_study(const CaseFile& file, const Node& root, ErrorList& error
 
 }  // namespace
 
-void take_indices(const Node& root, std::string& path, std::optional<std::string>& label) {
-  std::string indexed = with_indices(root, path);
-  if (indexed != path && !label) label = path;
-  path = std::move(indexed);
-}
-
 std::string response_path(const Node& root, const std::vector<LoadCaseItem>& load_cases,
                           const std::string& path) {
   constexpr std::string_view kBlock = "load_cases[";
@@ -660,7 +540,8 @@ StudyInput read_study_input(const Source& source) {
   CaseFile file = read_case_file(root, errors);
   const StudyItem item = written_study(file, root, errors);
   checked_case(file, root, item.command, errors);
-  check_paths(item, root, errors);
+  check_paths(set_paths(item.factors, "study.factors"), "factor", item.plan == Plan::one_at_a_time,
+              root, errors);
   check_number_of_levels(item, root, errors);
   errors.throw_if_any();
 

@@ -25,10 +25,6 @@ struct StudyInput {
 /// value where it stands.
 StudyInput read_study_input(const Source& source);
 
-/// Names of entries in the path of a value become their places, see `with_indices`; the path as it
-/// was written becomes the label where there is none.
-void take_indices(const Node& root, std::string& path, std::optional<std::string>& label);
-
 /// `load_cases[3].converged` of `load_cases[push].converged`, where the load cases before `push`
 /// have three points; other paths as they are.
 std::string response_path(const Node& root, const std::vector<LoadCaseItem>& load_cases,

@@ -420,11 +420,7 @@ std::optional<NumberAndUnit> split_unit(std::string_view text) {
   return NumberAndUnit{*head.number, without_blanks(head.rest)};
 }
 
-bool is_unit(std::string_view symbol) {
-  return std::ranges::any_of(kDimensions, [&](const Dimension* dimension) {
-    return find_unit(symbol, *dimension) != nullptr;
-  });
-}
+bool is_unit(std::string_view symbol) { return dimension_of(symbol) != nullptr; }
 
 std::optional<double> number_in(std::string_view text, std::string_view unit) {
   const std::optional<NumberAndUnit> split = split_unit(text);

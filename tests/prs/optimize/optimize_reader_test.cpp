@@ -139,9 +139,10 @@ TEST(OptimizeReader, SaysWhatIsWrongWhereItStands) {
   EXPECT_THAT(with_variable("{path: mechanism.rollers, values: [8, 9], with: [{path: "
                             "mechanism.contacts_per_roller, values: [1, 2, 3]}]}"),
               HasSubstr("got 3 values; expected 2"));
-  EXPECT_THAT(with_variable("{path: mechanism.rollers, from: 8, to: 9}, {path: mechanism.rollers, "
-                            "from: 8, to: 9}"),
-              HasSubstr("expected variables that set different values"));
+  EXPECT_THAT(
+      with_variable("{path: mechanism.rollers, from: 8, to: 9}, {path: mechanism.rollers, "
+                    "from: 8, to: 9}"),
+      HasSubstr("a second time; expected each path once; put all its values into one variable"));
   const auto with = [](const std::string& rest) { return refusal(test::yao_optimize(rest)); };
   EXPECT_THAT(with("  objectives: [{}]"), HasSubstr("minimize"));
   EXPECT_THAT(with("  objectives: [{minimize: a, maximize: b}]"), HasSubstr("minimize"));

@@ -141,7 +141,7 @@ TEST(StudyReader, RefusesCompanionsThatCannotGoAlong) {
   EXPECT_THAT(error_of(lead + "[{path: mechanism.lead, values: [5 mm, 6 mm]}]"),
               HasSubstr("with[0].path: got mechanism.lead a second time"));
   EXPECT_THAT(error_of(lead + "[{path: study.plan, values: [grid, sobol]}]"),
-              HasSubstr("with[0].path: got study.plan; expected a value outside the study"));
+              HasSubstr("with[0].path: got study.plan; expected a value outside `study`"));
   EXPECT_THAT(error_of(lead + "[{path: mechanism.rollers, uniform: {from: 1, to: 2}}]"),
               HasSubstr("study.factors[0].with[0].uniform: unknown key"));
   EXPECT_THAT(error_of(lead + "[{path: mechanism.centre_distance, values: {from: 1 mm, to: 2 kN, "
@@ -268,7 +268,7 @@ TEST(StudyReader, RefusesWhatIsNoStudy) {
       {"path: mechanism.lead, values: {from: -1 mm, to: 2 mm, steps: 2, spacing: logarithmic}",
        "neither of them 0"},
       {"path: mechanism.rollers, values: {from: 8, to: 9, steps: 3}", "got 8.5"},
-      {"path: study.command, values: [slip]", "a value outside the study"},
+      {"path: study.command, values: [slip]", "a value outside `study`"},
       {"path: mechanism..lead, values: [5 mm]", "got no path"},
       {"path: \"load_cases[7].position\", values: [5 mm]", "expected one below 2"},
       {"path: mechanism.lead, values: {from: 1 mm, to: 2 mm, steps: 100000}}\n    - {path: "
@@ -505,7 +505,7 @@ TEST(StudyReader, RefusesWhatCannotBeDrawn) {
       {"path: \"load_cases[1].axial_force.steps\", within: 3 %", "expected the path of a number"},
       {"path: mechanism.rolers, within: 3 %", "did you mean `rollers`?"},
       {"path: \"load_cases[7].position\", within: 3 %", "expected one below 2"},
-      {"path: study.samples, within: 3 %", "a value outside the study"},
+      {"path: study.samples, within: 3 %", "a value outside `study`"},
       {"path: mechanism.pitch_diameter, values: [~]}, {path: mechanism.pitch_diameter.nut, within: "
        "3 %",
        "got nothing"},

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "prs/input/document.h"
+#include "prs/input/echo.h"
+#include "prs/input/source.h"
+#include "prs/input/units.h"
+
+namespace prs::input {
+
+Node scalar(std::string text, Place place);
+
+/// Names of entries in the path of a value become their places, see `with_indices`; the path as it
+/// was written becomes the label where there is none.
+void take_indices(const Node& root, std::string& path, std::optional<std::string>& label);
+
+/// A path that a study or an optimization sets, and where it stands.
+struct SetPath {
+  std::string path;
+  std::string at;
+  std::size_t factor = 0;
+  bool companion = false;
+};
+
+/// The paths of the factors of a study or the variables of an optimization, a list at `list`.
+template <class Items>
+std::vector<SetPath> set_paths(const Items& items, std::string_view list) {
+  std::vector<SetPath> paths;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string at = fmt::format("{}[{}]", list, i);
+    paths.push_back({items[i].path, at + ".path", i});
+    for (std::size_t k = 0; k < items[i].companions.size(); ++k)
+      paths.push_back(
+          {items[i].companions[k].path, fmt::format("{}.with[{}].path", at, k), i, true});
+  }
+  return paths;
+}
+
+/// Whether a path leads into what another one leads to.
+bool is_part_of(std::string_view path, std::string_view whole);
+
+/// Adds an error where two paths set the same value in one design. `noun`: a factor or a variable.
+/// `one_at_a_time`: each factor and its companions vary alone.
+void check_paths(const std::vector<SetPath>& paths, std::string_view noun, bool one_at_a_time,
+                 const Node& root, ErrorList& errors);
+
+/// Reads inputs that a study or an optimization sets, one after the other.
+class VariedInput {
+ protected:
+  struct Ends {
+    NumberAndUnit from, to;
+  };
+
+  /// `base`: the document without the study or the optimization.
+  VariedInput(const Source& source, const Node& root, Node& base, ErrorList& errors)
+      : source_(source), root_(root), base_(base), errors_(errors) {}
+
+  void refuse_at(std::string_view key, std::string_view message) const;
+
+  /// Whether a path, written under the key, leads to a value of the case itself; else says so.
+  bool check_outside(std::string_view key, std::string_view path) const;
+
+  /// What the file says of a path, or the default.
+  std::optional<Node> base_value(std::string_view path, const std::vector<EchoEntry>& fields) const;
+
+  /// Adds what is wrong with a value of a path where the value stands, and returns whether nothing
+  /// is.
+  bool check_in_place(const std::string& path, const Node& value) const;
+
+  /// Two numbers in one unit, written under the keys `from` and `to` behind the prefix; else says
+  /// what is wrong. The views are of the texts.
+  std::optional<Ends> read_ends(std::string_view prefix, std::string_view from, std::string_view to,
+                                bool ascending) const;
+
+  const Source& source_;
+  const Node& root_;
+  Node& base_;
+  ErrorList& errors_;
+  std::string path_;  ///< Path in the document of what is being read.
+};
+
+}  // namespace prs::input
