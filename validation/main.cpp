@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "prs/cli/command_line.h"
-#include "prs/cli/data_folder.h"
 #include "prs/cli/deliver.h"
+#include "prs/cli/package.h"
 #include "prs/cli/program.h"
 #include "prs/cli/progress_line.h"
 #include "prs/cli/validate_options.h"
