@@ -9,21 +9,16 @@
 #include <vector>
 
 #include "prs/cli/command_line.h"
-#include "prs/cli/data_folder.h"
 #include "prs/cli/deliver.h"
+#include "prs/cli/package.h"
 #include "prs/cli/program.h"
 #include "prs/cli/progress_line.h"
 #include "prs/cli/validate_options.h"
 #include "prs/input/document.h"
 #include "prs/validation/validate.h"
 #include "prs/version.h"
-#include "validation/abevi_2015/statements.h"
-#include "validation/jung_2017/extension.h"
+#include "validation/extensions.h"
 #include "validation/jung_2017/recipe.h"
-#include "validation/reference_fe/extension.h"
-#include "validation/sandu_2018/extension.h"
-#include "validation/standard_screws/extension.h"
-#include "validation/yao_2023/extension.h"
 
 namespace {
 

@@ -8,9 +8,7 @@
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/completion.h"
-#include "prs/cli/explain.h"
 #include "prs/cli/help.h"
-#include "prs/cli/list.h"
 #include "prs/cli/program.h"
 #include "prs/cli/usage_error.h"
 #include "prs/cli/validate_options.h"
@@ -33,19 +31,13 @@ constexpr const char* kSearch = "Compute many designs";
 constexpr const char* kLook = "Look up";
 
 CLI::Option* add_file(CLI::App& command, Options& options) {
-  return command
-      .add_option("file", options.file, "The case, a YAML file; `-` reads standard input")
-      ->type_name("FILE");
+  return add_value(command, "file", options.file, "FILE",
+                   "The case, a YAML file; `-` reads standard input");
 }
 
 void add_set(CLI::App& command, Options& options) {
-  command
-      .add_option("--set", options.overrides,
-                  "Replace a value of the case, e.g. mechanism.rollers=9; repeatable")
-      ->type_name("PATH=VALUE")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false)
+  take_each(add_value(command, "--set", options.overrides, "PATH=VALUE",
+                      "Replace a value of the case, e.g. mechanism.rollers=9; repeatable"))
       ->check([](const std::string& text) {
         if (text.find('=') != std::string::npos && !text.starts_with('=')) return std::string();
         return fmt::format(
@@ -63,8 +55,7 @@ void add_case_options(CLI::App& command, Options& options) {
   add_units_option(command, options);
   add_csv_options(command, options.csv);
   add_png(command, options);
-  command.add_flag("--figures", options.figures, "Put the pictures into the document, as data")
-      ->disable_flag_override();
+  add_flag(command, "--figures", options.figures, "Put the pictures into the document, as data");
 }
 
 void add_threads(CLI::App& command, Options& options) {
@@ -74,29 +65,24 @@ void add_threads(CLI::App& command, Options& options) {
 }
 
 void add_restart(CLI::App& command, Options& options, const char* help) {
-  command.add_flag("--restart", options.restart, help)->disable_flag_override();
+  add_flag(command, "--restart", options.restart, help);
 }
 
 void add_check_options(CLI::App& check, Options& options) {
-  check.add_flag("--all", options.all, "List every value, with its default, too")
-      ->disable_flag_override();
+  add_flag(check, "--all", options.all, "List every value, with its default, too");
 }
 
 void add_all_estimates(CLI::App& command, Options& options) {
-  command.add_flag("--all", options.all, "Show estimates beside what is computed, too")
-      ->disable_flag_override();
+  add_flag(command, "--all", options.all, "Show estimates beside what is computed, too");
 }
 
 void add_solver(CLI::App& command, Options& options) {
-  command.add_flag("--all", options.all, "Say which library factorized, too")
-      ->disable_flag_override();
+  add_flag(command, "--all", options.all, "Say which library factorized, too");
 }
 
 void add_compare_options(CLI::App& compare, Options& options) {
-  compare
-      .add_option("other", options.other,
-                  "A second case: its inputs and results beside those of the first")
-      ->type_name("FILE");
+  add_value(compare, "other", options.other, "FILE",
+            "A second case: its inputs and results beside those of the first");
   compare
       .add_flag_callback(
           "--influence", [&] { options.overrides.push_back("model.bodies=influence"); },
@@ -146,12 +132,10 @@ void add_optimize_options(CLI::App& optimize, Options& options) {
 
 void add_configurations_options(CLI::App& command, Options& options) {
   ConfigurationOptions& o = options.configurations;
-  command.add_option("--screw-diameter", o.screw_diameter, "Pitch diameter, with its unit")
-      ->type_name("LENGTH")
+  add_value(command, "--screw-diameter", o.screw_diameter, "LENGTH",
+            "Pitch diameter, with its unit")
       ->required();
-  command.add_option("--lead", o.lead, "Of screw and nut; > 0 right-handed")
-      ->type_name("LENGTH")
-      ->required();
+  add_value(command, "--lead", o.lead, "LENGTH", "Of screw and nut; > 0 right-handed")->required();
   take_one_of(command.add_option("--type", o.type, "Default: both"), {"standard", "inverted"});
   take_whole_number(command.add_option("--starts", o.starts, "Of screw and nut; default: 3 to 10"),
                     1, 100);
@@ -159,15 +143,12 @@ void add_configurations_options(CLI::App& command, Options& options) {
                     100);
   take_whole_number(
       command.add_option("--rollers", o.rollers, "That must fit; default: as many as do"), 3, 1000);
-  command.add_option("--gap", o.gap, "Least between neighbouring crests; default: 0 mm")
-      ->type_name("LENGTH");
-  command.add_option("--flank-angle", o.flank_angle, "Default: 45 deg")->type_name("ANGLE");
-  command
-      .add_option("--roller-profile-radius", o.roller_profile_radius,
-                  "Of the convex rollers; default: arcs about the roller's axis")
-      ->type_name("LENGTH");
-  command.add_option("--write", o.write, "Write line N as a commented case into the new FILE")
-      ->type_name("N FILE")
+  add_value(command, "--gap", o.gap, "LENGTH", "Least between neighbouring crests; default: 0 mm");
+  add_value(command, "--flank-angle", o.flank_angle, "ANGLE", "Default: 45 deg");
+  add_value(command, "--roller-profile-radius", o.roller_profile_radius, "LENGTH",
+            "Of the convex rollers; default: arcs about the roller's axis");
+  add_value(command, "--write", o.write, "N FILE",
+            "Write line N as a commented case into the new FILE")
       ->expected(2);
   add_output_options(command, options);
   add_units_option(command, options);
@@ -182,24 +163,17 @@ void add_new(CLI::App& command, Options& options) {
 void add_page_options(CLI::App& command, Options& options, const char* output) {
   add_file(command, options)->required();
   add_set(command, options);
-  command.add_option("-o,--output", options.report, output)->type_name("FILE");
+  add_value(command, "-o,--output", options.report, "FILE", output);
   add_units_option(command, options);
-  command
-      .add_option("--results", options.results,
-                  "Show the study and the optimization of the case that this folder holds; "
-                  "repeatable; default: the folder of the page")
-      ->type_name("DIR")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
+  take_each(add_value(command, "--results", options.results, "DIR",
+                      "Show the study and the optimization of the case that this folder holds; "
+                      "repeatable; default: the folder of the page"));
 }
 
 void add_report_options(CLI::App& command, Options& options) {
   add_page_options(command, options, "Write the page into this file");
-  command
-      .add_flag("--static", options.without_engine,
-                "Leave the engine and the scripts out: a page for reading and printing alone")
-      ->disable_flag_override();
+  add_flag(command, "--static", options.without_engine,
+           "Leave the engine and the scripts out: a page for reading and printing alone");
   add_json(command, options);
   add_quiet(command, options);
 }
@@ -214,33 +188,26 @@ void add_export_options(CLI::App& command, Options& options) {
   ExportOptions& o = options.export_model;
   add_file(command, options)->required();
   add_set(command, options);
-  command.add_flag("--fmu", o.fmu, "Write a co-simulation unit of FMI 2.0, CASE.fmu")
-      ->disable_flag_override();
-  command.add_flag("--modelica", o.modelica, "Write a Modelica package, CASE.mo")
-      ->disable_flag_override();
-  command
-      .add_flag("--step", o.step, "Grooved bodies for CAD: says how the Python package writes them")
-      ->disable_flag_override();
-  command.add_option("--force", o.force, "Largest force of the curves; default: that of the case")
-      ->type_name("FORCE");
-  command.add_option("--speed", o.speed, "Largest speed of the torque; default: that of the case")
-      ->type_name("SPEED");
-  command
-      .add_option("--load-case", o.load_case,
-                  "Whose position, misalignment and temperatures hold, with `preload` for the "
-                  "torque alone; default: the first")
-      ->type_name("NAME");
-  command
-      .add_option("-o,--output", o.output,
-                  "The file to write, or a folder for it; default: the current folder")
-      ->type_name("PATH");
+  add_flag(command, "--fmu", o.fmu, "Write a co-simulation unit of FMI 2.0, CASE.fmu");
+  add_flag(command, "--modelica", o.modelica, "Write a Modelica package, CASE.mo");
+  add_flag(command, "--step", o.step,
+           "Grooved bodies for CAD: says how the Python package writes them");
+  add_value(command, "--force", o.force, "FORCE",
+            "Largest force of the curves; default: that of the case");
+  add_value(command, "--speed", o.speed, "SPEED",
+            "Largest speed of the torque; default: that of the case");
+  add_value(command, "--load-case", o.load_case, "NAME",
+            "Whose position, misalignment and temperatures hold, with `preload` for the "
+            "torque alone; default: the first");
+  add_value(command, "-o,--output", o.output, "PATH",
+            "The file to write, or a folder for it; default: the current folder");
   add_json(command, options);
   add_quiet(command, options);
 }
 
 void add_list_options(CLI::App& command, Options& options) {
   take_one_of(command.add_option("what", options.what, list_help())->required(), list_words());
-  command.add_option("file", options.file, "A case: only what it has all for")->type_name("FILE");
+  add_value(command, "file", options.file, "FILE", "A case: only what it has all for");
   add_json(command, options);
 }
 
@@ -424,12 +391,9 @@ void add_manual(Program& program) {
   CLI::App& command =
       add_command(program, "manual", "Print the manual page of a command, for `man -l`", kLook,
                   "prs manual solve | man -l -\nprs manual --output share/man/man1", manual);
-  command.add_option("command", program.options.words, "The program itself without one")
-      ->type_name("COMMAND");
-  command
-      .add_option("-o,--output", program.options.pages,
-                  "Write the page and those of its commands into this folder")
-      ->type_name("DIR");
+  add_value(command, "command", program.options.words, "COMMAND", "The program itself without one");
+  add_value(command, "-o,--output", program.options.pages, "DIR",
+            "Write the page and those of its commands into this folder");
 }
 
 void add_help(Program& program) {
@@ -441,8 +405,7 @@ void add_help(Program& program) {
   };
   CLI::App& command = add_command(program, "help", "Say what a command does, with its options",
                                   kLook, "prs help solve\nprs help study merge", help);
-  command.add_option("command", program.options.words, "All commands without one")
-      ->type_name("COMMAND");
+  add_value(command, "command", program.options.words, "COMMAND", "All commands without one");
   add_json(command, program.options);
 }
 

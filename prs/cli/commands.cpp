@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/cli/deliver.h"
-#include "prs/cli/explain.h"
 #include "prs/cli/usage_error.h"
 #include "prs/input/schema.h"
 #include "prs/output/run_files.h"

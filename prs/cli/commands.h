@@ -91,6 +91,14 @@ int explore(const Options& options);
 /// Writes models of the screw for other programs.
 int export_model(const Options& options);
 int schema(const Options& options);
+/// Prints title, formula, validity and source of what `options.explain` names, a measure or the
+/// path of a result; of every measure where it is empty.
+int explain(const Options& options);
+/// What `prs list` takes, `commands`, .., and what each of them is.
+std::vector<std::string> list_words();
+std::string list_help();
+/// Prints what there is to choose from: one name per line with its meaning, or one document.
+int list(const Options& options);
 void add_new_options(CLI::App& command, NewOptions& options);
 /// Prints a commented case, or writes it to a file, which must not exist; or copies a lesson.
 int new_case(const Options& options);

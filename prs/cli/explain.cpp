@@ -1,4 +1,4 @@
-#include "prs/cli/explain.h"
+#include "prs/cli/commands.h"
 
 #include <fmt/format.h>
 

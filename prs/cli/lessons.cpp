@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "prs/cli/data_folder.h"
+#include "prs/cli/package.h"
 #include "prs/cli/quantity_option.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/document.h"

@@ -4,8 +4,8 @@
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/command_table.h"
-#include "prs/cli/companion.h"
 #include "prs/cli/help.h"
+#include "prs/cli/package.h"
 #include "prs/cli/program.h"
 #include "prs/cli/usage_error.h"
 

@@ -8,6 +8,7 @@
 #include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
 #include "prs/cli/lessons.h"
+#include "prs/cli/program.h"
 #include "prs/cli/quantity_option.h"
 #include "prs/cli/usage_error.h"
 #include "prs/configurations/configurations_json.h"
@@ -230,9 +231,8 @@ void copy_lesson(const Lesson& lesson, const fs::path& file) {
 }  // namespace
 
 void add_new_options(CLI::App& command, NewOptions& options) {
-  command.add_option("type", options.type, "Type of the screw")->type_name("standard|inverted");
-  command.add_option("file", options.file, "New file; printed without one, or with `-`")
-      ->type_name("FILE");
+  add_value(command, "type", options.type, "standard|inverted", "Type of the screw");
+  add_value(command, "file", options.file, "FILE", "New file; printed without one, or with `-`");
   const auto add = [&](const char* name, std::optional<std::string>& text, const char* what,
                        const char* kind) { command.add_option(name, text, what)->type_name(kind); };
   add("--screw-diameter", options.screw_diameter, "Nominal diameter, with its unit", "LENGTH");
@@ -257,10 +257,8 @@ void add_new_options(CLI::App& command, NewOptions& options) {
   take_one_of(command.add_option("--mechanism", options.mechanism,
                                  "One roller with its share, or all rollers; default: sector"),
               {"sector", "full"});
-  command
-      .add_option("--lesson", options.lesson,
-                  "Copy a lesson, by number or name, and the files that it reads")
-      ->type_name("LESSON");
+  add_value(command, "--lesson", options.lesson, "LESSON",
+            "Copy a lesson, by number or name, and the files that it reads");
 }
 
 int new_case(const Options& all) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -69,25 +68,30 @@ void require_folder(const std::filesystem::path& output) {
 
 }  // namespace
 
+CLI::Option* add_flag(CLI::App& command, const char* name, bool& flag, const char* help) {
+  return command.add_flag(name, flag, help)->disable_flag_override();
+}
+
+CLI::Option* take_each(CLI::Option* option) {
+  return option->expected(1)->take_all()->allow_extra_args(false);
+}
+
 void add_json(CLI::App& command, OutputOptions& options) {
-  command.add_flag("--json", options.json, "Print one JSON document and nothing else")
-      ->disable_flag_override();
+  add_flag(command, "--json", options.json, "Print one JSON document and nothing else");
 }
 
 void add_quiet(CLI::App& command, OutputOptions& options) {
-  command.add_flag("--quiet", options.quiet, "Print errors only")->disable_flag_override();
+  add_flag(command, "--quiet", options.quiet, "Print errors only");
 }
 
 void add_output_options(CLI::App& command, OutputOptions& options) {
   add_json(command, options);
-  command.add_option("-o,--output", options.output, "Write files into this folder")
-      ->type_name("DIR");
+  add_value(command, "-o,--output", options.output, "DIR", "Write files into this folder");
   add_quiet(command, options);
 }
 
 void add_png(CLI::App& command, OutputOptions& options) {
-  command.add_flag("--png", options.png, "Write the pictures as PNG files, too")
-      ->disable_flag_override()
+  add_flag(command, "--png", options.png, "Write the pictures as PNG files, too")
       ->needs(command.get_option("--output"));
 }
 

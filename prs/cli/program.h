@@ -1,16 +1,26 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "prs/cli/printing.h"
 
-namespace CLI {
-class App;
+namespace prs::cli {
+
+/// An option without a value.
+CLI::Option* add_flag(CLI::App& command, const char* name, bool& flag, const char* help);
+
+/// An option, or an argument, whose value the help calls `type`.
+template <class Value>
+auto* add_value(CLI::App& command, const char* name, Value& value, const char* type,
+                const char* help) {
+  return command.add_option(name, value, help)->type_name(type);
 }
 
-namespace prs::cli {
+/// The option may be given several times, each time with one value.
+CLI::Option* take_each(CLI::Option* option);
 
 void add_json(CLI::App& command, OutputOptions& options);
 void add_quiet(CLI::App& command, OutputOptions& options);

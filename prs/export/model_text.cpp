@@ -49,25 +49,14 @@ nlohmann::ordered_json torque_json(const SystemCurves& curves) {
 
 /// Names that Modelica keeps for itself (Modelica Language Specification 3.4, section 2.3.3).
 bool is_word_of_modelica(std::string_view name) {
-  constexpr std::string_view kWords[] = {
-      "algorithm", "and",          "annotation",    "assert",
-      "block",     "break",        "class",         "connect",
-      "connector", "constant",     "constrainedby", "der",
-      "discrete",  "each",         "else",          "elseif",
-      "elsewhen",  "encapsulated", "end",           "enumeration",
-      "equation",  "expandable",   "extends",       "external",
-      "false",     "final",        "flow",          "for",
-      "function",  "if",           "import",        "impure",
-      "in",        "initial",      "inner",         "input",
-      "loop",      "model",        "not",           "operator",
-      "or",        "outer",        "output",        "package",
-      "parameter", "partial",      "protected",     "public",
-      "pure",      "record",       "redeclare",     "replaceable",
-      "return",    "stream",       "then",          "true",
-      "type",      "when",         "while",         "within",
-      "Boolean",   "Integer",      "Modelica",      "Real",
-      "String"};
-  return std::ranges::find(kWords, name) != std::end(kWords);
+  constexpr std::string_view kWords =
+      " algorithm and annotation assert block break class connect connector constant "
+      "constrainedby der discrete each else elseif elsewhen encapsulated end enumeration "
+      "equation expandable extends external false final flow for function if import impure "
+      "in initial inner input loop model not operator or outer output package parameter "
+      "partial protected public pure record redeclare replaceable return stream then true "
+      "type when while within Boolean Integer Modelica Real String ";
+  return kWords.find(fmt::format(" {} ", name)) != kWords.npos;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -11,30 +12,26 @@
 #include "prs/text.h"
 
 namespace prs {
+namespace {
+
+struct Escape {
+  char of;
+  std::string_view text;
+};
+constexpr std::array<Escape, 5> kEscapes{
+    {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
+
+}  // namespace
 
 std::string html(std::string_view content) {
   if (is_plain_lines(content) && content.find_first_of("<>&\"'\n") == content.npos)
     return std::string(content);
   std::string escaped;
-  for (const char c : printable(content)) switch (c) {
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        escaped += c;
-    }
+  for (const char c : printable(content))
+    if (const auto* known = std::ranges::find(kEscapes, c, &Escape::of); known != kEscapes.end())
+      escaped += known->text;
+    else
+      escaped += c;
   return escaped;
 }
 

@@ -86,32 +86,32 @@ std::string surface_svg(const Surface& surface, const ColourScale& colours, cons
     all += text(x, y, "m", lines.size() > 1 ? lines.front() + "…" : lines.front(),
                 turned(x, y, static_cast<int>(std::lround(turn * 57.29578))));
   };
-  for (const Tick& tick : shown_ticks(f.x, 200, true)) {
-    const double s = View::share(f.x, tick.at);
-    if (s < -1e-9 || s > 1.0 + 1e-9) continue;
-    const Pixels at = view.at(s, 0.0, 0.0);
-    all += line(at, view.at(s, 1.0, 0.0), "class=\"g\"");
-    all += line(view.at(s, 1.0, 0.0), view.at(s, 1.0, 1.0), "class=\"g\"");
-    all += text(at[0] - 4, at[1] + 20, "q e", tick.text);
-  }
-  for (const Tick& tick : shown_ticks(f.y, 200, true)) {
-    const double s = View::share(f.y, tick.at);
-    if (s < -1e-9 || s > 1.0 + 1e-9) continue;
-    const Pixels at = view.at(1.0, s, 0.0);
-    all += line(at, view.at(0.0, s, 0.0), "class=\"g\"");
-    all += line(view.at(0.0, s, 0.0), view.at(0.0, s, 1.0), "class=\"g\"");
-    all += text(at[0] + 5, at[1] + 13, "q", tick.text);
-  }
-  double longest = 0.0;
-  for (const Tick& tick : shown_ticks(surface.z, 160, false)) {
-    const double s = View::share(surface.z, tick.at);
-    if (s < -1e-9 || s > 1.0 + 1e-9) continue;
-    const Pixels at = view.at(0.0, 0.0, s);
-    all += line(at, view.at(0.0, 1.0, s), "class=\"g\"");
-    all += line(view.at(0.0, 1.0, s), view.at(1.0, 1.0, s), "class=\"g\"");
-    all += text(at[0] - 6, at[1] + 5, "q e", tick.text);
-    longest = std::max(longest, text_width(tick.text));
-  }
+  // Lines of each tick over the two walls of its axis, by way of the corner.
+  const auto ticks = [&](const Axis& axis, int pixels, bool is_horizontal, const auto& at,
+                         Pixels offset, std::string_view classes) {
+    double longest = 0.0;
+    for (const Tick& tick : shown_ticks(axis, pixels, is_horizontal)) {
+      const double s = View::share(axis, tick.at);
+      if (s < -1e-9 || s > 1.0 + 1e-9) continue;
+      const auto [first, corner, last] = at(s);
+      all += line(first, corner, "class=\"g\"") + line(corner, last, "class=\"g\"");
+      all += text(first[0] + offset[0], first[1] + offset[1], classes, tick.text);
+      longest = std::max(longest, text_width(tick.text));
+    }
+    return longest;
+  };
+  const auto at_x = [&](double s) {
+    return std::array{view.at(s, 0, 0), view.at(s, 1, 0), view.at(s, 1, 1)};
+  };
+  const auto at_y = [&](double s) {
+    return std::array{view.at(1, s, 0), view.at(0, s, 0), view.at(0, s, 1)};
+  };
+  const auto at_z = [&](double s) {
+    return std::array{view.at(0, 0, s), view.at(0, 1, s), view.at(1, 1, s)};
+  };
+  ticks(f.x, 200, true, at_x, {-4, 20}, "q e");
+  ticks(f.y, 200, true, at_y, {5, 13}, "q");
+  const double longest = ticks(surface.z, 160, false, at_z, {-6, 5}, "q e");
   label(f.x, view.at(0, 0, 0), view.at(1, 0, 0), 44.0);
   label(f.y, view.at(1, 0, 0), view.at(1, 1, 0), 52.0);
   label(surface.z, view.at(0, 0, 0), view.at(0, 0, 1), -longest - 16.0);

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "prs/loads/analyze.h"
+#include "validation/extensions.h"
 
 namespace prs::abevi_2015 {
 namespace {
@@ -80,6 +83,22 @@ template <class Visit>
 void for_each_case(Visit visit) {
   for (std::size_t config = 0; config < kPositions.size(); ++config)
     for (const Direction direction : kDirections) visit(config, direction);
+}
+
+/// Largest of the values of all six cases.
+template <class Value>
+double largest_of_cases(Value value) {
+  double largest = 0.0;
+  for_each_case([&](std::size_t c, Direction d) { largest = std::max(largest, value(c, d)); });
+  return largest;
+}
+
+/// Smallest of shares of all six cases.
+template <class Value>
+double smallest_of_cases(Value value) {
+  double smallest = 1.0;
+  for_each_case([&](std::size_t c, Direction d) { smallest = std::min(smallest, value(c, d)); });
+  return smallest;
 }
 
 template <class Value>
@@ -361,10 +380,8 @@ Finding screw_distribution_varies(const Results& r) {
 }
 
 Finding distribution_differs_at_the_interfaces(const Results& r) {
-  double least = 1.0;
-  for_each_case([&](std::size_t c, Direction d) {
-    least = std::min(
-        least, largest_difference(r.rates(Interface::screw, c, d), r.rates(Interface::nut, c, d)));
+  const double least = smallest_of_cases([&](std::size_t c, Direction d) {
+    return largest_difference(r.rates(Interface::screw, c, d), r.rates(Interface::nut, c, d));
   });
   return {least > kVisible, fmt::format("a thread's two shares differ by at least {:.2f} points in "
                                         "every case (judged against 0.05)",
@@ -372,10 +389,8 @@ Finding distribution_differs_at_the_interfaces(const Results& r) {
 }
 
 Finding wings_differ_from_the_rigid_roller(const Results& r) {
-  double least = 1.0;
-  for_each_case([&](std::size_t c, Direction d) {
-    least = std::min(least, sensitivity_to_bending(r, c, d));
-  });
+  const double least = smallest_of_cases(
+      [&](std::size_t c, Direction d) { return sensitivity_to_bending(r, c, d); });
   return {
       least > kVisible,
       fmt::format(
@@ -527,6 +542,12 @@ std::vector<Variant<Results>> variants(const Case& screw) {
           {"vanishing load", Results(screw, 1e-12)}};
 }
 
+/// A statement of section 6 that needs more than the results of one variant.
+ComparedStatement compared(std::string text, Finding finding, std::string why = {}) {
+  const Statement<Finding> statement{"6", std::move(text), std::identity(), std::move(why)};
+  return compare(std::vector{statement}, std::vector<Variant<Finding>>{{"", finding}}).front();
+}
+
 /// The influence of the boundary conditions is a statement on the variants among themselves.
 ComparedStatement boundary_conditions_matter(const std::vector<Variant<Results>>& variants) {
   double stiffness = 0.0, share = 0.0;
@@ -539,16 +560,12 @@ ComparedStatement boundary_conditions_matter(const std::vector<Variant<Results>>
       for (const Interface i : kInterfaces)
         share = std::max(share, largest_difference(plain.rates(i, c, d), other.rates(i, c, d)));
     });
-  Verdict verdict;
-  verdict.kind =
-      stiffness > 0.05 && share > 0.005 ? Verdict::Kind::holds : Verdict::Kind::does_not_hold;
-  verdict.evidence = fmt::format(
-      "guidance changes the stiffness by up to {:.1f} % and a thread's share by up to {:.2f} "
-      "points (judged against 5 % and 0.5 points)",
-      100 * stiffness, 100 * share);
-  return {"6",
-          "the BCs have a strong influence on both the load distribution and the axial stiffness",
-          verdict};
+  return compared(
+      "the BCs have a strong influence on both the load distribution and the axial stiffness",
+      {stiffness > 0.05 && share > 0.005,
+       fmt::format("guidance changes the stiffness by up to {:.1f} % and a thread's share by up to "
+                   "{:.2f} points (judged against 5 % and 0.5 points)",
+                   100 * stiffness, 100 * share)});
 }
 
 /// The influence of the nut's shape needs a second nut, without flanges.
@@ -556,24 +573,19 @@ ComparedStatement nut_shape_matters(const Case& screw, const Results& plain) {
   Case tube = screw;
   tube.structure->nut.flanges.clear();
   const Results without(tube);
-  double share = 0.0;
-  for_each_case([&](std::size_t c, Direction d) {
-    share = std::max(share, largest_difference(plain.rates(Interface::nut, c, d),
-                                               without.rates(Interface::nut, c, d)));
+  const double share = largest_of_cases([&](std::size_t c, Direction d) {
+    return largest_difference(plain.rates(Interface::nut, c, d),
+                              without.rates(Interface::nut, c, d));
   });
-  Verdict verdict;
-  verdict.kind = share > 0.005 ? Verdict::Kind::holds : Verdict::Kind::does_not_hold;
-  verdict.evidence = fmt::format(
-      "without flanges a nut thread's share changes by up to {:.2f} points (judged against 0.5)",
-      100 * share);
-  if (share <= 0.005)
-    verdict.why =
-        "with the assumed nut, where the thrust section stands among the threads matters, and the "
-        "larger section of a flange hardly does; the real nut's shape is not published";
-  return {"6",
-          "the shape of the nut has a notable influence on the load distribution as its flanges "
-          "interact with the contacting threads",
-          verdict};
+  return compared(
+      "the shape of the nut has a notable influence on the load distribution as its flanges "
+      "interact with the contacting threads",
+      {share > 0.005,
+       fmt::format("without flanges a nut thread's share changes by up to {:.2f} points (judged "
+                   "against 0.5)",
+                   100 * share)},
+      "with the assumed nut, where the thrust section stands among the threads matters, and the "
+      "larger section of a flange hardly does; the real nut's shape is not published");
 }
 
 }  // namespace

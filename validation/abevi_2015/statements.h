@@ -12,6 +12,4 @@ namespace prs::abevi_2015 {
 /// cases are not used.
 std::vector<ComparedStatement> compare_statements(const Case& screw);
 
-SourceExtension extension();
-
 }  // namespace prs::abevi_2015

@@ -1,4 +1,4 @@
-#include "validation/jung_2017/extension.h"
+#include "validation/extensions.h"
 
 #include <fmt/format.h>
 

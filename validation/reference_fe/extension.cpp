@@ -1,4 +1,4 @@
-#include "validation/reference_fe/extension.h"
+#include "validation/extensions.h"
 
 #include "validation/reference_fe/comparison.h"
 #include "validation/reference_fe/figures.h"

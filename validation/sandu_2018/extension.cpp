@@ -1,4 +1,4 @@
-#include "validation/sandu_2018/extension.h"
+#include "validation/extensions.h"
 
 #include <fmt/format.h>
 

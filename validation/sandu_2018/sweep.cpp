@@ -29,21 +29,6 @@ Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
   return line;
 }
 
-EfficiencyFit efficiency_fit(const Case& c, const std::vector<double>& eyring_stresses_mpa,
-                             const std::vector<double>& viscosities_mpas) {
-  std::vector<double> product, efficiency;
-  for (const double stress : eyring_stresses_mpa)
-    for (const double viscosity : viscosities_mpas) {
-      Case varied = c;
-      varied.lubricant->eyring_stress = stress * 1e6;
-      varied.lubricant->viscosity = viscosity * 1e-3;
-      product.push_back(stress * std::log(viscosity));
-      efficiency.push_back(slip_of(varied).efficiency.value_or(0.0));
-    }
-  const Line line = line_through(product, efficiency);
-  return {line.intercept, -line.slope, line.worst};
-}
-
 ValidationTable efficiency_fits(const Case& reference) {
   ValidationTable table{
       "(3.55): the constants of H = B_1 - B_2 tau_0 ln(eta_0), tau_0 in MPa and eta_0 in mPa s, "
@@ -52,8 +37,17 @@ ValidationTable efficiency_fits(const Case& reference) {
       {}};
   const auto add = [&](const char* range, const std::vector<double>& stresses,
                        const std::vector<double>& viscosities) {
-    const EfficiencyFit fit = efficiency_fit(reference, stresses, viscosities);
-    table.rows.push_back({range, {100 * fit.b_1, 100 * fit.b_2, 100 * fit.worst}});
+    std::vector<double> product, efficiency;
+    for (const double stress : stresses)
+      for (const double viscosity : viscosities) {
+        Case varied = reference;
+        varied.lubricant->eyring_stress = stress * 1e6;
+        varied.lubricant->viscosity = viscosity * 1e-3;
+        product.push_back(stress * std::log(viscosity));
+        efficiency.push_back(slip_of(varied).efficiency.value_or(0.0));
+      }
+    const Line line = line_through(product, efficiency);
+    table.rows.push_back({range, {100 * line.intercept, 100 * -line.slope, 100 * line.worst}});
   };
   table.rows.push_back({"printed", {98.1, 0.32}});
   add("11 to 13, 150 to 180", {11, 12, 13}, {150, 165, 180});

@@ -32,15 +32,6 @@ struct Line {
 };
 Line line_through(const std::vector<double>& x, const std::vector<double>& y);
 
-/// (3.55), H = B_1 - B_2 tau_0 ln(eta_0) with tau_0 in MPa and eta_0 in mPa s, fitted to computed
-/// efficiencies.
-struct EfficiencyFit {
-  double b_1 = 0.0, b_2 = 0.0;
-  double worst = 0.0;  ///< Largest error at a point of the fit.
-};
-EfficiencyFit efficiency_fit(const Case& c, const std::vector<double>& eyring_stresses_mpa,
-                             const std::vector<double>& viscosities_mpas);
-
 /// B_1 and B_2 over several ranges, next to the printed ones.
 ValidationTable efficiency_fits(const Case& reference);
 

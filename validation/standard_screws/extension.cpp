@@ -1,4 +1,4 @@
-#include "validation/standard_screws/extension.h"
+#include "validation/extensions.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "validation/yao_2023/extension.h"
+#include "validation/extensions.h"
 
 #include <cmath>
 #include <filesystem>

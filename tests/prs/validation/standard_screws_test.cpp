@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "validation/extensions.h"
 #include "validation/standard_screws/comparison.h"
-#include "validation/standard_screws/extension.h"
 
 namespace prs {
 namespace {

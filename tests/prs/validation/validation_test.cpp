@@ -11,10 +11,7 @@
 #include "prs/input/source.h"
 #include "prs/model/case_error.h"
 #include "tests/support/temporary_directory.h"
-#include "validation/jung_2017/extension.h"
-#include "validation/sandu_2018/extension.h"
-#include "validation/standard_screws/extension.h"
-#include "validation/yao_2023/extension.h"
+#include "validation/extensions.h"
 
 namespace prs {
 namespace {
