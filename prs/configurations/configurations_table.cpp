@@ -29,7 +29,7 @@ std::string gears_cell(const Configuration& c) {
   return text;
 }
 
-std::string mm(double si) { return fixed(si, "mm", 3); }
+std::string millimetres(double si) { return fixed(si, "mm", 3); }
 
 using Found = const Configuration&;
 
@@ -48,11 +48,11 @@ constexpr Column kColumns[] = {
      [](Found c) {
        return fmt::format("{}/{}", c.mechanism.starts.screw, c.mechanism.starts.roller);
      }},
-    {"pitch", "mm", 7, [](Found c) { return mm(axial_pitch(c.mechanism)); }},
-    {"screw", "mm", 8, [](Found c) { return mm(c.pitch_diameter.screw); }},
-    {"roller", "mm", 8, [](Found c) { return mm(c.pitch_diameter.roller); }},
-    {"nut", "mm", 8, [](Found c) { return mm(c.pitch_diameter.nut); }},
-    {"centres", "mm", 8, [](Found c) { return mm(c.centre_distance); }},
+    {"pitch", "mm", 7, [](Found c) { return millimetres(axial_pitch(c.mechanism)); }},
+    {"screw", "mm", 8, [](Found c) { return millimetres(c.pitch_diameter.screw); }},
+    {"roller", "mm", 8, [](Found c) { return millimetres(c.pitch_diameter.roller); }},
+    {"nut", "mm", 8, [](Found c) { return millimetres(c.pitch_diameter.nut); }},
+    {"centres", "mm", 8, [](Found c) { return millimetres(c.centre_distance); }},
     {"hand", "roller", 7,
      [](Found c) { return std::string(c.lead.roller > 0.0 ? "right" : "left"); }},
     {"rollers", "≤", 8, [](Found c) { return std::to_string(c.most_rollers); }},

@@ -31,10 +31,10 @@ class CheckResult(views.CheckViews):
 
     __slots__ = ()
     commands: Values
+    verdict: records.Verdict
     derived: Values
     contact: records.Contacts
     threads: records.Threads
-    verdict: records.Verdict
 
 
 class ContactResult(views.ContactViews):
@@ -141,9 +141,9 @@ class OptimizationResult(views.OptimizationViews):
     __slots__ = ()
     _block = "optimize"
     initial: Values
-    front: records.Array
     compromise: Values
     nearest: Values
+    front: records.Array
     search: Values
     check: Values
     comparison: Values

@@ -1,8 +1,8 @@
 #pragma once
 
 /// What libc++ 13, that of Debian 12's emscripten, lacks of C++20: the algorithms of std::ranges
-/// that this project uses, std::from_chars of double, the order of texts by `<=>`. Included before
-/// every source, by that compiler alone.
+/// that this project uses, std::from_chars of double, std::bit_cast, the order of texts by `<=>`.
+/// Included before every source, by that compiler alone.
 
 #include <algorithm>
 #include <charconv>
@@ -13,6 +13,7 @@
 #include <iterator>
 #include <ranges>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fast_float/fast_float.h>
@@ -25,6 +26,14 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   return {end, error};
 }
 
+template <class To, class From>
+constexpr To bit_cast(const From& value) noexcept {
+  return __builtin_bit_cast(To, value);
+}
+
+constexpr strong_ordering operator<=>(string_view a, string_view b) noexcept {
+  return a.compare(b) <=> 0;
+}
 inline strong_ordering operator<=>(const string& a, const string& b) noexcept {
   return a.compare(b) <=> 0;
 }
