@@ -22,8 +22,9 @@ using Json = nlohmann::ordered_json;
 
 std::vector<WarningGroup> warnings_of(const Findings& all) {
   std::vector<Warning> warnings = all.of_check;
-  for (const CommandAnswer& answer : all.answers)
-    std::ranges::move(answer.delivery.warnings(), std::back_inserter(warnings));
+  for (const CommandAnswer& answer : all.answers)  // The page shows the loads of the case's model.
+    if (answer.command != Command::compare || !all.answer(Command::solve))
+      std::ranges::move(answer.delivery.warnings(), std::back_inserter(warnings));
   return grouped(warnings);
 }
 

@@ -278,7 +278,7 @@ std::string document_html(const Findings& all, const CommandAnswer& answer,
   };
   for (const auto& [key, value] : answer.document.items())
     if (const RecordInfo* info = record_at(key);
-        info && value.is_object() && !is_one_of(key, {"contact", "threads", "comparison"}))
+        info && value.is_object() && !is_one_of(key, {"contact", "threads", "model", "comparison"}))
       text += heading_of(key) + record_table(*info, {{"", &value}}, {.hidden = section.estimates});
   RecordChoice choice{.without = {"name"}, .hidden = section.estimates};
   const CommandAnswer* solve = all.answer(Command::solve);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
 
 #include "prs/compare/compare_analysis.h"
 #include "prs/input/resolved_input.h"
@@ -35,7 +37,10 @@ std::span<const AnyAnalysis> analyses() {
 }
 
 const AnyAnalysis& analysis_of(Command command) {
-  return *std::ranges::find(analyses(), command, &AnyAnalysis::command);
+  const auto found = std::ranges::find(analyses(), command, &AnyAnalysis::command);
+  if (found == analyses().end())
+    throw std::logic_error(std::string(name(command)) + " is in no list of analyses");
+  return *found;
 }
 
 Delivery run_solve(const input::Source& source, const input::CaseInput& in,
