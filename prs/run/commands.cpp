@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string>
 
 #include "prs/compare/compare_analysis.h"
 #include "prs/input/resolved_input.h"

@@ -34,7 +34,6 @@ std::vector<std::string> known_responses() {
   for (const AnyAnalysis& analysis : analyses()) {
     if (analysis.responses.empty()) continue;
     for (const Place& place : analysis.places) {
-      // How the loads were solved is no number of the design.
       if (place.path == "model" || !known.insert(place.path).second) continue;
       const std::string before = std::string(place.path) + '.';
       if (before.starts_with(kLoadCases))
