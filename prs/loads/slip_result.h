@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,14 @@ struct RollerForces {
   double gears_x = 0.0, gears_y = 0.0;        ///< F_E/R (3.28), (3.29)
   double carrier_x = 0.0, carrier_y = 0.0;  ///< F_R/P, by the roller on the carrier (3.26), (3.32)
   double centrifugal = 0.0;  ///< F_cf (3.33), by the orbit against the frame; 0 without density.
+};
+
+/// A head of a roller in the carrier.
+struct RollerHead {
+  double guide_force = 0.0;         ///< R_h, of the guides on the roller, > 0 outwards [N].
+  double bearing_force = 0.0;       ///< F_h, of the bearing, that of the gears included [N].
+  double torque = 0.0;              ///< M_h >= 0; 0 without `bearing` [N m].
+  double eccentricity_ratio = 0.0;  ///< e/c; 0 without oil.
 };
 
 /// How the search for the slip ratio ended.
@@ -117,6 +126,8 @@ struct SlipResult {
   double torque_nut = 0.0;    ///< C_N, on the nut [N m] (3.31)
   RollerMoments moments;
   RollerForces forces;
+  /// Near and far end; of a full mechanism of each roller present.
+  std::vector<std::array<RollerHead, 2>> heads;
   std::optional<double> bearing_eccentricity;  ///< e/c of the roller heads.
   std::optional<double> viscosity;             ///< eta_0 in operation, mean oil [Pa s].
 

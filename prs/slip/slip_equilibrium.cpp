@@ -18,6 +18,12 @@ Vector3d vector(const contact::Vector3<double>& v) { return {v.x, v.y, v.z}; }
 contact::Vector3<double> numbers(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 contact::Vector2<double> in_plane(const Vector3d& point) { return {point.x(), point.y()}; }
 
+template <class Number>
+struct RollerHeadOf {
+  Number guide_force{}, bearing_force{};
+  contact::JournalBearingStateOf<Number> state{};
+};
+
 /// Forces of the patches of an interface; `take(k, friction, forces)` of each. Not possible where
 /// one has no normal load.
 template <class Number, class Take>
@@ -28,9 +34,15 @@ InterfaceForces<Number> interface_forces(const RollerNumbers<double>& roller,
   InterfaceForces<Number> sum;
   for (std::size_t k = 0; k < threads.patches.size() && possible; ++k) {
     const contact::PatchFrictionOf<Number> friction = threads.patches[k].friction(sliding);
+    const LoadedThreads::Contact& contact = threads.contacts[k];
+    const auto& frame = roller.frames[i];
     const PatchForces<Number> at =
-        patch_forces(roller.frames[i], friction, threads.contacts[k].axial_load, threads.alike);
-    possible = is_possible(at.normal_load);
+        contact.normal_load
+            ? forces_of(frame, friction, turned_normal<Number, double>(frame, friction),
+                        Number(*contact.normal_load), threads.alike)
+            : patch_forces(frame, friction, contact.axial_load, threads.alike);
+    possible =
+        is_possible(at.normal_load) && value(at.on_roller.force.z) * frame.normal.z <= 0.0;
     sum.force.x += at.on_roller.force.x;
     sum.force.y += at.on_roller.force.y;
     sum.force.z += at.on_roller.force.z;
@@ -38,6 +50,57 @@ InterfaceForces<Number> interface_forces(const RollerNumbers<double>& roller,
     take(k, friction, at);
   }
   return sum;
+}
+
+/// Forces and friction of the heads of one roller whose guides push it with these forces.
+template <class Number>
+std::array<RollerHeadOf<Number>, 2> heads_of(const SlipModel& model,
+                                             const RollerNumbers<double>& roller,
+                                             const RollerForcesOf<Number>& f, const Number& speed,
+                                             const std::optional<std::array<double, 2>>& guides) {
+  std::array<RollerHeadOf<Number>, 2> heads;
+  for (std::size_t h = 0; h < 2; ++h) {
+    RollerHeadOf<Number>& head = heads[h];
+    head.guide_force = guides ? Number((*guides)[h]) : -0.5 * f.contacts_x;
+    if (!guides || !model.guides.carry_centrifugal) head.guide_force -= 0.5 * f.centrifugal;
+    head.bearing_force =
+        simd::length(Number(head.guide_force - 0.5 * f.gears_x), Number(0.5 * f.carrier_y));
+    if (model.bearing) head.state = head_state(roller.head, speed, head.bearing_force);
+  }
+  return heads;
+}
+
+/// Calls visit(heads) for each roller whose heads are known by themselves.
+template <class Number, class Visit>
+void for_each_roller(const SlipModel& model, const RollerNumbers<double>& roller,
+                     const RollerForcesOf<Number>& f, const Number& speed, Visit visit) {
+  if (model.guides.of_roller.empty()) visit(heads_of<Number>(model, roller, f, speed, {}));
+  for (const auto& guides : model.guides.of_roller)
+    visit(heads_of<Number>(model, roller, f, speed, guides));
+}
+
+/// See `balance_carrier`: the mean torque of all rollers.
+template <class Number>
+contact::JournalBearingStateOf<Number> both_heads(const SlipModel& model,
+                                                  const RollerNumbers<double>& roller,
+                                                  const RollerForcesOf<Number>& f,
+                                                  const Number& speed) {
+  if (model.guides.of_roller.empty()) return equal_heads(roller, f, speed);
+  contact::JournalBearingStateOf<Number> mean{Number(0.0), Number(0.0)};
+  for_each_roller(model, roller, f, speed, [&](const auto& heads) {
+    for (const auto& head : heads) {
+      if (mean.eccentricity_ratio < head.state.eccentricity_ratio)
+        mean.eccentricity_ratio = head.state.eccentricity_ratio;
+      mean.torque += head.state.torque / static_cast<double>(model.guides.of_roller.size());
+    }
+  });
+  return mean;
+}
+
+template <class Number>
+auto heads_in(const SlipModel& model) {
+  return [&model](const RollerNumbers<double>& roller, const RollerForcesOf<Number>& f,
+                  const Number& speed) { return both_heads(model, roller, f, speed); };
 }
 
 bool balance_roller(const RollerNumbers<double>& roller, const SlipModel& model, double slip_ratio,
@@ -58,7 +121,7 @@ bool balance_roller(const RollerNumbers<double>& roller, const SlipModel& model,
                                   at.power +=
                                       threads.alike * forces.normal_load * friction.power_per_load;
                                 });
-      });
+      }, heads_in<double>(model));
   set_roller(b, found);
   return possible;
 }
@@ -73,7 +136,8 @@ std::optional<Dual<double>> residue_with_slope(const RollerNumbers<double>& roll
                      [&](Interface i, const contact::PatchMotionOf<Number>& sliding) {
                        return interface_forces(roller, model.threads[i], i, sliding, possible,
                                                [](std::size_t, const auto&, const auto&) {});
-                     });
+                     },
+                     heads_in<Number>(model));
   if (!possible) return std::nullopt;
   return found.moments.residue() / residue_unit(model);
 }
@@ -98,8 +162,15 @@ RollerNumbers<double> numbers_of(const SlipModel& m) {
   roller.roller_torque = m.roller_torque;
   if (m.bearing) {
     roller.has_bearing = 1.0;
-    roller.bearing = {m.bearing->length, m.bearing->diameter, m.bearing->radial_clearance};
-    roller.bearing_viscosity = m.oils.carrier->viscosity;
+    const HeadFriction& friction = m.head_friction;
+    HeadNumbers<double>& head = roller.head;
+    head.bearing = {m.bearing->length, m.bearing->diameter, m.bearing->radial_clearance};
+    head.has_oil = friction.model == HeadFriction::Model::coulomb ? 0.0 : 1.0;
+    head.touches = friction.model == HeadFriction::Model::hydrodynamic ? 0.0 : 1.0;
+    if (head.has_oil > 0.0) head.viscosity = m.oils.carrier->viscosity;
+    head.friction_arm = 0.5 * friction.coefficient * m.bearing->diameter;
+    head.roughness = friction.roughness;
+    head.exponent = friction.exponent;
   }
   roller.gear_tangent = std::tan(m.gear_pressure_angle);
   roller.roller_mass = m.roller_mass;
@@ -136,9 +207,10 @@ double relative_residue(const SlipModel& m, const SlipBalance& b) {
   return b.moments.residue() / residue_unit(m);
 }
 
-SlipEquilibrium find_slip_equilibrium(const SlipModel& model) {
+SlipEquilibrium find_slip_equilibrium(const SlipModel& model, const std::optional<double>& near) {
   const RollerNumbers<double> roller = numbers_of(model);
-  SlipSearch search(slip_range(model.geometry), model.speed, model.imposed_slip_ratio);
+  SlipSearch search(slip_range(model.geometry), model.speed, model.imposed_slip_ratio,
+                    near);
   SlipEquilibrium found;
   while (!search.done()) {
     if (search.wants_slope()) {
@@ -155,6 +227,22 @@ SlipEquilibrium find_slip_equilibrium(const SlipModel& model) {
   found.status = search.status();
   found.evaluations = search.evaluations();
   return found;
+}
+
+void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model,
+               const SlipBalance& b) {
+  const RollerForces& f = b.forces;
+  heads.clear();
+  for_each_roller(model, numbers_of(model),
+                  RollerForcesOf<double>{f.contacts_x, f.contacts_y, f.gears_x, f.gears_y,
+                                         f.carrier_x, f.carrier_y, f.centrifugal},
+                  std::abs(b.motion.roller_to_carrier), [&](const auto& of_roller) {
+                    auto& added = heads.emplace_back();
+                    for (std::size_t h = 0; h < 2; ++h)
+                      added[h] = {of_roller[h].guide_force, of_roller[h].bearing_force,
+                                  of_roller[h].state.torque,
+                                  of_roller[h].state.eccentricity_ratio};
+                  });
 }
 
 DriveTorques drive_torques(const SlipModel& m, const SlipBalance& b) {

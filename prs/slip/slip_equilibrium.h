@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -22,9 +23,10 @@ struct LoadedThreads {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();      ///< n, outward from the roller
   Eigen::Vector3d major_axis = Eigen::Vector3d::Zero();  ///< t_1
   Eigen::Vector3d minor_axis = Eigen::Vector3d::Zero();  ///< t_2 = n x t_1
-  /// A patch under its static load.
+  /// A patch under its static load, or that of the running screw.
   struct Contact {
-    double axial_load = 0.0;  ///< F_i, > 0 [N]
+    double axial_load = 0.0;  ///< F_i, > 0; not used with a normal load [N]
+    std::optional<double> normal_load = {};  ///< N_i where the running screw has it [N].
     contact::HertzContact ellipse;
     contact::FilmContact film;
     contact::FrictionNumbers<double> friction;
@@ -41,6 +43,12 @@ struct LoadedThreads {
 struct Oils {
   PerInterface<std::optional<contact::Lubricant>> threads;
   std::optional<contact::Lubricant> carrier;  ///< In the bearings of the roller heads.
+};
+
+/// R_near and R_far of each roller whose beam is known, the forces of its guides, > 0 outwards [N].
+struct GuideForces {
+  std::vector<std::array<double, 2>> of_roller;  ///< None: half of what the balance asks for each.
+  bool carry_centrifugal = false;                ///< Whether that of the roller is in them.
 };
 
 /// One roller between screw, nut, gears and carrier, loaded and turning (Sandu 2018, section 3.2,
@@ -60,6 +68,8 @@ struct SlipModel {
   double nut_torque = 0.0;
   double roller_torque = 0.0;
   std::optional<contact::JournalBearing> bearing;  ///< In place of roller_torque.
+  HeadFriction head_friction;
+  GuideForces guides;
   double gear_pressure_angle = 0.0;                ///< [rad]
   double roller_mass = 0.0;                        ///< [kg]
 
@@ -124,7 +134,13 @@ struct SlipEquilibrium {
 
 /// By `SlipSearch`, to 1e-14 or better. Where no friction acts, every slip ratio balances and the
 /// ideal one is returned. An imposed one is taken as it is.
-SlipEquilibrium find_slip_equilibrium(const SlipModel& model);
+/// `near`: a slip ratio that may be near.
+SlipEquilibrium find_slip_equilibrium(const SlipModel& model,
+                                      const std::optional<double>& near = {});
+
+/// Near and far end of each roller whose guides are known by themselves, else of the mean roller.
+void set_heads(std::vector<std::array<RollerHead, 2>>& heads, const SlipModel& model,
+               const SlipBalance& balance);
 
 /// Torques on screw and nut that keep them turning (Sandu 2018, (3.30), (3.31)) [N m].
 struct DriveTorques {

@@ -25,8 +25,10 @@ constexpr double kLastStep = 1e-4;
 
 }  // namespace
 
-SlipSearch::SlipSearch(const SlipRange& range, double speed, const std::optional<double>& imposed)
+SlipSearch::SlipSearch(const SlipRange& range, double speed, const std::optional<double>& imposed,
+                       const std::optional<double>& near)
     : imposed_(imposed),
+      near_root_(near),
       sense_(std::copysign(1.0, speed)),
       ideal_(range.ideal),
       way_(range.pure_sliding - range.ideal),
@@ -77,6 +79,7 @@ void SlipSearch::step() {
     const double pure_sliding = ideal_ + way_;
     at_ideal_ = residue_;
     end_ = residue_ > 0.0 ? 1.0 : (1.0 - pure_sliding - ideal_) / way_;
+    if (near_root_) newton = (*near_root_ - ideal_) / way_;
     if (!(newton / end_ > 0.0 && newton / end_ <= 1.0)) newton = std::copysign(kFirstStep, end_);
     return evaluate_next_at(newton);
   }

@@ -19,7 +19,9 @@ class SlipSearch {
  public:
   SlipSearch() = default;
   /// `imposed`: one evaluation there is all.
-  SlipSearch(const SlipRange& range, double speed, const std::optional<double>& imposed = {});
+  /// `near`: where Newton's method goes to from the ideal slip ratio.
+  SlipSearch(const SlipRange& range, double speed, const std::optional<double>& imposed = {},
+             const std::optional<double>& near = {});
 
   bool done() const { return status_ != SlipStatus{}; }
   SlipStatus status() const { return status_; }
@@ -41,7 +43,7 @@ class SlipSearch {
 
   SlipStatus status_{};
   SlipStatus last_{};  ///< After the last evaluation.
-  std::optional<double> imposed_;
+  std::optional<double> imposed_, near_root_;
   double sense_ = 1.0, ideal_ = 0.0, way_ = 1.0;
   double t_ = 0.0;  ///< 0 at the ideal slip ratio, 1 at pure sliding.
   double end_ = 1.0;
