@@ -19,6 +19,8 @@ namespace {
 /// Change of a thread's load over a round, relative to the largest load, at which to stop.
 constexpr double kTolerance = 1e-10;
 constexpr int kMostRounds = 100;
+/// Share of a round's change down to which friction in proportion to the loads is followed.
+constexpr double kShare = 0.02;
 
 /// Anderson's acceleration of x = g(x) (Walker and Ni, SIAM J. Numer. Anal. 49, 2011, 1715): the
 /// combination of the last steps for which g(x) - x vanishes as nearly as possible.
@@ -91,14 +93,12 @@ class FixedPoint {
   /// From the state at rest, which `loaded` has; its loads become those of the running screw.
   SlipEquilibrium solve(const Bodies& bodies, const std::optional<double>& near) {
     RunningLoads& r = running();
-    Anderson anderson;
     SlipEquilibrium slip;
     std::optional<double> slip_ratio = near;
     push_ = std::vector<RollerPush>(rollers_.present.size(), no_push());
     Answer answer{fe::NewtonStatus::converged,
                   {threads().screw.normal_load, threads().nut.normal_load},
                   r.guide_force};
-    Eigen::VectorXd x = vector_of(push_, 0.0);
     for (r.rounds = 1; r.rounds <= kMostRounds; ++r.rounds) {
       const SlipModel model = model_on(answer);
       slip = find_slip_equilibrium(model, slip_ratio);
@@ -114,22 +114,7 @@ class FixedPoint {
         set_axial_loads(model);
         return slip;
       }
-      x = anderson.next(x, vector_of(pushes(), slip.balance.forces.centrifugal));
-      take(x);
-      const PerInterface<std::vector<double>> before = std::move(answer.normal_load);
-      answer = bodies(push_);
-      if (answer.status != fe::NewtonStatus::converged) {
-        r.status = status_of(answer.status);
-        return slip;
-      }
-      r.change = 0.0;
-      double load = 0.0;
-      for (const Interface i : kInterfaces)
-        for (std::size_t k = 0; k < before[i].size(); ++k) {
-          r.change = std::max(r.change, std::abs(answer.normal_load[i][k] - before[i][k]));
-          load = std::max(load, answer.normal_load[i][k]);
-        }
-      r.change /= load;
+      if (!follow(bodies, slip.balance.forces.centrifugal, answer)) return slip;
     }
     r.status = RunningStatus::iteration_limit;
     return slip;
@@ -140,6 +125,50 @@ class FixedPoint {
  private:
   RunningLoads& running() { return *loaded_.running; }
   PerInterface<InterfaceLoads>& threads() { return *loaded_.threads; }
+
+  /// Loads with friction in the proportion tau_i = T_i/N_i of the last slip, whose change then is
+  /// that of the round. False where there are none.
+  bool follow(const Bodies& bodies, double centrifugal, Answer& answer) {
+    RunningLoads& r = running();
+    const PerInterface<std::vector<double>> start = answer.normal_load;
+    PerInterface<std::vector<double>> before = start;
+    const PerInterface<RunningLoads::Friction> given = r.friction;
+    Anderson anderson;
+    Eigen::VectorXd x = vector_of(pushes(r.friction), centrifugal);
+    for (int step = 0; step < kMostRounds; ++step) {
+      take(x);
+      answer = bodies(push_);
+      if (answer.status != fe::NewtonStatus::converged) {
+        r.status = status_of(answer.status);
+        return false;
+      }
+      const double change = largest_change(answer.normal_load, before);
+      r.change = largest_change(answer.normal_load, start);
+      if (change <= std::max(kShare * r.change, 0.1 * kTolerance)) return true;
+      before = answer.normal_load;
+      for (const Interface i : kInterfaces)
+        for (std::size_t k = 0; k < before[i].size(); ++k) {
+          const double times = start[i][k] > 0.0 ? before[i][k] / start[i][k] : 0.0;
+          r.friction[i].axial[k] = times * given[i].axial[k];
+          r.friction[i].radial[k] = times * given[i].radial[k];
+        }
+      x = anderson.next(x, vector_of(pushes(r.friction), centrifugal));
+    }
+    r.status = RunningStatus::iteration_limit;
+    return false;
+  }
+
+  /// Over the largest load.
+  static double largest_change(const PerInterface<std::vector<double>>& now,
+                               const PerInterface<std::vector<double>>& before) {
+    double change = 0.0, load = 0.0;
+    for (const Interface i : kInterfaces)
+      for (std::size_t k = 0; k < now[i].size(); ++k) {
+        change = std::max(change, std::abs(now[i][k] - before[i][k]));
+        load = std::max(load, now[i][k]);
+      }
+    return change / load;
+  }
 
   RollerPush no_push() const {
     const std::vector<double> none(rollers_.threads, 0.0);
@@ -202,7 +231,7 @@ class FixedPoint {
     }
   }
 
-  std::vector<RollerPush> pushes() {
+  std::vector<RollerPush> pushes(const PerInterface<RunningLoads::Friction>& friction) const {
     std::vector<RollerPush> all;
     for (const std::size_t roller : rollers_.present) {
       RollerPush& push = all.emplace_back();
@@ -211,8 +240,8 @@ class FixedPoint {
         return std::vector<double>(first, first + static_cast<std::ptrdiff_t>(rollers_.threads));
       };
       for (const Interface i : kInterfaces) {
-        push.axial[i] = part(running().friction[i].axial);
-        push.radial[i] = part(running().friction[i].radial);
+        push.axial[i] = part(friction[i].axial);
+        push.radial[i] = part(friction[i].radial);
       }
     }
     return all;

@@ -24,8 +24,12 @@ namespace prs {
 /// stays in the balance of slip. Friction turns the force, the approach w is still measured along
 /// the true normal: K + B't B stays symmetric with T as a given load.
 ///
-/// The fixed point T -> q, N -> slip -> T contracts by about max |T/N| max(tan psi, cot psi) a
-/// round; Anderson's acceleration takes it to the end in half of the rounds.
+/// A round of slip gives tau_i = T_i/N_i; with these proportions the loads are followed to the end,
+///
+///     T -> q, N -> tau N,
+///
+/// which contracts by about max |tau| max(tan psi, cot psi) a step and by Anderson's acceleration
+/// in few of them. Then slip, which the loads hardly change, is evaluated anew.
 class RunningSolver {
  public:
   /// The case must have passed the requirements of `slip` and `solve`, all else is its own.

@@ -226,6 +226,7 @@ SlipEquilibrium find_slip_equilibrium(const SlipModel& model, const std::optiona
   }
   found.status = search.status();
   found.evaluations = search.evaluations();
+  if (near && found.status == SlipStatus::no_equilibrium) return find_slip_equilibrium(model);
   return found;
 }
 

@@ -19,7 +19,7 @@ class SlipSearch {
  public:
   SlipSearch() = default;
   /// `imposed`: one evaluation there is all.
-  /// `near`: where Newton's method goes to from the ideal slip ratio.
+  /// `near`: a slip ratio near the root, on the same side of the ideal one, to start from.
   SlipSearch(const SlipRange& range, double speed, const std::optional<double>& imposed = {},
              const std::optional<double>& near = {});
 
@@ -39,11 +39,12 @@ class SlipSearch {
  private:
   void end_as(SlipStatus status);
   void step();
+  void set_end(double residue_at_ideal);
   void evaluate_next_at(double t);
 
   SlipStatus status_{};
   SlipStatus last_{};  ///< After the last evaluation.
-  std::optional<double> imposed_, near_root_;
+  std::optional<double> imposed_;
   double sense_ = 1.0, ideal_ = 0.0, way_ = 1.0;
   double t_ = 0.0;  ///< 0 at the ideal slip ratio, 1 at pure sliding.
   double end_ = 1.0;
