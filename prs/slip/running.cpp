@@ -109,12 +109,13 @@ class FixedPoint {
       }
       slip_ratio = slip.balance.motion.slip_ratio;
       set_friction(model, slip);
-      if (r.rounds > 1 && r.change <= kTolerance) {
-        r.status = RunningStatus::converged;
-        set_axial_loads(model);
-        return slip;
-      }
       if (!follow(bodies, slip.balance.forces.centrifugal, answer)) return slip;
+      if (r.change > kTolerance) continue;
+      for (const Interface i : kInterfaces) threads()[i].normal_load = answer.normal_load[i];
+      r.guide_force = answer.guide_force;
+      r.status = RunningStatus::converged;
+      set_axial_loads(model);
+      return slip;
     }
     r.status = RunningStatus::iteration_limit;
     return slip;
@@ -144,14 +145,15 @@ class FixedPoint {
       }
       const double change = largest_change(answer.normal_load, before);
       r.change = largest_change(answer.normal_load, start);
-      if (change <= std::max(kShare * r.change, 0.1 * kTolerance)) return true;
       before = answer.normal_load;
       for (const Interface i : kInterfaces)
         for (std::size_t k = 0; k < before[i].size(); ++k) {
           const double times = start[i][k] > 0.0 ? before[i][k] / start[i][k] : 0.0;
           r.friction[i].axial[k] = times * given[i].axial[k];
           r.friction[i].radial[k] = times * given[i].radial[k];
+          r.friction[i].tangential[k] = times * given[i].tangential[k];
         }
+      if (change <= std::max(kShare * r.change, 0.1 * kTolerance)) return true;
       x = anderson.next(x, vector_of(pushes(r.friction), centrifugal));
     }
     r.status = RunningStatus::iteration_limit;
