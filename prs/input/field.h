@@ -328,7 +328,7 @@ class Fields {
       field.stands = [](const void* at) { return static_cast<const T*>(at)->has_value(); };
       field.make = [](void* at, bool there) {
         T& made = *static_cast<T*>(at);
-        there ? void(made.emplace()) : made.reset();
+        there ? void(made = typename T::value_type{}) : made.reset();
       };
     }
     take_(field);
