@@ -20,8 +20,8 @@ from rollerscrew import records, results
 RESULTS: list[type[rs.Record]] = [getattr(rs, name) for name in results.__all__]
 
 #: Annotated, and in none of the documents here: how a life that was not found failed, the roller
-#: whose thread fails first, what `influence`, which takes long, has, and how the loads of `contact`,
-#: which are equal shares, were solved.
+#: whose thread fails first, what `influence`, which takes long, has, and how the loads of
+#: `contact`, which are equal shares, were solved.
 NEVER_MET = {
     ("Life", "status"),
     ("WeakestThread", "roller"),
