@@ -15,7 +15,7 @@ struct Command {
   /// Adds what the case lacks: each with the block to add and an example of it.
   void (*needs)(const Case&, Problems&) = nullptr;
 
-  // Those of which other parts of the program know. `check` needs nothing.
+  // Commands that other parts name. Blocks of searches: see input::unmet.
   static const Command check, contact, solve, compare, slip, preload, life, measures, study,
       optimize;
 

@@ -16,7 +16,7 @@
 
 namespace prs {
 
-/// A number that is told beside the verdict and has no limit.
+/// A number that the page shows beside the verdict, without a limit.
 struct Headline {
   std::string title;
   std::string key;  ///< Of the quantity, with its unit: `power_loss_W`.
