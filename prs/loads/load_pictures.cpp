@@ -43,12 +43,21 @@ bool has_failed(const Result& r) {
   return std::ranges::any_of(r.load_cases, [](const LoadCaseResult& c) { return !c.converged(); });
 }
 
+/// A single thread carries all: its picture is a dot.
+bool has_several_threads(const Result& r) {
+  return std::ranges::any_of(r.load_cases, [](const LoadCaseResult& c) {
+    return c.threads && c.threads->screw.axial_load.size() > 1;
+  });
+}
+
 Pictures load_pictures(const Result& r) {
+  const Picture::Drawn of_threads = drawn_if(has_several_threads(r));
   return {
-      {"load_distribution", kLoads, of_result(r, load_distribution)},
+      {"load_distribution", kLoads, of_result(r, load_distribution), of_threads},
       {"peak_pressure", "load cases, and contacts that come from the threads",
-       of_result(r, peak_pressure)},
-      {"ellipses", "load cases, and contacts that come from the threads", of_result(r, ellipses)},
+       of_result(r, peak_pressure), of_threads},
+      {"ellipses", "load cases, and contacts that come from the threads", of_result(r, ellipses),
+       of_threads},
       {"displacement", kRange, of_result(r, displacement)},
       {"stiffness", kRange, of_result(r, stiffness)},
       {"butterfly", kSweep, of_result(r, butterfly)},

@@ -137,11 +137,10 @@ double longest_tick(const Axis& axis, int pixels, bool is_horizontal) {
   if (!axis.ticks.empty()) {
     for (const Tick& tick : axis.ticks)
       if (tick.text.empty()) longest = std::max(longest, text_width(tick_text(tick.at, 0.0)));
-  } else if (!axis.logarithmic) {
-    longest = longest_number(axis, tick_step(axis, pixels, is_horizontal));
   } else {
-    for (const double tick : logarithmic_ticks(axis, pixels, is_horizontal))
-      longest = std::max(longest, text_width(tick_text(tick, 0.0)));
+    const double step = axis.logarithmic ? 0.0 : tick_step(axis, pixels, is_horizontal);
+    for (const double tick : ticks_of(axis, pixels, is_horizontal))
+      longest = std::max(longest, text_width(tick_text(tick, step)));
   }
   return longest;
 }
@@ -172,7 +171,7 @@ Layout::Layout(const Figure& figure, int image_width)
                                                                 : 0.8;
   const double aspect = figure.aspect > 0.0 ? figure.aspect : usual;
   // The height of a panel follows from its width, and how labels break from that height.
-  for (int pass = 0; pass < 2; ++pass) {
+  for (int pass = 0; pass < 3; ++pass) {
     const int height = pass == 0 ? 240 : panel_height_;
     left_ = 40;
     gap_ = columns_ > 1 ? 34 : 0;

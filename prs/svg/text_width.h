@@ -4,7 +4,7 @@
 
 namespace prs {
 
-/// Pixels that a text takes in Helvetica, or in Arial, which is as wide.
+/// Pixels that a text takes in the widest of the fonts that stand for Helvetica or Arial.
 double text_width(std::string_view text);
 
 /// A text's rectangle in a picture, pixels from the upper left.
