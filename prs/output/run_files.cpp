@@ -7,16 +7,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <thread>
-#include <utility>
 
-#include "prs/input/source.h"
-#include "prs/output/file_lock.h"
-#include "prs/output/staged_file.h"
 #include "prs/regular_file.h"
 #include "prs/sha256.h"
 

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <utility>
 
 #include "prs/input/units.h"
 #include "prs/loads/analyze.h"
@@ -16,7 +15,7 @@
 #include "prs/model/case_error.h"
 #include "prs/sector/load_distribution.h"
 #include "prs/study/design_engine.h"
-#include "prs/study/result_number.h"
+#include "prs/study/response.h"
 #include "prs/threads/contact_laws.h"
 
 namespace prs {

@@ -8,14 +8,12 @@
 #include <array>
 #include <bit>
 #include <cstring>
-#include <optional>
 #include <system_error>
 
 #include "prs/bytes.h"
-#include "prs/output/file_lock.h"
+#include "prs/output/files.h"
 #include "prs/regular_file.h"
 #include "prs/sha256.h"
-#include "prs/study/temporary_folder.h"
 
 namespace prs {
 namespace {

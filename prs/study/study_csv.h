@@ -5,10 +5,8 @@
 
 #include "prs/model/study.h"
 #include "prs/record/csv_style.h"
+#include "prs/study/designs.h"
 #include "prs/study/envelope_result.h"
-#include "prs/study/grid_maps.h"
-#include "prs/study/row_block.h"
-#include "prs/study/study_columns.h"
 
 namespace prs {
 

@@ -14,8 +14,8 @@
 #include "prs/loads/analyze.h"
 #include "prs/model/case_error.h"
 #include "prs/model/units.h"
-#include "prs/study/response_surface.h"
 #include "prs/study/sampling.h"
+#include "prs/study/sensitivity.h"
 
 namespace prs::yao_2023 {
 namespace {

@@ -1,5 +1,5 @@
-#include "prs/output/plots.h"
 #include "prs/loads/load_pictures.h"
+#include "prs/output/files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

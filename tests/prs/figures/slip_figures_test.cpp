@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/output/plots.h"
+#include "prs/output/files.h"
 #include "support/drawn.h"
 #include "support/sample_slip.h"
 #include "support/shown.h"

@@ -1,5 +1,5 @@
-#include "prs/study/study_netcdf.h"
 #include "prs/study/designs.h"
+#include "prs/study/study_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

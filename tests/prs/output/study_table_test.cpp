@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "prs/record/table_units.h"
-#include "prs/study/study_text.h"
+#include "prs/study/study_parts.h"
 #include "prs/text.h"
 #include "tests/support/sample_study.h"
 

@@ -13,7 +13,6 @@
 #include "prs/run/commands.h"
 #include "prs/run/results_schema.h"
 #include "prs/study/response.h"
-#include "prs/study/result_number.h"
 #include "support/sample_result.h"
 #include "support/sample_slip.h"
 

@@ -1,11 +1,23 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "prs/configurations/configurations.h"
 #include "prs/record/csv_style.h"
+#include "prs/record/document.h"
+#include "prs/record/record.h"
 
 namespace prs {
+
+/// The document of `prs configurations --json`; `number` is what `--write` takes.
+nlohmann::ordered_json configurations_json(const Configurations& all, const DocumentInfo& info);
+
+template <>
+Record<Configurations> record_of();
+
+/// `standard` or `inverted`.
+std::string_view type_name(Mechanism::Type type);
 
 /// The configurations, a numbered line each, and below why the others are left out, within 110
 /// columns.
