@@ -180,11 +180,9 @@ void VarianceIndices::Sums::add(const Sums& other, double sign) {
   b += sign * other.b;
   aa += sign * other.aa;
   bb += sign * other.bb;
-  for (std::size_t i = 0; i < d.size(); ++i) {
-    d[i] += sign * other.d[i];
-    bd[i] += sign * other.bd[i];
-    dd[i] += sign * other.dd[i];
-  }
+  d += sign * other.d;
+  bd += sign * other.bd;
+  dd += sign * other.dd;
 }
 
 double VarianceIndices::Sums::variance() const {
@@ -192,16 +190,16 @@ double VarianceIndices::Sums::variance() const {
   return (aa + bb) / (2.0 * samples) - mean * mean;
 }
 
-double VarianceIndices::Sums::first(std::size_t factor) const {
+double VarianceIndices::Sums::first(Eigen::Index factor) const {
   return (bd[factor] - b * d[factor] / samples) / (samples * variance());
 }
 
-double VarianceIndices::Sums::total(std::size_t factor) const {
+double VarianceIndices::Sums::total(Eigen::Index factor) const {
   return dd[factor] / (2.0 * samples * variance());
 }
 
 VarianceIndices::Sums VarianceIndices::empty() const {
-  const std::vector<double> zeros(factors_);
+  const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(factors_));
   return {.d = zeros, .bd = zeros, .dd = zeros};
 }
 
@@ -225,16 +223,15 @@ void VarianceIndices::add(std::span<const double> values) {
   sums.b += b;
   sums.aa += a * a;
   sums.bb += b * b;
-  for (std::size_t i = 0; i < factors_; ++i) {
-    const double d = values[i + 2] - values[0];
-    sums.d[i] += d;
-    sums.bd[i] += b * d;
-    sums.dd[i] += d * d;
-  }
+  const Eigen::Map<const Eigen::ArrayXd> of_factors(values.data() + 2, sums.d.size());
+  const Eigen::ArrayXd d = of_factors - values[0];
+  sums.d += d;
+  sums.bd += b * d;
+  sums.dd += d * d;
 }
 
-Estimate VarianceIndices::estimate(const Sums& all, double (Sums::*index)(std::size_t) const,
-                                   std::size_t factor) const {
+Estimate VarianceIndices::estimate(const Sums& all, double (Sums::*index)(Eigen::Index) const,
+                                   Eigen::Index factor) const {
   std::vector<double> without_one;
   for (const Sums& batch : batches_) {
     if (batch.samples == 0.0) continue;
@@ -262,8 +259,9 @@ ResponseIndices VarianceIndices::result() const {
   if (result.samples == 0) return result;
   result.variance = std::max(0.0, all.variance());
   if (std::sqrt(result.variance) <= kConstant * largest_) return result;
-  for (std::size_t i = 0; i < factors_; ++i)
-    result.factors.push_back({i, estimate(all, &Sums::first, i), estimate(all, &Sums::total, i)});
+  for (Eigen::Index i = 0; i < all.d.size(); ++i)
+    result.factors.push_back({static_cast<std::size_t>(i), estimate(all, &Sums::first, i),
+                              estimate(all, &Sums::total, i)});
   std::ranges::stable_sort(result.factors, std::greater{},
                            [](const FactorIndices& f) { return f.total.value; });
   return result;

@@ -154,19 +154,19 @@ class VarianceIndices {
   /// Sums over samples, of values counted from f_A of the first one. D_i = f_i - f_A.
   struct Sums {
     double samples = 0.0;
-    double a = 0.0, b = 0.0;        ///< f_A, f_B
-    double aa = 0.0, bb = 0.0;      ///< f_A^2, f_B^2
-    std::vector<double> d, bd, dd;  ///< D_i, f_B D_i, D_i^2
+    double a = 0.0, b = 0.0;    ///< f_A, f_B
+    double aa = 0.0, bb = 0.0;  ///< f_A^2, f_B^2
+    Eigen::ArrayXd d, bd, dd;   ///< D_i, f_B D_i, D_i^2
 
     void add(const Sums& other, double sign);
     double variance() const;
-    double first(std::size_t factor) const;
-    double total(std::size_t factor) const;
+    double first(Eigen::Index factor) const;
+    double total(Eigen::Index factor) const;
   };
 
   Sums empty() const;
-  Estimate estimate(const Sums& all, double (Sums::*index)(std::size_t) const,
-                    std::size_t factor) const;
+  Estimate estimate(const Sums& all, double (Sums::*index)(Eigen::Index) const,
+                    Eigen::Index factor) const;
 
   std::size_t factors_ = 0;
   std::size_t samples_ = 0;

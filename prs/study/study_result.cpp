@@ -94,32 +94,12 @@ class KeptRows {
   std::vector<double> values_;
 };
 
-/// Brings the values of some ranks, ascending ones, to where a sorted list has them: each value
-/// found parts the list for those left and right of it. `offset`: rank of the first value.
-void put_in_place(std::span<double> values, std::span<const std::size_t> ranks,
-                  std::size_t offset = 0) {
-  if (ranks.empty()) return;
-  const std::size_t middle = ranks.size() / 2, at = ranks[middle] - offset;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
-  put_in_place(values.first(at), ranks.first(middle), offset);
-  put_in_place(values.subspan(at + 1), ranks.subspan(middle + 1), offset + at + 1);
-}
-
-/// Quantiles at `kProbabilities`, from values that it brings into another order.
+/// Quantiles at `kProbabilities`, from values that it sorts.
 std::array<double, kProbabilities.size()> quantiles(std::vector<double>& values) {
-  const auto place = [&](double probability) {
-    return probability * static_cast<double>(values.size() - 1);
-  };
-  std::vector<std::size_t> ranks;
-  for (const double probability : kProbabilities)
-    for (const std::size_t next : {0U, 1U}) {
-      const std::size_t rank = static_cast<std::size_t>(place(probability)) + next;
-      if (rank < values.size() && (ranks.empty() || rank > ranks.back())) ranks.push_back(rank);
-    }
-  put_in_place(values, ranks);
+  std::ranges::sort(values);
   std::array<double, kProbabilities.size()> found{};
   std::ranges::transform(kProbabilities, found.begin(), [&](double probability) {
-    const double at = place(probability);
+    const double at = probability * static_cast<double>(values.size() - 1);
     const auto k = static_cast<std::size_t>(at);
     if (k + 1 == values.size()) return values[k];
     return values[k] + (at - static_cast<double>(k)) * (values[k + 1] - values[k]);
