@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "prs/output/files.h"
-#include "prs/record/csv_style.h"
+#include "prs/record/csv_writer.h"
 #include "prs/record/table_units.h"
 #include "prs/run/exit_status.h"
 

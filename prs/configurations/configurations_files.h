@@ -4,8 +4,8 @@
 #include <string>
 
 #include "prs/configurations/configurations.h"
-#include "prs/record/csv_style.h"
-#include "prs/record/document.h"
+#include "prs/record/csv_writer.h"
+#include "prs/record/delivery.h"
 #include "prs/record/record.h"
 
 namespace prs {

@@ -9,7 +9,6 @@
 #include "prs/model/map_axes.h"
 
 namespace prs::input {
-
 namespace {
 
 class EnvelopeReader {

@@ -13,7 +13,6 @@
 #include "prs/input/varied_input.h"
 
 namespace prs::input {
-
 namespace {
 
 /// A level as the document has it.

@@ -7,7 +7,6 @@
 
 #include "prs/loads/analyze.h"
 #include "prs/loads/case_groups.h"
-#include "prs/loads/contact_table.h"
 #include "prs/loads/factorization.h"
 #include "prs/loads/load_pictures.h"
 #include "prs/loads/load_record.h"

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "prs/record/figure_parts.h"
-#include "prs/record/response_title.h"
+#include "prs/record/table_units.h"
 #include "prs/study/study_parts.h"
 
 namespace prs {

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "prs/record/delivery.h"
 #include "prs/record/figure.h"
-#include "prs/record/output_file.h"
 
 namespace prs {
 

@@ -9,7 +9,6 @@
 #include "prs/loads/warnings.h"
 #include "prs/record/csv_writer.h"
 #include "prs/record/record_table.h"
-#include "prs/record/response_title.h"
 #include "prs/record/table_units.h"
 #include "prs/study/study_parts.h"
 #include "prs/text.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "prs/loads/load_json.h"
-#include "prs/record/csv_style.h"
+#include "prs/record/csv_writer.h"
 #include "prs/record/record.h"
 #include "prs/study/derivatives.h"
 

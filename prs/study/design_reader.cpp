@@ -12,7 +12,6 @@
 #include "prs/record/record.h"
 
 namespace prs {
-
 namespace {
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "prs/model/study.h"
-#include "prs/record/csv_style.h"
+#include "prs/record/csv_writer.h"
 #include "prs/study/designs.h"
 #include "prs/study/envelope_result.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "prs/record/response_title.h"
+#include "prs/record/table_units.h"
 #include "prs/study/study_parts.h"
 #include "prs/study/study_pictures.h"
 

@@ -9,7 +9,7 @@
 #include "fe/newton.h"
 #include "prs/loads/slip_result.h"
 #include "prs/output/run_files.h"
-#include "prs/record/response_title.h"
+#include "prs/record/table_units.h"
 #include "prs/study/schedule.h"
 #include "prs/study/study_json.h"
 

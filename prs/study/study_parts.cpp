@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/record/response_title.h"
+#include "prs/record/table_units.h"
 
 namespace prs {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <iterator>
 
-#include "prs/losses/slip_parts.h"
+#include "prs/losses/slip_pictures.h"
 #include "prs/losses/slip_record.h"
-#include "prs/record/response_title.h"
+#include "prs/record/table_units.h"
 #include "prs/text.h"
 
 namespace prs {
