@@ -4,9 +4,24 @@
 #include <string>
 #include <string_view>
 
-#include "prs/printable.h"
-
 namespace prs {
+
+/// The text on one line of well-formed UTF-8 that looks as it is: control characters and separators
+/// of lines become spaces; malformed bytes, invisible characters and those that turn the direction
+/// of writing U+FFFD. Makes names from files safe for terminals, scripts and SVG.
+std::string printable(std::string_view text);
+
+/// `printable` for a text of many lines.
+std::string printable_lines(std::string_view text);
+
+/// Whether a text is lines of visible ASCII, which `printable_lines` leaves as they are.
+bool is_plain_lines(std::string_view text) noexcept;
+
+/// JSON whose strings show such characters as \uXXXX, so that it can be printed and says the same.
+std::string printable_json(std::string_view json);
+
+/// Length of the well-formed sequence at the start of the text (Unicode 15, table 3-7), else 0.
+std::size_t sequence_length(std::string_view text);
 
 /// Number of code points of well-formed UTF-8.
 std::size_t width(std::string_view text);

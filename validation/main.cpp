@@ -13,7 +13,6 @@
 #include "prs/cli/package.h"
 #include "prs/cli/program.h"
 #include "prs/cli/progress_line.h"
-#include "prs/cli/validate_options.h"
 #include "prs/input/document.h"
 #include "prs/validation/validate.h"
 #include "prs/version.h"

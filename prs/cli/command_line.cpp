@@ -1,6 +1,5 @@
 #include "prs/cli/command_line.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
@@ -8,9 +7,8 @@
 #include <cctype>
 #include <charconv>
 
-#include "prs/cli/help.h"
+#include "prs/cli/option_values.h"
 #include "prs/cli/printing.h"
-#include "prs/cli/usage_error.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/source.h"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,7 +11,6 @@ namespace CLI {
 class App;
 class Option;
 }  // namespace CLI
-
 namespace prs::cli {
 
 /// An option or an argument of a command, in words.
@@ -52,5 +52,30 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv);
 
 /// Says what is wrong with the command line, with the help to read; returns the exit status.
 int report_usage(const CLI::App& app, std::string_view message);
+
+/// `prs solve [OPTIONS] FILE`.
+std::string usage(const CommandText& command);
+
+/// What `prs help COMMAND` prints.
+std::string help_text(const CommandText& command);
+
+/// The same for programs: names, arguments, options and commands, each with its help.
+nlohmann::ordered_json help_json(const CommandText& command);
+
+/// The commands by purpose: what the program says that got nothing to do.
+std::string overview(const CommandText& program);
+
+/// The manual page of a command in roff, as `man -l` reads it.
+std::string manual_page(const CommandText& command, std::string_view version);
+
+/// File of the manual page: `prs-study-merge.1`.
+std::string manual_file(const CommandText& command);
+
+// Scripts by which shells complete the commands, options, words and files of the program. Words
+// that only the program knows, such as the paths of `--set`, are asked from `prs list`.
+
+std::string bash_completion(const CommandText& program);
+std::string zsh_completion(const CommandText& program);
+std::string fish_completion(const CommandText& program);
 
 }  // namespace prs::cli

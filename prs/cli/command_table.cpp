@@ -1,18 +1,8 @@
 #include "prs/cli/command_table.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <nlohmann/json.hpp>
-#include <string_view>
-
 #include "prs/cli/command_line.h"
-#include "prs/cli/completion.h"
-#include "prs/cli/help.h"
+#include "prs/cli/option_values.h"
 #include "prs/cli/program.h"
-#include "prs/cli/usage_error.h"
-#include "prs/cli/validate_options.h"
-#include "prs/input/source.h"
 #include "prs/loads/load_json.h"
 #include "prs/output/files.h"
 #include "prs/run/document_schema.h"

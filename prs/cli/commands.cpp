@@ -1,13 +1,10 @@
 #include "prs/cli/commands.h"
 
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "prs/cli/deliver.h"
-#include "prs/cli/usage_error.h"
+#include "prs/cli/option_values.h"
 #include "prs/input/schema.h"
 #include "prs/output/run_files.h"
 #include "prs/record/figure_json.h"

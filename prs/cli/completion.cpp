@@ -1,4 +1,4 @@
-#include "prs/cli/completion.h"
+#include "prs/cli/command_line.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <string_view>
 #include <utility>
 
 namespace prs::cli {

@@ -9,11 +9,11 @@
 
 #include "prs/cli/commands.h"
 #include "prs/cli/deliver.h"
-#include "prs/cli/quantity_option.h"
+#include "prs/cli/option_values.h"
 #include "prs/configurations/configurations_files.h"
 #include "prs/configurations/screw_case.h"
 #include "prs/input/source.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/output/files.h"
 #include "prs/version.h"
 

@@ -1,14 +1,7 @@
 #include "prs/cli/deliver.h"
 
-#include <fmt/format.h>
-
-#include <filesystem>
 #include <iterator>
-#include <nlohmann/json.hpp>
-#include <string>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 #include "prs/cli/interruption.h"
 #include "prs/output/run_files.h"

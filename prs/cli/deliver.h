@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "prs/cli/printing.h"
 #include "prs/record/delivery.h"
 

@@ -1,11 +1,7 @@
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "prs/cli/commands.h"
-#include "prs/cli/quantity_option.h"
-#include "prs/cli/usage_error.h"
+#include "prs/cli/option_values.h"
 #include "prs/export/system_model.h"
 #include "prs/loads/load_json.h"
 #include "prs/output/files.h"
@@ -53,8 +49,8 @@ bool is_file_of(const Form& form, const std::filesystem::path& output) {
 /// Before minutes are spent on what cannot be written.
 void require_place(const std::filesystem::path& output, const std::vector<const Form*>& forms) {
   const auto fail = [&](std::string_view got, std::string_view expected) {
-    throw UsageError(fmt::format("--output: got {}{}; expected {}", input::shown(output.string()),
-                                 got, expected));
+    throw UsageError("--output: got {}{}; expected {}", input::shown(output.string()), got,
+                     expected);
   };
   if (output.empty()) throw UsageError("--output: got nothing; expected a file or a folder");
   for (const Form& form : kForms) {

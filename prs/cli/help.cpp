@@ -1,4 +1,4 @@
-#include "prs/cli/help.h"
+#include "prs/cli/command_line.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,13 +1,8 @@
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "prs/cli/command_line.h"
 #include "prs/cli/command_table.h"
-#include "prs/cli/help.h"
+#include "prs/cli/option_values.h"
 #include "prs/cli/package.h"
 #include "prs/cli/program.h"
-#include "prs/cli/usage_error.h"
 
 namespace {
 

@@ -1,14 +1,17 @@
 #include "prs/cli/package.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdlib>
-#include <stdexcept>
 #include <system_error>
-#include <vector>
+
+#include "prs/cli/option_values.h"
+#include "prs/input/did_you_mean.h"
+#include "prs/input/document.h"
 
 namespace prs::cli {
 namespace {
@@ -62,6 +65,69 @@ fs::path data_folder(const std::string& name) {
       fmt::format("the folder `{}` is missing in {}; install the program with its data, or name "
                   "the folder that holds it in PRS_SHARE",
                   name, shared.front().string()));
+}
+
+namespace {
+
+/// `# Lesson 14: life under a flight's loads.` -> `life under a flight's loads`
+std::string title_of(const std::string& text) {
+  std::string first = text.substr(0, text.find('\n'));
+  if (const std::size_t colon = first.find(": "); colon != std::string::npos)
+    first.erase(0, colon + 2);
+  if (first.ends_with('.')) first.pop_back();
+  return first;
+}
+
+/// `flight_spectrum` of `14_flight_spectrum`.
+std::string_view without_number(std::string_view name) {
+  return name.substr(std::min(name.find('_') + 1, name.size()));
+}
+
+}  // namespace
+
+std::vector<Lesson> lessons() {
+  std::vector<Lesson> all;
+  for (const auto& entry : std::filesystem::directory_iterator(data_folder("lessons"))) {
+    const std::filesystem::path& file = entry.path();
+    const std::string name = file.stem().string();
+    if (file.extension() == ".yaml" && std::isdigit(static_cast<unsigned char>(name[0])) != 0)
+      all.push_back({name, title_of(input::load_source(file.string(), {}).text), file});
+  }
+  if (all.empty())
+    throw std::runtime_error(
+        fmt::format("got {}, which has no lesson; expected files as 01_config_1_to_3.yaml; install "
+                    "`prs` anew, or set PRS_SHARE to a folder that has them",
+                    input::shown(data_folder("lessons").string())));
+  std::ranges::sort(all, {}, [](const Lesson& l) { return std::pair(l.number(), l.name); });
+  return all;
+}
+
+Lesson lesson(const std::string& asked) {
+  const std::vector<Lesson> all = lessons();
+  const bool is_number =
+      !asked.empty() && asked.size() < 5 &&
+      std::ranges::all_of(asked, [](unsigned char c) { return std::isdigit(c) != 0; });
+  const std::string name = asked.ends_with(".yaml") ? asked.substr(0, asked.size() - 5) : asked;
+  for (const Lesson& l : all)
+    if (is_number ? l.number() == std::stoi(asked)
+                  : l.name == name || without_number(l.name) == name)
+      return l;
+  std::vector<std::string_view> names;
+  for (const Lesson& l : all) names.push_back(without_number(l.name));
+  const std::string hint = input::did_you_mean(name, names);
+  fail_option("--lesson",
+              "got {}; expected a number from {} to {} or a name of `prs list lessons`{}{}",
+              input::shown(asked), all.front().number(), all.back().number(),
+              hint.empty() ? "" : "; ", hint);
+}
+
+std::vector<std::string> companions(const Lesson& lesson) {
+  const input::Source source = input::load_source(lesson.file.string(), {});
+  input::ErrorList errors(source);
+  const input::Node root = input::read_document(source, errors);
+  errors.throw_if_any();
+  const input::Node* file = input::find_path(root, "life.history.file");
+  return file ? std::vector{file->text} : std::vector<std::string>{};
 }
 
 }  // namespace prs::cli

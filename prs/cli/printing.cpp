@@ -1,18 +1,13 @@
 #include "prs/cli/printing.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/ioctl.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <new>
-#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "prs/file_descriptor.h"
 #include "prs/loads/load_json.h"
-#include "prs/printable.h"
 #include "prs/text.h"
 
 namespace prs::cli {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -15,8 +16,8 @@
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/interruption.h"
+#include "prs/cli/option_values.h"
 #include "prs/cli/progress_line.h"
-#include "prs/cli/usage_error.h"
 #include "prs/components/picture.h"
 #include "prs/input/source.h"
 #include "prs/output/run_files.h"
@@ -25,6 +26,7 @@
 #include "prs/study/journal.h"
 
 namespace prs::cli {
+
 namespace {
 
 /// One line of an error; in pieces where there is no memory for it.
@@ -172,6 +174,20 @@ int run_program(int (*run)(int argc, char** argv), int argc, char** argv) {
   } catch (...) {
     return failed("prs: error: ", "of an unknown kind", kFailed);
   }
+}
+
+void add_validate_options(CLI::App& command, ValidateOptions& options) {
+  add_value(command, "dir", options.file, "DIR|FILE",
+            "Folder of the sources, default: those that come with the program; with --recipe "
+            "a file of diameters, YAML or CSV");
+  CLI::Option* recipe = add_value(command, "--recipe", options.recipe, "NAME",
+                                  "Compute a source's table for other diameters: "
+                                  "jung-as-printed (with its slips) or jung-corrected");
+  take_each(add_value(command, "--diameters", options.diameters, "ROW",
+                      "Nut (outer), screw and roller, e.g. \"54 mm, 27 mm, 9 mm\"; repeatable"))
+      ->needs(recipe);
+  add_output_options(command, options);
+  add_png(command, options);
 }
 
 }  // namespace prs::cli

@@ -2,11 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "prs/cli/printing.h"
 
+namespace CLI {
+class App;
+}
 namespace prs::cli {
 
 /// An option without a value.
@@ -44,5 +45,14 @@ int run_recorded(const std::function<int()>& run, const OutputOptions& options,
 /// The main function of a program: makes the streams safe to write to, and exit statuses and lines
 /// on standard error of what `run` throws.
 int run_program(int (*run)(int argc, char** argv), int argc, char** argv);
+
+/// Arguments of `prs validate`, which the program `prs-validate` reads.
+struct ValidateOptions : OutputOptions {
+  std::string file;                    ///< Folder of the sources, or the diameters of a recipe.
+  std::optional<std::string> recipe;   ///< A source's formulas for given diameters.
+  std::vector<std::string> diameters;  ///< Rows of the recipe, such as `54 mm, 27 mm, 9 mm`.
+};
+
+void add_validate_options(CLI::App& command, ValidateOptions& options);
 
 }  // namespace prs::cli

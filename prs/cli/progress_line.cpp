@@ -1,8 +1,5 @@
 #include "prs/cli/progress_line.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include "prs/cli/printing.h"
 #include "prs/study/study_table.h"
 

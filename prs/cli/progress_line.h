@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <mutex>
-#include <string_view>
 
 #include "prs/study/study_run.h"
 

@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "prs/cli/commands.h"
-#include "prs/cli/usage_error.h"
+#include "prs/cli/option_values.h"
 #include "prs/loads/load_json.h"
 #include "prs/output/files.h"
 #include "prs/output/run_files.h"
@@ -50,16 +50,16 @@ void require_places(const Options& options) {
     if (file->empty())
       throw UsageError("--output: got nothing; expected a file, for example report.html");
     if (is_folder(*file))
-      throw UsageError(fmt::format(
-          "--output: got {}, which is a folder; expected a file, for example {}",
-          input::shown(file->string()), input::shown((*file / "report.html").string())));
+      throw UsageError("--output: got {}, which is a folder; expected a file, for example {}",
+                       input::shown(file->string()),
+                       input::shown((*file / "report.html").string()));
   }
   for (const std::filesystem::path& folder : options.results)
     if (!is_folder(folder))
       throw UsageError(
-          fmt::format("--results: got {}, which is no folder; expected one that `prs study FILE "
-                      "--output DIR` or `prs optimize` wrote",
-                      input::shown(folder.string())));
+          "--results: got {}, which is no folder; expected one that `prs study FILE --output DIR` "
+          "or `prs optimize` wrote",
+          input::shown(folder.string()));
 }
 
 /// Folders that were named, and have nothing of this case.

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "prs/loads/analyze.h"
-#include "prs/model/case_error.h"
 #include "prs/model/check_case.h"
+#include "prs/model/problems.h"
 #include "prs/sector/influence/influence_solver.h"
 #include "prs/threads/contact_laws.h"
 

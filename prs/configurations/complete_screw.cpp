@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "contact/flank_edge.h"
-#include "prs/model/case_error.h"
 #include "prs/model/check_case.h"
 #include "prs/model/groove.h"
+#include "prs/model/problems.h"
 #include "prs/model/quantity_text.h"
 #include "prs/threads/contact_failure.h"
 #include "prs/threads/geometry_warnings.h"

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "prs/configurations/complete_screw.h"
-#include "prs/model/case_error.h"
 #include "prs/model/check_case.h"
+#include "prs/model/problems.h"
 #include "prs/threads/contacts.h"
 #include "prs/threads/geometry_warnings.h"
 #include "prs/threads/threads.h"

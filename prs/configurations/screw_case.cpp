@@ -9,8 +9,8 @@
 #include "prs/configurations/roller_spacing.h"
 #include "prs/input/units.h"
 #include "prs/life/capacity.h"
-#include "prs/model/case_error.h"
 #include "prs/model/groove.h"
+#include "prs/model/problems.h"
 #include "prs/model/quantity_text.h"
 #include "prs/text.h"
 
@@ -24,7 +24,7 @@ std::string case_remark(const std::string& text, std::size_t indent = 0) {
   return wrapped(text, std::string(indent, ' ') + "# ", kCaseWidth);
 }
 
-/// What assumptions are read from, see prs/input/assumptions.h: of `value`, as the file has it.
+/// What assumptions are read from, see prs/input/echo.h: of `value`, as the file has it.
 std::string assumption(const std::string& value, const std::string& reason) {
   return fmt::format("assumed {}: {}", value, reason);
 }

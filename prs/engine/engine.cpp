@@ -1,19 +1,11 @@
 #include "prs/engine/engine.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <exception>
 #include <iterator>
-#include <map>
 #include <new>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <sstream>
-#include <stdexcept>
-#include <utility>
-#include <vector>
 
 #include "prs/input/reader.h"
 #include "prs/input/written_case.h"

@@ -3,12 +3,37 @@
 #include <bit>
 #include <cstdint>
 
-#include "prs/export/embedded.h"
 #include "prs/export/system_model.h"
 #include "prs/export/zip.h"
 #include "prs/report/svg.h"
 #include "prs/sha256.h"
 #include "prs/version.h"
+
+// The content of FILE between two symbols. Paths come from the build.
+#define PRS_EMBED(symbol, file)                        \
+  asm(".pushsection .rodata\n"                         \
+      ".globl prs_embedded_" #symbol                   \
+      "\n"                                             \
+      "prs_embedded_" #symbol                          \
+      ":\n"                                            \
+      ".incbin \"" file                                \
+      "\"\n"                                           \
+      ".globl prs_embedded_" #symbol                   \
+      "_end\n"                                         \
+      "prs_embedded_" #symbol                          \
+      "_end:\n"                                        \
+      ".byte 0\n"                                      \
+      ".popsection\n");                                \
+  extern "C" const char prs_embedded_##symbol[];       \
+  extern "C" const char prs_embedded_##symbol##_end[]; \
+  static std::string_view symbol() { return {prs_embedded_##symbol, prs_embedded_##symbol##_end}; }
+
+PRS_EMBED(curves_h, PRS_UNIT_SOURCES "/curves.h")
+PRS_EMBED(curves_c, PRS_UNIT_SOURCES "/curves.c")
+PRS_EMBED(fmi2_h, PRS_UNIT_SOURCES "/fmi2.h")
+PRS_EMBED(unit_c, PRS_UNIT_SOURCES "/unit.c")
+PRS_EMBED(licence, PRS_LICENCE)
+PRS_EMBED(library, PRS_UNIT_LIBRARY)
 
 namespace prs {
 namespace {
@@ -99,22 +124,24 @@ std::string guid_of(const std::string& content) {
 }  // namespace
 
 std::string functional_mockup_unit(const SystemCurves& curves, const ModelText& text) {
-  const EmbeddedUnit unit = embedded_unit();
   const std::string data = bytes_of(curves.data());
   const std::string guid =
-      guid_of(description_xml(curves, text, "") + data + std::string(unit.library));
+      guid_of(description_xml(curves, text, "") + data + std::string(library()));
   std::vector<OutputFile> files{{"modelDescription.xml", description_xml(curves, text, guid)}};
-  if (!unit.platform.empty())
-    files.push_back(
-        {fmt::format("binaries/{}/{}.so", unit.platform, text.name), std::string(unit.library)});
+#if defined(__x86_64__) && defined(__linux__)  // The standard has names for few platforms.
+  files.push_back({fmt::format("binaries/linux64/{}.so", text.name), std::string(library())});
+#endif
   files.push_back({"documentation/index.html", documentation(curves, text)});
-  files.push_back({"documentation/licenses/license.txt", std::string(unit.licence)});
-  files.push_back({"resources/curves.bin", data});
-  files.push_back({"resources/guid.txt", guid});
-  files.push_back({"sources/curves.c", std::string(unit.curves_c)});
-  files.push_back({"sources/curves.h", std::string(unit.curves_h)});
-  files.push_back({"sources/fmi2.h", std::string(unit.fmi2_h)});
-  files.push_back({"sources/unit.c", std::string(unit.unit_c)});
+  const auto add = [&](const char* name, std::string_view content) {
+    files.push_back({name, std::string(content)});
+  };
+  add("documentation/licenses/license.txt", licence());
+  add("resources/curves.bin", data);
+  add("resources/guid.txt", guid);
+  add("sources/curves.c", curves_c());
+  add("sources/curves.h", curves_h());
+  add("sources/fmi2.h", fmi2_h());
+  add("sources/unit.c", unit_c());
   return zip(files);
 }
 

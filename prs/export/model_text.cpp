@@ -1,13 +1,8 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <filesystem>
 #include <iterator>
 
 #include "prs/export/system_model.h"
-#include "prs/input/compute_from.h"
+#include "prs/input/document.h"
 #include "prs/input/reader.h"
 #include "prs/run/commands.h"
 #include "prs/sha256.h"

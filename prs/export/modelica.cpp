@@ -1,7 +1,3 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "prs/export/system_model.h"
 #include "prs/input/source.h"
 #include "prs/version.h"

@@ -1,23 +1,17 @@
 #include "prs/export/system_curves.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <iterator>
 #include <map>
-#include <numbers>
-#include <utility>
 
 #include "prs/heat/analyze_heat.h"
 #include "prs/heat/case_losses.h"
 #include "prs/input/units.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/full_result.h"
-#include "prs/model/case_error.h"
-#include "prs/model/requirements.h"
+#include "prs/model/check_case.h"
+#include "prs/model/problems.h"
 #include "prs/preload/preloaded_mechanism.h"
 #include "prs/slip/slip.h"
 #include "prs/threads/contact_laws.h"
@@ -545,12 +539,11 @@ void add_friction(const Case& c, const Contacts& contacts, LoadCase pattern, dou
 /// The load case whose conditions hold: position, misalignment, speed. With `preload` and no load
 /// case asked for, its position is that of the preload.
 LoadCase pattern_of(const Case& c, const CurveOptions& options) {
-  const auto is_solved = [](const LoadCase& load) { return load.share == LoadCase::Share::solved; };
   const auto is_asked_for = [&](const LoadCase& load) {
-    return options.load_case ? load.name == *options.load_case : is_solved(load);
+    return options.load_case ? load.name == *options.load_case : load.is_solved();
   };
   const auto found = std::ranges::find_if(c.load_cases, is_asked_for);
-  const bool usable = found != c.load_cases.end() && is_solved(*found);
+  const bool usable = found != c.load_cases.end() && found->is_solved();
   if (c.preload && !options.load_case) {  // Torque and force hold at the same position.
     LoadCase pattern = usable ? *found : LoadCase{};
     pattern.position = c.preload->position;
@@ -563,7 +556,7 @@ LoadCase pattern_of(const Case& c, const CurveOptions& options) {
                     "leave `share` out, and state `direction` and `position`");
   std::string names;
   for (const LoadCase& load : c.load_cases)
-    if (is_solved(load)) names.append(names.empty() ? "" : ", ").append(load.name);
+    if (load.is_solved()) names.append(names.empty() ? "" : ", ").append(load.name);
   if (names.empty())
     throw CaseError("load_cases",
                     "got equal shares in each; expected one that the models solve for `export`; "

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/export/curves.h"
 #include "prs/model/case.h"
 #include "prs/model/preload.h"

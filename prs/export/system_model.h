@@ -1,8 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <string>
-
 #include "prs/export/system_curves.h"
 #include "prs/input/source.h"
 #include "prs/loads/load_json.h"

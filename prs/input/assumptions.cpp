@@ -1,12 +1,7 @@
-#include "prs/input/assumptions.h"
+#include "prs/input/echo.h"
 
 #include <algorithm>
-#include <optional>
-#include <string_view>
 #include <unordered_map>
-#include <utility>
-
-#include "prs/input/document.h"
 
 namespace prs::input {
 namespace {

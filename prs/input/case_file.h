@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/model/case.h"
 #include "prs/model/limits.h"
 #include "prs/model/optimization.h"

@@ -1,6 +1,5 @@
 #include "prs/input/document.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
@@ -9,13 +8,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <optional>
 #include <sstream>
 #include <unordered_map>
-#include <utility>
 
 #include "prs/input/did_you_mean.h"
 #include "prs/input/units.h"
+#include "prs/text.h"
 
 namespace prs::input {
 namespace {
@@ -120,25 +118,24 @@ class TreeBuilder final : public YAML::EventHandler {
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
     if (tag.size() > 1)
       errors_.fail(place(mark), here(),
-                   fmt::format("got the tag `{}`; expected a value without tag; delete the tag",
-                               shown(tag)));
+                   "got the tag `{}`; expected a value without tag; delete the tag", shown(tag));
   }
 
   void charge(std::size_t size, Place at) {
     size_ += size;
     if (size_ > kMostValues)
       errors_.fail(at, here(),
-                   fmt::format("got more than {} values, aliases expanded; expected fewer; write a "
-                               "range {{from, to, steps}} or use several files",
-                               kMostValues));
+                   "got more than {} values, aliases expanded; expected fewer; write a range "
+                   "{{from, to, steps}} or use several files",
+                   kMostValues);
   }
 
   void open(Node::Kind kind, Place at, YAML::anchor_t anchor) {
     if (frames_.size() >= kDeepest)
-      errors_.fail(at, here(),
-                   fmt::format("got more than {} nested levels; expected fewer; check the brackets "
-                               "and the indentation",
-                               kDeepest));
+      errors_.fail(
+          at, here(),
+          "got more than {} nested levels; expected fewer; check the brackets and the indentation",
+          kDeepest);
     Frame& f = frames_.emplace_back();
     f.node.kind = kind;
     f.node.place = at;
@@ -224,23 +221,10 @@ class TreeBuilder final : public YAML::EventHandler {
 /// Length of the UTF-8 character at the head of a text; 0 where it is malformed or a control
 /// character that no text file holds.
 std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  if (byte(0) < 0x80) {
-    const bool printable = byte(0) >= 0x20 && byte(0) != 0x7F;
-    return printable || std::string_view("\t\n\r").find(text[0]) != std::string_view::npos ? 1 : 0;
-  }
-  const std::size_t length = byte(0) >= 0xF5   ? 0
-                             : byte(0) >= 0xF0 ? 4
-                             : byte(0) >= 0xE0 ? 3
-                             : byte(0) >= 0xC2 ? 2
-                                               : 0;
-  if (length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xC0U) != 0x80U) return 0;
-  const bool overlong = (byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xF0 && byte(1) < 0x90);
-  const bool no_character =
-      (byte(0) == 0xED && byte(1) > 0x9F) || (byte(0) == 0xF4 && byte(1) > 0x8F);
-  return overlong || no_character ? 0 : length;
+  const bool is_control = (text[0] >= 0 && text[0] < ' ') || text[0] == '\x7F';
+  return is_control && std::string_view("\t\n\r").find(text[0]) == text.npos
+             ? 0
+             : sequence_length(text);
 }
 
 void check_encoding(std::string_view text, std::optional<Place> at, std::string_view path,
@@ -248,11 +232,10 @@ void check_encoding(std::string_view text, std::optional<Place> at, std::string_
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = character_length(text.substr(i));
     if (length == 0)
-      errors.fail(
-          at.value_or(Place{i}), path,
-          fmt::format("got the byte 0x{:02X}; expected plain text in UTF-8; check that this "
-                      "is a YAML file and save it as UTF-8",
-                      static_cast<unsigned char>(text[i])));
+      errors.fail(at.value_or(Place{i}), path,
+                  "got the byte 0x{:02X}; expected plain text in UTF-8; check that this is a YAML "
+                  "file and save it as UTF-8",
+                  static_cast<unsigned char>(text[i]));
     i += length;
   }
 }
@@ -514,9 +497,9 @@ void apply_override(Node& root, const Source& source, std::size_t index, ErrorLi
   const auto steps = split_path(path);
   if (equals == std::string::npos || !steps)
     errors.fail(at, "",
-                fmt::format("got {}; expected path=value, for example mechanism.rollers=9 or "
-                            "load_cases[0].axial_force=20 kN",
-                            text.empty() ? "nothing" : shown(text)));
+                "got {}; expected path=value, for example mechanism.rollers=9 or "
+                "load_cases[0].axial_force=20 kN",
+                text.empty() ? "nothing" : shown(text));
   Node* node = descend(root, *steps, path, at, errors);
   if (!node) return errors.throw_if_any();
   Node value = parse_yaml(text.substr(equals + 1), at, path, errors)
@@ -607,6 +590,11 @@ Place locate(const Node& root, std::string_view path) {
 
 void refuse(const Node& root, std::string_view path, std::string_view message, ErrorList& errors) {
   errors.add(locate(root, path), path, message);
+}
+
+void fail_at(const Source& source, std::string_view path, std::string_view message) {
+  ErrorList errors(source);
+  errors.fail(locate(read_document(source, errors), path), path, message);
 }
 
 }  // namespace prs::input

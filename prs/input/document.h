@@ -1,11 +1,7 @@
 #pragma once
 
-#include <cstddef>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "prs/input/source.h"
+#include "prs/model/problems.h"
 
 namespace prs::input {
 
@@ -70,5 +66,25 @@ Place locate(const Node& root, std::string_view path);
 
 /// Adds an error at the place of a path.
 void refuse(const Node& root, std::string_view path, std::string_view message, ErrorList& errors);
+
+/// Throws the InputError that names the place of `path` in the source, for what turns out to be
+/// wrong only after the case was read.
+[[noreturn]] void fail_at(const Source& source, std::string_view path, std::string_view message);
+template <class Arg, class... Args>
+[[noreturn]] void fail_at(const Source& source, std::string_view path,
+                          fmt::format_string<Arg, Args...> message, Arg&& arg, Args&&... args) {
+  fail_at(source, path, fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...));
+}
+
+/// Runs `compute` on a case that came from `source`, so that what it finds wrong with the case is
+/// reported where it stands.
+template <class Compute>
+auto compute_from(const Source& source, Compute compute) {
+  try {
+    return compute();
+  } catch (const CaseError& error) {
+    fail_at(source, error.path(), error.what());
+  }
+}
 
 }  // namespace prs::input

@@ -1,13 +1,6 @@
 #include "prs/input/echo.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <optional>
-#include <string_view>
-#include <type_traits>
-
-#include "prs/input/value_text.h"
+#include "prs/input/field.h"
 
 namespace prs::input {
 namespace {

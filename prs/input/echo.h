@@ -1,11 +1,9 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/input/document.h"
+#include "prs/input/source.h"
 #include "prs/input/units.h"
+#include "prs/model/warning.h"
 
 namespace prs::input {
 
@@ -26,5 +24,22 @@ struct EchoEntry {
 /// The case must have passed `check_case`.
 /// `root` is the document that the case was read from: what it lacks is a default.
 std::vector<EchoEntry> echo(CaseFile file, const Node& root);
+
+/// Warnings on values that the file states and that are possible but odd, as `210 MPa` of a modulus
+/// is: each names the key, the value as written, what is usual, and the unit that would fit.
+std::vector<Warning> unusual_values(const std::vector<EchoEntry>& fields);
+
+/// Why each assumed value was assumed, by its path. A comment behind a value, or on the lines above
+/// its key, marks it:
+///
+///     flank_angle: 45 deg                 # assumed 45 deg: as on nearly all screws
+///     # assumed {roller: 1}: as in makers' catalogues
+///     starts: {screw: 5, roller: 1}
+///
+/// What stands between `assumed` and the colon is the value as it was assumed; a map may name some
+/// of the keys, a list the first items. A value that differs from it by now was changed and is none
+/// any more, nor is one that `--set` gives. `assumed: REASON` marks whatever stands there.
+std::map<std::string, std::string> assumptions(const std::vector<EchoEntry>& entries,
+                                               const Source& source);
 
 }  // namespace prs::input

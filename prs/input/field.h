@@ -1,18 +1,11 @@
 #pragma once
 
 #include <concepts>
-#include <cstdint>
 #include <functional>
-#include <limits>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
 #include <variant>
-#include <vector>
 
-#include "prs/input/bounds.h"
 #include "prs/input/case_file.h"
+#include "prs/input/document.h"
 #include "prs/input/units.h"
 #include "prs/model/lateral.h"
 #include "prs/model/limits.h"
@@ -476,5 +469,15 @@ void alternatives(Choices& io, Plan& p);
 /// The whole input, described once: every key, its unit and bounds, whether it must stand, its
 /// meaning. Defaults are the member initialisers of the structs.
 void fields(const Fields& io, CaseFile& file);
+
+/// A value as a person would write it in the input.
+std::string text_of(const Value& value);
+
+/// ` > 0 and <= 5 mm`; empty without bounds.
+std::string text_of_bounds(const Bounds& bounds, const Quantity& quantity);
+std::string text_of_bounds(const Bounds& bounds, const Number& number);
+
+/// Whether what was written is several values.
+bool is_several(const Node& node, const OneOr& value);
 
 }  // namespace prs::input

@@ -11,11 +11,9 @@
 #include <cmath>
 #include <optional>
 
-#include "prs/input/bounds.h"
 #include "prs/input/csv_reader.h"
 #include "prs/input/did_you_mean.h"
 #include "prs/input/document.h"
-#include "prs/input/fail_at.h"
 #include "prs/input/units.h"
 #include "prs/regular_file.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "prs/input/fail_at.h"
+#include "prs/input/document.h"
 #include "prs/input/reader.h"
 #include "prs/input/slot.h"
 #include "prs/input/units.h"

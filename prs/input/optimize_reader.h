@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "prs/input/study_reader.h"
 #include "prs/model/optimization.h"
 

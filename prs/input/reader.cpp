@@ -1,24 +1,15 @@
 #include "prs/input/reader.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <concepts>
-#include <cstdint>
-#include <limits>
 #include <numeric>
-#include <utility>
 
 #include "prs/input/case_file.h"
 #include "prs/input/did_you_mean.h"
-#include "prs/input/document.h"
+#include "prs/input/echo.h"
+#include "prs/input/field.h"
 #include "prs/input/schema.h"
-#include "prs/input/usual_values.h"
-#include "prs/input/value_text.h"
 #include "prs/model/check_case.h"
-#include "prs/model/requirements.h"
 
 namespace prs::input {
 namespace {
@@ -157,9 +148,8 @@ struct Written {
 
   /// Says what was wanted, and how to fix the value: by an example unless there is a better hint.
   void refuse(const Wanted& w, std::string_view hint = {}) const {
-    errors.add(node.place, path,
-               fmt::format("got {}; expected {}; {}", got(node), w.what,
-                           hint.empty() ? "write " + example(path, w) : hint));
+    errors.add(node.place, path, "got {}; expected {}; {}", got(node), w.what,
+               hint.empty() ? "write " + example(path, w) : hint);
   }
 
   static std::string example(std::string_view path, const Wanted& w) {
@@ -311,8 +301,8 @@ bool refuse_second_choice(const Written& w, const ChoiceUnderKey& under) {
       continue;
     if (first) {
       w.errors.add(child.key_place, join(w.path, child.key),
-                   fmt::format("stands next to `{}`; expected one of {}; delete one of the two",
-                               first->key, wanted(under.choice).what));
+                   "stands next to `{}`; expected one of {}; delete one of the two", first->key,
+                   wanted(under.choice).what);
       return true;
     }
     first = &child;
@@ -384,8 +374,8 @@ class MapReader {
       if (fix.empty()) fix = elsewhere_hint(child.key);
       if (fix.empty()) fix = did_you_mean(child.key, known_);
       map_.errors.add(child.key_place, join(map_.path, child.key),
-                      fmt::format("unknown key; expected one of {}; {}", fmt::join(known_, ", "),
-                                  fix.empty() ? "delete it, or write it as one of these" : fix));
+                      "unknown key; expected one of {}; {}", fmt::join(known_, ", "),
+                      fix.empty() ? "delete it, or write it as one of these" : fix);
     }
   }
 
@@ -428,7 +418,7 @@ class MapReader {
     const Place place = map.key.empty() ? map.place : map.key_place;
     const std::string add = "add " + Written::example(path, w);
     if (presence.condition.empty())
-      map_.errors.add(place, path, fmt::format("missing; expected {}; {}", w.what, add));
+      map_.errors.add(place, path, "missing; expected {}; {}", w.what, add);
     else
       map_.errors.add_consequence(
           place, path,

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/input/echo.h"
 #include "prs/input/source.h"
 #include "prs/model/case.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "prs/input/document.h"
+#include "prs/input/field.h"
 #include "prs/input/reader.h"
-#include "prs/input/value_text.h"
 
 namespace prs::input {
 namespace {

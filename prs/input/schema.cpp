@@ -1,16 +1,8 @@
 #include "prs/input/schema.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
-#include "prs/input/value_text.h"
+#include "prs/input/field.h"
 
 namespace prs::input {
 namespace {

@@ -1,9 +1,6 @@
 #include "prs/input/slot.h"
 
 #include <charconv>
-#include <cmath>
-#include <string>
-#include <variant>
 
 #include "prs/input/field.h"
 

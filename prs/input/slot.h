@@ -1,11 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string_view>
 #include <vector>
 
-#include "prs/input/bounds.h"
 #include "prs/input/units.h"
 
 namespace prs::input {

@@ -1,16 +1,12 @@
 #include "prs/input/source.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <tuple>
-#include <utility>
 
-#include "prs/printable.h"
+#include "prs/text.h"
 
 namespace prs::input {
 namespace {

@@ -61,11 +61,21 @@ class ErrorList {
   explicit ErrorList(const Source& source) : source_(source) {}
 
   void add(Place place, std::string_view key, std::string_view message);
+  template <class Arg, class... Args>
+  void add(Place place, std::string_view key, fmt::format_string<Arg, Args...> message, Arg&& arg,
+           Args&&... args) {
+    add(place, key, fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...));
+  }
 
   /// An error that may be the consequence of another: reported only where there is no other.
   void add_consequence(Place place, std::string_view key, std::string_view message);
 
   [[noreturn]] void fail(Place place, std::string_view key, std::string_view message);
+  template <class Arg, class... Args>
+  [[noreturn]] void fail(Place place, std::string_view key,
+                         fmt::format_string<Arg, Args...> message, Arg&& arg, Args&&... args) {
+    fail(place, key, fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...));
+  }
 
   /// Adds the errors of another list on the same source, each moved to the place that `move` gives.
   /// An error that this list already has is left out.

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "prs/input/field.h"
 #include "prs/input/reader.h"
 #include "prs/input/slot.h"
 #include "prs/input/study_envelope.h"
 #include "prs/input/units.h"
-#include "prs/input/value_text.h"
 #include "prs/input/varied_input.h"
 
 namespace prs::input {

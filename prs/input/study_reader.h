@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/input/case_file.h"
 #include "prs/input/document.h"
 #include "prs/input/source.h"

@@ -1,4 +1,4 @@
-#include "prs/input/usual_values.h"
+#include "prs/input/echo.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #include "prs/input/varied_input.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "prs/input/case_file.h"
 #include "prs/input/reader.h"

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "prs/input/document.h"
 #include "prs/input/echo.h"
 #include "prs/input/source.h"

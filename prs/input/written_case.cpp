@@ -1,7 +1,6 @@
 #include "prs/input/written_case.h"
 
 #include <algorithm>
-#include <string_view>
 
 #include "prs/input/document.h"
 

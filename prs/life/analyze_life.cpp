@@ -12,7 +12,7 @@
 #include "prs/life/contact_loads.h"
 #include "prs/life/share_curve.h"
 #include "prs/loads/load_case_result.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/threads/contact_laws.h"
 #include "prs/threads/geometry_warnings.h"
 

@@ -11,7 +11,7 @@
 #include "prs/mechanism/contacts_around.h"
 #include "prs/mechanism/full_structure.h"
 #include "prs/mechanism/rigid_motions.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 
 namespace prs {
 namespace {

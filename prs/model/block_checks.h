@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "prs/model/case.h"
+#include "prs/model/command.h"
 #include "prs/model/problems.h"
 
 // Checks of the blocks of a case, each in the file of its block. `check_case` calls them in order.
@@ -44,10 +45,8 @@ void check_preload(const Case& c, Problems& problems);
 void check_life(const Case& c, Problems& problems);
 void check_heat(const Case& c, Problems& problems);
 
-// What commands need of their blocks.
+// What `slip` needs of the blocks that it reads.
 
-void require_preload(const Case& c, Problems& problems);
-void require_life(const Case& c, Problems& problems);
 void require_slip(const Conditions& c, Problems& problems);
 /// What `slip` needs where the case states `heat`.
 void require_heat(const Case& c, Problems& problems);

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/model/deviations.h"
 #include "prs/model/heat.h"
 #include "prs/model/life.h"

@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <utility>
 
 #include "prs/model/block_checks.h"
 #include "prs/model/quantity_text.h"
@@ -56,11 +50,11 @@ void refuse_in_sector(const Case& c, Problems& problems) {
 void check_list(std::string path, std::size_t size, int wanted, std::string_view of,
                 Problems& problems) {
   if (size != 0 && size != static_cast<std::size_t>(wanted))
-    problems.add(std::move(path), fmt::format("got {} value{}; expected {}, one for each {}; {}",
-                                              size, size == 1 ? "" : "s", wanted, of,
-                                              size < static_cast<std::size_t>(wanted)
-                                                  ? "add the others, 0 where nothing deviates"
-                                                  : "delete the others"));
+    problems.add(std::move(path), "got {} value{}; expected {}, one for each {}; {}", size,
+                 size == 1 ? "" : "s", wanted, of,
+                 size < static_cast<std::size_t>(wanted)
+                     ? "add the others, 0 where nothing deviates"
+                     : "delete the others");
 }
 
 void check_lists(const Case& c, Problems& problems) {
@@ -109,17 +103,15 @@ void check_missing_rollers(const Case& c, Problems& problems) {
   std::ranges::sort(missing);
   const auto wrong = std::ranges::find_if(missing, [&](int k) { return k < 1 || k > rollers; });
   if (wrong != missing.end())
-    problems.add(
-        "deviations.missing_rollers",
-        fmt::format("got {}; expected numbers from 1 to {}; write one of them, or delete it",
-                    *wrong, rollers));
+    problems.add("deviations.missing_rollers",
+                 "got {}; expected numbers from 1 to {}; write one of them, or delete it", *wrong,
+                 rollers);
   else if (const auto twice = std::ranges::adjacent_find(missing); twice != missing.end())
     problems.add("deviations.missing_rollers",
-                 fmt::format("got {} twice; expected each number once; delete one", *twice));
+                 "got {} twice; expected each number once; delete one", *twice);
   else if (static_cast<int>(missing.size()) == rollers && rollers > 0)
-    problems.add(
-        "deviations.missing_rollers",
-        fmt::format("got all {} rollers; expected one that is left; delete a number", rollers));
+    problems.add("deviations.missing_rollers",
+                 "got all {} rollers; expected one that is left; delete a number", rollers);
   if (missing.empty()) return;
   const auto refuse_equal = [&](LoadCase::Share share, std::string path) {
     if (share == LoadCase::Share::equal)
@@ -160,9 +152,9 @@ void check_bearings(const std::vector<Bearing>& bearings, double same_place, Pro
           (a.lateral == kRigid && b.lateral == kRigid) || (a.tilt == kRigid && b.tilt == kRigid);
       if (both_hold && std::abs(a.position - b.position) <= same_place)
         problems.add(fmt::format("structure.screw.bearings[{}].position", k),
-                     fmt::format("got {}, where bearings[{}] is rigid too; expected one rigid "
-                                 "bearing at a place; move it, or delete one of the two",
-                                 mm(b.position), i));
+                     "got {}, where bearings[{}] is rigid too; expected one rigid bearing at a "
+                     "place; move it, or delete one of the two",
+                     mm(b.position), i);
     }
 }
 
@@ -172,9 +164,10 @@ constexpr double kMostRotation = 5.0 * std::numbers::pi / 180.0;
 void check_rotation(std::string path, const Lateral& rotation, Problems& problems) {
   for (const double value : {rotation.y, rotation.z})
     if (std::abs(value) > kMostRotation)
-      problems.add(path, fmt::format("got {:.7g} deg; expected at most 5 deg, as the model is for "
-                                     "small rotations; check the unit",
-                                     value * 180.0 / std::numbers::pi));
+      problems.add(path,
+                   "got {:.7g} deg; expected at most 5 deg, as the model is for small rotations; "
+                   "check the unit",
+                   value * 180.0 / std::numbers::pi);
 }
 
 /// Displacements beyond this share of the screw's pitch diameter are not small.
@@ -186,9 +179,9 @@ void check_seat(std::string path, const Lateral& offset, const Mechanism& m, Pro
   for (const double value : {offset.y, offset.z})
     if (std::abs(value) > most)
       problems.add(path,
-                   fmt::format("got {}; expected at most {}, a tenth of the screw's pitch "
-                               "diameter, as the model is for small displacements; check the unit",
-                               mm(value), mm(most)));
+                   "got {}; expected at most {}, a tenth of the screw's pitch diameter, as the "
+                   "model is for small displacements; check the unit",
+                   mm(value), mm(most));
 }
 
 void check_small_motions(const Case& c, Problems& problems) {
@@ -219,10 +212,10 @@ void check_places(const Case& c, Problems& problems) {
     const auto check = [&](std::string path, double x) {
       if (x < first - tolerance || x > last + tolerance)
         problems.add(std::move(path),
-                     fmt::format("got {}; expected a place on the screw, {} to {} in case `{}`; "
-                                 "move it, or lengthen `structure.screw.{}`",
-                                 mm(x), mm(first), mm(last), load.name,
-                                 x < first ? "free_length" : "far_length"));
+                     "got {}; expected a place on the screw, {} to {} in case `{}`; move it, or "
+                     "lengthen `structure.screw.{}`",
+                     mm(x), mm(first), mm(last), load.name,
+                     x < first ? "free_length" : "far_length");
     };
     for (std::size_t k = 0; k < s.screw.bearings.size(); ++k)
       check(fmt::format("structure.screw.bearings[{}].position", k), s.screw.bearings[k].position);
@@ -242,11 +235,10 @@ void check_full_mechanism(const Case& c, Problems& problems) {
                  "got helical with `bodies: influence`, bodies of revolution whose ridges have no "
                  "lead; expected equal; delete it, or take `bodies: refined`");
   if (c.mechanism.rollers < 2)
-    problems.add(
-        "mechanism.rollers",
-        fmt::format("got {}; expected at least 2 with `mechanism: full`; add rollers, or write "
-                    "`mechanism: sector`",
-                    c.mechanism.rollers));
+    problems.add("mechanism.rollers",
+                 "got {}; expected at least 2 with `mechanism: full`; add rollers, or write "
+                 "`mechanism: sector`",
+                 c.mechanism.rollers);
   check_lists(c, problems);
   check_missing_rollers(c, problems);
   check_equal_shares(c, problems);

@@ -1,17 +1,12 @@
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <string>
-#include <vector>
 
 #include "prs/model/block_checks.h"
 #include "prs/model/quantity_text.h"
 
 namespace prs {
 namespace {
-
-bool is_solved(const LoadCase& load) { return load.share == LoadCase::Share::solved; }
 
 /// Heat of every part must find a way to the surroundings.
 void check_conductance(const Heat::Conductance& c, Problems& problems) {
@@ -29,9 +24,9 @@ void check_conductance(const Heat::Conductance& c, Problems& problems) {
                           std::string_view example) {
     if (!holds)
       problems.add("heat.conductance",
-                   fmt::format("the heat of the {} finds no way to the surroundings; expected one "
-                               "of {} above 0; state one, `{}: 20 W/K`, for example",
-                               part, keys, example));
+                   "the heat of the {} finds no way to the surroundings; expected one of {} above "
+                   "0; state one, `{}: 20 W/K`, for example",
+                   part, keys, example);
   };
   refuse(rollers, "rollers", "`screw_rollers`, `rollers_nut`, `rollers_ambient`", "rollers_nut");
   refuse(screw, "screw", "`screw_ambient`, `screw_rollers`", "screw_rollers");
@@ -58,13 +53,15 @@ void check_duty(const Case& c, Problems& problems) {
     if (!name || std::ranges::any_of(c.load_cases, named)) continue;
     const std::string path = fmt::format("heat.duty[{}].load_case", k);
     if (c.load_cases.empty())
-      problems.add(path, fmt::format("got `{}`; expected a case of `load_cases`, which is missing; "
-                                     "add it, or write `rest: 3 s` for a pause",
-                                     *name));
+      problems.add(path,
+                   "got `{}`; expected a case of `load_cases`, which is missing; add it, or write "
+                   "`rest: 3 s` for a pause",
+                   *name);
     else
-      problems.add(path, fmt::format("got `{}`, which no load case is called; expected one of {}; "
-                                     "write one of these, or `rest: 3 s` for a pause",
-                                     *name, some_names(c.load_cases)));
+      problems.add(path,
+                   "got `{}`, which no load case is called; expected one of {}; write one of "
+                   "these, or `rest: 3 s` for a pause",
+                   *name, some_names(c.load_cases));
   }
 }
 
@@ -84,9 +81,9 @@ void check_capacity(const Case& c, Problems& problems) {
   for (const Part part : kParts)
     if (!(*c.materials)[part].density)
       problems.add("materials",
-                   fmt::format("the {} lacks `density`; expected it with `heat.specific_heat`; add "
-                               "`density: 7810 kg/m^3`, for example, or `heat.capacity`",
-                               name(part)));
+                   "the {} lacks `density`; expected it with `heat.specific_heat`; add `density: "
+                   "7810 kg/m^3`, for example, or `heat.capacity`",
+                   name(part));
 }
 
 }  // namespace
@@ -103,14 +100,14 @@ void check_heat(const Case& c, Problems& problems) {
 }
 
 void require_heat(const Case& c, Problems& problems) {
-  if (!c.materials || std::ranges::none_of(c.load_cases, is_solved)) return;
+  if (!c.materials || std::ranges::none_of(c.load_cases, &LoadCase::is_solved)) return;
   for (const Part part : kParts)
     if (!(*c.materials)[part].thermal_expansion)
-      problems.add("materials",
-                   fmt::format("the {} lacks `thermal_expansion`; expected it with `heat`, which "
-                               "warms the parts; add `thermal_expansion: 11.5 um/m/K`, for "
-                               "example, or `share: equal` to each load case",
-                               name(part)));
+      problems.add(
+          "materials",
+          "the {} lacks `thermal_expansion`; expected it with `heat`, which warms the parts; add "
+          "`thermal_expansion: 11.5 um/m/K`, for example, or `share: equal` to each load case",
+          name(part));
 }
 
 }  // namespace prs

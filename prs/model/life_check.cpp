@@ -1,8 +1,3 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <string>
-
 #include "prs/model/block_checks.h"
 #include "prs/model/quantity_text.h"
 
@@ -29,9 +24,9 @@ void check_spectrum(const Case& c, Problems& problems) {
   }
   if (c.life->spectrum.front().share && std::abs(shares - 1.0) > 1e-3)
     problems.add("life.spectrum",
-                 fmt::format("got shares with the sum {:.6g}; expected 1, within 0.001; fix a "
-                             "share, or write revolutions",
-                             shares));
+                 "got shares with the sum {:.6g}; expected 1, within 0.001; fix a share, or write "
+                 "revolutions",
+                 shares);
 }
 
 /// How far the screw turns between two samples.
@@ -56,10 +51,9 @@ void check_preloaded_life(const Case& c, Problems& problems) {
   if (c.preload->arrangement == Preload::Arrangement::double_nut && c.life->position &&
       std::abs(*c.life->position - c.preload->position) > kSamePlace * c.structure->nut.length)
     problems.add("life.position",
-                 fmt::format("got {} and preload.position {}; expected one place with "
-                             "`arrangement: double_nut`, whose second nut goes with it; change "
-                             "one of them",
-                             mm(*c.life->position), mm(c.preload->position)));
+                 "got {} and preload.position {}; expected one place with `arrangement: "
+                 "double_nut`, whose second nut goes with it; change one of them",
+                 mm(*c.life->position), mm(c.preload->position));
 }
 
 /// The load case whose side loads act together with the forces of `life`.
@@ -78,9 +72,9 @@ void check_load_case_of_life(const Case& c, Problems& problems) {
     names += (names.empty() ? "" : ", ") + load.name;
   }
   problems.add("life.load_case",
-               fmt::format("got {}; expected the name of a load case that is solved: {}; write one "
-                           "of them, or delete the key",
-                           *c.life->load_case, names.empty() ? "the file has none" : names));
+               "got {}; expected the name of a load case that is solved: {}; write one of them, or "
+               "delete the key",
+               *c.life->load_case, names.empty() ? "the file has none" : names);
 }
 
 /// Side loads that differ between load cases leave open which act together with the forces.
@@ -93,11 +87,11 @@ void require_load_case_of_life(const Case& c, Problems& problems) {
     if (load.share == LoadCase::Share::equal) continue;
     if (!first) first = &load.spatial;
     if (load.spatial == *first) continue;
-    problems.add("life.load_case",
-                 fmt::format("missing; expected the load case whose side loads, misalignment and "
-                             "orbit act together with the forces of `life`, as they differ; add "
-                             "`load_case: {}`, for example",
-                             load.name));
+    problems.add(
+        "life.load_case",
+        "missing; expected the load case whose side loads, misalignment and orbit act together "
+        "with the forces of `life`, as they differ; add `load_case: {}`, for example",
+        load.name);
     return;
   }
 }
@@ -115,7 +109,7 @@ void check_life(const Case& c, Problems& problems) {
   check_load_case_of_life(c, problems);
 }
 
-void require_life(const Case& c, Problems& problems) {
+void need_life(const Case& c, Problems& problems) {
   if (!c.life)
     problems.add_missing(
         "life", "the loads and how long they act for `life`",
@@ -135,7 +129,7 @@ void require_life(const Case& c, Problems& problems) {
                  "got a preload with `mechanism: full`, whose flanks of the other sense are not in "
                  "the model; expected one of them; write `mechanism: sector`, or delete `preload`");
   else
-    require_preload(c, problems);
+    need_preload(c, problems);
 }
 
 }  // namespace prs

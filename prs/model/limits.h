@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "prs/model/case.h"
 #include "prs/model/problems.h"
 

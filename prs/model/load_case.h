@@ -58,6 +58,8 @@ struct LoadCase {
   std::optional<double> speed;  ///< [rad/s], overrides the operation's.
   SpatialLoad spatial = {};
   std::string input_path;  ///< Path of the case in the input, e.g. `load_cases[2]`.
+
+  bool is_solved() const { return share == Share::solved; }
 };
 
 /// Path of one of its inputs: `load_cases[2].axial_force`.

@@ -1,14 +1,6 @@
 #include "prs/model/block_checks.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <bitset>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <optional>
-#include <string_view>
 #include <unordered_set>
 
 #include "prs/model/quantity_text.h"
@@ -19,50 +11,10 @@ namespace {
 void check_force(const LoadCase& load, Problems& problems) {
   const double written = load.axial_force;
   if (load.direction ? written > 0.0 : written != 0.0) return;
-  problems.add(load.input_path + ".axial_force",
-               fmt::format("got {} in case `{}`; expected a force {}; {}", newton(written),
-                           load.name, load.direction ? "> 0" : "other than 0",
-                           load.direction ? "`direction` gives its sense" : "give it a value"));
+  problems.add(load.input_path + ".axial_force", "got {} in case `{}`; expected a force {}; {}",
+               newton(written), load.name, load.direction ? "> 0" : "other than 0",
+               load.direction ? "`direction` gives its sense" : "give it a value");
 }
-
-/// Which of the load cases, one after the other, has the name of an earlier one. Up to some hundred
-/// names, as designs of a study have them, need no memory.
-class RepeatedNames {
- public:
-  explicit RepeatedNames(const std::vector<LoadCase>& loads) : loads_(loads) {}
-
-  bool next(std::string_view name) {
-    const auto earlier = static_cast<std::ptrdiff_t>(next_++);
-    if (loads_.size() > kMany) return !names_.insert(name).second;
-    if (loads_.size() > kFew) {
-      if (!seen_) seen_.emplace();
-      const std::size_t hash = hash_of(name);
-      if (!seen_->test(hash)) {
-        seen_->set(hash);
-        return false;
-      }
-    }
-    const auto same = [&](const LoadCase& load) { return load.name == name; };
-    return std::any_of(loads_.begin(), loads_.begin() + earlier, same);
-  }
-
- private:
-  static constexpr std::size_t kFew = 8, kMany = 256;
-  static constexpr int kHashBits = 12;
-
-  /// Names of a range differ at the end.
-  static std::size_t hash_of(std::string_view name) {
-    std::uint64_t end = 0;
-    const std::size_t size = std::min(name.size(), sizeof end);
-    std::memcpy(&end, name.data() + name.size() - size, size);
-    return (end * 0x9E3779B97F4A7C15U) >> (64 - kHashBits);
-  }
-
-  const std::vector<LoadCase>& loads_;
-  std::size_t next_ = 0;
-  std::optional<std::bitset<std::size_t{1} << kHashBits>> seen_;
-  std::unordered_set<std::string_view> names_;
-};
 
 /// Where the first contact can lie so that all are on the nut [m].
 struct RoomOnNut {
@@ -85,38 +37,37 @@ void check_position(std::string_view block, double position, const Mechanism& m,
   const RoomOnNut room(m, nut);
   if (room.holds(position)) return;
   if (room.none())
-    problems.add(
-        "mechanism.contacts_per_roller",
-        fmt::format("got {}, which span {}; expected contacts within the nut's length, {}; "
-                    "take at most {} or lengthen the nut",
-                    m.contacts_per_roller, mm(room.span), mm(nut.length),
-                    1 + static_cast<int>((nut.length + room.tolerance) / axial_pitch(m))));
+    problems.add("mechanism.contacts_per_roller",
+                 "got {}, which span {}; expected contacts within the nut's length, {}; take at "
+                 "most {} or lengthen the nut",
+                 m.contacts_per_roller, mm(room.span), mm(nut.length),
+                 1 + static_cast<int>((nut.length + room.tolerance) / axial_pitch(m)));
   else
     problems.add(fmt::format("{}.position", block),
-                 fmt::format("got {}; expected 0 mm to {}, so that all {} contacts lie on the nut; "
-                             "move the roller or lengthen the nut",
-                             mm(position), mm(std::max(room.last, 0.0)), m.contacts_per_roller));
+                 "got {}; expected 0 mm to {}, so that all {} contacts lie on the nut; move the "
+                 "roller or lengthen the nut",
+                 mm(position), mm(std::max(room.last, 0.0)), m.contacts_per_roller);
 }
 
 void check_thrust(Direction direction, std::string_view load, const Structure::Nut& nut,
                   Problems& problems) {
   if (direction == Direction::tension ? nut.thrust.tension : nut.thrust.compression) return;
   problems.add(fmt::format("structure.nut.thrust.{}", name(direction)),
-               fmt::format("missing; expected the axial position of the section that holds {} in "
-                           "case `{}`; add `{}: 10 mm`, for example",
-                           name(direction), load, name(direction)));
+               "missing; expected the axial position of the section that holds {} in case `{}`; "
+               "add `{}: 10 mm`, for example",
+               name(direction), load, name(direction));
 }
 
 void check_load_cases(const Case& c, Problems& problems) {
-  RepeatedNames repeated(c.load_cases);
+  std::unordered_set<std::string_view> names;
   std::optional<RoomOnNut> room;
   if (c.structure) room.emplace(c.mechanism, c.structure->nut);
   for (const LoadCase& load : c.load_cases) {
-    if (repeated.next(load.name))
-      problems.add(load.input_path + ".name",
-                   fmt::format("got `{}` a second time; expected names that differ, ranges "
-                               "expanded; rename this case",
-                               load.name));
+    if (!names.insert(load.name).second)
+      problems.add(
+          load.input_path + ".name",
+          "got `{}` a second time; expected names that differ, ranges expanded; rename this case",
+          load.name);
     check_force(load, problems);
     if (load.share == LoadCase::Share::equal || !c.structure || !load.direction || !load.position)
       continue;

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <vector>
-
 #include "prs/model/study.h"
 
 namespace prs {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <optional>
-
 #include "contact/mechanism_geometry.h"
 #include "prs/model/part.h"
 

@@ -1,7 +1,5 @@
 #include "prs/model/block_checks.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "prs/model/quantity_text.h"
@@ -13,19 +11,18 @@ void check_spacer(const Spacer& spacer, const Structure::Nut& nut, const Mechani
                   Problems& problems) {
   if (spacer.inner_diameter >= spacer.outer_diameter)
     problems.add("preload.spacer.inner_diameter",
-                 fmt::format("got {}; expected less than its outer diameter, {}; check the two "
-                             "diameters",
-                             mm(spacer.inner_diameter), mm(spacer.outer_diameter)));
+                 "got {}; expected less than its outer diameter, {}; check the two diameters",
+                 mm(spacer.inner_diameter), mm(spacer.outer_diameter));
   else if (spacer.inner_diameter >= nut.outer_diameter)
     problems.add("preload.spacer.inner_diameter",
-                 fmt::format("got {}; expected less than the nut's outer diameter, {}, or the ring "
-                             "misses the faces of the nuts; make it smaller",
-                             mm(spacer.inner_diameter), mm(nut.outer_diameter)));
+                 "got {}; expected less than the nut's outer diameter, {}, or the ring misses the "
+                 "faces of the nuts; make it smaller",
+                 mm(spacer.inner_diameter), mm(nut.outer_diameter));
   else if (m.pitch_diameter.nut && spacer.outer_diameter <= *m.pitch_diameter.nut)
     problems.add("preload.spacer.outer_diameter",
-                 fmt::format("got {}; expected more than the nut's pitch diameter, {}, or the ring "
-                             "misses the faces of the nuts; make it larger",
-                             mm(spacer.outer_diameter), mm(*m.pitch_diameter.nut)));
+                 "got {}; expected more than the nut's pitch diameter, {}, or the ring misses the "
+                 "faces of the nuts; make it larger",
+                 mm(spacer.outer_diameter), mm(*m.pitch_diameter.nut));
 }
 
 /// The rollers of the second nut must lie on it, and clear those of the first.
@@ -36,16 +33,15 @@ void check_distance(const Preload& p, const Structure& s, const Mechanism& m, Pr
   const double tolerance = kSamePlace * s.nut.length;
   const double ends = axial_pitch(m) + 2.0 * s.roller.end_length;
   if (*p.distance < least - tolerance || *p.distance > most + tolerance)
-    problems.add(
-        "preload.distance",
-        fmt::format("got {}; expected {} to {}, so that all {} contacts lie on the second "
-                    "nut; move its rollers or change the spacer",
-                    mm(*p.distance), mm(least), mm(std::max(least, most)), m.contacts_per_roller));
+    problems.add("preload.distance",
+                 "got {}; expected {} to {}, so that all {} contacts lie on the second nut; move "
+                 "its rollers or change the spacer",
+                 mm(*p.distance), mm(least), mm(std::max(least, most)), m.contacts_per_roller);
   else if (*p.distance < ends - tolerance)
     problems.add("preload.distance",
-                 fmt::format("got {}; expected at least {}, a pitch and two ends of a roller, or "
-                             "the rollers of both nuts overlap; move them apart",
-                             mm(*p.distance), mm(ends)));
+                 "got {}; expected at least {}, a pitch and two ends of a roller, or the rollers "
+                 "of both nuts overlap; move them apart",
+                 mm(*p.distance), mm(ends));
 }
 
 }  // namespace
@@ -56,9 +52,8 @@ void check_preload(const Case& c, Problems& problems) {
   check_offset("preload.interference", p.interference.value_or(0.0), m, problems);
   check_offset("preload.backlash", p.backlash.value_or(0.0), m, problems);
   if (!(p.load.from < p.load.to))
-    problems.add("preload.load.to", fmt::format("got {}; expected more than `from`, {}; swap the "
-                                                "two",
-                                                newton(p.load.to), newton(p.load.from)));
+    problems.add("preload.load.to", "got {}; expected more than `from`, {}; swap the two",
+                 newton(p.load.to), newton(p.load.from));
   if (!c.structure) return;
   const Structure& s = *c.structure;
   if (!s.nut.thrust.tension && !s.nut.thrust.compression)
@@ -75,7 +70,7 @@ void check_preload(const Case& c, Problems& problems) {
     check_distance(p, s, m, problems);
 }
 
-void require_preload(const Case& c, Problems& problems) {
+void need_preload(const Case& c, Problems& problems) {
   if (!c.preload)
     problems.add_missing(
         "preload", "what takes out the play, and the loads, for `preload`",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,6 +32,10 @@ class Problems {
   void add(std::string path, std::string message) {
     if (paths_.insert(path).second) found_.push_back({std::move(path), std::move(message)});
   }
+  template <class Arg, class... Args>
+  void add(std::string path, fmt::format_string<Arg, Args...> message, Arg&& arg, Args&&... args) {
+    add(std::move(path), fmt::format(message, std::forward<Arg>(arg), std::forward<Args>(args)...));
+  }
   /// A block that a command needs and the case lacks.
   void add_missing(std::string path, std::string_view what, std::string_view example) {
     std::string message = fmt::format("{}expected {}; add `{}: {}`, for example", Problem::kMissing,
@@ -42,6 +47,22 @@ class Problems {
  private:
   std::set<std::string> paths_;
   std::vector<Problem> found_;
+};
+
+/// A case that reads well and still describes no mechanism. what() is the message of the problem;
+/// the reader of the case adds file and line.
+class CaseError : public std::runtime_error {
+ public:
+  explicit CaseError(Problem problem)
+      : std::runtime_error(problem.message), problem_(std::move(problem)) {}
+  CaseError(std::string path, std::string message)
+      : CaseError(Problem{std::move(path), std::move(message)}) {}
+
+  const Problem& problem() const { return problem_; }
+  const std::string& path() const { return problem_.path; }
+
+ private:
+  Problem problem_;
 };
 
 }  // namespace prs

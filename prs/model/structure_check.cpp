@@ -1,14 +1,81 @@
-#include "prs/model/block_checks.h"
-
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <string_view>
-#include <utility>
+#include <numeric>
 
+#include "prs/model/block_checks.h"
 #include "prs/model/quantity_text.h"
 
 namespace prs {
+namespace {
+
+/// Whether threads can reach each other across the gap between two pitch cylinders: sharp threads
+/// are half a pitch over the tangent of the flank angle high.
+void check_reach(const Mechanism& m, Problems& problems) {
+  const auto& [screw, roller, nut] = m.pitch_diameter;
+  if (!screw || !roller || !nut || !m.centre_distance) return;
+  const double screw_gap = *m.centre_distance - 0.5 * (*screw + *roller);
+  const double nut_gap = 0.5 * *nut - (*m.centre_distance + 0.5 * *roller);
+  const double least_reach = 0.5 * axial_pitch(m);
+  if (std::abs(screw_gap) <= least_reach && std::abs(nut_gap) <= least_reach) return;
+  const double flank = std::min({m.flank_angle.screw, m.flank_angle.roller, m.flank_angle.nut});
+  const double reach = least_reach * std::max(1.0, 1.0 / std::tan(flank));
+  if (std::abs(screw_gap) > reach)
+    problems.add("mechanism.centre_distance",
+                 "got {}; expected {}, the sum of the pitch radii of screw and roller, give or "
+                 "take {}, or their threads cannot mesh; check centre distance and pitch diameters",
+                 mm(*m.centre_distance), mm(0.5 * (*screw + *roller)), mm(reach));
+  if (std::abs(nut_gap) > reach)
+    problems.add(
+        "mechanism.pitch_diameter.nut",
+        "got {}; expected {}, twice the centre distance and the roller's pitch radius, give or "
+        "take {}, or their threads cannot mesh; check centre distance and pitch diameters",
+        mm(*nut), mm(2.0 * *m.centre_distance + *roller), mm(2.0 * reach));
+}
+
+/// Neighbouring rollers must clear each other: 2 c sin(pi / n) > d.
+void check_rollers(const Mechanism& m, Problems& problems) {
+  if (!m.centre_distance || !m.pitch_diameter.roller || m.rollers < 2) return;
+  const double distance = 2.0 * *m.centre_distance;
+  const double diameter = *m.pitch_diameter.roller;
+  const auto overlap = [&](int n) {
+    return n > 1 && distance * std::sin(std::numbers::pi / n) <= diameter;
+  };
+  if (!overlap(m.rollers)) return;
+  int most = m.rollers;
+  while (overlap(most)) --most;
+  problems.add("mechanism.rollers",
+               "got {}; expected at most {}: more rollers of {} overlap at the centre distance of "
+               "{}; take fewer",
+               m.rollers, most, mm(diameter), mm(*m.centre_distance));
+}
+
+}  // namespace
+
+void check_threads(const Mechanism& m, Problems& problems) {
+  const double pitch = axial_pitch(m);
+  for (Part part : kParts) {
+    const std::optional<double>& diameter = m.pitch_diameter[part];
+    if (diameter && pitch > 2.0 * *diameter)
+      problems.add("mechanism.lead",
+                   "got {} with {} starts, an axial pitch of {}; expected a pitch of at most twice "
+                   "each pitch diameter, one of which is {}; check the units",
+                   mm(m.lead), m.starts.screw, mm(pitch), mm(*diameter));
+    if (m.profile[part].shape == Profile::Shape::centred && (part == Part::nut || !diameter))
+      problems.add(fmt::format("mechanism.profile.{}", name(part)),
+                   "got centred, an arc about the axis; expected it of {}; write the arc's radius, "
+                   "for example `{{convex: 6 mm}}`",
+                   part == Part::nut ? "screw or roller" : "a part with a pitch diameter");
+    if (m.pitch[part] && std::abs(*m.pitch[part] / pitch - 1.0) > 0.5)
+      problems.add(fmt::format("mechanism.pitch.{}", name(part)),
+                   "got {}; expected a measured pitch near lead / starts, {}; check the units",
+                   mm(*m.pitch[part]), mm(pitch));
+  }
+}
+
+void check_meshing(const Mechanism& m, Problems& problems) {
+  check_reach(m, problems);
+  check_rollers(m, problems);
+}
+
 namespace {
 
 void check_flanges(const Structure::Nut& nut, const std::optional<double>& pitch_diameter,
@@ -20,40 +87,34 @@ void check_flanges(const Structure::Nut& nut, const std::optional<double>& pitch
       return fmt::format("structure.nut.flanges[{}].{}", i, key);
     };
     if (!(f.from < f.to))
-      problems.add(path("to"), fmt::format("got {}; expected a position beyond `from`, {}; swap "
-                                           "the two",
-                                           mm(f.to), mm(f.from)));
+      problems.add(path("to"), "got {}; expected a position beyond `from`, {}; swap the two",
+                   mm(f.to), mm(f.from));
     if (f.from < -tolerance)
-      problems.add(path("from"), fmt::format("got {}; expected a position on the nut, 0 mm to {}; "
-                                             "move the flange",
-                                             mm(f.from), mm(nut.length)));
+      problems.add(path("from"),
+                   "got {}; expected a position on the nut, 0 mm to {}; move the flange",
+                   mm(f.from), mm(nut.length));
     if (f.to > nut.length + tolerance)
-      problems.add(path("to"), fmt::format("got {}; expected a position on the nut, 0 mm to {}; "
-                                           "move the flange or lengthen the nut",
-                                           mm(f.to), mm(nut.length)));
+      problems.add(
+          path("to"),
+          "got {}; expected a position on the nut, 0 mm to {}; move the flange or lengthen the nut",
+          mm(f.to), mm(nut.length));
     if (pitch_diameter && f.outer_diameter <= *pitch_diameter)
-      problems.add(path("outer_diameter"),
-                   fmt::format("got {}; expected more than the nut's pitch diameter, {}; check the "
-                               "two diameters",
-                               mm(f.outer_diameter), mm(*pitch_diameter)));
-  }
-  const auto check_neighbours = [&](std::size_t before_index, std::size_t index) {
-    const Structure::Flange& before = nut.flanges[before_index];
-    const Structure::Flange& f = nut.flanges[index];
-    if (f.from < before.to - tolerance)
-      problems.add(fmt::format("structure.nut.flanges[{}]", index),
-                   fmt::format("got a flange from {} that overlaps the one from {} to {}; expected "
-                               "flanges that touch at most; move one of them",
-                               mm(f.from), mm(before.from), mm(before.to)));
-  };
-  if (std::ranges::is_sorted(nut.flanges, {}, &Structure::Flange::from)) {
-    for (std::size_t k = 1; k < nut.flanges.size(); ++k) check_neighbours(k - 1, k);
-    return;
+      problems.add(
+          path("outer_diameter"),
+          "got {}; expected more than the nut's pitch diameter, {}; check the two diameters",
+          mm(f.outer_diameter), mm(*pitch_diameter));
   }
   std::vector<std::size_t> order(nut.flanges.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return nut.flanges[i].from; });
-  for (std::size_t k = 1; k < order.size(); ++k) check_neighbours(order[k - 1], order[k]);
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const Structure::Flange &before = nut.flanges[order[k - 1]], &f = nut.flanges[order[k]];
+    if (f.from < before.to - tolerance)
+      problems.add(fmt::format("structure.nut.flanges[{}]", order[k]),
+                   "got a flange from {} that overlaps the one from {} to {}; expected flanges "
+                   "that touch at most; move one of them",
+                   mm(f.from), mm(before.from), mm(before.to));
+  }
 }
 
 /// A length that is out of all proportion to the part it belongs to: most often a wrong unit.
@@ -77,10 +138,10 @@ void check_proportions(const Structure& s, const Mechanism& m, Problems& problem
   for (const auto& [path, length, diameter, least, greatest] : proportions)
     if (diameter && (length < least * *diameter || length > greatest * *diameter))
       problems.add(std::string(path),
-                   fmt::format("got {}{}; expected {} to {}, {:g} to {:g} times the part's pitch "
-                               "diameter; check the unit",
-                               path == "mechanism.lead" ? "an axial pitch of " : "", mm(length),
-                               mm(least * *diameter), mm(greatest * *diameter), least, greatest));
+                   "got {}{}; expected {} to {}, {:g} to {:g} times the part's pitch diameter; "
+                   "check the unit",
+                   path == "mechanism.lead" ? "an axial pitch of " : "", mm(length),
+                   mm(least * *diameter), mm(greatest * *diameter), least, greatest);
 }
 
 void check_shoulder(const Structure::Nut& nut, const std::optional<double>& pitch_diameter,
@@ -90,18 +151,18 @@ void check_shoulder(const Structure::Nut& nut, const std::optional<double>& pitc
   for (const Structure::Flange& f : nut.flanges) outer = std::max(outer, f.outer_diameter);
   if (!(s.inner_diameter < s.outer_diameter))
     problems.add("structure.nut.shoulder.outer_diameter",
-                 fmt::format("got {}; expected more than its inner diameter, {}; swap the two",
-                             mm(s.outer_diameter), mm(s.inner_diameter)));
+                 "got {}; expected more than its inner diameter, {}; swap the two",
+                 mm(s.outer_diameter), mm(s.inner_diameter));
   if (s.inner_diameter >= outer)
     problems.add("structure.nut.shoulder.inner_diameter",
-                 fmt::format("got {}; expected less than the largest diameter of the nut, {}, or "
-                             "it misses the nut; make it smaller",
-                             mm(s.inner_diameter), mm(outer)));
+                 "got {}; expected less than the largest diameter of the nut, {}, or it misses the "
+                 "nut; make it smaller",
+                 mm(s.inner_diameter), mm(outer));
   if (pitch_diameter && s.outer_diameter <= *pitch_diameter)
     problems.add("structure.nut.shoulder.outer_diameter",
-                 fmt::format("got {}; expected more than the nut's pitch diameter, {}, or it "
-                             "misses the nut; make it larger",
-                             mm(s.outer_diameter), mm(*pitch_diameter)));
+                 "got {}; expected more than the nut's pitch diameter, {}, or it misses the nut; "
+                 "make it larger",
+                 mm(s.outer_diameter), mm(*pitch_diameter));
 }
 
 }  // namespace
@@ -109,28 +170,76 @@ void check_shoulder(const Structure::Nut& nut, const std::optional<double>& pitc
 void check_structure(const Structure& s, const Mechanism& m, Problems& problems) {
   const auto& diameter = m.pitch_diameter;
   if (diameter.screw && s.screw.bore >= *diameter.screw)
-    problems.add("structure.screw.bore",
-                 fmt::format("got {}; expected less than the screw's pitch diameter, {}; check the "
-                             "two diameters",
-                             mm(s.screw.bore), mm(*diameter.screw)));
-  if (diameter.nut && s.nut.outer_diameter <= *diameter.nut)
     problems.add(
-        "structure.nut.outer_diameter",
-        fmt::format("got {}; expected more than the nut's pitch diameter, {}; check the two "
-                    "diameters",
-                    mm(s.nut.outer_diameter), mm(*diameter.nut)));
+        "structure.screw.bore",
+        "got {}; expected less than the screw's pitch diameter, {}; check the two diameters",
+        mm(s.screw.bore), mm(*diameter.screw));
+  if (diameter.nut && s.nut.outer_diameter <= *diameter.nut)
+    problems.add("structure.nut.outer_diameter",
+                 "got {}; expected more than the nut's pitch diameter, {}; check the two diameters",
+                 mm(s.nut.outer_diameter), mm(*diameter.nut));
   const double tolerance = kSamePlace * s.nut.length;
   const std::pair<std::string_view, std::optional<double>> sections[] = {
       {"tension", s.nut.thrust.tension}, {"compression", s.nut.thrust.compression}};
   for (const auto& [direction, section] : sections)
     if (section && (*section < -tolerance || *section > s.nut.length + tolerance))
-      problems.add(
-          fmt::format("structure.nut.thrust.{}", direction),
-          fmt::format("got {}; expected a position on the nut, 0 mm to {}; move the section",
-                      mm(*section), mm(s.nut.length)));
+      problems.add(fmt::format("structure.nut.thrust.{}", direction),
+                   "got {}; expected a position on the nut, 0 mm to {}; move the section",
+                   mm(*section), mm(s.nut.length));
   check_flanges(s.nut, diameter.nut, problems);
   if (s.nut.shoulder) check_shoulder(s.nut, diameter.nut, problems);
   check_proportions(s, m, problems);
+}
+
+namespace {
+
+void check_pitch_error(const PitchError& e, Part part, const Mechanism& m, Problems& problems) {
+  const auto path = [&] { return fmt::format("deviations.pitch_error.{}", name(part)); };
+  const auto contacts = static_cast<std::size_t>(m.contacts_per_roller);
+  if (!e.list.empty() && e.list.size() != contacts)
+    problems.add(path() + ".list", "got {} value{}; expected {}, one per contact of a roller; {}",
+                 e.list.size(), e.list.size() == 1 ? "" : "s", contacts,
+                 e.list.size() < contacts ? "add the others, 0 where nothing deviates"
+                                          : "delete the others");
+  double largest = std::max(std::abs(e.linear), e.periodic ? std::abs(e.periodic->amplitude) : 0.0);
+  for (const double value : e.list) largest = std::max(largest, std::abs(value));
+  if (largest > kMostDeviation * axial_pitch(m))
+    problems.add(path(),
+                 "got up to {}; expected at most {}, a quarter of the pitch; check the unit",
+                 mm(largest), mm(kMostDeviation * axial_pitch(m)));
+}
+
+}  // namespace
+
+void check_offset(const char* path, double offset, const Mechanism& m, Problems& problems) {
+  const double most = kMostDeviation * axial_pitch(m);
+  if (std::abs(offset) > most)
+    problems.add(path,
+                 "got {}; expected at most {} either way, a quarter of the pitch; check the unit",
+                 mm(offset), mm(most));
+}
+
+void check_deviations(const Case& c, Problems& problems) {
+  const Deviations& d = c.deviations;
+  const Mechanism& m = c.mechanism;
+  for (const Part part : kParts) check_pitch_error(d.pitch_error[part], part, m, problems);
+  const std::pair<const char*, double> drops[] = {
+      {"deviations.roller_diameter", d.roller_diameter},
+      {"deviations.crowning", d.crowning},
+      {"deviations.end_relief.drop", d.end_relief ? d.end_relief->drop : 0.0}};
+  for (const auto& [path, value] : drops) check_offset(path, value, m, problems);
+  if (d.end_relief && 2 * d.end_relief->threads > m.contacts_per_roller)
+    problems.add("deviations.end_relief.threads",
+                 "got {}; expected at most {}, half of the contacts of a roller",
+                 d.end_relief->threads, m.contacts_per_roller / 2);
+  if (!d.temperature || !c.materials) return;
+  for (const Part part : kParts)
+    if ((*d.temperature)[part] != d.reference_temperature &&
+        !(*c.materials)[part].thermal_expansion)
+      problems.add("materials",
+                   "the {} lacks `thermal_expansion`; expected it where a temperature differs from "
+                   "the reference, {}; add `thermal_expansion: 11.5 um/m/K`, for example",
+                   name(part), celsius(d.reference_temperature));
 }
 
 }  // namespace prs

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "prs/model/case.h"
 #include "prs/model/warning.h"
 

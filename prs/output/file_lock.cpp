@@ -14,8 +14,8 @@
 #include <system_error>
 #include <thread>
 
-#include "prs/printable.h"
 #include "prs/regular_file.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

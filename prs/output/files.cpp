@@ -10,8 +10,8 @@
 #include "prs/components/picture.h"
 #include "prs/output/run_files.h"
 #include "prs/output/staged_file.h"
-#include "prs/printable.h"
 #include "prs/svg/file.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

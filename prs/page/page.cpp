@@ -8,10 +8,10 @@
 
 #include "prs/input/force_history.h"
 #include "prs/input/reader.h"
-#include "prs/printable.h"
 #include "prs/record/table_units.h"
 #include "prs/report/svg.h"
 #include "prs/sha256.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 
 namespace prs {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "prs/input/compute_from.h"
+#include "prs/input/document.h"
 #include "prs/input/reader.h"
 #include "prs/input/source.h"
 #include "prs/model/command.h"

@@ -1,6 +1,6 @@
 #include "prs/record/delivery.h"
 
-#include "prs/printable.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

@@ -13,7 +13,7 @@
 #include "prs/loads/warnings.h"
 #include "prs/model/command.h"
 #include "prs/report/report.h"
-#include "prs/run/check_analysis.h"
+#include "prs/run/check.h"
 #include "prs/run/commands.h"
 
 namespace prs {

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <map>
-#include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/input/echo.h"
 #include "prs/loads/result.h"
 #include "prs/model/command.h"
 #include "prs/model/problems.h"
+#include "prs/record/analysis.h"
 #include "prs/record/record.h"
 #include "prs/run/verdict.h"
 
@@ -30,16 +25,24 @@ struct CheckResult {
   std::optional<CaseVerdict> verdict = {};
 };
 
-/// Readiness by command and what to add, warnings, derived values.
-std::string check_table(const CheckResult& result);
-
-/// The same, with every value of the input: given, assumed or a default.
-std::string full_check_table(const CheckResult& result);
-
 /// Without contacts and threads.
 template <>
 Record<CheckResult> record_of();
 
-void put_check(nlohmann::ordered_json& document, const CheckResult& result);
+/// With the verdict, for which it runs what the case is ready for.
+const Analysis<CheckResult>& check_analysis();
+
+/// `check` without the verdict.
+Delivery run_check(const input::Source& source, const input::CaseInput& in);
+
+/// A command that was run for a case: what it found, or what it found wrong.
+struct Attempt {
+  Command command = Command::check;
+  const Delivery* delivery = nullptr;
+  std::string failure = {};
+};
+
+/// The verdict on a case by what was run of it.
+CaseVerdict verdict_by(const input::CaseInput& in, std::span<const Attempt> attempts);
 
 }  // namespace prs

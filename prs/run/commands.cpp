@@ -11,7 +11,7 @@
 #include "prs/losses/slip_analysis.h"
 #include "prs/measures/measures_analysis.h"
 #include "prs/preload/preload_analysis.h"
-#include "prs/run/check_analysis.h"
+#include "prs/run/check.h"
 #include "prs/sha256.h"
 #include "prs/version.h"
 

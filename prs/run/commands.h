@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <string_view>
-
 #include "prs/input/reader.h"
 #include "prs/input/source.h"
 #include "prs/loads/analysis_options.h"

@@ -1,22 +1,8 @@
 #include "prs/run/compare_cases.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <memory>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "prs/input/reader.h"
 #include "prs/input/units.h"
 #include "prs/loads/case_table.h"
-#include "prs/printable.h"
 #include "prs/record/csv_writer.h"
 #include "prs/record/figure.h"
 #include "prs/record/record_table.h"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <string>
-#include <vector>
+
+#include "prs/input/source.h"
 
 /// What there is to choose from, as `prs list` shows it.
 namespace prs {
@@ -17,5 +17,13 @@ nlohmann::ordered_json units_json();
 /// Responses that a study may record, with unit and title.
 std::string responses_table(const std::vector<std::string>& paths);
 nlohmann::ordered_json responses_json(const std::vector<std::string>& paths);
+
+/// Every path that a study may record, from the table of quantities; of a series thread by thread
+/// `.max` only.
+std::vector<std::string> known_responses();
+
+/// Those that the first load case and the document of a case have: for the command of its study,
+/// or, without one, for every command of studies that it has all for. Throws InputError.
+std::vector<std::string> responses_of(const input::Source& source);
 
 }  // namespace prs

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "prs/input/fail_at.h"
+#include "prs/input/document.h"
 #include "prs/optimize/optimization_result.h"
 #include "prs/optimize/optimize_case.h"
 #include "prs/optimize/optimizer.h"

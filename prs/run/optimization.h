@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <string>
-
 #include "prs/input/optimize_reader.h"
 #include "prs/optimize/optimizer.h"
 #include "prs/study/journal.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <span>
-#include <string_view>
-#include <vector>
-
 #include "prs/record/analysis.h"
 
 namespace prs {

@@ -1,18 +1,9 @@
 #include "prs/run/study.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
-#include <cstddef>
 #include <iterator>
-#include <optional>
-#include <string_view>
-#include <utility>
-#include <vector>
 
-#include "prs/input/compute_from.h"
-#include "prs/input/fail_at.h"
 #include "prs/input/force_history.h"
 #include "prs/model/void_inputs.h"
 #include "prs/sha256.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "prs/input/study_reader.h"
 #include "prs/study/derivatives.h"
 #include "prs/study/design_engine.h"

@@ -1,14 +1,7 @@
 #include "prs/run/verdict.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "prs/life/life_record.h"
-#include "prs/loads/analyze.h"
 #include "prs/losses/heat_record.h"
-#include "prs/model/units.h"
 #include "prs/record/record_table.h"
 
 namespace prs {
@@ -281,70 +274,42 @@ Found temperature(const VerdictFacts& f) {
 struct Row {
   std::string_view name, title, unit;
   Found (*find)(const VerdictFacts&);
-  std::optional<double> (*stated)(const Limits&);
+  std::optional<double> Limits::*limit;  ///< None of the life, which has two.
+  double factor = 1.0;                   ///< From SI to the unit.
+  bool is_plain = true;                  ///< Told without a limit too.
+  double zero = 0.0;                     ///< Of the unit [K].
   std::optional<double> physical = {}, recommended = {};
-  bool is_plain = true;  ///< Told without a limit too.
-};
 
-template <std::optional<double> Limits::*limit>
-std::optional<double> stated_in(const Limits& l, double factor) {
-  return l.*limit ? std::optional(*(l.*limit) * factor) : std::nullopt;
-}
+  std::optional<double> stated(const Limits& l) const {
+    if (limit) return l.*limit ? std::optional(*(l.*limit) * factor - zero) : std::nullopt;
+    if (!l.life) return {};
+    return l.life->travel ? *l.life->travel * per_si::kilometre : *l.life->duration / 3600.0;
+  }
+};
 
 constexpr double kMillimetrePerMinute = 60.0 * per_si::millimetre;
 
 const Row kRows[] = {
-    {"life", "Life", "h", life,
-     [](const Limits& l) -> std::optional<double> {
-       if (!l.life) return {};
-       return l.life->travel ? *l.life->travel * per_si::kilometre : *l.life->duration / 3600.0;
-     }},
-    {"static_safety", "Static safety", "", static_safety,
-     [](const Limits& l) { return l.static_safety; }, 1.0, kRecommendedStaticSafety},
-    {"peak_pressure", "Peak pressure", "MPa", peak_pressure,
-     [](const Limits& l) { return stated_in<&Limits::peak_pressure>(l, per_si::megapascal); },
-     kStaticPressureLimit* per_si::megapascal},
-    {"buckling_safety", "Buckling safety", "", buckling_safety,
-     [](const Limits& l) { return l.buckling_safety; }, 1.0, kRecommendedBucklingSafety},
+    {"life", "Life", "h", life, nullptr},
+    {"static_safety", "Static safety", "", static_safety, &Limits::static_safety, 1.0, true, 0.0,
+     1.0, kRecommendedStaticSafety},
+    {"peak_pressure", "Peak pressure", "MPa", peak_pressure, &Limits::peak_pressure,
+     per_si::megapascal, true, 0.0, kStaticPressureLimit* per_si::megapascal},
+    {"buckling_safety", "Buckling safety", "", buckling_safety, &Limits::buckling_safety, 1.0, true,
+     0.0, 1.0, kRecommendedBucklingSafety},
     {"critical_speed_share", "Share of the critical speed", "", critical_speed_share,
-     [](const Limits& l) { return l.critical_speed_share; }, 1.0, kRecommendedCriticalSpeedShare},
-    {"speed_times_diameter",
-     "Speed times diameter",
-     "mm/min",
-     speed_times_diameter,
-     [](const Limits& l) {
-       return stated_in<&Limits::speed_times_diameter>(l, kMillimetrePerMinute);
-     },
-     {},
-     {},
-     false},
-    {"nut_diameter",
-     "Nut diameter",
-     "mm",
-     of_nut<&Structure::Nut::outer_diameter>,
-     [](const Limits& l) { return stated_in<&Limits::nut_diameter>(l, per_si::millimetre); },
-     {},
-     {},
-     false},
-    {"nut_length",
-     "Nut length",
-     "mm",
-     of_nut<&Structure::Nut::length>,
-     [](const Limits& l) { return stated_in<&Limits::nut_length>(l, per_si::millimetre); },
-     {},
-     {},
-     false},
-    {"weight", "Weight", "kg", weight, [](const Limits& l) { return l.weight; }, {}, {}, false},
-    {"stiffness", "Axial stiffness", "N/um", stiffness,
-     [](const Limits& l) {
-       return stated_in<&Limits::stiffness>(l, per_si::newton_per_micrometre);
-     }},
-    {"efficiency", "Efficiency", "", efficiency, [](const Limits& l) { return l.efficiency; }},
-    {"temperature", "Temperature", "degC", temperature,
-     [](const Limits& l) -> std::optional<double> {
-       if (!l.temperature) return {};
-       return celsius_of(PerPart<double>{*l.temperature, *l.temperature, *l.temperature}).screw;
-     }},
+     &Limits::critical_speed_share, 1.0, true, 0.0, 1.0, kRecommendedCriticalSpeedShare},
+    {"speed_times_diameter", "Speed times diameter", "mm/min", speed_times_diameter,
+     &Limits::speed_times_diameter, kMillimetrePerMinute, false},
+    {"nut_diameter", "Nut diameter", "mm", of_nut<&Structure::Nut::outer_diameter>,
+     &Limits::nut_diameter, per_si::millimetre, false},
+    {"nut_length", "Nut length", "mm", of_nut<&Structure::Nut::length>, &Limits::nut_length,
+     per_si::millimetre, false},
+    {"weight", "Weight", "kg", weight, &Limits::weight, 1.0, false},
+    {"stiffness", "Axial stiffness", "N/um", stiffness, &Limits::stiffness,
+     per_si::newton_per_micrometre},
+    {"efficiency", "Efficiency", "", efficiency, &Limits::efficiency},
+    {"temperature", "Temperature", "degC", temperature, &Limits::temperature, 1.0, true, 273.15},
 };
 
 Criterion criterion(std::string_view name, std::string_view title, std::string_view unit) {
@@ -472,27 +437,14 @@ bool is_unknown(const Criterion& c) { return c.standing == Standing::not_compute
 std::string_view name(Sense sense) { return sense == Sense::least ? "least" : "greatest"; }
 
 std::string_view name(LimitSource source) {
-  return source == LimitSource::stated    ? "case"
-         : source == LimitSource::physics ? "physics"
-                                          : "recommended";
+  constexpr std::string_view kNames[] = {"case", "physics", "recommended"};
+  return kNames[static_cast<std::size_t>(source)];
 }
 
 std::string_view name(Standing standing) {
-  switch (standing) {
-    case Standing::green:
-      return "green";
-    case Standing::amber:
-      return "amber";
-    case Standing::red:
-      return "red";
-    case Standing::no_limit:
-      return "no_limit";
-    case Standing::not_computed:
-      return "not_computed";
-    case Standing::not_applicable:
-      break;
-  }
-  return "not_applicable";
+  constexpr std::string_view kNames[] = {"green",    "amber",        "red",
+                                         "no_limit", "not_computed", "not_applicable"};
+  return kNames[static_cast<std::size_t>(standing)];
 }
 
 Standing CaseVerdict::standing() const {

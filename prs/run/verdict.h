@@ -1,10 +1,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "prs/life/analyze_life.h"
 #include "prs/measures/analyze_measures.h"

@@ -10,7 +10,7 @@
 
 #include "prs/loads/load_case_result.h"
 #include "prs/model/block_checks.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/slip/slip_equilibrium.h"
 #include "prs/slip/slip_model.h"
 #include "prs/threads/contact_laws.h"

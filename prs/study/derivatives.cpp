@@ -12,7 +12,7 @@
 #include "prs/input/units.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/sector/load_distribution.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/response.h"

@@ -21,7 +21,7 @@
 #include "prs/measures/analyze_measures.h"
 #include "prs/measures/measures_analysis.h"
 #include "prs/mechanism/full_distribution.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/study/design_batches.h"
 #include "prs/study/design_reader.h"
 #include "prs/study/response.h"

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "prs/model/envelope.h"
 #include "prs/model/map_axes.h"
 #include "prs/model/study.h"
 #include "prs/study/designs.h"

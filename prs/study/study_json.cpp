@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "prs/printable.h"
 #include "prs/record/record_table.h"
 #include "prs/study/designs.h"
 #include "prs/study/schedule.h"
+#include "prs/text.h"
 
 namespace prs {
 namespace {

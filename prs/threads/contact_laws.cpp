@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/threads/tooth_compliance.h"
 
 namespace prs {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/model/units.h"
 #include "prs/threads/threads.h"
 

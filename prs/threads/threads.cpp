@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/threads/contact_failure.h"
 
 namespace prs {

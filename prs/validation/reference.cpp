@@ -30,13 +30,13 @@ std::optional<double> number_of(const std::string& text) {
 /// A map that has no other keys than these; missing ones are told of when they are asked for.
 bool is_map_of(const Node& node, Keys known, ErrorList& errors) {
   if (node.kind != Node::Kind::map) {
-    errors.add(node.place, node.key, fmt::format("expected a map of {}", fmt::join(known, ", ")));
+    errors.add(node.place, node.key, "expected a map of {}", fmt::join(known, ", "));
     return false;
   }
   for (const Node& child : node.children)
     if (std::find(known.begin(), known.end(), child.key) == known.end())
-      errors.add(child.key_place, child.key,
-                 fmt::format("unknown key; expected one of {}", fmt::join(known, ", ")));
+      errors.add(child.key_place, child.key, "unknown key; expected one of {}",
+                 fmt::join(known, ", "));
   return true;
 }
 
@@ -66,8 +66,8 @@ const std::vector<Node>& required_list(const Node& map, std::string_view key, Er
 PrintedNumber printed_number(const Node& map, std::string_view key, ErrorList& errors) {
   PrintedNumber number{required_text(map, key, errors), {}};
   if (!number.text.empty() && !number_of(number.text))
-    errors.add(input::find(map, key)->place, key,
-               fmt::format("got {}; expected a number", input::shown(number.text)));
+    errors.add(input::find(map, key)->place, key, "got {}; expected a number",
+               input::shown(number.text));
   return number;
 }
 
@@ -80,8 +80,7 @@ std::optional<int> stated_decimals(const Node& map, ErrorList& errors) {
   if (decimals && *decimals >= 0.0 && *decimals <= kMostDecimals &&
       *decimals == std::floor(*decimals))
     return static_cast<int>(*decimals);
-  errors.add(precision->place, "decimals",
-             fmt::format("expected a whole number from 0 to {}", kMostDecimals));
+  errors.add(precision->place, "decimals", "expected a whole number from 0 to {}", kMostDecimals);
   return {};
 }
 
@@ -109,7 +108,7 @@ Command read_command(const Node& node, ErrorList& errors) {
   if (command == "slip") return Command::slip;
   if (!command.empty() && command != "solve")
     errors.add(input::find(node, "command")->place, "command",
-               fmt::format("got {}; expected solve | contact | slip", input::shown(command)));
+               "got {}; expected solve | contact | slip", input::shown(command));
   return Command::solve;
 }
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "prs/export/system_model.h"
-#include "prs/input/compute_from.h"
+#include "prs/input/document.h"
 #include "prs/input/reader.h"
 #include "prs/output/staged_file.h"
 #include "prs/page/page.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "prs/loads/analyze.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/model/units.h"
 #include "prs/validation/csv_table.h"
 

@@ -14,7 +14,7 @@
 #include <string_view>
 
 #include "prs/loads/analyze.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/model/units.h"
 #include "prs/study/sampling.h"
 #include "prs/study/sensitivity.h"

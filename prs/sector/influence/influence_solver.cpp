@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/threads/initial_gaps.h"
 
 namespace prs {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "prs/model/command.h"
-#include "prs/printable.h"
 #include "prs/run/commands.h"
+#include "prs/text.h"
 #include "tests/support/program.h"
 
 namespace {

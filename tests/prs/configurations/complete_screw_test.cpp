@@ -8,8 +8,8 @@
 #include <numbers>
 #include <regex>
 
-#include "prs/model/case_error.h"
 #include "prs/model/check_case.h"
+#include "prs/model/problems.h"
 #include "validation/standard_screws/comparison.h"
 
 namespace prs {

@@ -15,7 +15,7 @@
 #include "prs/life/life_analysis.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_case_result.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/record/pictures.h"
 #include "prs/text.h"
 #include "tests/prs/input/abevi.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "prs/input/reader.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "support/plain_contact.h"
 #include "support/sum.h"
 

@@ -1,5 +1,4 @@
 #include "prs/model/check_case.h"
-#include "prs/model/requirements.h"
 
 #include <gtest/gtest.h>
 

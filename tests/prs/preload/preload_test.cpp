@@ -7,7 +7,7 @@
 #include <random>
 
 #include "prs/input/reader.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/preload/analyze_preload.h"
 #include "prs/preload/preload_analysis.h"
 #include "prs/preload/preload_solver.h"

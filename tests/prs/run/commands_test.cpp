@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "prs/run/responses.h"
+#include "prs/run/lists.h"
 
 namespace prs {
 namespace {

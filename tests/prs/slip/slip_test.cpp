@@ -12,7 +12,7 @@
 
 #include "contact/film.h"
 #include "contact/patch.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/threads/kinematics.h"
 #include "tests/support/count.h"
 #include "tests/support/sanitized.h"

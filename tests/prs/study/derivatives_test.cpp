@@ -11,7 +11,7 @@
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/full_result.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "tests/prs/input/abevi.h"
 #include "tests/support/sanitized.h"
 

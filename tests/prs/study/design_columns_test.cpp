@@ -11,7 +11,7 @@
 
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/design_reader.h"
 #include "prs/study/response.h"

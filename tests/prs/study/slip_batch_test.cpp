@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "prs/input/study_reader.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/study/design_engine.h"
 #include "prs/study/design_reader.h"
 #include "tests/prs/input/abevi.h"

@@ -13,7 +13,7 @@
 #include "prs/input/reader.h"
 #include "prs/loads/analyze.h"
 #include "prs/loads/load_json.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/study/response.h"
 #include "prs/threads/contacts.h"
 #include "tests/contact/units.h"

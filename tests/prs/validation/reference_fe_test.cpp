@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "prs/input/reader.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "tests/support/count.h"
 #include "tests/support/parsed_csv.h"
 #include "tests/support/sanitized.h"

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "prs/input/source.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "tests/support/temporary_directory.h"
 #include "validation/extensions.h"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "support/coarse_bodies.h"
 #include "support/sanitized.h"
 #include "support/sectors.h"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "fe/cholesky.h"
-#include "prs/model/case_error.h"
+#include "prs/model/problems.h"
 #include "prs/sector/load_distribution.h"
 #include "prs/sector/refined/local_compliance.h"
 #include "prs/sector/refined/nut_shell.h"

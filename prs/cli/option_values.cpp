@@ -1,14 +1,11 @@
-#include "prs/cli/quantity_option.h"
+#include "prs/cli/option_values.h"
 
-#include <fmt/format.h>
-
-#include "prs/cli/usage_error.h"
 #include "prs/input/source.h"
 
 namespace prs::cli {
 
 void fail_option(std::string_view option, std::string_view message) {
-  throw UsageError(fmt::format("{}: {}", option, message));
+  throw UsageError("{}: {}", option, message);
 }
 
 double quantity_option(std::string_view option, const std::string& text,
@@ -16,11 +13,11 @@ double quantity_option(std::string_view option, const std::string& text,
                        std::string_view expected) {
   const input::ParsedQuantity parsed = input::parse_quantity(text, dimension);
   if (!parsed.value)
-    fail_option(option, fmt::format("got {}; expected {} with its unit, for example `{}`{}{}",
-                                    input::shown(text), dimension.name, dimension.example,
-                                    parsed.hint.empty() ? "" : "; ", parsed.hint));
+    fail_option(option, "got {}; expected {} with its unit, for example `{}`{}{}",
+                input::shown(text), dimension.name, dimension.example,
+                parsed.hint.empty() ? "" : "; ", parsed.hint);
   if (!bounds.contain(*parsed.value))
-    fail_option(option, fmt::format("got {}; expected {}", input::shown(text), expected));
+    fail_option(option, "got {}; expected {}", input::shown(text), expected);
   return *parsed.value;
 }
 

@@ -1,8 +1,4 @@
-#include "prs/input/value_text.h"
-
-#include <fmt/format.h>
-
-#include <cmath>
+#include "prs/input/field.h"
 
 namespace prs::input {
 namespace {
