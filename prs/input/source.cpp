@@ -119,10 +119,7 @@ std::string place_in(std::string_view name, std::string_view text, std::size_t o
   const std::string_view before = text.substr(0, offset);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const std::string_view head = before.substr(before.rfind('\n') + 1);
-  const auto column = 1 + std::count_if(head.begin(), head.end(), [](char c) {
-                        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-                      });
-  return fmt::format("{}:{}:{}", name, line, column);
+  return fmt::format("{}:{}:{}", name, line, 1 + width(head));
 }
 
 std::string shown(std::string_view text) {
