@@ -1,12 +1,5 @@
 #include "prs/configurations/configurations.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <numbers>
-
 #include "prs/cli/commands.h"
 #include "prs/cli/deliver.h"
 #include "prs/cli/option_values.h"
@@ -30,9 +23,8 @@ ConfigurationQuery query_of(const ConfigurationOptions& o) {
   q.lead = quantity_option("--lead", o.lead, unit::length, not_zero,
                            "a lead other than 0; > 0 right-handed, < 0 left-handed");
   if (std::abs(q.lead) > 10.0 * q.screw_diameter || std::abs(q.lead) < 1e-4 * q.screw_diameter)
-    fail_option("--lead",
-                fmt::format("got {}; expected 0.0001 to 10 screw diameters; check the units",
-                            shown(o.lead)));
+    fail_option("--lead", "got {}; expected 0.0001 to 10 screw diameters; check the units",
+                shown(o.lead));
   if (o.flank_angle)
     q.flank_angle =
         quantity_option("--flank-angle", *o.flank_angle, unit::angle, {20 * kDegree, 70 * kDegree},
@@ -64,8 +56,8 @@ const Configuration& chosen(const Configurations& all, const ConfigurationOption
   if (number)
     for (std::size_t k = 0; k < all.found.size(); ++k)
       if (*number == static_cast<double>(k + 1)) return all.found[k];
-  fail_option("--write", fmt::format("got {}; expected the number of a line, 1 to {}, and a file",
-                                     input::shown(o.write[0]), all.found.size()));
+  fail_option("--write", "got {}; expected the number of a line, 1 to {}, and a file",
+              input::shown(o.write[0]), all.found.size());
 }
 
 /// The case of `--write`, into a file that is new.
@@ -78,8 +70,8 @@ void write(const Configuration& configuration, const ConfigurationOptions& o) {
     }
   }();
   if (std::filesystem::exists(o.write[1]))
-    fail_option("--write", fmt::format("{}: the file exists already; give another name",
-                                       input::shown(o.write[1])));
+    fail_option("--write", "{}: the file exists already; give another name",
+                input::shown(o.write[1]));
   write_case(o.write[1], text);
 }
 

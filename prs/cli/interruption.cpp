@@ -1,10 +1,8 @@
 #include "prs/cli/interruption.h"
 
 #include <sys/time.h>
-#include <unistd.h>
 
 #include <csignal>
-#include <string_view>
 
 #include "prs/file_descriptor.h"
 #include "prs/output/staged_file.h"

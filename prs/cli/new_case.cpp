@@ -1,9 +1,4 @@
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <filesystem>
 
 #include "prs/cli/command_line.h"
 #include "prs/cli/commands.h"
@@ -91,9 +86,9 @@ ScrewData data_of(const NewOptions& o, Mechanism::Type type, std::vector<std::st
        {std::pair{"--screw-diameter", &o.screw_diameter}, std::pair{"--lead", &o.lead}})
     if (!*text)
       fail_option(option,
-                  fmt::format("missing; expected diameter and lead with the other options; add `{} "
-                              "\"{}\"`, for example",
-                              option, option == std::string_view("--lead") ? "10 mm" : "30 mm"));
+                  "missing; expected diameter and lead with the other options; add `{} \"{}\"`, "
+                  "for example",
+                  option, option == std::string_view("--lead") ? "10 mm" : "30 mm");
   ScrewData d;
   d.type = type;
   d.screw_diameter = quantity_option("--screw-diameter", *o.screw_diameter, unit::length,
@@ -127,8 +122,8 @@ CaseLubricant lubricant_of(const NewOptions& o, std::vector<std::string>& given)
     for (const NamedLubricant& known : named_lubricants()) names.push_back(known.name);
     if (std::ranges::find(names, l.name) == names.end()) {
       const std::string hint = input::did_you_mean(l.name, names);
-      fail_option("--lubricant", fmt::format("got {}; expected a name of `prs list lubricants`{}{}",
-                                             input::shown(l.name), hint.empty() ? "" : "; ", hint));
+      fail_option("--lubricant", "got {}; expected a name of `prs list lubricants`{}{}",
+                  input::shown(l.name), hint.empty() ? "" : "; ", hint);
     }
     given.push_back("lubricant " + l.name);
   }
@@ -209,8 +204,7 @@ std::string new_text(const NewOptions& o) {
 
 void refuse_existing(const fs::path& file) {
   if (fs::exists(fs::symlink_status(file)))
-    throw UsageError(
-        fmt::format("{}: the file exists already; give another name", input::shown(file.string())));
+    throw UsageError("{}: the file exists already; give another name", input::shown(file.string()));
 }
 
 std::string content_of_file(const fs::path& file) {
@@ -264,16 +258,16 @@ int new_case(const Options& all) {
   NewOptions options = all.new_case;
   if (options.lesson) {
     if (!options.file.empty())
-      fail_option("--lesson", fmt::format("got {} and {}; expected one FILE",
-                                          input::shown(options.type), input::shown(options.file)));
+      fail_option("--lesson", "got {} and {}; expected one FILE", input::shown(options.type),
+                  input::shown(options.file));
     if (const std::string name = first_given(options); !name.empty())
       fail_option(
           name,
           "got a value; expected none with --lesson, which copies what is there; change the copy");
     std::swap(options.type, options.file);
   } else if (!options.type.empty() && options.type != "standard" && options.type != "inverted") {
-    throw UsageError(fmt::format("TYPE: got {}; expected one of standard, inverted, then the FILE",
-                                 input::shown(options.type)));
+    throw UsageError("TYPE: got {}; expected one of standard, inverted, then the FILE",
+                     input::shown(options.type));
   }
   const std::optional<Lesson> copied =
       options.lesson ? std::optional(lesson(*options.lesson)) : std::nullopt;

@@ -1,11 +1,3 @@
-#include <fmt/format.h>
-
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "prs/cli/commands.h"
 #include "prs/cli/deliver.h"
 #include "prs/cli/interruption.h"

@@ -1,17 +1,8 @@
 #include "prs/cli/program.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
-#include <memory>
 #include <new>
-#include <optional>
-#include <stdexcept>
-#include <string_view>
 #include <system_error>
 
 #include "prs/cli/command_line.h"
@@ -26,7 +17,6 @@
 #include "prs/study/journal.h"
 
 namespace prs::cli {
-
 namespace {
 
 /// One line of an error; in pieces where there is no memory for it.

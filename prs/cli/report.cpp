@@ -1,13 +1,9 @@
 #include "prs/page/page.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <spawn.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
-#include <stdexcept>
 #include <system_error>
 
 #include "prs/cli/commands.h"

@@ -1,14 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cerrno>
-#include <functional>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <span>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 #include "prs/cli/commands.h"
 #include "prs/cli/deliver.h"
@@ -239,9 +229,9 @@ int study(const Options& options) {
 
 int merge_study(const Options& options) {
   if (!options.file.empty())
-    throw UsageError(fmt::format(
+    throw UsageError(
         "got FILE {} before `merge`; expected `prs study merge DIR..`: the journals hold the file",
-        input::shown(options.file)));
+        input::shown(options.file));
   const StoredRows rows = gather_rows(options.folders);
   const JournalHeader& header = rows.journals().front().header();
   input::Source source = input::source_of_text(header.source.name, header.source.text,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <concepts>
-#include <functional>
 #include <variant>
 
 #include "prs/input/case_file.h"

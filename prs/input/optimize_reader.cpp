@@ -1,13 +1,8 @@
 #include "prs/input/optimize_reader.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <numeric>
 
-#include "prs/input/document.h"
 #include "prs/input/reader.h"
 #include "prs/input/slot.h"
 #include "prs/input/units.h"

@@ -1,12 +1,8 @@
 #include "prs/input/echo.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <string_view>
 
 #include "prs/model/part.h"
 

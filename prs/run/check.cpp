@@ -5,7 +5,6 @@
 #include <iterator>
 
 #include "modules/module.h"
-#include "prs/input/echo.h"
 #include "prs/input/optimize_reader.h"
 #include "prs/input/study_reader.h"
 #include "prs/life/life_analysis.h"

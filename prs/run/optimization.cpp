@@ -1,15 +1,7 @@
 #include "prs/run/optimization.h"
 
-#include <fmt/format.h>
-
-#include <vector>
-
-#include "prs/input/document.h"
-#include "prs/optimize/optimization_result.h"
 #include "prs/optimize/optimize_case.h"
-#include "prs/optimize/optimizer.h"
 #include "prs/run/study.h"
-#include "prs/study/design_engine.h"
 
 namespace prs {
 namespace {
