@@ -58,18 +58,6 @@ void add_restart(CLI::App& command, Options& options, const char* help) {
   add_flag(command, "--restart", options.restart, help);
 }
 
-void add_check_options(CLI::App& check, Options& options) {
-  add_flag(check, "--all", options.all, "List every value, with its default, too");
-}
-
-void add_all_estimates(CLI::App& command, Options& options) {
-  add_flag(command, "--all", options.all, "Show estimates beside what is computed, too");
-}
-
-void add_solver(CLI::App& command, Options& options) {
-  add_flag(command, "--all", options.all, "Say which library factorized, too");
-}
-
 void add_compare_options(CLI::App& compare, Options& options) {
   add_value(compare, "other", options.other, "FILE",
             "A second case: its inputs and results beside those of the first");
@@ -219,33 +207,32 @@ void add_validate(CLI::App& command, Options&) {
 /// A command of a case next to its row of `prs::analyses()`.
 struct CaseRow {
   Command command;
-  const char* group;
-  Add add;
-  Run run;
-  const char* examples;
+  const char* group = kAnalyse;
+  const char* all = nullptr;  ///< What `--all` shows, where there is more.
+  Add add = nullptr;
+  Run run = nullptr;
+  const char* examples = nullptr;
 };
 
+constexpr const char* kEstimates = "Show estimates beside what is computed, too";
+
 constexpr CaseRow kCaseRows[] = {
-    {Command::check, kAnalyse, add_check_options, nullptr,
-     "prs check case.yaml\nprs check case.yaml --all"},
-    {Command::solve, kAnalyse, add_solver, nullptr,
-     "prs solve case.yaml\nprs solve case.yaml --all"},
-    {Command::compare, kAnalyse, add_compare_options, compare,
+    {Command::check, kAnalyse, "List every value, with its default, too"},
+    {Command::solve, kAnalyse, "Say which library factorized, too"},
+    {Command::compare, kAnalyse, nullptr, add_compare_options, compare,
      "prs compare case.yaml\nprs compare before.yaml after.yaml\nprs compare case.yaml --influence "
      "--output results"},
-    {Command::slip, kAnalyse, add_all_estimates, nullptr,
-     "prs slip case.yaml\nprs slip case.yaml --all"},
-    {Command::life, kAnalyse, add_all_estimates, nullptr,
-     "prs life case.yaml\nprs life case.yaml --all"},
-    {Command::measures, kAnalyse, add_all_estimates, nullptr,
+    {Command::slip, kAnalyse, kEstimates},
+    {Command::life, kAnalyse, kEstimates},
+    {Command::measures, kAnalyse, kEstimates, nullptr, nullptr,
      "prs measures case.yaml\n"
      "prs measures case.yaml --all\n"
      "prs measures --explain\n"
      "prs measures --explain critical_speed_rpm"},
-    {Command::study, kSearch, add_study_options, study,
+    {Command::study, kSearch, nullptr, add_study_options, study,
      "prs study case.yaml --output results\n"
      "prs study case.yaml --shard 1/8 --output part1"},
-    {Command::optimize, kSearch, add_optimize_options, optimize,
+    {Command::optimize, kSearch, nullptr, add_optimize_options, optimize,
      "prs optimize case.yaml --output results"},
 };
 
@@ -308,23 +295,23 @@ void add_own(Program& program, std::string_view group) {
 
 void add_case_commands(Program& program) {
   for (const AnyAnalysis& row : analyses()) {
-    const auto* more = std::ranges::find(kCaseRows, row.command, &CaseRow::command);
-    if (more == std::end(kCaseRows)) more = nullptr;
+    const auto* found = std::ranges::find(kCaseRows, row.command, &CaseRow::command);
+    const CaseRow more = found != std::end(kCaseRows) ? *found : CaseRow{row.command};
     const std::string word(name(row.command));
-    const std::string examples =
-        more != nullptr ? more->examples
-                        : fmt::format(
-                              "prs {0} case.yaml\n"
-                              "prs {0} case.yaml --set mechanism.rollers=9 --output results\n"
-                              "prs {0} case.yaml --json > {0}.json",
-                              word);
+    const char* examples = more.examples != nullptr ? more.examples
+                           : more.all != nullptr
+                               ? "prs {0} case.yaml\nprs {0} case.yaml --all"
+                               : "prs {0} case.yaml\n"
+                                 "prs {0} case.yaml --set mechanism.rollers=9 --output results\n"
+                                 "prs {0} case.yaml --json > {0}.json";
     std::function<int(const Options&)> run = [&row](const Options& o) { return run_case(row, o); };
-    if (more != nullptr && more->run != nullptr) run = more->run;
-    CLI::App& command = add_command(program, word, std::string(row.help),
-                                    more != nullptr ? more->group : kAnalyse, examples, run);
+    if (more.run != nullptr) run = more.run;
+    CLI::App& command = add_command(program, word, std::string(row.help), more.group,
+                                    fmt::format(fmt::runtime(examples), word), run);
     add_case_options(command, program.options);
-    if (more == nullptr || more->group == kAnalyse) add_explain(command, program.options);
-    if (more != nullptr && more->add != nullptr) more->add(command, program.options);
+    if (more.group == kAnalyse) add_explain(command, program.options);
+    if (more.all != nullptr) add_flag(command, "--all", program.options.all, more.all);
+    if (more.add != nullptr) more.add(command, program.options);
   }
 }
 
