@@ -16,9 +16,10 @@ CsvTable::CsvTable(const std::filesystem::path& file)
   if (std::optional<Row> header = next_row()) header_ = std::move(header->fields);
   while (std::optional<Row> row = next_row()) {
     if (row->fields.size() != header_.size())
-      fail_at(row->offset, "",
-              "got {} fields; expected {} as in the heading; complete or delete the row",
-              row->fields.size(), header_.size());
+      fail_at(
+          row->offset, "",
+          fmt::format("got {} fields; expected {} as in the heading; complete or delete the row",
+                      row->fields.size(), header_.size()));
     rows_.push_back(*std::move(row));
   }
   if (rows_.empty())
