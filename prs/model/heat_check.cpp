@@ -11,8 +11,6 @@
 namespace prs {
 namespace {
 
-bool is_solved(const LoadCase& load) { return load.share == LoadCase::Share::solved; }
-
 /// Heat of every part must find a way to the surroundings.
 void check_conductance(const Heat::Conductance& c, Problems& problems) {
   if (!(c.to_ambient() > 0.0))

@@ -10,8 +10,6 @@
 namespace prs {
 namespace {
 
-bool is_solved(const LoadCase& load) { return load.share == LoadCase::Share::solved; }
-
 void require_load_cases(const Case& c, Command command, Problems& problems) {
   if (c.load_cases.empty())
     problems.add_missing("load_cases",
