@@ -1,3 +1,15 @@
+# Instruction sets that kernels are compiled for. With AVX-512 nothing runs on AVX2: only programs for
+# other machines (PRS_EVERY_PROCESSOR) hold both.
+set(PRS_ARCHITECTURES Baseline)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set(PRS_ARCHITECTURES Baseline Avx2 Avx512)
+  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=native -dM -E -x c++ /dev/null
+    OUTPUT_VARIABLE macros ERROR_QUIET)
+  if(NOT PRS_EVERY_PROCESSOR AND NOT CMAKE_CROSSCOMPILING AND macros MATCHES "__AVX512BW__")
+    list(REMOVE_ITEM PRS_ARCHITECTURES Avx2)
+  endif()
+endif()
+
 # Compiles a kernel's source once for each instruction set of simd/architectures.h, with
 # PRS_SIMD_ARCHITECTURE naming it, and adds the objects to TARGET. UNROLLED: the source consists of
 # unrolled arithmetic, which compilers instrument, or optimise a little, in minutes only: it is
@@ -6,19 +18,15 @@
 # are taken from there too; tests run the baseline's.
 function(add_simd_kernel target source)
   cmake_parse_arguments(PARSE_ARGV 2 kernel "UNROLLED;WIDE_FROM_THERE" "" "")
-  set(architectures Baseline)
   set(flags_Baseline "")
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    list(APPEND architectures Avx2 Avx512)
-    set(flags_Avx2 -mavx2 -mfma)
-    set(flags_Avx512 -mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx2 -mfma -mprefer-vector-width=512)
-  endif()
+  set(flags_Avx2 -mavx2 -mfma)
+  set(flags_Avx512 -mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx2 -mfma -mprefer-vector-width=512)
   get_filename_component(name ${source} NAME_WE)
   set(options prs_options)
   if(kernel_UNROLLED)
     set(options prs_warnings)
   endif()
-  foreach(architecture IN LISTS architectures)
+  foreach(architecture IN LISTS PRS_ARCHITECTURES)
     set(library ${target}_${name}_${architecture})
     set(from_there ${kernel_UNROLLED})
     if(kernel_WIDE_FROM_THERE AND NOT architecture STREQUAL "Baseline")

@@ -1,5 +1,6 @@
-# Compiles the sources of TARGET in batches: those of a folder together (TOGETHER: of all folders), at
-# most ten at a time. Sources that have COMPILE_OPTIONS of their own stay single.
+# Compiles the sources of TARGET in batches: those of a folder together (TOGETHER: of all folders), in
+# equal parts of at most 150 kB, some 4000 lines. Each batch repeats what templates of libraries cost:
+# as much as 700 lines. Sources that have COMPILE_OPTIONS of their own stay single.
 function(batch_sources target)
   cmake_parse_arguments(PARSE_ARGV 1 batch "TOGETHER" "" "")
   if(NOT PRS_UNITY_BUILD)
@@ -19,12 +20,17 @@ function(batch_sources target)
   endforeach()
   list(REMOVE_DUPLICATES folders)
   foreach(folder IN LISTS folders)
-    list(LENGTH sources_${folder} count)
-    math(EXPR batches "(${count} + 9) / 10")
-    set(index 0)
+    set(total 0)
     foreach(source IN LISTS sources_${folder})
-      math(EXPR batch "${index} * ${batches} / ${count}")
-      math(EXPR index "${index} + 1")
+      file(SIZE ${CMAKE_CURRENT_SOURCE_DIR}/${source} size)
+      math(EXPR total "${total} + ${size}")
+    endforeach()
+    math(EXPR batches "(${total} + 149999) / 150000")
+    set(before 0)
+    foreach(source IN LISTS sources_${folder})
+      file(SIZE ${CMAKE_CURRENT_SOURCE_DIR}/${source} size)
+      math(EXPR batch "(2 * ${before} + ${size}) * ${batches} / (2 * ${total})")
+      math(EXPR before "${before} + ${size}")
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${batch})
     endforeach()
   endforeach()

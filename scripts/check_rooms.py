@@ -249,6 +249,33 @@ def misplaced(rooms: dict[str, Room]) -> Iterator[str]:
                 yield f"{place}: room {name} declares {what[0]}, which room {min(found)} defines"
 
 
+def hidden_name(statement: Statement) -> str | None:
+    """What a statement of an anonymous namespace itself names, an alias apart."""
+    text = re.sub(r"^template ?<.*?> ?(?=\w)|\[\[.*?\]\] ?", "", statement.text)
+    macro_or_other = r"(?:using|namespace|static_assert|extern)\b|[A-Z_]+\(|\W|\w*$"
+    if not statement.scope.endswith("(unnamed)") or re.match(macro_or_other, text):
+        return None
+    if match := re.match(r"(?:struct|class|enum(?: class)?)\s+(\w+)(?!.*\()", text):
+        return match[1]
+    match = re.search(r"(\w+)(?:\[\w*\])*\s*(?:\(|=|$)", text)
+    return match[1] if match else None
+
+
+def repeated(rooms: dict[str, Room]) -> Iterator[str]:
+    """What two files name alike in anonymous namespaces, of which one may hide the other where both
+    are compiled in one batch (cmake/unity.cmake)."""
+    first: dict[tuple[str, str, str], Path] = {}
+    for top in ("prs", "fe", "contact", "simd", "validation"):
+        for file in sorted((ROOT / top).rglob("*.cpp")):
+            place = file.relative_to(ROOT)
+            library = top if top == "validation" else room_of(place, rooms) or str(place.parent)
+            code = statements(without_texts(file.read_text()))
+            for name in {(s.scope, name) for s in code if (name := hidden_name(s))}:
+                other = first.setdefault((library, *name), place)
+                if other != place:
+                    yield f"{place}: `{name[1]}` stands in an anonymous namespace of {other} too"
+
+
 def table(rooms: dict[str, Room]) -> str:
     lines = ["| room | holds | uses |", "| --- | --- | --- |"]
     for name, room in rooms.items():
@@ -269,7 +296,7 @@ def main() -> int:
     if parser.parse_args().write:
         CONTRIBUTING.write_text(updated)
         text = updated
-    found = [*faults(rooms), *misplaced(rooms)]
+    found = [*faults(rooms), *misplaced(rooms), *repeated(rooms)]
     if text != updated:
         found.append(
             "docs/CONTRIBUTING.md: its table is not that of prs/CMakeLists.txt;\n"

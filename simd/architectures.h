@@ -14,7 +14,11 @@ namespace simd {
 using Avx512 = xsimd::avx512bw;
 using Avx2 = xsimd::fma3<xsimd::avx2>;
 using Baseline = xsimd::sse2;
+#if defined(PRS_WITHOUT_AVX2)
+using Architectures = xsimd::arch_list<Avx512, Baseline>;
+#else
 using Architectures = xsimd::arch_list<Avx512, Avx2, Baseline>;
+#endif
 #else
 using Baseline = xsimd::default_arch;
 using Architectures = xsimd::arch_list<Baseline>;

@@ -19,7 +19,7 @@ bool available(InstructionSet set) {
   switch (set) {
 #if defined(__x86_64__)
     case InstructionSet::avx2:
-      return processor_has<Avx2>();
+      return Architectures::contains<Avx2>() && processor_has<Avx2>();
     case InstructionSet::avx512:
       return processor_has<Avx512>();
 #else

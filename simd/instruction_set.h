@@ -5,8 +5,8 @@
 
 namespace simd {
 
-/// What a kernel runs on. One binary holds all of them; asking for one that the processor lacks
-/// takes the best that it has.
+/// What a kernel runs on. Asking for one that this binary or the processor lacks takes the best
+/// below it that both have.
 enum class InstructionSet {
   best,      ///< Widest batches that the processor has.
   scalar,    ///< One design at a time, with the processor's multiply-add.

@@ -41,7 +41,7 @@ ConfigurationQuery query_of(const ConfigurationOptions& o) {
   return q;
 }
 
-[[noreturn]] void refuse(const Configurations& nothing) {
+[[noreturn]] void refuse_none(const Configurations& nothing) {
   std::string reasons = left_out_text(nothing);
   reasons.pop_back();  // The newline that whoever prints the error adds.
   throw input::InputError(
@@ -61,7 +61,7 @@ const Configuration& chosen(const Configurations& all, const ConfigurationOption
 }
 
 /// The case of `--write`, into a file that is new.
-void write(const Configuration& configuration, const ConfigurationOptions& o) {
+void write_case(const Configuration& configuration, const ConfigurationOptions& o) {
   const auto text = [&] {
     try {
       return configuration_case(configuration);
@@ -81,10 +81,10 @@ int configurations(const Options& options) {
   const ConfigurationOptions& asked = options.configurations;
   const ConfigurationQuery query = query_of(asked);
   const Configurations all = prs::configurations(query);
-  if (all.found.empty()) refuse(all);
+  if (all.found.empty()) refuse_none(all);
 
   const bool writes = !asked.write.empty();
-  if (writes) write(chosen(all, asked), asked);
+  if (writes) write_case(chosen(all, asked), asked);
   const int status = deliver(
       {.file = "configurations.json",
        .document = [&](const DocumentInfo& info) { return configurations_json(all, info); },

@@ -189,7 +189,7 @@ std::vector<Place> places_of(const std::vector<Place>& all, const std::string& n
                    input::shown(name), hint.empty() ? "`prs schema results` lists them" : hint);
 }
 
-std::string text_of(const Json& quantity) {
+std::string text_of_quantity(const Json& quantity) {
   std::string text;
   for (const auto& [key, before] :
        {std::pair{"title", ""}, std::pair{"unit", "unit: "}, std::pair{"meaning", "meaning: "},
@@ -223,7 +223,8 @@ int explain(const Options& options) {
     document.push_back(std::move(entry));
     text += found[k].path + "\n";
     // What stands in several places is explained once.
-    if (k + 1 == found.size() || found[k + 1].quantity != quantity) text += text_of(quantity);
+    if (k + 1 == found.size() || found[k + 1].quantity != quantity)
+      text += text_of_quantity(quantity);
   }
   print(options.json ? json_text({{"explanations", document}}) : text);
   return kDone;

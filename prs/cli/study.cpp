@@ -120,7 +120,7 @@ std::string origin(const StudyProgress& progress) {
 }
 
 /// What a run that was stopped leaves behind.
-int report_interruption(const StudyProgress& progress, const Options& options) {
+int report_interrupted_study(const StudyProgress& progress, const Options& options) {
   say(fmt::format("prs: interrupted; {} designs: {}, {} left; {}\n", progress.total,
                   origin(progress), progress.total - progress.done,
                   options.output ? "the same command continues from there"
@@ -169,7 +169,7 @@ int compute(Ranks& ranks, const input::Source& source, std::size_t threads,
   line.clear();
 
   const DesignRange all = part(header.designs, header.shard);
-  if (count(rows.missing(all)) > 0) return report_interruption(progress, options);
+  if (count(rows.missing(all)) > 0) return report_interrupted_study(progress, options);
   if (progress.found > 0)
     note(options, fmt::format("{} designs: {}", progress.total, origin(progress)));
   if (options.shard) {

@@ -42,7 +42,7 @@ struct Threads {
   std::string reason = {};  ///< Why nothing rolls.
 };
 
-Mechanism draft(const ScrewData& d, int starts) {
+Mechanism draft_of(const ScrewData& d, int starts) {
   const double pitch = std::abs(d.lead) / starts;
   Mechanism m;
   m.type = d.type;
@@ -83,7 +83,7 @@ ThreadHeight thread_height(const contact::Thread& thread, double nominal_radius,
 }
 
 Threads threads_for(const ScrewData& d, int starts) {
-  Threads t{draft(d, starts), {}};
+  Threads t{draft_of(d, starts), {}};
   const double pitch = axial_pitch(t.mechanism), roller = roller_diameter(d, starts);
   if (!(pitch >= kFinestPitch * roller * (1.0 - 1e-9) && pitch <= kCoarsestPitch * roller)) {
     t.reason = fmt::format("the pitch is {} on rollers of {}", mm(pitch), mm(roller));

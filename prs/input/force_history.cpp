@@ -21,7 +21,7 @@ namespace prs::input {
 namespace {
 
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
-constexpr double kLargest = 1e30;
+constexpr double kLargestNumber = 1e30;
 
 /// A quoted field keeps the blanks around its number.
 std::string_view trimmed(std::string_view text) {
@@ -117,7 +117,7 @@ class HistoryParser {
     double value = 0.0;
     const auto [stop, error] =
         std::from_chars(field.data() + (field.starts_with('+') ? 1 : 0), end, value);
-    if (error == std::errc{} && stop == end && std::abs(value) <= kLargest)  // NaN is not.
+    if (error == std::errc{} && stop == end && std::abs(value) <= kLargestNumber)  // NaN is not.
       return value;
     refuse(c.field, c.name->column, field.empty() ? "nothing" : shown(field),
            "a finite number, without unit",

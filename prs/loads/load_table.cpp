@@ -32,7 +32,7 @@ namespace prs {
 namespace {
 
 template <Interface interface>
-std::string most_loaded(const LoadCaseResult& result) {
+std::string most_loaded_thread(const LoadCaseResult& result) {
   return most_loaded_cell(result, interface);
 }
 
@@ -42,8 +42,8 @@ constexpr CaseColumn kColumns[] = {
     {"", "direction", true, direction_cell},
     {"stiffness", "N/µm", false, stiffness_cell},
     {"displ.", "µm", false, displacement_cell},
-    {"screw max.", "thread: %", false, most_loaded<Interface::screw>},
-    {"nut max.", "thread: %", false, most_loaded<Interface::nut>},
+    {"screw max.", "thread: %", false, most_loaded_thread<Interface::screw>},
+    {"nut max.", "thread: %", false, most_loaded_thread<Interface::nut>},
     {"pressure", "max. GPa", true, pressure_cell},
 };
 

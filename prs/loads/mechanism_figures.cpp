@@ -36,7 +36,7 @@ Teeth teeth_of(const contact::Thread& thread, double flank_angle) {
 }
 
 /// From `from` to `to` along the axis, a tooth in the middle at `tooth`: (x, radius).
-Polyline outline(const Teeth& t, double tooth, double from, double to) {
+Polyline tooth_outline(const Teeth& t, double tooth, double from, double to) {
   Polyline line;
   const auto add = [&](double x, double r) { line.push_back({std::clamp(x, from, to), r}); };
   const double first = tooth + std::floor((from - tooth) / t.pitch) * t.pitch;
@@ -78,7 +78,7 @@ SectionPlace place_of(const Case& c, const Result& result, const LoadCaseResult*
 
 Polyline nut_outline(const Case& c, const SectionPlace& p, const Teeth& groove) {
   // The nut's teeth stand where the air between them is thin.
-  Polyline line = outline(groove, p.first, 0.0, p.nut_length);
+  Polyline line = tooth_outline(groove, p.first, 0.0, p.nut_length);
   const double shell = groove.crest + std::max(2.0 * p.pitch, 0.15 * groove.crest);
   const auto outer = [&](double x) {
     return c.structure ? 0.5 * nut_diameter(c.structure->nut, x / kMm) * kMm : shell;
@@ -117,7 +117,7 @@ Polyline roller_outline(const Case& c, const SectionPlace& p, const Teeth& t, do
         {x, y - out * r}, {end, y - out * r}, {end, y + out * r}, {x, y + out * r}};
     line.insert(line.end(), points.begin(), points.end());
   };
-  const Polyline teeth = outline(t, p.first, from, to);
+  const Polyline teeth = tooth_outline(t, p.first, from, to);
   for (const auto& [x, r] : teeth) line.push_back({x, y - r});
   shaft_end(to, 1.0);
   for (auto at = teeth.rbegin(); at != teeth.rend(); ++at) line.push_back({(*at)[0], y + (*at)[1]});
@@ -297,9 +297,10 @@ Figures mechanism_section(const Case& c, const Result& result, const FigureOptio
   Figure figure{"section", shown_title("Section through the axis", shown)};
   Panel& panel = figure.panels.emplace_back();
   const double bore = c.structure ? 0.5 * c.structure->screw.bore * kMm : 0.0;
-  add_body(figure, panel, Part::screw,
-           {closed_below(outline(teeth.screw, p.first + 0.5 * p.pitch, p.screw_from, p.screw_to),
-                         bore)});
+  add_body(
+      figure, panel, Part::screw,
+      {closed_below(tooth_outline(teeth.screw, p.first + 0.5 * p.pitch, p.screw_from, p.screw_to),
+                    bore)});
   const Polyline nut = nut_outline(c, p, teeth.nut);
   add_body(figure, panel, Part::nut, {nut});
   add_body(figure, panel, Part::roller, {roller_outline(c, p, teeth.roller, axis)});

@@ -1,10 +1,11 @@
 #include "prs/mechanism/contacts_around.h"
 
 #include <Eigen/Jacobi>
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 #include <optional>
+
+#include "fe/lu.h"
 
 namespace prs {
 namespace {

@@ -116,10 +116,9 @@ Eigen::MatrixXd unit_rows(const Eigen::MatrixXd& rows) {
 /// Whether the smallest singular value of a triangle is above kNoResistance times the largest, by
 /// 1/|R^-1| and |R| in Frobenius' norm, which bound them; far cheaper than the values.
 bool surely_regular(const Eigen::MatrixXd& r) {
-  if (r.rows() < r.cols()) return false;
   const Eigen::MatrixXd inverse =
       r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(r.rows(), r.cols()));
-  return kNoResistance * r.norm() * inverse.norm() < 1.0;  // False with NaN.
+  return kNoResistance * r.norm() * inverse.norm() < 1.0;  // False with NaN and infinity.
 }
 
 /// x >= 0 that minimises |A x - b| (Lawson and Hanson, Solving Least Squares Problems, 1974,
@@ -166,18 +165,16 @@ double load_left(const FullModel& f, const FullStructure& s) {
   const Motions motions(f, s);
   std::vector<fe::LinearForm> contacts;
   for (const fe::FormSpring& spring : s.model.form_springs) contacts.push_back(spring.approach);
+  fe::LinearForm& load = contacts.emplace_back();  // The last column.
+  for (const fe::NodalLoad& l : s.loads) load.push_back({l.node, l.dof, l.value / f.axial_force});
   Eigen::MatrixXd push = rows_over(motions, contacts).transpose();
-  fe::LinearForm load;
-  for (const fe::NodalLoad& l : s.loads) load.push_back({l.node, l.dof, l.value});
-  Eigen::VectorXd b = rows_over(motions, {load}).row(0).transpose() / f.axial_force;
 
   // What guides and bearings take as well is of no interest: the complement of their range.
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(
       rows_over(motions, bilateral(s.model)).transpose());
   push.applyOnTheLeft(qr.householderQ().adjoint());
-  b.applyOnTheLeft(qr.householderQ().adjoint());
-  const Eigen::Index rest = b.size() - qr.rank();
-  return left_by_pushing(push.bottomRows(rest), b.tail(rest)).norm();
+  const auto rest = push.bottomRows(push.rows() - qr.rank());
+  return left_by_pushing(rest.leftCols(rest.cols() - 1), rest.rightCols<1>()).norm();
 }
 
 std::optional<double> holding_force(const FullModel& model) {
@@ -215,16 +212,18 @@ FreeMotions free_motions(const FullModel& f, const FullStructure& s,
       if (first + 1 < last) add(r.spring(i, last - 1));
     }
   const Eigen::MatrixXd rows = unit_rows(rows_over(motions, forms));
-  const Eigen::MatrixXd r = Eigen::HouseholderQR<Eigen::MatrixXd>(rows)
-                                .matrixQR()
-                                .topRows(std::min(rows.rows(), rows.cols()))
-                                .triangularView<Eigen::Upper>();
+  const Eigen::Index count = std::min(rows.rows(), rows.cols());
+  Eigen::MatrixXd r = Eigen::MatrixXd::Zero(rows.cols(), rows.cols());
+  r.topRows(count) = Eigen::HouseholderQR<Eigen::MatrixXd>(rows)
+                         .matrixQR()
+                         .topRows(count)
+                         .triangularView<Eigen::Upper>();
   if (surely_regular(r)) return {};
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(r, Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(r, Eigen::ComputeFullV);
   const Eigen::VectorXd& sizes = svd.singularValues();
   FreeMotions free;
   for (Eigen::Index m = 0; m < svd.matrixV().cols(); ++m) {
-    if (m < sizes.size() && sizes[m] > kNoResistance * sizes[0]) continue;
+    if (sizes[m] > kNoResistance * sizes[0]) continue;
     ++free.count;
     const Eigen::VectorXd motion = svd.matrixV().col(m);
     for (int part = 0; part < motions.count(); ++part)

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "prs/record/record_table.h"
+
 namespace prs {
 
 std::string words_of(std::string_view key) {
@@ -86,5 +88,28 @@ SeriesReader summary_named(std::string_view word, double factor) {
   const std::optional<std::size_t> index = take_index(word);
   return index && word.empty() ? SeriesReader{one, factor, *index} : SeriesReader();
 }
+
+namespace detail {
+
+nlohmann::ordered_json array_of(std::span<const double> si, const ShownUnit& unit) {
+  auto array = nlohmann::ordered_json::array();
+  for (const double value : si)
+    if (std::isfinite(value))
+      array.push_back(value * unit.factor);
+    else
+      array.push_back(nullptr);
+  return array;
+}
+
+nlohmann::ordered_json arrays_of(std::span<const double> si, std::size_t row,
+                                 const ShownUnit& unit) {
+  if (row == 0) return array_of(si, unit);
+  auto rows = nlohmann::ordered_json::array();
+  for (std::size_t first = 0; first < si.size(); first += row)
+    rows.push_back(array_of(si.subspan(first, row), unit));
+  return rows;
+}
+
+}  // namespace detail
 
 }  // namespace prs

@@ -81,15 +81,10 @@ const auto* pointer_to(const T& value) {
     return &value;
 }
 
-inline nlohmann::ordered_json array_of(const auto& si, const ShownUnit& unit) {
-  auto array = nlohmann::ordered_json::array();
-  for (const double value : si)
-    if (std::isfinite(value))
-      array.push_back(value * unit.factor);
-    else
-      array.push_back(nullptr);
-  return array;
-}
+nlohmann::ordered_json array_of(std::span<const double> si, const ShownUnit& unit);
+/// In rows of that length; 0: in one.
+nlohmann::ordered_json arrays_of(std::span<const double> si, std::size_t row,
+                                 const ShownUnit& unit);
 
 /// What an optional or a pointer holds.
 template <class T>
@@ -107,15 +102,6 @@ std::size_t row_length(const Owner& owner) {
     return static_cast<std::size_t>(owner.threads_per_roller);
   else
     return 0;
-}
-
-inline nlohmann::ordered_json arrays_of(std::span<const double> si, std::size_t row,
-                                        const ShownUnit& unit) {
-  if (row == 0) return array_of(si, unit);
-  auto rows = nlohmann::ordered_json::array();
-  for (std::size_t first = 0; first < si.size(); first += row)
-    rows.push_back(array_of(si.subspan(first, row), unit));
-  return rows;
 }
 
 template <class T>
@@ -136,7 +122,7 @@ nlohmann::ordered_json json_of(const T& value, const ShownUnit& unit) {
   } else if constexpr (Text<T>) {
     return std::string(value);
   } else if constexpr (Numbers<T>) {
-    return array_of(value, unit);
+    return array_of(std::vector<double>(value.begin(), value.end()), unit);
   } else if constexpr (is_vector<T>) {
     auto array = nlohmann::ordered_json::array();
     for (const auto& item : value) array.push_back(json_of(item, unit));

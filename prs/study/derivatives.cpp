@@ -40,7 +40,7 @@ auto derivative(const std::array<Values, 3>& forward, const std::array<Values, 3
   return Values(sum / step);
 }
 
-std::vector<ResultNumber> numbers_of(const Study& study) {
+std::vector<ResultNumber> response_numbers(const Study& study) {
   std::vector<ResultNumber> numbers;
   for (std::size_t k = 0; k < study.responses.size(); ++k) {
     std::optional<ResultNumber> number = result_number(study.responses[k]);
@@ -154,7 +154,7 @@ class BaseCase {
   BaseCase(const input::StudyInput& input, const Study& study)
       : input_(input),
         study_(study),
-        numbers_(numbers_of(study)),
+        numbers_(response_numbers(study)),
         model_(model_of(input::read_design(input, {}), study.command, numbers_)) {
     states_.resize(model_.solvers.size());
     for (std::size_t k = 0; k < states_.size(); ++k) {

@@ -37,7 +37,7 @@ constexpr double kGrantSeconds = 0.02;
 constexpr double kMostChunks = 64.0;
 
 /// Blocks on their way, a thread.
-constexpr std::size_t kBlocksPerThread = 3;
+constexpr std::size_t kPlacesPerThread = 3;
 
 /// Whether a launcher started this process as one of several.
 bool is_launched() {
@@ -215,7 +215,7 @@ void Ranks::assist(const Evaluate& evaluate, std::size_t threads) {
   Mailbox<DesignRange> ranges;
   std::set<std::size_t> ends;  ///< Of the ranges that were given and are not done.
   Mailbox<std::string> records;
-  std::size_t places = kBlocksPerThread * threads;
+  std::size_t places = kPlacesPerThread * threads;
   communicator_->send(0, kHello, content_of({places}));
   std::thread work([&] {
     const auto next = [&](std::size_t) {

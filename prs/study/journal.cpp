@@ -51,7 +51,7 @@ std::uint64_t crc32c(std::string_view bytes) {
   return crc.checksum();
 }
 
-std::uint64_t number_at(std::string_view bytes, std::size_t offset) {
+std::uint64_t integer_at(std::string_view bytes, std::size_t offset) {
   return Cursor(bytes.substr(offset)).number();
 }
 
@@ -66,8 +66,8 @@ std::string sealed(std::string text) {
 }
 
 bool is_whole(std::string_view bytes) {
-  return bytes.size() >= 2 * kWord && number_at(bytes, 0) == bytes.size() &&
-         number_at(bytes, bytes.size() - kWord) == crc32c(bytes.substr(0, bytes.size() - kWord));
+  return bytes.size() >= 2 * kWord && integer_at(bytes, 0) == bytes.size() &&
+         integer_at(bytes, bytes.size() - kWord) == crc32c(bytes.substr(0, bytes.size() - kWord));
 }
 
 std::string_view content(std::string_view sealed_bytes) {
@@ -179,7 +179,7 @@ std::string encode(const RowBlock& block) {
 }
 
 DesignRange designs_of(std::string_view record) {
-  return {number_at(record, kWord), number_at(record, 2 * kWord)};
+  return {integer_at(record, kWord), integer_at(record, 2 * kWord)};
 }
 
 Journal Journal::append_to(const fs::path& path, const JournalHeader& header, bool afresh) {
@@ -266,7 +266,7 @@ bool Journal::load() {
   put(magic, kMagic);
   if (start.substr(0, kWord) != magic.substr(0, start.size())) refuse_foreign(path_);
   if (start.size() < 2 * kWord) return false;
-  const std::uint64_t length = number_at(start, kWord);
+  const std::uint64_t length = integer_at(start, kWord);
   if (length > kLongestHeader) refuse_foreign(path_);
   if (length > size - kWord) return false;
   const std::string head = bytes(kWord, length);
@@ -277,7 +277,7 @@ bool Journal::load() {
 
   end_ = kWord + length;
   while (size - end_ >= kShortestRecord) {
-    const std::uint64_t next = number_at(bytes(end_, kWord), 0);
+    const std::uint64_t next = integer_at(bytes(end_, kWord), 0);
     if (next > size - end_) break;
     const std::string record = next < kShortestRecord ? std::string() : bytes(end_, next);
     damaged_ = !is_whole(record) || !decode(record, header_);

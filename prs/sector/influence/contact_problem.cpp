@@ -1,8 +1,9 @@
 #include "prs/sector/influence/contact_problem.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "fe/lu.h"
 
 namespace prs {
 namespace {

@@ -1,8 +1,9 @@
 #include "prs/sector/influence/thrust_face.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <numeric>
+
+#include "fe/lu.h"
 
 namespace prs {
 namespace {

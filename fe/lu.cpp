@@ -1,0 +1,3 @@
+#include "fe/lu.h"
+
+template void Eigen::PartialPivLU<Eigen::MatrixXd>::compute();
